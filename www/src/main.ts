@@ -5,7 +5,7 @@ import "./app/layout.css";
 import { html, render } from "lit";
 import { App } from "./app/app";
 import { listenToDrops } from "./app/dropping";
-import { fetchFirstModel, fetchFirstMotion } from "./app/first";
+import { fetchStartModel, fetchStartMotion } from "./app/start-files";
 import { listenToKeys } from "./app/keyboard";
 import { openFiles } from "./app/open-files";
 import "./app/page";
@@ -40,12 +40,16 @@ listenToKeys({
   hold: (held) => page?.holdByKey(held),
   projector: () => app.settings.change({ large: !app.settings.values.large }),
 });
-listenToDrops((files, at) => void openFiles(app, files, at));
+listenToDrops(async (dropped, at) => {
+  const { files, problems } = await dropped;
+  await openFiles(app, files, at);
+  for (const problem of problems) app.notices.add({ kind: "error", ...problem, at });
+});
 addEventListener("hashchange", () => app.followAddress());
 // The browser asks whether to leave.
 addEventListener("beforeunload", (event) => wouldLose(app) && event.preventDefault());
 
-const start = () => app.start(startEngine, fetchFirstModel());
+const start = () => app.start(startEngine, fetchStartModel());
 // What could not be loaded may be there now.
 addEventListener("online", () => void (app.engine.state === "failed" && start()));
 void start().then(() => {
@@ -64,7 +68,7 @@ void start().then(() => {
       () => void app.offline.begin(async () => (await import("./offline/service-workers")).serviceWorkers()),
     );
 });
-fetchFirstMotion().then(
+fetchStartMotion().then(
   (motion) => {
     // Until the model has rolled out the real thing.
     if (motion && !app.stage.shown) app.stage.showModel(motion);

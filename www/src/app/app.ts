@@ -112,7 +112,7 @@ export class App {
   /** The answers of all participants on this machine. */
   async forgetAnswers(): Promise<void> {
     await (await this.#answers.get()).forgetAll();
-    this.perception.loaded?.forgotten();
+    this.perception.loaded?.dropStored();
   }
 
   readonly #outlook = new Lazy(async () => {

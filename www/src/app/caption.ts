@@ -63,7 +63,7 @@ export class CaptionView extends View {
   }
 
   /** Where the motion on the stage is none any more: that it is so, and what helps. */
-  private healthNotice() {
+  #healthNotice() {
     const { stage, model, training, pointing, body, embedded } = this.app;
     const { shown } = stage;
     if (shown?.kind !== "model" || training.learning || pointing.report || !body.reports || !body.isCurrent)
@@ -93,7 +93,7 @@ export class CaptionView extends View {
   }
 
   /** Opens a closer look. */
-  private look(detail: Detail, words: string) {
+  #look(detail: Detail, words: string) {
     const show = () => this.dispatchEvent(new CustomEvent("show-details", { detail, bubbles: true }));
     return html`<button class="link" data-testid="show-${detail}" @click=${show}>${words}</button>`;
   }
@@ -109,13 +109,13 @@ export class CaptionView extends View {
             ? html`A <pg-term of="rollout" text="rollout"></pg-term>${text ? ", " : ""}`
             : nothing
         }${text}</span>
-        ${model.rollout ? html`<span>${this.look("angles", "joint angles")}, ${this.look("kernels", "kernels")}</span>` : nothing}
+        ${model.rollout ? html`<span>${this.#look("angles", "joint angles")}, ${this.#look("kernels", "kernels")}</span>` : nothing}
         ${
           stage.clip !== null && model.model
             ? html`<button class="small" @click=${() => stage.endClip()}>Back to the model</button>`
             : nothing
         }
-        ${this.healthNotice()}
+        ${this.#healthNotice()}
       </div>`;
   }
 }

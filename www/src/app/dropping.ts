@@ -1,8 +1,11 @@
-// Files dropped anywhere on the page.
+// Files and folders that are dropped anywhere on the page.
+import type { Place } from "../ui/notices-store";
+import { type DroppedFiles, droppedFiles } from "./dropped-files";
 
-export function listenToDrops(opened: (files: File[], at: { x: number; y: number }) => void): void {
+export function listenToDrops(opened: (dropped: Promise<DroppedFiles>, at: Place) => void): void {
   const page = document.documentElement;
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
+  // Each element under the pointer sends these events, so they are counted.
   let depth = 0;
   const show = (dragging: boolean) => page.toggleAttribute("data-dragging", dragging);
   document.addEventListener("dragenter", (event) => {
@@ -23,6 +26,6 @@ export function listenToDrops(opened: (files: File[], at: { x: number; y: number
     show(false);
     if (!hasFiles(event)) return;
     event.preventDefault();
-    opened([...(event.dataTransfer?.files ?? [])], { x: event.clientX, y: event.clientY });
+    opened(droppedFiles(event.dataTransfer?.items ?? []), { x: event.clientX, y: event.clientY });
   });
 }

@@ -38,7 +38,7 @@ export class HeaderView extends View {
     return [...wordStores(this.app), engine, settings, settings.address, offline];
   }
 
-  private tell(type: string, detail?: unknown): void {
+  #tell(type: string, detail?: unknown): void {
     this.dispatchEvent(new CustomEvent(type, { detail, bubbles: true }));
   }
 
@@ -46,11 +46,11 @@ export class HeaderView extends View {
    * Links, so that they can be opened elsewhere and shared; written when the address is, not at each move of
    * a slider.
    */
-  private views() {
+  #views() {
     const { settings } = this.app;
     return html`
       <nav class="segments" aria-label="Views">
-        ${VIEWS.filter(([view]) => view !== "series" || this.hasSeries).map(
+        ${VIEWS.filter(([view]) => view !== "series" || this.#hasSeries).map(
           ([view, title]) => html`
           <a href=${guard([settings.address.fragment], () => `#${writeSettings({ ...settings.written, view })}`)}
             data-testid="view-${view}" aria-current=${settings.values.view === view ? "page" : "false"}
@@ -64,18 +64,18 @@ export class HeaderView extends View {
   }
 
   /** Few have other data than bodies: the view has a place of its own from when it is first opened. */
-  private get hasSeries(): boolean {
+  get #hasSeries(): boolean {
     return this.app.settings.values.view === "series" || this.app.series.loaded !== null;
   }
 
-  private lead() {
+  #lead() {
     const { view } = this.app.settings.values;
     if (view !== "play") return LEADS[view];
-    return html`${wordsNow(this.app).lead} ${this.invitation()}`;
+    return html`${wordsNow(this.app).lead} ${this.#invitation()}`;
   }
 
   /** What to try next: what it says is measured by tests/e2e/couplings.test.mjs. */
-  private invitation() {
+  #invitation() {
     const { model, stage, training } = this.app;
     if (stage.shown?.kind !== "model" || training.learning) return nothing;
     if (model.couplings.altered) {
@@ -87,7 +87,7 @@ export class HeaderView extends View {
     }
     const show = (event: Event) => {
       event.preventDefault();
-      this.tell("show-couplings");
+      this.#tell("show-couplings");
     };
     return model.presets.length > 0
       ? html`<a href="#couplings" @click=${show}>Drag a slider</a> to change who decides.`
@@ -95,7 +95,7 @@ export class HeaderView extends View {
   }
 
   /** The new version waits until the visitor asks for it. */
-  private newVersion() {
+  #newVersion() {
     const { offline } = this.app;
     if (!offline.hasNewVersion) return nothing;
     return html`<button data-testid="new-version" title="A new version of this page is there. Loading it begins anew: save first what you want to keep."
@@ -106,11 +106,11 @@ export class HeaderView extends View {
     return html`
       <div class="title">
         <h1>Coupled <pg-term of="movement-primitive" text="movement primitives"></pg-term></h1>
-        <p class="lead" data-testid="lead">${this.lead()}</p>
+        <p class="lead" data-testid="lead">${this.#lead()}</p>
       </div>
-      ${this.views()}
+      ${this.#views()}
       <div class="actions" role="group" aria-label="Files">
-        ${this.newVersion()}
+        ${this.#newVersion()}
         ${fileButton({
           label: "Open",
           meaning: "Open a model (.json), clips (.bvh) or tables (.csv)",
@@ -118,10 +118,10 @@ export class HeaderView extends View {
           accept: ".json,.bvh,.csv,application/json,text/csv",
           multiple: true,
           disabled: false,
-          chosen: (files) => this.tell("open-files", files),
+          chosen: (files) => this.#tell("open-files", files),
         })}
         <pg-save-menu .app=${this.app}></pg-save-menu>
-        <button class="round" aria-label="Help and keys" title="Help and keys (?)" data-testid="help" @click=${() => this.tell("show-help")}>${icon("help")}</button>
+        <button class="round" aria-label="Help and keys" title="Help and keys (?)" data-testid="help" @click=${() => this.#tell("show-help")}>${icon("help")}</button>
       </div>`;
   }
 }

@@ -6,7 +6,7 @@ import { clipTitle } from "../ui/format";
 import { icon } from "../ui/icons";
 import "../ui/dialog.css";
 import { View } from "../ui/view";
-import { ACKNOWLEDGEMENT } from "./acknowledgement";
+import { DATA_SOURCE } from "./data-source";
 import "./help.css";
 
 const KEYS: [string, string][] = [
@@ -34,12 +34,12 @@ export class HelpView extends View {
     if (dialog && !dialog.open) dialog.showModal();
   }
 
-  private showMethod(): void {
+  #showMethod(): void {
     this.querySelector("dialog")?.close();
     this.dispatchEvent(new CustomEvent("show-method", { bubbles: true }));
   }
 
-  private provenance() {
+  #provenance() {
     const { model } = this.model;
     const { version } = this.engine;
     if (!model) return "";
@@ -62,13 +62,13 @@ export class HelpView extends View {
           <p>Inducing points are the few examples that the model keeps in place of the data: poses (diamonds), and short pieces of movement (arrows).
             Point at one to see its pose, and the frames it speaks for on the time line.</p>
           <p>Training climbs the evidence lower bound: how well the model explains the clips, less what it takes to say so.</p>
-          <p><button class="small" @click=${this.showMethod}>The method: equations, symbols, references</button></p>
+          <p><button class="small" @click=${this.#showMethod}>The method: equations, symbols, references</button></p>
           <h3>Keys</h3>
           <dl class="keys">${KEYS.map(([key, does]) => html`<dt><kbd>${key}</kbd></dt><dd>${does}</dd>`)}</dl>
           <h3>About</h3>
           <p>Nothing you load leaves your machine: everything is computed in this browser.</p>
-          <p>The sample clips are made by this project, with a procedural walker. The model that walks at the start was trained on recordings of CMU subject 7. ${ACKNOWLEDGEMENT}</p>
-          ${this.provenance()}
+          <p>The sample clips are made by this project, with a procedural walker. The model that walks at the start was trained on recordings of CMU subject 7. ${DATA_SOURCE}</p>
+          ${this.#provenance()}
         </div>
       </dialog>`;
   }

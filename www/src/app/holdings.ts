@@ -42,7 +42,7 @@ function holdingsOf({ settings, clips, training, model, comparison, primitives }
   const ids = new Map(clips.all.map(({ key, loaded }) => [key, loaded.id]));
   return {
     fragment: settings.address.fragment.replace(/^#/, ""),
-    clips: clips.kept.map((clip) => ({ ...clip, id: ids.get(clip.key) ?? 0 })),
+    clips: clips.stored.map((clip) => ({ ...clip, id: ids.get(clip.key) ?? 0 })),
     firstBones: clips.firstBones,
     runs: training.runs,
     chosen: training.chosen,

@@ -1,29 +1,31 @@
 // What is loaded only when it is first asked for.
 
 export class Lazy<Value> {
-  #value: Promise<Value> | null = null;
-
-  constructor(private readonly load: () => Promise<Value>) {}
-
+  readonly #load: () => Promise<Value>;
+  #loading: Promise<Value> | null = null;
   #loaded: Value | null = null;
 
-  /** What was loaded; null before. */
+  constructor(load: () => Promise<Value>) {
+    this.#load = load;
+  }
+
+  /** The loaded value; null before. */
   get loaded(): Value | null {
     return this.#loaded;
   }
 
-  /** Loads it, once; after a failure it may be tried again. */
+  /** Loads the value, once; after a failure the next call tries again. */
   get(): Promise<Value> {
-    this.#value ??= this.#load();
-    return this.#value;
+    this.#loading ??= this.#loadNow();
+    return this.#loading;
   }
 
-  async #load(): Promise<Value> {
+  async #loadNow(): Promise<Value> {
     try {
-      this.#loaded = await this.load();
+      this.#loaded = await this.#load();
       return this.#loaded;
     } catch (problem) {
-      this.#value = null;
+      this.#loading = null;
       throw problem;
     }
   }

@@ -18,7 +18,9 @@ export function wouldLose(app: App): boolean {
     !(comparison?.unsaved ?? []).every(isStoredThing(comparison?.shown)),
     (app.series.loaded?.model.unsaved ?? null) !== null,
     (perception?.unsaved ?? null) !== null,
-    perception !== null && perception.unkept !== "" && perception.kept.some(({ rows }) => rows.length > 0),
+    perception !== null &&
+      perception.storageProblem !== "" &&
+      perception.participations.some(({ rows }) => rows.length > 0),
   ].some(Boolean);
 }
 
@@ -30,7 +32,7 @@ function workUnderWay({ training, comparison, experiment, primitives, series, pe
     isBusy(training, learning, fitting, imports, fold, series.loaded?.training) ? "a training" : "",
     isBusy(comparison.loaded) ? "a comparison" : "",
     isBusy(experiment.loaded) ? "an experiment" : "",
-    perception.loaded?.sitting ? "an experiment with a participant" : "",
+    perception.loaded?.active ? "an experiment with a participant" : "",
   ].filter(Boolean);
 }
 

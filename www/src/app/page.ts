@@ -17,7 +17,7 @@ import { View } from "../ui/view";
 import type { App } from "./app";
 import { clipOnStage } from "./caption";
 import "./header";
-import { ACKNOWLEDGEMENT } from "./acknowledgement";
+import { DATA_SOURCE } from "./data-source";
 import type { HelpView } from "./help";
 import { openFiles, openModel } from "./open-files";
 
@@ -94,7 +94,7 @@ export class PageView extends View {
   declare session: SessionStore | null;
   /** How to draw the live motion, once it has been asked for. */
   declare liveView: (() => TemplateResult) | null;
-  private keyHolds: { source: number; target: number } | null = null;
+  #keyHolds: { source: number; target: number } | null = null;
   declare app: App;
   declare tab: Tab;
   readonly #loaded = new Map<keyof typeof ON_DEMAND, "loading" | "failed" | (() => TemplateResult)>();
@@ -107,8 +107,8 @@ export class PageView extends View {
   }
 
   /** Goes on live, or back to the clip; the first time loads what that needs. */
-  private async switchLive(on: boolean): Promise<void> {
-    const live = await this.liveStore();
+  async #switchLive(on: boolean): Promise<void> {
+    const live = await this.#liveStore();
     if (!live) return;
     if (on) await live.start();
     else live.stop();
@@ -117,12 +117,12 @@ export class PageView extends View {
   /** The coupling of the slider in focus; without one, the strongest from one part to another. */
   holdByKey(held: boolean): void {
     if (held && this.app.isPlayView)
-      this.keyHolds = this.couplingInFocus() ?? this.app.model.couplings.strongestBetween();
-    if (this.keyHolds) void this.holdCoupling({ ...this.keyHolds, held });
-    if (!held) this.keyHolds = null;
+      this.#keyHolds = this.#couplingInFocus() ?? this.app.model.couplings.strongestBetween();
+    if (this.#keyHolds) void this.#holdCoupling({ ...this.#keyHolds, held });
+    if (!held) this.#keyHolds = null;
   }
 
-  private couplingInFocus(): { source: number; target: number } | null {
+  #couplingInFocus(): { source: number; target: number } | null {
     const { source, target } =
       document.activeElement instanceof HTMLElement ? document.activeElement.dataset : {};
     return source === undefined || target === undefined
@@ -130,13 +130,13 @@ export class PageView extends View {
       : { source: Number(source), target: Number(target) };
   }
 
-  private async holdCoupling({ source, target, held }: HoldCoupling): Promise<void> {
-    const live = await this.liveStore();
+  async #holdCoupling({ source, target, held }: HoldCoupling): Promise<void> {
+    const live = await this.#liveStore();
     await live?.hold(source, target, held);
   }
 
   /** The live motion with its view; null where it cannot be loaded. */
-  private async liveStore(): Promise<LiveStore | null> {
+  async #liveStore(): Promise<LiveStore | null> {
     try {
       const [live] = await Promise.all([this.app.live.get(), import("../live/live-view")]);
       this.liveView ??= () => html`<pg-live .live=${live} .model=${this.app.model}></pg-live>`;
@@ -155,7 +155,7 @@ export class PageView extends View {
   protected override arrived(): void {
     // What could not be loaded may be there now. Chromium keeps a failed import until the page is reloaded.
     this.listen(window, "online", () => {
-      for (const [view, state] of this.#loaded) if (state === "failed") this.load(view);
+      for (const [view, state] of this.#loaded) if (state === "failed") this.#load(view);
     });
   }
 
@@ -178,7 +178,7 @@ export class PageView extends View {
     }
   }
 
-  private async showPlace(name: string): Promise<void> {
+  async #showPlace(name: string): Promise<void> {
     if (!(name in PLACES)) return;
     const { tab, focus } = PLACES[name as keyof typeof PLACES];
     if (this.app.settings.values.view !== "play") this.app.settings.change({ view: "play" });
@@ -192,7 +192,7 @@ export class PageView extends View {
   }
 
   /** A closer look, in a dialog. */
-  private async showDetails(what: Detail): Promise<void> {
+  async #showDetails(what: Detail): Promise<void> {
     const { notices, model, playback, engine } = this.app;
     if (!engine.engine || !model.rollout) return;
     try {
@@ -204,7 +204,7 @@ export class PageView extends View {
   }
 
   /** Puts a model of another view on the stage. */
-  private async stageModel(text: string): Promise<void> {
+  async #stageModel(text: string): Promise<void> {
     const { notices, settings } = this.app;
     try {
       if (!(await openModel(this.app, text, true))) return;
@@ -214,21 +214,21 @@ export class PageView extends View {
     }
   }
 
-  private showMethod(): void {
+  #showMethod(): void {
     this.app.settings.change({ view: "method" });
   }
 
-  private onDemand(view: keyof typeof ON_DEMAND) {
+  #onDemand(view: keyof typeof ON_DEMAND) {
     const loaded = this.#loaded.get(view);
     if (typeof loaded === "function") return loaded();
     if (loaded === "failed")
       return html`<p class="empty" role="alert">This part of the page could not be loaded.
         <button class="small" @click=${() => location.reload()}>Reload the page</button></p>`;
-    if (!loaded) queueMicrotask(() => this.load(view));
+    if (!loaded) queueMicrotask(() => this.#load(view));
     return html`<p class="empty" role="status">Loading</p>`;
   }
 
-  private load(view: keyof typeof ON_DEMAND): void {
+  #load(view: keyof typeof ON_DEMAND): void {
     if (this.#loaded.get(view) === "loading") return;
     const arrived = (state: "loading" | "failed" | (() => TemplateResult)) => {
       this.#loaded.set(view, state);
@@ -238,21 +238,21 @@ export class PageView extends View {
     ON_DEMAND[view](this.app).then(arrived, () => arrived("failed"));
   }
 
-  private tabKeys(event: KeyboardEvent): void {
+  #tabKeys(event: KeyboardEvent): void {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!step) return;
     event.preventDefault();
     event.stopPropagation();
-    const tabs = this.tabs().map(([id]) => id);
+    const tabs = this.#tabs().map(([id]) => id);
     this.tab = tabs.at((tabs.indexOf(this.tab) + step) % tabs.length) ?? this.tab;
     void this.updateComplete.then(() => this.querySelector<HTMLElement>(`#tab-${this.tab}`)?.focus());
   }
 
-  private tabs() {
+  #tabs() {
     return this.app.embedded ? TABS.slice(0, 2) : TABS;
   }
 
-  private stageArea() {
+  #stageArea() {
     const { stage, playback, settings, clips, model, isPlayView } = this.app;
     // The handles come with the first clip on the stage; where they could not be loaded the next clip asks
     // again.
@@ -267,7 +267,7 @@ export class PageView extends View {
       </section>`;
   }
 
-  private panels() {
+  #panels() {
     const {
       engine,
       settings,
@@ -306,14 +306,14 @@ export class PageView extends View {
       }`;
   }
 
-  private forgetButton() {
+  #forgetButton() {
     const { session } = this;
     if (!session) return nothing;
     return html`<button class="link" data-testid="forget" title="This browser keeps clips, trainings, models and participants’ answers of your visits. Forget all of them, and keep nothing of this visit."
-      @click=${() => void this.forget(session)}>Forget everything</button>`;
+      @click=${() => void this.#forget(session)}>Forget everything</button>`;
   }
 
-  private async forget(session: SessionStore): Promise<void> {
+  async #forget(session: SessionStore): Promise<void> {
     const { notices } = this.app;
     const text =
       "This browser then keeps nothing of earlier visits, nothing of this visit from now on, and no answers of participants. Other open tabs, a participant who answers now, and the files on your disk stay as they are.";
@@ -334,13 +334,13 @@ export class PageView extends View {
     const { model: linked } = model.link;
     const { view } = settings.values;
     return html`
-      <div class="page" data-embed=${embedded ? "1" : "0"} @show-help=${this.openHelp} @show-method=${this.showMethod} @show-series=${() => settings.change({ view: "series" })}
-        @show-couplings=${() => void this.showPlace("couplings")} @show-place=${({ detail }: CustomEvent<string>) => void this.showPlace(detail)}
-        @hold-coupling=${({ detail }: CustomEvent<HoldCoupling>) => void this.holdCoupling(detail)}
-        @show-details=${({ detail }: CustomEvent<Detail>) => void this.showDetails(detail)}
+      <div class="page" data-embed=${embedded ? "1" : "0"} @show-help=${this.openHelp} @show-method=${this.#showMethod} @show-series=${() => settings.change({ view: "series" })}
+        @show-couplings=${() => void this.#showPlace("couplings")} @show-place=${({ detail }: CustomEvent<string>) => void this.#showPlace(detail)}
+        @hold-coupling=${({ detail }: CustomEvent<HoldCoupling>) => void this.#holdCoupling(detail)}
+        @show-details=${({ detail }: CustomEvent<Detail>) => void this.#showDetails(detail)}
         @study-made=${({ detail }: CustomEvent<string>) => void this.app.openStudy(detail, true)}
-        @switch-live=${({ detail }: CustomEvent<boolean>) => void this.switchLive(detail)}
-        @stage-model=${({ detail }: CustomEvent<string>) => void this.stageModel(detail)}
+        @switch-live=${({ detail }: CustomEvent<boolean>) => void this.#switchLive(detail)}
+        @stage-model=${({ detail }: CustomEvent<string>) => void this.#stageModel(detail)}
         @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
         ${embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}
         ${this.session ? html`<pg-session .session=${this.session}></pg-session>` : nothing}
@@ -362,11 +362,11 @@ export class PageView extends View {
               <button class="small" @click=${() => void this.app.reload()}>Keep everything and reload</button></p>`
             : nothing
         }
-        ${isPlayView || view === "play" ? nothing : html`<main class="on-demand">${this.onDemand(view)}</main>`}
+        ${isPlayView || view === "play" ? nothing : html`<main class="on-demand">${this.#onDemand(view)}</main>`}
         <main ?hidden=${!isPlayView}>
-          ${this.stageArea()}
-          <div class="tabs" role="tablist" aria-label="Panels" @keydown=${this.tabKeys}>
-            ${this.tabs().map(
+          ${this.#stageArea()}
+          <div class="tabs" role="tablist" aria-label="Panels" @keydown=${this.#tabKeys}>
+            ${this.#tabs().map(
               ([id, title]) => html`
               <button role="tab" id="tab-${id}" aria-controls="panel-${id}" aria-selected=${this.tab === id ? "true" : "false"}
                 tabindex=${this.tab === id ? 0 : -1} @click=${() => {
@@ -374,16 +374,16 @@ export class PageView extends View {
                 }}>${title}</button>`,
             )}
           </div>
-          ${this.panels()}
+          ${this.#panels()}
         </main>
         ${
           embedded
             ? nothing
             : html`
           <footer>
-            <span>Nothing you load leaves your machine. ${this.forgetButton()}</span>
+            <span>Nothing you load leaves your machine. ${this.#forgetButton()}</span>
             <span><a href="licences.txt">Licences</a> of what others wrote.</span>
-            <span>The start model was trained on CMU subject 7. ${ACKNOWLEDGEMENT}</span>
+            <span>The start model was trained on CMU subject 7. ${DATA_SOURCE}</span>
           </footer>`
         }
         <pg-notices .notices=${notices}></pg-notices>

@@ -20,7 +20,7 @@ export class SaveMenu extends View {
   }
 
   /** Before it is shown: below its button, within the window. */
-  private place({ currentTarget, newState }: ToggleEvent & { currentTarget: HTMLElement }): void {
+  #place({ currentTarget, newState }: ToggleEvent & { currentTarget: HTMLElement }): void {
     const button = this.querySelector("button");
     if (newState !== "open" || !button) return;
     const { left, bottom } = button.getBoundingClientRect();
@@ -30,7 +30,7 @@ export class SaveMenu extends View {
     currentTarget.style.top = `${bottom + 4}px`;
   }
 
-  private item(what: Saved, title: string, kind: string, about: string, possible: boolean) {
+  #item(what: Saved, title: string, kind: string, about: string, possible: boolean) {
     const chosen = () => {
       this.querySelector<HTMLElement>("#save-menu")?.hidePopover();
       import("./saving").then(
@@ -53,13 +53,13 @@ export class SaveMenu extends View {
     return html`
       <button class="small" data-testid="save" popovertarget="save-menu" title=${isPlayView ? nothing : "Saves what is on the stage: go to Play"}
         ?disabled=${!isPlayView || (!hasModel && !clip)}>${icon("save")} Save</button>
-      <div id="save-menu" class="menu" popover role="group" aria-label="Save" @beforetoggle=${this.place}>
-        ${this.item("motion", "Motion", "BVH", clip ? `The clip ${clip.title}` : "As it moves on the stage", hasModel || clip !== null)}
-        ${this.item("glb", "Motion with a skin", "GLB", "For Blender and viewers", hasModel || clip !== null)}
-        ${this.item("positions", "Joint positions", "CSV", "A row a frame, in metres, y up", hasModel || clip !== null)}
-        ${this.item("latents", "Latents and weights", "CSV", noRollout || "A row a frame", hasModel && !clip)}
-        ${this.item("account", "How the motion was made", "JSON", noRollout || "Model, clips, seed, couplings, start", hasModel && !clip)}
-        ${this.item("model", "Model", "JSON", "Opens here and in the terminal", hasModel)}
+      <div id="save-menu" class="menu" popover role="group" aria-label="Save" @beforetoggle=${this.#place}>
+        ${this.#item("motion", "Motion", "BVH", clip ? `The clip ${clip.title}` : "As it moves on the stage", hasModel || clip !== null)}
+        ${this.#item("glb", "Motion with a skin", "GLB", "For Blender and viewers", hasModel || clip !== null)}
+        ${this.#item("positions", "Joint positions", "CSV", "A row a frame, in metres, y up", hasModel || clip !== null)}
+        ${this.#item("latents", "Latents and weights", "CSV", noRollout || "A row a frame", hasModel && !clip)}
+        ${this.#item("account", "How the motion was made", "JSON", noRollout || "Model, clips, seed, couplings, start", hasModel && !clip)}
+        ${this.#item("model", "Model", "JSON", "Opens here and in the terminal", hasModel)}
       </div>`;
   }
 }

@@ -28,7 +28,7 @@ export interface ClipEntry {
 }
 
 /** What another visit needs to have a clip again. */
-export type KeptClip = Pick<ClipEntry, "key" | "title" | "origin" | "source" | "ticked" | "first" | "end">;
+export type StoredClip = Pick<ClipEntry, "key" | "title" | "origin" | "source" | "ticked" | "first" | "end">;
 
 export class ClipsStore extends Store {
   readonly #engine: EngineStore;
@@ -150,14 +150,14 @@ export class ClipsStore extends Store {
   }
 
   /** The clips as another visit can take them up. */
-  get kept(): KeptClip[] {
+  get stored(): StoredClip[] {
     return this.#clips.map(({ key, title, origin, source, ticked, first, end }) => ({
       ...{ key, title, origin, source, ticked, first, end },
     }));
   }
 
   /** Takes up a clip of an earlier visit and returns its id in this one; null: this page has no such clip. */
-  async takeUp({ key, title, origin, source, ticked, first, end }: KeptClip): Promise<number | null> {
+  async takeUp({ key, title, origin, source, ticked, first, end }: StoredClip): Promise<number | null> {
     const { engine } = this.#engine;
     if (!engine) throw new Error("The page is still getting ready; try again in a moment.");
     let now = origin === "made" ? key : null;

@@ -16,20 +16,20 @@ export class ClipsView extends View {
   declare stage: StageStore;
   declare engine: EngineStore;
   declare notices: NoticesStore;
-  private readonly cutting = new Set<string>();
+  readonly #cutting = new Set<string>();
   /** Where the clips have a tab of their own there is room for all of them. */
-  private readonly unfolded = matchMedia("(max-width: 1179.98px)").matches;
+  readonly #unfolded = matchMedia("(max-width: 1179.98px)").matches;
 
   protected override stores() {
     return [this.clips, this.stage, this.engine, this.notices];
   }
 
-  private toggleCut(key: string): void {
-    if (!this.cutting.delete(key)) this.cutting.add(key);
+  #toggleCut(key: string): void {
+    if (!this.#cutting.delete(key)) this.#cutting.add(key);
     this.requestUpdate();
   }
 
-  private cutField(clip: ClipEntry, side: "first" | "end") {
+  #cutField(clip: ClipEntry, side: "first" | "end") {
     const { clips } = this;
     const { key, title, loaded } = clip;
     // Visitors count frames from 1, and their last is kept.
@@ -46,16 +46,16 @@ export class ClipsView extends View {
       aria-label="${side === "first" ? "First" : "Last"} frame of ${title}" @change=${change} />`;
   }
 
-  private cutFields(clip: ClipEntry) {
+  #cutFields(clip: ClipEntry) {
     return html`
       <div class="cut" role="group" aria-label="Frames of ${clip.title} to use">
-        <label>from ${this.cutField(clip, "first")}</label>
-        <label>to ${this.cutField(clip, "end")}</label>
+        <label>from ${this.#cutField(clip, "first")}</label>
+        <label>to ${this.#cutField(clip, "end")}</label>
         <span>of ${clip.loaded.info.frames} frames</span>
       </div>`;
   }
 
-  private row(clip: ClipEntry) {
+  #row(clip: ClipEntry) {
     const { key, title, origin, ticked, loaded, first, end } = clip;
     const { clips, stage } = this;
     const shown = stage.clip === key;
@@ -69,7 +69,7 @@ export class ClipsView extends View {
           <span class="clip-title" title=${title}>${title}</span>
         </label>
         <span class="clip-length">${seconds} s</span>
-        <button class="round" aria-label="Cut ${title}" title="Cut" aria-expanded=${this.cutting.has(key) ? "true" : "false"} @click=${() => this.toggleCut(key)}>${icon("cut")}</button>
+        <button class="round" aria-label="Cut ${title}" title="Cut" aria-expanded=${this.#cutting.has(key) ? "true" : "false"} @click=${() => this.#toggleCut(key)}>${icon("cut")}</button>
         <button class="round" aria-label=${shown ? `Stop showing ${title}` : `Show ${title}`} title=${shown ? "Back to the model" : "Show on the stage"} aria-pressed=${shown ? "true" : "false"}
           @click=${() => (shown ? stage.endClip() : clips.show(key))}>${icon("eye")}</button>
         ${
@@ -77,7 +77,7 @@ export class ClipsView extends View {
             ? html`<button class="round" aria-label="Remove ${title}" title="Remove" ?disabled=${clips.locked} @click=${() => void clips.remove(key)}>${icon("close")}</button>`
             : html`<span class="round"></span>`
         }
-        ${this.cutting.has(key) ? this.cutFields(clip) : nothing}
+        ${this.#cutting.has(key) ? this.#cutFields(clip) : nothing}
         ${
           warnings.length > 0
             ? html`<details class="warnings"><summary>${warnings.length} ${warnings.length === 1 ? "notice" : "notices"}</summary>
@@ -88,16 +88,16 @@ export class ClipsView extends View {
   }
 
   /** By their keys: what is unfolded in a row stays with its clip. */
-  private rows(clips: readonly ClipEntry[]) {
+  #rows(clips: readonly ClipEntry[]) {
     return repeat(
       clips,
       ({ key }) => key,
-      (clip) => this.row(clip),
+      (clip) => this.#row(clip),
     );
   }
 
   /** Where only the bones differ, what can be done about it; and how to undo it. */
-  private bones() {
+  #bones() {
     const { clips } = this;
     const { bonesClash, firstBones, ticked, locked } = clips;
     const [first] = ticked;
@@ -133,20 +133,20 @@ export class ClipsView extends View {
       </header>
       ${here.map((notice) => noticeCard(notices, notice))}
       ${clips.clash ? html`<p class="bad" role="alert" data-testid="clash">${clips.clash}</p>` : nothing}
-      ${this.bones()}
+      ${this.#bones()}
       ${
         own.length > 0
-          ? html`<ul class="clip-list" data-testid="own-clips">${this.rows(own)}</ul>`
+          ? html`<ul class="clip-list" data-testid="own-clips">${this.#rows(own)}</ul>`
           : html`<p class="hint">Drop your own motion clips (.bvh) or a model (.json) anywhere. They stay on this machine.
             <button class="link" data-testid="show-series" @click=${() => this.dispatchEvent(new CustomEvent("show-series", { bubbles: true }))}>Time series</button>
             that are no body (.csv) have a view of their own.</p>`
       }
       ${
         made.length > 0
-          ? html`<details class="made" ?open=${this.unfolded}>
+          ? html`<details class="made" ?open=${this.#unfolded}>
             <summary>Samples, made by a procedural walker
               <small>${made.filter(({ ticked }) => ticked).length} of ${made.length} ticked, to train a new model on</small></summary>
-            <ul class="clip-list" data-testid="made-clips">${this.rows(made)}</ul></details>`
+            <ul class="clip-list" data-testid="made-clips">${this.#rows(made)}</ul></details>`
           : this.engine.state === "loading"
             ? html`<p class="empty">Getting the sample clips ready</p>`
             : nothing

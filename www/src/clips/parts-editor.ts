@@ -6,7 +6,7 @@ import { partOfJoints } from "../scene/part-of-joints";
 import { MAX_PARTS } from "../engine/limits";
 import { partName } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
-import { freeName, memberRow, partColours, partNames, renamed, whyNotName } from "../ui/part-names";
+import { freeName, memberRow, partColours, partNames, renamed, nameProblem } from "../ui/part-names";
 import { View } from "../ui/view";
 import type { ClipsStore } from "./clips-store";
 import { filledSplit, moveBranch } from "./parts";
@@ -16,40 +16,40 @@ export class PartsEditor extends View {
   declare settings: SettingsStore;
   declare clips: ClipsStore;
   /** Why the last name was refused; empty after the next change. */
-  private refused = "";
+  #refused = "";
 
   protected override stores() {
     return [this.settings, this.clips];
   }
 
   /** Of a link whose split is not valid, the parts that hold in its place. */
-  private get split(): PartSpec[] {
+  get #split(): PartSpec[] {
     const { split } = this.settings.values;
     return split.length > 0 ? split : this.clips.parts;
   }
 
-  private change(split: PartSpec[]): void {
-    this.refused = "";
+  #change(split: PartSpec[]): void {
+    this.#refused = "";
     this.clips.setParts({ split });
   }
 
-  private rename(place: number, text: string): string {
-    const { split } = this;
+  #rename(place: number, text: string): string {
+    const split = this.#split;
     const name = partName(text);
-    const why = whyNotName(split, place, name);
-    if (!why) this.change(renamed(split, place, name));
-    this.refused = why;
+    const why = nameProblem(split, place, name);
+    if (!why) this.#change(renamed(split, place, name));
+    this.#refused = why;
     this.requestUpdate();
-    return this.split[place]?.name ?? "";
+    return this.#split[place]?.name ?? "";
   }
 
-  private removePart(index: number): void {
-    const { split } = this;
+  #removePart(index: number): void {
+    const split = this.#split;
     const heir = index === 0 ? 1 : 0;
     const orphans = split[index]?.joints ?? [];
     const inherit = (part: PartSpec, i: number) =>
       i === heir ? { ...part, joints: [...part.joints, ...orphans] } : part;
-    this.change(split.map(inherit).filter((_, i) => i !== index));
+    this.#change(split.map(inherit).filter((_, i) => i !== index));
   }
 
   protected override render() {
@@ -57,7 +57,7 @@ export class PartsEditor extends View {
     if (!clip) return html``;
     const { joints } = clip.loaded.info;
     const { locked } = this.clips;
-    const split = filledSplit(joints, this.split);
+    const split = filledSplit(joints, this.#split);
     const part = partOfJoints(joints.length, split);
     const colours = partColours(split.map(({ joints: own }) => own.length));
     const depth: number[] = [];
@@ -67,7 +67,7 @@ export class PartsEditor extends View {
         name,
         part: part[place] ?? 0,
         more: { "--depth": Math.min(depth[place] ?? 0, 12) },
-        move: (to) => this.change(moveBranch(joints, split, place, to)),
+        move: (to) => this.#change(moveBranch(joints, split, place, to)),
       });
     return html`
       <div class="parts-editor">
@@ -76,10 +76,10 @@ export class PartsEditor extends View {
           of: "joints",
           most: MAX_PARTS,
           disabled: locked,
-          refused: this.refused,
-          rename: (place, text) => this.rename(place, text),
-          remove: (place) => this.removePart(place),
-          add: () => this.change([...this.split, { name: freeName(this.split), joints: [] }]),
+          refused: this.#refused,
+          rename: (place, text) => this.#rename(place, text),
+          remove: (place) => this.#removePart(place),
+          add: () => this.#change([...this.#split, { name: freeName(this.#split), joints: [] }]),
         })}
         <p class="hint">Choose a joint’s part; the joints below it go along.</p>
         <ul class="joint-tree" tabindex="0" aria-label="Joints and their parts">${joints.map(joint)}</ul>

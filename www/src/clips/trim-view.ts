@@ -16,24 +16,24 @@ export class TrimView extends View {
     return [this.clips, this.stage];
   }
 
-  private get shown() {
+  get #clip(): ClipEntry | undefined {
     return this.clips.all.find(({ key }) => key === this.stage.clip);
   }
 
   /** Cuts, and stops at the frame that is now the first or the last, so that it can be seen. */
-  private cut(event: Event, side: "first" | "end"): void {
-    const { shown } = this;
+  #cut(event: Event, side: "first" | "end"): void {
+    const shown = this.#clip;
     if (!shown) return;
     const handle = event.target as HTMLInputElement;
     const asked: ClipEntry = { ...shown, [side]: handle.valueAsNumber };
     this.clips.cut(asked.key, asked.first, asked.end);
     this.playback.scrub(side === "first" ? 0 : this.playback.lastFrame);
     // Where the handle may not go, it goes back: a place that stays is not drawn again.
-    handle.value = String((this.shown ?? shown)[side]);
+    handle.value = String((this.#clip ?? shown)[side]);
   }
 
   protected override render() {
-    const clip = this.shown;
+    const clip = this.#clip;
     if (!clip) return html``;
     const { title, first, end, loaded } = clip;
     const { frames, frameTime } = loaded.info;
@@ -45,10 +45,10 @@ export class TrimView extends View {
         <div class="handles" style=${styled({ "--from": share(first), "--to": share(end) })}>
           <input type="range" data-testid="trim-first" aria-label="Trim the start of ${title}" min="0" max=${frames} .value=${String(first)}
             aria-valuetext="frame ${first + 1}, ${seconds(first)}" ?disabled=${this.clips.locked}
-            @input=${(event: Event) => this.cut(event, "first")} />
+            @input=${(event: Event) => this.#cut(event, "first")} />
           <input type="range" data-testid="trim-end" aria-label="Trim the end of ${title}" min="0" max=${frames} .value=${String(end)}
             aria-valuetext="frame ${end}, ${seconds(end)}" ?disabled=${this.clips.locked}
-            @input=${(event: Event) => this.cut(event, "end")} />
+            @input=${(event: Event) => this.#cut(event, "end")} />
         </div>
         <output>${seconds(first)} to ${seconds(end)}</output>
       </div>`;

@@ -4,7 +4,7 @@ import type { Evaluated, Job, ResultsView } from "../engine/whole-protocol";
 import { download } from "../ui/download";
 import type { Work } from "../ui/unsaved";
 import type { JobProgress } from "./jobs";
-import type { Question } from "./question";
+import type { ComparisonRequest } from "./comparison-request";
 
 /** Motions that are kept: some hundred kilobytes each. */
 const MOST_MOTIONS = 400;
@@ -18,7 +18,7 @@ export interface Positions {
 
 export interface ComparisonEntry {
   /** Null: the results are from a file. */
-  readonly question: Question | null;
+  readonly request: ComparisonRequest | null;
   /** Whether they came with the page, and stand there until the visitor has others. */
   readonly given: boolean;
   /** What the trials are called. */
@@ -40,11 +40,15 @@ export type ReadonlyEntry = Readonly<Omit<ComparisonEntry, "predictions" | "actu
   readonly actual: ReadonlyMap<number, Positions>;
 };
 
-/** Without a question: from a file. */
-export function newEntry(question: Question | null, results: ResultsView, onDisk = ""): ComparisonEntry {
-  const titles = question?.titles ?? results.setting.trials.map(({ name }) => name);
+/** Without a request: from a file. */
+export function newEntry(
+  request: ComparisonRequest | null,
+  results: ResultsView,
+  onDisk = "",
+): ComparisonEntry {
+  const titles = request?.titles ?? results.setting.trials.map(({ name }) => name);
   return {
-    question,
+    request,
     given: false,
     titles,
     results,

@@ -63,7 +63,7 @@ export class ComparisonPage extends View {
   }
 
   /** Beside the button: what would happen, what is happening, or how it ended. */
-  #words() {
+  #status() {
     const { comparison } = this;
     const { status, ending, whyNot, outlook } = comparison;
     if (this.#problem) return html`<span class="bad" role="alert">${sentence(this.#problem)}</span>`;
@@ -161,7 +161,7 @@ export class ComparisonPage extends View {
     return html`
       <div class="begin">
         ${this.#button()}
-        <p class="hint words" data-testid="compare-progress">${this.#words()}</p>
+        <p class="hint words" data-testid="compare-progress">${this.#status()}</p>
       </div>
       ${progressBar("Comparing", busy ? share(comparison.shown?.jobs ?? []) : null)}
       <div class="visually-hidden" role="status" aria-live="polite">${this.#announcement()}</div>

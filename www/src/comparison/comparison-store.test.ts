@@ -287,7 +287,7 @@ describe("opened results", () => {
     comparison.follow();
     await comparison.open(saved());
     await settled();
-    expect([comparison.ending, comparison.shown?.question]).toEqual(["2 results opened.", null]);
+    expect([comparison.ending, comparison.shown?.request]).toEqual(["2 results opened.", null]);
     expect(comparison.outlook).toMatchObject({ asked: 6, open: 6, goesOn: true });
     await compare();
     expect(comparison.ending).toBe("6 of 6 trainings done.");
@@ -333,7 +333,7 @@ describe("opened results", () => {
     visitor.answer = "keep";
     clips.tick(1, 2);
     await compare();
-    expect(comparison.shown?.question).toBeNull();
+    expect(comparison.shown?.request).toBeNull();
     expect(visitor.asked).toHaveLength(3);
     expect(comparison.unsaved).toContain(comparison.shown);
   });

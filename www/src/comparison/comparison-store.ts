@@ -20,7 +20,7 @@ import {
   workOf,
 } from "./comparison-entry";
 import { costOf, type JobProgress, openJobs, summary, waiting } from "./jobs";
-import { type Question, questionOf } from "./question";
+import { type ComparisonRequest, comparisonRequest } from "./comparison-request";
 import { studyRequestOf } from "./study-request";
 
 /** Comparisons that are kept, so that settings can be changed to and fro. */
@@ -56,7 +56,7 @@ export interface Look {
 }
 
 interface Asked {
-  question: Question;
+  request: ComparisonRequest;
   /** The comparison that would be gone on with. */
   known: ComparisonEntry | null;
   /** The known results as they were when this was asked. */
@@ -207,7 +207,7 @@ export class ComparisonStore extends Store {
    * kept.
    */
   async begin(): Promise<void> {
-    const asked = this.#question();
+    const asked = this.#request();
     if (this.busy || this.whyNot !== "" || !asked) return;
     this.#status = "starting";
     [this.#ending, this.#failed, this.#stop] = ["", false, new AbortController()];
@@ -224,7 +224,7 @@ export class ComparisonStore extends Store {
       entry.jobs = jobs;
       this.#status = "running";
       this.changed();
-      await Promise.all(jobs.map((progress) => this.#carryOut(entry, asked.question, progress, signal)));
+      await Promise.all(jobs.map((progress) => this.#carryOut(entry, asked.request, progress, signal)));
       this.#ending = summary(jobs);
     } catch (problem) {
       this.#failed = !signal.aborted;
@@ -297,16 +297,16 @@ export class ComparisonStore extends Store {
   }
 
   /** What the settings and the ticked clips ask for now. */
-  #question(): Asked | null {
-    const question = questionOf(this.#clips, this.#settings.values);
-    if (!question) return null;
-    const opened = this.#shown?.question === null ? this.#shown : null;
-    const known = this.#entries.get(question.key) ?? opened;
-    return { question, known, text: known?.results.text ?? null };
+  #request(): Asked | null {
+    const request = comparisonRequest(this.#clips, this.#settings.values);
+    if (!request) return null;
+    const opened = this.#shown?.request === null ? this.#shown : null;
+    const known = this.#entries.get(request.key) ?? opened;
+    return { request, known, text: known?.results.text ?? null };
   }
 
   #ask(): void {
-    const asked = this.#obstacle() === "" ? this.#question() : null;
+    const asked = this.#obstacle() === "" ? this.#request() : null;
     if (!asked) {
       this.#planning.drop();
       this.#asked = null;
@@ -332,24 +332,24 @@ export class ComparisonStore extends Store {
   }
 
   /** What is shown or kept now, and would be neither. */
-  #lostTo({ question, known }: Asked, { goesOn }: PlannedComparison): ComparisonEntry[] {
-    const others = [...this.#entries.values()].filter((entry) => entry.question?.key !== question.key);
+  #lostTo({ request, known }: Asked, { goesOn }: PlannedComparison): ComparisonEntry[] {
+    const others = [...this.#entries.values()].filter((entry) => entry.request?.key !== request.key);
     const oldest = others.slice(0, Math.max(0, others.length + 1 - MOST_ENTRIES));
     const shown = this.#shown;
-    return shown?.question === null && !(goesOn && known === shown) ? [...oldest, shown] : oldest;
+    return shown?.request === null && !(goesOn && known === shown) ? [...oldest, shown] : oldest;
   }
 
   /**
    * Shows the comparison that was asked for: as it was left, with the results of an opened file, or a new
    * one.
    */
-  #takeUp({ question, known }: Asked, { results, goesOn }: PlannedComparison): ComparisonEntry {
-    const own = goesOn && known?.question?.key === question.key ? known : null;
-    const entry = own ?? newEntry(question, results, (goesOn && known?.onDisk) || "");
+  #takeUp({ request, known }: Asked, { results, goesOn }: PlannedComparison): ComparisonEntry {
+    const own = goesOn && known?.request?.key === request.key ? known : null;
+    const entry = own ?? newEntry(request, results, (goesOn && known?.onDisk) || "");
     entry.results = results;
     this.#shown = entry;
-    this.#entries.delete(question.key);
-    this.#entries.set(question.key, entry);
+    this.#entries.delete(request.key);
+    this.#entries.set(request.key, entry);
     for (const oldest of this.#entries.keys()) {
       if (this.#entries.size <= MOST_ENTRIES) break;
       this.#entries.delete(oldest);
@@ -359,7 +359,7 @@ export class ComparisonStore extends Store {
 
   async #carryOut(
     entry: ComparisonEntry,
-    question: Question,
+    request: ComparisonRequest,
     progress: JobProgress,
     signal: AbortSignal,
   ): Promise<void> {
@@ -370,7 +370,7 @@ export class ComparisonStore extends Store {
     };
     let evaluated: Evaluated | null;
     try {
-      evaluated = await this.#evaluate(question, progress, signal);
+      evaluated = await this.#evaluate(request, progress, signal);
     } catch (problem) {
       // Only what came of a training is a result: one that was stopped or that failed may be asked for again.
       return end(signal.aborted ? "cancelled" : "failed", messageOf(problem));
@@ -386,7 +386,7 @@ export class ComparisonStore extends Store {
   }
 
   async #evaluate(
-    { clips, settings }: Question,
+    { clips, settings }: ComparisonRequest,
     progress: JobProgress,
     signal: AbortSignal,
   ): Promise<Evaluated | null> {
@@ -413,12 +413,12 @@ export class ComparisonStore extends Store {
   }
 }
 
-function plan(worker: WholeCalls, { question, text }: Asked): Promise<PlannedComparison> {
-  return worker.planComparison(question.clips, question.settings, question.plan, text);
+function plan(worker: WholeCalls, { request, text }: Asked): Promise<PlannedComparison> {
+  return worker.planComparison(request.clips, request.settings, request.plan, text);
 }
 
 function isSame(a: Asked, b: Asked): boolean {
-  const words = ({ question: { key, plan } }: Asked) => JSON.stringify([key, plan]);
+  const words = ({ request: { key, plan } }: Asked) => JSON.stringify([key, plan]);
   return a.known === b.known && a.text === b.text && words(a) === words(b);
 }
 

@@ -43,7 +43,7 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
     };
   }
 
-  private panel(correlation: Correlation, width: number) {
+  #panel(correlation: Correlation, width: number) {
     const { model } = correlation;
     const points = drawable(correlation);
     const { type } = this;
@@ -92,7 +92,7 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
     const width = Math.floor(Math.min(440, (this.width - (columns - 1) * GAP) / columns));
     return html`
       <div class="panels" style=${styled({ "grid-template-columns": `repeat(${columns}, minmax(0, ${width}px))`, gap: `18px ${GAP}px` })}>
-        ${drawn.map((correlation) => this.panel(correlation, width))}
+        ${drawn.map((correlation) => this.#panel(correlation, width))}
       </div>
       <figcaption>Where the bound is a good guide, the points fall from left to right: rank correlation near −1. Each panel has scales of its own.</figcaption>`;
   }

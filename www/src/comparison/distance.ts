@@ -30,7 +30,7 @@ const mean = (values: Float64Array) => values.reduce((sum, value) => sum + value
 export class DistanceFigure extends FigureElement<Distances> {
   protected readonly heading = "Distance from the real trial";
   protected readonly file = "distance-from-the-trial";
-  private place: (frame: number) => number = () => 0;
+  #place: (frame: number) => number = () => 0;
 
   protected missing({ lines }: Distances): string | null {
     return lines.length === 0 ? "Nothing is shown." : null;
@@ -56,7 +56,7 @@ export class DistanceFigure extends FigureElement<Distances> {
 
   /** Moves the line that says where the clock is. */
   at(frame: number): void {
-    const x = String(this.place(frame));
+    const x = String(this.#place(frame));
     const line = this.querySelector(".playhead");
     line?.setAttribute("x1", x);
     line?.setAttribute("x2", x);
@@ -80,7 +80,7 @@ export class DistanceFigure extends FigureElement<Distances> {
     const left = labelsWidth(up, type);
     const last = Math.max(...lines.map(({ metres }) => metres.length)) - 1;
     const x = linearScale([0, last * frameTime], left, right);
-    this.place = (frame) => x.at(frame * frameTime);
+    this.#place = (frame) => x.at(frame * frameTime);
     const drawn = lines.map(({ model, metres }, i) => ({
       model,
       name: words[i] ?? "",

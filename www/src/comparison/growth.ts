@@ -44,7 +44,7 @@ export class GrowthFigure extends FigureElement<Comparison> {
    * A model's points, and at `end` its mark again with name and exponent, where lines that lie on each other
    * can be told apart.
    */
-  private line(
+  #line(
     { model }: Growth,
     places: readonly (readonly [number, number])[],
     words: { name: string; exponent: string },
@@ -116,7 +116,7 @@ export class GrowthFigure extends FigureElement<Comparison> {
           { scale: x, ticks: ticksAcross(x, right - left, type), title: "Frames trained on, log scale" },
           { scale: y, ticks: up, title: "Seconds an iteration, log scale" },
         )}
-        ${drawn.map(({ line, places, words }, i) => this.line(line, places, words, { x: right + LEAD, y: ends[i] ?? bottom }, narrow)).reverse()}
+        ${drawn.map(({ line, places, words }, i) => this.#line(line, places, words, { x: right + LEAD, y: ends[i] ?? bottom }, narrow)).reverse()}
       </svg>
       <figcaption>Time grows with the frames to the power of the exponent: 1 is twice the time for twice the frames, 3 is eight times.</figcaption>`;
   }

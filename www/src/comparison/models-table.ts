@@ -126,17 +126,17 @@ export class ModelsTable extends FigureElement<Comparison> {
   }
 
   /** The size of the axes' type. */
-  private get small(): number {
+  get #small(): number {
     return 0.86 * this.type;
   }
 
-  private axis({ title, unit, ticks, width }: Drawn) {
+  #axis({ title, unit, ticks, width }: Drawn) {
     const height = HEIGHT * this.type;
     return html`
       <th scope="col"><div class="measure">
         <span class="number">${title}<small>${unit}</small></span>
         <svg class="dot-plot" width=${width} height=${height} viewBox="0 0 ${width} ${height}" aria-hidden="true">
-          <g class="axes" font-size=${this.small}>${ticks.map(
+          <g class="axes" font-size=${this.#small}>${ticks.map(
             ({ x, text, label }) => svg`
             <line class="axis" x1=${x} x2=${x} y1=${height - 4} y2=${height}></line>
             <text x=${text} y=${height - 6} text-anchor="middle">${label}</text>`,
@@ -144,7 +144,7 @@ export class ModelsTable extends FigureElement<Comparison> {
         </svg></div></th>`;
   }
 
-  private cell(
+  #cell(
     summary: ModelSummary,
     parts: readonly string[],
     { unit, word, drawing, width, ticks, winner, ...measure }: Drawn,
@@ -181,14 +181,14 @@ export class ModelsTable extends FigureElement<Comparison> {
         ...measure,
         drawing,
         width,
-        ticks: ticksOf(drawing, width, this.small),
+        ticks: ticksOf(drawing, width, this.#small),
         winner: bestOf(measure, models),
       };
     });
     return html`
       <div class="figure-scroll" tabindex="0" role="region" aria-label=${this.heading}>
         <table class="models-table">
-          <thead><tr><th scope="col" class="who">Model and settings</th>${measures.map((measure) => this.axis(measure))}</tr></thead>
+          <thead><tr><th scope="col" class="who">Model and settings</th>${measures.map((measure) => this.#axis(measure))}</tr></thead>
           <tbody>${models.map((summary, i) => {
             const { model, label } = summary;
             return html`
@@ -196,7 +196,7 @@ export class ModelsTable extends FigureElement<Comparison> {
                 <th scope="row" class="who"><div>
                   <svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${modelMark(model, 7, 7, 4.6)}</svg>
                   <span class="name">${modelStyle(model).name}</span><small>${label}${models === shown ? ofWords(summary) : ""}${convergedWords(summary)}</small></div></th>
-                ${measures.map((measure) => this.cell(summary, parts, measure))}
+                ${measures.map((measure) => this.#cell(summary, parts, measure))}
               </tr>`;
           })}</tbody>
         </table>

@@ -139,7 +139,7 @@ export class SideBySide extends View {
   #load(entry: ReadonlyEntry): void {
     const fold = this.#foldNow(foldsOf(entry));
     const actual = entry.actual.get(fold);
-    const body = entry.question?.body;
+    const body = entry.request?.body;
     if (!body || !actual) return;
     const chosen = chosenOf(predictionsOf(entry, fold), this.comparison.look.picked);
     const words = JSON.stringify([fold, chosen.map(({ key, label }) => [key, label])]);
@@ -205,7 +205,7 @@ export class SideBySide extends View {
     const folds = shown ? foldsOf(shown) : [];
     if (!shown || folds.length === 0) {
       return html`<p class="empty waiting">${
-        shown && !shown.question && !shown.given
+        shown && !shown.request && !shown.given
           ? "A file of results holds no motions: press Compare with the clips to see the models move."
           : "Press Compare: the models will walk here side by side, each with the real trial as a grey ghost."
       }</p>`;

@@ -2,20 +2,20 @@ import { expect, it } from "vitest";
 import { clip, evaluated, resultsOf } from "../engine/whole-workers.fake";
 import type { Job } from "../engine/whole-protocol";
 import { keepMotions, newEntry } from "./comparison-entry";
-import type { Question } from "./question";
+import type { ComparisonRequest } from "./comparison-request";
 import { studyRequestOf } from "./study-request";
 
 const setting = {
   trials: [clip(1), clip(2)].map(({ id }) => ({ name: `clip ${id}`, sha256: "", piece: null })),
 };
-const question = { clips: [clip(1), clip(2)], titles: ["one", "two"], settings: { framesPerSecond: 30 } };
+const request = { clips: [clip(1), clip(2)], titles: ["one", "two"], settings: { framesPerSecond: 30 } };
 
 function entryOf(jobs: readonly Job[], objectives: readonly number[]) {
   const results = resultsOf({ ...setting, parts: [], framesPerSecond: 30, startFrames: 5 }, jobs);
   results.finished.forEach((finished, i) => {
     finished.outcome = { ...evaluated.outcome, objective: objectives[i] ?? 0 };
   });
-  return newEntry(question as unknown as Question, results);
+  return newEntry(request as unknown as ComparisonRequest, results);
 }
 const job = (seed: number, primitives: number): Job => ({
   ...{ candidate: { model: "tmp", primitives }, heldOut: 2, trainingTrials: 1, seed },

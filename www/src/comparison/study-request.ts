@@ -5,14 +5,14 @@ import type { ReadonlyEntry } from "./comparison-entry";
 
 /** Null where no model was trained in this visit: results from a file hold no movements. */
 export function studyRequestOf({
-  question,
+  request,
   titles,
   results,
   predictions,
   actual,
 }: ReadonlyEntry): StudyRequest | null {
-  const [body] = question?.clips ?? [];
-  if (!question || !body) return null;
+  const [body] = request?.clips ?? [];
+  if (!request || !body) return null;
   const named = (trial: number, frameTime: number) => ({ trial, name: titles[trial - 1] ?? "", frameTime });
   // Of several seeds the study takes the best: the library's rule.
   const generated = results.finished.flatMap(({ id, job, outcome }): GeneratedMovement[] => {
@@ -27,6 +27,6 @@ export function studyRequestOf({
     positions,
   }));
   if (generated.length === 0 || natural.length === 0) return null;
-  const { framesPerSecond } = question.settings;
+  const { framesPerSecond } = request.settings;
   return { title: "A comparison on this page", body, framesPerSecond, natural, generated };
 }

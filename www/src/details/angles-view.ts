@@ -34,7 +34,7 @@ export class AnglesView extends View {
   declare across: "time" | "speed" | number;
   declare room: number;
   /** Where the first motion is in each frame, in pixels. */
-  private places: [number, number][] = [];
+  #places: [number, number][] = [];
 
   constructor() {
     super();
@@ -47,7 +47,7 @@ export class AnglesView extends View {
   }
 
   protected override arrived(): void {
-    this.whenLeaving(this.playback.on(() => this.markNow()));
+    this.whenLeaving(this.playback.on(() => this.#markNow()));
     const box = this.querySelector(".details-chart");
     const measure = () => {
       this.room = box?.clientWidth || this.room;
@@ -62,19 +62,19 @@ export class AnglesView extends View {
   }
 
   override updated(): void {
-    this.markNow();
+    this.#markNow();
   }
 
-  private markNow(): void {
+  #markNow(): void {
     const now = this.querySelector(".now");
-    const place = this.places[Math.min(Math.round(this.playback.frame), this.places.length - 1)];
+    const place = this.#places[Math.min(Math.round(this.playback.frame), this.#places.length - 1)];
     if (!now || !place) return;
     now.setAttribute("cx", String(place[0]));
     now.setAttribute("cy", String(place[1]));
   }
 
   /** What lies across and what goes up in each frame of a motion. */
-  private courses({ motion }: PlottedMotion): { x: number[] | null; y: number[] } {
+  #courses({ motion }: PlottedMotion): { x: number[] | null; y: number[] } {
     const [channel, other] = [this.channels[this.chosen], this.channels[Number(this.across)]];
     const y = channel ? courseOf(motion, channel) : [];
     if (this.across === "time") return { x: null, y };
@@ -83,7 +83,7 @@ export class AnglesView extends View {
     return { x: other ? courseOf(motion, other) : [], y };
   }
 
-  private get titles(): { x: string; y: string } {
+  get #titles(): { x: string; y: string } {
     const title = (column: number) => {
       const channel = this.channels[column];
       return channel ? `${channel.joint} ${channel.channel} (${unit(channel)})` : "";
@@ -98,10 +98,10 @@ export class AnglesView extends View {
     return { x: title(this.across), y: own };
   }
 
-  private chart() {
+  #chart() {
     const seconds = (t: number, { motion }: PlottedMotion) => t * motion.frameTime;
     const lines = this.motions.map((plotted) => {
-      const { x, y } = this.courses(plotted);
+      const { x, y } = this.#courses(plotted);
       return { x: x ?? y.map((_, t) => seconds(t, plotted)), y };
     });
     const [bottom, top] = [HEIGHT - 2.2 * TYPE - 12, 2 * TYPE];
@@ -121,8 +121,8 @@ export class AnglesView extends View {
     const placed = lines.map(({ x, y }) =>
       y.map((value, t): [number, number] => [right.at(x[t] ?? 0), up.at(value)]),
     );
-    this.places = placed[0] ?? [];
-    const { x, y } = this.titles;
+    this.#places = placed[0] ?? [];
+    const { x, y } = this.#titles;
     // The one on the stage lies above the others.
     return svg`
       <svg width=${this.room} height=${HEIGHT} viewBox="0 0 ${this.room} ${HEIGHT}" role="img" aria-label="${y} against ${x}">
@@ -132,14 +132,14 @@ export class AnglesView extends View {
       </svg>`;
   }
 
-  private save(): void {
-    const motions = this.motions.map((plotted) => ({ name: plotted.name, ...this.courses(plotted) }));
-    const text = plottedCsv(this.motions[0]?.motion.frameTime ?? 0, motions, this.titles);
+  #save(): void {
+    const motions = this.motions.map((plotted) => ({ name: plotted.name, ...this.#courses(plotted) }));
+    const text = plottedCsv(this.motions[0]?.motion.frameTime ?? 0, motions, this.#titles);
     const { joint = "", channel = "" } = this.channels[this.chosen] ?? {};
     download(`${joint}-${channel}.csv`, new Blob([text], { type: "text/csv" }));
   }
 
-  private options(selected: unknown) {
+  #options(selected: unknown) {
     const joints = [...new Set(this.channels.map(({ joint }) => joint))];
     return joints.map(
       (joint) => html`<optgroup label=${joint}>
@@ -163,14 +163,14 @@ export class AnglesView extends View {
       <div class="details-choice">
         <label>Joint and channel <select data-testid="angle" @change=${(event: Event) => {
           this.chosen = Number(value(event));
-        }}>${this.options(this.chosen)}</select></label>
+        }}>${this.#options(this.chosen)}</select></label>
         <label>against <select data-testid="across" @change=${against}>
           <option value="time" ?selected=${this.across === "time"}>time</option>
           <option value="speed" ?selected=${this.across === "speed"}>its speed (phase plot)</option>
-          ${this.options(this.across)}</select></label>
-        <button class="small" data-testid="save-angles" @click=${this.save}>Save CSV</button>
+          ${this.#options(this.across)}</select></label>
+        <button class="small" data-testid="save-angles" @click=${this.#save}>Save CSV</button>
       </div>
-      <div class="details-chart" data-testid="angle-chart" data-frames=${this.motions[0]?.motion.rows.length ?? 0}>${this.chart()}</div>
+      <div class="details-chart" data-testid="angle-chart" data-frames=${this.motions[0]?.motion.rows.length ?? 0}>${this.#chart()}</div>
       ${
         this.motions.length > 1
           ? html`<p class="details-legend">${this.motions.map(({ name }, i) => html`<span class="line-${i}"><i></i>${name}</span>`)}</p>`

@@ -11,7 +11,7 @@ import { View } from "../ui/view";
 import "./experiment.css";
 import type { ExperimentStore } from "./experiment-store";
 import { headline, tally, TEN_SEEDS } from "./experiments";
-import { alphaTable, fitTable, verdictWords } from "./found";
+import { alphaTable, fitTable, verdictWords } from "./findings-tables";
 import { CURVE_FRAMES, curvesPicture, latentPicture } from "./pictures";
 import { runsTable } from "./runs-table";
 
@@ -33,7 +33,7 @@ export class ExperimentPage extends View {
   }
 
   /** Beside the button: what would happen, what is happening, or how it ended. */
-  #words() {
+  #status() {
     const { asked, shown, status, busy, width } = this.experiment;
     if (status === "cancelling") return "Stopping";
     if (busy) {
@@ -89,7 +89,7 @@ export class ExperimentPage extends View {
       <header class="panel-head"><h2>Who drives whom?</h2></header>
       <div class="train-row">
         ${this.#button()}
-        <p class="hint words" data-testid="experiment-progress">${this.#words()}</p>
+        <p class="hint words" data-testid="experiment-progress">${this.#status()}</p>
       </div>
       ${progressBar("Training", busy ? shareOf(asked) : null)}
       <div class="visually-hidden" role="status" aria-live="polite">${this.#announcement()}</div>

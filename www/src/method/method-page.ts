@@ -17,11 +17,11 @@ export class MethodPage extends LitElement {
     return this;
   }
 
-  private show(place: string): void {
+  #show(place: string): void {
     this.dispatchEvent(new CustomEvent("show-place", { detail: place, bubbles: true }));
   }
 
-  private model() {
+  #model() {
     return html`
       <section class="panel">
         <h2>The model</h2>
@@ -62,11 +62,11 @@ export class MethodPage extends LitElement {
         <p><strong>Experts re-inferred.</strong> Under other couplings the same data would have taught other experts. The model keeps the sums Ψ₂ and b,
           so that <b>E</b>(u) can be computed again for any α, with the equation above. This asks: could the data be explained under these couplings?
           Often they can, and the motion stays nearly the same.</p>
-        <button class="small" @click=${() => this.show("reading")}>Choose the reading</button>
+        <button class="small" @click=${() => this.#show("reading")}>Choose the reading</button>
       </section>`;
   }
 
-  private symbols() {
+  #symbols() {
     return html`
       <section class="panel">
         <h2>The symbols, and where they are on the page</h2>
@@ -76,25 +76,25 @@ export class MethodPage extends LitElement {
             <tbody>${SYMBOL_ROWS.map(
               ({ symbol, meaning, place, there }) => html`
               <tr><th scope="row">${unsafeHTML(SYMBOLS[symbol])}</th><td>${meaning}</td>
-                <td>${place ? html`<button class="small" data-place=${place} @click=${() => this.show(place)}>${there}</button>` : html`<small>not shown</small>`}</td></tr>`,
+                <td>${place ? html`<button class="small" data-place=${place} @click=${() => this.#show(place)}>${there}</button>` : html`<small>not shown</small>`}</td></tr>`,
             )}</tbody>
           </table>
         </div>
       </section>`;
   }
 
-  private work(work: Work) {
+  #work(work: Work) {
     const { doi } = work;
     return html`<li>${inWords(work)} ${doi ? html`<a href="https://doi.org/${doi}">doi:${doi}</a>` : nothing}</li>`;
   }
 
-  private references() {
+  #references() {
     const entries = MODEL_PAPERS.map(bibtex).join("\n\n");
     const save = () => download("vcgpdm.bib", new Blob([`${entries}\n`], { type: "text/plain" }));
     return html`
       <section class="panel">
         <h2>References</h2>
-        <ol class="works">${[...MODEL_PAPERS, ...FURTHER_WORKS].map((work) => this.work(work))}</ol>
+        <ol class="works">${[...MODEL_PAPERS, ...FURTHER_WORKS].map((work) => this.#work(work))}</ol>
         <h3>Cite this</h3>
         <p>If you use this page or its programs, please cite the papers whose model they implement.</p>
         <pre class="bibtex" tabindex="0" role="region" aria-label="BibTeX" data-testid="bibtex">${entries}</pre>
@@ -103,8 +103,8 @@ export class MethodPage extends LitElement {
   }
 
   protected override render() {
-    return html`<div class="method">${this.model()}${this.symbols()}${this.references()}
-      <p><button @click=${() => this.show("stage")}>Back to the walk</button></p></div>`;
+    return html`<div class="method">${this.#model()}${this.#symbols()}${this.#references()}
+      <p><button @click=${() => this.#show("stage")}>Back to the walk</button></p></div>`;
   }
 }
 customElements.define("pg-method", MethodPage);

@@ -13,7 +13,7 @@ beforeEach(() => {
 const file = (name: string, text = name) => ({ name, text });
 const named = (title: string) => ({ title }) as PerceptionResults;
 
-it("analyses all files together, and one of the same name in place of the other", async () => {
+it("analyses all files together; a file replaces one of the same name", async () => {
   void store.add("study", [file("a"), file("b")]);
   await settled();
   program.analyses[0]?.end(named("first"));
@@ -25,7 +25,7 @@ it("analyses all files together, and one of the same name in place of the other"
   expect([store.busy, store.results?.title]).toEqual([true, "first"]);
 });
 
-it("shows what came of the newest question, whatever comes later", async () => {
+it("shows the results of the newest request, also when older ones come later", async () => {
   void store.analyse("study", [file("a")]);
   await settled();
   void store.analyse("study", [file("b")]);
@@ -35,7 +35,7 @@ it("shows what came of the newest question, whatever comes later", async () => {
   expect([store.results, store.busy]).toEqual([null, true]);
 });
 
-it("says why files could not be analysed, and goes on without the one that is left out", async () => {
+it("says why files could not be analysed, and works again without the bad file", async () => {
   void store.analyse("study", [file("a"), file("b")]);
   await settled();
   program.analyses[0]?.fail(new Error("a: expected a column"));

@@ -1,4 +1,4 @@
-// What people's answers say: the files of participants, and what the library finds in them.
+// The analysis of answers: the files of participants, and the results that the library computes from them.
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { AnswersFile, PerceptionResults } from "../engine/whole-protocol";
 import { messageOf } from "../ui/format";
@@ -10,7 +10,7 @@ export class AnalysisStore extends Store {
   #results: PerceptionResults | null = null;
   #busy = false;
   #problem = "";
-  /** Grows with every question: only the answer to the newest counts. */
+  /** The number of the newest request; results of older ones are dropped. */
   #asked = 0;
 
   constructor(whole: WholeWorkers) {
@@ -36,7 +36,7 @@ export class AnalysisStore extends Store {
     return this.#problem;
   }
 
-  /** Analyses these files beside those that are there; one of the same name takes the other's place. */
+  /** Adds files to the analysis; a file replaces one of the same name. */
   add(study: string, files: readonly AnswersFile[]): Promise<void> {
     const names = new Set(files.map(({ name }) => name));
     return this.analyse(study, [...this.#files.filter(({ name }) => !names.has(name)), ...files]);
@@ -49,12 +49,12 @@ export class AnalysisStore extends Store {
     );
   }
 
-  /** What came of it, as the file that the terminal writes too. */
+  /** The results as JSON, equal to the file of the terminal program. */
   json(study: string): Promise<string> {
     return this.#whole.desk.run((worker) => worker.perceptionJson(study, [...this.#files]));
   }
 
-  /** Analyses these files and no others. */
+  /** Analyses only these files. */
   async analyse(study: string, files: readonly AnswersFile[]): Promise<void> {
     this.#asked += 1;
     const asked = this.#asked;

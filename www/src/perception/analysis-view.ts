@@ -1,4 +1,4 @@
-// What people's answers say: the files, who is left out and why, and the figures.
+// The analysis of answers: the files, the excluded participants with reasons, and the figures.
 import { html, nothing } from "lit";
 import { LARGEST_FILE } from "../clips/clips-store";
 import type { AnswersFile, Participant, PerceptionResults } from "../engine/whole-protocol";
@@ -46,10 +46,7 @@ function participantRow(participant: Participant) {
     </tr>`;
 }
 
-/**
- * In one sentence: how many answers of how many participants count, and how often the generated movement was
- * taken for the natural one.
- */
+/** One sentence: the counted answers and participants, and how often a generated movement passed for natural. */
 function countWords({ participants, all, options }: PerceptionResults): string {
   const out = participants.filter(({ excluded }) => excluded).length;
   const counted = participants.length - out;
@@ -88,10 +85,10 @@ export class AnalysisView extends View {
     }
   }
 
-  /** Those on this machine who have answered the study that is open. */
+  /** The participations on this machine with answers to the open study. */
   #here() {
-    const { kept, study } = this.perception;
-    return kept.filter(
+    const { participations, study } = this.perception;
+    return participations.filter(
       (participation) => participation.study === study?.info.hash && answered(participation) > 0,
     );
   }

@@ -2,15 +2,15 @@
 import { DataCollection } from "jspsych";
 import type { AnswersFile } from "../engine/whole-protocol";
 import { guarded } from "../figures/csv";
-import type { KeptParticipation, Row } from "./participation";
+import type { StoredParticipation, Row } from "./participation";
 
-const rowsOf = (participations: readonly KeptParticipation[]) =>
+const rowsOf = (participations: readonly StoredParticipation[]) =>
   new DataCollection(participations.flatMap(({ rows }) => rows.map((row) => ({ ...row }))));
 
-/** Letters, digits and the like: what a file may be called anywhere. */
+/** A name that every file system accepts. */
 const plain = (name: string) => name.replace(/[^\p{L}\p{N}._-]+/gu, "-");
 
-const baseOf = (participations: readonly KeptParticipation[]) => {
+const baseOf = (participations: readonly StoredParticipation[]) => {
   const [only, ...others] = participations;
   return only && others.length === 0 ? `answers-${plain(only.participant)}` : "answers";
 };
@@ -20,11 +20,14 @@ const guardedRow = (row: Row): Row =>
     Object.entries(row).map(([name, value]) => [name, typeof value === "string" ? guarded(value) : value]),
   );
 
-export function csvFile(participations: readonly KeptParticipation[]): AnswersFile {
-  const guardedRows = participations.map((kept) => ({ ...kept, rows: kept.rows.map(guardedRow) }));
+export function csvFile(participations: readonly StoredParticipation[]): AnswersFile {
+  const guardedRows = participations.map((participation) => ({
+    ...participation,
+    rows: participation.rows.map(guardedRow),
+  }));
   return { name: `${baseOf(participations)}.csv`, text: rowsOf(guardedRows).csv() };
 }
 
-export function jsonFile(participations: readonly KeptParticipation[]): AnswersFile {
+export function jsonFile(participations: readonly StoredParticipation[]): AnswersFile {
   return { name: `${baseOf(participations)}.json`, text: rowsOf(participations).json() };
 }

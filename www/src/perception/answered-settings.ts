@@ -1,4 +1,4 @@
-// The settings of models that people have answered about, and what is drawn of them. No rendering.
+// The settings of models that have answers, and the data of their figures. No rendering.
 import type { Confusion, Regression, PerceptionResults, SettingResult } from "../engine/whole-protocol";
 import { spreadWords } from "../figures/numbers";
 
@@ -11,7 +11,7 @@ export type Answered = SettingResult & {
 const isAnswered = (setting: SettingResult): setting is Answered =>
   setting.scores !== null && setting.confusion !== null;
 
-/** Those with an answer; settings of which all movements have failed have none. */
+/** The settings with answers; one has none when all its movements have failed. */
 export const answeredSettings = ({ settings }: PerceptionResults): Answered[] => settings.filter(isAnswered);
 
 export type Score = "mse" | "bound" | "dynamics" | "pose";
@@ -23,9 +23,7 @@ export const SCORES: readonly { score: Score; name: string; axis: string }[] = [
   { score: "pose", name: "pose part of the bound", axis: "Pose part, nats" },
 ];
 
-/**
- * The rate over a score, of one kind of model or, without one, of all; null where too few settings have it.
- */
+/** The rate over a score, of one kind of model or of all; null when too few settings have the score. */
 export const regressionOf = (
   { regressions }: PerceptionResults,
   model: Regression["model"],
@@ -33,7 +31,7 @@ export const regressionOf = (
 ): Regression | null =>
   regressions.find((regression) => regression.model === model && regression.score === score) ?? null;
 
-/** The points of its curve. */
+/** The points of the fitted curve. */
 export const curveOf = ({ curve }: Regression): [x: number, y: number][] =>
   curve.flatMap(([x, y]): [number, number][] => (x === undefined || y === undefined ? [] : [[x, y]]));
 
@@ -48,7 +46,7 @@ export function evidenceWords({
   return `ln K = ${words.mean} ${words.error}`.trim();
 }
 
-/** Titles and fields of a rate in a file. */
+/** The columns of a rate in a file. */
 export const RATE_TITLES = ["answers", "taken for natural", "confusion rate", "its standard deviation"];
 export const rateFields = ({ trials, hits, mean, deviation }: Confusion) => [trials, hits, mean, deviation];
 

@@ -3,7 +3,7 @@ import type { ModelKind, SettingResult } from "../engine/whole-protocol";
 
 export interface Grid {
   model: ModelKind;
-  /** Numbers of inducing points, rising. */
+  /** The numbers of inducing points, in rising order. */
   pose: number[];
   dynamics: number[];
   /** The setting at each pair. */

@@ -7,9 +7,9 @@ import { styled } from "../ui/styled";
 import { MSE_TITLE, RATE_TITLES, rateFields } from "./answered-settings";
 import { type Grid, gridsOf } from "./grids";
 
-/** A tile's side, in the type's size. */
+/** The side of a tile, in em. */
 const TILE = 3.4;
-/** The rate with the strongest colour: no model is expected beyond it. */
+/** The rate with the strongest colour. */
 const HIGHEST = 0.6;
 
 const two = (value: number) => value.toFixed(2);

@@ -1,5 +1,4 @@
-// What inducing points do to people's answers, to the error and to the bound (figure 6 of Velychko et al.
-// 2018).
+// Answers, error and bound over the numbers of inducing points (figure 6 of Velychko et al. 2018).
 import { html } from "lit";
 import type { PerceptionResults } from "../engine/whole-protocol";
 import { FigureElement } from "../figures/figure-element";
@@ -21,7 +20,7 @@ type Value = Pick<PanelPoint, "y" | "low" | "high"> | null;
 
 const certain = (y: number | null): Value => (y === null ? null : { y, low: y, high: y });
 
-/** What is drawn of a setting. */
+/** A value of a setting that a panel draws. */
 interface Measure {
   name: string;
   axis: PanelAxis;
@@ -48,7 +47,7 @@ const BOUND: Measure = {
   of: ({ scores }) => certain(scores.bound),
 };
 
-/** An ellipse is the wider, the more dynamics points, and the higher, the more pose points there are. */
+/** The width of an ellipse grows with the dynamics points, its height with the pose points. */
 const sizeOf = (count: number, most: number) => 0.18 + 0.42 * (count / most);
 
 /** The settings of a grid that have answers. */
@@ -94,7 +93,7 @@ function lined(grid: Grid, placed: Placed, measure: Measure): Panel {
   return {
     heading: heading(grid, `${measure.name} for numbers of pose points`),
     words: `${modelStyle(grid.model).name}: ${words}`,
-    // From none on: of one number alone the axis would show fractions of a point.
+    // The axis begins at 0: a single number would give it fractions of a point.
     x: { title: "Dynamics points", kind: "linear", reach: [0] },
     y: measure.axis,
     points: rows.flat(),

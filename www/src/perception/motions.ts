@@ -2,7 +2,7 @@
 import type { Motion } from "../engine/protocol";
 import type { StudyInfo } from "../engine/whole-protocol";
 
-/** The motion of each stimulus. `movements`: places of the figure's nodes [frames x nodes x 3]. */
+/** The motion of each stimulus. `movements`: positions of the figure's nodes [frames x nodes x 3]. */
 export function motionsOf(
   { skeleton, framesPerSecond }: StudyInfo,
   movements: readonly Float32Array[],

@@ -1,4 +1,4 @@
-// A generated movement beside the natural one of its trial, again and again: to see whether it has failed.
+// Plays a generated movement next to the natural one of its trial, to see whether it has failed.
 import { html, nothing } from "lit";
 import type { StudyTrial, StudyView } from "../engine/whole-protocol";
 import { eachFrame } from "../ui/each-frame";
@@ -11,10 +11,10 @@ import { CanvasPair } from "./pair-stage";
 import type { PerceptionStore } from "./perception-store";
 import "../ui/dialog.css";
 
-/** Both go aside and a little towards the observer. */
+/** The heading of both: sideways and a little towards the observer. */
 const HEADING = 60;
 
-/** The movement beside the natural one of its trial, or else the first. */
+/** The movement and the natural one of its trial, or else the first natural one. */
 function pairOf({ info: { stimuli } }: StudyView, id: string): StudyTrial | null {
   const right = stimuli.findIndex((stimulus) => stimulus.id === id);
   const natural = stimuli.flatMap(({ kind, trial }, place) => (kind === "natural" ? [{ trial, place }] : []));

@@ -3,7 +3,7 @@ import { PairClock } from "./pair-clock";
 
 const FRAME = 1000 / 60;
 
-/** Asks at each of these display frames, and answers how often each phase came. */
+/** Asks the clock at each of these display frames, and returns how often each phase came. */
 function run(clock: PairClock, times: readonly number[]) {
   const phases = times.map((now) => clock.at(now).phase);
   return {
@@ -23,7 +23,7 @@ describe("the clock of a trial", () => {
     expect(clock.shown.frame).toBeCloseTo(FRAME, 6);
   });
 
-  it("keeps to the time within half a frame on any display", () => {
+  it("ends each phase on time, within half a frame of any display", () => {
     for (const rate of [50, 75, 90, 144, 165]) {
       const clock = new PairClock({ crossSeconds: 0.75, seconds: 1.8 });
       run(clock, steady(3 * rate, 1000 / rate));
@@ -31,7 +31,7 @@ describe("the clock of a trial", () => {
     }
   });
 
-  it("ends on time on a machine that draws too slowly, because the last picture stays", () => {
+  it("ends on time on a slow machine, where the last picture stays", () => {
     for (const taken of [2, 3, 7, 12]) {
       const clock = new PairClock({ crossSeconds: 0.75, seconds: 3.5 });
       let [now, held] = [0, 0];
@@ -39,7 +39,7 @@ describe("the clock of a trial", () => {
         const shown = clock.at(now);
         phase = shown.phase;
         held += Number(shown.hold);
-        // A picture takes its time; without one the display goes on at its own pace.
+        // Without a picture the display keeps its own rate.
         now += phase === "movement" && !shown.hold ? taken * FRAME : FRAME;
       }
       expect(Math.abs((clock.shown.lasted ?? 0) - 3500), `${taken} frames`).toBeLessThanOrEqual(
@@ -50,25 +50,25 @@ describe("the clock of a trial", () => {
     }
   });
 
-  it("begins with the first pose, however long the cross stood", () => {
+  it("begins with the first pose after a cross of any length", () => {
     const clock = new PairClock({ crossSeconds: 0.05, seconds: 1 });
     clock.at(0);
     expect(clock.at(400)).toMatchObject({ phase: "movement", seconds: 0 });
     expect(clock.at(417)).toMatchObject({ phase: "movement", seconds: 0.017 });
   });
 
-  it("counts the display frames at which the movement stood still", () => {
+  it("counts the display frames at which the movement did not move", () => {
     const clock = new PairClock({ crossSeconds: 0.1, seconds: 0.2 });
     const times = steady(40);
     times.splice(10, 3);
     run(clock, times);
     expect(clock.shown.dropped).toBe(3);
-    // What comes after the end does not count.
+    // Frames after the end do not count.
     clock.at(5000);
     expect(clock.shown.dropped).toBe(3);
   });
 
-  it("knows how far apart the first pictures were", () => {
+  it("measures the time between the first pictures of the two movements", () => {
     const clock = new PairClock({ crossSeconds: 0, seconds: 1 });
     expect(clock.shown.startedApart).toBe(null);
     clock.drawn(0, 20.1);

@@ -1,29 +1,26 @@
-// The one clock of a trial: the cross, then both movements, then nothing. It is asked once a display frame,
-// and knows afterwards how long all that took. No rendering.
+// The clock of a trial: the cross, then both movements, then nothing. It is asked once for each display frame and
+// measures how long each phase took. No rendering.
 
-/** What a trial shows at a display frame. */
+/** The phase of a trial at a display frame. */
 export type Phase = "cross" | "movement" | "over";
 
-/** How a movement was shown, in milliseconds; null before it was. */
+/** Measured times of a trial, in milliseconds; null before the movement has begun. */
 export interface Shown {
   /** From the first picture of one movement to the first of the other. */
   startedApart: number | null;
   /** From the first picture to the first display frame without one. */
   lasted: number | null;
-  /** A frame of this display, as it was while the cross stood. */
+  /** The length of a display frame, measured during the cross. */
   frame: number | null;
-  /** Display frames at which the movement should have moved on and did not. */
+  /** Display frames that the machine was too slow to draw. */
   dropped: number;
 }
 
-/**
- * So many of the last pictures say how long the next will take: a busy machine draws fewer than its display
- * shows.
- */
+/** The number of last pictures from which the clock predicts how long the next one takes. */
 const RECENT = 5;
 /**
- * A machine is busy when a picture takes so many display frames; none is drawn that might take so many times
- * as long as there is time.
+ * A machine is busy when a picture takes this many display frames. A busy machine draws no picture that might take
+ * this many times the remaining time.
  */
 const SLOW = 1.5;
 
@@ -36,7 +33,7 @@ export class PairClock {
   #movesSince: number | null = null;
   #over: number | null = null;
   #before: number | null = null;
-  /** Between two display frames while the cross stood. */
+  /** The times between display frames during the cross. */
   readonly #intervals: number[] = [];
   #recent: number[] = [];
   #holds = false;
@@ -49,9 +46,8 @@ export class PairClock {
   }
 
   /**
-   * What to show at a display frame, `now` milliseconds, and how far the movement is in seconds. `hold`: a
-   * busy machine would draw the next picture beyond the end, so that the last one stays, and the end is on
-   * time.
+   * The phase at a display frame at `now` milliseconds, and the time of the movement in seconds. `hold`: the
+   * last picture stays, because a busy machine would finish the next one after the end of the movement.
    */
   at(now: number): { phase: Phase; seconds: number; hold: boolean } {
     const since = this.#before === null ? 0 : now - this.#before;
@@ -81,12 +77,12 @@ export class PairClock {
     return { phase: "over", seconds: this.#movement / 1000, hold: false };
   }
 
-  /** A movement's first picture was drawn at this time; what comes later does not count. */
+  /** A movement's first picture was drawn at this time. Later calls have no effect. */
   drawn(side: number, time: number): void {
     if (!this.#drawnAt.has(side)) this.#drawnAt.set(side, time);
   }
 
-  /** The movement was ended before its end, by an answer. */
+  /** An answer ended the movement early. */
   stop(now: number): void {
     if (this.#movesSince !== null) this.#over ??= now;
   }

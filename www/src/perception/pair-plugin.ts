@@ -10,14 +10,14 @@ const info = {
   name: "vcgpdm-pair",
   version: "1.0.0",
   parameters: {
-    /** Which movements, on which side, seen from where. */
+    /** The movements, their sides and their heading. */
     pair: { type: ParameterType.OBJECT, default: undefined },
     question: { type: ParameterType.STRING, default: undefined },
     /** Seconds. */
     cross: { type: ParameterType.FLOAT, default: 0.75 },
     /** Seconds. */
     movement: { type: ParameterType.FLOAT, default: 3.5 },
-    /** Whether answers are taken, and end the trial, while the movements go on. */
+    /** Whether an answer is possible during the movements; it then ends the trial. */
     answer_during_movement: { type: ParameterType.BOOL, default: false },
   },
   data: {
@@ -29,9 +29,9 @@ const info = {
     started_apart_ms: { type: ParameterType.FLOAT },
     /** Milliseconds from the first picture to the first without them. */
     lasted_ms: { type: ParameterType.FLOAT },
-    /** A display frame, milliseconds, while the cross stood. */
+    /** The length of a display frame in milliseconds, measured during the cross. */
     frame_ms: { type: ParameterType.FLOAT },
-    /** Display frames at which the movements should have moved on and did not. */
+    /** Display frames that the machine was too slow to draw. */
     frames_dropped: { type: ParameterType.INT },
   },
   citations: {},
@@ -45,12 +45,12 @@ interface Answer {
   rt: number;
 }
 
-/** A simulated participant answers so long after answers are taken, milliseconds. */
+/** The simulated participant waits for these milliseconds before it answers. */
 const SIMULATED_WAIT = 200;
 
 const tenth = (value: number | null) => (value === null ? null : Math.round(10 * value) / 10);
 
-/** When a side was first drawn, as the browser's own marks have it. */
+/** When a side was first drawn, by the browser's own performance marks. */
 function marked(side: number): number {
   const name = `vcgpdm ${SIDES[side]} movement`;
   const { startTime } = performance.mark(name);
@@ -58,7 +58,7 @@ function marked(side: number): number {
   return startTime;
 }
 
-/** The plugin, on this stage. */
+/** The plugin that draws on this stage. */
 export function pairPlugin(stage: PairStage) {
   return class PairPlugin implements JsPsychPlugin<Info> {
     static readonly info = info;
@@ -94,7 +94,7 @@ export function pairPlugin(stage: PairStage) {
       );
     }
 
-    /** `asked` is called when answers begin to be taken. */
+    /** Calls `asked` when answers become possible. */
     #run(display: HTMLElement, pair: Pair, loaded: (() => void) | undefined, asked: () => void) {
       const { cross = 0.75, movement = 3.5, question = "", answer_during_movement: early = false } = pair;
       const clock = new PairClock({ crossSeconds: cross, seconds: movement });
@@ -131,7 +131,7 @@ export function pairPlugin(stage: PairStage) {
         };
         let taking = false;
         const tick = (now: number) => {
-          // Whoever took the trial off the page has ended it.
+          // The trial ended when its display left the page.
           if (!view.root.isConnected) return;
           if (answer !== null) clock.stop(now);
           const { phase, seconds, hold } = clock.at(now);

@@ -10,7 +10,7 @@ const motion = {
 };
 const rounded = (values: Iterable<number>) => [...values].map((value) => Math.round(1000 * value) / 1000 + 0);
 
-it("a movement goes over the ground in its heading, and the camera goes along", () => {
+it("a movement crosses the ground in its heading, and the camera follows", () => {
   const ahead = underWay(motion, 2, 0);
   expect(rounded(ahead.motion.positions)).toEqual([0, 1, 0, 1, 0, 1, 0, 1, 1, 1, 0, 2]);
   expect(ahead.camera).toEqual({ x: 0, z: 2 });

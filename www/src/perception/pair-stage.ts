@@ -3,21 +3,21 @@ import { type Body, type ColumnMotion, Columns } from "../scene/columns";
 import type { Motion } from "../engine/protocol";
 import type { StudyInfo, StudyTrial } from "../engine/whole-protocol";
 
-/** What a trial is drawn on. */
+/** The surface that a trial is drawn on. */
 export interface PairStage {
-  /** Stands in the page while a trial is shown; between trials it is kept. */
+  /** On the page during a trial; all trials share it. */
   readonly element: HTMLElement;
-  /** Takes up the movements of a trial, and draws their first pose. */
+  /** Takes the movements of a trial and draws their first poses. */
   take(trial: StudyTrial): void;
-  /** Draws both at so many seconds after their beginning; `drawn` is told of each side: 0 left, 1 right. */
+  /** Draws both movements at a time in seconds; calls `drawn` for each side: 0 left, 1 right. */
   draw(seconds: number, drawn: (side: number) => void): void;
   dispose(): void;
 }
 
-/** From this side figures with a heading of 0 degrees are seen: from their front. */
+/** The camera's direction: it sees figures with a heading of 0 degrees from the front. */
 const CAMERA = 0;
 
-/** On its way over the ground at the speed it had, in a direction seen from above: 0 is along z. */
+/** The movement over the ground at its recorded speed, in this heading: 0 is along z. */
 export function underWay(motion: Motion, speed: number, heading: number): ColumnMotion {
   const positions = motion.positions.slice();
   const [c, s] = [Math.cos(heading), Math.sin(heading)];
@@ -51,12 +51,12 @@ export class CanvasPair implements PairStage {
     this.element.append(canvas);
     this.#columns = new Columns(canvas, { from: CAMERA, turns: false });
     const nodes = skeleton.parents.map((parent, node) => ({
-      // The end of a bone is turned by the joint that it hangs on.
+      // The joint at the start of a bone turns its end.
       joint: node < skeleton.joints ? node : parent,
       parent: parent < 0 ? null : parent,
       endSite: node >= skeleton.joints,
     }));
-    // Without parts a figure is grey.
+    // A figure without parts is grey.
     this.#body = { figure: { nodes }, joints: skeleton.names, parts: [] };
     if (look === "points") this.#body.lights = skeleton.dots;
     this.#speedOf = (stimulus) => stimuli[stimulus]?.speed ?? 0;

@@ -1,5 +1,5 @@
-// The best setting of each model, and how sure it is that one is better than the other (figure 8 of Knopp et
-// al. 2019).
+// The best setting of each model, and the probability that one is better than another (figure 8 of Knopp et al.
+// 2019).
 import { html, svg } from "lit";
 import type { PerceptionResults } from "../engine/whole-protocol";
 import { FigureElement } from "../figures/figure-element";
@@ -10,7 +10,7 @@ import { RATE_TITLES, rateFields } from "./answered-settings";
 
 const two = (value: number) => value.toFixed(2);
 
-/** A probability that is not sure is not written as 0 or 1. */
+/** Only an exact 0 or 1 is written as 0 or 1. */
 function probability(value: number): string {
   if (value > 0 && value < 0.005) return "< 0.01";
   return value < 1 && value >= 0.995 ? "> 0.99" : two(value);

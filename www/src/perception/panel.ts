@@ -1,4 +1,4 @@
-// One chart of points with error bars, lines and a curve: several stand beside each other in a figure.
+// A chart of points with error bars, lines and a curve. A figure has several of them side by side.
 import { html, nothing, svg, type TemplateResult } from "lit";
 import type { ModelKind } from "../engine/whole-protocol";
 import { axes, path, ticksAcross, ticksUp, uprightBar, labelsWidth } from "../figures/chart";
@@ -13,40 +13,37 @@ export interface PanelPoint {
   model: ModelKind;
   x: number;
   y: number;
-  /** The ends of its error bar; without one the same as y. */
+  /** The ends of the error bar; equal to y without one. */
   low: number;
   high: number;
-  /**
-   * Half width and half height of an ellipse that is drawn in place of the model's mark, in shares of the
-   * type's size.
-   */
+  /** Half width and half height of an ellipse in place of the model's mark, in em. */
   ellipse?: readonly [number, number];
 }
 
 export interface PanelAxis {
   title: string;
   kind: "linear" | "log";
-  /** What it must reach, besides the points. */
+  /** Values that the axis must reach besides the points. */
   reach: readonly number[];
 }
 
-/** The same line for all or in the colour of a model. */
+/** A line in a neutral colour or in the colour of a model. */
 export interface PanelLine {
   model: ModelKind | null;
   places: readonly (readonly [x: number, y: number])[];
-  /** Stands at its end. */
+  /** At the end of the line. */
   label?: string;
 }
 
 export interface Panel {
   heading: string | TemplateResult;
-  /** For who does not see it. */
+  /** For screen readers. */
   words: string;
   x: PanelAxis;
   y: PanelAxis;
   points: readonly PanelPoint[];
   lines: readonly PanelLine[];
-  /** Heights with a dashed line across. */
+  /** The values of dashed horizontal lines. */
   references: readonly number[];
 }
 
@@ -113,7 +110,7 @@ export function panel(
 
 const GAP = 28;
 
-/** Panels beside each other, as many as there is room for; `across` at most. */
+/** Panels side by side, as many as the width allows; at most `across`. */
 export function panels(all: readonly Panel[], room: number, type: number, across = 3) {
   const least = 21 * type;
   const columns = Math.max(1, Math.min(across, all.length, Math.floor((room + GAP) / (least + GAP))));

@@ -1,10 +1,10 @@
-// Who has answered on this machine: how far, taken up again, saved as files, forgotten.
+// The table of participations on this machine: continue, save or forget each.
 import { html, nothing } from "lit";
 import type { AnswersFile } from "../engine/whole-protocol";
 import { download } from "../ui/download";
 import { icon } from "../ui/icons";
 import { csvFile, jsonFile } from "./answer-files";
-import { answered, isComplete, type KeptParticipation } from "./participation";
+import { answered, isComplete, type StoredParticipation } from "./participation";
 import type { PerceptionStore } from "./perception-store";
 
 const save = ({ name, text }: AnswersFile) =>
@@ -15,7 +15,7 @@ const save = ({ name, text }: AnswersFile) =>
 
 const COLUMNS = ["Participant", "Study", "Answered", ""];
 
-function row(store: PerceptionStore, kept: KeptParticipation) {
+function row(store: PerceptionStore, kept: StoredParticipation) {
   const { key, participant, title, trials, simulated } = kept;
   const done = answered(kept);
   const forget = () => {
@@ -42,19 +42,19 @@ function row(store: PerceptionStore, kept: KeptParticipation) {
 }
 
 export function participants(store: PerceptionStore) {
-  const { kept, unkept } = store;
-  const all = kept.filter((participation) => answered(participation) > 0);
-  const warning = unkept
-    ? html`<p class="bad" role="alert">This browser does not keep the answers (${unkept}): save them before you leave the page.</p>`
+  const { participations, storageProblem } = store;
+  const all = participations.filter((participation) => answered(participation) > 0);
+  const warning = storageProblem
+    ? html`<p class="bad" role="alert">This browser does not keep the answers (${storageProblem}): save them before you leave the page.</p>`
     : nothing;
-  if (kept.length === 0)
+  if (participations.length === 0)
     return html`${warning}<p class="empty">Nobody has answered on this machine yet. Answers appear here as they come, and stay when the tab is closed.</p>`;
   return html`
     ${warning}
     <div class="table-box" tabindex="0" role="region" aria-label="Participants">
       <table class="participants">
         <thead><tr>${COLUMNS.map((column) => html`<th scope="col">${column || html`<span class="visually-hidden">Files</span>`}</th>`)}</tr></thead>
-        <tbody>${kept.map((participation) => row(store, participation))}</tbody>
+        <tbody>${participations.map((participation) => row(store, participation))}</tbody>
       </table>
     </div>
     ${

@@ -1,71 +1,68 @@
-// One participant's way through a study: who, which trials, and the rows of answers so far. No rendering.
+// One participation in a study: the participant, the trials and the rows of answers. No rendering.
 import type { StudyInfo } from "../engine/whole-protocol";
 
-/** A row of data as jsPsych writes it, with our columns. */
+/** A row of data of jsPsych, with our columns. */
 export type Row = Record<string, unknown>;
 
-/** What is known of a participation before its first answer. */
+/** A participation before its first answer. */
 export interface Participation {
-  /** Tells it from all others on this machine. */
+  /** No other participation on this machine has it. */
   key: string;
-  /** When it began, milliseconds since 1970: only to put them in order here, in no file. */
+  /** When it began, in milliseconds since 1970; only the list on the page uses it, no file. */
   at: number;
-  /** What the participant is called in the files: nothing that tells who it is. */
+  /** The participant's code in the files; not a name. */
   participant: string;
-  /** Which trials, in which order. */
+  /** Of the draw of the trials and their order. */
   seed: number;
   /** The study's hash and title. */
   study: string;
   title: string;
-  /** How many trials there are. */
+  /** The number of trials. */
   trials: number;
-  /** Whether the program itself answers, to try the experiment out. */
+  /** Whether the program gives the answers, to try the experiment out. */
   simulated: boolean;
 }
 
-/** With the rows of answers so far. */
-export interface KeptParticipation extends Participation {
+/** A participation with its rows of answers so far. */
+export interface StoredParticipation extends Participation {
   rows: readonly Row[];
 }
 
-/** Where participations are kept, on this machine. */
-export interface AnswerShelf {
-  all(): Promise<KeptParticipation[]>;
+/** The participations that this browser stores. */
+export interface AnswerDatabase {
+  all(): Promise<StoredParticipation[]>;
   /** The text of a participation's study. */
   study(key: string): Promise<string | null>;
   begin(participation: Participation, study: string): Promise<void>;
-  /** Keeps the row in that place. */
+  /** Stores a row; its place is counted from 0. */
   add(key: string, place: number, row: Row): Promise<void>;
   forget(key: string): Promise<void>;
-  /** Keeps other tabs from a participation until the answer is called; null: another tab has it. */
+  /** Takes a participation for this tab until the returned function is called; null: another tab has it. */
   hold(key: string): Promise<(() => void) | null>;
 }
 
 const isAnswer = ({ kind }: Row) => typeof kind === "string" && kind !== "";
 
-/** How many trials are answered. */
-export const answered = ({ rows }: KeptParticipation): number => rows.filter(isAnswer).length;
+/** The number of answered trials. */
+export const answered = ({ rows }: StoredParticipation): number => rows.filter(isAnswer).length;
 
-export const isComplete = (participation: KeptParticipation): boolean =>
+export const isComplete = (participation: StoredParticipation): boolean =>
   answered(participation) >= participation.trials;
 
-/** How often the participant has sat down to it. */
-export const sittings = ({ rows }: KeptParticipation): number =>
+/** How often the participant has begun or continued the experiment. */
+export const sessionCount = ({ rows }: StoredParticipation): number =>
   Math.max(0, ...rows.map(({ sitting }) => Number(sitting) || 0));
 
-/** Letters and digits, without those that look like others. */
+/** Letters and digits without those that look alike. */
 const SIGNS = "23456789abcdefghjkmnpqrstuvwxyz";
 
 const drawn = (count: number) => [...crypto.getRandomValues(new Uint32Array(count))];
 
-/** A name at random. */
+/** A random code. */
 export const newName = (): string =>
   drawn(6).reduce((name, number) => name + SIGNS[number % SIGNS.length], "");
 
-/**
- * The name, or, where somebody is called so already, with a number after it: a file tells participants apart
- * by their names.
- */
+/** The name, with a number after it when it is taken: files know participants by their names. */
 export function freeName(name: string, taken: ReadonlySet<string>): string {
   let free = name;
   for (let number = 2; taken.has(free); number++) free = `${name}-${number}`;
@@ -81,7 +78,7 @@ export function newParticipation(
 
 export const newSeed = (): number => drawn(1)[0] ?? 0;
 
-/** The columns that are the same in all rows of a participation. */
+/** The columns that are equal in all rows of one session. */
 export const columnsOf = ({ participant, study, seed, simulated }: Participation, sitting: number): Row => ({
   participant,
   study,

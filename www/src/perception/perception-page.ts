@@ -1,4 +1,4 @@
-// The graphics Turing test: the study, who answers, who has answered, and what came of it.
+// The view of the graphics Turing test: the study, the participants and the analysis.
 import { html, nothing } from "lit";
 import { LARGEST_FILE } from "../clips/clips-store";
 import { fileButton } from "../ui/file-button";
@@ -35,30 +35,30 @@ export class PerceptionPage extends View {
 
   protected override arrived(): void {
     const { perception } = this;
-    void perception.arrive();
+    void perception.loadStored();
     void perception.ready();
   }
 
   async #open(file: File): Promise<void> {
     await this.perception.openStudy(() => chosenStudy(file));
     await this.updateComplete;
-    // The button was disabled meanwhile.
+    // The button was disabled during the experiment.
     if (document.activeElement === document.body)
       this.querySelector<HTMLElement>("[data-testid=open-study]")?.focus();
   }
 
   #begin(simulated: boolean): void {
     const field = this.querySelector<HTMLInputElement>("[data-testid=participant-name]");
-    // What was typed stays until somebody sits there by that name.
+    // The typed name stays until the experiment has begun.
     void this.perception.begin(field?.value ?? "", simulated).then(() => {
-      if (field && this.perception.sitting) field.value = "";
+      if (field && this.perception.active) field.value = "";
     });
   }
 
   #setup() {
     const { perception } = this;
-    const { study, busy, problem, sitting } = perception;
-    const cannot = study === null || busy || sitting !== null;
+    const { study, busy, problem, active } = perception;
+    const cannot = study === null || busy || active !== null;
     return html`
       <h2>Which is natural?</h2>
       <p class="hint">Two movements side by side, one natural, one made by a model. The more often people take the model’s for the natural one, the better the model.</p>
@@ -80,7 +80,7 @@ export class PerceptionPage extends View {
           testId: "open-study",
           accept: ".json,application/json",
           multiple: false,
-          disabled: busy || sitting !== null,
+          disabled: busy || active !== null,
           chosen: ([file]) => file && void this.#open(file),
         })}
       </div>

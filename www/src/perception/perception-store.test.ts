@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { FakeProgram } from "../engine/whole-workers.fake";
-import { type AnswerShelf, answered, isComplete, type Participation, type Row } from "./participation";
+import { type AnswerDatabase, answered, isComplete, type Participation, type Row } from "./participation";
 import { PerceptionStore } from "./perception-store";
 import { download } from "../ui/download";
 import { visitor } from "../ui/choice-dialog.fake";
@@ -9,7 +9,7 @@ import { study, trialsOf } from "./study.fake";
 vi.mock("../ui/choice-dialog", () => import("../ui/choice-dialog.fake"));
 vi.mock("../ui/download", () => ({ download: vi.fn() }));
 
-class FakeShelf implements AnswerShelf {
+class FakeDatabase implements AnswerDatabase {
   readonly participations = new Map<string, Participation>();
   readonly studies = new Map<string, string>();
   readonly rows = new Map<string, Row[]>();
@@ -47,7 +47,7 @@ class FakeShelf implements AnswerShelf {
 }
 
 let program: FakeProgram;
-let shelf: FakeShelf;
+let database: FakeDatabase;
 let store: PerceptionStore;
 
 const answer = (position: number): Row => ({
@@ -58,28 +58,28 @@ const answer = (position: number): Row => ({
 });
 const page: Row = { page: "consent" };
 
-/** What is left to do for who sits there. */
-const left = ({ sitting }: PerceptionStore) =>
-  (sitting?.steps ?? []).map((step) => (step.kind === "pair" ? step.position : step.page)).join(" ");
+/** The steps that the active participant has left. */
+const left = ({ active }: PerceptionStore) =>
+  (active?.steps ?? []).map((step) => (step.kind === "pair" ? step.position : step.page)).join(" ");
 
 beforeEach(async () => {
   program = new FakeProgram();
   program.studies = { study, trials: trialsOf([2, 1]) };
-  shelf = new FakeShelf();
-  store = new PerceptionStore(program, shelf, async () => "study of the page");
+  database = new FakeDatabase();
+  store = new PerceptionStore(program, database, async () => "study of the page");
   await store.openStudy(async () => "walks");
 });
 
 describe("a study", () => {
-  it("is that of the page where none is open", async () => {
+  it("comes with the page when no other is open", async () => {
     await store.ready();
     expect(store.study?.text).toBe("walks");
-    const other = new PerceptionStore(program, shelf, async () => "study of the page");
+    const other = new PerceptionStore(program, database, async () => "study of the page");
     await Promise.all([other.ready(), other.ready()]);
     expect(other.study?.text).toBe("study of the page");
   });
 
-  it("is opened and changed, and what is no study is refused with words", async () => {
+  it("is opened and changed, and a text that is no study is refused with the reason", async () => {
     expect(store.study?.info.title).toBe("walks");
     await store.change({ preset: "class" });
     expect(store.study?.text).toBe('walks {"preset":"class"}');
@@ -94,7 +94,7 @@ describe("a study", () => {
     expect(store.problem).toBe("no such file");
   });
 
-  it("that was changed or made here makes no place for another before the visitor was asked", async () => {
+  it("that was changed or made here is not replaced before the visitor is asked", async () => {
     visitor.arrives("keep");
     await store.openStudy(async () => "runs");
     expect(visitor.asked).toEqual([]);
@@ -112,95 +112,99 @@ describe("a study", () => {
 });
 
 describe("a participant", () => {
-  it("answers, and each row is kept when it comes, in its place", async () => {
+  it("answers, and each row is stored at once, with its place", async () => {
     await store.begin(" anna-3 ", false);
     expect(left(store)).toBe("consent instructions 0 1 pause 2 end");
-    expect(store.sitting?.columns).toMatchObject({ participant: "anna-3", study: study.hash, sitting: 1 });
-    await store.keep(page);
-    await store.keep(answer(0));
-    const [kept] = await shelf.all();
+    expect(store.active?.columns).toMatchObject({ participant: "anna-3", study: study.hash, sitting: 1 });
+    await store.addRow(page);
+    await store.addRow(answer(0));
+    const [kept] = await database.all();
     expect(kept?.rows.map(({ trial_index }) => trial_index)).toEqual([0, 1]);
     expect(kept && answered(kept)).toBe(1);
-    expect(store.sitting?.participation.rows).toHaveLength(2);
+    expect(store.active?.participation.rows).toHaveLength(2);
   });
 
-  it("goes on in the next visit where the closed tab stopped, with the same trials of the same study", async () => {
+  it("continues in the next visit where the closed tab stopped, with the same trials of the same study", async () => {
     await store.begin("", false);
-    for (const row of [page, answer(0), answer(1)]) await store.keep(row);
+    for (const row of [page, answer(0), answer(1)]) await store.addRow(row);
     // The tab is closed.
-    shelf.held.clear();
-    const next = new PerceptionStore(program, shelf, async () => "study of the page");
-    await next.arrive();
-    const [kept] = next.kept;
+    database.held.clear();
+    const next = new PerceptionStore(program, database, async () => "study of the page");
+    await next.loadStored();
+    const [kept] = next.participations;
     expect([kept?.trials, kept && answered(kept), kept && isComplete(kept)]).toEqual([3, 2, false]);
     expect(kept?.participant).toMatch(/^[2-9a-z]{6}$/);
     await next.resume(kept?.key ?? "");
-    expect(next.sitting?.study.title).toBe("walks");
+    expect(next.active?.study.title).toBe("walks");
     expect(left(next)).toBe("instructions 2 end");
-    // Nothing but a page was answered in the second sitting before the last trial.
-    expect(next.sitting?.columns).toMatchObject({ seed: kept?.seed });
-    await next.keep({ ...answer(2), sitting: 1 });
-    expect((await shelf.all())[0]?.rows.map(({ trial_index }) => trial_index)).toEqual([0, 1, 2, 3]);
-    next.stand();
-    const [done] = next.kept;
-    expect([next.sitting, done && isComplete(done)]).toEqual([null, true]);
+    // Before the last trial the second session had only a page of text.
+    expect(next.active?.columns).toMatchObject({ seed: kept?.seed });
+    await next.addRow({ ...answer(2), sitting: 1 });
+    expect((await database.all())[0]?.rows.map(({ trial_index }) => trial_index)).toEqual([0, 1, 2, 3]);
+    next.leave();
+    const [done] = next.participations;
+    expect([next.active, done && isComplete(done)]).toEqual([null, true]);
     await next.resume(done?.key ?? "");
-    expect(next.sitting).toBe(null);
+    expect(next.active).toBe(null);
   });
 
-  it("counts how often somebody has sat down to it", async () => {
+  it("has a number of sessions", async () => {
     await store.begin("", false);
-    await store.keep({ ...page, sitting: 1 });
-    store.stand();
-    await store.resume(store.kept[0]?.key ?? "");
-    expect(store.sitting?.columns.sitting).toBe(2);
+    await store.addRow({ ...page, sitting: 1 });
+    store.leave();
+    await store.resume(store.participations[0]?.key ?? "");
+    expect(store.active?.columns.sitting).toBe(2);
   });
 
-  it("loses nothing where the browser has no room: the visit goes on, and says so", async () => {
-    shelf.full = true;
+  it("continues when the storage is full, and the page says that answers are not stored", async () => {
+    database.full = true;
     await store.begin("", true);
-    await store.keep(answer(0));
-    expect(store.unkept).toBe("no room");
-    expect(store.kept[0]?.rows).toHaveLength(1);
-    store.stand();
-    await store.resume(store.kept[0]?.key ?? "");
+    await store.addRow(answer(0));
+    expect(store.storageProblem).toBe("no room");
+    expect(store.participations[0]?.rows).toHaveLength(1);
+    store.leave();
+    await store.resume(store.participations[0]?.key ?? "");
     expect(left(store)).toBe("instructions 1 pause 2 end");
-    shelf.full = false;
-    await store.keep(answer(1));
-    expect(store.unkept).toBe("");
+    database.full = false;
+    await store.addRow(answer(1));
+    expect(store.storageProblem).toBe("");
   });
 
   it("is forgotten when the visitor says so", async () => {
     await store.begin("", false);
-    store.stand();
-    await store.forget(store.kept[0]?.key ?? "");
-    expect([store.kept, await shelf.all()]).toEqual([[], []]);
+    store.leave();
+    await store.forget(store.participations[0]?.key ?? "");
+    expect([store.participations, await database.all()]).toEqual([[], []]);
   });
 
-  it("is told from another of the same name", async () => {
+  it("gets a number when the name is taken", async () => {
     for (let time = 0; time < 3; time++) {
       await store.begin("anna", false);
-      store.stand();
+      store.leave();
     }
-    expect(store.kept.map(({ participant }) => participant).sort()).toEqual(["anna", "anna-2", "anna-3"]);
+    expect(store.participations.map(({ participant }) => participant).sort()).toEqual([
+      "anna",
+      "anna-2",
+      "anna-3",
+    ]);
   });
 
-  it("is not in two tabs at once, and the other goes on where this one stopped", async () => {
+  it("is active in one tab only, and another tab continues where this one stopped", async () => {
     await store.begin("anna", false);
-    const other = new PerceptionStore(program, shelf, async () => "study of the page");
-    await other.arrive();
-    const key = other.kept[0]?.key ?? "";
+    const other = new PerceptionStore(program, database, async () => "study of the page");
+    await other.loadStored();
+    const key = other.participations[0]?.key ?? "";
     await other.resume(key);
-    expect([other.sitting, other.problem]).toEqual([null, "Another tab of this browser goes on with it."]);
-    await store.keep(answer(0));
-    store.stand();
+    expect([other.active, other.problem]).toEqual([null, "Another tab of this browser goes on with it."]);
+    await store.addRow(answer(0));
+    store.leave();
     await other.resume(key);
     expect(left(other)).toBe("instructions 1 pause 2 end");
   });
 
-  it("is not there twice at once", async () => {
+  it("is one at a time", async () => {
     await store.begin("a", false);
     await store.begin("b", false);
-    expect(store.kept.map(({ participant }) => participant)).toEqual(["a"]);
+    expect(store.participations.map(({ participant }) => participant)).toEqual(["a"]);
   });
 });

@@ -1,5 +1,4 @@
-// The graphics Turing test of this visit: the study, who has answered on this machine, and who is answering
-// now.
+// The graphics Turing test of this visit: the study, the participations on this machine, and the active one.
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { StudyChange, StudyInfo, StudyView } from "../engine/whole-protocol";
 import { download } from "../ui/download";
@@ -7,101 +6,103 @@ import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import { mayLose, type Work } from "../ui/unsaved";
 import {
-  type AnswerShelf,
+  type AnswerDatabase,
   answered,
   columnsOf,
   isComplete,
-  type KeptParticipation,
+  type StoredParticipation,
   freeName,
   newName,
   newParticipation,
   newSeed,
   type Row,
-  sittings,
+  sessionCount,
 } from "./participation";
 import { type Step, stepsOf } from "./steps";
 
-/** A participant who is answering now. */
-export interface Sitting {
-  participation: KeptParticipation;
+/** The participant who answers now. */
+export interface ActiveParticipation {
+  participation: StoredParticipation;
   study: StudyInfo;
   steps: readonly Step[];
   columns: Row;
-  /** Places of the figure's nodes in each movement [frames x nodes x 3]. */
+  /** Positions of the figure's nodes in each movement [frames x nodes x 3]. */
   movements: readonly Float32Array[];
 }
 
 export class PerceptionStore extends Store {
   readonly #whole: WholeWorkers;
-  readonly #shelf: AnswerShelf | null;
+  readonly #database: AnswerDatabase | null;
   readonly #studyOfThePage: () => Promise<string>;
   #study: StudyView | null = null;
-  /** The text of the study when it was opened or saved; empty: it was made here. */
+  /** The text of the study that is on the visitor's disk; empty: the study was made here. */
   #onDisk = "";
-  #kept: readonly KeptParticipation[] = [];
-  /** The studies of participants of this visit, by their keys. */
+  #participations: readonly StoredParticipation[] = [];
+  /** The studies of this visit's participants, by the keys of the participations. */
   readonly #texts = new Map<string, string>();
-  #sitting: Sitting | null = null;
-  /** Lets other tabs have the participation again. */
-  #held: (() => void) | null = null;
+  #active: ActiveParticipation | null = null;
+  /** Gives the active participation back to all tabs. */
+  #unlock: (() => void) | null = null;
   #busy = false;
   #problem = "";
-  #unkept = "";
-  /** Changes of a study follow each other. */
+  #storageProblem = "";
+  /** One change follows the other. */
   #changing: Promise<void> = Promise.resolve();
 
-  /** Without a shelf answers last as long as the visit. */
-  constructor(whole: WholeWorkers, shelf: AnswerShelf | null, studyOfThePage: () => Promise<string>) {
+  /** Without a database the answers end with the visit. */
+  constructor(whole: WholeWorkers, database: AnswerDatabase | null, studyOfThePage: () => Promise<string>) {
     super();
-    [this.#whole, this.#shelf, this.#studyOfThePage] = [whole, shelf, studyOfThePage];
+    [this.#whole, this.#database, this.#studyOfThePage] = [whole, database, studyOfThePage];
   }
 
   get study(): StudyView | null {
     return this.#study;
   }
 
-  /** Who has answered on this machine, the newest first. */
-  get kept(): readonly KeptParticipation[] {
-    return this.#kept;
+  /** All participations on this machine, the newest first. */
+  get participations(): readonly StoredParticipation[] {
+    return this.#participations;
   }
 
-  get sitting(): Sitting | null {
-    return this.#sitting;
+  get active(): ActiveParticipation | null {
+    return this.#active;
   }
 
-  /** A study or its movements are being read. */
+  /** Whether a study or its movements are being read. */
   get busy(): boolean {
     return this.#busy;
   }
 
-  /** Why a study could not be opened or changed, or an experiment not begun. */
+  /** Why a study could not be opened or changed, or why an experiment could not begin. */
   get problem(): string {
     return this.#problem;
   }
 
-  /** Why answers are not kept beyond this visit; empty when they are. */
-  get unkept(): string {
-    return this.#shelf === null ? "this browser keeps nothing" : this.#unkept;
+  /** Why answers are not stored beyond this visit; empty when they are. */
+  get storageProblem(): string {
+    return this.#database === null ? "this browser keeps nothing" : this.#storageProblem;
   }
 
-  /** Brings what earlier visits have left. */
-  async arrive(): Promise<void> {
-    const found = (await this.#shelf?.all()) ?? [];
-    const known = new Set(this.#kept.map(({ key }) => key));
-    this.#kept = [...this.#kept, ...found.filter(({ key }) => !known.has(key))].sort((a, b) => b.at - a.at);
+  /** Adds the participations of earlier visits. */
+  async loadStored(): Promise<void> {
+    const found = (await this.#database?.all()) ?? [];
+    const known = new Set(this.#participations.map(({ key }) => key));
+    this.#participations = [...this.#participations, ...found.filter(({ key }) => !known.has(key))].sort(
+      (a, b) => b.at - a.at,
+    );
     this.changed();
   }
 
-  /** Kept when a study is open: without another that of the page. */
+  /** Waits until a study is open; when there is no other, opens the one that comes with the page. */
   ready(): Promise<void> {
-    return this.#next(async () => {
+    return this.#inTurn(async () => {
       if (!this.#study) await this.#open(this.#studyOfThePage);
     });
   }
 
-  /** `made`: it was made here, and is on no disk. The one before stays where the visitor keeps it. */
+  /** `made`: the study was made here and is on no disk. The visitor may keep the open one instead. */
   openStudy(text: () => Promise<string>, made = false): Promise<void> {
-    return this.#next(() => this.#open(text, made));
+    return this.#inTurn(() => this.#open(text, made));
   }
 
   async #open(text: () => Promise<string>, made = false): Promise<void> {
@@ -112,7 +113,7 @@ export class PerceptionStore extends Store {
     this.#onDisk = made ? "" : study.text;
   }
 
-  /** The study, where it was made or changed here and not saved since. */
+  /** The study, if it was made or changed here and not saved since. */
   get unsaved(): Work | null {
     const study = this.#study;
     if (!study || study.text === this.#onDisk) return null;
@@ -133,29 +134,29 @@ export class PerceptionStore extends Store {
   }
 
   change(change: StudyChange): Promise<void> {
-    return this.#next(async () => {
+    return this.#inTurn(async () => {
       const { text } = this.#study ?? {};
       if (text !== undefined)
         this.#study = await this.#whole.desk.run((worker) => worker.changeStudy(text, change));
     });
   }
 
-  /** Places of the figure's nodes in each movement of the study that is open [frames x nodes x 3]. */
+  /** Positions of the figure's nodes in each movement of the open study [frames x nodes x 3]. */
   async movements(): Promise<readonly Float32Array[]> {
     const { text } = this.#study ?? {};
     return text === undefined ? [] : this.#whole.desk.run((worker) => worker.movements(text));
   }
 
-  /** A new participant of the study. */
+  /** Begins the experiment with a new participant. */
   begin(name: string, simulated: boolean): Promise<void> {
-    return this.#next(async () => {
+    return this.#inTurn(async () => {
       const { text, info } = this.#study ?? {};
-      if (text === undefined || !info || this.#sitting) return;
+      if (text === undefined || !info || this.#active) return;
       const seed = newSeed();
       const trials = await this.#whole.desk.run((worker) => worker.drawTrials(text, seed));
       const free = freeName(
         name.trim() || newName(),
-        new Set(this.#kept.map(({ participant }) => participant)),
+        new Set(this.#participations.map(({ participant }) => participant)),
       );
       const participation = newParticipation(info, {
         participant: free,
@@ -165,35 +166,35 @@ export class PerceptionStore extends Store {
       });
       const movements = await this.#whole.desk.run((worker) => worker.movements(text));
       this.#texts.set(participation.key, text);
-      await this.#kindly(() => this.#shelf?.begin(participation, text));
-      this.#kept = [{ ...participation, rows: [] }, ...this.#kept];
-      await this.#hold(participation.key);
-      this.#sit(participation.key, info, stepsOf(info, trials, 0), movements);
+      await this.#tryToStore(() => this.#database?.begin(participation, text));
+      this.#participations = [{ ...participation, rows: [] }, ...this.#participations];
+      await this.#lock(participation.key);
+      this.#activate(participation.key, info, stepsOf(info, trials, 0), movements);
     });
   }
 
-  /** A participant takes the experiment up again, with the study as it was. */
+  /** A participant continues the experiment, with the study as it was. */
   resume(key: string): Promise<void> {
-    return this.#next(async () => {
-      if (this.#sitting) return;
-      if (!(await this.#hold(key))) throw new Error("Another tab of this browser goes on with it.");
-      // Another tab may have gone on meanwhile.
-      const now = (await this.#shelf?.all())?.find((kept) => kept.key === key);
-      if (now && !this.#unkept) this.#replace(now);
-      const participation = this.#kept.find((kept) => kept.key === key);
+    return this.#inTurn(async () => {
+      if (this.#active) return;
+      if (!(await this.#lock(key))) throw new Error("Another tab of this browser goes on with it.");
+      // Another tab may have added answers meanwhile.
+      const now = (await this.#database?.all())?.find((kept) => kept.key === key);
+      if (now && !this.#storageProblem) this.#replace(now);
+      const participation = this.#participations.find((kept) => kept.key === key);
       if (!participation || isComplete(participation)) {
         this.#release();
         return;
       }
       const { seed } = participation;
-      const text = this.#texts.get(key) ?? (await this.#shelf?.study(key));
+      const text = this.#texts.get(key) ?? (await this.#database?.study(key));
       try {
         if (typeof text !== "string")
           throw new Error("The study that it belongs to is not on this machine any more.");
         const { info } = await this.#whole.desk.run((worker) => worker.openStudy(text));
         const trials = await this.#whole.desk.run((worker) => worker.drawTrials(text, seed));
         const movements = await this.#whole.desk.run((worker) => worker.movements(text));
-        this.#sit(key, info, stepsOf(info, trials, answered(participation)), movements);
+        this.#activate(key, info, stepsOf(info, trials, answered(participation)), movements);
       } catch (problem) {
         this.#release();
         throw problem;
@@ -201,72 +202,74 @@ export class PerceptionStore extends Store {
     });
   }
 
-  /** Keeps a row of the participant who is answering; it is on disk when this is kept. */
-  async keep(row: Row): Promise<void> {
-    const { participation } = this.#sitting ?? {};
+  /** Adds a row of the active participant. Ends when the row is stored. */
+  async addRow(row: Row): Promise<void> {
+    const { participation } = this.#active ?? {};
     if (!participation) return;
     const place = participation.rows.length;
     const placed = { ...row, trial_index: place };
     this.#replace({ ...participation, rows: [...participation.rows, placed] });
-    await this.#kindly(() => this.#shelf?.add(participation.key, place, placed));
+    await this.#tryToStore(() => this.#database?.add(participation.key, place, placed));
   }
 
-  /** The participant has left, or has answered all. */
-  stand(): void {
-    this.#sitting = null;
+  /** The participant has answered everything or has left. */
+  leave(): void {
+    this.#active = null;
     this.#release();
     this.changed();
   }
 
   async forget(key: string): Promise<void> {
-    await this.#kindly(() => this.#shelf?.forget(key));
+    await this.#tryToStore(() => this.#database?.forget(key));
     this.#texts.delete(key);
-    this.#kept = this.#kept.filter((kept) => kept.key !== key);
+    this.#participations = this.#participations.filter((kept) => kept.key !== key);
     this.changed();
   }
 
-  /** All that was kept is gone; who is answering now goes on. */
-  forgotten(): void {
-    this.#kept = this.#kept.filter(({ key }) => key === this.#sitting?.participation.key);
+  /** The database was emptied, except for the active participation. */
+  dropStored(): void {
+    this.#participations = this.#participations.filter(({ key }) => key === this.#active?.participation.key);
     this.changed();
   }
 
-  /** Whether no other tab has the participation; it is held until it is released. */
-  async #hold(key: string): Promise<boolean> {
-    if (!this.#shelf) return true;
-    this.#held = await this.#shelf.hold(key);
-    return this.#held !== null;
+  /** Takes the participation for this tab; false: another tab has it. */
+  async #lock(key: string): Promise<boolean> {
+    if (!this.#database) return true;
+    this.#unlock = await this.#database.hold(key);
+    return this.#unlock !== null;
   }
 
   #release(): void {
-    this.#held?.();
-    this.#held = null;
+    this.#unlock?.();
+    this.#unlock = null;
   }
 
-  #sit(key: string, study: StudyInfo, steps: readonly Step[], movements: readonly Float32Array[]): void {
-    const participation = this.#kept.find((kept) => kept.key === key);
+  #activate(key: string, study: StudyInfo, steps: readonly Step[], movements: readonly Float32Array[]): void {
+    const participation = this.#participations.find((kept) => kept.key === key);
     if (!participation) return;
-    const columns = columnsOf(participation, sittings(participation) + 1);
-    this.#sitting = { participation, study, steps, columns, movements };
+    const columns = columnsOf(participation, sessionCount(participation) + 1);
+    this.#active = { participation, study, steps, columns, movements };
   }
 
-  #replace(participation: KeptParticipation): void {
-    this.#kept = this.#kept.map((kept) => (kept.key === participation.key ? participation : kept));
-    if (this.#sitting) this.#sitting = { ...this.#sitting, participation };
+  #replace(participation: StoredParticipation): void {
+    this.#participations = this.#participations.map((kept) =>
+      kept.key === participation.key ? participation : kept,
+    );
+    if (this.#active) this.#active = { ...this.#active, participation };
     this.changed();
   }
 
-  /** Answers that cannot be kept are no reason to end an experiment: they can still be saved. */
-  async #kindly(keeping: () => Promise<void> | undefined): Promise<void> {
+  /** Answers that cannot be stored do not end an experiment: the visitor can still save them. */
+  async #tryToStore(write: () => Promise<void> | undefined): Promise<void> {
     try {
-      await keeping();
-      this.#unkept = "";
+      await write();
+      this.#storageProblem = "";
     } catch (problem) {
-      this.#unkept = messageOf(problem);
+      this.#storageProblem = messageOf(problem);
     }
   }
 
-  #next(work: () => Promise<void>): Promise<void> {
+  #inTurn(work: () => Promise<void>): Promise<void> {
     const done = this.#changing.then(async () => {
       [this.#busy, this.#problem] = [true, ""];
       this.changed();

@@ -14,7 +14,7 @@ import {
 } from "./answered-settings";
 import { type Panel, type PanelAxis, type PanelPoint, panels } from "./panel";
 
-/** What models with one number of building blocks count. */
+/** The names of the building blocks that a model counts. */
 const BLOCKS: Partial<Record<ModelKind, string>> = {
   tmp: "Primitives",
   "dmp-discrete": "Bases",
@@ -26,7 +26,7 @@ interface Row {
   blocks: number;
 }
 
-/** The models that are counted so, each with its settings by their numbers. */
+/** The models with such building blocks, each with its settings by their number. */
 function counted(results: PerceptionResults): [ModelKind, Row[]][] {
   const byModel = new Map<ModelKind, Row[]>();
   for (const setting of answeredSettings(results)) {
@@ -41,7 +41,7 @@ interface Measure {
   name: string;
   axis: Omit<PanelAxis, "reach"> & { reach: number[] };
   references: number[];
-  /** Null: the setting has none. */
+  /** Null: the setting has no value. */
   of(setting: Answered): Pick<PanelPoint, "y" | "low" | "high"> | null;
 }
 

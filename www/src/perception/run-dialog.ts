@@ -1,11 +1,11 @@
-// The experiment itself, over the whole page: jsPsych's display, how far it is, and a way out.
+// The experiment over the whole page: jsPsych's display, the progress and a button to leave.
 import { html } from "lit";
 import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";
 import { View } from "../ui/view";
 import { motionsOf } from "./motions";
 import { CanvasPair } from "./pair-stage";
-import type { PerceptionStore, Sitting } from "./perception-store";
+import type { PerceptionStore, ActiveParticipation } from "./perception-store";
 import { answered } from "./participation";
 import { run, type Running } from "./run";
 import { messageOf } from "../ui/format";
@@ -26,11 +26,11 @@ export class RunDialog extends View {
   }
 
   protected override updated(): void {
-    const { sitting } = this.perception;
-    if (sitting && !this.#running) this.#begin(sitting);
+    const { active } = this.perception;
+    if (active && !this.#running) this.#begin(active);
   }
 
-  #begin(sitting: Sitting): void {
+  #begin(active: ActiveParticipation): void {
     const { perception } = this;
     const dialog = this.querySelector("dialog");
     const display = document.createElement("div");
@@ -38,21 +38,21 @@ export class RunDialog extends View {
     dialog?.querySelector(".run-place")?.replaceChildren(display);
     let stage: CanvasPair;
     try {
-      stage = new CanvasPair(sitting.study, motionsOf(sitting.study, sitting.movements));
+      stage = new CanvasPair(active.study, motionsOf(active.study, active.movements));
     } catch {
       this.notices.addError(
         "The movements cannot be shown",
         "This browser shows no 3-D graphics (WebGL). Answers can still be analysed.",
       );
-      perception.stand();
+      perception.leave();
       return;
     }
     dialog?.showModal();
-    const { study, steps, columns, participation } = sitting;
+    const { study, steps, columns, participation } = active;
     this.#running = run(display, stage, {
       ...{ study, steps, columns },
       simulated: participation.simulated,
-      keep: (row) => perception.keep(row),
+      keep: (row) => perception.addRow(row),
       begins: () => display.focus({ preventScroll: true }),
     });
     this.#running.over
@@ -62,7 +62,7 @@ export class RunDialog extends View {
         stage.dispose();
         display.remove();
         dialog?.close();
-        perception.stand();
+        perception.leave();
       });
   }
 
@@ -71,7 +71,7 @@ export class RunDialog extends View {
   }
 
   protected override render() {
-    const { participation } = this.perception.sitting ?? {};
+    const { participation } = this.perception.active ?? {};
     const [done, all] = participation ? [answered(participation), participation.trials] : [0, 1];
     return html`
       <dialog class="run" aria-label="The experiment" data-testid="run" @cancel=${(event: Event) => {

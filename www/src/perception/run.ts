@@ -1,4 +1,4 @@
-// An experiment with one participant, by jsPsych: from the steps that are left to the rows of answers.
+// Runs an experiment with one participant in jsPsych: takes the remaining steps and gives rows of answers.
 import { initJsPsych } from "jspsych";
 import type { StudyInfo, StudyTrial } from "../engine/whole-protocol";
 import { pairPlugin } from "./pair-plugin";
@@ -11,23 +11,23 @@ import { TextPlugin } from "./text-plugin";
 export interface Experiment {
   study: StudyInfo;
   steps: readonly Step[];
-  /** The columns that are the same in all rows. */
+  /** The columns that are equal in all rows. */
   columns: Row;
-  /** Whether the program itself answers. */
+  /** Whether the program gives the answers. */
   simulated: boolean;
-  /** Keeps a row; the next step waits for it. */
+  /** Stores a row; the next step waits until it is stored. */
   keep(row: Row): Promise<void>;
   /** A step begins. */
   begins(step: Step): void;
 }
 
 export interface Running {
-  /** Kept when the last step is over, or when the participant has left. */
+  /** Ends after the last step, or when the participant has left. */
   over: Promise<void>;
   leave(): void;
 }
 
-/** What the data say of a trial, besides the answer. */
+/** The columns of a trial besides the answer. */
 function trialColumns({ stimuli }: StudyInfo, { position, trial }: PairStep): Row {
   const { block, kind, left, right, naturalSide, headingDegrees } = trial;
   const id = (stimulus: number) => stimuli[stimulus]?.id ?? "";

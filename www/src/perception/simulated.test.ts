@@ -10,7 +10,7 @@ const withErrors = (...errors: number[]) => ({
 });
 
 describe("a simulated participant", () => {
-  it("is taken in more often by models with smaller errors, half the time at best", () => {
+  it("takes models with smaller errors for natural more often, at most half the time", () => {
     const [, small = 0, middle = 0, large = 0] = confusionOf(withErrors(0.001, 0.01, 0.1));
     expect(middle).toBeCloseTo(0.25);
     expect(small).toBeGreaterThan(middle);
@@ -19,7 +19,7 @@ describe("a simulated participant", () => {
     expect(confusionOf(study)[1]).toBeCloseTo(0.25);
   });
 
-  it("answers by that, and never fails an attention check", () => {
+  it("answers with that probability, and passes every attention check", () => {
     const [onLeft, onRight] = trialsOf([2]);
     expect(simulatedAnswer(onLeft!, [0, 0.3], 0.29)).toBe("right");
     expect(simulatedAnswer(onLeft!, [0, 0.3], 0.31)).toBe("left");

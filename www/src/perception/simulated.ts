@@ -1,12 +1,12 @@
-// A participant that the program plays, to try a study out: attentive, and the more often taken in, the
-// smaller a model's error is.
+// A simulated participant, to try a study out. It passes every attention check, and takes a movement for natural
+// the more often, the smaller the error of its model is.
 import type { StudyInfo, StudyTrial } from "../engine/whole-protocol";
 import type { Side } from "./trial-view";
 
 const mean = (values: readonly number[]) =>
   values.reduce((sum, value) => sum + value, 0) / Math.max(1, values.length);
 
-/** How often the simulated participant takes each stimulus for the natural one: half the time at best. */
+/** The probability that the simulated participant takes each stimulus for the natural one; at most 0.5. */
 export function confusionOf({ stimuli }: StudyInfo): number[] {
   const errors = stimuli.map(({ scores }) => Math.log(scores?.mse ?? NaN));
   const known = errors.filter(Number.isFinite);
@@ -17,7 +17,7 @@ export function confusionOf({ stimuli }: StudyInfo): number[] {
   );
 }
 
-/** The answer to a trial. `chance`: from 0 to 1. */
+/** The answer to a trial. `chance`: a random number from 0 to 1. */
 export function simulatedAnswer(
   { naturalSide, kind, left, right }: StudyTrial,
   confusion: readonly number[],

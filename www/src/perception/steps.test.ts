@@ -10,7 +10,7 @@ describe("the steps of a participant", () => {
     expect(words(stepsOf(study, trialsOf([2, 2]), 0))).toBe("consent instructions 0 1 pause 2 3 end");
   });
 
-  it("go on where they stopped, with the instructions but without another pause", () => {
+  it("continue where they stopped, with the instructions but without another pause", () => {
     expect(words(stepsOf(study, trialsOf([2, 2]), 1))).toBe("instructions 1 pause 2 3 end");
     expect(words(stepsOf(study, trialsOf([2, 2]), 2))).toBe("instructions 2 3 end");
     expect(words(stepsOf(study, trialsOf([2, 2]), 4))).toBe("instructions end");
@@ -24,7 +24,7 @@ describe("the steps of a participant", () => {
   });
 });
 
-it("paragraphs stand apart by empty lines", () => {
+it("empty lines separate paragraphs", () => {
   expect(paragraphsOf("One\nline.\n\n \nTwo.\n")).toEqual(["One\nline.", "Two."]);
   expect(paragraphsOf("")).toEqual([]);
 });

@@ -1,16 +1,16 @@
-// What a participant goes through, step by step: pages of text and pairs of movements. No rendering.
+// The steps of a participant: pages of text and pairs of movements. No rendering.
 import type { StudyInfo, StudyTrial } from "../engine/whole-protocol";
 
-/** What a page of text is for; the participant reads it and goes on. */
+/** The purpose of a page of text. */
 export type TextPage = "consent" | "instructions" | "pause" | "end";
 
 export interface TextStep {
   kind: "text";
   page: TextPage;
   paragraphs: string[];
-  /** What the button says. */
+  /** The label of the button. */
   onward: string;
-  /** Seconds before the participant can go on. */
+  /** Seconds before the button works. */
   wait: number;
 }
 
@@ -23,17 +23,14 @@ export interface PairStep {
 
 export type Step = TextStep | PairStep;
 
-/** Paragraphs stand apart by empty lines. */
+/** The paragraphs of a text; empty lines separate them. */
 export const paragraphsOf = (text: string): string[] =>
   text
     .split(/\n\s*\n/)
     .map((paragraph) => paragraph.trim())
     .filter(Boolean);
 
-/**
- * The steps that are left after so many trials. Who takes an experiment up again reads the instructions once
- * more.
- */
+/** The steps that remain after a number of trials. A participant who continues reads the instructions again. */
 export function stepsOf(
   { texts, pauseSeconds }: StudyInfo,
   trials: readonly StudyTrial[],

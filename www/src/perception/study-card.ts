@@ -1,4 +1,4 @@
-// The study: what it is, its design, what participants read, and which movements check their attention.
+// The card of the study: its design, the texts for participants, and the movements of the attention checks.
 import { html } from "lit";
 import type { StudyInfo, StudyPreset, StudyTexts, StudyView } from "../engine/whole-protocol";
 import "../terms/term";
@@ -23,10 +23,10 @@ const TEXTS: [keyof StudyTexts, string, number][] = [
   ["end", "After the last trial", 3],
 ];
 
-/** An answer takes about so long, seconds. */
+/** The usual time of an answer, in seconds. */
 const ANSWER = 1;
 
-/** About how long a participant sits there, seconds. */
+/** The usual time of a whole participation, in seconds. */
 export function lengthOf({ crossSeconds, seconds, design }: StudyInfo, trials: number): number {
   return trials * (crossSeconds + seconds + ANSWER) + (design.blocks - 1) * design.pauseSeconds;
 }
@@ -59,7 +59,7 @@ function textFields(store: PerceptionStore, { texts }: StudyInfo) {
     </details>`;
 }
 
-/** Which generated movements are so bad that everybody who looks must see it. */
+/** The choice of the generated movements so bad that every attentive participant sees it. */
 function marks(store: PerceptionStore, { stimuli }: StudyInfo, look: (id: string) => void) {
   const generated = stimuli.filter(({ kind }) => kind === "generated");
   const failed = generated.filter(({ failed }) => failed).map(({ id }) => id);
@@ -80,7 +80,7 @@ function marks(store: PerceptionStore, { stimuli }: StudyInfo, look: (id: string
     </details>`;
 }
 
-/** The study that is open, or that none is. `look` shows one of its movements. */
+/** The open study. `look` shows one of its movements. */
 export function studyCard(store: PerceptionStore, look: (id: string) => void) {
   const { study, busy } = store;
   if (!study)

@@ -1,4 +1,4 @@
-// The study that comes with the page; whoever hosts the page puts another in its place.
+// The study that comes with the page. A host of the page may replace its file.
 export const STUDY_OF_THE_PAGE = "study/walks.study.json";
 
 export async function studyOfThePage(): Promise<string> {

@@ -44,7 +44,7 @@ export const study: StudyInfo = {
   ],
 };
 
-/** So many trials in each block, the natural one left and right in turn. */
+/** Trials of these numbers in each block; the natural movement is left and right in turn. */
 export const trialsOf = (blocks: readonly number[]): StudyTrial[] =>
   blocks.flatMap((count, block) =>
     Array.from({ length: count }, (_, i): StudyTrial => {

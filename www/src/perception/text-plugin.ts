@@ -1,5 +1,4 @@
-// jsPsych's plugin for a page of text: consent, instructions, a pause, thanks. The participant goes on with a
-// button.
+// jsPsych's plugin for a page of text with a button: consent, instructions, a pause, thanks.
 import { type JsPsych, type JsPsychPlugin, ParameterType, type TrialType } from "jspsych";
 import type { TextStep } from "./steps";
 
@@ -7,13 +6,13 @@ const info = {
   name: "vcgpdm-text",
   version: "1.0.0",
   parameters: {
-    /** What the page says and when it can be left. */
+    /** The text, and when the button works. */
     text: { type: ParameterType.OBJECT, default: undefined },
   },
   data: {
     /** "consent", "instructions", "pause" or "end". */
     page: { type: ParameterType.STRING },
-    /** Milliseconds until the participant went on. */
+    /** Milliseconds until the participant pressed the button. */
     rt: { type: ParameterType.FLOAT },
   },
   citations: {},
@@ -21,7 +20,7 @@ const info = {
 
 type Info = typeof info;
 
-/** Seconds between two looks at the time that is left. */
+/** Seconds between two updates of the remaining time. */
 const SECOND = 1000;
 
 export class TextPlugin implements JsPsychPlugin<Info> {
@@ -52,7 +51,7 @@ export class TextPlugin implements JsPsychPlugin<Info> {
     return Promise.resolve({ page, rt: 0 });
   }
 
-  /** `open` is called when the participant can go on. */
+  /** Calls `open` when the button works. */
   #run(
     display: HTMLElement,
     { page, paragraphs, onward, wait }: TextStep,

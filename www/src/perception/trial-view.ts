@@ -1,8 +1,8 @@
-// What a participant sees of a trial: the cross, the movements, and the question with a button for each side.
+// The display of a trial: the cross, the movements, and the question with a button for each side.
 export const SIDES = ["left", "right"] as const;
 export type Side = (typeof SIDES)[number];
 
-/** What is shown now; the other things keep their places, so that nothing jumps. */
+/** What is visible now. Invisible elements keep their places, so that nothing jumps. */
 type Showing = "cross" | "movement" | "question";
 
 export interface TrialView {
@@ -15,7 +15,7 @@ export interface TrialView {
 const made = (name: string, className: string, text = "") =>
   Object.assign(document.createElement(name), { className, textContent: text });
 
-/** Draws a trial into the display, with the stage that is kept between trials. */
+/** Draws a trial into the display. All trials share one stage. */
 export function trialView(display: HTMLElement, stage: HTMLElement, question: string): TrialView {
   const root = made("div", "pair-trial");
   root.dataset.testid = "pair-trial";
@@ -23,7 +23,7 @@ export function trialView(display: HTMLElement, stage: HTMLElement, question: st
   cross.setAttribute("aria-hidden", "true");
   const scene = made("div", "pair-scene");
   scene.append(stage, cross);
-  // Empty until it is asked: then screen readers say it.
+  // Screen readers read the question when its text appears.
   const asked = made("p", "pair-question");
   asked.setAttribute("role", "status");
   const buttons = SIDES.map((side) => {

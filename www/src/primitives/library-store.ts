@@ -44,7 +44,7 @@ export class LibraryStore extends Store {
   readonly couplings = new CouplingsStore((change) => this.#walkUnder(change === "all"));
   readonly #held: LibraryWorker;
   readonly #notices: NoticesStore;
-  readonly #fetchFirst: () => Promise<string>;
+  readonly #fetchStartFile: () => Promise<string>;
   #known: KnownLibrary | null = null;
   /**
    * Those before, the last of which the one that is looked at has taken the place of: it, and all that would
@@ -71,13 +71,13 @@ export class LibraryStore extends Store {
   readonly #couplings: Latest<readonly number[], Couplings>;
   readonly #movesOf: Latest<{ uses: readonly number[]; alpha: Couplings }, PartMotion[]>;
 
-  /** `fetchFirst`: the document of the library that comes with the page. */
-  constructor(whole: WholeWorkers, notices: NoticesStore, fetchFirst: () => Promise<string>) {
+  /** `fetchStartFile`: the document of the library that comes with the page. */
+  constructor(whole: WholeWorkers, notices: NoticesStore, fetchStartFile: () => Promise<string>) {
     super();
     this.#held = new LibraryWorker(whole);
     this.walk = new WalkStore(this.#held, notices);
     this.#notices = notices;
-    this.#fetchFirst = fetchFirst;
+    this.#fetchStartFile = fetchStartFile;
     this.#couplings = new Latest(
       (uses) => this.nearestTo(uses),
       (alpha, uses) => {
@@ -186,7 +186,7 @@ export class LibraryStore extends Store {
     this.#problem = "";
     this.changed();
     try {
-      const text = await this.#fetchFirst();
+      const text = await this.#fetchStartFile();
       this.#first = text;
       // The visitor's own may have come first.
       if (!this.#known) await this.open(text, "");

@@ -3,7 +3,7 @@
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { ReadTable, TablePart, TableSource } from "../engine/series-protocol";
 import { messageOf } from "../ui/format";
-import { renamed, whyNotName } from "../ui/part-names";
+import { renamed, nameProblem } from "../ui/part-names";
 import { Store } from "../ui/store";
 import { added, moved, partsByName, without } from "./parts-of-columns";
 
@@ -90,7 +90,7 @@ export class TablesStore extends Store {
   /** Gives a part another name, if it is one that no other part has. Answers the name that it has now. */
   renamePart(part: number, text: string): string {
     const name = text.trim();
-    const why = whyNotName(this.#parts, part, name);
+    const why = nameProblem(this.#parts, part, name);
     this.#setParts(why ? this.#parts : renamed(this.#parts, part, name), why);
     return this.#parts[part]?.name ?? "";
   }

@@ -1,7 +1,7 @@
 // The answers of a graphics Turing test in a database of their own, a record for each row: a tab that is closed
 // loses none.
 import { openDB } from "idb";
-import type { AnswerShelf, Participation, Row } from "../perception/participation";
+import type { AnswerDatabase, Participation, Row } from "../perception/participation";
 import { type Check, has, isBoolean, isNumber, isText } from "./checks";
 
 const PARTICIPATIONS = "participations";
@@ -33,7 +33,7 @@ async function underWay(): Promise<string[]> {
 }
 
 /** Fails where the browser stores nothing. */
-export async function answerDatabase(): Promise<AnswerShelf & { forgetAll(): Promise<void> }> {
+export async function answerDatabase(): Promise<AnswerDatabase & { forgetAll(): Promise<void> }> {
   const database = await openDB("vcgpdm answers", 1, {
     upgrade(fresh) {
       for (const store of [PARTICIPATIONS, ROWS]) fresh.createObjectStore(store);

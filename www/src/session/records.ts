@@ -1,6 +1,6 @@
 // A visit as records in the browser's database: clips, trainings, a model from elsewhere, results of a
 // comparison, a library of primitives.
-import type { KeptClip } from "../clips/clips-store";
+import type { StoredClip } from "../clips/clips-store";
 import type { ClipSource } from "../engine/protocol";
 import type { Run } from "../training/runs";
 
@@ -30,7 +30,7 @@ interface About extends Counts {
 /** What a visit holds. */
 export interface Holdings {
   fragment: string;
-  clips: readonly (KeptClip & { id: number })[];
+  clips: readonly (StoredClip & { id: number })[];
   firstBones: boolean;
   runs: readonly Run[];
   chosen: Run | null;

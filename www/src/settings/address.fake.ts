@@ -1,8 +1,8 @@
-// For tests: an address bar that is no browser's.
+// For tests: an address bar without a browser.
 import type { AddressBar } from "./address";
 
 export class FakeAddressBar implements AddressBar {
-  /** The fragments of the pages visited; the last is the one now. */
+  /** The fragments of the history; the last is the current one. */
   readonly pages: string[];
   /** How often an address was written. */
   writes = 0;

@@ -2,7 +2,7 @@
 import { Store } from "../ui/store";
 import { type Settings, writeSettings } from "./settings";
 
-/** Browsers allow only so many history writes a second; a slider makes more. */
+/** Milliseconds. Browsers limit the history writes in a second; a slider would make more. */
 const BETWEEN_WRITES = 300;
 
 /** The part of the browser that holds the address. */
@@ -10,7 +10,7 @@ export interface AddressBar {
   /** With or without "#". */
   read(): string;
   write(fragment: string): void;
-  /** Another page to whoever presses Back. */
+  /** Begins a new entry of the browser's history. */
   push(): void;
 }
 
@@ -26,14 +26,16 @@ export const browserAddressBar: AddressBar = {
   push: () => history.pushState(null, ""),
 };
 
-/** Writes settings to the address after their changes, at most every 300 ms; tells when it has. */
+/** Writes settings to the address after their changes, at most every 300 ms. Listeners hear of each write. */
 export class Address extends Store {
+  readonly #bar: AddressBar;
   #waiting: Settings | null = null;
   #written = -Infinity;
   #fragment: string;
 
-  constructor(private readonly bar: AddressBar) {
+  constructor(bar: AddressBar) {
     super();
+    this.#bar = bar;
     this.#fragment = bar.read();
   }
 
@@ -44,11 +46,11 @@ export class Address extends Store {
 
   read(): string {
     this.#waiting = null;
-    this.#fragment = this.bar.read();
+    this.#fragment = this.#bar.read();
     return this.#fragment;
   }
 
-  /** Never before the caller is done: what a change asks of the model comes first. */
+  /** Writes after the caller has returned: the request to the model goes first. */
   writeSoon(settings: Settings): void {
     const scheduled = this.#waiting !== null;
     this.#waiting = settings;
@@ -56,13 +58,10 @@ export class Address extends Store {
     setTimeout(() => this.#write(), Math.max(0, this.#written + BETWEEN_WRITES - performance.now()));
   }
 
-  /**
-   * Begins another page, with these settings at once: whoever presses Back soon leaves that page and no
-   * other. The one before keeps its address.
-   */
+  /** Begins a history entry with these settings and writes it at once. The previous entry keeps its address. */
   push(settings: Settings): void {
     this.#write();
-    this.bar.push();
+    this.#bar.push();
     this.#waiting = settings;
     this.#write();
   }
@@ -72,7 +71,7 @@ export class Address extends Store {
     this.#fragment = writeSettings(this.#waiting);
     this.#waiting = null;
     this.#written = performance.now();
-    this.bar.write(this.#fragment);
+    this.#bar.write(this.#fragment);
     this.changed();
   }
 }

@@ -11,7 +11,7 @@ export type NumberName = {
 
 type Bound = Pick<NumberField, "limits" | "value" | "change">;
 
-/** Ties a field to its setting. */
+/** Connects a field with its setting. */
 function bind(settings: SettingsStore, name: NumberName): Bound {
   return {
     limits: SETTINGS[name],
@@ -31,7 +31,7 @@ export function settingField(
   return numberField({ ...field, ...bind(settings, name) });
 }
 
-/** The same without a label. */
+/** The field without a label. */
 export function settingInput(
   settings: SettingsStore,
   name: NumberName,

@@ -9,7 +9,7 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-it("changes settings within their limits, and tells of it", () => {
+it("changes settings within their limits, and calls its listeners", () => {
   const settings = new SettingsStore(new FakeAddressBar("#latent=2"));
   const listener = vi.fn();
   settings.on(listener);
@@ -35,18 +35,18 @@ it("keeps couplings exactly, and writes them rounded to the address, after the c
   expect(bar.writes).toBe(5);
 });
 
-it("makes another view another page, and leaves the page before with its own address", () => {
+it("begins a history entry for another view, and the previous entry keeps its address", () => {
   const bar = new FakeAddressBar("latent=2");
   const settings = new SettingsStore(bar);
   settings.change({ order: 3 });
   settings.change({ view: "compare" });
-  // At once: a visitor may press Back before the next write.
+  // The visitor may press Back before the next write.
   expect(bar.pages).toEqual(["latent=2&order=3", "view=compare&latent=2&order=3"]);
   vi.advanceTimersByTime(300);
   expect(bar.pages).toEqual(["latent=2&order=3", "view=compare&latent=2&order=3"]);
 });
 
-it("follows the address, and forgets what it was about to write", () => {
+it("follows the address, and drops the write that waits", () => {
   const bar = new FakeAddressBar("latent=2");
   const settings = new SettingsStore(bar);
   settings.change({ latent: 4 });

@@ -1,4 +1,4 @@
-// The settings now, and the address of the page in step with them.
+// The settings, which the address of the page follows.
 import { Store } from "../ui/store";
 import { Address, type AddressBar } from "./address";
 import { limited, readSettings, type Settings } from "./settings";
@@ -18,22 +18,20 @@ export class SettingsStore extends Store {
     return this.#values;
   }
 
-  /** What an address says: the settings now, and in their place those of a link that still wait. */
+  /** The settings for an address: those of a link that still wait replace the present ones. */
   get written(): Readonly<Settings> {
     return { ...this.#values, ...this.#waiting };
   }
 
-  /**
-   * Keeps settings of a link in the address that cannot hold yet; without any, the address says what holds.
-   */
+  /** Keeps settings of a link in the address that do not apply yet; `{}`: there are none. */
   holdBack(waiting: Partial<Settings>): void {
     this.#waiting = waiting;
     this.address.writeSoon(this.written);
   }
 
   /**
-   * Changes settings, each within its limits; a value that is not valid leaves its setting as it was. Another
-   * view is another page to whoever presses Back, and so is what `turnsPage`.
+   * Changes settings within their limits; an invalid value leaves its setting as it was. A change of the view
+   * begins a history entry, and so does `turnsPage`.
    */
   change(change: Partial<Settings>, turnsPage = false): void {
     const next = { ...this.#values, ...limited(change) };
@@ -44,14 +42,14 @@ export class SettingsStore extends Store {
     this.changed();
   }
 
-  /** Takes over what another address says. */
+  /** Takes the settings of another address. */
   takeFragment(fragment: string): void {
     this.#take(fragment);
     this.address.writeSoon(this.#values);
     this.changed();
   }
 
-  /** Takes over what the address says, after a visitor has followed a link or pressed Back. */
+  /** Takes the settings of the address, after the visitor has followed a link or pressed Back. */
   readAddress(): void {
     this.#take(this.address.read());
     this.changed();

@@ -10,7 +10,7 @@ import {
 } from "./settings";
 
 describe("settings in the URL", () => {
-  it("leaves the settings of the start out", () => {
+  it("leaves out initial values", () => {
     expect(writeSettings(initialSettings())).toBe("");
     expect(readSettings("")).toEqual(initialSettings());
   });
@@ -61,7 +61,7 @@ describe("settings in the URL", () => {
     expect(readSettings(`#${writeSettings(settings)}`)).toEqual(settings);
   });
 
-  it("enforces the limits on what the URL says", () => {
+  it("limits the values of the URL", () => {
     const settings = readSettings(
       "#latent=900&dynamics=-4&seed=99999999999&speed=77&alpha=0.1:1e9&draw=-3&driving=maybe",
     );
@@ -73,13 +73,13 @@ describe("settings in the URL", () => {
     expect(settings.alpha).toEqual({ "0.1": ALPHA_MAX });
   });
 
-  it("drops what is no value", () => {
+  it("ignores invalid values", () => {
     const text =
       "#model=../x&latent=NaN&fps=Infinity&alpha=0.1:-2&split=legs:5-2&reading=maybe&loop=perhaps&parts=<b>&unknown=1";
     expect(readSettings(text)).toEqual(initialSettings());
   });
 
-  it("reads lists in any order, once each and within their limits", () => {
+  it("reads lists in any order, each value once and within its limits", () => {
     const settings = readSettings("#models=tmp,vcgpdm&ips=16,4,16,900&bases=,");
     expect(settings.models).toEqual(["vcgpdm", "tmp"]);
     expect(settings.ips).toEqual([4, 16, 40]);
@@ -100,7 +100,7 @@ describe("settings in the URL", () => {
     expect(read(9).split).toEqual([]);
   });
 
-  it("refuses a name that two parts have, also one that they have only as the address writes it", () => {
+  it("refuses two parts of one name, also when the names are equal only in the address", () => {
     expect(readSettings("#parts=hand&split=a:0-4;a:5-6").split).toEqual([]);
     const split = ["a b", "a:b"].map((name, joint) => ({ name, joints: [joint] }));
     expect(limited({ split })).toEqual({});
@@ -108,14 +108,14 @@ describe("settings in the URL", () => {
 });
 
 describe("limits", () => {
-  it("holds for controls as well", () => {
+  it("apply to controls too", () => {
     expect(limited({ latent: 0 })).toEqual({ latent: 1 });
     expect(limited({ latent: 2.4 })).toEqual({ latent: 2 });
     expect(limited({ latent: Number.NaN, order: 3 })).toEqual({ order: 3 });
     expect(limited({ ips: [], alpha: { "0.1": 1e9 } })).toEqual({ alpha: { "0.1": ALPHA_MAX } });
   });
 
-  it("keeps couplings exactly, and rounds them only in the text", () => {
+  it("round couplings only in the text", () => {
     const alpha = { "0.1": 1.23456789 };
     expect(limited({ alpha })).toEqual({ alpha });
     expect(writeSettings({ ...initialSettings(), alpha })).toBe("alpha=0.1:1.235");
@@ -123,7 +123,7 @@ describe("limits", () => {
 });
 
 describe("embedding", () => {
-  it("is asked for in the query", () => {
+  it("has a parameter of the query", () => {
     expect(isEmbedded("?embed")).toBe(true);
     expect(isEmbedded("?embed=1&x=2")).toBe(true);
     expect(isEmbedded("?embed=0")).toBe(false);

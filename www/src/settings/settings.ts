@@ -1,5 +1,5 @@
-// The settings of the page: one table that names, limits and defaults them, and carries them to the URL and
-// back. No rendering. A value from the URL passes the same limits as one from a control.
+// The settings of the page in one table: names, limits and defaults. Writes them to the URL and reads them. A value
+// from the URL passes the same limits as one from a control. No rendering.
 import { MAX_PARTS } from "../engine/limits";
 import type { PartSpec, Reading } from "../engine/protocol";
 
@@ -7,7 +7,7 @@ interface Setting<T> {
   /** The name in the URL. */
   key: string;
   initial: T;
-  /** The value that a text stands for, not yet limited; null when it is not one. */
+  /** The value of a text, not yet limited; null: the text is no value. */
   read(text: string): T | null;
   write(value: T): string;
   /** The nearest value within the limits; null when the value is not valid. */
@@ -79,7 +79,7 @@ const changedCouplings: Setting<ChangedCouplings> = {
     }
     return changed;
   },
-  /** A coupling is kept exactly; only its text is rounded. */
+  /** Only the text of a coupling is rounded. */
   write: (changed) =>
     Object.entries(changed)
       .map(([pair, alpha]) => `${pair}:${Number(alpha.toPrecision(4))}`)
@@ -94,7 +94,7 @@ const changedCouplings: Setting<ChangedCouplings> = {
   },
 };
 
-/** Joints of one part as "0-8.12": places in the skeleton. */
+/** The joints of a part, by their places in the skeleton: "0-8.12". */
 function writeJoints(joints: readonly number[]): string {
   const sorted = [...new Set(joints)].sort((a, b) => a - b);
   const runs: string[] = [];
@@ -120,7 +120,7 @@ function readJoints(text: string): number[] | null {
   return joints;
 }
 
-/** The name that a part can have: the text of a split has colons and semicolons between names and joints. */
+/** A valid name of a part: colons and semicolons separate names and joints in the text of a split. */
 export const partName = (text: string): string =>
   text.replace(/[;:]/g, " ").trim().slice(0, MAX_NAME).trimEnd();
 
@@ -162,8 +162,8 @@ const preset: Setting<string> = {
 };
 
 /**
- * The first digits of the SHA-256 of the document that the couplings and the start belong to; empty where a
- * link does not say.
+ * The first digits of the SHA-256 of the model's document that the couplings and the start belong to; empty: the
+ * link names no model.
  */
 const model: Setting<string> = {
   key: "model",
@@ -175,15 +175,14 @@ const model: Setting<string> = {
 
 const reading: Setting<Reading> = {
   key: "reading",
-  // In this reading parts that no longer hear each other fall out of step; as learned, they stop
-  // (docs/couplings.md).
+  // In this reading uncoupled parts fall out of step; as learned, they stop (docs/couplings.md).
   initial: "re-inferred",
   read: (text) => (text === "learned" ? "as learned" : text === "inferred" ? "re-inferred" : null),
   write: (value) => (value === "as learned" ? "learned" : "inferred"),
   limit: (value) => value,
 };
 
-/** Several of some words, in the order of the words. */
+/** A subset of some words, in the order of these words. */
 function several<T extends string>(
   key: string,
   initial: readonly T[],
@@ -202,7 +201,7 @@ function several<T extends string>(
   };
 }
 
-/** Several whole numbers, each once, rising. */
+/** Whole numbers, each once, in rising order. */
 function counts(
   key: string,
   initial: readonly number[],
@@ -227,8 +226,7 @@ function counts(
   };
 }
 
-/** What the page is about now: playing with one model, comparing several, a library of primitives, time series that are no body, the synthetic
- * experiment, the graphics Turing test, or the method. */
+/** The views of the page. "synthetic": the synthetic experiment; "perception": the graphics Turing test. */
 export const VIEWS = [
   "play",
   "compare",
@@ -239,7 +237,7 @@ export const VIEWS = [
   "method",
 ] as const;
 
-/** All kinds of models, in the order of tables. */
+/** All kinds of models, in the order of the tables. */
 export const MODELS = [
   "vcgpdm",
   "vgpdm",
@@ -250,7 +248,7 @@ export const MODELS = [
   "dmp-rhythmic",
 ] as const;
 
-/** The id of the parts setting that means: as assigned by hand. */
+/** The id of parts that the visitor has assigned by hand. */
 export const BY_HAND = "hand";
 
 export const SETTINGS = {
@@ -264,11 +262,11 @@ export const SETTINGS = {
   framesPerSecond: whole("fps", 30, 5, 60),
   seed: whole("seed", 1, 0, 4294967295),
   maxIterations: whole("iterations", 250, 10, 5000, 10),
-  /** 0: as many as this machine has cores, a few at most. */
+  /** 0: the number of cores, at most a few. */
   trainings: whole("trainings", 0, 0, 20),
   frames: whole("frames", 300, 60, 1200, 30),
   start: whole("start", 0, 0, 99),
-  /** The frame of that sequence. */
+  /** The frame of that sequence where the motion begins. */
   startFrame: whole("frame", 0, 0, 99_999),
   model,
   reading,
@@ -287,7 +285,7 @@ export const SETTINGS = {
   heldOut: whole("heldout", 0, 0, 99),
   seeds: whole("seeds", 1, 1, 10),
   comparedIterations: whole("steps", 150, 5, 5000),
-  /** Whether the vCGPDM and the MAP CGPDM are also trained on fewer trials, to see how time grows. */
+  /** Whether the vCGPDM and the MAP CGPDM are also trained on fewer trials, for the growth of their time. */
   growth: flag("growth", false),
   // Of the synthetic experiment
   drawn: whole("draw", 0, 0, 4294967295),
@@ -307,7 +305,7 @@ export function initialSettings(): Settings {
   return Object.fromEntries(ROWS.map(([name, row]) => [name, row.initial])) as unknown as Settings;
 }
 
-/** The settings that a URL fragment stands for; what it does not say, or says wrongly, is as at the start. */
+/** The settings of a URL fragment; missing and invalid ones have their initial values. */
 export function readSettings(fragment: string): Settings {
   const given = new URLSearchParams(fragment.replace(/^#/, ""));
   const read: [string, unknown][] = [];
@@ -319,7 +317,7 @@ export function readSettings(fragment: string): Settings {
   return { ...initialSettings(), ...limited(Object.fromEntries(read)) };
 }
 
-/** The URL fragment of these settings, without "#"; settings as at the start are left out. */
+/** The URL fragment of these settings, without "#" and without initial values. */
 export function writeSettings(settings: Settings): string {
   const given = new URLSearchParams();
   for (const [name, row] of ROWS) {
@@ -329,7 +327,7 @@ export function writeSettings(settings: Settings): string {
   return given.toString().replace(/%3A/gi, ":").replace(/%2C/gi, ",").replace(/%3B/gi, ";");
 }
 
-/** These values within the limits of their settings, without those that are not valid. */
+/** These values within the limits of their settings, without invalid ones. */
 export function limited(values: Partial<Settings>): Partial<Settings> {
   const within: [string, unknown][] = [];
   for (const [name, row] of ROWS) {

@@ -1,6 +1,6 @@
 // The card that says what a term means: one for the page, a popover, so that Escape and a click beside it
 // close it.
-import { showBeside } from "../ui/beside";
+import { showPopoverAt } from "../ui/popover";
 import { TERMS, type TermName } from "./terms";
 
 let card: HTMLElement | null = null;
@@ -44,6 +44,6 @@ export function showTerm(name: TermName, asked: HTMLElement): void {
   card.replaceChildren(heading, text, more);
   // What lies outside an open dialog cannot be reached.
   (asked.closest("dialog") ?? document.body).append(card);
-  showBeside(card, asked);
+  showPopoverAt(card, asked);
   card.focus();
 }

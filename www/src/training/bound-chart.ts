@@ -1,4 +1,4 @@
-// The bounds of the trainings while they rise, and the terms of the one that is looked at beneath.
+// The chart of the trainings' bounds, and below it the terms of the chosen bound.
 import { html, nothing } from "lit";
 import { grouped } from "../ui/format";
 import "../terms/term";
@@ -12,10 +12,8 @@ import { partStyle } from "../ui/styled";
 
 export class BoundChart extends View {
   declare training: TrainingStore;
-  /**
-   * The drawing and the table of trainings come when the first training starts: the first visit does without.
-   */
-  private drawing: BoundDrawing | "loading" | null = null;
+  /** Loaded with the table of trainings when the first training starts. */
+  #drawing: BoundDrawing | "loading" | null = null;
 
   protected override stores() {
     return [this.training];
@@ -23,51 +21,51 @@ export class BoundChart extends View {
 
   protected override arrived(): void {
     const redraw = () => {
-      this.drawn?.forget();
-      // The list beneath has the colours of the lines.
+      this.#drawn?.forget();
+      // The list below has the colours of the lines.
       this.requestUpdate();
     };
     this.whenLeaving(onThemeChange(redraw));
-    this.whenLeaving(() => this.drawn?.destroy());
+    this.whenLeaving(() => this.#drawn?.destroy());
     this.watchSize(this, () => {
-      if (this.clientWidth > 0) this.drawn?.fit(this.clientWidth);
+      if (this.clientWidth > 0) this.#drawn?.fit(this.clientWidth);
     });
   }
 
-  private get drawn(): BoundDrawing | null {
-    return this.drawing === "loading" ? null : this.drawing;
+  get #drawn(): BoundDrawing | null {
+    return this.#drawing === "loading" ? null : this.#drawing;
   }
 
   override updated(): void {
-    this.fill();
+    this.#fill();
   }
 
-  private async load(): Promise<void> {
-    this.drawing = "loading";
+  async #load(): Promise<void> {
+    this.#drawing = "loading";
     try {
       const [{ BoundDrawing }] = await Promise.all([import("./bound-drawing"), import("./runs-table")]);
-      this.drawing = new BoundDrawing(this);
-      this.fill();
+      this.#drawing = new BoundDrawing(this);
+      this.#fill();
     } catch {
-      // Without a chart the numbers beneath still tell the course; the next step asks again.
-      this.drawing = null;
+      // The numbers below remain without a chart; the next step tries again.
+      this.#drawing = null;
     }
   }
 
-  private fill(): void {
+  #fill(): void {
     const { charted, runs, busy } = this.training;
-    if (busy && this.drawing === null) void this.load();
-    if (charted && charted.steps.length > 0 && this.clientWidth > 0) this.drawn?.draw(charted, runs);
+    if (busy && this.#drawing === null) void this.#load();
+    if (charted && charted.steps.length > 0 && this.clientWidth > 0) this.#drawn?.draw(charted, runs);
   }
 
   protected override render() {
     const { charted, learning, runs } = this.training;
     const last = charted?.steps.at(-1);
     const parts = charted?.settings.parts.map(({ name }) => name) ?? [];
-    // One line has room for one of the two.
+    // The line is too short for both.
     const phase = learning && last ? `, ${phaseWords(last.phase)}` : "";
     const which = runs.length > 1 ? `, seed ${charted?.settings.seed}` : phase;
-    // While a next training sets up, the room of the last one stays.
+    // The size stays while the next training sets up.
     const isEmpty = runs.every(({ steps }) => steps.length === 0);
     return html`
       <figure class="chart" data-testid="bound-chart">

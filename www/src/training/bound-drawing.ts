@@ -1,5 +1,4 @@
-// Draws the bounds of the trainings, and the terms of one of them, with the chart library: loaded when the
-// first training starts.
+// Draws the bounds of the trainings, and the terms of one of them. Loaded when the first training starts.
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { TrainingProgress } from "../engine/protocol";
@@ -8,7 +7,7 @@ import { type Stroke, termLines } from "./bound-lines";
 import { axisNumbers, boundRange } from "./bound-range";
 import { dataOf, type Run } from "./runs";
 
-/** A line for each run whose bound can be compared with this one's; this one's lies above the others. */
+/** The runs whose bounds can be compared with that of the charted run, which lies above the others. */
 function boundRuns(charted: Run, runs: readonly Run[]): Run[] {
   const data = dataOf(charted);
   return [...runs.filter((run) => run !== charted && run.steps.length > 0 && dataOf(run) === data), charted];
@@ -22,7 +21,7 @@ function boundStroke(run: Run, charted: Run): Stroke {
   };
 }
 
-/** Values by iteration; nothing where a run has not been. */
+/** Values by iteration; null for iterations that the run has not reached. */
 function byIteration(
   steps: readonly TrainingProgress[],
   length: number,
@@ -38,37 +37,40 @@ const BOUND_HEIGHT = 132;
 const TERMS_HEIGHT = 92;
 
 export class BoundDrawing {
-  private bound: uPlot | null = null;
-  private terms: uPlot | null = null;
-  /** What the charts were made for. */
-  private made = "";
+  readonly #host: HTMLElement;
+  #bound: uPlot | null = null;
+  #terms: uPlot | null = null;
+  /** The runs and the theme that the charts were made for. */
+  #made = "";
 
-  constructor(private readonly host: HTMLElement) {}
+  constructor(host: HTMLElement) {
+    this.#host = host;
+  }
 
-  /** Both charts are made anew when they are drawn next. */
+  /** The next drawing makes both charts again. */
   forget(): void {
-    this.made = "";
+    this.#made = "";
   }
 
   destroy(): void {
-    this.bound?.destroy();
-    this.terms?.destroy();
-    [this.bound, this.terms] = [null, null];
+    this.#bound?.destroy();
+    this.#terms?.destroy();
+    [this.#bound, this.#terms] = [null, null];
   }
 
   fit(width: number): void {
-    this.bound?.setSize({ width, height: BOUND_HEIGHT });
-    this.terms?.setSize({ width, height: TERMS_HEIGHT });
+    this.#bound?.setSize({ width, height: BOUND_HEIGHT });
+    this.#terms?.setSize({ width, height: TERMS_HEIGHT });
   }
 
-  private make(box: HTMLElement, lines: Stroke[], height: number): uPlot {
+  #make(box: HTMLElement, lines: Stroke[], height: number): uPlot {
     const { quiet, line } = theme();
     const grid = { stroke: line, width: 1 };
     const font = "11px system-ui, sans-serif";
     box.replaceChildren();
     return new uPlot(
       {
-        width: Math.max(120, this.host.clientWidth),
+        width: Math.max(120, this.#host.clientWidth),
         height,
         legend: { show: false },
         cursor: { show: false },
@@ -105,29 +107,29 @@ export class BoundDrawing {
     );
   }
 
-  /** The bounds of all that can be compared with the one that is looked at, and its terms. */
+  /** Draws the bounds that can be compared with that of the charted run, and its terms. */
   draw(charted: Run, runs: readonly Run[]): void {
     const lines = termLines(charted.settings.parts.map(({ name }) => name));
     const drawn = boundRuns(charted, runs);
     const key = `${drawn.map(({ id }) => id)}|${theme().dark}`;
-    if (this.made !== key || !this.bound || !this.terms) {
-      const [bound, terms] = [".bound", ".terms"].map((box) => this.host.querySelector<HTMLElement>(box));
+    if (this.#made !== key || !this.#bound || !this.#terms) {
+      const [bound, terms] = [".bound", ".terms"].map((box) => this.#host.querySelector<HTMLElement>(box));
       if (!bound || !terms) return;
       this.destroy();
-      this.made = key;
+      this.#made = key;
       const strokes = drawn.map((run) => boundStroke(run, charted));
-      this.bound = this.make(bound, strokes, BOUND_HEIGHT);
-      this.terms = this.make(terms, lines, TERMS_HEIGHT);
+      this.#bound = this.#make(bound, strokes, BOUND_HEIGHT);
+      this.#terms = this.#make(terms, lines, TERMS_HEIGHT);
     }
     const last = ({ steps }: Run) => steps.at(-1)?.iteration ?? 0;
     const iterations = (count: number) => Array.from({ length: count }, (_, i) => i + 1);
     const longest = Math.max(...drawn.map(last));
-    this.bound.setData([
+    this.#bound.setData([
       iterations(longest),
       ...drawn.map(({ steps }) => byIteration(steps, longest, ({ bound }) => bound)),
     ]);
     const length = last(charted);
-    this.terms.setData([
+    this.#terms.setData([
       iterations(length),
       ...lines.map(({ value }) => byIteration(charted.steps, length, value)),
     ]);

@@ -8,7 +8,7 @@ it("leaves out the fall of the first iterations", () => {
   expect(high).toBeGreaterThan(1099);
 });
 
-it("draws everything of a short course, and takes no course at all", () => {
+it("draws all of a short course, and accepts an empty one", () => {
   const [low, high] = boundRange([5, 1, Number.NaN, 9]);
   expect(low).toBeLessThan(1);
   expect(high).toBeGreaterThan(9);
@@ -17,7 +17,7 @@ it("draws everything of a short course, and takes no course at all", () => {
   expect(above).toBeGreaterThan(flat);
 });
 
-it("looks at some of very many values, from several runs of different lengths", () => {
+it("samples long courses of several runs of different lengths", () => {
   const course = Array.from({ length: 5000 }, (_, i) =>
     i < 100 ? -1e6 + i : 100 * (1 - Math.exp(-i / 500)),
   );
@@ -28,7 +28,7 @@ it("looks at some of very many values, from several runs of different lengths", 
   expect(top).toBeLessThan(120);
 });
 
-it("writes the numbers of an axis alike: the second of 23,000 and 24,000 was once 24,000.0", () => {
+it("writes all numbers of an axis with the same decimals", () => {
   expect(axisNumbers([23_000, 24_000, 25_000])).toEqual(["23,000", "24,000", "25,000"]);
   expect(axisNumbers([-0.5, 0, 0.5])).toEqual(["\u22120.5", "0.0", "0.5"]);
   expect(axisNumbers([7])).toEqual(["7"]);

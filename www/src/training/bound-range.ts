@@ -1,13 +1,10 @@
-// The part of a bound's course that is worth drawing, and the numbers beside it.
+// The range of bounds that the chart draws, and the numbers of its axis.
 import { decimalsOf, grouped } from "../ui/format";
 
-/** So many values are enough to know where most of them lie. */
+/** Enough values for the quantiles. */
 const ENOUGH = 3000;
 
-/**
- * The range to draw: the first iterations come from far below and would flatten the rest. Where a run has not
- * been there is null.
- */
+/** The range to draw. The first iterations lie far below and would flatten the rest. Null: no value. */
 export function boundRange(values: readonly (number | null)[]): [number, number] {
   const every = Math.ceil(values.length / ENOUGH);
   const finite = values.filter(
@@ -21,7 +18,7 @@ export function boundRange(values: readonly (number | null)[]): [number, number]
   return [low - pad, top + pad];
 }
 
-/** The numbers beside a chart's lines, all with as many decimals as one of them needs. */
+/** The numbers of an axis, all with as many decimals as one of them needs. */
 export function axisNumbers(ticks: readonly number[]): string[] {
   const decimals = decimalsOf(ticks);
   return ticks.map((tick) => grouped(tick, decimals));

@@ -1,4 +1,4 @@
-// What a training would cost, known before it begins.
+// The time and memory of a training, computed before it begins.
 import type { ClipsStore } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
@@ -6,18 +6,15 @@ import type { CostQuestion, TrainingCost } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import { duration } from "../ui/format";
 
-/**
- * A training that takes longer, in seconds, or more memory, in bytes, is warned of. Ours: a lecture is over,
- * or a tab of the browser full.
- */
+/** Limits of a warning, in seconds and bytes: a lecture is over, or the memory of a tab is full. */
 const LONG = 45 * 60;
 const LARGE = 1.5e9;
-/** Shorter ones, in seconds, are not worth a word. */
+/** The page says nothing about trainings that are shorter, in seconds. */
 const SHORT = 20;
 /** Columns of a joint: its rotation. */
 const COLUMNS = 3;
 
-/** Words about a cost, empty where it is not worth one, and whether it is to be warned of. */
+/** A cost in words, empty for a short training. `absurd`: the page warns. */
 export interface CostWords {
   words: string;
   absurd: boolean;
@@ -28,13 +25,13 @@ export class Cost {
   readonly #clips: ClipsStore;
   readonly #latest: Latest<CostQuestion, TrainingCost | undefined>;
   #asked = "";
-  #known: TrainingCost | null = null;
+  #cost: TrainingCost | null = null;
 
   constructor(engine: EngineStore, settings: SettingsStore, clips: ClipsStore, changed: () => void) {
     this.#settings = settings;
     this.#clips = clips;
     const done = (cost: TrainingCost | undefined) => {
-      this.#known = cost ?? null;
+      this.#cost = cost ?? null;
       changed();
     };
     const failed = () => done(undefined);
@@ -42,9 +39,9 @@ export class Cost {
     for (const store of [engine, settings, clips]) store.on(() => this.#ask());
   }
 
-  /** Null as long as nothing is known. */
+  /** Null before the first answer. */
   get now(): TrainingCost | null {
-    return this.#known;
+    return this.#cost;
   }
 
   #ask(): void {
@@ -63,7 +60,7 @@ export class Cost {
   }
 }
 
-/** What a visitor should know of it; `workers` trainings of `count` run at once. */
+/** The cost of `count` trainings, of which `workers` run at the same time. */
 export function costWords(cost: TrainingCost | null, count: number, workers: number): CostWords {
   if (!cost) return { words: "", absurd: false };
   const { seconds, bytes } = cost;
@@ -73,7 +70,7 @@ export function costWords(cost: TrainingCost | null, count: number, workers: num
   );
 }
 
-/** What a visitor should know of a wait, and what makes it shorter. */
+/** A cost in words, with an advice to make it shorter. */
 export function waitWords({ seconds, bytes }: TrainingCost, shorter: string): CostWords {
   const absurd = seconds > LONG || bytes > LARGE;
   if (!absurd && seconds < SHORT) return { words: "", absurd };

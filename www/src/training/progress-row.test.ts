@@ -3,8 +3,8 @@ import { progress } from "../engine/engine.fake";
 import { goingWords } from "./progress-row";
 import { ProgressStore } from "./progress-store";
 
-describe("the words of a training that is under way", () => {
-  it("say what it does, and how long it takes once that is known", async () => {
+describe("the status of a running training", () => {
+  it("says the phase, and the remaining time once it is known", async () => {
     const store = new ProgressStore<string>();
     expect(goingWords(store)).toEqual([]);
     const told: string[][] = [];

@@ -1,4 +1,4 @@
-// How far the training of a view of its own is: its button, in words, and as a bar.
+// The button, the status text and the progress bar of a training in its own view.
 import { html } from "lit";
 import { sentence, timeLeft } from "../ui/format";
 import { progressBar } from "../ui/progress-bar";
@@ -10,7 +10,7 @@ type Progress = Pick<
   "status" | "busy" | "iteration" | "elapsed" | "fraction" | "ending" | "cancel"
 >;
 
-/** What a training does now, each thing in words of its own; nothing where none is under way. */
+/** The status of a training as a list of phrases; empty when no training runs. */
 export function goingWords({ status, iteration, elapsed, fraction }: Progress): string[] {
   if (status === "idle") return [];
   if (status === "cancelling") return ["Stopping"];
@@ -22,16 +22,16 @@ export interface ProgressRow {
   progress: Progress;
   /** "Train", "Training", "Trained". */
   verb: [now: string, going: string, done: string];
-  /** Of the button while nothing is under way, of the same one meanwhile, and of the words beside it. */
+  /** Test ids: of the idle button, of the busy one, and of the status text. */
   testIds: [start: string, cancel: string, words: string];
-  /** Why it cannot begin; empty when it can. */
+  /** Why the training cannot begin; empty when it can. */
   whyNot: string;
-  /** What it would do. */
+  /** What the training would do. */
   hint: string;
   start(): void;
 }
 
-/** One button, so that it keeps the focus while what it does changes. */
+/** One button for both actions, so that it keeps the focus. */
 export function progressRow({
   progress,
   verb: [now, going, done],

@@ -1,10 +1,10 @@
-// One training that a view of its own does: how far it is, and how it ended.
+// A training in its own view: its progress and its end.
 import type { TrainingOutcome, TrainingProgress, TrainingReport } from "../engine/protocol";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import { endingWords } from "./words";
 
-/** Carries the training out, and tells how far it is. */
+/** Carries out the training and reports its progress. */
 export type Work<Found> = (
   report: (report: TrainingReport<Found>) => void,
   signal: AbortSignal,
@@ -28,12 +28,12 @@ export class ProgressStore<Found> extends Store {
     return this.#report?.progress.iteration ?? 0;
   }
 
-  /** The share of its iterations that is behind it. */
+  /** The share of its iterations that is done. */
   get fraction(): number {
     return this.#report?.progress.fraction ?? 0;
   }
 
-  /** Seconds that it has taken. */
+  /** Seconds since it began. */
   get elapsed(): number {
     return this.#report?.elapsed ?? 0;
   }
@@ -43,7 +43,7 @@ export class ProgressStore<Found> extends Store {
     return this.#ending;
   }
 
-  /** Answers what was found, also where it was cancelled; null where it failed. */
+  /** Returns the result, also of a cancelled training; null: it failed. */
   async run(work: Work<Found>): Promise<Found | null> {
     if (this.busy) return null;
     this.#status = "running";
@@ -71,7 +71,7 @@ export class ProgressStore<Found> extends Store {
     return found;
   }
 
-  /** Stops; the best so far is kept. */
+  /** Stops the training, which keeps its best model. */
   cancel(): void {
     if (this.#status !== "running") return;
     this.#status = "cancelling";

@@ -1,5 +1,4 @@
-// The trainings of this visit in a table: what they differ in, how far they are, and which one is on the
-// stage.
+// The table of this visit's trainings: their differences, their progress, and the one on the stage.
 import { html, nothing } from "lit";
 import { duration, grouped, sentence } from "../ui/format";
 import { icon } from "../ui/icons";
@@ -17,7 +16,7 @@ export class RunsView extends View {
     return [this.training];
   }
 
-  private state(run: Run) {
+  #state(run: Run) {
     const { state, settings, steps, ending } = run;
     const last = steps.at(-1);
     return state === "running"
@@ -25,7 +24,7 @@ export class RunsView extends View {
       : html`<span class=${state === "failed" ? "bad" : ""} title=${ending}>${[state, endOfMotion(run)].filter(Boolean).join(", ")}</span>`;
   }
 
-  private row(run: Run, columns: readonly Column[], best: boolean) {
+  #row(run: Run, columns: readonly Column[], best: boolean) {
     const { training } = this;
     const { settings, state, steps, elapsed, ending } = run;
     const { seed } = settings;
@@ -42,7 +41,7 @@ export class RunsView extends View {
         <td class=${best ? "best" : ""}>${steps.length > 0 ? grouped(bestBound(run)) : ""}${best ? html`<span class="visually-hidden">, the best</span>` : nothing}</td>
         <td>${steps.at(-1)?.iteration ?? ""}</td>
         <td>${elapsed === 0 ? "" : elapsed < 10 ? `${elapsed.toFixed(1)} s` : duration(elapsed)}</td>
-        <td class="state">${this.state(run)}</td>
+        <td class="state">${this.#state(run)}</td>
         <td>${
           training.canRemove(run)
             ? html`<button class="round" aria-label="Remove seed ${seed}" title="Remove" @click=${() => training.remove(run)}>${icon("close")}</button>`
@@ -72,7 +71,7 @@ export class RunsView extends View {
             ${columns.map(({ head, meaning, term }) => html`<th scope="col" title=${meaning} aria-label=${meaning}>${term ? html`<pg-term of=${term} text=${head}></pg-term>` : head}</th>`)}
             <th scope="col"><pg-term of="bound" text="Bound"></pg-term></th><th scope="col" title="Iterations"><pg-term of="iterations" text="It."></pg-term></th><th scope="col">Time</th><td></td><td></td>
           </tr></thead>
-          <tbody>${runs.map((run) => this.row(run, columns, run === best))}</tbody>
+          <tbody>${runs.map((run) => this.#row(run, columns, run === best))}</tbody>
         </table>
       </div>
       ${alike.length < runs.length ? html`<p class="hint">Bounds can be compared between trainings on the same frames only; the chart shows those.</p>` : nothing}`;

@@ -35,13 +35,13 @@ function run(change: Partial<Run> = {}, iteration = 0, best = 0): Run {
   };
 }
 
-it("finds the highest bound, and the first of equals", () => {
+it("finds the highest bound, the first of equal ones", () => {
   expect(bestRun([])).toBeNull();
   const runs = [run({ id: 1 }), run({ id: 2 }, 5, -20), run({ id: 3 }, 5, -10), run({ id: 4 }, 9, -10)];
   expect(bestRun(runs)?.id).toBe(3);
 });
 
-it("counts seeds on from the first, and past the largest from 0", () => {
+it("counts seeds up from the first, and begins again at 0 after the largest", () => {
   expect(seedsFrom(7, 3)).toEqual([7, 8, 9]);
   expect(seedsFrom(4294967295, 2)).toEqual([4294967295, 0]);
 });
@@ -64,7 +64,7 @@ it("compares bounds of the same data only", () => {
   expect(dataOf(run({ clips: [{ ...run().clips[0]!, first: 3 }] }))).not.toBe(same);
 });
 
-it("knows how much is done and how long the rest takes on so many workers", () => {
+it("computes the done share and the remaining time on several workers", () => {
   const early = [run({ elapsed: 0.4 }, 2)];
   expect(secondsLeft(early, 1)).toBeNull();
   expect(secondsLeft([run({ elapsed: 10 }, 50)], 4)).toBeCloseTo(10);
@@ -72,7 +72,7 @@ it("knows how much is done and how long the rest takes on so many workers", () =
   const waiting = () => run({ state: "waiting" });
   const runs = [run({ elapsed: 10 }, 50), run({ elapsed: 10 }, 50), waiting(), waiting(), waiting()];
   expect(share(runs)).toBeCloseTo(0.2);
-  // 20 s a training: 10 + 20 + 20 on the one, 10 + 20 on the other.
+  // Each training takes 20 s: 10 + 20 + 20 on one worker, 10 + 20 on the other.
   expect(secondsLeft(runs, 2)).toBeCloseTo(50);
   expect(secondsLeft(runs, 8)).toBeCloseTo(20);
 

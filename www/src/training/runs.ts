@@ -1,5 +1,4 @@
-// The trainings of this visit, side by side: how they compare, and how long they still take. No rendering, no
-// worker.
+// Trainings as data: their comparison, and the time that remains. No rendering, no worker.
 import type { TermName } from "../terms/terms";
 import type { ClipSource, TrainedModel, TrainingProgress, TrainingSettings } from "../engine/protocol";
 
@@ -12,7 +11,7 @@ export interface RunClip {
   firstBones?: boolean;
 }
 
-/** One training: asked for, under way or over. */
+/** A training that waits, runs or is over. */
 export interface Run {
   id: number;
   settings: TrainingSettings;
@@ -24,13 +23,13 @@ export interface Run {
   elapsed: number;
   /** How it ended, in plain words. */
   ending: string;
-  /** The newest model that the page has of it. */
+  /** The newest model that the page has received. */
   model: TrainedModel | null;
-  /** The iterations that it was first asked for: it goes on for as many again. */
+  /** The iterations of the first request; each continuation gets as many again. */
   portion: number;
   /** Whether it stopped before its bound had settled. */
   open: boolean;
-  /** Whether it is trained anew up to where it stopped, and has not got there yet. */
+  /** Whether it is being trained again up to where it stopped. */
   catchingUp: boolean;
 }
 
@@ -49,7 +48,7 @@ export function bestRun(runs: readonly Run[]): Run | null {
   );
 }
 
-/** How the rollout of a run's model ends, in few words; empty where it moves on. */
+/** How the rollout of a run's model ends; empty when it moves on. */
 export function endOfMotion({ model }: Pick<Run, "model">): string {
   const health = model?.health;
   if (!model || health?.state === "moves on") return "";
@@ -64,7 +63,7 @@ export function seedsFrom(first: number, count: number): number[] {
   return Array.from({ length: count }, (_, i) => (first + i) % 2 ** 32);
 }
 
-/** What the bound is a bound of: two runs can be compared by it only when they explain the same numbers. */
+/** The training data as a text. Bounds can be compared only between runs of the same data. */
 export function dataOf({ settings, clips }: Run): string {
   const joints = [...new Set(settings.parts.flatMap(({ joints }) => joints))].sort((a, b) => a - b);
   return JSON.stringify([
@@ -76,12 +75,12 @@ export function dataOf({ settings, clips }: Run): string {
 
 export interface Column {
   head: string;
-  /** What the head stands for. */
+  /** The meaning of the head. */
   meaning: string;
-  /** What can be asked about it. */
+  /** The term to explain. */
   term?: TermName;
   text(run: Run): string;
-  /** All there is to know, where the text is too short for it. */
+  /** The whole value, when the text is shortened. */
   key(run: Run): string;
 }
 
@@ -117,17 +116,17 @@ const COLUMNS: Column[] = [
   count("at most", "Iterations at most", ({ maxIterations }) => maxIterations, "iterations"),
 ];
 
-/** The settings in which the runs differ, beside the seed. */
+/** The settings in which the runs differ, without the seed. */
 export function differences(runs: readonly Run[]): Column[] {
   return COLUMNS.filter(({ key }) => new Set(runs.map(key)).size > 1);
 }
 
-/** How far one of several trainings of about the same length is. */
+/** The progress of one of several trainings of about the same length. */
 export interface Course {
   state: Run["state"];
   /** Seconds of training. */
   elapsed: number;
-  /** Share of its iterations that is behind it. */
+  /** The share of its iterations that is done. */
   fraction: number;
 }
 
@@ -137,20 +136,20 @@ const courseOf = ({ state, elapsed, steps }: Run): Course => ({
   fraction: steps.at(-1)?.fraction ?? 0,
 });
 
-/** The share of all their iterations that is behind these runs, 0 to 1. */
+/** The share of all iterations of these runs that is done, 0 to 1. */
 export const share = (runs: readonly Run[]): number => shareOf(runs.map(courseOf));
 
-/** Seconds that these runs take at most, so many at once; null while it is too early to say. */
+/** The remaining seconds of these runs at most, on `workers` workers; null: too early to know. */
 export const secondsLeft = (runs: readonly Run[], workers: number): number | null =>
   restOf(runs.map(courseOf), workers);
 
-/** The share of all their iterations that is behind these trainings, 0 to 1. */
+/** The share of all iterations of these trainings that is done, 0 to 1. */
 export function shareOf(courses: readonly Course[]): number {
   const behind = courses.map((course) => (isOver(course) ? 1 : course.fraction));
   return behind.reduce((sum, fraction) => sum + fraction, 0) / Math.max(1, courses.length);
 }
 
-/** Seconds that trainings take at most, so many at once; null while it is too early to say. */
+/** The remaining seconds of these trainings at most, on `workers` workers; null: too early to know. */
 export function restOf(courses: readonly Course[], workers: number): number | null {
   let seconds = 0;
   let done = 0;
@@ -166,7 +165,7 @@ export function restOf(courses: readonly Course[], workers: number): number | nu
   while (busy.length < workers) busy.push(0);
   for (const { state } of courses) {
     if (state !== "waiting") continue;
-    // The next one that waits goes where it can begin first.
+    // The next waiting training goes to the worker that is free first.
     const soonest = Math.min(...busy);
     busy[busy.indexOf(soonest)] = soonest + whole;
   }

@@ -1,22 +1,21 @@
-// Takes models of trainings up on the stage, one after the other, so that worker and page always hold the
-// same model.
+// Puts models of trainings on the stage one after the other, so that worker and page always hold the same model.
 import type { Keep, ModelStore } from "../couplings/model-store";
 import type { TrainedModel } from "../engine/protocol";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import type { Run } from "./runs";
 
-/** Milliseconds between two models of trainings under way. */
+/** Milliseconds between two models of a running training. */
 const BETWEEN = 1000;
 
 export class Staging {
   readonly #model: ModelStore;
   readonly #notices: NoticesStore;
-  /** What is taken up now; the next waits for it. */
+  /** One model follows the other. */
   #turn: Promise<void> = Promise.resolve();
   #asked = 0;
   #staged: TrainedModel | null = null;
-  /** When the last was taken up; infinity while one is. */
+  /** When the last model reached the stage; infinity while one is on its way. */
   #at = -Infinity;
 
   constructor(model: ModelStore, notices: NoticesStore) {
@@ -24,22 +23,22 @@ export class Staging {
     this.#notices = notices;
   }
 
-  /** The trained model that was taken up last. */
+  /** The trained model that reached the stage last. */
   get staged(): TrainedModel | null {
     return this.#staged;
   }
 
-  /** Whether the last one has been on the stage for long enough. */
+  /** Whether the last model has been on the stage for long enough. */
   get isDue(): boolean {
     return performance.now() - this.#at >= BETWEEN;
   }
 
-  /** The run leaves the list: where its model is on the stage, nothing else holds it. */
-  letGo({ model }: Run): void {
+  /** The run leaves the list. If its model is on the stage, no list holds that model any more. */
+  release({ model }: Run): void {
     if (model && model === this.#staged) this.#model.markMadeHere();
   }
 
-  /** Takes the newest model of a run up; of several asked for in quick succession only the last. */
+  /** Puts the newest model of a run on the stage; of several quick requests only the last. */
   stage(run: Run, keep?: Keep): Promise<void> {
     this.#asked += 1;
     const asked = this.#asked;

@@ -74,7 +74,7 @@ describe("a training", () => {
     const seen: [number, string][] = [];
     clips.on(() => void seen.push([clips.ticked.length, training.whyNot()]));
     await clips.loadSamples();
-    // One clip is there and ticked before the next: a press then trained on that one alone.
+    // One clip arrives before the next: an early press trained on that one alone.
     expect(seen[0]).toEqual([1, "Getting the sample clips ready"]);
     expect(seen.at(-1)).toEqual([2, ""]);
   });
@@ -102,7 +102,7 @@ describe("a training", () => {
     expect(notices.all.map(({ text }) => text)).toEqual(["The clip b has the same pose."]);
   });
 
-  it("keeps the best so far when it is cancelled", async () => {
+  it("keeps its best model when it is cancelled", async () => {
     const over = training.start();
     await settled();
     worker(0).report(3, -90);
@@ -117,7 +117,7 @@ describe("a training", () => {
     expect(training.ending.words).toMatch(/You cancelled; this is the best so far/);
   });
 
-  it("leaves the stage to the model before it when it fails", async () => {
+  it("leaves the previous model on the stage when it fails", async () => {
     const over = training.start();
     await settled();
     worker(0).fail(new Error("the clips are too short"));
@@ -148,7 +148,7 @@ describe("a training", () => {
     time.mockRestore();
   });
 
-  it("says when a model of it cannot be taken up", async () => {
+  it("says when the page cannot take up one of its models", async () => {
     const over = training.start();
     await settled();
     worker(0).report(1, -90, "broken");
@@ -162,7 +162,7 @@ describe("a training", () => {
 describe("several trainings", () => {
   beforeEach(() => begin("seed=5&trainings=3"));
 
-  it("run as many at once as there are workers, and the best is on the stage", async () => {
+  it("run on all workers, and the best goes on the stage", async () => {
     const over = training.start();
     await settled();
     expect(states()).toBe("running running waiting");
@@ -180,7 +180,7 @@ describe("several trainings", () => {
     expect(training.ending.words).toBe("3 done. The best, seed 6, is on the stage.");
   });
 
-  it("keep what is done and the best so far of the rest when they are cancelled", async () => {
+  it("keep finished and best models when they are cancelled", async () => {
     const over = training.start();
     await settled();
     worker(0).report(9, -30, modelText(5));
@@ -196,7 +196,7 @@ describe("several trainings", () => {
     ]);
   });
 
-  it("go on when the worker of one dies, on a fresh one", async () => {
+  it("continue on a new worker when one dies", async () => {
     const over = training.start();
     await settled();
     worker(0).report(9, -1, modelText(5));
@@ -207,12 +207,12 @@ describe("several trainings", () => {
     worker(1).end(done);
     worker(2).end(done);
     await over;
-    // One that failed is shown only where there is no other.
+    // A failed run goes on the stage only when there is no other.
     expect([seedOnStage(), states()]).toEqual([6, "failed done done"]);
     expect(training.ending.words).toBe("2 done, 1 failed. The best, seed 6, is on the stage.");
   });
 
-  it("show the one that the visitor has chosen, also when another is better", async () => {
+  it("show the run that the visitor has chosen, also when another is better", async () => {
     const over = training.start();
     await settled();
     worker(0).report(9, -30, modelText(5));
@@ -230,7 +230,7 @@ describe("several trainings", () => {
     expect(seedOnStage()).toBe(6);
   });
 
-  it("that are added under other settings are awaited too, and can be removed when all are over", async () => {
+  it("with other settings join the session, and can be removed when all are over", async () => {
     settings.change({ trainings: 1 });
     const over = training.start();
     await settled();
@@ -252,8 +252,8 @@ describe("several trainings", () => {
   });
 });
 
-describe("where nobody says how many", () => {
-  it("trains from as many seeds as there are cores, four at most", async () => {
+describe("by default", () => {
+  it("the page trains from as many seeds as there are cores, at most four", async () => {
     for (const [cores, trainings] of [
       [1, 1],
       [3, 3],
@@ -266,7 +266,7 @@ describe("where nobody says how many", () => {
     }
   });
 
-  it("shows a model that keeps moving, and says why one of a higher bound is not shown", async () => {
+  it("a model that keeps moving is shown, and the page says why one of a higher bound is not", async () => {
     await begin("seed=5", 2);
     const over = training.start();
     await settled();
@@ -297,7 +297,7 @@ describe("a run that stopped before its bound had settled", () => {
     return run;
   }
 
-  it("goes on in the same worker for as many iterations again, and its course goes on", async () => {
+  it("continues in the same worker for as many iterations again, and its course continues", async () => {
     const run = await stopped(used);
     expect(training.canContinue(run)).toBe(true);
     const over = training.continue(run);
@@ -312,7 +312,7 @@ describe("a run that stopped before its bound had settled", () => {
     expect([run.elapsed, run.settings.maxIterations, trainers.hired]).toEqual([1500, 1200, 1]);
   });
 
-  it("can be cancelled, and goes on to its own end after that, but not when its bound has settled", async () => {
+  it("can be cancelled and continued to its own end, until its bound has settled", async () => {
     const run = await stopped(cancelled);
     const over = training.continue(run);
     await settled();
@@ -328,7 +328,7 @@ describe("a run that stopped before its bound had settled", () => {
     expect([states(), training.canContinue(run)]).toEqual(["done", false]);
   });
 
-  it("is trained anew up to where it stopped when its worker has gone on to the next training", async () => {
+  it("is trained again up to where it stopped when its worker does another training", async () => {
     const run = await stopped(cancelled);
     void training.start();
     await settled();
@@ -349,13 +349,13 @@ describe("a run that stopped before its bound had settled", () => {
     expect([seedOf(run), run.elapsed, training.canContinue(run)]).toEqual([9, 900, false]);
   });
 
-  it("does not go on when it has been removed", async () => {
+  it("cannot continue when it has been removed", async () => {
     const run = await stopped(used);
     training.remove(run);
     expect(training.canContinue(run)).toBe(false);
   });
 
-  it("does not go on when its bound had settled", async () => {
+  it("cannot continue when its bound has settled", async () => {
     const run = await stopped(settledDown);
     expect(training.canContinue(run)).toBe(false);
     await training.continue(run);
@@ -364,7 +364,7 @@ describe("a run that stopped before its bound had settled", () => {
 });
 
 describe("a model that does not keep moving", () => {
-  it("is trained anew with more points, as far as there are more", async () => {
+  it("can be trained again with more points, up to the most", async () => {
     const over = training.start();
     await settled();
     worker(0).report(9, -10, modelText(5), STANDS_STILL);
@@ -388,7 +388,7 @@ describe("a model that does not keep moving", () => {
     expect(last && training.morePoints(last)).toBeNull();
   });
 
-  it("is trained anew from the next seeds", async () => {
+  it("can be trained again from the next seeds", async () => {
     await begin("seed=5&trainings=2");
     const over = training.start();
     await settled();
@@ -400,7 +400,7 @@ describe("a model that does not keep moving", () => {
   });
 });
 
-it("takes a fresh seed from the engine", async () => {
+it("takes a new seed from the engine", async () => {
   await training.newSeed();
   expect(settings.values.seed).toBe(77);
 });

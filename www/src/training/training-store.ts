@@ -1,4 +1,4 @@
-// The trainings of this visit: start, follow, cancel; and which of them is on the stage.
+// The trainings of this visit: starts, reports and cancels them, and puts one on the stage.
 import type { ClipsStore } from "../clips/clips-store";
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
@@ -8,7 +8,7 @@ import { messageOf, sentence } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import { Cost, type CostWords, costWords } from "./cost";
-import { Kept, type Send } from "./kept";
+import { PausedRuns, type Send } from "./paused-runs";
 import { bestBound, bestRun, isOver, type Run, seedsFrom } from "./runs";
 import { Staging } from "./staging";
 import { endingOfRuns, endingWords, LEFT, STOPPED } from "./words";
@@ -16,13 +16,13 @@ import { endingOfRuns, endingWords, LEFT, STOPPED } from "./words";
 /** The runs from a press of Train until all are over. */
 interface Session {
   runs: Run[];
-  /** Stops the runs; each keeps its best so far. */
+  /** Stops the runs; each keeps its best model. */
   stop: AbortController;
-  /** Kept when each of the runs is over. */
+  /** A promise for each run, which ends with the run. */
   work: Promise<void>[];
-  /** The visitor has chosen a run to look at since it began. */
+  /** Whether the visitor has chosen a run since the session began. */
   picked: boolean;
-  /** A model of it has been on the stage. */
+  /** Whether a model of the session has been on the stage. */
   staged: boolean;
 }
 
@@ -34,13 +34,13 @@ const newSession = (): Session => ({
   staged: false,
 });
 
-/** So many seeds are trained from where nobody asks for a number, and there are as many cores. */
+/** The most seeds that are trained by default, on a machine with as many cores. */
 const MOST_UNASKED = 4;
 
-/** So many inducing points are tried next where a model does not keep moving. */
+/** The numbers of inducing points to try when a model does not keep moving. */
 const POINTS = [20, 30, 40] as const;
 
-/** Whether a training can go on. */
+/** Whether a training can continue. */
 const isOpen = ({ cancelled, reason }: TrainingOutcome) => cancelled || reason === "iterations";
 
 export class TrainingStore extends Store {
@@ -49,9 +49,9 @@ export class TrainingStore extends Store {
   readonly #clips: ClipsStore;
   readonly #notices: NoticesStore;
   readonly #staging: Staging;
-  readonly #kept: Kept;
+  readonly #paused: PausedRuns;
   readonly #cost: Cost;
-  /** Whether models of trainings may take the place of the one on the stage. */
+  /** Whether models of trainings may replace the model on the stage. */
   readonly #mayTakeStage: () => Promise<boolean>;
   #status: "idle" | "running" | "cancelling" = "idle";
   #session = newSession();
@@ -75,7 +75,7 @@ export class TrainingStore extends Store {
     this.#clips = clips;
     this.#notices = notices;
     this.#staging = new Staging(model, notices);
-    this.#kept = new Kept(engine);
+    this.#paused = new PausedRuns(engine);
     this.#cost = new Cost(engine, settings, clips, () => this.changed());
   }
 
@@ -92,7 +92,7 @@ export class TrainingStore extends Store {
     return this.#runs;
   }
 
-  /** The runs that the last press of Train asked for, and what was added to them. */
+  /** The runs of the last press of Train, and the runs that were added while they ran. */
   get asked(): readonly Run[] {
     return this.#session.runs;
   }
@@ -102,7 +102,7 @@ export class TrainingStore extends Store {
     return this.#ending;
   }
 
-  /** The run whose model is on the stage, or will be; null: a model from elsewhere. */
+  /** The run whose model is on the stage, or will be; null: the model on the stage has no run. */
   get chosen(): Run | null {
     return this.#chosen;
   }
@@ -112,22 +112,22 @@ export class TrainingStore extends Store {
     return this.#chosen ?? this.#runs.at(-1) ?? null;
   }
 
-  /** The run whose model on the stage is still learning; null: it is over, or from elsewhere. */
+  /** The run on the stage while it trains; null: it is over, or the model has no run. */
   get learning(): Run | null {
     return this.busy && this.#chosen && !isOver(this.#chosen) ? this.#chosen : null;
   }
 
-  /** How many runs are done at once. */
+  /** The number of runs that train at the same time. */
   get workers(): number {
     return this.#engine.pool?.width ?? 1;
   }
 
-  /** How many trainings a press of Train begins. */
+  /** The number of trainings that a press of Train begins. */
   get count(): number {
     return this.#settings.values.trainings || Math.min(MOST_UNASKED, this.workers);
   }
 
-  /** What a press of Train would cost, where that is worth a word. */
+  /** The cost of a press of Train; empty for short trainings. */
   get cost(): CostWords {
     return costWords(this.#cost.now, this.count, this.workers);
   }
@@ -136,22 +136,22 @@ export class TrainingStore extends Store {
   whyNot(): string {
     if (this.#engine.state === "loading") return "Getting ready";
     if (!this.#engine.engine) return "The model cannot run in this browser";
-    // Ticked clips come one by one: pressed at once, it would train on fewer than the page is about to show.
+    // The sample clips arrive one by one: an early press would train on some of them only.
     if (!this.#clips.samplesLoaded) return "Getting the sample clips ready";
     if (this.#clips.ticked.length === 0) return "Tick at least one clip to train on";
     return this.#clips.clash ? "The ticked clips do not go together; Clips says why" : "";
   }
 
   /**
-   * Trains from as many seeds as the settings ask for, and takes the best up. While others train, these are
-   * added to them. The promise is kept when all are over, for whoever began.
+   * Trains from as many seeds as the settings say, and puts the best on the stage. During a session the new runs
+   * join it. For the first caller the promise ends with the session.
    */
   async start(): Promise<void> {
     if (!(await this.#mayTakeStage()) || this.#status === "cancelling" || this.whyNot()) return;
     const runs = this.#newRuns();
     const begins = !this.busy;
     if (begins) {
-      this.#kept.letGoAll();
+      this.#paused.releaseAll();
       this.#begin(runs);
     }
     this.#runs = [...this.#runs, ...runs];
@@ -169,41 +169,38 @@ export class TrainingStore extends Store {
     return !this.busy && run.open && this.#runs.includes(run);
   }
 
-  /**
-   * How many more iterations a run is allowed when it goes on: none where it was cancelled before it had used
-   * its own.
-   */
+  /** How many iterations a run gets on top of its own when it continues: none if it has not used them all. */
   moreIterations({ state, portion }: Run): number {
     return state === "cancelled" ? 0 : portion;
   }
 
   /**
-   * Goes on with a run where it stopped: in the worker that holds it; otherwise it is trained anew up to
-   * there, which gives the same bits. Both end as a training that was never stopped.
+   * Continues a run in the worker that holds it. Without that worker the run is first trained again up to where
+   * it stopped, with the same bits. Both end like a training that was never stopped.
    */
   async continue(run: Run): Promise<void> {
     if (!(await this.#mayTakeStage()) || !this.canContinue(run)) return;
     const more = this.moreIterations(run);
-    const held = this.#kept.has(run);
+    const paused = this.#paused.has(run);
     this.#begin([run]);
     const session = this.#session;
     session.runs.push(run);
     run.state = "waiting";
-    run.catchingUp = !held;
+    run.catchingUp = !paused;
     run.settings = { ...run.settings, maxIterations: run.settings.maxIterations + more };
     this.changed();
-    const work = (send: Send) => (held ? this.#kept.goOn(run, more, send) : this.#train(run, send));
+    const work = (send: Send) => (paused ? this.#paused.goOn(run, more, send) : this.#train(run, send));
     session.work.push(this.#carryOut(run, session.stop.signal, work));
     await this.#finish(session);
   }
 
-  /** The next larger number of inducing points to try; null where the run has the most. */
+  /** The next larger number of inducing points to try; null: the run has the largest. */
   morePoints(run: Run): number | null {
     const { dynamicsIps, poseIps } = run.settings;
     return POINTS.find((points) => points > Math.max(dynamicsIps, poseIps)) ?? null;
   }
 
-  /** Trains anew with more inducing points than the run has. */
+  /** Starts a training with more inducing points than the run has. */
   async trainWithMorePoints(run: Run): Promise<void> {
     const points = this.morePoints(run);
     if (points === null || this.busy) return;
@@ -211,7 +208,7 @@ export class TrainingStore extends Store {
     await this.start();
   }
 
-  /** Trains anew from the seeds after those of the last press of Train. */
+  /** Starts trainings from the seeds after those of the last press of Train. */
   async trainOtherSeeds(): Promise<void> {
     if (this.busy) return;
     const last = this.#session.runs.at(-1)?.settings.seed ?? this.#settings.values.seed;
@@ -220,7 +217,7 @@ export class TrainingStore extends Store {
     await this.start();
   }
 
-  /** Stops all runs. Each that has begun keeps its best so far. */
+  /** Stops all runs. Each run that has begun keeps its best model. */
   cancel(): void {
     if (this.#status !== "running") return;
     this.#status = "cancelling";
@@ -228,7 +225,7 @@ export class TrainingStore extends Store {
     this.changed();
   }
 
-  /** The visitor wants to see this run, whatever the others do. */
+  /** The visitor wants to see this run, also when another becomes better. */
   async choose(run: Run): Promise<void> {
     if (run.model && !(await this.#mayTakeStage())) return;
     this.#session.picked = this.busy;
@@ -236,24 +233,22 @@ export class TrainingStore extends Store {
     else this.#look(run);
   }
 
-  /** A model from elsewhere is on the stage. */
+  /** A model without a run is on the stage. */
   unchoose(): void {
     this.#look(null);
   }
 
-  /**
-   * Whether nothing needs the run any more: the best is chosen among all runs that were asked for together.
-   */
+  /** Whether the run is over and its session too: the session chooses the best among its runs. */
   canRemove(run: Run): boolean {
     return isOver(run) && !(this.busy && this.#session.runs.includes(run));
   }
 
   remove(run: Run): void {
     if (!this.canRemove(run)) return;
-    this.#kept.letGo(run);
+    this.#paused.release(run);
     this.#runs = this.#runs.filter((other) => other !== run);
     if (this.#chosen === run) {
-      this.#staging.letGo(run);
+      this.#staging.release(run);
       this.#chosen = null;
       this.#session.picked = false;
     }
@@ -266,8 +261,8 @@ export class TrainingStore extends Store {
   }
 
   /**
-   * Takes runs of an earlier visit up, before those of this one. Those that were not over then are like
-   * cancelled ones: they can go on. `chosen`: the place of the one whose model is on the stage; none: -1.
+   * Adds runs of an earlier visit before those of this one. Runs that were not over then are cancelled and can
+   * continue. `chosen`: the place of the run whose model goes on the stage; -1: none.
    */
   async takeUp(runs: readonly Run[], chosen: number): Promise<void> {
     const known = runs.map((run): Run => {
@@ -325,7 +320,7 @@ export class TrainingStore extends Store {
     this.#clips.lock(true);
   }
 
-  /** Trains on a worker of the pool that is free. */
+  /** Trains on a free worker of the pool. */
   #train(run: Run, { report, signal, begun }: Send): Promise<TrainingOutcome> {
     const { pool } = this.#engine;
     if (!pool) throw new Error("The model cannot run in this browser.");
@@ -337,12 +332,12 @@ export class TrainingStore extends Store {
         report,
         signal,
       );
-      if (isOpen(outcome)) this.#kept.keep(run, worker, bestBound(run));
+      if (isOpen(outcome)) this.#paused.keep(run, worker, bestBound(run));
       return outcome;
     }, signal);
   }
 
-  /** Carries one run out, from its beginning or from where it stopped. Its failure is its own. */
+  /** Carries out one run, from its beginning or from where it stopped. A failure does not end the other runs. */
   async #carryOut(
     run: Run,
     signal: AbortSignal,
@@ -354,7 +349,7 @@ export class TrainingStore extends Store {
     const report: Report<TrainedModel> = ({ steps, elapsed, found, notices = [] }) => {
       if (run.state !== "running") return false;
       for (const notice of notices) this.#warn(notice);
-      // What is known of an earlier course comes out the same again.
+      // The iterations of the earlier course come out the same again.
       run.steps.push(...steps.filter(({ iteration }) => iteration > known));
       run.catchingUp &&= (steps.at(-1)?.iteration ?? 0) < known;
       run.elapsed = anew ? Math.max(before, elapsed) : before + elapsed;
@@ -375,7 +370,7 @@ export class TrainingStore extends Store {
     } catch (problem) {
       const stopped = problem === signal.reason;
       run.state = stopped ? "cancelled" : "failed";
-      // One that goes on had begun before; another that has come to a model can be trained anew up to there.
+      // A run that has a model can be trained again up to that model.
       run.open = run.model !== null;
       run.ending = stopped ? (run.open ? STOPPED : "You cancelled before it began.") : messageOf(problem);
     }
@@ -392,7 +387,7 @@ export class TrainingStore extends Store {
     this.#notices.addError("About this training", text);
   }
 
-  /** When all runs are over, those that were added meanwhile too: the best is on the stage. */
+  /** Waits for all runs, also for those that join meanwhile, and puts the best on the stage. */
   async #finish(session: Session): Promise<void> {
     for (let awaited = 0; awaited < session.work.length; ) {
       awaited = session.work.length;
@@ -408,9 +403,7 @@ export class TrainingStore extends Store {
     this.changed();
   }
 
-  /**
-   * Which of these runs is to be shown: the library chooses by how their rollouts end, and by their bounds.
-   */
+  /** The run to show: the library chooses by the ends of the rollouts and by the bounds. */
   async #bestToShow(runs: readonly Run[]): Promise<Run | null> {
     const ranks = runs.map(({ model }) => model?.health?.rank ?? 0);
     const place = await this.#engine.engine?.bestToShow(ranks, runs.map(bestBound));
@@ -418,8 +411,8 @@ export class TrainingStore extends Store {
   }
 
   /**
-   * Keeps the best run under way on the stage, or the one that the visitor chose, with a new model about once
-   * a second. Answers whether this run is to send a newer model.
+   * Keeps the best run, or the one that the visitor chose, on the stage, with a new model about once a second.
+   * Returns whether this run is to send a newer model.
    */
   #follow(run: Run): boolean {
     const session = this.#session;
@@ -430,10 +423,7 @@ export class TrainingStore extends Store {
     return false;
   }
 
-  /**
-   * After the first model of a training, a clip that is looked at may keep the stage, and the visitor's
-   * couplings hold.
-   */
+  /** The first model of a session takes the stage; later ones keep a clip there, and the visitor's couplings. */
   #stage(run: Run, keep: boolean): Promise<void> {
     this.#session.staged = true;
     this.#look(run);

@@ -1,4 +1,4 @@
-// Train, follow and cancel; and what to train.
+// The panel Training: its settings, the button and the chart.
 import { html, nothing } from "lit";
 import type { ClipsStore } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
@@ -29,8 +29,8 @@ export class TrainingView extends View {
     return [this.training, this.settings, this.clips, this.engine];
   }
 
-  private count(name: NumberName, label: string, hint: string, term?: TermName, symbol = "?") {
-    // Trainings that run at the same time explain the same numbers, so that their bounds can be compared.
+  #count(name: NumberName, label: string, hint: string, term?: TermName, symbol = "?") {
+    // Trainings of one session have the same data, so that their bounds can be compared.
     const disabled = this.training.busy && name === "framesPerSecond";
     const beside =
       term && html`<pg-term of=${term} text=${symbol} about="${label}: what is that?"></pg-term>`;
@@ -43,14 +43,13 @@ export class TrainingView extends View {
     });
   }
 
-  private partsField() {
+  #partsField() {
     const { clips } = this;
     const [clip] = clips.ticked;
     const presets = clip?.loaded.info.presets ?? [];
     const { parts } = this.settings.values;
     const byHand = parts === BY_HAND;
-    // Few split by hand: the editor comes when the first does. Where it could not be loaded the next change
-    // asks again.
+    // The editor is loaded at its first use; after a failure the next change tries again.
     if (byHand) import("../clips/parts-editor").catch(() => {});
     const chosen = byHand ? BY_HAND : (presets.find(({ id }) => id === parts) ?? presets[0])?.id;
     const choose = (event: Event) => {
@@ -74,8 +73,8 @@ export class TrainingView extends View {
       ${byHand && clip ? html`<pg-parts-editor .settings=${this.settings} .clips=${clips}></pg-parts-editor>` : nothing}`;
   }
 
-  /** Beside the button: what would happen, what is happening, or how it ended. */
-  private words(why: string) {
+  /** The status next to the button: the plan, the progress or the end. */
+  #words(why: string) {
     const { training } = this;
     const { asked, busy, ending } = training;
     const last = asked.length === 1 ? asked[0]?.steps.at(-1) : undefined;
@@ -102,8 +101,8 @@ export class TrainingView extends View {
     return words ? html`${of} <span class=${absurd ? "bad" : ""} data-testid="cost">${words}</span>` : of;
   }
 
-  /** Where the run on the stage stopped before its bound had settled. */
-  private continueButton() {
+  /** For a run on the stage that stopped before its bound had settled. */
+  #continueButton() {
     const { training } = this;
     const run = training.charted;
     if (!run || !training.canContinue(run)) return nothing;
@@ -113,8 +112,8 @@ export class TrainingView extends View {
       @click=${() => void training.continue(run)}>Continue${more > 0 ? `, ${more} more` : ""}</button>`;
   }
 
-  /** Heard by screen readers: the state, not each iteration. */
-  private announcement(): string {
+  /** Screen readers read the state, not each iteration. */
+  #announcement(): string {
     const { status, asked, ending } = this.training;
     if (status === "running") {
       const done = Math.floor(share(asked) * 10) * 10;
@@ -142,18 +141,18 @@ export class TrainingView extends View {
               title="Trains with the settings below too, beside the others" @click=${() => void training.start()}>Add</button>`
             : html`<button class="primary big" data-testid="train" ?disabled=${why !== ""} aria-describedby="train-why"
               @click=${() => void training.start()}>Train</button>
-              ${this.continueButton()}`
+              ${this.#continueButton()}`
         }
-        <p id="train-why" class="hint words" data-testid="progress">${this.words(why)}</p>
+        <p id="train-why" class="hint words" data-testid="progress">${this.#words(why)}</p>
       </div>
       ${progressBar("Training", busy ? share(training.asked) : null)}
-      <div class="visually-hidden" role="status" aria-live="polite">${this.announcement()}</div>
+      <div class="visually-hidden" role="status" aria-live="polite">${this.#announcement()}</div>
       <div class="fields main-fields">
-        ${this.partsField()}
-        ${this.count("latent", "Latent dimensions", "The dimensions of each part's latent space", "latent-space", "Q")}
-        ${this.count("dynamicsIps", "Dynamics points", "Inducing points of each coupling's dynamics", "dynamics-points", "K")}
-        ${this.count("poseIps", "Pose points", "Inducing points of each part's pose map", "pose-points", "L")}
-        ${this.count("framesPerSecond", "Frames a second", "Clips are resampled to this rate")}
+        ${this.#partsField()}
+        ${this.#count("latent", "Latent dimensions", "The dimensions of each part's latent space", "latent-space", "Q")}
+        ${this.#count("dynamicsIps", "Dynamics points", "Inducing points of each coupling's dynamics", "dynamics-points", "K")}
+        ${this.#count("poseIps", "Pose points", "Inducing points of each part's pose map", "pose-points", "L")}
+        ${this.#count("framesPerSecond", "Frames a second", "Clips are resampled to this rate")}
       </div>
       <details class="advanced">
         <summary>Advanced</summary>
@@ -163,9 +162,9 @@ export class TrainingView extends View {
             ${settingInput(settings, "seed", { id: "seed-input", testId: "setting-seed", disabled: false })}
             <button class="round" aria-label="New seed" title="New seed" ?disabled=${!this.engine.engine} @click=${() => void training.newSeed()}>${icon("dice")}</button>
           </div>
-          ${this.count("trainings", "Trainings", "One for each seed from this one on, as many at once as this machine has cores; 0: as many as cores, up to 4")}
-          ${this.count("order", "Frames of history", "The order of the dynamics", "order", "p")}
-          ${this.count("maxIterations", "Iterations at most", "The optimiser stops here at the latest", "iterations")}
+          ${this.#count("trainings", "Trainings", "One for each seed from this one on, as many at once as this machine has cores; 0: as many as cores, up to 4")}
+          ${this.#count("order", "Frames of history", "The order of the dynamics", "order", "p")}
+          ${this.#count("maxIterations", "Iterations at most", "The optimiser stops here at the latest", "iterations")}
         </div>
       </details>
       <pg-bound-chart .training=${training}></pg-bound-chart>`;

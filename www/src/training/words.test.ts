@@ -3,8 +3,8 @@ import { progress } from "../engine/engine.fake";
 import { costWords } from "./cost";
 import { endingWords, newModelWords } from "./words";
 
-describe("what a training would make", () => {
-  it("is said of one clip and of several", () => {
+describe("the plan of a training", () => {
+  it("names one clip or counts several", () => {
     expect(newModelWords(2, 1, false)).toBe("2 new models, of the ticked clip and its body.");
     expect(newModelWords(1, 1, true)).toBe("A new model, of the ticked sample clip and its body.");
     expect(newModelWords(4, 3, false)).toBe("4 new models, of the 3 ticked clips and their body.");
@@ -14,7 +14,7 @@ describe("what a training would make", () => {
 describe("how a training ended", () => {
   const done = { cancelled: false, reason: "settled" as const };
 
-  it("says what went wrong and was survived, and nothing else", () => {
+  it("names the setbacks, if there were any", () => {
     expect(endingWords(done, progress(3))).toBe("the bound no longer rises");
     const setbacks = { jittered: 3, turnedBack: 1 };
     expect(endingWords(done, { ...progress(3), setbacks })).toBe(
@@ -22,7 +22,7 @@ describe("how a training ended", () => {
     );
   });
 
-  it("says what was reduced", () => {
+  it("names the settings that the program reduced", () => {
     const notices = ["40 pose inducing points are reduced, because there are only 20 frames"];
     expect(endingWords({ ...done, notices }, progress(3))).toBe(
       "The bound no longer rises. 40 pose inducing points are reduced, because there are only 20 frames.",
@@ -30,18 +30,18 @@ describe("how a training ended", () => {
   });
 });
 
-describe("what a training would cost", () => {
+describe("the cost of a training", () => {
   const words = (seconds: number, bytes = 1e7, count = 1, workers = 1) =>
     costWords({ seconds, bytes }, count, workers);
 
-  it("is said where one has to wait", () => {
+  it("is a time when the visitor has to wait", () => {
     expect(costWords(null, 1, 1).words).toBe("");
     expect(words(5).words).toBe("");
     expect(words(43)).toEqual({ words: "At most about 45 s.", absurd: false });
     expect(words(43, 1e7, 4, 2).words).toBe("At most about 1 min 30 s.");
   });
 
-  it("is a warning where nobody would wait, or the memory is full", () => {
+  it("is a warning when the wait is very long or the memory is full", () => {
     expect(words(3600 * 5)).toEqual({
       words: "At most about 5 hours. Fewer frames a second, points or iterations make it shorter.",
       absurd: true,

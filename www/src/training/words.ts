@@ -1,4 +1,4 @@
-// Words for what a training does and how it ended.
+// Texts about a training: its phases and its end.
 import type { Setbacks, TrainingOutcome, TrainingProgress } from "../engine/protocol";
 import { sentence } from "../ui/format";
 import { bestBound, endOfMotion, type Run } from "./runs";
@@ -17,7 +17,7 @@ export function phaseWords(phase: TrainingProgress["phase"]): string {
   return PHASES[phase];
 }
 
-/** What trainings would make; `made`: all their clips are samples. */
+/** The models that trainings would make; `made`: all their clips are samples. */
 export function newModelWords(trainings: number, clips: number, made: boolean): string {
   const models = trainings === 1 ? "A new model" : `${trainings} new models`;
   const sample = made ? "sample " : "";
@@ -26,11 +26,11 @@ export function newModelWords(trainings: number, clips: number, made: boolean): 
   return `${models}, of the ${of}.`;
 }
 
-/** How a run ended whose page was left. */
+/** The end of a run whose page was left. */
 export const LEFT = "You left the page; this is the best so far.";
 export const STOPPED = "You cancelled; this is the best so far.";
 
-/** `last` is the last step, of which the setbacks are told. */
+/** How a run ended, with the setbacks of its last step. */
 export function endingWords(
   { cancelled, reason, notices = [] }: TrainingOutcome,
   last?: TrainingProgress,
@@ -48,7 +48,7 @@ function setbackWords({ jittered, turnedBack }: Setbacks): string {
   return [jittered > 0 ? jitter : "", turnedBack > 0 ? back : ""].filter(Boolean).join(" ");
 }
 
-/** What became of several runs. `best` is the one that was put on the stage when they were over. */
+/** How several runs ended. `best`: the run that took the stage. */
 export function endingOfRuns(runs: readonly Run[], best: Run | null): { words: string; failed: boolean } {
   const failed = runs.filter(({ state }) => state === "failed");
   const [first] = runs;
@@ -65,7 +65,7 @@ export function endingOfRuns(runs: readonly Run[], best: Run | null): { words: s
   return { words: `${counts.join(", ")}.${shown}`, failed: false };
 }
 
-/** Why this run is on the stage where another has a higher bound. */
+/** Why this run is on the stage although another has a higher bound. */
 function whyShown(best: Run, runs: readonly Run[]): string {
   const higher = runs.find(
     (run) => run.model !== null && run.state !== "failed" && bestBound(run) > bestBound(best),

@@ -1,16 +1,16 @@
 import { expect, it } from "vitest";
 import { partColour } from "./palette";
-import { freeName, partColours, renamed, whyNotName } from "./part-names";
+import { freeName, partColours, renamed, nameProblem } from "./part-names";
 
 const PARTS = [{ name: "legs" }, { name: "part 3" }];
 
 it("gives a part a name of its own, and says why another is refused", () => {
-  expect(whyNotName(PARTS, 0, "hips")).toBe("");
+  expect(nameProblem(PARTS, 0, "hips")).toBe("");
   expect(renamed(PARTS, 0, "hips")).toEqual([{ name: "hips" }, { name: "part 3" }]);
-  expect(whyNotName(PARTS, 1, "legs")).toBe("Another part is called “legs”.");
-  expect(whyNotName(PARTS, 0, "")).toBe("A part needs a name.");
+  expect(nameProblem(PARTS, 1, "legs")).toBe("Another part is called “legs”.");
+  expect(nameProblem(PARTS, 0, "")).toBe("A part needs a name.");
   // It may keep its own.
-  expect(whyNotName(PARTS, 0, "legs")).toBe("");
+  expect(nameProblem(PARTS, 0, "legs")).toBe("");
   expect(freeName(PARTS)).toBe("part 4");
 });
 

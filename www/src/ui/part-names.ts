@@ -25,7 +25,7 @@ export interface PartNames {
 }
 
 /** Why a part cannot have this name; empty where it can. */
-export function whyNotName(parts: readonly Named[], place: number, name: string): string {
+export function nameProblem(parts: readonly Named[], place: number, name: string): string {
   if (name === "") return "A part needs a name.";
   return parts.some((other, i) => i !== place && other.name === name)
     ? `Another part is called “${name}”.`

@@ -6,7 +6,7 @@ import type { Settings } from "../settings/settings";
 import { seedsFrom } from "../training/runs";
 import type { Body } from "../scene/columns";
 
-export interface Question {
+export interface ComparisonRequest {
   /** The same whenever the same clips, parts and frame rate are asked for. */
   key: string;
   clips: TrainingClip[];
@@ -35,10 +35,10 @@ export function planOf(settings: Readonly<Settings>): Plan {
 }
 
 /** Null without a ticked clip. */
-export function questionOf(
+export function comparisonRequest(
   { ticked, toTrainOn: clips, parts }: Pick<ClipsStore, "ticked" | "toTrainOn" | "parts">,
   settings: Readonly<Settings>,
-): Question | null {
+): ComparisonRequest | null {
   const [first] = ticked;
   if (!first) return null;
   const { figure, joints } = first.loaded.info;

@@ -2,20 +2,20 @@
 import { decodeFirstMotion } from "../stage/first-motion.js";
 import type { Shown } from "../stage/stage-store";
 
-async function fetchFirst(file: string): Promise<Response | null> {
+async function fetchStartFile(file: string): Promise<Response | null> {
   const answer = await fetch(new URL(`first/${file}`, document.baseURI));
   return answer.ok ? answer : null;
 }
 
 /** The JSON document of the model; null where the host has none. */
-export async function fetchFirstModel(): Promise<string | null> {
-  const answer = await fetchFirst("model.json");
+export async function fetchStartModel(): Promise<string | null> {
+  const answer = await fetchStartFile("model.json");
   return (await answer?.text()) ?? null;
 }
 
 /** The stored first seconds, which walk until the model is there; null where the host has none. */
-export async function fetchFirstMotion(): Promise<Shown | null> {
-  const answer = await fetchFirst("motion.bin");
+export async function fetchStartMotion(): Promise<Shown | null> {
+  const answer = await fetchStartFile("motion.bin");
   if (!answer) return null;
   const { figure, joints, parts, positions, frames, frameTime } = decodeFirstMotion(
     await answer.arrayBuffer(),

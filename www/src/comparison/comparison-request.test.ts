@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { initialSettings } from "../settings/settings";
-import { planOf } from "./question";
+import { planOf } from "./comparison-request";
 
 it("asks for what the settings say", () => {
   const plan = planOf({ ...initialSettings(), heldOut: 2, seed: 7, seeds: 2, comparedIterations: 30 });

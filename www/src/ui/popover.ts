@@ -10,7 +10,7 @@ export interface Size {
 }
 
 /** Where a box goes: below the anchor, or above where it has more room, and within the window. */
-export function placeBeside(
+export function popoverPlace(
   anchor: DOMRectReadOnly | (Size & { x: number; y: number }),
   box: Size,
   window: Size,
@@ -25,9 +25,9 @@ export function placeBeside(
 }
 
 /** Shows a popover beside the control that asked for it. */
-export function showBeside(popover: HTMLElement, anchor: HTMLElement): void {
+export function showPopoverAt(popover: HTMLElement, anchor: HTMLElement): void {
   popover.showPopover();
-  const { left, top } = placeBeside(anchor.getBoundingClientRect(), popover.getBoundingClientRect(), {
+  const { left, top } = popoverPlace(anchor.getBoundingClientRect(), popover.getBoundingClientRect(), {
     width: document.documentElement.clientWidth,
     height: innerHeight,
   });
