@@ -2,7 +2,7 @@
 import type { Place } from "../ui/notices-store";
 import { type DroppedFiles, droppedFiles } from "./dropped-files";
 
-export function listenToDrops(opened: (dropped: Promise<DroppedFiles>, at: Place) => void): void {
+export function listenToDrops(opened: (dropped: Promise<DroppedFiles>, at: Place) => Promise<void>): void {
   const page = document.documentElement;
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
   // Each element under the pointer sends these events, so they are counted.
@@ -26,6 +26,6 @@ export function listenToDrops(opened: (dropped: Promise<DroppedFiles>, at: Place
     show(false);
     if (!hasFiles(event)) return;
     event.preventDefault();
-    opened(droppedFiles(event.dataTransfer?.items ?? []), { x: event.clientX, y: event.clientY });
+    void opened(droppedFiles(event.dataTransfer?.items ?? []), { x: event.clientX, y: event.clientY });
   });
 }
