@@ -1,7 +1,7 @@
 // `npm run soak -- [MINUTES]`: one visitor does everything again and again, and what the page holds is
 // measured after each round. It must not grow: after the warm-up neither heap nor nodes nor listeners by more
 // than a tenth; and the figure walks on with as many pictures a second.
-import { drop, openSite, ready, saved } from "../tests/e2e/site.mjs";
+import { drop, openSite, pictures, ready, saved } from "../tests/e2e/site.mjs";
 import { bvh } from "../tests/e2e/clips.mjs";
 import { Failure, main } from "./run.mjs";
 
@@ -47,10 +47,9 @@ async function held(
 /** How many pictures of the figure there are in a second. */
 async function picturesPerSecond(/** @type {import("playwright-core").Page} */ page) {
   const stage = page.getByTestId("stage");
-  const drawn = async () => Number(await stage.getAttribute("data-frames-drawn"));
-  const [before, start] = [await drawn(), performance.now()];
+  const [before, start] = [await pictures(stage), performance.now()];
   await page.waitForTimeout(1000 * SECONDS);
-  return (1000 * ((await drawn()) - before)) / (performance.now() - start);
+  return (1000 * ((await pictures(stage)) - before)) / (performance.now() - start);
 }
 
 const median = (/** @type {number[]} */ values) =>

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, it } from "node:test";
-import { barriers, changes, cleared, draws, openSite, ready, saved } from "./site.mjs";
+import { barriers, changes, draws, openSite, pictures, ready, saved } from "./site.mjs";
 
 /** Small enough for a test: three trials at 15 frames a second, few iterations. */
 const SMALL = "view=compare&models=vcgpdm,vgpdm,dmp-discrete,dmp-rhythmic&ips=6&fps=15&latent=2&steps=15";
@@ -201,9 +201,9 @@ describe("a comparison of models", () => {
       .waitFor();
     // The last picture may be drawn once more, finer.
     await page.waitForTimeout(500);
-    const paused = await cleared(stage);
+    const paused = await pictures(stage);
     await page.waitForTimeout(500);
-    assert.equal(await cleared(stage), paused, "Pause stops all");
+    assert.equal(await pictures(stage), paused, "Pause stops all");
     await page.keyboard.press("ArrowRight");
     const frame = await page.getByTestId("compare-scrub").inputValue();
     await page.keyboard.press("ArrowRight");

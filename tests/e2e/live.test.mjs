@@ -13,17 +13,15 @@ before(async () => {
 });
 after(() => site?.close());
 
-/**
- * What the strip chart says now: the newest frame, how far the second part is ahead of the first (turns), how
- * many cuts.
- */
+/** The newest frame, how far the second part is ahead of the first (turns), and the number of cuts. */
 async function now(/** @type {Page} */ page) {
-  const {
-    frame = "",
-    apart = "",
-    cuts = "",
-  } = await page.getByTestId("live").evaluate((element) => ({ ...element.dataset }));
-  return { frame: Number(frame), apart: Number(apart), cuts: Number(cuts) };
+  return page.locator("pg-live").evaluate((view) => {
+    const { trace, marks } = /** @type {any} */ (view).live;
+    const { frame, phases } = trace.at(-1) ?? { frame: 0, phases: [0, 0] };
+    const turns = phases[1] - phases[0];
+    const cuts = marks.filter((/** @type {any} */ { kind, to }) => kind === "cut" && to === null).length;
+    return { frame, apart: turns - Math.round(turns), cuts };
+  });
 }
 
 /** Waits until that is so; answers all that was seen on the way. */

@@ -46,13 +46,15 @@ function noDrawing() {
       if (draw in prototype) Object.assign(prototype, { [draw]() {} });
 }
 
-/** Runs in the page: counts for each canvas how many times it was cleared for another picture. */
+/** Runs in the page: counts for each canvas how many times it was cleared, which three.js does once a scene. */
 function countPictures() {
   const times = new WeakMap();
   const { prototype } = WebGL2RenderingContext;
   const { clear } = prototype;
   prototype.clear = function (mask) {
-    times.set(this.canvas, (times.get(this.canvas) ?? 0) + 1);
+    // Shadows are drawn into a framebuffer.
+    const isCanvas = this.getParameter(this.FRAMEBUFFER_BINDING) === null;
+    if (isCanvas) times.set(this.canvas, (times.get(this.canvas) ?? 0) + 1);
     clear.call(this, mask);
   };
   Object.assign(window, { timesCleared: times });
@@ -165,14 +167,14 @@ export async function changes(/** @type {import("playwright-core").Locator} */ e
   return !before.equals(await element.screenshot());
 }
 
-/** How many times a canvas was cleared for another picture of its figures, or for the shadows in it. */
-export const cleared = (/** @type {import("playwright-core").Locator} */ canvas) =>
+/** How many pictures of its figures a canvas has shown. */
+export const pictures = (/** @type {import("playwright-core").Locator} */ canvas) =>
   canvas.evaluate((canvas) => Number(/** @type {any} */ (window).timesCleared.get(canvas) ?? 0));
 
 /** Waits until a canvas has shown three more pictures of its figures. */
 export async function draws(/** @type {import("playwright-core").Locator} */ canvas) {
-  const end = (await cleared(canvas)) + 6;
-  while ((await cleared(canvas)) < end) await canvas.page().waitForTimeout(50);
+  const end = (await pictures(canvas)) + 3;
+  while ((await pictures(canvas)) < end) await canvas.page().waitForTimeout(50);
 }
 
 /**

@@ -8,7 +8,7 @@ import { FigureElement } from "../figures/figure-element";
 import { foldWords } from "./findings";
 import { bestOf, ends, isSkewed, type Measure, MEASURES, scaleOf } from "./measures";
 import { inColour, modelMark, modelStyle } from "../figures/model-style";
-import { plain, spreadWords } from "../figures/numbers";
+import { plain, estimateText } from "../figures/numbers";
 import type { Scale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
 import type { Comparison, ModelSummary, Spread } from "../engine/whole-protocol";
@@ -151,7 +151,7 @@ export class ModelsTable extends FigureElement<Comparison> {
   ) {
     const spread = measure.spread(summary);
     if (!spread) return html`<td><div class="measure"><span class="number none">none</span></div></td>`;
-    const { mean, error } = spreadWords(spread);
+    const { mean, error } = estimateText(spread);
     const best = winner !== null && spread.mean === winner;
     const [low, high] = ends(spread);
     const height = HEIGHT * this.type;

@@ -4,7 +4,7 @@ import { nothing, svg } from "lit";
 import type { Scale, Tick } from "./scale";
 import { textWidth } from "./text-width";
 
-/** The room inside the axes, and the size of the type. */
+/** The space inside the axes, and the size of the type. */
 export interface Plot {
   left: number;
   right: number;
@@ -16,7 +16,7 @@ export interface Plot {
 const widest = (ticks: Tick[], type: number) =>
   Math.max(0, ...ticks.map(({ label }) => textWidth(label, type)));
 
-/** The ticks of a horizontal axis: as many as stand beside each other. */
+/** The ticks of a horizontal axis, without overlap. */
 export function ticksAcross(scale: Scale, room: number, type: number): Tick[] {
   for (let most = 8; most > 2; most--) {
     const ticks = scale.ticks(most);
@@ -27,17 +27,17 @@ export function ticksAcross(scale: Scale, room: number, type: number): Tick[] {
   return scale.ticks(2);
 }
 
-/** The ticks of an upright axis. */
+/** The ticks of a vertical axis. */
 export function ticksUp(scale: Scale, room: number, type: number): Tick[] {
   return scale.ticks(Math.max(2, Math.floor(room / (3.2 * type))));
 }
 
-/** The room that the labels of an upright axis take. */
+/** The width of the labels of a vertical axis. */
 export function labelsWidth(ticks: Tick[], type: number): number {
   return widest(ticks, type) + 10;
 }
 
-/** Both axes with their grid; titles say quantity, unit and whether the scale is logarithmic. */
+/** Both axes with their grid. Titles name quantity, unit and a logarithmic scale. */
 export function axes(
   plot: Plot,
   x: { scale: Scale; ticks: Tick[]; title: string },
@@ -62,7 +62,7 @@ export function axes(
     </g>`;
 }
 
-/** From one end to the other, with caps; nothing where that is less than a pixel. */
+/** A horizontal error bar with caps; nothing if it is shorter than a pixel. */
 export function errorBar(from: number, to: number, y: number, cap: number) {
   if (Math.abs(to - from) < 1) return nothing;
   return svg`<path class="error-bar" d=${`M${from} ${y}H${to}M${from} ${y - cap}v${2 * cap}M${to} ${y - cap}v${2 * cap}`}></path>`;
@@ -73,7 +73,7 @@ export function path(points: readonly (readonly [number, number])[]) {
   return svg`<path class="course" d=${points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${x.toFixed(2)} ${y.toFixed(2)}`).join("")}></path>`;
 }
 
-/** The same for an upright one. */
+/** A vertical error bar with caps; nothing if it is shorter than a pixel. */
 export function uprightBar(x: number, from: number, to: number, cap: number) {
   if (Math.abs(to - from) < 1) return nothing;
   return svg`<path class="error-bar" d=${`M${x} ${from}V${to}M${x - cap} ${from}h${2 * cap}M${x - cap} ${to}h${2 * cap}`}></path>`;

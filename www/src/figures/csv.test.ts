@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { csv } from "./csv";
 
-it("quotes what would be read as something else, and ends each line as the standard says", () => {
+it("quotes fields with special characters, and ends each line with CR and LF", () => {
   expect(
     csv({
       header: ["model", 'a "b"'],
@@ -13,7 +13,7 @@ it("quotes what would be read as something else, and ends each line as the stand
   ).toBe('model,"a ""b"""\r\n"x, y","two\nlines"\r\nplain,\r\n');
 });
 
-it("keeps full precision, and leaves out what is not known", () => {
+it("keeps full precision, and leaves unknown values empty", () => {
   const value = 0.1 + 0.2;
   const [, row] = csv({ header: ["a", "b", "c", "d"], rows: [[value, 1e-9, null, Number.NaN]] }).split(
     "\r\n",
@@ -22,7 +22,7 @@ it("keeps full precision, and leaves out what is not known", () => {
   expect(Number(row!.split(",")[0])).toBe(value);
 });
 
-it("lets no spreadsheet compute a stranger's name", () => {
+it("makes texts of names that a spreadsheet would compute", () => {
   const header = ['=HYPERLINK("http://x")', "+1", "@a", "-b", "a-b"];
   expect(csv({ header, rows: [[-1]] })).toBe(`"'=HYPERLINK(""http://x"")",'+1,'@a,'-b,a-b\r\n-1\r\n`);
 });

@@ -8,10 +8,10 @@ export interface Table {
   rows: Field[][];
 }
 
-/** The text with an apostrophe first if a spreadsheet would compute it: names come from strangers' files. */
+/** A text that a spreadsheet would compute as a formula gets an apostrophe: names come from strangers' files. */
 export const guarded = (text: string): string => (/^[=+@\t\r-]/.test(text) ? `'${text}` : text);
 
-function written(field: Field): string {
+function fieldText(field: Field): string {
   if (field === null) return "";
   if (typeof field === "number") return Number.isFinite(field) ? String(field) : "";
   const text = guarded(field);
@@ -19,5 +19,5 @@ function written(field: Field): string {
 }
 
 export function csv({ header, rows }: Table): string {
-  return [header, ...rows].map((row) => `${row.map(written).join(",")}\r\n`).join("");
+  return [header, ...rows].map((row) => `${row.map(fieldText).join(",")}\r\n`).join("");
 }

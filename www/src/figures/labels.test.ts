@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { type Box, placeLabels, shortenLabels, spreadLabels } from "./labels";
 
-describe("labels placeLabels the ends of lines", () => {
-  it("stay where they are wanted when there is room", () =>
+describe("labels at the ends of lines", () => {
+  it("stay in the wanted places where these are free", () =>
     expect(spreadLabels([50, 10, 90], 12, 0, 100)).toEqual([50, 10, 90]));
 
   it("move apart by as little as possible, in their order", () => {
@@ -10,7 +10,7 @@ describe("labels placeLabels the ends of lines", () => {
     expect(spreadLabels([52, 48, 50], 10, 0, 100)).toEqual([60, 40, 50]);
   });
 
-  it("stay within their room", () => {
+  it("stay within their space", () => {
     expect(spreadLabels([99, 100, 98], 10, 0, 100)).toEqual([90, 100, 80]);
     expect(spreadLabels([1, 0], 10, 0, 100)).toEqual([10, 0]);
     const many = spreadLabels([5, 5, 5, 5, 5], 30, 0, 100);
@@ -19,7 +19,7 @@ describe("labels placeLabels the ends of lines", () => {
     expect(spreadLabels([200], 10, 0, 100)).toEqual([100]);
   });
 
-  it("keep their distance when several groups meet a border", () => {
+  it("keep their distance at a border", () => {
     const places = spreadLabels([0, 1, 2, 30, 31, 95, 97, 99], 10, 0, 100).sort((a, b) => a - b);
     for (const [i, place] of places.slice(1).entries()) expect(place - places[i]!).toBeGreaterThan(10 - 1e-9);
     expect(places[0]).toBeGreaterThanOrEqual(0);
@@ -30,7 +30,7 @@ describe("labels placeLabels the ends of lines", () => {
 describe("labels of points", () => {
   const within = { x: 0, y: 0, width: 200, height: 100 };
 
-  it("stand to the right, or left where the room ends", () => {
+  it("are at the right, or at the left where the space ends", () => {
     const [middle, edge] = placeLabels(
       [
         { x: 60.3, y: 50.7 },
@@ -46,7 +46,7 @@ describe("labels of points", () => {
     expect(edge!.x + edge!.width).toBeLessThan(190);
   });
 
-  it("cover neither each other nor the marks of others", () => {
+  it("cover neither each other nor other marks", () => {
     const points = [
       { x: 100, y: 50 },
       { x: 112, y: 54 },
@@ -69,7 +69,7 @@ describe("labels of points", () => {
   });
 });
 
-it("leaves a label out rather than lay it over another one", () => {
+it("leaves out a label that would overlap another one", () => {
   const crowd = Array.from({ length: 12 }, (_, i) => ({ x: 50 + i, y: 50 }));
   const boxes = placeLabels(crowd, new Array(12).fill(60), 14, 4, { x: 0, y: 0, width: 140, height: 100 });
   const placed = boxes.filter((box) => box !== null);
@@ -82,8 +82,8 @@ it("leaves a label out rather than lay it over another one", () => {
       ).toBe(true);
 });
 
-describe("labels in short", () => {
-  it("keep what differs, and say what it counts and what holds for all", () => {
+describe("short labels", () => {
+  it("keep what differs, and name the unit and the common clauses", () => {
     expect(shortenLabels(["4 + 4 inducing points", "12 + 12 inducing points"])).toEqual({
       short: ["4 + 4", "12 + 12"],
       units: "inducing points",
@@ -112,7 +112,7 @@ describe("labels in short", () => {
     });
   });
 
-  it("stay as they are where they are not alike", () => {
+  it("are unchanged where the labels have different forms", () => {
     for (const labels of [
       ["primitives by the bound", "3 primitives"],
       ["8 + 8 inducing points"],

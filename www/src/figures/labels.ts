@@ -1,15 +1,14 @@
-// Where labels go so that they can be read.
+// The places of labels, without overlap.
 
 /**
- * Places in the order of the wanted ones, at least `gap` apart and within [low, high], as near to the wanted
- * ones as that allows (least squares). Too many for the room lie evenly over it.
+ * Places within [low, high], in the same order and at least `gap` apart, with the least squared distance from
+ * the wanted places. If they do not fit, their distances are equal and smaller.
  */
 export function spreadLabels(wanted: readonly number[], gap: number, low: number, high: number): number[] {
   const steps = Math.max(1, wanted.length - 1);
   const step = Math.min(gap, (high - low) / steps);
   const ascending = wanted.map((place, index) => ({ place, index })).sort((a, b) => a.place - b.place);
-  // With i steps taken off the i-th, what is left only has to ascend: neighbours that do not are pooled at
-  // their mean.
+  // After i steps are subtracted from place i, the rest must only ascend: isotonic regression by pooling.
   const pools: { sum: number; count: number }[] = [];
   const mean = ({ sum, count }: { sum: number; count: number }) => sum / count;
   ascending.forEach(({ place }, rank) => {
@@ -49,18 +48,15 @@ function overlap(a: Box, b: Box): number {
   return width > 0 && height > 0 ? width * height : 0;
 }
 
-/** How often all labels are placed anew, now that they know where the others went. */
+/** Number of passes over all labels. */
 const ROUNDS = 4;
-/** How near a label comes to the mark of another point before it could be taken for its label. */
+/** Least distance of a label from the mark of another point, pixels. */
 const CLEAR = 4;
 
-/** A label may lie so many square pixels over something else, by rounding. */
+/** Square pixels of overlap that rounding can cause. */
 const TOUCH = 2;
 
-/**
- * A box for the label of each point, placeLabels it where nothing else is; null where there is no such place.
- * `reach` is a mark's half width.
- */
+/** A free box for the label of each point, next to its mark; null without one. `reach`: half width of a mark. */
 export function placeLabels(
   points: readonly Point[],
   widths: readonly number[],
@@ -98,14 +94,14 @@ export function placeLabels(
       const cost = (box: Box) =>
         4 * (box.width * box.height - overlap(box, within)) +
         others.reduce((sum, other) => sum + overlap(box, other), 0);
-      // Less by a pixel: rounding is no reason to leave the first choice.
+      // A difference below one square pixel is rounding.
       placed[i] = boxes.reduce((best, box) => (cost(box) < cost(best) - 1 ? box : best));
     });
   }
   return withoutCollisions(placed, marks, within);
 }
 
-/** Of labels that lie on each other, on the mark of another point or beyond the room only the first stays. */
+/** Drops labels that overlap an earlier label or the mark of another point, or leave the space. */
 function withoutCollisions(placed: readonly Box[], marks: readonly Box[], within: Box): (Box | null)[] {
   const kept: (Box | null)[] = [];
   placed.forEach((box, i) => {
@@ -116,18 +112,18 @@ function withoutCollisions(placed: readonly Box[], marks: readonly Box[], within
   return kept;
 }
 
-/** Labels in short, and what was taken off them because it does not tell them apart. */
+/** Short labels, and the words that all labels had in common. */
 export interface ShortLabels {
   short: string[];
-  /** What the numbers that are left count: "inducing points". */
+  /** The unit of the remaining numbers: "inducing points". */
   units: string;
-  /** What holds for all: "order 2". */
+  /** The clauses that all labels have: "order 2". */
   all: string;
 }
 
 /**
- * Labels are clauses: "4 + 4 inducing points, 800 iterations". A clause that all have says nothing, and of
- * one in which they differ the words that all end in are its unit: "4 + 4" is left.
+ * Shortens labels such as "4 + 4 inducing points, 800 iterations". Clauses that all labels have are removed.
+ * The last words that a clause has in all labels are its unit and are removed too, which leaves "4 + 4".
  */
 export function shortenLabels(labels: readonly string[]): ShortLabels {
   const clauses = labels.map((label) => label.split(", "));
@@ -147,7 +143,7 @@ export function shortenLabels(labels: readonly string[]): ShortLabels {
   };
 }
 
-/** Takes off the words without digits that all end in. */
+/** Removes the last words, without digits, that all clauses have. */
 function withoutUnit(clauses: readonly string[]): { short: string[]; unit: string } {
   const words = clauses.map((clause) => clause.split(" "));
   const [first = []] = words;

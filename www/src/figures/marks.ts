@@ -1,12 +1,12 @@
-// Marks of points in figures: seven shapes that can be told from each other without their colours.
+// Marks of points in figures: seven shapes that differ without colours too.
 import { svg } from "lit";
 
 export type MarkShape = "circle" | "square" | "triangle" | "wedge" | "diamond" | "cross" | "plus";
 
-/** The half width of a mark beside type of size 1. */
+/** Half width of a mark for type of size 1. */
 export const MARK_SIZE = 0.38;
 
-/** Outlines about (0, 0) that look equally large, for a size of 1. */
+/** Outlines around (0, 0) of the same visual size, for a size of 1. */
 const OUTLINES: Record<MarkShape, [number, number][]> = {
   circle: [],
   square: [
@@ -35,7 +35,7 @@ const OUTLINES: Record<MarkShape, [number, number][]> = {
   plus: turned(0),
 };
 
-/** A plus with arms as thick as can still be told from a square. */
+/** A plus with thick arms, rotated. */
 function turned(degrees: number): [number, number][] {
   const arm = 1.2;
   const half = 0.36;

@@ -1,6 +1,5 @@
-// One name, one colour and one mark for each kind of model, in every figure. The colours are near those of
-// Okabe and Ito; lightness and hue are chosen so that any two differ for colour-blind people too, and that
-// each stands out on the page, light and dark.
+// The name, colour and mark of each kind of model in all figures. The colours are similar to those of Okabe
+// and Ito. Any two differ for colour-blind people too, and each is visible on the light and the dark page.
 import type { ModelKind } from "../engine/whole-protocol";
 import { type MarkShape, markAt } from "./marks";
 import { styled } from "../ui/styled";
@@ -22,13 +21,13 @@ export const LOOKS: Record<ModelKind, Look> = {
   "dmp-rhythmic": { name: "DMP (rhythmic)", light: "#9973dc", dark: "#7852d5", mark: "plus" },
 };
 
-/** `colour` is a CSS colour for both themes. */
+/** `colour`: a CSS colour for both themes. */
 export function modelStyle(kind: ModelKind): { name: string; colour: string; mark: MarkShape } {
   const { name, light, dark, mark } = LOOKS[kind];
   return { name, colour: `light-dark(${light}, ${dark})`, mark };
 }
 
-/** The style of an element whose drawings have the colour of a model. */
+/** The style of an element with drawings in the colour of a model. */
 export function inColour(kind: ModelKind) {
   return styled({ "--series": modelStyle(kind).colour });
 }

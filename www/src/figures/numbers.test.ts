@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { evenLabels, percent, plain, powerLabels, ratio, spreadWords, twoDecimals } from "./numbers";
+import { evenLabels, percent, plain, powerLabels, ratio, estimateText, twoDecimals } from "./numbers";
 
 it.each([
   [0, "0.00"],
@@ -16,9 +16,9 @@ it.each([
   [Infinity, "unknown"],
 ])("writes %s as %s", (value, words) => expect(plain(value)).toBe(words));
 
-it("writes a mean with as many digits as its standard error leaves", () => {
+it("writes a mean with the digits that its standard error allows", () => {
   const words = (mean: number, standardError: number | null, count = 10) =>
-    spreadWords({ mean, standardError, count });
+    estimateText({ mean, standardError, count });
   expect(words(0.0015394, 0.000123)).toEqual({ mean: "0.00154", error: "± 0.00012" });
   expect(words(0.0015394, 0.0000996)).toEqual({ mean: "0.00154", error: "± 0.00010" });
   expect(words(28990.4, 398.7)).toEqual({ mean: "28,990", error: "± 399" });
@@ -28,29 +28,29 @@ it("writes a mean with as many digits as its standard error leaves", () => {
   expect(words(1.5, 1e-12)).toEqual({ mean: "1.50", error: "± 1.0 × 10⁻¹²" });
 });
 
-it("says where no standard error is known", () => {
-  expect(spreadWords({ mean: 0.0104, standardError: null, count: 1 })).toEqual({
+it("writes a mean without a standard error", () => {
+  expect(estimateText({ mean: 0.0104, standardError: null, count: 1 })).toEqual({
     mean: "0.0104",
     error: "one trial",
   });
-  expect(spreadWords({ mean: 0.0104, standardError: Number.NaN, count: 3 })).toEqual({
+  expect(estimateText({ mean: 0.0104, standardError: Number.NaN, count: 3 })).toEqual({
     mean: "0.0104",
     error: "",
   });
-  expect(spreadWords({ mean: Number.NaN, standardError: null, count: 0 })).toEqual({
+  expect(estimateText({ mean: Number.NaN, standardError: null, count: 0 })).toEqual({
     mean: "unknown",
     error: "",
   });
 });
 
-it("labels even steps alike, and powers each by itself", () => {
+it("labels equal steps with equal decimals, and powers one by one", () => {
   const labels = (ticks: { label: string }[]) => ticks.map(({ label }) => label);
   expect(labels(evenLabels([0, 0.5, 1]))).toEqual(["0.0", "0.5", "1.0"]);
   expect(labels(powerLabels([0.001, 0.01, 1, 1000]))).toEqual(["0.001", "0.01", "1", "1,000"]);
   expect(labels(powerLabels([2e-8, 1e9]))).toEqual(["2 × 10⁻⁸", "10⁹"]);
 });
 
-it("writes ratios as finely as they need, and shares with one decimal", () => {
+it("writes ratios with up to two decimals, and shares with one decimal", () => {
   expect([4.176, 12.34, 1847.7].map(ratio)).toEqual(["4.18", "12.3", "1,848"]);
   expect([0.99234, 1, -0.125].map(percent)).toEqual(["99.2 %", "100.0 %", "−12.5 %"]);
 });

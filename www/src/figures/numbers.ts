@@ -1,7 +1,7 @@
-// Numbers as figures and their tables write them: as many digits as say something.
+// Numbers in figures and their tables, with their significant digits.
 import { decimalsOf, grouped, MOST_DECIMALS } from "../ui/format";
 
-/** A mean, and what is known about its error. */
+/** A mean and its standard error. */
 export interface Estimate {
   mean: number;
   standardError: number | null;
@@ -31,8 +31,8 @@ export function plain(value: number): string {
     : grouped(value, Math.min(MOST_DECIMALS, Math.max(0, 2 - size)));
 }
 
-/** A mean, and what is known about its error: as many digits as the error leaves. */
-export function spreadWords({ mean, standardError, count }: Estimate): { mean: string; error: string } {
+/** A mean and its standard error, with the digits that are significant under the error. */
+export function estimateText({ mean, standardError, count }: Estimate): { mean: string; error: string } {
   if (!Number.isFinite(mean) || count === 0) return { mean: "unknown", error: "" };
   if (standardError === null || !Number.isFinite(standardError))
     return { mean: plain(mean), error: count === 1 ? "one trial" : "" };
@@ -45,7 +45,7 @@ export function spreadWords({ mean, standardError, count }: Estimate): { mean: s
   };
 }
 
-/** Labels of values with equal steps between them: all with as many decimals as one of them needs. */
+/** Labels of values with equal steps, all with the same number of decimals. */
 export function evenLabels(values: readonly number[]): { value: number; label: string }[] {
   const decimals = decimalsOf(values);
   return values.map((value) => ({ value, label: tickLabel(value, decimals) }));
@@ -71,7 +71,7 @@ export function ratio(value: number): string {
   return value >= 100 ? grouped(value) : value >= 10 ? value.toFixed(1) : value.toFixed(2);
 }
 
-/** A share as "99.2 %"; that which a fit explains may be negative. */
+/** A share as "99.2 %". The explained share of a fit may be negative. */
 export function percent(share: number): string {
   return `${grouped(100 * share, 1)} %`;
 }

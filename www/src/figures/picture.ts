@@ -1,9 +1,8 @@
-// A picture of a part of the page: its elements with the styles that they have now, drawn by the browser
-// itself.
+// A picture of a part of the page: a copy of its elements and styles that the browser draws.
 
 const SIDES = ["top", "right", "bottom", "left"];
 
-/** What a figure's look depends on. Sizes follow from the content, which is laid out again. */
+/** The copied properties. Sizes follow from the content, which the browser lays out again. */
 const PROPERTIES = [
   "display",
   "box-sizing",
@@ -55,19 +54,19 @@ const PROPERTIES = [
   "text-anchor",
 ];
 
-/** Browsers draw nothing on a larger canvas. */
+/** The largest canvas of browsers, pixels. */
 const LARGEST = 16_384;
 
-/** A copy that needs no stylesheet, without what is not to be in the picture. */
+/** A copy of the visible elements that needs no stylesheet. */
 function styled(element: Element): Element | null {
   const style = getComputedStyle(element);
   if (style.display === "none" || element.hasAttribute("data-not-in-picture")) return null;
   const copy = element.cloneNode(false) as HTMLElement | SVGElement;
   copy.removeAttribute("class");
   copy.removeAttribute("id");
-  // Not as an attribute: the content security policy forbids those.
+  // The content security policy forbids a style attribute.
   copy.style.cssText = PROPERTIES.map((name) => `${name}:${style.getPropertyValue(name)}`).join(";");
-  // A drawing keeps its size: it was made for it.
+  // A drawing was made for its size.
   if (element instanceof SVGSVGElement) {
     const { width, height } = element.getBoundingClientRect();
     copy.style.width = `${width}px`;
@@ -81,7 +80,7 @@ function styled(element: Element): Element | null {
   return copy;
 }
 
-/** The width at which nothing in it has to be scrolled. */
+/** The width at which the element does not scroll. */
 function wholeWidth(element: HTMLElement): number {
   const scrolls = (part: Element) => /auto|scroll/.test(getComputedStyle(part).overflowX);
   const beyond = [...element.querySelectorAll("div")]
@@ -90,7 +89,7 @@ function wholeWidth(element: HTMLElement): number {
   return Math.ceil(element.getBoundingClientRect().width + Math.max(0, ...beyond));
 }
 
-/** The first colour behind an element that nothing shines through. */
+/** The first opaque colour behind an element. */
 function ground(element: Element | null): string {
   for (let at = element; at; at = at.parentElement) {
     const colour = getComputedStyle(at).backgroundColor;
@@ -99,22 +98,19 @@ function ground(element: Element | null): string {
   return "white";
 }
 
-/** The height that the copy takes at a width. */
+/** The height of the copy at a width. */
 function heightAt(copy: HTMLElement, width: number): number {
-  const room = document.createElement("div");
-  room.style.cssText = `position:fixed;left:0;top:0;width:${width}px;visibility:hidden;pointer-events:none`;
-  room.inert = true;
-  room.append(copy);
-  document.body.append(room);
+  const box = document.createElement("div");
+  box.style.cssText = `position:fixed;left:0;top:0;width:${width}px;visibility:hidden;pointer-events:none`;
+  box.inert = true;
+  box.append(copy);
+  document.body.append(box);
   const height = Math.ceil(copy.getBoundingClientRect().height);
-  room.remove();
+  box.remove();
   return height;
 }
 
-/**
- * The element as a PNG, `scale` pixels of it for one of the page, with a margin and the page's ground. Fails
- * in words.
- */
+/** The element as a PNG with a margin, with `scale` pixels for each pixel of the page. Errors are sentences. */
 export async function pictureOf(element: HTMLElement, scale = 2, margin = 20): Promise<Blob> {
   const width = wholeWidth(element);
   const copy = styled(element) as HTMLElement | null;
@@ -132,7 +128,7 @@ export async function pictureOf(element: HTMLElement, scale = 2, margin = 20): P
   const drawing = `<svg xmlns="http://www.w3.org/2000/svg" width="${across}" height="${down}" viewBox="0 0 ${fullWidth} ${fullHeight}">
     <foreignObject x="${margin}" y="${margin}" width="${width}" height="${height}">${html}</foreignObject></svg>`;
   const image = new Image();
-  // As a data URL: a canvas that drew a blob with foreign content can no longer be read.
+  // A canvas that has drawn a blob with foreign content cannot be read; a data URL is allowed.
   image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(drawing)}`;
   await image.decode().catch(() => {
     throw new Error("The browser could not draw the figure.");

@@ -4,19 +4,19 @@ import { linearScale, logScale, type Scale } from "./scale";
 const labels = (scale: Scale, most: number) => scale.ticks(most).map(({ label }) => label);
 
 describe("a linear scale", () => {
-  it("places its values with some room beyond them, in either direction", () => {
+  it("places its values with some space at both ends, in both directions", () => {
     const scale = linearScale([0, 100], 0, 112);
     expect(scale.at(0)).toBeCloseTo(6);
     expect(scale.at(100)).toBeCloseTo(106);
     expect(linearScale([0, 100], 112, 0).at(0)).toBeCloseTo(106);
   });
 
-  it("keeps what lies beyond it at its end", () => {
+  it("places values outside at its end", () => {
     const scale = linearScale([0, 100], 10, 90);
     expect([scale.at(-1e9), scale.at(1e9)]).toEqual([10, 90]);
   });
 
-  it("names round values", () => {
+  it("labels round values", () => {
     expect(labels(linearScale([0.0004, 0.012], 0, 1), 7)).toEqual([
       "0.000",
       "0.002",
@@ -36,7 +36,7 @@ describe("a linear scale", () => {
     ]);
   });
 
-  it("names never more than there is room for, and two where there is room for two", () => {
+  it("labels at most the allowed number of values, and two where two are allowed", () => {
     for (const values of [
       [0, 1],
       [0.1, 0.9],
@@ -53,7 +53,7 @@ describe("a linear scale", () => {
     }
   });
 
-  it("takes one value, none, and values that are no numbers", () => {
+  it("accepts one value, no value, and NaN", () => {
     const single = linearScale([5, Number.NaN, Infinity], 0, 100);
     expect(single.at(5)).toBeCloseTo(50);
     expect(single.ticks(4).length).toBeGreaterThan(0);
@@ -63,13 +63,13 @@ describe("a linear scale", () => {
 });
 
 describe("a logarithmic scale", () => {
-  it("gives equal ratios equal room", () => {
+  it("gives equal ratios equal distances", () => {
     const scale = logScale([1, 100], 0, 100);
     expect(scale.at(10) - scale.at(1)).toBeCloseTo(scale.at(100) - scale.at(10));
     expect(scale.at(10)).toBeCloseTo(50);
   });
 
-  it("names 1, 2, 5, or powers of ten, as there is room", () => {
+  it("labels 1, 2, 5, or powers of ten, up to the allowed number", () => {
     const scale = logScale([0.0004, 0.012], 0, 1);
     expect(labels(scale, 6)).toEqual(["0.0005", "0.001", "0.002", "0.005", "0.01"]);
     expect(labels(scale, 3)).toEqual(["0.001", "0.003", "0.01"]);
@@ -78,13 +78,13 @@ describe("a logarithmic scale", () => {
     expect(labels(logScale([1e-4, 1e6], 0, 1), 4)).toEqual(["0.0001", "0.1", "100", "100,000"]);
   });
 
-  it("names round values between values that are near each other", () => {
+  it("labels round values between close values", () => {
     expect(labels(logScale([700, 1000, 1350], 0, 1), 5)).toEqual(["800", "1,000", "1,200", "1,400"]);
     expect(logScale([3.1, 3.1], 0, 100).at(3.1)).toBeCloseTo(50);
     expect(logScale([3.1, 3.1], 0, 100).ticks(4).length).toBeGreaterThan(1);
   });
 
-  it("draws what has no logarithm at its lower end, and takes no value at all", () => {
+  it("places values without a logarithm at its lower end, and accepts no value", () => {
     const scale = logScale([-1, 0, 10, 100], 20, 80);
     expect(scale.low).toBeGreaterThan(5);
     expect([scale.at(0), scale.at(-1)]).toEqual([20, 20]);
@@ -92,7 +92,7 @@ describe("a logarithmic scale", () => {
   });
 });
 
-it("names some values of any range that numbers can have", () => {
+it("labels some values of any range", () => {
   for (const values of [[1e-3, 1e300], [1e-300, 1], [1.7e308]]) {
     const scale = logScale(values, 0, 300);
     const ticks = scale.ticks(5);

@@ -1,4 +1,4 @@
-// From values to places on the page, and the values that an axis names.
+// The places of values on the page, and the labelled values of an axis.
 import { evenLabels, powerLabels } from "./numbers";
 
 export interface Tick {
@@ -10,16 +10,16 @@ export interface Scale {
   kind: "linear" | "log";
   low: number;
   high: number;
-  /** The place of a value; one that the scale does not reach lies at its end. */
+  /** The place of a value. A value outside the scale is at its end. */
   at(value: number): number;
-  /** At most `most` of them, ascending; at least two, unless the axis has room for fewer. */
+  /** At most `most` ticks, ascending; at least two, unless `most` is less. */
   ticks(most: number): Tick[];
 }
 
-/** Share of the values' range that stays free beyond the outermost ones, at each side. */
+/** The free space at each end, as a share of the range of the values. */
 const MARGIN = 0.06;
 
-/** The outermost of the finite values above `least`. */
+/** The least and greatest finite value above `least`. */
 function extent(values: readonly number[], least: number): [number, number] | null {
   const drawn = values.filter((value) => Number.isFinite(value) && value > least);
   return drawn.length === 0 ? null : [Math.min(...drawn), Math.max(...drawn)];
@@ -29,7 +29,7 @@ function placed(value: number, low: number, high: number, from: number, to: numb
   return from + (to - from) * Math.min(1, Math.max(0, (value - low) / (high - low)));
 }
 
-/** Multiples of the finest round step (1, 2 or 5 times a power of ten) for which there is room. */
+/** Multiples of the smallest round step (1, 2 or 5 times a power of ten) with at most `most` ticks. */
 function evenly(low: number, high: number, most: number): number[] {
   const fine = Math.floor(Math.log10((high - low) / most)) - 1;
   const steps = Array.from({ length: 4 }, (_, i) =>
@@ -44,7 +44,7 @@ function evenly(low: number, high: number, most: number): number[] {
   return steps.map(multiples).find(({ length }) => length <= most) ?? [];
 }
 
-/** Powers of ten with what is between them, as dense as there is room for. */
+/** Powers of ten and round values between them, at most `most`. */
 function byPowers(low: number, high: number, most: number): number[] {
   const [first, last] = [Math.floor(Math.log10(low)), Math.floor(Math.log10(high))];
   const dense = (times: readonly number[], every: number) => {
@@ -76,12 +76,12 @@ export function linearScale(values: readonly number[], from: number, to: number)
   };
 }
 
-/** For positive values; others lie at its lower end. */
+/** For positive values; other values are at the lower end. */
 export function logScale(values: readonly number[], from: number, to: number): Scale {
   const [least, greatest] = extent(values, 0) ?? [1, 10];
-  // Values that are nearly the same keep some room around them.
+  // Nearly equal values need some space around them.
   const beyond = Math.max(MARGIN * Math.log(greatest / least), Math.log(1.1));
-  // An error of 1e300 is no reason to show nothing.
+  // A value of 1e300 must not make the scale infinite.
   const [low, high] = [
     Math.max(Number.MIN_VALUE, least * Math.exp(-beyond)),
     Math.min(Number.MAX_VALUE, greatest * Math.exp(beyond)),

@@ -1,8 +1,8 @@
-// How wide a text will be, before it is drawn.
+// The width of a text before it is drawn.
 
 let measure: CanvasRenderingContext2D | null = null;
 
-/** Pixels, in the page's font; without a page about as wide as in a common one. */
+/** The width in the page's font, pixels; an estimate without a page. */
 export function textWidth(text: string, size: number, weight = 400): number {
   if (typeof document === "undefined") return 0.59 * size * text.length;
   measure ??= document.createElement("canvas").getContext("2d");

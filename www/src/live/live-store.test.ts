@@ -31,7 +31,7 @@ beforeEach(async () => {
   live = new LiveStore(store, settings, model, stage, playback, notices);
 });
 
-/** Lets so many seconds of the visitor's time pass. */
+/** Lets seconds of the visitor's time pass. */
 async function pass(seconds: number): Promise<void> {
   for (let k = 0; k < seconds * 60; k++) {
     playback.advance(1 / 60);
@@ -40,13 +40,13 @@ async function pass(seconds: number): Promise<void> {
 }
 
 describe("a live rollout", () => {
-  it("ends when something else takes the stage", async () => {
+  it("ends when another motion takes the stage", async () => {
     await live.start();
     stage.endLive();
     expect(live.running).toBe(false);
   });
 
-  it("goes on with the model that took the stage while it began", async () => {
+  it("continues with a model that replaced the first one during the start", async () => {
     engine.holding.add("advanceLive");
     const begun = live.start();
     await settled();
@@ -55,19 +55,19 @@ describe("a live rollout", () => {
     engine.held.splice(0).forEach(({ end }) => end());
     await begun;
     expect(live.running).toBe(true);
-    // Nothing ends it when the couplings are looked at the next time.
+    // Another change of couplings does not end it.
     model.couplings.set(0, 1, 9);
     expect(live.running).toBe(true);
   });
 
-  it("begins where the figure stands, plays on without an end, and gives the clip back", async () => {
+  it("begins at the state of the figure, has no end, and gives the motion of some seconds back", async () => {
     playback.scrub(40);
     await live.start();
     expect(stage.shown?.live).toBe(true);
     expect(playback.playing).toBe(true);
     await pass(20);
     expect(playback.frame).toBeGreaterThan(19 * 30);
-    // What is kept does not grow.
+    // The stored seconds do not grow.
     expect(live.trace.length).toBeLessThanOrEqual(12 * 30);
     expect(live.track?.latents(0)).toHaveLength(2 * (live.track?.motion.frames ?? 0));
     live.stop();
@@ -77,7 +77,7 @@ describe("a live rollout", () => {
     expect(playback.frame).toBeLessThan(playback.lastFrame + 1);
   });
 
-  it("cuts a coupling for as long as it is held", async () => {
+  it("cuts a coupling while it is held", async () => {
     await live.hold(0, 1, true);
     expect(live.running).toBe(true);
     expect(live.isCut(0, 1)).toBe(true);
@@ -108,7 +108,7 @@ describe("a live rollout", () => {
     expect(notices.all.at(-1)?.title).toBe("This coupling stays");
   });
 
-  it("takes the newest couplings over, and one push for a drag", async () => {
+  it("uses the newest couplings, and marks one push for a drag", async () => {
     await live.start();
     model.couplings.set(0, 1, 9);
     model.couplings.set(0, 1, 20);

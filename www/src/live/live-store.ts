@@ -1,5 +1,4 @@
-// The live rollout: the model goes on from where the figure stands, while couplings are cut and parts are
-// pushed.
+// The live rollout: the model continues from the figure's state, while couplings are cut and parts are pushed.
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import type { Engine, LiveChange, LiveFrames, ModelInfo } from "../engine/protocol";
@@ -12,22 +11,22 @@ import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 
-/** Seconds that are kept, and that the strip chart shows. */
+/** Seconds that are stored, and shown in the strip chart. */
 export const SHOWN_SECONDS = 12;
-/** Frames that are there before the clock needs them: what the visitor does is seen so much later. */
+/** Frames computed ahead of the clock. Actions of the visitor are visible this much later. */
 const LEAD = 3;
 
-/** Something that the visitor did, in frames from the start. */
+/** An action of the visitor, in frames from the start. */
 export type Mark =
   | { kind: "cut"; source: number; target: number; from: number; to: number | null }
   | { kind: "push"; part: number; from: number };
 
-/** What is known of one frame. */
+/** The phases and distances of one frame. */
 export interface TracePoint {
   frame: number;
-  /** Where on the learned cycle each part is, in turns; empty where there is no cycle. */
+  /** The phase of each part on the learned cycle, in turns; empty without a cycle. */
   phases: readonly number[];
-  /** How far from it, in radii of the part's cycle. */
+  /** The distance of each part from its cycle, in radii of the cycle. */
   distances: readonly number[];
 }
 
@@ -43,13 +42,13 @@ export class LiveStore extends Store {
   #trace: TracePoint[] = [];
   #marks: Mark[] = [];
   readonly #cuts = new Map<string, Extract<Mark, { kind: "cut" }>>();
-  /** What the next frames have to take in. */
+  /** Changes for the next frames. */
   #changes: LiveChange[] = [];
   #busy = false;
-  /** When frames were last looked after. */
-  #filled = 0;
-  /** The couplings, and the model, that the worker has. */
-  #known: LiveChange | null = null;
+  /** The time of the last request for frames. */
+  #askedAt = 0;
+  /** The couplings and the model of the worker. */
+  #sent: LiveChange | null = null;
   #revision = 0;
 
   constructor(
@@ -70,7 +69,7 @@ export class LiveStore extends Store {
     playback.on(() => void this.#fill());
     model.on(() => this.#followCouplings());
     stage.on(() => {
-      // A clip is in front, or both readings are asked for.
+      // A clip or both readings are in front.
       if (!stage.shown?.live) this.stop();
     });
   }
@@ -95,14 +94,14 @@ export class LiveStore extends Store {
     return this.#cuts.has(`${source}.${target}`);
   }
 
-  /** Goes on live from where the figure stands. */
+  /** Starts at the state of the figure. */
   async start(): Promise<void> {
     const { engine } = this.#engine;
     if (!engine || this.#track || this.#starting) return;
     this.#starting = true;
     try {
       let track: LiveTrack;
-      // A model that was trained may take the stage meanwhile: then that one goes on live.
+      // A new model from training may have replaced the model: then the new one goes live.
       do {
         const { model } = this.#model;
         if (!model) return;
@@ -120,24 +119,24 @@ export class LiveStore extends Store {
     this.changed();
   }
 
-  /** The first frames of this model, which the worker holds. */
+  /** The first frames of this model. */
   async #begin(engine: Engine, { frameTime, figure, parts }: ModelInfo): Promise<LiveTrack> {
     this.#stage.endClip();
     const request = this.#model.rolloutRequest();
     const frame = Math.min(Math.floor(this.#playback.frame), request.frames - 1);
     await engine.startLive(request, frame);
-    this.#known = this.#couplings();
+    this.#sent = this.#couplings();
     [this.#trace, this.#marks, this.#changes] = [[], [], []];
     this.#cuts.clear();
     const kept = Math.round(SHOWN_SECONDS / frameTime);
     const widths = parts.map(({ latent }) => latent);
     const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, kept, widths);
     // A rollout under the learned couplings is "as learned"; a cut obeys the visitor's reading.
-    this.#take(track, await engine.advanceLive([this.#known], LEAD));
+    this.#take(track, await engine.advanceLive([this.#sent], LEAD));
     return track;
   }
 
-  /** Back to the clip. */
+  /** Back to the motion of some seconds. */
   stop(): void {
     if (!this.#track) return;
     this.#track = null;
@@ -174,14 +173,14 @@ export class LiveStore extends Store {
     this.changed();
   }
 
-  /** Drags a node of the figure by so many metres, as it is seen. */
+  /** Drags a node of the figure by metres, in the axes of the stage. */
   pull(node: number, by: readonly [number, number, number]): void {
     if (!this.#track) return;
     this.#changes.push({ kind: "pull", node, by: this.#track.turnedBack(by) });
     this.#markPush(this.#partOf(node));
   }
 
-  /** Moves a part by so much in each latent dimension. */
+  /** Shifts a part in each latent dimension. */
   push(part: number, by: number[]): void {
     if (!this.#track) return;
     this.#changes.push({ kind: "push", part, by });
@@ -197,7 +196,7 @@ export class LiveStore extends Store {
   #markPush(part: number): void {
     const from = (this.#track?.last ?? 0) + 1;
     const last = this.#marks.at(-1);
-    // A drag is many small pushes: one mark for those that follow each other.
+    // A drag is many small pushes with one mark.
     if (last?.kind === "push" && last.part === part && from - last.from < 10) last.from = from;
     else this.#marks.push({ kind: "push", part, from });
     this.changed();
@@ -216,8 +215,8 @@ export class LiveStore extends Store {
       return;
     }
     const now = this.#couplings();
-    if (JSON.stringify(now) === JSON.stringify(this.#known)) return;
-    this.#known = now;
+    if (JSON.stringify(now) === JSON.stringify(this.#sent)) return;
+    this.#sent = now;
     // Only the newest couplings matter.
     this.#changes = this.#changes.filter(({ kind }) => kind !== "couplings");
     this.#changes.push(now);
@@ -228,10 +227,10 @@ export class LiveStore extends Store {
     const track = this.#track;
     const { engine } = this.#engine;
     if (!track || !engine || this.#busy) return;
-    // A slow machine, or twice the speed, needs more at once.
+    // A slow machine, or double speed, needs more frames at once.
     const now = performance.now();
-    const seconds = Math.min(LONGEST_PICTURE, (now - this.#filled) / 1000);
-    this.#filled = now;
+    const seconds = Math.min(LONGEST_PICTURE, (now - this.#askedAt) / 1000);
+    this.#askedAt = now;
     const ahead = LEAD + (seconds * this.#settings.values.speed) / track.motion.frameTime;
     if (track.last - this.#playback.frame >= ahead) return;
     this.#busy = true;

@@ -1,5 +1,4 @@
-// Over the stage while it is live: what was done to the model, and a strip chart of phases and distances;
-// limbs can be dragged.
+// The live view over the stage: the cuts, and a strip chart of phases and distances. Limbs can be dragged.
 import { html, nothing } from "lit";
 import type { ModelStore } from "../couplings/model-store";
 import "../latents/push-handle";
@@ -12,9 +11,9 @@ import "./live.css";
 import { type LiveStore, type Mark, SHOWN_SECONDS } from "./live-store";
 import { distanceLines, type Pieces, phaseLines, cutsText } from "./strip";
 
-/** Pixels around a node in which a finger or the mouse takes hold of it. */
+/** Pixels around a node in which the pointer can grab it. */
 const REACH = 26;
-/** A distance of so many radii is at the top of the chart. */
+/** The distance at the top of the chart, in radii. */
 const FARTHEST = 1.5;
 
 export class LiveView extends View {
@@ -47,7 +46,7 @@ export class LiveView extends View {
     const turn = (on: boolean) => {
       if (stage.scene) stage.scene.turns = on;
     };
-    // Before the camera's own listener, which is on the same element.
+    // This listener must run before the camera's own listener on the same element.
     const capture = { capture: true };
     const grab = (event: PointerEvent) => {
       const { x, y } = at(event);
@@ -93,18 +92,15 @@ export class LiveView extends View {
     const { live } = this;
     const names = this.#names;
     if (!live.running) return nothing;
-    const last = live.trace.at(-1);
-    const cycle = (last?.phases.length ?? 0) > 0;
-    const apart = phaseLines(live.trace).map((pieces) => pieces.at(-1)?.at(-1)?.value ?? 0);
-    const said =
+    const isCyclic = (live.trace.at(-1)?.phases.length ?? 0) > 0;
+    const text =
       cutsText(live.marks, names) ??
       "Hold an arrow of the body map to cut that coupling. Drag a limb or the dot of a latent plot to push a part.";
     return html`
-      <div class="live-strip" data-testid="live" data-frame=${last?.frame ?? 0} data-apart=${apart.map((x) => x.toFixed(3)).join(" ")}
-        data-cuts=${live.marks.filter((mark) => mark.kind === "cut" && mark.to === null).length}>
-        <p role="status">${said}</p>
+      <div class="live-strip" data-testid="live">
+        <p role="status">${text}</p>
         ${
-          cycle
+          isCyclic
             ? html`
           <p class="strip-legend"><span>ahead of ${names[0]}, in turns</span><span>distance from the learned cycle</span></p>
           <canvas role="img" aria-label="Strip chart: how far ${names.slice(1).join(", ")} ${names.length > 2 ? "are" : "is"} ahead of ${names[0]}, and how far each part is from the learned cycle"></canvas>`
@@ -115,11 +111,11 @@ export class LiveView extends View {
 }
 customElements.define("pg-live", LiveView);
 
-/** Draws phase differences above, distances below, and what was done as bands and lines behind them. */
+/** Draws phase differences above, distances below, and actions as bands and lines behind them. */
 function drawStrip(canvas: HTMLCanvasElement, live: LiveStore, frameTime: number): void {
-  const paper = cleared(canvas);
-  if (!paper) return;
-  const { draw, width, height } = paper;
+  const surface = cleared(canvas);
+  if (!surface) return;
+  const { draw, width, height } = surface;
   const kept = SHOWN_SECONDS / frameTime;
   const last = live.trace.at(-1)?.frame ?? 0;
   const x = (frame: number) => width - ((last - frame) / kept) * width;

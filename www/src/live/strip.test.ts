@@ -14,7 +14,7 @@ it("takes the shorter way round between two phases", () => {
   expect(phaseDifference(0.3, 0.3)).toBeCloseTo(0);
 });
 
-it("breaks the line of a phase where it comes round again", () => {
+it("breaks the line of a phase where it jumps", () => {
   const lines = phaseLines([point(0, 0, 0.4), point(1, 0, 0.48), point(2, 0, 0.55), point(3, 0, 0.6)]);
   expect(lines).toHaveLength(1);
   expect(lines[0]?.map((piece) => piece.map(({ frame }) => frame))).toEqual([
@@ -23,7 +23,7 @@ it("breaks the line of a phase where it comes round again", () => {
   ]);
 });
 
-it("has nothing to say of a model without a cycle", () => {
+it("has no lines for a model without a cycle", () => {
   const trace = [{ frame: 0, phases: [], distances: [] }];
   expect(phaseLines(trace)).toEqual([]);
   expect(distanceLines(trace)).toEqual([]);

@@ -1,4 +1,4 @@
-// What the strip chart shows, as numbers: phase differences and distances over time. No DOM.
+// The data of the strip chart: phase differences and distances over time. No DOM.
 import type { Mark, TracePoint } from "./live-store";
 
 /** A difference of two phases in turns, -0.5 to 0.5. */
@@ -6,10 +6,10 @@ export function phaseDifference(a: number, b: number): number {
   return ((((a - b + 0.5) % 1) + 1) % 1) - 0.5;
 }
 
-/** A line over frames, in pieces: it ends where the value jumps from one end of the scale to the other. */
+/** A line over frames, in pieces that end where the value jumps between the ends of the scale. */
 export type Pieces = { frame: number; value: number }[][];
 
-/** How far each part's phase is ahead of the first part's, in turns. One line for each part but the first. */
+/** The phase of each part but the first, minus that of the first part, in turns. */
 export function phaseLines(trace: readonly TracePoint[]): Pieces[] {
   const parts = trace.at(-1)?.phases.length ?? 0;
   return Array.from({ length: Math.max(0, parts - 1) }, (_, k) => {
@@ -27,7 +27,7 @@ export function phaseLines(trace: readonly TracePoint[]): Pieces[] {
   });
 }
 
-/** How far each part is from the learned cycle, in radii. */
+/** The distance of each part from its learned cycle, in radii. */
 export function distanceLines(trace: readonly TracePoint[]): Pieces[] {
   const parts = trace.at(-1)?.distances.length ?? 0;
   return Array.from({ length: parts }, (_, part) => [
@@ -38,13 +38,13 @@ export function distanceLines(trace: readonly TracePoint[]): Pieces[] {
   ]);
 }
 
-/** What the visitor does, in words. */
+/** A sentence about the couplings that are cut now; null without one. */
 export function cutsText(marks: readonly Mark[], names: readonly string[]): string | null {
   const cuts = marks.flatMap((mark) => (mark.kind === "cut" && mark.to === null ? [mark] : []));
   const [cut] = cuts;
   if (!cut) return null;
-  const of = (part: number) => names[part] ?? "";
+  const name = (part: number) => names[part] ?? "";
   return cuts.length > 1
     ? `${cuts.length} couplings are cut`
-    : `${of(cut.target)} does not hear ${of(cut.source)}`;
+    : `${name(cut.target)} does not hear ${name(cut.source)}`;
 }

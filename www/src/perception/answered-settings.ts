@@ -1,6 +1,6 @@
 // The settings of models that have answers, and the data of their figures. No rendering.
 import type { Confusion, Regression, PerceptionResults, SettingResult } from "../engine/whole-protocol";
-import { spreadWords } from "../figures/numbers";
+import { estimateText } from "../figures/numbers";
 
 /** A setting with its scores and its rate. */
 export type Answered = SettingResult & {
@@ -42,7 +42,7 @@ export function evidenceWords({
   folds,
 }: Regression): string {
   if (mean === null) return "ln K needs more answers";
-  const words = spreadWords({ mean, standardError, count: folds });
+  const words = estimateText({ mean, standardError, count: folds });
   return `ln K = ${words.mean} ${words.error}`.trim();
 }
 

@@ -52,7 +52,7 @@ describe("the shape of a figure", () => {
     expect(capsules.some(({ to }) => to === balls[0]!.towards)).toBe(false);
   });
 
-  it("finds sides in other conventions", () => {
+  it("finds left and right under other naming conventions", () => {
     for (const [left, right] of [
       ["mixamorig:LeftUpLeg", "mixamorig:RightUpLeg"],
       ["LHipJoint", "RHipJoint"],
@@ -70,7 +70,7 @@ describe("the shape of a figure", () => {
     }
   });
 
-  it("draws nothing between a root on the ground and the hips, but all of a body that stands on its root's feet", () => {
+  it("draws no bone between a root on the ground and the hips", () => {
     const grounded = body([
       ["Root", null, [0, 0, 0]],
       ["Hips", 0, [0, 1, 0]],
@@ -89,7 +89,7 @@ describe("the shape of a figure", () => {
     expect(shapeOf(seated.figure, seated.joints, seated.pose).capsules).toHaveLength(1);
   });
 
-  it("takes names that say nothing", () => {
+  it("accepts names without a meaning", () => {
     const plain = body([
       ["a", null, [0, 1, 0]],
       ["b", 0, [0, 0.3, 0]],

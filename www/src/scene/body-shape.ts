@@ -1,4 +1,4 @@
-// How thick the capsules of a figure are. BVH files have no flesh: names say most, bone lengths the rest.
+// The thickness of the capsules of a figure, from the names of joints and the lengths of bones.
 import type { Figure } from "../engine/protocol";
 
 export interface Capsule {
@@ -11,7 +11,7 @@ export interface Capsule {
   r1: number;
   /** The joint that turns this bone. */
   joint: number;
-  /** Right and left node of the body here: across these a trunk is wider than it is deep. */
+  /** The right and the left node whose line is the wide side of a trunk. */
   across: [number, number] | null;
 }
 
@@ -19,7 +19,7 @@ export interface Ball {
   node: number;
   radius: number;
   joint: number;
-  /** Shifts the ball towards this node, which a head needs. */
+  /** The ball of a head is shifted towards this node. */
   towards: number | null;
 }
 
@@ -28,10 +28,7 @@ export interface Shape {
   balls: Ball[];
 }
 
-/**
- * Radii at the bone's start and end for a body of 1.7 m, by the name of the joint that turns it. First match
- * counts.
- */
+/** Radii at the start and end of a bone, for a body of 1.7 m, by the name of its joint. The first match counts. */
 const FLESH: [RegExp, number, number][] = [
   [/thumb|index|middle|ring|pinky|finger/, 0.013, 0.01],
   [/hand|wrist/, 0.026, 0.018],
@@ -53,7 +50,7 @@ const TRUNK = /^(?!.*(left|right)).*(hips$|pelvis|root|spine|chest|torso|back|ab
 const RIGHT = /[Rr]ight|RIGHT|(^|[_:. ])[Rr](?=[A-Z_. ]|$)/;
 const LEFT = /[Ll]eft|LEFT|(^|[_:. ])[Ll](?=[A-Z_. ]|$)/;
 
-/** Metres: how near the ground a root is no hip, and how long a bone from it is no bone of a seated body. */
+/** Metres. A root this near the ground is no hip, and a bone this long from it is no bone of a body. */
 const NEAR_GROUND = 0.15;
 const LONGEST_HIP = 0.35;
 
@@ -88,7 +85,7 @@ export function shapeOf(figure: Figure, joints: readonly string[], pose: Float32
   const hips = pairOf(figure, joints, /up_?leg|upper_?leg|thigh|hip/i);
   const shoulders = pairOf(figure, joints, /arm|shoulder|collar/i);
   const lowest = figure.nodes.reduce((low, _, node) => Math.min(low, pose[3 * node + 1]!), Infinity);
-  // Some skeletons have their root on the ground below the body: no flesh is between the two.
+  // Some skeletons have their root on the ground: the bone from there to the body is not drawn.
   const isOnGround = (node: number) =>
     figure.nodes[node]!.parent === null && pose[3 * node + 1]! < lowest + NEAR_GROUND;
   figure.nodes.forEach(({ parent }, node) => {
@@ -98,7 +95,7 @@ export function shapeOf(figure: Figure, joints: readonly string[], pose: Float32
     if (long < 1e-3 || (long > LONGEST_HIP && isOnGround(parent))) return;
     const name = joints[joint] ?? "";
     let [r0, r1] = radii(name, long);
-    // No thicker than long, or short bones become balls; the trunk may.
+    // Short bones of limbs must not become balls.
     if (r0 < 0.08) {
       const most = 0.45 * long;
       [r0, r1] = [Math.min(r0, Math.max(most, 0.01)), Math.min(r1, Math.max(most, 0.01))];
@@ -110,7 +107,7 @@ export function shapeOf(figure: Figure, joints: readonly string[], pose: Float32
       : null;
     capsules.push({ from: parent, to: node, length: long, r0, r1, joint, across });
   });
-  // Thin bones that leave the trunk sideways (hip and shoulder joints) stay thin enough to be covered by it.
+  // Bones from the trunk to hip and shoulder joints are thin enough to be covered by the trunk.
   for (const capsule of capsules) {
     const parent = figure.nodes[capsule.from]!.parent;
     const outward = Math.abs(pose[3 * capsule.to]! - pose[3 * capsule.from]!) > 0.6 * capsule.length;
@@ -122,7 +119,7 @@ export function shapeOf(figure: Figure, joints: readonly string[], pose: Float32
   return { capsules: capsules.filter(({ to }) => to !== head.towards), balls };
 }
 
-/** The head: the joint of that name with its end, or nothing where no joint has it. */
+/** The ball of the head; null if no joint is named so. */
 function headOf(figure: Figure, joints: readonly string[], pose: Float32Array): Ball | null {
   const isHead = (joint: number) => /head/i.test(joints[joint] ?? "");
   const node = figure.nodes.findIndex(({ joint, endSite }) => !endSite && isHead(joint));

@@ -1,4 +1,4 @@
-// Several figures in one picture, side by side under one clock and one camera, each with a ghost or without.
+// Several figures side by side in one picture, with one clock, one camera, and optional ghosts.
 import { Scene, Vector3 } from "three";
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
 import { FigureView } from "./figure";
@@ -13,31 +13,22 @@ export interface Body {
   figure: Figure;
   joints: string[];
   parts: PartSpec[];
-  /**
-   * Nodes that carry a light, for a body that is seen as points and nothing else: no ground, no ghost.
-   * Absent: a figure.
-   */
+  /** Nodes with a light, for a body of points only, without ground and ghost. Absent: a figure. */
   lights?: number[];
 }
 
-/** What one column shows. */
+/** The content of one column. */
 export interface ColumnMotion {
   motion: Motion;
-  /** Laid onto the figure, and what the ground is fitted to. */
+  /** Placed on the figure; defines the height of the ground. */
   ghost: Motion | null;
-  /**
-   * How fast the camera goes along the ground, metres a second from the origin; absent: it follows the
-   * figure.
-   */
+  /** Speed of the camera along the ground, metres a second, from the origin. Absent: it follows the figure. */
   camera?: { x: number; z: number };
-  /** What the ground is fitted to where there is no ghost and frames of the motion go on arriving. */
+  /** Defines the height of the ground for a motion without an end. */
   ground?: Motion;
 }
 
-/**
- * What is seen of a figure from its middle: so far up and down, and to each side as a stride and swinging
- * arms need; metres.
- */
+/** Half height and half width of the visible space around a figure, with swinging arms; metres. */
 const HALF_HEIGHT = 1.12;
 const HALF_WIDTH = 0.85;
 /** Pixels of a column's shadow, each way. */
@@ -78,7 +69,7 @@ class Column {
     return this.#shown;
   }
 
-  /** Goes on with another motion of the same body, with a ghost if the one before had one. */
+  /** Shows another motion of the same body. A ghost needs a ghost before. */
   take(shown: ColumnMotion): void {
     this.#shown = shown;
     const ground = shown.ghost ?? shown.ground ?? shown.motion;
@@ -87,7 +78,7 @@ class Column {
     this.#ground.group.position.y = this.#floor;
   }
 
-  /** Poses figure and ghost; writes into `middle` where to look. */
+  /** Poses figure and ghost, and writes the centre of the picture into `middle`. */
   at(frame: number, middle: Vector3): void {
     const { motion, ghost } = this.#shown;
     const pose = poseAt(motion, frame, HERE, this.#pose);
@@ -103,7 +94,7 @@ class Column {
     middle.set(x, this.#floor + MIDDLE, z);
   }
 
-  /** Where the camera looks on the ground. */
+  /** The place on the ground below the centre of the picture. */
   #place(frame: number, pose: Float32Array): [x: number, z: number] {
     const { camera, motion } = this.#shown;
     if (!camera) return [pose[0] ?? 0, pose[2] ?? 0];
@@ -119,12 +110,9 @@ class Column {
   }
 }
 
-/** How a visitor looks at columns. */
+/** The camera of the columns. */
 export interface ColumnsView {
-  /**
-   * The direction from the figures to the camera, radians from their z axis; null: aside of the first
-   * motion's way.
-   */
+  /** Direction from the figures to the camera, radians from their z axis; null: from the side of the walk. */
   from: number | null;
   /** Whether the visitor can turn the camera. */
   turns: boolean;
@@ -134,7 +122,7 @@ export class Columns {
   readonly #viewport: Viewport;
   #columns: Column[] = [];
   #body: Body | null = null;
-  /** From the point that is looked at to the camera, the same in all columns. */
+  /** Vector from the centre of the picture to the camera, the same in all columns. */
   readonly #offset = new Vector3();
   readonly #middle = new Vector3();
   readonly #from: number | null;
@@ -154,7 +142,7 @@ export class Columns {
     this.#viewport.controls.enabled = turns;
   }
 
-  /** Takes these motions up, from left to right; all have the same body. */
+  /** Shows these motions of one body, from left to right. */
   show(body: Body, motions: readonly ColumnMotion[]): void {
     const [first] = motions;
     if (this.#columns.length === 0 && first) {
@@ -178,7 +166,7 @@ export class Columns {
     this.#columns = body ? motions.map((motion) => new Column(body, motion)) : [];
   }
 
-  /** Comes as near as the whole figure fits into its column. */
+  /** Moves the camera as near as the whole figure still fits into its column. */
   #fit(width: number, height: number): void {
     const { camera, controls } = this.#viewport;
     camera.aspect = width / Math.max(1, this.#columns.length) / height;
@@ -188,10 +176,7 @@ export class Columns {
     controls.minDistance = controls.maxDistance = away;
   }
 
-  /**
-   * Draws all columns at a frame when something changed. `seconds` since the last call; `drawn` is told of
-   * each column.
-   */
+  /** Draws all columns at a frame, if they have changed. `seconds` since the last call. Calls `drawn` for each. */
   draw(
     frame: number,
     changed: boolean,

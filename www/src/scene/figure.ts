@@ -29,14 +29,14 @@ const UP = new Vector3(0, 1, 0);
 /** A trunk is wider than it is deep. */
 const TRUNK_WIDTH = [1.42, 1, 0.95] as const;
 
-/** What bodies mark their pixels with. */
+/** Stencil values of the pixels of bodies. */
 const SOLID = 255;
 const PALE = 254;
 const FIRST_FUTURE = 1;
 
 /**
- * Bodies mark their pixels, and leave out what is marked as high or higher: a pale body draws each pixel
- * once, in a flat shade without seams, never over a solid one. Futures show through each other.
+ * A body writes its stencil value, and skips pixels with the same or a higher value. So a pale body draws each
+ * pixel once, without seams, and never over a solid body. Futures are visible through each other.
  */
 function stencil(material: MeshStandardMaterial, mark: number): void {
   material.stencilWrite = true;

@@ -68,7 +68,7 @@ const SECOND = FIRST.map(turned);
 const metres = ([x = 0, y = 0, z = 0]: number[]) => [x / 100 + 0.3, z / 100 - 0.05, -y / 100];
 const positions = Float32Array.from([...FIRST, ...SECOND].flatMap(metres));
 
-it("opens in three's own loader with the same places, whatever axis is up in the BVH", async () => {
+it("opens in three's own loader with the same places, for each up axis of the BVH", async () => {
   const parts = [{ name: "all", joints: [0, 1, 2] }];
   const motion = { positions, frames: 2, nodes: 5, frameTime: 0.5 };
   const bytes = await motionGlb(BVH, { figure, parts, motion });
@@ -93,7 +93,7 @@ it("opens in three's own loader with the same places, whatever axis is up in the
   expect(skin).toMatchObject({ geometry: { attributes: { position: { count: 96 } } } });
 });
 
-it("refuses what has no skeleton", async () => {
+it("refuses a text without a skeleton", async () => {
   const motion = { positions, frames: 2, nodes: 5, frameTime: 0.5 };
   await expect(motionGlb("", { figure, parts: [], motion })).rejects.toThrow();
 });

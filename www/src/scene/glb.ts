@@ -1,6 +1,6 @@
 // A motion as a GLB file: the skeleton with its rotations, a simple skin in the colours of the parts, metres,
-// y up. Loaded when it is first asked for. The skeleton comes from the motion's BVH, and how large it is and
-// where it stands from the positions that the stage shows.
+// y up. Loaded on demand. The skeleton comes from the motion's BVH, its size and place from the positions on
+// the stage.
 import {
   AnimationClip,
   type Bone,
@@ -28,10 +28,10 @@ export interface MovedBody {
   motion: Motion;
 }
 
-/** Where along a bone it is widest, and how wide, as shares of its length. */
+/** Place and size of the largest width of a bone, as shares of its length. */
 const WIDEST = 0.18;
 const WIDTH = 0.09;
-/** Of bones without a part. */
+/** The colour of bones without a part. */
 const NO_PART = "#9a9a9a";
 
 /** The bytes of the file. `bvh` is the same motion as text. */
@@ -45,14 +45,14 @@ export async function motionGlb(bvh: string, { figure, parts, motion }: MovedBod
   const skin = skinOf(bones, partOfBones(bones, joints, parts));
   const animation = animationOf(clip, joints);
   skin.add(root);
-  // Bound before it stands in its group: the group's place, size and turn then hold for bones and skin.
+  // The skin is bound before it joins the group, so that the group moves bones and skin alike.
   skin.bind(new Skeleton(bones));
   const body = new Group();
   body.name = "body";
   body.add(skin);
   pose(animation.tracks, joints);
   root.updateMatrixWorld(true);
-  standAs(body, joints.map(placeOf), jointsAt(figure, motion.positions, joints.length));
+  place(body, joints.map(placeOf), jointsAt(figure, motion.positions, joints.length));
   for (const bone of bones) if (bone.name === "ENDSITE") bone.name = `${bone.parent?.name ?? ""}_end`;
   const options = { binary: true, trs: true, animations: [animation] };
   const file = await new GLTFExporter().parseAsync(body, options);
@@ -62,7 +62,7 @@ export async function motionGlb(bvh: string, { figure, parts, motion }: MovedBod
 
 const placeOf = (bone: Bone) => new Vector3().setFromMatrixPosition(bone.matrixWorld);
 
-/** The part of each bone, by the joint that it begins at; -1: none. */
+/** The part of the joint at the start of each bone; -1 without a part. */
 function partOfBones(bones: readonly Bone[], joints: readonly Bone[], parts: readonly PartSpec[]): number[] {
   const part = partOfJoints(joints.length, parts);
   return bones.map((bone) => part[joints.indexOf(bone)] ?? -1);
@@ -77,9 +77,9 @@ function jointsAt({ nodes }: Figure, positions: Float32Array, joints: number): V
   return places;
 }
 
-/** Tracks that move something, of bones that are named by what is unique; loaders make names their own. */
+/** The tracks that are not constant, with unique bone names, because loaders change names. */
 function animationOf(clip: AnimationClip, joints: readonly Bone[]): AnimationClip {
-  // The loader makes two tracks a joint, in order: where it is, and how it is turned.
+  // The loader makes two tracks for each joint, in order: position and rotation.
   const tracks = clip.tracks.flatMap((track, i) => {
     const bone = joints[Math.floor(i / 2)];
     const isPosition = i % 2 === 0;
@@ -95,7 +95,7 @@ function rests({ values }: KeyframeTrack, at: Vector3): boolean {
   return values.every((value, i) => Math.abs(value - (place[i % 3] ?? 0)) < 1e-9);
 }
 
-/** Puts the joints as they are in the first frame. */
+/** Sets the joints to the first frame. */
 function pose(tracks: readonly KeyframeTrack[], joints: readonly Bone[]): void {
   for (const { name, values } of tracks) {
     const bone = joints.find(({ uuid }) => name.startsWith(uuid));
@@ -104,11 +104,8 @@ function pose(tracks: readonly KeyframeTrack[], joints: readonly Bone[]): void {
   }
 }
 
-/**
- * Moves, turns and sizes a group so that places in it come to lie where they shall; both are the same but for
- * that.
- */
-function standAs(group: Group, from: readonly Vector3[], to: readonly Vector3[]): void {
+/** Shifts, rotates and scales a group so that the places `from` in it move to `to`. */
+function place(group: Group, from: readonly Vector3[], to: readonly Vector3[]): void {
   const [a, b, c] = corners(from);
   const [before, after] = [frameOf(from, a, b, c), frameOf(to, a, b, c)];
   const size = (places: readonly Vector3[]) => places[a]?.distanceTo(places[b] ?? new Vector3()) ?? 1;
@@ -118,10 +115,7 @@ function standAs(group: Group, from: readonly Vector3[], to: readonly Vector3[])
   group.position.copy(to[a] ?? new Vector3()).sub(place);
 }
 
-/**
- * Three places that are far from lying in a line: the first, the one farthest from it, and the one farthest
- * from the line of both.
- */
+/** Three places of a large triangle: the first, the farthest from it, and the farthest from their line. */
 function corners(places: readonly Vector3[]): [number, number, number] {
   const origin = places[0] ?? new Vector3();
   const farthest = (away: (place: Vector3) => number) =>
@@ -144,10 +138,7 @@ function frameOf(places: readonly Vector3[], a: number, b: number, c: number): M
   return new Matrix4().makeBasis(along, across, along.clone().cross(across));
 }
 
-/**
- * An octahedron for each bone from its joint to the next, as they stand unturned; each belongs to one bone
- * wholly.
- */
+/** One octahedron for each bone of the unposed skeleton, which moves with that bone alone. */
 function skinOf(bones: readonly Bone[], part: readonly number[]): SkinnedMesh {
   const [points, colours, owners]: [number[], number[], number[]] = [[], [], []];
   bones.forEach((bone) => {
@@ -189,10 +180,7 @@ function skinOf(bones: readonly Bone[], part: readonly number[]): SkinnedMesh {
   return skin;
 }
 
-/**
- * The corners of its eight triangles, three each, seen from outside counter-clockwise; none for a bone
- * without length.
- */
+/** The corners of eight triangles, counter-clockwise from outside; none for a bone without length. */
 function octahedron(from: Vector3, to: Vector3): Vector3[] {
   const along = to.clone().sub(from);
   const length = along.length();

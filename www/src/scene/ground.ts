@@ -14,7 +14,7 @@ import {
 import { theme } from "../ui/palette";
 
 const REACH = 9;
-/** No wider than the light's shadow: each of its pixels is costly. */
+/** Not larger than the shadow of the light, because each pixel is expensive. */
 const SHADOW_REACH = 2;
 
 const GRID_VERTEX = `
@@ -34,7 +34,7 @@ float lines(vec2 at, float width) {
   vec2 pixel = fwidth(at);
   vec2 near = abs(fract(at - 0.5) - 0.5);
   vec2 line = 1.0 - smoothstep(vec2(width), vec2(width) + 1.5 * pixel, near);
-  // Where lines come closer than pixels they would flicker.
+  // Lines closer than pixels would flicker.
   line *= 1.0 - smoothstep(0.15, 0.5, pixel);
   return max(line.x, line.y);
 }
@@ -93,14 +93,14 @@ export class Ground {
     this.#shadow.material.opacity = dark ? 0.5 : 0.2;
   }
 
-  /** Keeps the middle under the figure; the lines stay where they are in the world. */
+  /** Moves the centre under the figure; the lines keep their places in the world. */
   follow(x: number, z: number): void {
     this.#plane.position.set(x, 0, z);
     this.#shadow.position.set(x, 0.001, z);
     (this.#grid.uniforms.middle!.value as Vector3).set(x, 0, z);
   }
 
-  /** A soft shade under each of these nodes, the darker the closer they are to the ground. */
+  /** A soft shade under each of these nodes, darker near the ground. */
   touch(positions: Float32Array, nodes: readonly number[], floor: number): void {
     while (this.#contacts.length < nodes.length) {
       const geometry = new CircleGeometry(1, 24).rotateX(-Math.PI / 2);

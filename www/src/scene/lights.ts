@@ -25,7 +25,7 @@ export class Lights {
     this.#sun.intensity = dark ? 2.0 : 2.1;
   }
 
-  /** Shines on whatever stands there. */
+  /** Moves the light to a figure at this place. */
   follow(x: number, floor: number, z: number): void {
     this.#sun.target.position.set(x, floor + 0.6, z);
     this.#sun.position.set(x + 1.6, floor + 4.4, z + 1.3);

@@ -10,7 +10,7 @@ function walk(from: number, frames: number): Motion {
   return { positions, frames, nodes: 2, frameTime: 1 / 30 };
 }
 
-it("keeps the last frames under the numbers that they always had", () => {
+it("keeps the last frames, with unchanged numbers", () => {
   const track = new LiveTrack({ nodes: 2, frameTime: 1 / 30 }, 10);
   for (let frame = 0; frame < 50; frame += 5) track.append(walk(frame, 5));
   expect(track.last).toBe(49);
@@ -19,7 +19,7 @@ it("keeps the last frames under the numbers that they always had", () => {
   expect(track.at(track.first)[2]).toBeCloseTo(track.first);
 });
 
-it("drops its newest frames, and others come in their place", () => {
+it("replaces its newest frames", () => {
   const track = new LiveTrack({ nodes: 2, frameTime: 1 / 30 }, 10);
   for (let frame = 0; frame < 50; frame += 5) track.append(walk(frame, 5));
   track.cutAfter(46);
@@ -32,11 +32,11 @@ it("drops its newest frames, and others come in their place", () => {
   expect([track.last, track.motion.frames]).toEqual([track.first - 1, 0]);
 });
 
-it("stands where the figure stood, turned as it was, and turns displacements back", () => {
+it("starts at the place and in the direction of the figure, and turns displacements back", () => {
   const track = new LiveTrack({ nodes: 2, frameTime: 1 / 30 }, 10);
   track.append(walk(0, 3));
   // Turned a quarter to the left: along x.
-  track.standAt(Float32Array.from([5, 0, 7, 6, 0, 7]));
+  track.alignWith(Float32Array.from([5, 0, 7, 6, 0, 7]));
   expect([...track.at(2)].map((x) => Math.round(x))).toEqual([7, 0, 7, 8, 0, 7]);
   const [x, y, z] = track.turnedBack([1, 0.5, 0]);
   expect([x, y, z].map((value) => Math.round(value * 2) / 2)).toEqual([0, 0.5, 1]);

@@ -1,9 +1,9 @@
-// A motion without an end, with its latents, of which the last seconds are kept.
+// The last seconds of a motion without an end, with its latents.
 import type { Motion } from "../engine/protocol";
 import { HERE, type Placement, placeOnto, poseAt } from "./motion";
 
 export class LiveTrack {
-  /** The number of the first frame that is kept, counted from the start. */
+  /** The number of the first stored frame, counted from the start. */
   first = 0;
   readonly #motion: Motion;
   readonly #kept: number;
@@ -24,7 +24,7 @@ export class LiveTrack {
     this.#latents = widths.map((width) => ({ values: new Float64Array(2 * kept * width), width }));
   }
 
-  /** What is kept. The same object always, with more frames. */
+  /** The stored frames. The object stays the same while frames arrive. */
   get motion(): Motion {
     return this.#motion;
   }
@@ -34,13 +34,13 @@ export class LiveTrack {
     return this.first + this.#motion.frames - 1;
   }
 
-  /** The latent path of a part in the frames that are kept [frames x Q]. */
+  /** The latent path of a part in the stored frames [frames x Q]. */
   latents(part: number): Float64Array | null {
     const path = this.#latents[part];
     return path ? path.values.subarray(0, this.#motion.frames * path.width) : null;
   }
 
-  /** A frame as it came [nodes x 3]; null where it is not kept. */
+  /** A frame as it arrived [nodes x 3]; null if it is not stored. */
   frame(number: number): Float32Array | null {
     if (number < this.first || number > this.last) return null;
     const width = this.#motion.nodes * 3;
@@ -63,17 +63,17 @@ export class LiveTrack {
     motion.frames += frames;
   }
 
-  /** Lays the oldest frame onto a pose of the same figure. */
-  standAt(pose: Float32Array): void {
+  /** Places the motion so that its oldest frame lies on a pose of the same figure. */
+  alignWith(pose: Float32Array): void {
     this.#placement = placeOnto(poseAt(this.#motion, 0, HERE, this.#pose), pose);
   }
 
-  /** The pose at a frame, counted from the start; it need not be whole. */
+  /** The pose at a frame, counted from the start, which need not be whole. */
   at(frame: number): Float32Array {
     return poseAt(this.#motion, frame - this.first, this.#placement, this.#pose);
   }
 
-  /** A displacement as it is seen, in the axes of the motion itself. */
+  /** A displacement on the stage in the axes of the motion before its placement. */
   turnedBack([x, y, z]: readonly [number, number, number]): [number, number, number] {
     const [c, s] = [Math.cos(this.#placement.yaw), Math.sin(this.#placement.yaw)];
     return [c * x - s * z, y, s * x + c * z];

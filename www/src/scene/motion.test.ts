@@ -59,7 +59,7 @@ describe("looping", () => {
     expect(step).toBeLessThan(0.15);
   });
 
-  it("takes in every frame of a recording", () => {
+  it("plays all frames of a recording", () => {
     const walk = new Walk(swinging(100), true);
     expect(walk.loop.end).toBe(99);
     const end = walk.at(99).slice();
@@ -67,23 +67,23 @@ describe("looping", () => {
     expect(apart(walk.at(0), end)).toBeLessThan(1e-4);
   });
 
-  it("takes a single frame", () => {
+  it("accepts a single frame", () => {
     const walk = new Walk(swinging(1));
     walk.lap();
     expect([...walk.at(0)].every(Number.isFinite)).toBe(true);
   });
 
-  it("stays where it stands when another motion takes over", () => {
+  it("stays in place when another motion replaces it", () => {
     const [first, second] = [new Walk(swinging(200)), new Walk(swinging(90))];
     first.lap();
     const now = first.at(40).slice();
-    second.standAt(40, now);
+    second.alignWith(40, now);
     expect(apart(second.at(40), now)).toBeLessThan(1e-4);
   });
 });
 
 describe("the distance of two motions", () => {
-  it("is that of their poses, wherever they stand and face", () => {
+  it("is the distance of their poses, in any place and direction", () => {
     const motion = swinging(20);
     const elsewhere = { ...motion, positions: new Float32Array(motion.positions.length) };
     for (let t = 0; t < 20; t++)
@@ -91,7 +91,7 @@ describe("the distance of two motions", () => {
     expect(Math.max(...distances(motion, elsewhere))).toBeLessThan(1e-5);
   });
 
-  it("is the mean over the nodes, over the frames that both have", () => {
+  it("is the mean over the nodes, for the frames of both", () => {
     const motion = swinging(20);
     const raised = { ...motion, frames: 10, positions: motion.positions.slice(0, 90) };
     // One of three nodes 0.3 m higher, in all frames.

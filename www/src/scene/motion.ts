@@ -1,5 +1,4 @@
-// Reading a motion between its frames, placing it on the ground, and finding where it can loop. Geometry
-// only.
+// Poses between frames, the placement of a motion on the ground, and its loop. Geometry only.
 import type { Motion } from "../engine/protocol";
 
 /** A turn about the vertical axis followed by a shift on the ground. */
@@ -11,7 +10,7 @@ export interface Placement {
 
 export const HERE: Placement = { yaw: 0, x: 0, z: 0 };
 
-/** The pose at a frame that need not be whole [nodes x 3], placed on the ground. */
+/** The placed pose [nodes x 3] at a frame, which need not be whole. */
 export function poseAt(motion: Motion, frame: number, placement: Placement, out: Float32Array): Float32Array {
   const { positions, frames, nodes } = motion;
   const at = Math.min(Math.max(frame, 0), frames - 1);
@@ -40,10 +39,7 @@ export function blendInto(out: Float32Array, other: Float32Array, part: number):
   for (let i = 0; i < out.length; i++) out[i] = mix(out[i]!, other[i]!, part);
 }
 
-/**
- * The placement that lays `pose` onto `target` as well as a turn and a shift can, with the roots (node 0) in
- * one place.
- */
+/** The placement of `pose` with the same root (node 0) as `target`, and the least squared distance to it. */
 export function placeOnto(pose: Float32Array, target: Float32Array): Placement {
   let dot = 0;
   let cross = 0;
@@ -65,10 +61,7 @@ export function placeOnto(pose: Float32Array, target: Float32Array): Placement {
   };
 }
 
-/**
- * How far the nodes of a motion are from those of another one, on average over the nodes, the roots laid in
- * one place and facing one way [frames]; metres.
- */
+/** Mean distance of the nodes of two motions [frames], metres, with equal roots and headings. */
 export function distances(motion: Motion, from: Motion): Float64Array {
   const frames = Math.min(motion.frames, from.frames);
   const pose = new Float32Array(motion.nodes * 3);
@@ -84,7 +77,7 @@ export function distances(motion: Motion, from: Motion): Float64Array {
   });
 }
 
-/** First `first`, then `then`. */
+/** The placement `first`, followed by `then`. */
 export function chain(first: Placement, then: Placement): Placement {
   const c = Math.cos(then.yaw);
   const s = Math.sin(then.yaw);
@@ -102,26 +95,23 @@ function distance(a: Float32Array, b: Float32Array): number {
 }
 
 export interface Loop {
-  /** The frame at which the motion goes on as if at frame 0. */
+  /** The frame from which the motion continues as from frame 0. */
   end: number;
-  /** Lays frame 0 onto frame `end`. */
+  /** The placement of frame 0 on frame `end`. */
   placement: Placement;
 }
 
 /** Frames over which one lap fades into the next. */
 export const FADE = 6;
 
-/** From the last frame back to the first. */
+/** The loop over all frames. */
 function wholeLoop(motion: Motion): Loop {
   const pose = (frame: number) => poseAt(motion, frame, HERE, new Float32Array(motion.nodes * 3));
   const last = motion.frames - 1;
   return { end: last, placement: last > 0 ? placeOnto(pose(0), pose(last)) : HERE };
 }
 
-/**
- * Where to loop: of the frames of the last two seconds, the one most like frame 0 that also moves on as frame
- * 0 does.
- */
+/** The loop to the frame of the last two seconds that is most similar to frame 0 in pose and movement. */
 export function findLoop(motion: Motion): Loop {
   const width = motion.nodes * 3;
   const pose = (frame: number) => poseAt(motion, frame, HERE, new Float32Array(width));
@@ -141,19 +131,16 @@ export function findLoop(motion: Motion): Loop {
   return best;
 }
 
-/**
- * Plays a motion lap after lap, without a jump where one lap meets the next or where another motion takes its
- * place.
- */
+/** Plays a motion lap after lap, without a jump between laps or when another motion replaces it. */
 export class Walk {
   readonly loop: Loop;
   #placement: Placement = HERE;
-  /** Where the lap before this one was placed, while it fades. */
+  /** The placement of the lap before, while that lap fades. */
   #before: Placement | null = null;
   readonly #pose: Float32Array;
   readonly #other: Float32Array;
 
-  /** `whole`: a lap takes in every frame, however badly the ends meet. */
+  /** `whole`: a lap has all frames, however different the ends are. */
   constructor(
     readonly motion: Motion,
     whole = false,
@@ -169,13 +156,13 @@ export class Walk {
     this.#placement = chain(this.loop.placement, this.#placement);
   }
 
-  /** Back to where the motion itself says. */
-  settle(): void {
+  /** Back to the places of the motion itself. */
+  resetPlacement(): void {
     this.#before = null;
   }
 
-  /** Stands where `pose` (the same figure, from another motion) stands now. */
-  standAt(frame: number, pose: Float32Array): void {
+  /** Places frame `frame` on `pose`, which belongs to another motion of the same figure. */
+  alignWith(frame: number, pose: Float32Array): void {
     this.#before = null;
     this.#placement = placeOnto(poseAt(this.motion, frame, HERE, this.#pose), pose);
   }

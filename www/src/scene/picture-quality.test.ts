@@ -10,18 +10,18 @@ function run(pace: PictureQuality, frames: number, seconds: number, changed = tr
   return last;
 }
 
-it("draws finely where it can keep up", () => {
+it("draws in fine quality on a fast machine", () => {
   expect(run(new PictureQuality(), 100, 0.017)).toBe("fine");
   expect(run(new PictureQuality(), 100, 0.033)).toBe("fine");
 });
 
-it("gets plain where it cannot, and fine again later", () => {
+it("changes to plain on a slow machine, and later back to fine", () => {
   const pace = new PictureQuality();
   expect(run(pace, 30, 0.07)).toBe("plain");
   expect(run(pace, 60, 0.017)).toBe("fine");
 });
 
-it("is coarse only while something is dragged", () => {
+it("is coarse only during a drag", () => {
   const pace = new PictureQuality();
   run(pace, 30, 0.07);
   pace.next(0.5, false, false);
@@ -31,7 +31,7 @@ it("is coarse only while something is dragged", () => {
   expect(pace.next(0.2, false, false)).toBe("plain");
 });
 
-it("does not take idle frames for fast ones", () => {
+it("does not count idle frames as fast frames", () => {
   const pace = new PictureQuality();
   run(pace, 30, 0.07);
   expect(run(pace, 200, 0.016, false)).toBe("plain");

@@ -1,4 +1,4 @@
-// A body as points of light and no more (Johansson 1973): what moves can be seen, and no shape.
+// A body as points of light (Johansson 1973), which show its movement without its shape.
 import { Color, Group, Mesh, MeshStandardMaterial, SphereGeometry } from "three";
 import { theme } from "../ui/palette";
 
@@ -10,7 +10,7 @@ export class PointLights {
   readonly #nodes: readonly number[];
   readonly #lights: Mesh[];
   readonly #geometry = new SphereGeometry(RADIUS, 16, 12);
-  /** They shine by themselves, whatever light falls on them. */
+  /** The material ignores the lights of the scene. */
   readonly #material = new MeshStandardMaterial({ color: 0x000000, emissive: new Color(theme().ink) });
 
   /** A light at each of these nodes. */

@@ -15,7 +15,7 @@ it("finds the direction of a walk", () => {
   expect(headingOf(walk(-0.1, -0.1))).toBeCloseTo(-0.75 * Math.PI);
 });
 
-it("finds none in a figure that stays in its place", () => {
+it("finds no direction in a walk on the spot", () => {
   expect(headingOf(walk(0.001, 0.001))).toBe(0);
 });
 

@@ -1,19 +1,19 @@
-// Where a figure stands and goes: the height of its ground, what touches it, and the direction of its walk.
+// The height of the ground under a figure, its feet, and the direction of its walk.
 import type { Motion } from "../engine/protocol";
 
-/** From the lowest node, inside a foot, to the ground. */
+/** Metres from the lowest node, inside a foot, to the ground. */
 export const SOLE = 0.03;
-/** From the ground to the middle of a figure, which a camera looks at. */
+/** Metres from the ground to the middle of a figure, the centre of the picture. */
 export const MIDDLE = 0.88;
-/** Of flesh around the joints, metres. */
+/** Thickness of the flesh around the joints, metres. */
 const FLESH = 0.1;
-/** The share of the picture that words and time line leave to the figure. */
+/** The share of the picture that texts and time line leave to the figure. */
 const FREE = 0.9;
-/** A walk has a direction when it leads so many metres away within its first frames. */
+/** A walk has a direction if its first frames cover this distance in metres. */
 const LEAST_WAY = 0.2;
 const FIRST_FRAMES = 60;
 
-/** The height on which the figure stands: of the lowest node of each frame, the middle one. */
+/** The height of the ground: the median over the frames of the lowest node. */
 export function floorOf({ positions, frames, nodes }: Motion): number {
   const lowest = new Float32Array(frames).fill(Infinity);
   for (let i = 0; i < frames * nodes; i++) {
@@ -36,8 +36,8 @@ export function feetOf({ positions, frames, nodes }: Motion, floor: number): num
 }
 
 /**
- * How far away a camera is that has the whole motion in its picture, from whichever side; it looks at the
- * middle of the figure. `slope`: the tangent of half its vertical angle.
+ * The distance from which a camera sees the whole motion from every side. `slope`: the tangent of half its
+ * vertical angle.
  */
 export function distanceFor(
   { positions, frames, nodes }: Motion,
@@ -51,7 +51,7 @@ export function distanceFor(
     for (let at = root; at < root + 3 * nodes; at += 3) {
       const out = Math.hypot(positions[at]! - positions[root]!, positions[at + 2]! - positions[root + 2]!);
       const up = Math.abs(positions[at + 1]! - floor - MIDDLE);
-      // Towards the camera it looks larger; to the side it needs the width.
+      // A node near the camera looks larger; a node at the side needs the width.
       distance = Math.max(
         distance,
         out + (up + FLESH) / (slope * FREE),
@@ -62,7 +62,7 @@ export function distanceFor(
   return distance;
 }
 
-/** The direction in which the figure walks, seen from above, radians; 0 when it stays in its place. */
+/** The direction of the walk, seen from above, radians; 0 for a walk on the spot. */
 export function headingOf({ positions, frames, nodes }: Motion): number {
   const end = Math.min(frames - 1, FIRST_FRAMES) * nodes * 3;
   const [dx, dz] = [positions[end]! - positions[0]!, positions[end + 2]! - positions[2]!];

@@ -1,21 +1,21 @@
-// A canvas that a visitor looks into: its renderer, its camera, and how it is turned. It is drawn only when
-// something changed, and as finely as the machine can.
+// A canvas with its renderer, its camera and the controls of the camera. It is drawn only after a change, in
+// the best quality that the machine can draw in time.
 import { PCFShadowMap, PerspectiveCamera, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { onThemeChange, theme } from "../ui/palette";
 import { type Quality, PictureQuality } from "./picture-quality";
 
-/** Pixels drawn for each of the page's, at most. */
+/** Largest number of drawn pixels for each pixel of the page, each way. */
 const PIXELS: Record<Quality, number> = { fine: 2, plain: 1, coarse: 0.5 };
 
 const UP = new Vector3(0, 1, 0);
-/** How far a key turns the camera: about the vertical axis, and up or down; radians. */
+/** Rotations of the camera by keys: about the vertical axis, and up or down; radians. */
 const TURNS: Record<string, [number, number]> = { a: [-0.12, 0], d: [0.12, 0], w: [0, -0.08], s: [0, 0.08] };
-/** How much nearer a key brings the camera. */
+/** Factors of the distance of the camera, by keys. */
 const ZOOMS: Record<string, number> = { "+": 0.9, "-": 1.1 };
 
 export interface ViewportEvents {
-  /** The canvas has another size in pixels of the page: fit the camera to it. */
+  /** The canvas has another size in pixels of the page. */
   resized(width: number, height: number): void;
   /** The page turned dark or light. */
   recoloured(): void;
@@ -34,7 +34,7 @@ export class Viewport {
   #changed = true;
   #drawn = 0;
 
-  /** Throws where the browser has no WebGL. Whoever makes it calls `resize` when the camera can be fitted. */
+  /** Throws where the browser has no WebGL. The caller calls `resize` once the camera can be fitted. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     events: ViewportEvents,
@@ -84,7 +84,7 @@ export class Viewport {
     this.#changed = true;
   }
 
-  /** Fits pixels and camera to the size that the canvas has now. */
+  /** Fits pixels and camera to the size of the canvas. */
   resize(): void {
     const { width, height } = this.size;
     if (width === 0 || height === 0) return;
@@ -95,10 +95,7 @@ export class Viewport {
     this.changed();
   }
 
-  /**
-   * Called once a display frame: how finely to draw now, or null when the picture is as it should be.
-   * `seconds` since the last call.
-   */
+  /** Called once a display frame, `seconds` after the last call. The quality of the picture; null: no picture. */
   next(seconds: number, playing: boolean): Quality | null {
     this.controls.update();
     const quality = this.#pictureQuality.next(seconds, this.#changed, playing);

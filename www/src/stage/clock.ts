@@ -1,12 +1,11 @@
-// A clock that is played, stepped and scrubbed. It tells of every frame: views that show no time do not
-// listen to it.
+// A clock that visitors play, step and scrub. It notifies its listeners of every frame.
 import { Store } from "../ui/store";
 import { Player } from "./player";
 
 export class Clock extends Store {
   protected readonly player = new Player();
 
-  /** The frame now; need not be whole. */
+  /** The frame now, which need not be whole. */
   get frame(): number {
     return this.player.frame;
   }
@@ -19,7 +18,7 @@ export class Clock extends Store {
     return this.player.playing;
   }
 
-  /** Moves on by seconds. */
+  /** Moves the time on by seconds. */
   advance(seconds: number): void {
     if (!this.player.playing) return;
     const laps = this.player.advance(seconds);
@@ -53,9 +52,9 @@ export class Clock extends Store {
     this.changed();
   }
 
-  /** So many laps have ended, before anybody is told. */
+  /** Called when laps have ended, before the listeners. */
   protected lapped(_laps: number): void {}
 
-  /** The visitor has gone to another frame, before anybody is told. */
+  /** Called when the visitor has chosen another frame, before the listeners. */
   protected jumped(): void {}
 }

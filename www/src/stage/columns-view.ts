@@ -1,5 +1,5 @@
-// Several motions of the model's body side by side in place of one, each with its name, under the clock of
-// the stage. Loaded when it is first asked for.
+// Several motions of the model's body side by side, each with its name, under the clock of the stage. Loaded
+// on demand.
 import { html, nothing } from "lit";
 import { Columns } from "../scene/columns";
 import { eachFrame } from "../ui/each-frame";
@@ -14,7 +14,7 @@ export class ColumnsView extends View {
   declare stage: StageStore;
   declare playback: Playback;
   #columns: Columns | null = null;
-  /** What the columns show now, and the body that their figures were made for. */
+  /** The columns that are drawn, and the body of their figures. */
   #shown: readonly StageColumn[] | null = null;
   #body: Shown | null = null;
 
@@ -28,7 +28,7 @@ export class ColumnsView extends View {
     try {
       this.#columns = new Columns(canvas);
     } catch {
-      // The stage says that nothing can be drawn here.
+      // The stage shows the message that nothing can be drawn.
       return;
     }
     this.#keepDrawing(this.#columns);
@@ -46,7 +46,7 @@ export class ColumnsView extends View {
       columns.draw(frame, frame !== drawnAt, seconds, playing);
       drawnAt = frame;
     };
-    // The clock is the stage's: here it is only looked at how long pictures take.
+    // The stage moves its clock on itself.
     this.whenLeaving(eachFrame(draw, Infinity));
   }
 
@@ -54,11 +54,11 @@ export class ColumnsView extends View {
     this.#show();
   }
 
-  /** Gives the columns the motions that they do not show yet. */
+  /** Draws new columns. */
   #show(): void {
     const { columns, shown } = this.stage;
     if (!this.#columns || !columns || !shown || columns === this.#shown) return;
-    // Motions of a body that is not on the stage yet, or not any more.
+    // The motions belong to another body than the one on the stage.
     if (columns.some(({ motion }) => motion.nodes !== shown.motion.nodes)) return;
     this.#shown = columns;
     if (!this.#body || !sameBody(this.#body, shown)) this.#body = shown;

@@ -1,4 +1,4 @@
-// The clock of the stage: the motion that plays, which frame is now, and where the figure walks.
+// The clock of the stage: the motion that plays, the frame now, and the place of the figure.
 import type { Motion } from "../engine/protocol";
 import type { LiveTrack } from "../scene/live-track";
 import { Walk } from "../scene/motion";
@@ -7,7 +7,7 @@ import { Clock } from "./clock";
 
 export class Playback extends Clock {
   #walk: Walk | null = null;
-  /** What goes on arriving, in front of the walk. */
+  /** The live motion in front of the walk. */
   #live: LiveTrack | null = null;
 
   constructor(settings: SettingsStore) {
@@ -26,8 +26,8 @@ export class Playback extends Clock {
   }
 
   /**
-   * Plays a motion. `whole`: a lap takes in every frame, however badly the ends meet.
-   * `goesOn`: if it is of the same figure, it goes on from where that one stands, at the same time.
+   * Plays a motion. `whole`: a lap has all frames, however different the ends are. `goesOn`: a motion of the
+   * same figure continues at the same place and time.
    */
   load(motion: Motion, { whole, goesOn }: { whole: boolean; goesOn: boolean }): void {
     const before = goesOn && this.#walk?.motion.nodes === motion.nodes ? (this.pose?.slice() ?? null) : null;
@@ -35,18 +35,15 @@ export class Playback extends Clock {
     this.#live = null;
     this.#walk = new Walk(motion, whole);
     this.player.load(motion.frames, motion.frameTime, this.#walk.loop.end);
-    if (before) this.#walk.standAt(this.player.frame, before);
+    if (before) this.#walk.alignWith(this.player.frame, before);
     this.changed();
   }
 
-  /**
-   * Plays what goes on arriving from its first frame on, from where the figure stands. Called again when
-   * frames have arrived.
-   */
+  /** Plays a live motion from the place of the figure. Called again when frames have arrived. */
   follow(track: LiveTrack): void {
     if (this.#live !== track) {
       const before = this.pose?.slice();
-      if (before) track.standAt(before);
+      if (before) track.alignWith(before);
       this.player.frame = track.first;
     }
     this.#live = track;
@@ -59,6 +56,6 @@ export class Playback extends Clock {
   }
 
   protected override jumped(): void {
-    this.#walk?.settle();
+    this.#walk?.resetPlacement();
   }
 }

@@ -16,21 +16,21 @@ describe("the clock", () => {
     expect(player.frame).toBeCloseTo(15);
   });
 
-  it("loops where the motion can, and says so", () => {
+  it("loops at the end of the loop, and returns the number of laps", () => {
     const player = playing();
     player.frame = 89;
     expect(player.advance(0.1)).toBe(1);
     expect(player.frame).toBeCloseTo(2);
   });
 
-  it("plays what was scrubbed to beyond the loop", () => {
+  it("plays on from a frame after the end of the loop", () => {
     const player = playing();
     player.scrub(95);
     expect(player.advance(1 / 30)).toBe(0);
     expect(player.frame).toBeCloseTo(96);
   });
 
-  it("stops at the end when it does not loop, and starts over", () => {
+  it("stops at the end without a loop, and starts again", () => {
     const player = playing();
     player.loops = false;
     player.advance(60);
@@ -51,7 +51,7 @@ describe("the clock", () => {
     expect(player.frame).toBe(99);
   });
 
-  it("keeps its place when the motion is swapped", () => {
+  it("keeps its frame when the motion is replaced", () => {
     const player = playing();
     player.frame = 42.5;
     player.load(300, 1 / 30, 280);

@@ -1,7 +1,7 @@
-// The one clock of the page: which frame is now, and how it moves on.
+// The frame now, and how it moves on with time.
 
 export class Player {
-  /** The frame now; need not be whole. */
+  /** The frame now, which need not be whole. */
   frame = 0;
   playing = false;
   speed = 1;
@@ -9,12 +9,10 @@ export class Player {
   #frames = 1;
   #loopEnd = 0;
   #frameTime = 1 / 30;
-  /** Frames go on arriving: at the last one the clock waits. */
+  /** Whether frames go on arriving. The clock then waits at the last frame. */
   #endless = false;
 
-  /**
-   * Plays a motion of `frames` frames that loops at frame `loopEnd`, going on at the frame now if it has it.
-   */
+  /** Plays a motion that loops at frame `loopEnd`, from the frame now if the motion has it. */
   load(frames: number, frameTime: number, loopEnd: number): void {
     this.#frames = frames;
     this.#frameTime = frameTime;
@@ -23,7 +21,7 @@ export class Player {
     if (this.frame > this.last) this.frame = this.loops ? 0 : this.last;
   }
 
-  /** Plays what goes on arriving, of which the newest frame is the `last`. */
+  /** Plays a live motion whose newest frame is `last`. */
   follow(last: number, frameTime: number): void {
     this.#frames = last + 1;
     this.#frameTime = frameTime;
@@ -34,7 +32,7 @@ export class Player {
     return this.#frames - 1;
   }
 
-  /** Moves the clock on by seconds of the visitor's time; answers how many laps ended meanwhile. */
+  /** Moves the clock on by seconds of the visitor's time. Returns the number of laps that ended. */
   advance(seconds: number): number {
     if (!this.playing || this.last < 1) return 0;
     this.frame += (seconds * this.speed) / this.#frameTime;
@@ -49,7 +47,7 @@ export class Player {
       }
       return 0;
     }
-    // Scrubbed beyond the place to loop from: play on to the end.
+    // A frame after the end of the loop plays on to the last frame.
     const end =
       this.frame - (seconds * this.speed) / this.#frameTime > this.#loopEnd ? this.last : this.#loopEnd;
     let laps = 0;

@@ -30,7 +30,7 @@ beforeEach(() => {
 });
 
 describe("the stage", () => {
-  it("lets the model go on from where the first motion stands, at the same time", () => {
+  it("continues with the model at the place and time of the first motion", () => {
     stage.showModel(walk("first"));
     playback.play();
     playback.advance(1);
@@ -41,7 +41,7 @@ describe("the stage", () => {
     expect(stage.shown?.kind).toBe("model");
   });
 
-  it("keeps a clip in front of new motions of the model until it is taken away", () => {
+  it("keeps a clip in front of new motions of the model until the clip is removed", () => {
     stage.showModel(walk("first"));
     stage.showClip(walk("clip", "a"));
     playback.scrub(50);
@@ -51,7 +51,7 @@ describe("the stage", () => {
     expect([stage.clip, stage.shown?.kind, playback.frame]).toEqual([null, "model", 0]);
   });
 
-  it("goes on with the same clip, but begins another", () => {
+  it("continues the same clip, but starts another clip at frame 0", () => {
     stage.showClip(walk("clip", "a"));
     playback.scrub(50);
     stage.showClip(walk("clip", "a", 100));
@@ -60,7 +60,7 @@ describe("the stage", () => {
     expect(playback.frame).toBe(0);
   });
 
-  it("has nothing to show behind the clip before there is a motion of the model", () => {
+  it("keeps the clip while the model has no motion", () => {
     stage.showClip(walk("clip", "a"));
     stage.endClip();
     expect(stage.clip).toBe("a");
@@ -78,7 +78,7 @@ describe("the clock of the stage", () => {
     expect([playback.frame, playback.playing]).toEqual([119, false]);
   });
 
-  it("tells of frames only those who listen to it", () => {
+  it("notifies only its own listeners of frames", () => {
     stage.showModel(walk("model"));
     const [frames, shown] = [vi.fn(), vi.fn()];
     playback.on(frames);
@@ -90,7 +90,7 @@ describe("the clock of the stage", () => {
     expect(shown).not.toHaveBeenCalled();
   });
 
-  it("walks on lap after lap, and stands where the motion says when it is scrubbed", () => {
+  it("walks on lap after lap", () => {
     stage.showModel(walk("model"));
     playback.play();
     playback.advance(4.2);

@@ -1,11 +1,11 @@
-// What is on the stage: the motion of the model, or a clip in front of it; beside it a ghost, sampled futures
-// or marked poses.
+// The content of the stage: the motion of the model or a clip in front of it, and a ghost, sampled futures or
+// marked poses.
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
 import { Store } from "../ui/store";
 import type { LiveTrack } from "../scene/live-track";
 import type { Playback } from "./playback";
 
-/** What the stage plays. */
+/** A motion on the stage. */
 export interface Shown {
   /** "first": the stored first seconds; "model": a rollout; "clip": a recording. */
   kind: "first" | "model" | "clip";
@@ -14,16 +14,16 @@ export interface Shown {
   joints: string[];
   parts: PartSpec[];
   motion: Motion;
-  /** The key of the clip, when it is one. */
+  /** The key of a clip. */
   clip?: string;
-  /** Whether the model's motion goes on arriving. */
+  /** Whether frames of the model's motion go on arriving. */
   live?: boolean;
 }
 
-/** What an inducing point stands for. */
+/** The poses of an inducing point, and its weights. */
 export interface Marks {
   poses: { part: number; opacity: number; positions: Float32Array }[];
-  /** The part that the point speaks for, and how much for each frame, 0 to 1 [frames]. */
+  /** The part of the point, and its weight in each frame, 0 to 1 [frames]. */
   part: number;
   frames: Float64Array;
 }
@@ -36,10 +36,10 @@ export interface StageColumn {
 
 export class StageStore extends Store {
   readonly #playback: Playback;
-  /** The clip in front; null: the model is seen. */
+  /** The clip in front of the model. */
   #clip: Shown | null = null;
   #model: Shown | null = null;
-  /** The live motion in front of the model's clip. */
+  /** The live motion in front of the model's motion. */
   #live: Shown | null = null;
   #track: LiveTrack | null = null;
   #ghost: Motion | null = null;
@@ -56,17 +56,17 @@ export class StageStore extends Store {
     return this.#clip ?? this.#live ?? this.#model;
   }
 
-  /** The key of the clip that is shown; null: the model is seen. */
+  /** The key of the visible clip; null if the model is visible. */
   get clip(): string | null {
     return this.#clip?.clip ?? null;
   }
 
-  /** The live motion that is shown; null: something else is. */
+  /** The visible live motion; null if there is none. */
   get live(): LiveTrack | null {
     return this.shown?.live ? this.#track : null;
   }
 
-  /** The motion as learned, beside the model's under other couplings. */
+  /** The motion as learned, shown together with the motion under other couplings. */
   get ghost(): Motion | null {
     return this.#ghost;
   }
@@ -75,10 +75,7 @@ export class StageStore extends Store {
     return this.#marks;
   }
 
-  /**
-   * Motions side by side in place of the model's; null: the model's alone. What is in front of the model, or
-   * marked, hides them.
-   */
+  /** Motions side by side instead of the model's; null: one figure. A clip, a live motion or marks hide them. */
   get columns(): readonly StageColumn[] | null {
     return this.#clip || this.#live || this.#marks ? null : this.#columns;
   }
@@ -88,10 +85,7 @@ export class StageStore extends Store {
     return this.#futures;
   }
 
-  /**
-   * Shows a motion of the model: behind the clip, if there is one. It goes on from where the one before it
-   * stands.
-   */
+  /** Shows a motion of the model, behind the clip if there is one, from the place of the motion before. */
   showModel(shown: Shown): void {
     const before = this.#model;
     this.#model = shown;
@@ -99,7 +93,7 @@ export class StageStore extends Store {
     this.changed();
   }
 
-  /** Shows a live motion in front of the model's; its frames go on arriving. */
+  /** Shows a live motion in front of the model's motion. */
   showLive(track: LiveTrack): void {
     if (!this.#model) return;
     this.#clip = null;
@@ -109,7 +103,7 @@ export class StageStore extends Store {
     this.changed();
   }
 
-  /** Takes the live motion away; the model's clip plays from where the figure stands. */
+  /** Removes the live motion. The model's motion plays from the place of the figure. */
   endLive(): void {
     if (!this.#live) return;
     this.#live = null;
@@ -125,7 +119,7 @@ export class StageStore extends Store {
     this.changed();
   }
 
-  /** Takes the clip away from the model behind it. */
+  /** Removes the clip in front of the model. */
   endClip(): void {
     if (!this.#clip || !this.#model) return;
     this.#clip = null;

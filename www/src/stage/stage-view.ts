@@ -1,5 +1,4 @@
-// The stage as a part of the page: the canvas, the names of the parts, and words where it cannot show
-// anything.
+// The stage on the page: the canvas, the names of the parts, and a message where nothing can be drawn.
 import { html, nothing } from "lit";
 import { eachFrame } from "../ui/each-frame";
 import { partColour } from "../ui/palette";
@@ -13,7 +12,7 @@ import { partStyle } from "../ui/styled";
 export class StageView extends View {
   declare stage: StageStore;
   declare playback: Playback;
-  /** Whether time goes on here. */
+  /** Whether the clock of the stage runs. */
   declare running: boolean;
   /** Null where there is no WebGL. */
   scene: Stage | null = null;
@@ -61,10 +60,7 @@ export class StageView extends View {
     this.whenLeaving(eachFrame(frame));
   }
 
-  /**
-   * Several motions side by side, drawn by what comes when they are first asked for; where it does not come,
-   * the model walks alone.
-   */
+  /** Several motions side by side. One figure walks alone if their view cannot be loaded. */
   #columns() {
     if (!this.stage.columns) return nothing;
     import("./columns-view").catch(() => this.stage.setColumns(null));

@@ -1,4 +1,4 @@
-// The stage: figure, ghost, futures and ground, seen by a camera that follows the walk.
+// The stage: figure, ghost, futures and ground, with a camera that follows the walk.
 import { Scene, Vector3 } from "three";
 import type { Motion } from "../engine/protocol";
 import { type FigureStyle, FigureView } from "../scene/figure";
@@ -11,16 +11,13 @@ import { Viewport } from "../scene/viewport";
 import type { Playback } from "./playback";
 import type { Marks, Shown, StageStore } from "./stage-store";
 
-/** Metres from the camera to the figure, in a wide and in a high picture, if that shows all of the figure. */
+/** Least distance of the camera from the figure, in a wide and in a high picture, metres. */
 const NEAR = 4.7;
 const NEAR_HIGH = 5.6;
-/**
- * In a low picture the words above the figure need more of it: the figure stands lower by this share of the
- * height.
- */
+/** In a picture of less height the figure is lower by a share of the height, because texts are above it. */
 const LOW_PICTURE = 400;
 const LOWER = 0.06;
-/** And a live one higher. */
+/** A live figure is higher, above the strip chart. */
 const HIGHER = 0.09;
 
 /** Pixels of the figure's shadow, each way. */
@@ -37,17 +34,17 @@ export class Stage {
   #ghost: FigureView | null = null;
   #marked: FigureView[] = [];
   #futures: FigureView[] = [];
-  /** What the figure, and the marked poses, were made for. */
+  /** The content that the figure and the marked poses were made for. */
   #figureOf: Shown | null = null;
   #markedOf: Marks | null = null;
   #feet: number[] = [];
   #floor = 0;
   readonly #focus = new Vector3(0, MIDDLE, 0);
-  /** Where the figure was when last drawn. */
+  /** The place of the figure in the last picture. */
   readonly #root = new Vector3();
   #placed = false;
-  /** The pose of a figure that walks along with the one on the stage. */
-  #besidePose = new Float32Array(0);
+  /** The pose of a ghost or a future. */
+  #otherPose = new Float32Array(0);
 
   /** Throws where the browser has no WebGL. */
   constructor(store: StageStore, playback: Playback, canvas: HTMLCanvasElement) {
@@ -72,7 +69,7 @@ export class Stage {
     this.update();
   }
 
-  /** Gives the graphics memory back. */
+  /** Frees the graphics memory. */
   dispose(): void {
     this.#clear();
     this.#lights.dispose();
@@ -80,7 +77,7 @@ export class Stage {
     this.#viewport.dispose();
   }
 
-  /** Takes the colours of the page over. */
+  /** Uses the colours of the page. */
   #recolour(): void {
     this.#lights.recolour();
     this.#ground.recolour();
@@ -88,7 +85,7 @@ export class Stage {
     this.update();
   }
 
-  /** Another frame is to be drawn. */
+  /** Asks for another picture. */
   tick(): void {
     this.#viewport.changed();
   }
@@ -100,14 +97,14 @@ export class Stage {
     return view;
   }
 
-  /** Takes away all figures. */
+  /** Removes all figures. */
   #clear(): void {
     for (const figure of [this.#figure, this.#ghost, ...this.#marked, ...this.#futures]) figure?.dispose();
     [this.#figure, this.#ghost, this.#marked, this.#futures] = [null, null, [], []];
     [this.#figureOf, this.#markedOf] = [null, null];
   }
 
-  /** Makes the figures of what is shown now. */
+  /** Makes the figures of the stage's content. */
   update(): void {
     this.#viewport.changed();
     const { shown } = this.#store;
@@ -151,7 +148,7 @@ export class Stage {
       this.#futures.push(this.#make(shown, { kind: "future", index: this.#futures.length }));
   }
 
-  /** The poses that an inducing point stands for. */
+  /** The poses of an inducing point. */
   #updateMarked(shown: Shown): void {
     const marks = shown.kind === "model" ? this.#store.marks : null;
     if (this.#markedOf === marks) return;
@@ -163,7 +160,7 @@ export class Stage {
     this.#figure?.fade(this.#marked.length > 0 ? 0.12 : 1);
   }
 
-  /** How far away the whole motion is in the picture. */
+  /** The distance from which the camera sees the whole motion. */
   #distance(motion: Motion): number {
     const { camera, controls } = this.#viewport;
     const slope = Math.tan((camera.fov * Math.PI) / 360);
@@ -172,14 +169,14 @@ export class Stage {
     return Math.min(controls.maxDistance, Math.max(least, needed));
   }
 
-  /** Goes as far away from another clip as it needs, in the direction in which the visitor looks. */
+  /** Keeps the direction of the camera, at the distance for another clip. */
   #keepInPicture({ motion }: Shown): void {
     const { camera, controls } = this.#viewport;
     const offset = camera.position.clone().sub(controls.target);
     camera.position.copy(controls.target).add(offset.setLength(this.#distance(motion)));
   }
 
-  /** Looks at the walk from the side and a little from the front. */
+  /** Places the camera at the side of the walk, a little in front. */
   #placeCamera({ motion }: Shown): void {
     const { pose } = this.#playback;
     if (!pose) return;
@@ -198,10 +195,7 @@ export class Stage {
     this.#placed = true;
   }
 
-  /**
-   * The node of the figure nearest to a place in the picture, within so many pixels; null where there is
-   * none.
-   */
+  /** The node nearest to a place in the picture; null if none is within `within` pixels. */
   nodeAt(x: number, y: number, within: number): number | null {
     const { pose } = this.#playback;
     if (!pose) return null;
@@ -215,7 +209,7 @@ export class Stage {
     return best?.node ?? null;
   }
 
-  /** How far, in metres, a node moves in the plane of the picture when it is dragged by so many pixels. */
+  /** The shift of a node in metres for a drag in pixels, parallel to the picture. */
   dragged(node: number, dx: number, dy: number): [number, number, number] {
     const { camera, size } = this.#viewport;
     const { pose } = this.#playback;
@@ -230,12 +224,12 @@ export class Stage {
     return [by.x, by.y, by.z];
   }
 
-  /** Whether a drag turns the camera. */
+  /** Whether drags turn the camera. */
   set turns(on: boolean) {
     this.#viewport.controls.enableRotate = on;
   }
 
-  /** Draws when something changed. `seconds` since the last call. */
+  /** Draws after a change. `seconds` since the last call. */
   draw(seconds: number): void {
     const viewport = this.#viewport;
     const quality = viewport.next(seconds, this.#playback.playing);
@@ -249,8 +243,8 @@ export class Stage {
 
   #poseAll(pose: Float32Array, seconds: number): void {
     this.#figure?.pose(pose);
-    this.#poseBeside(this.#ghost, this.#store.ghost, pose);
-    this.#futures.forEach((figure, i) => this.#poseBeside(figure, this.#store.futures[i], pose));
+    this.#poseOther(this.#ghost, this.#store.ghost, pose);
+    this.#futures.forEach((figure, i) => this.#poseOther(figure, this.#store.futures[i], pose));
     this.#marked.forEach((figure, i) => {
       const marked = this.#markedOf?.poses[i];
       if (marked) figure.pose(placed(marked.positions, pose));
@@ -259,26 +253,23 @@ export class Stage {
     this.#ground.touch(pose, this.#marked.length > 0 ? [] : this.#feet, this.#floor);
   }
 
-  /** On a machine that falls behind the shadow is drawn anew every third frame only. */
+  /** On a slow machine the shadow is drawn in every third frame only. */
   #drawShadows(quality: Quality): void {
     const { renderer, drawn } = this.#viewport;
     renderer.shadowMap.autoUpdate = quality === "fine";
     renderer.shadowMap.needsUpdate = quality === "plain" && drawn % 3 === 0;
   }
 
-  /** Poses a figure as its motion is now, laid onto the pose of the one on the stage. */
-  #poseBeside(figure: FigureView | null, motion: Motion | null | undefined, pose: Float32Array): void {
+  /** Poses a ghost or a future at the place of the figure on the stage. */
+  #poseOther(figure: FigureView | null, motion: Motion | null | undefined, pose: Float32Array): void {
     if (!figure || !motion || motion.nodes * 3 !== pose.length) return;
-    if (this.#besidePose.length !== pose.length) this.#besidePose = new Float32Array(pose.length);
+    if (this.#otherPose.length !== pose.length) this.#otherPose = new Float32Array(pose.length);
     const { frame } = this.#playback;
-    poseAt(motion, frame, HERE, this.#besidePose);
-    figure.pose(poseAt(motion, frame, placeOnto(this.#besidePose, pose), this.#besidePose));
+    poseAt(motion, frame, HERE, this.#otherPose);
+    figure.pose(poseAt(motion, frame, placeOnto(this.#otherPose, pose), this.#otherPose));
   }
 
-  /**
-   * Moves camera and light along with the figure: softly while it plays, by just as much as it moves while it
-   * is stepped or scrubbed.
-   */
+  /** Moves camera and light with the figure: smoothly during play, exactly for steps and scrubs. */
   #followWalk(pose: Float32Array, seconds: number): void {
     const { x, z } = new Vector3().fromArray(pose);
     let [dx, dz] = [x - this.#focus.x, z - this.#focus.z];
@@ -298,13 +289,13 @@ export class Stage {
   }
 }
 
-/** Puts a marked pose where the figure stands, turned as it is. */
+/** A marked pose at the place and in the direction of the figure. */
 function placed(marked: Float32Array, pose: Float32Array): Float32Array {
   const motion: Motion = { positions: marked, frames: 1, nodes: marked.length / 3, frameTime: 1 };
   return poseAt(motion, 0, placeOnto(marked, pose), new Float32Array(marked.length));
 }
 
-/** Whether a figure made for one can show the other. */
+/** Whether two motions have the same body. */
 export function sameBody(a: Shown, b: Shown): boolean {
   return JSON.stringify([a.figure, a.joints, a.parts]) === JSON.stringify([b.figure, b.joints, b.parts]);
 }

@@ -1,4 +1,4 @@
-// The clock's controls: play, step, scrub, speed, loop; and the frames an inducing point speaks for.
+// The controls of the clock, and the frames that an inducing point lights up.
 import { html, nothing } from "lit";
 import { SETTINGS } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
@@ -38,7 +38,7 @@ export class TimelineView extends View {
     drawMarks(canvas, marks);
   }
 
-  /** Where the motion is the model's its length can be chosen; a clip has its own. */
+  /** The length of the motion, which can be chosen for the model's motion only. */
   #length(frameTime: number, last: string) {
     if (this.stage.shown?.live) return nothing;
     if (this.stage.shown?.kind !== "model") return html`<span> / ${last} s</span>`;
@@ -56,7 +56,7 @@ export class TimelineView extends View {
         step="1" .value=${seconds(frames)} @change=${change} /> s</label>`;
   }
 
-  /** The model's motion: a clip of some seconds, or live, without an end. */
+  /** The choice between a motion of some seconds and a live motion. */
   #modes() {
     const { shown } = this.stage;
     if (shown?.kind !== "model") return nothing;
@@ -110,7 +110,7 @@ export class TimelineView extends View {
 }
 customElements.define("pg-timeline", TimelineView);
 
-/** Lights up the frames that an inducing point speaks for. */
+/** Lights up the frames of an inducing point. */
 function drawMarks(canvas: HTMLCanvasElement, marks: Marks | null): void {
   const paper = cleared(canvas);
   if (!paper || !marks) return;
