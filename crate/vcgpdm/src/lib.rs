@@ -56,6 +56,7 @@
 #![cfg_attr(not(feature = "internals"), allow(dead_code, unused_imports))]
 
 mod elementary;
+mod encoding;
 mod json;
 #[cfg(feature = "speed")]
 pub mod speed;
@@ -127,6 +128,7 @@ pub mod internals {
     pub use crate::elementary::Elementary;
     pub use crate::gp::linalg::{Factor, block_diagonal};
     pub use crate::motion::clip::sha256;
+    pub use crate::series::records::records;
     pub use crate::words::counted;
 
     use crate::models::{DatasetError, SequenceInfo, TrainingError};

@@ -1,9 +1,9 @@
-//! What the columns of a model of tables are.
+//! The columns of a model of tables.
 
-/// The columns of tables: their names, and the unit in which a model counts each.
+/// The columns of tables: their names and units.
 ///
-/// A model counts a column in its standard deviations, because one noise variance belongs to all columns of a
-/// part: otherwise metres and volts would count by their size.
+/// A model divides each column by its unit, the standard deviation, because all columns of a part have one
+/// noise variance. Otherwise the weight of a column would depend on its physical unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Columns {
     pub(crate) names: Vec<String>,
@@ -11,7 +11,7 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// Columns of these names, counted in these units: as many, all positive.
+    /// Columns with these names and as many positive units.
     pub(crate) fn new(names: Vec<String>, units: Vec<f64>) -> Self {
         Self { names, units }
     }
@@ -21,8 +21,7 @@ impl Columns {
         &self.names
     }
 
-    /// The unit of each column: its standard deviation over all training frames, or 1 where it does not
-    /// change.
+    /// The unit of each column: its standard deviation over all training frames, or 1 for a constant column.
     pub fn units(&self) -> &[f64] {
         &self.units
     }

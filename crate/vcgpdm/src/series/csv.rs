@@ -1,32 +1,32 @@
-//! Tables as CSV (RFC 4180, also with semicolons or tabs): a header row with names, then a row of numbers a
-//! moment.
+//! Tables as CSV (RFC 4180; also with semicolons or tabs): a header row with names, then rows of numbers.
 
+use crate::encoding::utf16;
 use crate::motion::sha256;
 use crate::series::error::SeriesError;
+use crate::series::records::records;
 use crate::series::table::Table;
 use nalgebra::DMatrix;
-use std::fmt::Write;
 
-/// Numbers of absurd size: squares of larger ones could drown all others.
+/// Largest size of a number: the squares of larger numbers could dominate all others.
 const LARGEST: f64 = 1e9;
-/// More numbers than can be trained on.
+/// Largest number of values in a table.
 const MOST_NUMBERS: usize = 20_000_000;
-/// More columns than a model can have.
+/// Largest number of columns of a table.
 const MOST_COLUMNS: usize = 10_000;
-/// How far, as a share of a step, a time may be from where equal steps would have it.
+/// Largest deviation of a time step from the mean step, as a fraction of the mean step.
 const UNEVEN: f64 = 0.05;
 
 impl Table {
-    /// A trial of numbers [rows x columns] that a program has at hand, `frame_time` seconds from row to row.
-    /// It is known by the hash of what [`write`](write()) makes of it.
+    /// A table of values [rows x columns] with `frame_time` seconds from row to row. Its hash is that of the
+    /// text that [`write`](write()) returns.
     pub fn new(name: &str, columns: Vec<String>, values: DMatrix<f64>, frame_time: f64) -> Table {
         let sha256 = sha256(write(&columns, &values, frame_time).as_bytes());
         Table { name: name.to_owned(), sha256, columns, values, frame_time: Some(frame_time) }
     }
 }
 
-/// Reads a trial. A column `time` (or `t`, `seconds`) holds seconds and says how far rows are apart; it and a
-/// column `frame` are not numbers to learn.
+/// Reads a table from text in UTF-8 or UTF-16. A column `time` (or `t`, `seconds`) holds the time of each row
+/// in seconds. Neither this column nor a column `frame` becomes a column of the table.
 ///
 /// ```
 /// let table = vcgpdm::series::read("trial.csv", b"time,x,y\n0,1,2\n0.5,3,4\n")?;
@@ -36,37 +36,40 @@ impl Table {
 ///
 /// # Errors
 ///
-/// When it is no such text, with the line and the column.
+/// A [`SeriesError`] with the line, and for a wrong number with the column and its name.
 pub fn read(file: &str, bytes: &[u8]) -> Result<Table, SeriesError> {
-    let about = |line: usize, problem: &str| SeriesError::Line {
+    let error_at = |line: usize, problem: &str| SeriesError::Line {
         file: file.to_owned(),
         line,
         problem: problem.to_owned(),
     };
-    let text =
-        std::str::from_utf8(bytes).map_err(|_| about(1, "expected text in UTF-8, found other bytes"))?;
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let first = text.lines().next().unwrap_or_default();
+    let text = match utf16(bytes) {
+        Some(text) => text,
+        None => std::str::from_utf8(bytes)
+            .map_err(|_| error_at(1, "expected text in UTF-8 or UTF-16, found other bytes"))?
+            .to_owned(),
+    };
+    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+    let first = text.trim_start().split(['\r', '\n']).next().unwrap_or_default();
     let separator =
         [';', '\t'].into_iter().find(|c| first.contains(*c) && !first.contains(',')).unwrap_or(',');
     let records =
-        records(text, separator).map_err(|line| about(line, "expected a closing quote, found none"))?;
-    let mut records = records.into_iter().filter(|(_, fields)| fields.iter().any(|field| !field.is_empty()));
+        records(text, separator).map_err(|line| error_at(line, "expected a closing quote, found none"))?;
+    let mut records = records.into_iter();
     let (line, names) = records
         .next()
-        .ok_or_else(|| about(1, "expected a row with the names of the columns, found nothing"))?;
-    check_names(&names).map_err(|problem| about(line, &problem))?;
+        .ok_or_else(|| error_at(1, "expected a row with the names of the columns, found nothing"))?;
+    check_names(&names).map_err(|problem| error_at(line, &problem))?;
 
-    // Blank lines are no rows: each row has the line on which it stands.
     let (mut rows, mut lines) = (Vec::new(), Vec::new());
     for (line, fields) in records {
         if fields.len() != names.len() {
             let problem =
                 format!("expected {} fields, as in the first row, found {}", names.len(), fields.len());
-            return Err(about(line, &problem));
+            return Err(error_at(line, &problem));
         }
         if (rows.len() + 1) * names.len() > MOST_NUMBERS {
-            return Err(about(line, &format!("expected a table of at most {MOST_NUMBERS} numbers")));
+            return Err(error_at(line, &format!("expected a table of at most {MOST_NUMBERS} numbers")));
         }
         let numbers = fields.iter().zip(&names).enumerate().map(|(k, (field, name))| {
             number(field).map_err(|expected| SeriesError::Number {
@@ -82,16 +85,16 @@ pub fn read(file: &str, bytes: &[u8]) -> Result<Table, SeriesError> {
         lines.push(line);
     }
     if rows.len() < 2 {
-        return Err(about(
+        return Err(error_at(
             lines.last().copied().unwrap_or(line),
             &format!("expected at least two rows of numbers, found {}", rows.len()),
         ));
     }
-    let role = |name: &str| name.trim().to_ascii_lowercase();
-    let is_time = |name: &String| ["time", "t", "seconds"].contains(&role(name).as_str());
+    let lower_case = |name: &str| name.to_ascii_lowercase();
+    let is_time = |name: &String| ["time", "t", "seconds"].contains(&lower_case(name).as_str());
     let time = names.iter().position(is_time);
     let frame_time =
-        time.map(|k| step(&rows, k)).transpose().map_err(|(row, expected)| SeriesError::Number {
+        time.map(|k| time_step(&rows, k)).transpose().map_err(|(row, expected)| SeriesError::Number {
             file: file.to_owned(),
             line: lines[row],
             column: time.unwrap_or(0) + 1,
@@ -99,87 +102,34 @@ pub fn read(file: &str, bytes: &[u8]) -> Result<Table, SeriesError> {
             expected,
             found: rows[row][time.unwrap_or(0)].to_string(),
         })?;
-    let kept: Vec<usize> =
-        (0..names.len()).filter(|&k| Some(k) != time && role(&names[k]) != "frame").collect();
-    if kept.is_empty() {
-        return Err(about(line, "expected a column of numbers beside the times, found none"));
+    let used: Vec<usize> =
+        (0..names.len()).filter(|&k| Some(k) != time && lower_case(&names[k]) != "frame").collect();
+    if used.is_empty() {
+        return Err(error_at(line, "expected a column of numbers beside the times, found none"));
     }
-    let values = DMatrix::from_fn(rows.len(), kept.len(), |row, column| rows[row][kept[column]]);
-    let columns = kept.iter().map(|&k| names[k].trim().to_owned()).collect();
+    let values = DMatrix::from_fn(rows.len(), used.len(), |row, column| rows[row][used[column]]);
+    let columns = used.iter().map(|&k| names[k].clone()).collect();
     Ok(Table { name: file.to_owned(), sha256: sha256(bytes), columns, values, frame_time })
 }
 
-/// A table as CSV: frame, time in seconds, and the columns [frames x D] under their names.
+/// Writes a table as CSV: frame, time in seconds, and the columns of `values` [frames x D] with their names.
 pub fn write(names: &[String], values: &DMatrix<f64>, frame_time: f64) -> String {
-    let mut text = "frame,time".to_owned();
-    for name in names {
-        text += ",";
-        text += &quoted(name);
-    }
-    text.push('\n');
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let header =
+        ["frame", "time"].map(str::to_owned).into_iter().chain(names.iter().map(|name| guarded(name)));
+    // Writing to memory cannot fail: the results are ignored here and below.
+    let _ = writer.write_record(header);
     for (frame, row) in values.row_iter().enumerate() {
-        // Writing to a String cannot fail.
-        let _ = write!(text, "{frame},{}", frame as f64 * frame_time);
-        for value in row.iter() {
-            let _ = write!(text, ",{value}");
-        }
-        text.push('\n');
+        let times = [frame.to_string(), (frame as f64 * frame_time).to_string()];
+        let _ = writer.write_record(times.into_iter().chain(row.iter().map(f64::to_string)));
     }
-    text
+    String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
 }
 
-/// A field (RFC 4180). What a spreadsheet would compute begins with an apostrophe, which makes it a text:
-/// names come from strangers' files.
-fn quoted(field: &str) -> String {
-    let field =
-        &if field.starts_with(['=', '+', '-', '@', '\t']) { format!("'{field}") } else { field.to_owned() };
-    if field.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.clone()
-    }
-}
-
-/// Fields of each row, with the line on which the row begins, counted from 1; or the line of a quote that is
-/// never closed.
-fn records(text: &str, separator: char) -> Result<Vec<(usize, Vec<String>)>, usize> {
-    let (mut records, mut fields, mut field) = (Vec::new(), Vec::new(), String::new());
-    let (mut line, mut begin, mut opened) = (1, 1, None);
-    let mut letters = text.chars().peekable();
-    while let Some(letter) = letters.next() {
-        match (letter, opened) {
-            ('"', Some(_)) if letters.peek() == Some(&'"') => {
-                letters.next();
-                field.push('"');
-            }
-            ('"', Some(_)) => opened = None,
-            ('"', None) if field.trim().is_empty() => {
-                field.clear();
-                opened = Some(line);
-            }
-            ('\n', None) => {
-                fields.push(std::mem::take(&mut field).trim().to_owned());
-                records.push((begin, std::mem::take(&mut fields)));
-                line += 1;
-                begin = line;
-            }
-            (letter, None) if letter == separator => {
-                fields.push(std::mem::take(&mut field).trim().to_owned())
-            }
-            (letter, _) => {
-                line += usize::from(letter == '\n');
-                field.push(letter);
-            }
-        }
-    }
-    if let Some(line) = opened {
-        return Err(line);
-    }
-    if !field.is_empty() || !fields.is_empty() {
-        fields.push(field.trim().to_owned());
-        records.push((begin, fields));
-    }
-    Ok(records)
+/// A spreadsheet would compute a name that begins like a formula, and names come from strangers' files. An
+/// apostrophe makes it text.
+fn guarded(name: &str) -> String {
+    if name.starts_with(['=', '+', '-', '@', '\t']) { format!("'{name}") } else { name.to_owned() }
 }
 
 fn check_names(names: &[String]) -> Result<(), String> {
@@ -193,7 +143,7 @@ fn check_names(names: &[String]) -> Result<(), String> {
         if name.is_empty() {
             return Err(format!("expected a name for column {}, found none", k + 1));
         }
-        if let Some(other) = names[..k].iter().position(|before| before == name) {
+        if let Some(other) = names[..k].iter().position(|earlier| earlier == name) {
             return Err(format!(
                 "expected a name of its own for column {}, found {name:?}, as column {} has",
                 k + 1,
@@ -204,7 +154,7 @@ fn check_names(names: &[String]) -> Result<(), String> {
     Ok(())
 }
 
-/// The number in a field, or what was expected.
+/// The number in a field, or the expectation that it does not meet.
 fn number(field: &str) -> Result<f64, &'static str> {
     match field.parse::<f64>() {
         Ok(number) if number.abs() <= LARGEST => Ok(number),
@@ -215,9 +165,8 @@ fn number(field: &str) -> Result<f64, &'static str> {
     }
 }
 
-/// Seconds from one row to the next by the times in a column; or the row that is not where it should be, and
-/// where that is.
-fn step(rows: &[Vec<f64>], column: usize) -> Result<f64, (usize, &'static str)> {
+/// The mean time step of a column of times; or the first row with a wrong time, and what was expected.
+fn time_step(rows: &[Vec<f64>], column: usize) -> Result<f64, (usize, &'static str)> {
     let time = |row: usize| rows[row][column];
     let step = (time(rows.len() - 1) - time(0)) / (rows.len() - 1) as f64;
     if !(1e-5..=10.0).contains(&step) {

@@ -6,7 +6,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum SeriesError {
-    /// The text of a file.
+    /// A line of a file is wrong.
     #[error("{file}, line {line}: {problem}")]
     Line {
         /// The name of the file.
@@ -16,7 +16,7 @@ pub enum SeriesError {
         /// What was expected and found.
         problem: String,
     },
-    /// A number of a file.
+    /// A number of a file is wrong.
     #[error("{file}, line {line}, column {column} ({name}): expected {expected}, found {found:?}")]
     Number {
         /// The name of the file.
@@ -29,23 +29,23 @@ pub enum SeriesError {
         name: String,
         /// What was expected.
         expected: &'static str,
-        /// What stands there.
+        /// The text found.
         found: String,
     },
-    /// Tables that do not go together.
+    /// Tables with different columns or rates.
     #[error("{file} cannot be trained together with {first}: {problem}")]
     Differs {
         /// The table that differs.
         file: String,
-        /// The one it was compared with.
+        /// The table it was compared with.
         first: String,
-        /// How.
+        /// The difference.
         problem: String,
     },
-    /// A split of the columns.
+    /// An invalid split of the columns into parts.
     #[error("{0}")]
     Parts(String),
-    /// No table at all.
+    /// There is no table.
     #[error("expected at least one table to train on, found none")]
     Empty,
 }

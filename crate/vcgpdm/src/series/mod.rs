@@ -1,13 +1,13 @@
-//! Time series that are no body: tables of numbers from CSV, their columns, and which columns belong to which
-//! part.
+//! Time series other than motions of a body: tables of numbers from CSV, and the parts of their columns.
 //!
-//! [`read`] makes a [`Table`] of a file, one trial each; [`parts_from_words`] and [`parts_from_json`] say how
-//! the columns are split. A [`Dataset`](crate::models::Dataset) of tables is trained on like one of clips.
+//! [`read`] reads a [`Table`] from a file. [`parts_from_words`] and [`parts_from_json`] split its columns
+//! into parts. A model is trained on a [`Dataset`](crate::models::Dataset) of tables as on one of clips.
 
 mod columns;
 mod csv;
 mod error;
 mod parts;
+pub(crate) mod records;
 mod table;
 #[cfg(test)]
 mod tests;

@@ -1,4 +1,4 @@
-//! Which columns belong to which part.
+//! Splits of the columns of a table into parts.
 
 use crate::motion::parts::PartSpec;
 use crate::series::error::SeriesError;
@@ -9,12 +9,12 @@ pub fn whole(columns: usize) -> Vec<PartSpec> {
     vec![PartSpec { name: "whole".to_owned(), joints: (0..columns).collect() }]
 }
 
-/// Reads a split from words: `arm=x,y;leg=z` names the columns of each part; a name that ends with `*` means
-/// all columns that begin so.
+/// Reads a split such as `arm=x,y;leg=z`, which lists the columns of each part. `x*` stands for all columns
+/// whose names begin with `x`.
 ///
 /// # Errors
 ///
-/// When the words are no such list, or the split is none: `check_parts` says why.
+/// A [`SeriesError::Parts`] when the text is not such a list, or [`check_parts`] refuses the split.
 pub fn parts_from_words(words: &str, columns: &[String]) -> Result<Vec<PartSpec>, SeriesError> {
     let mut parts = Vec::new();
     for word in words.split(';').filter(|word| !word.trim().is_empty()) {
@@ -32,7 +32,7 @@ pub fn parts_from_words(words: &str, columns: &[String]) -> Result<Vec<PartSpec>
 ///
 /// # Errors
 ///
-/// When the text is no such list, or the split is none: `check_parts` says why.
+/// A [`SeriesError::Parts`] when the text is not such a list, or [`check_parts`] refuses the split.
 pub fn parts_from_json(text: &str, columns: &[String]) -> Result<Vec<PartSpec>, SeriesError> {
     #[derive(Deserialize)]
     #[serde(deny_unknown_fields)]
@@ -55,7 +55,7 @@ pub fn parts_from_json(text: &str, columns: &[String]) -> Result<Vec<PartSpec>, 
     Ok(parts)
 }
 
-/// The places of the named columns.
+/// The indices of the named columns.
 fn places(part: &str, named: &[&str], columns: &[String]) -> Result<Vec<usize>, SeriesError> {
     let mut places = Vec::new();
     for name in named {
@@ -77,11 +77,11 @@ fn places(part: &str, named: &[&str], columns: &[String]) -> Result<Vec<usize>, 
 }
 
 /// Checks that every column is in exactly one part, and that every part has columns and a name of its own.
-/// The places in a [`PartSpec`] are those of columns here.
+/// The `joints` of each [`PartSpec`] are columns.
 ///
 /// # Errors
 ///
-/// Which part or column is wrong.
+/// A [`SeriesError::Parts`] that names the wrong part or column.
 pub fn check_parts(parts: &[PartSpec], columns: &[String]) -> Result<(), SeriesError> {
     let refuse = |problem: String| Err(SeriesError::Parts(problem));
     if parts.is_empty() {
@@ -108,14 +108,14 @@ pub fn check_parts(parts: &[PartSpec], columns: &[String]) -> Result<(), SeriesE
             }
         }
     }
-    let of = |wrong: &dyn Fn(usize) -> bool| -> Vec<String> {
+    let names = |wrong: &dyn Fn(usize) -> bool| -> Vec<String> {
         columns.iter().zip(&uses).filter(|(_, uses)| wrong(**uses)).map(|(name, _)| name.clone()).collect()
     };
-    let (missing, doubled) = (of(&|uses| uses == 0), of(&|uses| uses > 1));
-    if !doubled.is_empty() {
+    let (missing, repeated) = (names(&|uses| uses == 0), names(&|uses| uses > 1));
+    if !repeated.is_empty() {
         return refuse(format!(
             "expected each column in one part, found {} more than once",
-            shortened(&doubled)
+            shortened(&repeated)
         ));
     }
     if !missing.is_empty() {
@@ -128,7 +128,7 @@ pub fn check_parts(parts: &[PartSpec], columns: &[String]) -> Result<(), SeriesE
 }
 
 fn shortened(names: &[String]) -> String {
-    let shown: Vec<&str> = names.iter().take(8).map(String::as_str).collect();
+    let first: Vec<&str> = names.iter().take(8).map(String::as_str).collect();
     let more = names.len().saturating_sub(8);
-    if more > 0 { format!("{} and {more} more", shown.join(", ")) } else { shown.join(", ") }
+    if more > 0 { format!("{} and {more} more", first.join(", ")) } else { first.join(", ") }
 }

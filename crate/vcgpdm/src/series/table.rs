@@ -1,9 +1,9 @@
-//! A trial of a time series.
+//! One trial of a time series.
 
 use crate::series::error::SeriesError;
 use nalgebra::DMatrix;
 
-/// A trial: named columns, a row a moment, equally far apart in time.
+/// A trial: named columns, with rows at equal time steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// The name of its file.
@@ -12,21 +12,21 @@ pub struct Table {
     pub sha256: String,
     /// The names of the columns.
     pub columns: Vec<String>,
-    /// The numbers [rows x columns].
+    /// The values [rows x columns].
     pub values: DMatrix<f64>,
-    /// Seconds from one row to the next, where the file has a column of times.
+    /// Seconds from one row to the next; `None` if the file has no column of times.
     pub frame_time: Option<f64>,
 }
 
-/// Times of two tables that differ by less than this share are one rate.
+/// Frame times that differ by a smaller fraction count as equal.
 const SAME_RATE: f64 = 0.02;
 
 impl Table {
-    /// The same trial with its columns in the order of `first`, with which it is to be trained.
+    /// The same trial with its columns in the order of `first`. All tables of a data set have that order.
     ///
     /// # Errors
     ///
-    /// [`SeriesError::Differs`] when the columns are others, or the rows are otherwise far apart in time.
+    /// [`SeriesError::Differs`] when the columns or the frame times differ.
     pub fn like(&self, first: &Table) -> Result<Table, SeriesError> {
         let differs = |problem: String| {
             Err(SeriesError::Differs { file: self.name.clone(), first: first.name.clone(), problem })
@@ -38,19 +38,19 @@ impl Table {
                 None => return differs(format!("expected a column {name:?}, found none")),
             }
         }
-        if let Some(more) = self.columns.iter().find(|name| !first.columns.contains(name)) {
-            return differs(format!("expected no column {more:?}"));
+        if let Some(extra) = self.columns.iter().find(|name| !first.columns.contains(name)) {
+            return differs(format!("expected no column {extra:?}"));
         }
         let times = (self.frame_time, first.frame_time);
         let same = match times {
-            (Some(one), Some(other)) => (one / other - 1.0).abs() < SAME_RATE,
-            (one, other) => one == other,
+            (Some(own), Some(other)) => (own / other - 1.0).abs() < SAME_RATE,
+            (own, other) => own == other,
         };
         if !same {
-            let word = |time: Option<f64>| {
+            let phrase = |time: Option<f64>| {
                 time.map_or("no column of times".to_owned(), |time| format!("rows {time} s apart"))
             };
-            return differs(format!("expected {}, found {}", word(times.1), word(times.0)));
+            return differs(format!("expected {}, found {}", phrase(times.1), phrase(times.0)));
         }
         let values = self.values.select_columns(&places);
         Ok(Table { columns: first.columns.clone(), values, ..self.clone() })

@@ -5,7 +5,7 @@ fn refusal(text: &str) -> String {
 }
 
 #[test]
-fn a_table_has_names_numbers_and_a_rate() {
+fn a_table_is_read_with_names_values_and_frame_time() {
     let text = "\u{feff}frame,Time,\"left, knee\",hip\r\n0,1.0,2,-3e-1\r\n1,1.25,4,0\r\n2,1.5,6,.5\r\n\r\n";
     let table = read("trial.csv", text.as_bytes()).unwrap();
     assert_eq!(table.columns, ["left, knee", "hip"]);
@@ -17,7 +17,7 @@ fn a_table_has_names_numbers_and_a_rate() {
 }
 
 #[test]
-fn what_is_written_is_read_again() {
+fn a_written_table_is_read_as_the_same_table() {
     let names = ["left, knee".to_owned(), "say \"x\"".to_owned()];
     let values = nalgebra::DMatrix::from_fn(4, 2, |i, j| 0.1 * i as f64 - j as f64 / 3.0);
     let table = read("again.csv", write(&names, &values, 0.25).as_bytes()).unwrap();
@@ -31,7 +31,7 @@ fn errors_name_file_line_and_column() {
         refusal("x,knee\n1,2\n3,n/a\n"),
         "trial.csv, line 3, column 2 (knee): expected a number, found \"n/a\""
     );
-    for (text, said) in [
+    for (text, expected) in [
         ("", "line 1: expected a row with the names of the columns, found nothing"),
         ("1,2\n3,4\n", "line 1: expected a row with the names of the columns, found numbers"),
         ("x,x\n1,2\n3,4\n", "line 1: expected a name of its own for column 2, found \"x\", as column 1 has"),
@@ -53,13 +53,13 @@ fn errors_name_file_line_and_column() {
         ("time\n0\n1\n", "line 1: expected a column of numbers beside the times"),
         ("x,\"y\n1,2\n", "line 1: expected a closing quote"),
     ] {
-        assert!(refusal(text).starts_with(&format!("trial.csv, {said}")), "{}", refusal(text));
+        assert!(refusal(text).starts_with(&format!("trial.csv, {expected}")), "{}", refusal(text));
     }
-    assert!(read("trial.csv", b"\xff\xfe").unwrap_err().to_string().contains("UTF-8"));
+    assert!(read("trial.csv", b"\xffx,y").unwrap_err().to_string().contains("UTF-8 or UTF-16"));
 }
 
 #[test]
-fn columns_come_in_the_order_of_the_first_table() {
+fn columns_are_put_into_the_order_of_the_first_table() {
     let first = read("a.csv", b"x,y\n1,2\n3,4\n").unwrap();
     let turned = read("b.csv", b"y,x\n2,1\n4,3\n").unwrap().like(&first).unwrap();
     assert_eq!((turned.values, turned.columns), (first.values.clone(), first.columns.clone()));
@@ -79,7 +79,7 @@ fn parts_are_named_by_their_columns() {
     assert_eq!((&parts[0].joints[..], &parts[1].joints[..]), (&[0, 1][..], &[2][..]));
     let json = r#"[{"name": "arm", "columns": ["arm_x", "arm_y"]}, {"name": "leg", "columns": ["leg"]}]"#;
     assert_eq!(parts_from_json(json, &columns).unwrap(), parts);
-    for (words, said) in [
+    for (words, expected) in [
         ("arm", "expected parts such as"),
         ("arm=hip;leg=leg", "part \"arm\": expected some of the columns arm_x, arm_y, leg, found \"hip\""),
         ("arm=arm_x;leg=leg", "found no part for arm_y"),
@@ -88,6 +88,45 @@ fn parts_are_named_by_their_columns() {
         ("", "expected at least one part"),
     ] {
         let error = parts_from_words(words, &columns).unwrap_err().to_string();
-        assert!(error.contains(said), "{words}: {error}");
+        assert!(error.contains(expected), "{words}: {error}");
+    }
+}
+
+#[test]
+fn files_with_returns_alone_and_files_in_utf_16_are_read() {
+    let text = "time\tx\tö\n0\t1\t2\n1\t3\t4\n";
+    let expected = read("trial.csv", text.as_bytes()).unwrap();
+    let little = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
+    let big = |text: &str| text.encode_utf16().flat_map(u16::to_be_bytes).collect::<Vec<u8>>();
+    let marked = format!("\u{feff}{text}");
+    for bytes in [
+        text.replace('\n', "\r").into_bytes(),
+        text.replace('\n', "\r\n").into_bytes(),
+        little(text),
+        big(text),
+        little(&marked),
+        big(&marked),
+    ] {
+        let table = read("trial.csv", &bytes).unwrap();
+        assert_eq!((&table.columns, &table.values), (&expected.columns, &expected.values));
+    }
+    // Each kind of line end counts one line, in blank lines and in quoted names as well.
+    for end in ["\r", "\n", "\r\n"] {
+        let text = "x,\"y\nz\"\n\n1,2\n\n\n3,n/a\n".replace('\n', end);
+        assert!(refusal(&text).starts_with("trial.csv, line 7, column 2"), "{}", refusal(&text));
+    }
+}
+
+#[test]
+fn blanks_around_quoted_fields_do_not_matter() {
+    let table = read("trial.csv", b"\"x\", \"y\" , z\n1, 2, \"3\"\n4 ,5, 6\n").unwrap();
+    assert_eq!(table.columns, ["x", "y", "z"]);
+    assert_eq!(table.values.row(0).iter().copied().collect::<Vec<_>>(), [1.0, 2.0, 3.0]);
+}
+
+proptest::proptest! {
+    #[test]
+    fn no_text_crashes_the_reader(text in "[a1,\"\r\n ;\t]{0,40}") {
+        let _ = read("trial.csv", text.as_bytes());
     }
 }

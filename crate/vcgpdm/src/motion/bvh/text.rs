@@ -1,11 +1,12 @@
 //! Splits the bytes of a file into words with line numbers, and reads numbers.
 
+use crate::encoding::utf16;
 use crate::motion::bvh::error::{BvhError, BvhProblem};
 use crate::motion::skeleton::LARGEST_NUMBER;
 
 /// The text of a file, and a warning when its encoding was not UTF-8.
 pub(super) fn decode(bytes: &[u8]) -> (String, Option<String>) {
-    if let Some(text) = decode_utf16(bytes) {
+    if let Some(text) = utf16(bytes) {
         return (text, Some("the file is UTF-16; it was read as such".to_owned()));
     }
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
@@ -17,19 +18,6 @@ pub(super) fn decode(bytes: &[u8]) -> (String, Option<String>) {
             Some("the file is not UTF-8; its names were read as Latin-1".to_owned()),
         ),
     }
-}
-
-fn decode_utf16(bytes: &[u8]) -> Option<String> {
-    let (unit, text): (fn([u8; 2]) -> u16, _) = match bytes {
-        [0xFF, 0xFE, text @ ..] => (u16::from_le_bytes, text),
-        [0xFE, 0xFF, text @ ..] => (u16::from_be_bytes, text),
-        // Without a mark: the first letter, H of HIERARCHY, is a byte and a zero.
-        [1..=255, 0, 1..=255, 0, ..] => (u16::from_le_bytes, bytes),
-        [0, 1..=255, 0, 1..=255, ..] => (u16::from_be_bytes, bytes),
-        _ => return None,
-    };
-    let units: Vec<u16> = text.chunks_exact(2).map(|pair| unit([pair[0], pair[1]])).collect();
-    Some(String::from_utf16_lossy(&units))
 }
 
 /// Whether a character separates words. Ctrl-Z and NUL end some old files.
