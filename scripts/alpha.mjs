@@ -1,8 +1,7 @@
-// `npm run alpha -- [SITE_FOLDER] [--learned]`: how long a coupling's slider waits for its motion, in
-// headless Chromium; the experts re-inferred, or as learned. Of each event two times are taken: in the page,
-// from the event until the new positions are there, and inside the worker, from the message that asks for a
-// rollout until the message that answers it. Then the same for a live motion: what the worker takes for the
-// next frames (a few at once), while it plays.
+// `npm run alpha -- [SITE_FOLDER] [--learned]`: measures the time from a coupling's slider to the new motion,
+// in headless Chromium, with experts re-inferred or as learned. For each event it measures two times: in the
+// page, from the event to the new positions; in the worker, from the request to its answer. Then it measures
+// the worker's time for the next frames of a live motion.
 import { resolve } from "node:path";
 import { parseArgs } from "node:util";
 import { launchChromium } from "./chromium.mjs";
@@ -11,36 +10,35 @@ import { serve } from "./serve.mjs";
 import { dist } from "./site.mjs";
 
 const EVENTS = 200;
-/** What the compiler of the browser still does to the program is not measured. */
+/** Events before the measurement, while the browser still compiles the program. */
 const WARM_UP = 20;
 const LIVE_SECONDS = 10;
 
-/** In a worker: notes when each question of the page came and when its answer left. Comlink numbers them. */
-function noteAnswers() {
+/** In a worker: records the times of each request and of its answer. Comlink gives both the same id. */
+function recordAnswers() {
   const scope = /** @type {any} */ (globalThis);
   /** @type {Map<string, { asked?: number, answered?: number }>} */
-  const notes = new Map();
-  const note = (/** @type {string} */ id, /** @type {{ asked?: number, answered?: number }} */ when) =>
-    notes.set(id, { ...notes.get(id), ...when });
-  // The worker's own listener is older: its answer may have left when this one is called. Therefore the time
-  // of the event.
+  const records = new Map();
+  const record = (/** @type {string} */ id, /** @type {{ asked?: number, answered?: number }} */ when) =>
+    records.set(id, { ...records.get(id), ...when });
+  // The worker's own listener runs first, so this takes the time of the event and not the present time.
   scope.addEventListener("message", (/** @type {MessageEvent} */ { data, timeStamp }) => {
-    if (data?.id) note(data.id, { asked: timeStamp });
+    if (data?.id) record(data.id, { asked: timeStamp });
   });
   const send = scope.postMessage.bind(scope);
   scope.postMessage = (/** @type {any} */ message, /** @type {any[]} */ ...rest) => {
     send(message, ...rest);
-    if (message?.id) note(message.id, { answered: performance.now() });
+    if (message?.id) record(message.id, { answered: performance.now() });
   };
-  scope.forgetAnswers = () => notes.clear();
+  scope.forgetAnswers = () => records.clear();
   scope.answerTimes = () =>
-    [...notes.values()].flatMap(({ asked, answered }) =>
+    [...records.values()].flatMap(({ asked, answered }) =>
       asked === undefined || answered === undefined ? [] : [answered - asked],
     );
 }
 
 /**
- * In the page: moves a slider `events` times, each time after the motion before has come.
+ * In the page: moves a slider `events` times, each time after the previous motion has arrived.
  * @param {{ slider: string, events: number }} what
  * @returns {Promise<number[]>} milliseconds from each event to its motion
  */
@@ -48,7 +46,7 @@ async function slide({ slider, events }) {
   const input = document.querySelector(slider);
   if (!(input instanceof HTMLInputElement)) throw new Error(`the page has no slider ${slider}`);
   const [min, max] = [Number(input.min), Number(input.max)];
-  /** The end of the page's own measure, which it takes when the new positions are there. */
+  /** The time at which the new positions arrive; the page measures it. */
   const redrawn = () =>
     new Promise((done, fail) => {
       const late = setTimeout(() => fail(new Error("no motion came within ten seconds")), 10_000);
@@ -65,8 +63,7 @@ async function slide({ slider, events }) {
 
   const times = [];
   for (let i = 0; i < events; i++) {
-    // Multiples of the golden ratio, without their whole part: spread over the slider, and never one value
-    // twice in a row.
+    // Multiples of the golden ratio modulo 1 cover the slider evenly, and successive values differ.
     input.value = String(min + (max - min) * ((i * 0.618) % 1));
     const motion = redrawn();
     const start = performance.now();
@@ -99,15 +96,15 @@ await main(async () => {
     const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
     await page.goto(address);
     await page.waitForSelector("html[data-engine=ready]");
-    // The sample clips are there: the worker has nothing else to do.
+    // When the sample clips have loaded, the worker is idle.
     await page.getByTestId("train").and(page.locator(":enabled")).waitFor({ state: "attached" });
-    // Where a figure walks, drawing it keeps the processor busy.
+    // Drawing a walking figure would keep the processor busy.
     await page.getByRole("button", { name: "Pause", exact: true }).click();
     await page.getByTestId(values.learned ? "reading-learned" : "reading-inferred").click();
     const slider = "[data-testid=coupling-0-1]";
     await page.waitForSelector(slider);
     const workers = page.workers();
-    for (const worker of workers) await worker.evaluate(noteAnswers);
+    for (const worker of workers) await worker.evaluate(recordAnswers);
 
     const inPage = await page.evaluate(slide, { slider, events: WARM_UP + EVENTS });
     print("event to motion", inPage.slice(WARM_UP));

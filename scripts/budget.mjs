@@ -1,15 +1,20 @@
-// What a first visit may cost, and what may be loaded after it: what a visitor of the first view may ask for;
-// what compares models; what the graphics Turing test needs besides, with jsPsych; the movements of the study
-// that comes with the page; the library of primitives with its view; the view of time series; and what writes
-// a motion as GLB. In gzipped bytes. The build, and the page's test in a browser, hold these.
+// The largest sizes of a visit, in gzipped bytes. The build and a test in a browser check them.
 export const budget = {
   firstVisit: 500_000,
+  /** The wasm of a first visit. */
   wasm: 250_000,
+  /** Help, method and details of the first view. */
   whenAsked: 70_000,
+  /** The whole program, and the comparison of models. */
   onDemand: 805_000,
+  /** The graphics Turing test with jsPsych. */
   perception: 50_000,
+  /** The movements of the page's own study. */
   study: 170_000,
+  /** The view of primitives with its library. */
   primitives: 75_000,
+  /** The view of time series. */
   series: 12_000,
+  /** The writer of GLB files. */
   glb: 15_000,
 };

@@ -1,5 +1,5 @@
-// `npm run build`: from a clean clone to a static site in www/dist. With --wasm-only it stops at the npm
-// package crate/wasm/pkg.
+// `npm run build`: builds a static site in www/dist from a clean clone. With --wasm-only it stops after the
+// npm package crate/wasm/pkg.
 import { fileURLToPath } from "node:url";
 import { writeFirst } from "./first.mjs";
 import { main, step } from "./run.mjs";
@@ -7,7 +7,7 @@ import { buildSite, weigh } from "./site.mjs";
 import { installTools } from "./tools.mjs";
 import { buildWasm, compileWasm } from "./wasm.mjs";
 
-/** Without `small` it is ready sooner: see `buildWasm`. */
+/** Without `small`, wasm-opt is left out: the wasm is larger and ready sooner. */
 export async function build({ wasmOnly = false, small = true } = {}) {
   await step("npm package vcgpdm (wasm)", () => buildWasm({ small }));
   if (wasmOnly) return;

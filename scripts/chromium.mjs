@@ -6,24 +6,28 @@ import { Failure, which } from "./run.mjs";
 const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
 const MAC = ["Google Chrome", "Chromium"].map((name) => `/Applications/${name}.app/Contents/MacOS/${name}`);
 
-/** The browser's program: what the variable CHROMIUM names, else the first that is found; or null. */
+/** The program of the browser: the variable CHROMIUM, else the first one found; or null. */
 export function findChromium() {
   if (process.env.CHROMIUM) return process.env.CHROMIUM;
   return NAMES.map(which).find((file) => file !== null) ?? MAC.find((file) => existsSync(file)) ?? null;
 }
 
-/** Starts it without a window, with WebGL drawn in software; with flags besides. @param {readonly string[]} [flags] */
+/**
+ * Starts the browser without a window, with WebGL drawn in software.
+ * @param {readonly string[]} [flags] further flags
+ */
 export async function launchChromium(flags = []) {
   const executablePath = findChromium();
   if (!executablePath) {
     throw new Failure(
-      "no Chromium was found: install one (Debian, Ubuntu: sudo apt-get install chromium) or name it in the variable CHROMIUM",
+      "no Chromium was found: install one (Debian, Ubuntu: sudo apt-get install chromium) " +
+        "or name it in the variable CHROMIUM",
     );
   }
   const args = [
     ...["--no-sandbox", "--disable-dev-shm-usage"], // containers run as root and have a small /dev/shm
     ...["--enable-unsafe-swiftshader", "--use-angle=swiftshader"], // WebGL without a graphics card
-    // The rest of the page without that emulated card: four times the frames for the stage.
+    // The rest of the page does not use the emulated card, so the stage gets four times the frames.
     ...["--disable-gpu-compositing", "--disable-gpu-rasterization", "--disable-accelerated-2d-canvas"],
     ...flags,
   ];

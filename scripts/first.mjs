@@ -1,36 +1,34 @@
-// What the page opens with, made from the model that is kept with the sources, www/first/model.json: the same
-// model with fewer digits, and the first seconds of its rollout, which walk before the wasm has loaded; and
-// the library of primitives, www/first/library.json, with fewer digits.
+// Makes the files that the page opens with from those in www/first: the model and the library of primitives
+// with fewer digits, and the first seconds of the model's rollout, which play before the wasm has loaded.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { at, filesUnder, whenChanged } from "./run.mjs";
 
-/** A little more than one step of each foot: it plays again and again. */
+/** A little more than one step of each foot; it plays in a loop. */
 const SECONDS = 1.5;
 
 /**
- * Seven digits are less than half of what all sixteen are to send, and move no joint by more than a twentieth
- * of a millimetre in ten seconds.
+ * Seven digits halve the file and change the position of a joint by less than a twentieth of a millimetre in
+ * ten seconds.
  */
 const DIGITS = 7;
 /**
- * Fewer digits for the covariances of the inducing outputs. All rounding together moves the deviations of
- * predictions by less than 6 %, which tests/node/uncertainty.test.mjs holds.
+ * Digits of the covariances of the inducing outputs. All rounding together changes the deviations of
+ * predictions by less than 6 % (tests/node/uncertainty.test.mjs).
  */
 const COVARIANCE_DIGITS = 2;
 
 const rounded = (/** @type {unknown} */ value, /** @type {number} */ digits) =>
   typeof value === "number" && !Number.isInteger(value) ? Number(value.toPrecision(digits)) : value;
 
-/** Covariances get fewer digits than the rest. */
-const short = (/** @type {string} */ name, /** @type {unknown} */ value) =>
+const shortened = (/** @type {string} */ name, /** @type {unknown} */ value) =>
   name.endsWith("_covariance") && Array.isArray(value)
     ? value.map((row) => row.map((/** @type {unknown} */ entry) => rounded(entry, COVARIANCE_DIGITS)))
     : rounded(value, DIGITS);
 
 /**
- * The library of the view Primitives. Its covariances keep all digits that the rest keeps: couplings are
- * fitted with them.
+ * The library of the view Primitives. Its covariances keep seven digits, because couplings are fitted with
+ * them.
  */
 function writeLibrary() {
   const [library, sent] = [at("www/first/library.json"), at("www/public/primitives/library.json")];
@@ -49,7 +47,7 @@ export async function writeFirst() {
   return whenChanged("first", { inputs, outputs: [sent, motion] }, async () => {
     const { Model } = createRequire(import.meta.url)("../crate/wasm/pkg/node/vcgpdm.js");
     const { encodeFirstMotion } = await import("../www/src/stage/first-motion.js");
-    const text = JSON.stringify(JSON.parse(readFileSync(model, "utf8")), short);
+    const text = JSON.stringify(JSON.parse(readFileSync(model, "utf8")), shortened);
 
     const opened = Model.fromJson(text);
     const { frameTime, figure, joints, parts } = opened.info();

@@ -1,6 +1,6 @@
-// `npm run fuzz -- bvh|model|results|study|answers [MINUTES]`: feeds the library's readers with what no
-// program has written, guided by what they do with it (libFuzzer; needs a nightly Rust). What breaks them is
-// left in fuzz/artifacts.
+// `npm run fuzz -- bvh|model|results|study|answers [MINUTES]`: feeds a reader of the library with broken
+// files. libFuzzer makes them, guided by the branches that the reader takes; it needs a nightly Rust. Files
+// that break the reader go to fuzz/artifacts.
 import { createRequire } from "node:module";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { at, env, Failure, main, output, run } from "./run.mjs";
@@ -8,7 +8,7 @@ import { buildWasm } from "./wasm.mjs";
 
 const TARGETS = ["bvh", "model", "results", "study", "answers"];
 const DICTIONARIES = ["bvh", "json"];
-// What `cargo fuzz` passes on: every branch counts, and comparisons tell what they were waiting for.
+// As `cargo fuzz` does: the compiler counts every branch and reports the operands of comparisons.
 const COVERAGE = [
   "--cfg fuzzing",
   "-Cpasses=sancov-module",
@@ -18,8 +18,8 @@ const COVERAGE = [
 ].join(" ");
 
 /**
- * Small inputs to begin with: a made clip, a model, results of nothing, a study of a node that moves, a
- * participant's answers.
+ * Small inputs to begin with: a made clip, a model, empty results, a study of one moving node, the answers of
+ * a participant.
  */
 function seeds(/** @type {string} */ target) {
   if (target === "answers")
@@ -41,7 +41,7 @@ function seeds(/** @type {string} */ target) {
   return [new Trainer(set, { ...common, ...few }).model().toJson()];
 }
 
-/** The page's study, of which only a node and three movements are left. */
+/** The page's study, reduced to a node and three movements. */
 function smallStudy() {
   const study = JSON.parse(readFileSync(at("www/public/study/walks.study.json"), "utf8"));
   const still = (/** @type {{ kind: string }} */ stimulus) => ({

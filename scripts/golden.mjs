@@ -1,7 +1,7 @@
 // `npm run golden`: computes the golden cases again with the independent implementation in
-// tests/golden/generator (Python with JAX, installed into .tools/golden) and compares. `npm run golden --
-// CASE.json ...` checks other cases; `npm run golden -- --out FOLDER [--case K ...] [--seed S] [--movements |
-// --beside]` makes new ones.
+// tests/golden/generator (Python with JAX, installed into .tools/golden) and compares them.
+// `npm run golden -- CASE.json ...` checks other cases. `npm run golden -- --out FOLDER [--case K ...]
+// [--seed S] [--movements | --beside]` makes new ones.
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
@@ -13,7 +13,8 @@ const requirements = join(generator, "requirements.txt");
 const { folder, python, has } = environment("golden");
 
 /**
- * Runs one of the generator's programs. JAX keeps what it has compiled, which takes longer than computing.
+ * Runs one of the generator's programs. The cache of JAX saves the compiling, which takes longer than the
+ * computing.
  */
 function runGenerator(/** @type {string} */ program, /** @type {string[]} */ ...args) {
   env.JAX_COMPILATION_CACHE_DIR = join(folder, "compiled");
@@ -22,7 +23,7 @@ function runGenerator(/** @type {string} */ program, /** @type {string[]} */ ...
 }
 
 /**
- * Checks the golden cases where the Python packages are installed already; returns a note of what was done.
+ * Checks the golden cases if the Python packages are installed; returns a note about the result.
  */
 export async function checkGolden() {
   if (!has("jax"))

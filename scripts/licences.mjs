@@ -1,5 +1,5 @@
-// The licences of what others wrote and the site and the npm package contain: crates that are compiled into
-// the wasm, npm packages that are bundled into the page. Texts that are the same stand once.
+// The licences of the software of others in the site and in the npm package: crates in the wasm and npm
+// packages in the page. Each text appears once.
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
@@ -20,7 +20,7 @@ function crates() {
     "wasm32-unknown-unknown",
   );
   const { packages, resolve } = JSON.parse(text ?? "null") ?? {};
-  if (!packages) throw new Failure("cargo metadata says nothing");
+  if (!packages) throw new Failure("cargo metadata failed");
   const nodes = new Map(resolve.nodes.map((/** @type {{ id: string }} */ node) => [node.id, node]));
   const inside = new Set();
   const visit = (/** @type {string} */ id) => {
@@ -41,7 +41,7 @@ function crates() {
     }));
 }
 
-/** The npm packages that the page imports, and what they import. @returns {Part[]} */
+/** The npm packages that the page imports, with their dependencies. @returns {Part[]} */
 function npmPackages() {
   /** @type {Map<string, Part>} */
   const found = new Map();
@@ -55,7 +55,7 @@ function npmPackages() {
         .find((place) => existsSync(join(place, "package.json")));
       if (!folder) throw new Failure(`${name} is not installed`);
       const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
-      // Types alone are not in the page.
+      // The page contains no types.
       if (found.has(name) || name.startsWith("@types/")) continue;
       found.set(name, { name, version, licence: license ?? "see below", folder });
       visit(join(folder, "package.json"));
@@ -76,18 +76,18 @@ function notice(/** @type {Part[]} */ parts) {
       const text = readFileSync(join(folder, file), "utf8").replaceAll("\r\n", "\n").trim();
       texts.set(text, [...(texts.get(text) ?? []), `${name} ${version}`]);
     }
-    return `${name} ${version}: ${licence}${files.length === 0 ? " (it comes without a text)" : ""}`;
+    return `${name} ${version}: ${licence}${files.length === 0 ? " (without a licence text)" : ""}`;
   });
-  const quoted = [...texts].map(([text, of]) => `${"-".repeat(72)}\n${of.join(", ")}\n\n${text}`);
+  const quoted = [...texts].map(([text, users]) => `${"-".repeat(72)}\n${users.join(", ")}\n\n${text}`);
   return `This contains software of others:\n\n${lines.join("\n")}\n\n${quoted.join("\n\n")}\n`;
 }
 
 const sorted = (/** @type {Part[]} */ parts) => parts.sort((a, b) => a.name.localeCompare(b.name, "en"));
 
 /** For the npm package, which holds the wasm. */
-export const noticeOfWasm = () => notice(sorted(crates()));
+export const wasmNotice = () => notice(sorted(crates()));
 
-/** Beside the page: `licences.txt`. */
+/** Writes `licences.txt` next to the page. */
 export function writeLicences() {
   mkdirSync(at("www/public"), { recursive: true });
   writeFileSync(at("www/public/licences.txt"), notice(sorted([...crates(), ...npmPackages()])));

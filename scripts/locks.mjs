@@ -1,4 +1,4 @@
-// Each package in a lock file has a hash of its content, so that a registry cannot send another one.
+// Each package in a lock file has a hash of its content, so that a registry cannot send another package.
 import { readFileSync } from "node:fs";
 import { at, Failure } from "./run.mjs";
 
@@ -13,7 +13,7 @@ export async function checkLocks() {
     .flatMap((file) => read(file).split("[[package]]"))
     .filter((text) => text.includes("\nsource = "));
   const without = [
-    // The project and its workspace are not fetched.
+    // The project and its workspace do not come from a registry.
     ...npm.filter(([path, { link, integrity }]) => path.includes("node_modules/") && !link && !integrity),
     ...cargo.filter((text) => !/^checksum = "\w{64}"$/m.test(text)).map((text) => text.match(/name = .*/)),
   ].map((found) => found?.[0]);

@@ -1,6 +1,7 @@
 // `npm run mutants [-- K/N]`: changes the numerical core in one place at a time and runs the library's tests,
 // which should fail. There are thousands of such changes, so this tries one share of them: share K of N,
-// counted from 0. The report is in .tools/mutants/mutants.out: missed.txt lists the changes that no test noticed.
+// counted from 0. The report is in .tools/mutants/mutants.out; its file missed.txt lists the changes that no
+// test noticed.
 import { mkdirSync } from "node:fs";
 import { at, env, Failure, main, run, step } from "./run.mjs";
 import { installCargoTool } from "./tools.mjs";

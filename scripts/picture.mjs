@@ -1,7 +1,6 @@
-// `npm run picture`: docs/playground.webp, the moving picture of the README: the walker, its latents, and
-// what a slider does. The built page is stepped frame by frame in a headless Chromium, so that the picture is
-// as smooth on a slow machine. sharp puts the pictures together; it is installed into .tools when it is first
-// asked for.
+// `npm run picture`: makes docs/playground.webp, the moving picture of the README. It steps the built page
+// frame by frame in a headless Chromium, so that the picture is smooth on a slow machine too. The program
+// sharp joins the pictures; the first run installs it into .tools.
 import { mkdirSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { build } from "./build.mjs";
@@ -12,7 +11,7 @@ import { dist } from "./site.mjs";
 
 const SHARP = "0.35.5";
 const OUT = at("docs/playground.webp");
-const LARGEST = 1_000_000;
+const MAX_BYTES = 1_000_000;
 const SIZE = { width: 1200, height: 880 };
 /** The picture is narrower than the page that it shows. */
 const WIDTH = 900;
@@ -20,7 +19,7 @@ const WIDTH = 900;
 const STEP = 3;
 const QUALITY = 60;
 
-/** What is seen: so many pictures while the slider goes from where it is to there; null: it rests. */
+/** The number of pictures in which the slider moves to a value; null: the slider rests. */
 const SCENES = [
   { pictures: 14, slider: null },
   { pictures: 9, slider: -2.4 },
@@ -45,7 +44,7 @@ async function loadSharp() {
   return createRequire(at(".tools/picture/package.json"))("sharp");
 }
 
-/** A pointer, where no window has one. */
+/** Draws a mouse pointer, which a browser without a window lacks. */
 function pointer() {
   const dot = document.createElement("div");
   const look = {
@@ -74,7 +73,7 @@ function pointer() {
   );
 }
 
-/** The page's pictures one after the other, as PNG. */
+/** The pictures of the page in their order, as PNG. */
 async function pictures() {
   const { address, close } = await serve(dist);
   const browser = await launchChromium();
@@ -93,7 +92,7 @@ async function pictures() {
     ]);
     let at = learned;
     const grip = () => {
-      // A thumb's middle stays half its width within the track.
+      // The middle of the thumb stays half a thumb away from the ends of the track.
       const share = (at - (low ?? 0)) / ((high ?? 1) - (low ?? 0));
       return page.mouse.move(box.x + 8 + share * (box.width - 16), box.y + box.height / 2);
     };
@@ -107,7 +106,7 @@ async function pictures() {
           at = from + ((goal - from) * i) / pictures;
           await grip();
           await page.mouse.up();
-          // The motion under the new couplings, and what is drawn of it.
+          // Time for the new motion and its drawing.
           await page.waitForTimeout(250);
         }
         await page.evaluate((frames) => {
@@ -137,7 +136,7 @@ await main(async () => {
       .webp({ quality: QUALITY, effort: 6, smartSubsample: true, delay, loop: 0 })
       .toFile(OUT);
     const { size } = statSync(OUT);
-    if (size > LARGEST) throw new Failure(`docs/playground.webp has ${size} bytes, more than ${LARGEST}`);
+    if (size > MAX_BYTES) throw new Failure(`docs/playground.webp has ${size} bytes, more than ${MAX_BYTES}`);
     return `${found.length} pictures, ${Math.round(size / 1000)} kB`;
   });
 });

@@ -1,10 +1,9 @@
-// Python environments of the project in .tools, each with the packages that its list names, at their exact
-// versions.
+// Python environments of the project in .tools, each with the exact packages of its list.
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { at, Failure, output, run, whenChanged } from "./run.mjs";
 
-/** The Python of the machine that environments are made with, and its version. */
+/** The machine's Python, which makes the environments, and its version. */
 function systemPython() {
   const ask = "import sys; print(sys.version_info >= (3, 10), sys.version.split()[0])";
   const older = [];
@@ -17,19 +16,19 @@ function systemPython() {
   throw new Failure(`Python 3.10 or later is needed, ${found}: https://www.python.org`);
 }
 
-/** The environment of that name, and its Python. */
+/** The environment with this name, and its Python. */
 export function environment(/** @type {string} */ name) {
   const folder = at(".tools", name);
   const bin = process.platform === "win32" ? join(folder, "Scripts") : join(folder, "bin");
   const python = join(bin, process.platform === "win32" ? "python.exe" : "python");
-  /** Whether a module can be loaded in it. */
+  /** Whether the environment can load a module. */
   const has = (/** @type {string} */ module) =>
     existsSync(python) && output(python, "-c", `import ${module}`) !== null;
   return { folder, bin, python, has };
 }
 
 /**
- * Makes the environment with the packages in the list, unless it is there already.
+ * Makes the environment with the packages in the list, unless it exists.
  * @param {string} name
  * @param {string} requirements a file as `pip install --requirement` reads it
  */
@@ -41,7 +40,8 @@ export async function install(name, requirements) {
       await run(program, "-m", "venv", "--clear", folder);
     } catch {
       throw new Failure(
-        `Python ${version} could not make a virtual environment in .tools/${name}; on Debian and Ubuntu the package python3-venv may be missing`,
+        `Python ${version} could not make a virtual environment in .tools/${name}; ` +
+          "on Debian and Ubuntu the package python3-venv may be missing",
       );
     }
     const pip = [
@@ -57,7 +57,8 @@ export async function install(name, requirements) {
       await run(python, ...pip);
     } catch {
       throw new Failure(
-        `the packages in ${requirements} could not be installed: no network, or none are made for Python ${version} on this machine`,
+        `the packages in ${requirements} could not be installed: no network, ` +
+          `or none exist for Python ${version} on this machine`,
       );
     }
   });

@@ -1,4 +1,4 @@
-// Running commands and steps: each says what it does, how long it took, and, in one line, why it failed.
+// Runs commands and steps. A step prints its title, its time and, in one line, the reason of a failure.
 import { spawn, spawnSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
@@ -9,14 +9,14 @@ import { fileURLToPath } from "node:url";
 export const root = dirname(dirname(fileURLToPath(import.meta.url)));
 export const at = (/** @type {string[]} */ ...parts) => join(root, ...parts);
 
-/** A failure whose message is all that a person needs. */
+/** A failure whose message is enough: no stack is printed. */
 export class Failure extends Error {}
 
 /** What the file name of a program ends with. */
 export const executable = process.platform === "win32" ? ".exe" : "";
 
-// wasm-pack looks for its tools on the PATH. Cargo's own folder: a fresh rustup is not yet on the PATH of an
-// open shell.
+// wasm-pack looks for its tools on the PATH. The last folder is Cargo's own: right after rustup is installed,
+// the PATH of an open shell lacks it.
 const path = [
   at("target/wasm-tests/debug"),
   process.env.PATH ?? "",
@@ -25,7 +25,7 @@ const path = [
 /** @type {NodeJS.ProcessEnv & { PATH: string }} */
 export const env = { ...process.env, PATH: path.join(delimiter) };
 
-/** Where a program stands on the PATH, or null. */
+/** The file of a program on the PATH, or null. */
 export function which(/** @type {string} */ program) {
   for (const folder of env.PATH.split(delimiter)) {
     const file = join(folder, program + executable);
@@ -34,7 +34,7 @@ export function which(/** @type {string} */ program) {
   return null;
 }
 
-/** What a command prints, or null when it is missing or fails. */
+/** The output of a command, or null when the command is missing or fails. */
 export function output(/** @type {string} */ program, /** @type {string[]} */ ...args) {
   const { status, stdout } = spawnSync(program, args, { env, cwd: root, encoding: "utf8" });
   return status === 0 ? stdout.trim() : null;
@@ -50,7 +50,7 @@ export async function run(/** @type {string} */ program, /** @type {string[]} */
   if (code !== 0) throw new Failure(`\`${[program, ...args].join(" ")}\` ended with ${code}`);
 }
 
-/** Runs a JavaScript program of an npm package, without a shell and the same on every platform. */
+/** Runs a JavaScript program of an npm package: without a shell, in the same way on every platform. */
 export const runModule = (/** @type {string} */ file, /** @type {string[]} */ ...args) =>
   run(process.execPath, at("node_modules", file), ...args);
 
@@ -96,7 +96,7 @@ export function filesUnder(/** @type {string[]} */ paths, /** @type {string[]} *
 
 /**
  * @typedef {{ inputs: string[], outputs: string[], salt?: string }} State
- * `salt` holds inputs that are not files
+ * `salt` holds inputs other than files
  */
 
 const stampOf = (/** @type {string} */ name) => at(".tools", `${name}.stamp`);
@@ -107,7 +107,7 @@ function hashOf(/** @type {State} */ { inputs, salt = "" }) {
   return hash.digest("hex");
 }
 
-/** Whether the outputs exist and the inputs have the content that they had the last time. */
+/** Whether the outputs exist and the inputs have the same content as last time. */
 export function isUpToDate(/** @type {string} */ name, /** @type {State} */ state) {
   const stamp = stampOf(name);
   return (

@@ -1,5 +1,5 @@
-// `npm run screenshot -- OUT.png [--size 1440x900] [--dark]`: a picture of the built page, some seconds into
-// the walk.
+// `npm run screenshot -- OUT.png [--size 1440x900] [--dark]`: takes a picture of the built page after three
+// seconds.
 import { parseArgs } from "node:util";
 import { launchChromium } from "./chromium.mjs";
 import { Failure, main } from "./run.mjs";

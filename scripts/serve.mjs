@@ -1,5 +1,5 @@
-// A static file server as plain as the hosts the page is made for: no special headers but the content
-// security policy. Also used by the page's tests.
+// A static file server like the hosts that the page is made for: its only special header is the content
+// security policy.
 import { existsSync, readFileSync, statSync } from "node:fs";
 import { createServer } from "node:http";
 import { extname, join, sep } from "node:path";
@@ -22,8 +22,8 @@ const TYPES = {
  * Serves a folder below `prefix` ("/" or "/some/where/"), on the first free port from `port` on (0: any).
  * @param {string} folder
  * @param {{ port?: number, prefix?: string, withPolicy?: boolean, before?: (path: string) => unknown,
- * onSend?: (path: string, bytes: number) => void }} [options] `before` may hold a file back until its promise
- * is kept; `onSend` is told of each file sent and of its size on the wire (gzipped)
+ * onSend?: (path: string, bytes: number) => void }} [options] a file waits for the promise of `before`;
+ * `onSend` gets each file sent and its gzipped size
  */
 export async function serve(folder, { port = 0, prefix = "/", withPolicy = true, before, onSend } = {}) {
   const server = createServer(async (request, response) => {
@@ -59,7 +59,7 @@ export async function serve(folder, { port = 0, prefix = "/", withPolicy = true,
   };
 }
 
-/** The path a request asks for, decoded; "" when it cannot be. */
+/** The decoded path of a request; "" when it cannot be decoded. */
 function pathOf(/** @type {string} */ url) {
   try {
     return decodeURIComponent(new URL(url, "http://localhost").pathname);

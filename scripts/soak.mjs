@@ -1,34 +1,31 @@
-// `npm run soak -- [MINUTES]`: one visitor does everything again and again, and what the page holds is
-// measured after each round. It must not grow: after the warm-up neither heap nor nodes nor listeners by more
-// than a tenth; and the figure walks on with as many pictures a second.
+// `npm run soak -- [MINUTES]`: one visitor uses every feature again and again, and each round ends with a
+// measurement. After the warm-up, heap, nodes and listeners may grow by a tenth at most, and the pictures a
+// second of the figure may fall by a tenth at most.
 import { drop, openSite, pictures, ready, saved } from "../tests/e2e/site.mjs";
 import { bvh } from "../tests/e2e/clips.mjs";
 import { Failure, main } from "./run.mjs";
 
 /**
- * Rounds after which all that is loaded on demand is there, and as many comparisons are kept as the page
- * keeps.
+ * After these rounds the page has loaded everything on demand and stores its largest number of comparisons.
  */
 const WARM_UP = 12;
 /**
- * Machine code of the page's scripts is no part of what the page holds: it grows for as long as another
- * function comes to be used much.
+ * Without compiled code of the page's scripts, which grows whenever another function becomes frequent.
  */
 const NO_CODE = "--js-flags=--no-sparkplug --no-maglev --no-opt";
 /**
- * The middle of so many rounds is compared: one alone has up to a tenth more or less, by what is being drawn
- * as it is measured.
+ * Medians of this many rounds are compared: a single round differs by up to a tenth, depending on what the
+ * page draws at that moment.
  */
-const SOME = 10;
-const MOST = 1.1;
-/** Ours: a tenth fewer pictures a second at the end than at the beginning, at most. */
-const FEWEST = 0.9;
+const ROUNDS = 10;
+const MAX_GROWTH = 1.1;
+const MIN_PICTURES = 0.9;
 const SECONDS = 2;
 
-/** @typedef {{ heap: number, nodes: number, listeners: number, workers: number }} Held */
+/** @typedef {{ heap: number, nodes: number, listeners: number, workers: number }} Sizes */
 
-/** What the page holds, once its garbage is gone. */
-async function held(
+/** The sizes of the page after garbage collection. */
+async function sizesOf(
   /** @type {import("playwright-core").CDPSession} */ cdp,
   /** @type {import("playwright-core").Page} */ page,
 ) {
@@ -44,7 +41,7 @@ async function held(
   };
 }
 
-/** How many pictures of the figure there are in a second. */
+/** Pictures of the figure in a second. */
 async function picturesPerSecond(/** @type {import("playwright-core").Page} */ page) {
   const stage = page.getByTestId("stage");
   const [before, start] = [await pictures(stage), performance.now()];
@@ -55,7 +52,7 @@ async function picturesPerSecond(/** @type {import("playwright-core").Page} */ p
 const median = (/** @type {number[]} */ values) =>
   values.toSorted((a, b) => a - b)[values.length >> 1] ?? Number.NaN;
 
-/** Everything that a visitor does. */
+/** A visitor uses every feature once. */
 async function round(
   /** @type {import("playwright-core").Page} */ page,
   /** @type {Record<string, string>} */ clips,
@@ -97,41 +94,41 @@ await main(async () => {
     const settings = "trainings=1&iterations=20&fps=15&dynamics=6&poses=6&models=dmp-rhythmic,dmp-discrete";
     const { page, problems, leave } = await site.visit({ settings, moving: true });
     await ready(page);
-    // Results of the round before are on no disk.
+    // The page asks about the unsaved results of the previous round.
     await page.addLocatorHandler(page.getByTestId("unsaved"), () =>
       page.getByTestId("unsaved-discard").click(),
     );
     const cdp = await page.context().newCDPSession(page);
     await cdp.send("Performance.enable");
     const clips = { mine: bvh(0), other: bvh(1) };
-    /** @type {Held[]} */
+    /** @type {Sizes[]} */
     const rounds = [];
     const end = Date.now() + 60_000 * minutes;
     /** @type {number[]} */
     const pictures = [];
     console.log("round   heap MB   nodes   listeners   workers   pictures/s");
-    for (let k = 1; Date.now() < end || k <= WARM_UP + 2 * SOME; k++) {
+    for (let k = 1; Date.now() < end || k <= WARM_UP + 2 * ROUNDS; k++) {
       await round(page, clips);
-      const now = await held(cdp, page);
+      const now = await sizesOf(cdp, page);
       const { heap, nodes, listeners, workers } = now;
       pictures.push(await picturesPerSecond(page));
       const shown = (pictures.at(-1) ?? 0).toFixed(1).padStart(13);
-      console.log(
-        `${String(k).padStart(5)}${(heap / 1e6).toFixed(2).padStart(10)}${String(nodes).padStart(8)}${String(listeners).padStart(12)}${String(workers).padStart(10)}${shown}`,
-      );
+      const cells = [String(k), (heap / 1e6).toFixed(2), String(nodes), String(listeners), String(workers)];
+      console.log(cells.map((cell, i) => cell.padStart([5, 10, 8, 12, 10][i] ?? 0)).join("") + shown);
       if (problems.length > 0) throw new Failure(problems.join("\n"));
       rounds.push(now);
-      if (k < WARM_UP + 2 * SOME) continue;
+      if (k < WARM_UP + 2 * ROUNDS) continue;
       for (const what of /** @type {const} */ (["heap", "nodes", "listeners", "workers"])) {
-        const middle = (/** @type {Held[]} */ some) => median(some.map((one) => one[what]));
-        const [warm, last] = [middle(rounds.slice(WARM_UP, WARM_UP + SOME)), middle(rounds.slice(-SOME))];
-        if (last > MOST * warm) throw new Failure(`${what}: ${last}, after the warm-up it was ${warm}`);
+        const middle = (/** @type {Sizes[]} */ some) => median(some.map((sizes) => sizes[what]));
+        const [warm, last] = [middle(rounds.slice(WARM_UP, WARM_UP + ROUNDS)), middle(rounds.slice(-ROUNDS))];
+        if (last > MAX_GROWTH * warm) throw new Failure(`${what}: ${last}, after the warm-up it was ${warm}`);
         if (Date.now() > end) console.log(`${what}, after the warm-up and now: ${warm}, ${last}`);
       }
     }
-    const [first, last] = [median(pictures.slice(0, SOME)), median(pictures.slice(-SOME))];
+    const [first, last] = [median(pictures.slice(0, ROUNDS)), median(pictures.slice(-ROUNDS))];
     console.log(`pictures a second, at first and at last: ${first.toFixed(1)}, ${last.toFixed(1)}`);
-    if (last < FEWEST * first) throw new Failure(`${last} pictures a second, at first there were ${first}`);
+    if (last < MIN_PICTURES * first)
+      throw new Failure(`${last} pictures a second, at first there were ${first}`);
     await leave();
   } finally {
     await site.close();

@@ -1,6 +1,6 @@
 // `npm start`: installs what is missing, builds, serves the built site and prints its address.
-// With --dev it is Vite's development server instead, which follows changes of the page (not of the Rust
-// code).
+// With --dev it starts Vite's development server instead, which follows changes of the page, not of the Rust
+// code.
 import { build } from "./build.mjs";
 import { Failure, main, runModule, step } from "./run.mjs";
 import { serve } from "./serve.mjs";

@@ -3,7 +3,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { at, env, Failure, filesUnder, main, output, root, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
-import { compileTests, NATIVE } from "./cargo.mjs";
+import { compileTests, NATIVE, TESTS } from "./cargo.mjs";
 import { checkGolden } from "./golden.mjs";
 import { checkLocks } from "./locks.mjs";
 import { weigh } from "./site.mjs";
@@ -42,7 +42,7 @@ const STEPS = [
     what: "clippy, native",
     work: async () => {
       await clippy(...NATIVE, "--all-targets", "--all-features");
-      await clippy("--package", "bindgen", "--package", "rust-imports", "--all-targets");
+      await clippy("--package", "rust-imports", "--all-targets");
     },
   },
   { name: "clippy-wasm", what: "clippy, wasm32", work: () => clippy(...WASM, "--features", "speed") },
@@ -52,7 +52,10 @@ const STEPS = [
   {
     name: "rust",
     what: "Rust tests and doctests",
-    work: () => run("cargo", "test", ...NATIVE, "--all-features"),
+    work: async () => {
+      await run("cargo", "test", ...NATIVE, "--all-features", ...TESTS);
+      await run("cargo", "test", ...NATIVE, "--all-features", "--doc");
+    },
   },
   { name: "recordings", what: "Rust tests on recordings", work: recordings },
   { name: "files", what: "model files read with numpy", work: files },
@@ -142,7 +145,7 @@ async function recordings() {
   env.VCGPDM_CLIPS ??= at("../shared/bvh");
   if (!existsSync(env.VCGPDM_CLIPS)) return `skipped: no recordings in ${env.VCGPDM_CLIPS}: set VCGPDM_CLIPS`;
   const names = ["recordings::", ...(env.VCGPDM_ACCLAIM ? ["acclaim::"] : [])];
-  const tests = ["test", ...NATIVE, "--all-features", "--tests", "--", "--ignored", ...names];
+  const tests = ["test", ...NATIVE, "--all-features", ...TESTS, "--", "--ignored", ...names];
   await run("cargo", ...tests);
   const count = (output("cargo", ...tests, "--list") ?? "").match(/: test$/gm)?.length ?? 0;
   if (count === 0) throw new Failure("expected tests in modules named recordings, found none");
@@ -189,12 +192,13 @@ await main(async () => {
   await installTools({ forTests: true });
   env.CARGO_TERM_COLOR ??= process.stdout.isTTY ? "always" : "never";
 
-  /** @type {{ name: string, what: string, time: string, outcome: "passed" | "skipped" | "FAILED", note: string }[]} */
+  /** @typedef {"passed" | "skipped" | "FAILED"} Outcome */
+  /** @type {{ name: string, what: string, time: string, outcome: Outcome, note: string }[]} */
   const results = [];
   for (const { name, what, needs, work } of steps) {
     const start = performance.now();
     console.log(`\n==== ${name}: ${what}`);
-    /** @type {"passed" | "skipped" | "FAILED"} */
+    /** @type {Outcome} */
     let outcome = "passed";
     let note = "";
     try {

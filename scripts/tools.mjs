@@ -1,11 +1,11 @@
-// What has to be on the machine beside rustup and Node; whatever is missing is installed.
+// Checks rustup and Node, and installs the other tools that are missing.
 import { readFileSync } from "node:fs";
 import { delimiter, join } from "node:path";
 import { at, env, executable, Failure, filesUnder, output, run, step, whenChanged, which } from "./run.mjs";
 
 const NODE = [20, 19];
 
-/** a.b.c as numbers that can be compared from the left. */
+/** Whether version a is older than version b. */
 const older = (/** @type {number[]} */ a, /** @type {number[]} */ b) => {
   const i = b.findIndex((n, k) => (a[k] ?? 0) !== n);
   return i >= 0 && (a[i] ?? 0) < (b[i] ?? 0);
@@ -34,7 +34,7 @@ async function rust() {
     throw new Failure(`Rust ${needed} or later is needed, this is ${have}: rustup update stable`);
 }
 
-/** Adds to the toolchain what it lacks. */
+/** Adds missing targets or components to the toolchain. */
 async function toolchain(/** @type {"target" | "component"} */ kind, /** @type {string[]} */ ...names) {
   const installed = output("rustup", kind, "list", "--installed") ?? "";
   const missing = names.filter(
@@ -69,8 +69,8 @@ export async function installCargoTool(/** @type {string} */ name, /** @type {st
 }
 
 /**
- * Everything the build needs; with `forTests` also what only the tests need. `meanwhile` is done while npm
- * waits for the network, so it must not need what npm installs.
+ * Installs the tools of the build; with `forTests` also those of the tests. `meanwhile` runs while npm waits
+ * for the network, so it must not need the npm packages.
  * @param {{ forTests?: boolean, meanwhile?: () => Promise<unknown> }} [options]
  */
 export async function installTools({ forTests = false, meanwhile } = {}) {

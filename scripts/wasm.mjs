@@ -2,7 +2,7 @@
 // a smaller one for a first visit to the page (player/), which shows clips and models and trains none.
 import { copyFileSync, cpSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { noticeOfWasm } from "./licences.mjs";
+import { wasmNotice } from "./licences.mjs";
 import { completePackage, entries } from "./package.mjs";
 import { at, Failure, filesUnder, isUpToDate, output, root, run, runModule, whenChanged } from "./run.mjs";
 
@@ -137,7 +137,7 @@ function describe() {
     engines: { node: ">=20" },
   };
   writeFileSync(at("crate/wasm/pkg/package.json"), `${JSON.stringify(about, null, 2)}\n`);
-  writeFileSync(at("crate/wasm/pkg/THIRD-PARTY.txt"), noticeOfWasm());
+  writeFileSync(at("crate/wasm/pkg/THIRD-PARTY.txt"), wasmNotice());
   copyFileSync(at("crate/wasm/README.md"), at("crate/wasm/pkg/README.md"));
   for (const file of readdirSync(root).filter((name) => name.startsWith("LICENSE")))
     copyFileSync(at(file), at("crate/wasm/pkg", file));

@@ -1,4 +1,4 @@
-// Blender reads what we write, and docs/examples/to_bvh.py makes of other formats what we read.
+// Blender reads our files, and docs/examples/to_bvh.py converts other formats into files that we read.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -29,14 +29,14 @@ const file = (/** @type {string} */ name) => join(folder, name);
 const blender = (/** @type {string[]} */ ...args) =>
   execFileSync(python, args, { cwd: folder, encoding: "utf8", stdio: "pipe", maxBuffer: 1 << 26 });
 
-/** Places of the joints that have such a name, in metres for a body 1.7 m tall, y up [frame][joint][3]. */
+/** Positions of the named joints, in metres for a body 1.7 m tall, y up [frame][joint][3]. */
 function placesOf(/** @type {import("vcgpdm").Clip} */ clip, /** @type {string[]} */ names) {
   const { joints, figure, frames } = clip.info();
   const positions = clip.positions();
   const nodes = names.map((name) =>
     figure.nodes.findIndex(({ joint, endSite }) => !endSite && joints[joint]?.name === name),
   );
-  assert.ok(!nodes.includes(-1), `all of ${names.join(", ")} are there`);
+  assert.ok(!nodes.includes(-1), `the clip has ${names.join(", ")}`);
   return Array.from({ length: frames }, (_, frame) =>
     nodes.map((node) => [...positions.slice(3 * (frame * figure.nodes.length + node)).subarray(0, 3)]),
   );

@@ -1,5 +1,4 @@
-// Fresh folders in which the packed package and a tool are installed, and how their tests run programs and
-// open pages there.
+// Installs the packed package and a tool into fresh folders, and runs programs and opens pages there.
 import { execFile, execFileSync, spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -24,7 +23,7 @@ const npm = (/** @type {string} */ folder, /** @type {string[]} */ ...args) => {
 
 /** @type {string | undefined} */
 let packed;
-/** The package as it would be published. */
+/** Packs the package as for publishing. */
 function tarball() {
   if (!packed) {
     const cli = process.env.npm_execpath;
@@ -35,20 +34,17 @@ function tarball() {
   return packed;
 }
 
-/** @typedef {Promise<string | null>} Installed a folder; null where the registry does not give the tools */
+/** @typedef {Promise<string | null>} Installed a folder; null when the registry lacks the tools */
 
 /** @type {{ files: Record<string, string>, tools: string[], done: (folder: Installed) => void }[]} */
 const asked = [];
 let busy = 0;
-/**
- * So many installations at a time: they mostly wait for the registry, and the tests of what is there go on
- * meanwhile.
- */
-const SIDE_BY_SIDE = 3;
+/** Installations at the same time. They mostly wait for the registry, and tests continue meanwhile. */
+const MAX_INSTALLATIONS = 3;
 
 /**
- * Asks for a folder with these files, the package and the tools; nothing is installed before the first of
- * those asked for is waited for.
+ * Asks for a folder with these files, the package and the tools. The installations start when a test waits
+ * for the first folder.
  * @param {Record<string, string>} files
  * @param {string[]} tools as npm names them, such as vite@8
  * @returns {() => Installed}
@@ -56,7 +52,7 @@ const SIDE_BY_SIDE = 3;
 export function later(files, tools = []) {
   /** @type {Installed} */
   const folder = new Promise((resolve) => asked.push({ files, tools, done: resolve }));
-  // The test that waits for it says why it failed.
+  // The test that waits for the folder reports the failure.
   folder.catch(() => {});
   return () => {
     installNext();
@@ -65,7 +61,7 @@ export function later(files, tools = []) {
 }
 
 function installNext() {
-  while (busy < SIDE_BY_SIDE) {
+  while (busy < MAX_INSTALLATIONS) {
     const next = asked.shift();
     if (!next) return;
     busy += 1;
@@ -88,14 +84,14 @@ async function folderWith(/** @type {Record<string, string>} */ files, /** @type
   try {
     await npm(folder, "install", "--no-audit", "--no-fund", tarball(), ...tools);
   } catch (error) {
-    // Without tools it is the package that cannot be installed.
+    // Without tools, the package itself cannot be installed.
     if (tools.length === 0) throw error;
     return null;
   }
   return folder;
 }
 
-/** What a program prints in the folder. */
+/** The output of a program that runs in the folder. */
 export async function run(
   /** @type {string} */ folder,
   /** @type {string} */ program,
@@ -110,7 +106,7 @@ export async function run(
   return stdout + stderr;
 }
 
-/** A JavaScript program of an installed package, as npm has linked it. */
+/** Runs a JavaScript program of an installed package. */
 export const tool = (
   /** @type {string} */ folder,
   /** @type {string} */ name,
@@ -120,19 +116,19 @@ export const tool = (
 /** @type {Awaited<ReturnType<typeof launchChromium>> | undefined} */
 let browser;
 
-/** The title that a page gives itself when it is through, or the errors that it threw. */
+/** The title of a page when it is done; fails with the errors that the page reported. */
 export async function titleOf(/** @type {string} */ address) {
   browser ??= await launchChromium();
   const page = await browser.newPage();
-  const said = /** @type {string[]} */ ([]);
-  page.on("pageerror", (error) => said.push(error.message));
-  page.on("console", (message) => message.type() === "error" && said.push(message.text()));
+  const errors = /** @type {string[]} */ ([]);
+  page.on("pageerror", (error) => errors.push(error.message));
+  page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
   try {
     await page.goto(address);
     await page.waitForFunction(() => document.title.startsWith("done:"), undefined, { timeout: 30_000 });
     return await page.title();
   } catch (error) {
-    throw new Error(`${address}: ${said.join("; ") || error}`);
+    throw new Error(`${address}: ${errors.join("; ") || error}`);
   } finally {
     await page.close();
   }
@@ -140,7 +136,7 @@ export async function titleOf(/** @type {string} */ address) {
 
 /** The title of the page in a folder. */
 export async function titleIn(/** @type {string} */ folder) {
-  // Parcel puts scripts into the page.
+  // Parcel writes scripts into the page, which the policy forbids.
   const server = await serve(folder, { withPolicy: false });
   try {
     return await titleOf(server.address);
@@ -149,7 +145,7 @@ export async function titleIn(/** @type {string} */ folder) {
   }
 }
 
-/** Starts a server that prints its address, and does something with it. */
+/** Starts a server that prints its address, and calls `work` with the address. */
 export async function withServer(
   /** @type {string} */ folder,
   /** @type {string} */ name,
@@ -161,7 +157,6 @@ export async function withServer(
     const address = await new Promise((resolve, reject) => {
       let text = "";
       const read = (/** @type {Buffer} */ data) => {
-        // Without what colours it.
         text += stripVTControlCharacters(data.toString());
         const found = text.match(/http:\/\/(localhost|127\.0\.0\.1):\d+\//);
         if (found) resolve(found[0]);
@@ -173,12 +168,12 @@ export async function withServer(
     });
     return await work(address);
   } finally {
-    // With the processes that it has started.
+    // Also ends the processes that the server started.
     if (child.pid && child.exitCode === null) process.kill(-child.pid);
   }
 }
 
-/** After all tests. */
+/** Cleans up after all tests. */
 export async function clear() {
   await browser?.close();
   rmSync(place, { recursive: true, force: true });

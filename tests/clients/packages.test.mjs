@@ -1,4 +1,4 @@
-// The npm package in other people's tools, as they install it: bundlers, runtimes, compilers.
+// The npm package in other people's tools, installed as usual: bundlers, runtimes, compilers.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -11,12 +11,12 @@ after(clear);
 const DONE = /^done: 252 frames/;
 const html = (/** @type {string} */ script) =>
   `<!doctype html>\n<meta charset="utf-8">\n<title>waiting</title>\n<script type="module" src="${script}"></script>\n`;
-/** A program that says in the title how many frames the sample has. */
+/** A program that writes the number of frames of a sample into the title. */
 const app = (/** @type {string} */ from = "vcgpdm") => `import init, { Clip } from "${from}";
 await init();
 document.title = "done: " + Clip.sample("walk-1").info().frames + " frames";
 `;
-/** The same by a worker: what stands in the README, told to train shortly. */
+/** The worker of the README, with settings for a short training. */
 const readme = readFileSync(at("crate/wasm/README.md"), "utf8");
 const worker = readme.match(/```js\n(\/\/ worker\.js[\s\S]*?)```/)?.[1] ?? "";
 const settings =
@@ -27,7 +27,7 @@ worker.postMessage(${settings});
 `;
 
 /**
- * A test of a tool; skipped where the registry does not give it.
+ * A test of a tool; skipped when the registry lacks the tool.
  * @param {string} name
  * @param {string[]} tools
  * @param {Record<string, string>} files
@@ -37,14 +37,14 @@ function client(name, tools, files, work) {
   const installed = later(files, tools);
   it(name, { timeout: 300_000 }, async (test) => {
     const folder = await installed();
-    if (folder === null) return test.skip(`the registry does not give ${tools.join(" ")}`);
+    if (folder === null) return test.skip(`the registry lacks ${tools.join(" ")}`);
     await work(folder);
   });
 }
 
 describe("Vite", () => {
   for (const version of ["5", "6", "7", "8"]) {
-    // What the README says of the development server of these.
+    // The README asks for this setting for the development server of versions 5 to 7.
     const excluded = version === "8" ? "" : 'optimizeDeps: { exclude: ["vcgpdm"] },';
     const files = {
       "index.html": html("/app.js"),

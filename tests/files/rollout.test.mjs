@@ -1,4 +1,4 @@
-// A model rolled out from its documentation alone, by docs/examples/rollout.py, against `vcgpdm rollout`.
+// docs/examples/rollout.py, written from the documentation of the file alone, agrees with `vcgpdm rollout`.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
