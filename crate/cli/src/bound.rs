@@ -1,4 +1,4 @@
-//! `vcgpdm bound`: the bound of a golden case, with everything that is expected of it.
+//! `vcgpdm bound`: the bound of a golden case, and the other numbers that a case checks.
 
 use crate::files;
 use crate::numbers::whole;
@@ -11,10 +11,10 @@ use vcgpdm_lab::golden::Case;
 /// Print the bound of a case, its terms, gradient, posteriors and rollouts as one JSON object.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// A problem and a point in its parameter space, as JSON with an "input".
+    /// Data and parameters, as JSON with an "input".
     #[arg(value_name = "CASE.json")]
     case: PathBuf,
-    /// Compute the bound with its gradient so often and add the median time, in milliseconds.
+    /// Compute the bound with its gradient N times and add the median time, in milliseconds.
     #[arg(long, value_name = "N", value_parser = whole(1..=u32::MAX))]
     repeat: Option<u32>,
 }

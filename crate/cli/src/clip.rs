@@ -1,4 +1,4 @@
-//! `vcgpdm clip`: what a clip is, and the clip written back.
+//! `vcgpdm clip`: prints what is in a clip, and writes the clip back.
 
 use crate::files;
 use crate::numbers::{check_fps, check_within};
@@ -7,7 +7,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use vcgpdm::motion::{asf, bvh};
 
-/// Print what a clip holds as one JSON object, and write it back.
+/// Print the contents of a clip as one JSON object, and write the clip back.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A BVH file, or sample:ID; or an ASF skeleton.
@@ -16,10 +16,10 @@ pub struct Arguments {
     /// The AMC motion of an ASF skeleton.
     #[arg(value_name = "MOTION.amc")]
     motion: Option<PathBuf>,
-    /// Frames a second of the AMC motion, which does not say it.
+    /// Frames a second of the AMC motion, whose file does not state them.
     #[arg(long, value_name = "F", requires = "motion", default_value_t = asf::CMU_RATE)]
     amc_fps: f64,
-    /// Resample to about so many frames a second.
+    /// Resample to about this number of frames a second.
     #[arg(long, value_name = "F")]
     fps: Option<f64>,
     /// Write the clip to this file.

@@ -1,26 +1,27 @@
-//! `vcgpdm couple`: primitives of a library in a new combination.
+//! `vcgpdm couple`: combines primitives of a library in a new way.
 
-use crate::files;
 use crate::numbers::whole;
 use crate::train::train_steps;
 use crate::usage::usage;
+use crate::{files, library};
 use serde_json::json;
 use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;
-use vcgpdm::models::library::{CouplingTrainer, CouplingsFrom, MOST_ITERATIONS, TrainedLibrary};
+use vcgpdm::models::library::{CouplingTrainer, CouplingsFrom, MOST_ITERATIONS};
 
 /// Combine primitives of a library into a model, and print its couplings as one JSON object.
 ///
-/// The primitives stay as they were learned. With clips, the couplings are fitted to them; without, those of
-/// each part are taken from a trained movement that uses its primitive, of several from the one most like the
-/// combination, or are 1 where there is none.
+/// The primitives stay as they were learned. With clips, the couplings are fitted to the clips. Without clips,
+/// the couplings of each part come from a trained movement that uses the part's primitive; of several such
+/// movements, from the one that shares most primitives with the combination; without such a movement they are
+/// 1.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A library that `vcgpdm train --movement` wrote.
     #[arg(value_name = "LIBRARY.json")]
     library: PathBuf,
-    /// The primitive of each part, by its name or by that of a movement that uses it.
+    /// The primitive of each part, by its name or by the name of a movement that uses it.
     #[arg(long = "use", value_name = "PART=PRIMITIVE,...")]
     uses: String,
     /// Fit the couplings to this clip, a BVH file or sample:ID; may be given several times.
@@ -41,19 +42,17 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let text = files::read_text(&arguments.library)?;
-    let named = |error| files::with_path(&arguments.library, &error);
-    let mut trained = TrainedLibrary::from_json(&text).map_err(named)?;
+    let mut trained = library::read(&arguments.library)?;
     let uses = trained.uses(&arguments.uses).map_err(|error| usage(format!("--use: {error}")))?;
     let read = arguments.clips.iter().map(PathBuf::as_path).chain([arguments.library.as_path()]);
     let library_out = arguments.library_out.as_deref().map(|path| ("--library-out", path));
     files::check_outs([Some(("--out", arguments.out.as_path())), library_out].into_iter().flatten(), read)?;
-    // Without a name it is in no library that is kept.
+    // Without a name the combination is not stored in a library.
     let name = arguments.name.as_deref().unwrap_or_default();
     trained.check_name(name).map_err(|error| usage(format!("--name: {error}")))?;
     let begin = Instant::now();
     let mut reason = None;
-    // A combination that was recorded is there already, with the rows that it was learned from.
+    // The library already has a combination that was recorded, with its data.
     let recorded =
         trained.library.recorded(&uses).filter(|_| arguments.clips.is_empty() && arguments.name.is_none());
     if recorded.is_none() {

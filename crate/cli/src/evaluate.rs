@@ -1,4 +1,4 @@
-//! `vcgpdm evaluate`: models compared by leave-one-trial-out cross-validation, in parallel, resumable.
+//! `vcgpdm evaluate`: compares models by leave-one-trial-out cross-validation, in parallel and resumable.
 
 use crate::numbers::{check_fps, whole};
 use crate::progress::{Progress, say};
@@ -21,8 +21,8 @@ use vcgpdm_lab::evaluation::{
     ComparisonPlanError, Finished, Fold, Job, Plan, START_FRAMES, Setting, whole_cycles,
 };
 
-/// Compare models: train each on all trials but one, predict that one from its first frames, and keep how
-/// well it went.
+/// Compare models: train each on all trials but one, predict this trial from its first frames, and store the
+/// error.
 ///
 /// The exit status is 1 when all jobs failed. If only some failed, the first failure is printed at the end.
 /// Coupled models are left out for a body in one part. Several programs can work on one file of results: a job
@@ -32,26 +32,26 @@ pub struct Arguments {
     /// BVH files, or sample:ID; each is a trial.
     #[arg(value_name = "CLIP", required = true)]
     clips: Vec<PathBuf>,
-    /// Which models: all, or ids (vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete, dmp-rhythmic).
+    /// The models: all, or ids (vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete, dmp-rhythmic).
     #[arg(long, value_name = "all|ID,ID", default_value = "all")]
     models: String,
     /// How the coupled models split the body, as for `train`.
     #[arg(long, value_name = "lower,upper|FILE")]
     parts: String,
-    /// Which trials are held out, one after the other: all, or numbers from 1.
+    /// The trials that are held out, one after the other: all, or numbers from 1.
     #[arg(long, value_name = "all|N,N", default_value = "all")]
     folds: String,
-    /// Seeds of the models that have some.
+    /// Seeds of the models that have a seed.
     #[arg(long, value_name = "S,S", value_delimiter = ',', default_values_t = [0], value_parser = whole(0..=u32::MAX))]
     seeds: Vec<u32>,
-    /// Inducing points of every dynamics map of the variational models, and of every pose map where
-    /// --pose-ips is absent: one number, or several to compare.
+    /// Inducing points of every dynamics map of the variational models, and of every pose map if --pose-ips is
+    /// absent: one number, or several to compare.
     #[arg(long, value_name = "K,K", value_delimiter = ',', default_values_t = [12], value_parser = whole(1..=MOST_INDUCING))]
     ips: Vec<usize>,
     /// Inducing points of every pose map: each number with each of --ips.
     #[arg(long, value_name = "L,L", value_delimiter = ',', value_parser = whole(1..=MOST_INDUCING))]
     pose_ips: Vec<usize>,
-    /// The TMP's primitives over normalised time, with weights that all trials share, as in the papers.
+    /// Primitives of the TMP over normalised time, with weights that all trials share, as in the papers.
     #[arg(long)]
     normalised_time: bool,
     /// Numbers of primitives of the TMP: "bound" chooses by the bound.
@@ -60,7 +60,7 @@ pub struct Arguments {
     /// Basis functions of every column of the DMPs.
     #[arg(long, value_name = "B,B", value_delimiter = ',', default_values_t = [20], value_parser = whole(1..=MOST_BASES))]
     bases: Vec<usize>,
-    /// How many of the other trials are trained on, to see how time grows; absent: all.
+    /// Numbers of trials to train on, to see how the time grows; absent: all trials but the one held out.
     #[arg(long, value_name = "N,N", value_delimiter = ',', value_parser = whole::<usize>(1..))]
     training_trials: Vec<usize>,
     /// Latent dimensions of every part.
@@ -78,23 +78,23 @@ pub struct Arguments {
     /// The MAP models have a linear term in the kernels of their dynamics (Wang et al. 2008).
     #[arg(long)]
     linear: bool,
-    /// Resample the clips to about so many frames a second.
+    /// Resample the clips to about this number of frames a second.
     #[arg(long, value_name = "F", default_value_t = 30.0)]
     fps: f64,
-    /// Predict from so many first frames of the trial held out.
+    /// Predict from this number of first frames of the trial held out.
     #[arg(long, value_name = "N", default_value_t = START_FRAMES as u16, value_parser = whole(1..=u16::MAX))]
     start_frames: u16,
-    /// Cut all trials to equally many whole cycles, from the same place in the cycle, as the papers do for
-    /// the discrete DMP.
+    /// Cut all trials to the same number of whole cycles, from the same phase of the cycle, as the papers do
+    /// for the discrete DMP.
     #[arg(long)]
     whole_cycles: bool,
-    /// Only the K-th of N equal shares of the jobs, for a scheduler that runs the others elsewhere.
+    /// Compute only the K-th of N equal shares of the jobs, for a scheduler that distributes the shares.
     #[arg(long, num_args = 3, value_names = ["K", "of", "N"])]
     job: Option<Vec<String>>,
-    /// Jobs at a time; absent: as many as there are cores.
+    /// Jobs at the same time; absent: one for each core.
     #[arg(long, value_name = "T", value_parser = whole(1..=u16::MAX))]
     threads: Option<u16>,
-    /// Keep the results in this file; jobs that have an outcome in it are not computed again, those that
+    /// Store the results in this file. Jobs with an outcome in the file are not computed again; jobs that
     /// failed are.
     #[arg(long, value_name = "RESULTS.json")]
     out: PathBuf,
@@ -109,19 +109,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let parts = parts(&arguments.parts, &clips[0].skeleton)?;
     let start_frames = usize::from(arguments.start_frames);
     let setting = Setting::new(&clips, &parts, arguments.fps, start_frames)?;
-    let asked = jobs(arguments, clips.len(), parts.len())?;
-    // Whatever cannot be used is found before anything is computed.
+    let jobs = jobs(arguments, clips.len(), parts.len())?;
+    // Making all folds first finds every unusable trial before anything is computed.
     let mut folds: HashMap<(usize, usize), Fold> = HashMap::new();
-    for job in &asked {
+    for job in &jobs {
         let key = (job.held_out, job.training_trials);
         if let std::collections::hash_map::Entry::Vacant(entry) = folds.entry(key) {
             entry.insert(Fold::new(&clips, key.0, key.1, &parts, arguments.fps, start_frames)?);
         }
     }
-    let share = share(arguments, asked.len())?;
+    let share = share(arguments, jobs.len())?;
     let store = Store::open(&arguments.out, setting)?;
-    let (known, open): (Vec<Job>, Vec<Job>) =
-        share.map(|k| asked[k].clone()).partition(|job| store.results().has_outcome(job));
+    let (done, open): (Vec<Job>, Vec<Job>) =
+        share.map(|k| jobs[k].clone()).partition(|job| store.results().has_outcome(job));
 
     let cores = thread::available_parallelism().map_or(1, usize::from);
     let threads = arguments.threads.map_or(cores, usize::from).min(open.len());
@@ -146,16 +146,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let (computed, failed) = (state.computed, state.failures.len());
     let elsewhere = work.jobs - computed - state.left();
     files::print_json(&json!({
-        "jobs": known.len() + work.jobs,
+        "jobs": done.len() + work.jobs,
         "computed": computed,
-        "known_before": known.len(),
+        "known_before": done.len(),
         "computed_elsewhere": elsewhere,
         "left": state.left(),
         "failed": failed,
     }))?;
     let Some(first) = state.failures.first() else { return Ok(()) };
     let message = format!("{failed} of {computed} jobs failed, first {first}");
-    if failed == computed && known.len() + elsewhere == 0 {
+    if failed == computed && done.len() + elsewhere == 0 {
         return Err(message.into());
     }
     // A workflow goes on with the outcomes: some failures are results like others.
@@ -275,7 +275,7 @@ impl Work {
             state.fractions.remove(&thread);
             state.computed += 1;
             let (done, jobs) = (self.jobs - state.left(), self.jobs);
-            state.progress.ended(|| {
+            state.progress.log(|| {
                 let seconds = seconds();
                 format!("{done} of {jobs} jobs: {id}, trial {trial} held out, seed {seed}, {ending} in {seconds:.1} s")
             });
@@ -302,7 +302,7 @@ impl Work {
     }
 }
 
-/// The jobs that the arguments ask for on so many trials of a body in so many parts.
+/// The jobs that the arguments ask for, on `trials` trials of a body in `parts` parts.
 fn jobs(arguments: &Arguments, trials: usize, parts: usize) -> Result<Vec<Job>, Box<dyn Error>> {
     let plan = Plan {
         models: models(&arguments.models)?,
@@ -321,7 +321,7 @@ fn jobs(arguments: &Arguments, trials: usize, parts: usize) -> Result<Vec<Job>, 
         training_trials: arguments.training_trials.clone(),
         growth: false,
     };
-    let plan = if parts > 1 { plan } else { of_one_part(plan, &arguments.parts)? };
+    let plan = if parts > 1 { plan } else { without_coupled(plan, &arguments.parts)? };
     plan.jobs(trials).map_err(|error| match error {
         ComparisonPlanError::TrainingTrials { most, found } => {
             usage(format!("--training-trials {found}: expected from 1 to {most} trials"))
@@ -330,9 +330,9 @@ fn jobs(arguments: &Arguments, trials: usize, parts: usize) -> Result<Vec<Job>, 
     })
 }
 
-/// The plan without the coupled models that it asks for, which have nothing to couple in one part: what
-/// became of them would say nothing about them. `split` is what `--parts` says.
-fn of_one_part(plan: Plan, split: &str) -> Result<Plan, Box<dyn Error>> {
+/// The plan without its coupled models, which have nothing to couple in one part. `split` is the value of
+/// `--parts`.
+fn without_coupled(plan: Plan, split: &str) -> Result<Plan, Box<dyn Error>> {
     let coupled = plan.models.iter().filter(|kind| kind.is_coupled());
     let coupled = coupled.map(|kind| kind.id()).collect::<Vec<_>>().join(", ");
     let plan = plan.without_coupled();
@@ -340,36 +340,37 @@ fn of_one_part(plan: Plan, split: &str) -> Result<Plan, Box<dyn Error>> {
         return Err(usage(format!("--parts {split}: expected two parts or more for {coupled}, found 1")));
     }
     if !coupled.is_empty() {
-        say(&format!("--parts {split} is one part: {coupled} left out, which would have nothing to couple"));
+        say(&format!("--parts {split} is one part: {coupled} left out, which have nothing to couple"));
     }
     Ok(plan)
 }
 
-/// The trials held out, counted from 1; none named: each in turn.
-pub fn folds(asked: &str, trials: usize) -> Result<Vec<usize>, Box<dyn Error>> {
-    if asked == "all" {
+/// The trials of `--folds`, counted from 1; for "all" an empty list.
+pub fn folds(text: &str, trials: usize) -> Result<Vec<usize>, Box<dyn Error>> {
+    if text == "all" {
         return Ok(Vec::new());
     }
     let number = |word: &str| word.trim().parse().ok().filter(|n| (1..=trials).contains(n));
-    asked.split(',').map(number).collect::<Option<_>>().ok_or_else(|| {
-        usage(format!("--folds {asked}: expected all, or numbers from 1 to {trials} with commas between"))
+    text.split(',').map(number).collect::<Option<_>>().ok_or_else(|| {
+        usage(format!("--folds {text}: expected all, or numbers from 1 to {trials} with commas between"))
     })
 }
 
-pub fn models(asked: &str) -> Result<Vec<ModelKind>, Box<dyn Error>> {
-    if asked == "all" {
+/// The kinds of `--models`.
+pub fn models(text: &str) -> Result<Vec<ModelKind>, Box<dyn Error>> {
+    if text == "all" {
         return Ok(ModelKind::ALL.to_vec());
     }
     let kind = |word: &str| {
         ModelKind::from_id(word.trim()).ok_or_else(|| {
-            let known: Vec<&str> = ModelKind::ALL.iter().map(|kind| kind.id()).collect();
-            usage(format!("--models {word}: expected all, or some of {}", known.join(", ")))
+            let ids: Vec<&str> = ModelKind::ALL.iter().map(|kind| kind.id()).collect();
+            usage(format!("--models {word}: expected all, or some of {}", ids.join(", ")))
         })
     };
-    asked.split(',').map(kind).collect()
+    text.split(',').map(kind).collect()
 }
 
-fn primitives(asked: &[String]) -> Result<Vec<Option<usize>>, Box<dyn Error>> {
+fn primitives(words: &[String]) -> Result<Vec<Option<usize>>, Box<dyn Error>> {
     let number = |word: &String| match (word.trim(), word.trim().parse()) {
         ("bound", _) => Ok(None),
         (_, Ok(count)) if (1..=MOST_PRIMITIVES).contains(&count) => Ok(Some(count)),
@@ -377,10 +378,10 @@ fn primitives(asked: &[String]) -> Result<Vec<Option<usize>>, Box<dyn Error>> {
             "--primitives {word}: expected bound, or a number from 1 to {MOST_PRIMITIVES}"
         ))),
     };
-    asked.iter().map(number).collect()
+    words.iter().map(number).collect()
 }
 
-/// The places of the jobs that `--job K of N` asks for: every N-th, so that all shares take about as long.
+/// The jobs of the share `--job K of N`: every N-th, so that all shares take about the same time.
 fn share(arguments: &Arguments, jobs: usize) -> Result<impl Iterator<Item = usize> + use<>, Box<dyn Error>> {
     let (k, n) = match arguments.job.as_deref() {
         None => (1, 1),

@@ -1,8 +1,7 @@
 //! The `vcgpdm` program: the library from a terminal.
 //!
-//! Results go to stdout as one JSON object, progress to stderr. The exit status is 0; 2 where the command
-//! line asks for what there is not; otherwise 1. Where it is not 0, one line on stderr says what was wrong
-//! and where.
+//! Results go to stdout as one JSON object, progress to stderr. The exit status is 0 for success, 2 for a usage
+//! error and 1 for any other failure. After a failure, one line on stderr says what was wrong and where.
 
 mod bound;
 mod clip;
@@ -10,6 +9,7 @@ mod couple;
 mod evaluate;
 mod files;
 mod interrupt;
+mod library;
 mod merge;
 mod numbers;
 mod perception;
@@ -40,8 +40,8 @@ use usage::Usage;
     name = "vcgpdm",
     version,
     after_help = "A CLIP is a BVH file, or sample:ID for a clip that the program makes itself \
-(sample:walk-1 to sample:walk-6, sample:walk-wave-1 to sample:walk-wave-4). A file called - is stdin or stdout; what a command \
-prints besides then goes to stderr. Exit status: 0, 2 for a wrong command line, 1 for all else."
+(sample:walk-1 to sample:walk-6, sample:walk-wave-1 to sample:walk-wave-4). A file called - is stdin or stdout. If a file is \
+stdout, the summary goes to stderr. Exit status: 0 for success, 2 for a usage error, 1 for any other failure."
 )]
 struct Arguments {
     #[command(subcommand)]
@@ -68,28 +68,28 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let result = match parsed() {
+    let result = match parse() {
         Ok(arguments) => run(arguments.command),
-        // Asked for, so no error.
+        // The user asked for this text, so it is no error.
         Err(help) if matches!(help.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
             files::print(&help.render().to_string())
         }
-        Err(error) => Err(Box::new(Usage(words(&error))) as Box<dyn Error>),
+        Err(error) => Err(Box::new(Usage(usage_message(&error))) as Box<dyn Error>),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             let message: Vec<String> = error.to_string().split_whitespace().map(str::to_owned).collect();
-            // Nobody is left to tell when stderr is closed.
+            // An error on stderr cannot be reported anywhere.
             let _ = writeln!(std::io::stderr(), "vcgpdm: {}", files::escape(&message.join(" ")));
             if error.is::<Usage>() { ExitCode::from(2) } else { ExitCode::FAILURE }
         }
     }
 }
 
-/// The command line. Every option takes a number below zero as its value, so that it is refused as one: clap
-/// would call it an unexpected argument.
-fn command() -> clap::Command {
+/// The command line. Every option takes negative numbers as values, so that the error message is about the
+/// number. Otherwise clap would report an unexpected argument.
+fn command_line() -> clap::Command {
     Arguments::command().mut_subcommands(|command| {
         command.mut_args(|argument| {
             let takes = argument.get_action().takes_values() && !argument.is_positional();
@@ -98,12 +98,12 @@ fn command() -> clap::Command {
     })
 }
 
-fn parsed() -> Result<Arguments, clap::Error> {
-    Arguments::from_arg_matches(&command().try_get_matches()?)
+fn parse() -> Result<Arguments, clap::Error> {
+    Arguments::from_arg_matches(&command_line().try_get_matches()?)
 }
 
-fn run(asked: Command) -> Result<(), Box<dyn Error>> {
-    match asked {
+fn run(command: Command) -> Result<(), Box<dyn Error>> {
+    match command {
         Command::Bound(arguments) => bound::run(&arguments),
         Command::Clip(arguments) => clip::run(&arguments),
         Command::Train(arguments) => train::run(&arguments),
@@ -117,22 +117,22 @@ fn run(asked: Command) -> Result<(), Box<dyn Error>> {
         Command::Study(arguments) => study::run(&arguments),
         Command::Perception(arguments) => perception::run(&arguments),
         Command::Results(arguments) => merge::run(&arguments),
-        Command::Completions(arguments) => shell::completions(&arguments, command()),
-        Command::Man(arguments) => shell::man(&arguments, command()),
+        Command::Completions(arguments) => shell::completions(&arguments, command_line()),
+        Command::Man(arguments) => shell::man(&arguments, command_line()),
     }
 }
 
-/// What was wrong with the command line, with clap's hints ("a similar argument exists"), without the help
-/// that clap adds in further paragraphs.
-fn words(error: &clap::Error) -> String {
+/// The first paragraph of clap's message with clap's hints ("a similar argument exists"). The other paragraphs
+/// are help.
+fn usage_message(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        let command = command();
-        let known: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
-        return format!("expected one of the commands {} (try --help)", known.join(", "));
+        let command = command_line();
+        let names: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
+        return format!("expected one of the commands {} (try --help)", names.join(", "));
     }
     let text = error.render().to_string();
     let first = text.split("\n\n").next().unwrap_or_default().trim_start_matches("error: ");
-    // The standard library says it for programmers.
+    // The standard library's words for a wrong number are for programmers.
     let reason = error.source().filter(|reason| reason.is::<ParseFloatError>());
     let first =
         reason.map_or(first.to_owned(), |reason| first.replace(&reason.to_string(), "expected a number"));

@@ -1,5 +1,4 @@
-//! Numbers of the command line, each with the range that it may be of: whatever is wrong with one, the same
-//! range is said.
+//! Numbers of the command line. Every error about a number states its range.
 
 use crate::usage::usage;
 use std::error::Error;
@@ -9,7 +8,7 @@ use std::ops::{Bound, RangeBounds, RangeInclusive};
 use std::str::FromStr;
 use vcgpdm::motion::Clip;
 
-/// Reads a whole number of this range, which has a lowest one and includes its ends.
+/// Reads a whole number of a range that has a lowest number and includes its ends.
 pub fn whole<T>(
     range: impl RangeBounds<T> + Clone + Send + Sync + 'static,
 ) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync + 'static
@@ -31,10 +30,10 @@ where
     }
 }
 
-/// Refuses a value of this option outside of its range; `what` are the numbers, such as seconds.
+/// Refuses a value of the option outside its range. `unit` is what is counted, such as seconds.
 pub fn check_within(
     option: &str,
-    what: &str,
+    unit: &str,
     range: RangeInclusive<f64>,
     found: f64,
 ) -> Result<(), Box<dyn Error>> {
@@ -42,10 +41,10 @@ pub fn check_within(
         return Ok(());
     }
     let (lowest, highest) = range.into_inner();
-    Err(usage(format!("{option}: expected {what} from {lowest} to {highest}, found {found}")))
+    Err(usage(format!("{option}: expected {unit} from {lowest} to {highest}, found {found}")))
 }
 
-/// Refuses frames a second, given by `--fps`, that no clip can be brought to.
+/// Refuses a value of `--fps` to which no clip can be resampled.
 pub fn check_fps(found: f64) -> Result<(), Box<dyn Error>> {
     check_within("--fps", "frames a second", Clip::RATES, found)
 }
@@ -55,7 +54,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_range_is_said_whatever_is_wrong() {
+    fn states_the_range_in_every_error() {
         for wrong in ["0", "101", "-1", "1.5", "many", "", "99999999999999999999"] {
             assert_eq!(
                 whole(1..=100_usize)(wrong),

@@ -1,4 +1,4 @@
-//! `vcgpdm perception`: what answers to a study say.
+//! `vcgpdm perception`: analyses answers to a study.
 
 use crate::numbers::whole;
 use crate::report::one_line;
@@ -14,24 +14,24 @@ use vcgpdm_lab::perception::{
     read_answers,
 };
 
-/// Analyse answers to a study of perceived naturalness: how often each model is taken for natural, and what
-/// predicts it.
+/// Analyse answers to a study of perceived naturalness: how often each model is taken for natural, and which
+/// score predicts this.
 ///
-/// Prints tables as Markdown; with --out the results go to a file as one JSON document. With --paper, and
-/// without files, it computes the results of Knopp et al. (2019) from the counts that their printed numbers
-/// imply.
+/// The command prints tables as Markdown; with --out the results go to a file as one JSON document. With
+/// --paper, and without files, it computes the results of Knopp et al. (2019) again, from the counts that
+/// follow from their printed numbers.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// The study that was shown.
+    /// The study that participants saw.
     #[arg(value_name = "STUDY.json", required_unless_present = "paper")]
     study: Option<PathBuf>,
-    /// What participants answered: files of the page, of jsPsych or of JATOS, CSV or JSON.
+    /// Files of answers from the page, jsPsych or JATOS, as CSV or JSON.
     #[arg(value_name = "ANSWERS.csv", required_unless_present = "paper")]
     answers: Vec<PathBuf>,
     /// Write the results to this file.
     #[arg(long, value_name = "RESULTS.json")]
     out: Option<PathBuf>,
-    /// Write the data of the papers' figures into this folder, a CSV each.
+    /// Write the data of the papers' figures into this folder, one CSV file for each figure.
     #[arg(long, value_name = "DIR")]
     figures: Option<PathBuf>,
     /// The ceiling c of the logistic regression p = c / (1 + exp(w0 + w1 S)).
@@ -46,10 +46,10 @@ pub struct Arguments {
     /// The seed of blocks and draws.
     #[arg(long, value_name = "S", default_value_t = AnalysisOptions::default().seed, value_parser = whole(0..=u32::MAX))]
     seed: u32,
-    /// Leave out who sees through less than this share of the attention checks.
+    /// Leave out participants who pass less than this share of the attention checks.
     #[arg(long, value_name = "SHARE", default_value_t = AnalysisOptions::default().attention)]
     attention: f64,
-    /// The results of Knopp et al. (2019), computed again.
+    /// Compute the results of Knopp et al. (2019) again.
     #[arg(long, conflicts_with_all = ["study", "answers", "out", "figures"])]
     paper: bool,
 }
@@ -66,8 +66,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let texts = arguments.answers.iter().map(|path| files::read_text(path));
     let texts = texts.collect::<Result<Vec<String>, _>>()?;
     let names: Vec<String> = arguments.answers.iter().map(|path| path.display().to_string()).collect();
-    let given = names.iter().zip(&texts).map(|(name, text)| AnswerFile { name, text });
-    let answers = read_answers(&study, &given.collect::<Vec<_>>())?;
+    let answer_files = names.iter().zip(&texts).map(|(name, text)| AnswerFile { name, text });
+    let answers = read_answers(&study, &answer_files.collect::<Vec<_>>())?;
     let options = AnalysisOptions {
         ceiling: arguments.ceiling,
         folds: arguments.folds,
@@ -104,7 +104,7 @@ fn write_figures(results: &PerceptionResults, folder: &Path) -> Result<(), Box<d
     files::write_text(&folder.join("figures.json"), &(serde_json::to_string_pretty(&list)? + "\n"))
 }
 
-/// What the paper prints, and what follows from its counts.
+/// Numbers of the paper next to those that follow from its counts.
 fn paper(checks: &[PaperCheck]) -> Result<String, std::fmt::Error> {
     let mut text =
         "| from the counts of Knopp et al. (2019) | the paper prints | computed |\n|---|---|---|\n"
@@ -147,7 +147,7 @@ fn participants(text: &mut String, results: &PerceptionResults) -> std::fmt::Res
     let excluded = results.participants.iter().filter(|p| p.excluded).count();
     writeln!(
         text,
-        "\n{} participants, {excluded} left out for seeing through less than {:.0} % of the attention checks. Generated movements were taken for the natural one in {}.",
+        "\n{} participants, {excluded} left out for passing less than {:.0} % of the attention checks. Participants took the generated movement for the natural one in {}.",
         results.participants.len(),
         100.0 * results.options.attention,
         rate(&results.all)
@@ -155,7 +155,7 @@ fn participants(text: &mut String, results: &PerceptionResults) -> std::fmt::Res
     if let Some(catch) = &results.catch {
         writeln!(
             text,
-            "Catch trials: the movement not seen before was taken for the more natural one in {}; the probability that this is chance is {:.2}.",
+            "Catch trials: participants took the unseen movement for the more natural one in {}; the probability of a rate of one half is {:.2}.",
             rate(&catch.confusion),
             catch.is_half
         )?;
@@ -163,7 +163,7 @@ fn participants(text: &mut String, results: &PerceptionResults) -> std::fmt::Res
     if let (Some(tell), Some(precise)) = (results.needed.to_tell, results.needed.for_precision) {
         writeln!(
             text,
-            "A setting needs {tell} trials to tell 0.6 from 0.5 with power 0.8, and {precise} for a rate of 0.5 to lie in [0.45, 0.55] with probability 0.8.",
+            "A setting needs {tell} trials to distinguish 0.6 from 0.5 with power 0.8, and {precise} trials for a rate of 0.5 to lie in [0.45, 0.55] with probability 0.8.",
         )?;
     }
     writeln!(text)
@@ -178,7 +178,7 @@ fn rate(confusion: &Confusion) -> String {
 fn settings(text: &mut String, results: &PerceptionResults) -> std::fmt::Result {
     writeln!(
         text,
-        "| model | settings | movements | taken for natural | rate | P(rate > 0.5) | test MSE | DTW MSE | bound | of it pose | of it dynamics |\n|---|---|---|---|---|---|---|---|---|---|---|"
+        "| model | settings | movements | taken for natural | rate | P(rate > 0.5) | test MSE | DTW MSE | bound | bound: pose terms | bound: dynamics terms |\n|---|---|---|---|---|---|---|---|---|---|---|"
     )?;
     for s in &results.settings {
         let nats = |value: Option<f64>| value.map_or(String::new(), |value| fixed(value, 0));
@@ -239,7 +239,7 @@ fn regressions(text: &mut String, results: &PerceptionResults) -> std::fmt::Resu
     }
     writeln!(
         text,
-        "\np = {} / (1 + exp(w0 + w1 S)). ln K: how much better the curve expects the answers of a block that was left out than the best constant does, on average over {} blocks, in nats.\n",
+        "\np = {} / (1 + exp(w0 + w1 S)). ln K is the log Bayes factor of the curve compared with the best constant, for the answers of a block that was left out, in nats: the mean over {} blocks.\n",
         results.options.ceiling, results.options.folds
     )
 }

@@ -1,6 +1,7 @@
-//! `vcgpdm primitives`: what a library holds, and primitives on their way from one library to another.
+//! `vcgpdm primitives`: lists the primitives of a library, saves some, or adds those of another library.
 
 use crate::files;
+use crate::library::{primitives_by_part, read};
 use crate::numbers::whole;
 use crate::train::train_steps;
 use crate::usage::usage;
@@ -10,28 +11,27 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 use vcgpdm::models::SequenceInfo;
 use vcgpdm::models::library::{
-    ImportFrames, ImportRequest, ImportTrainer, LearnedMovement, MOST_ITERATIONS, Origin, TakeInError,
-    TrainedLibrary,
+    ImportFrames, ImportRequest, ImportTrainer, MOST_ITERATIONS, Origin, TakeInError, TrainedLibrary,
 };
 
-/// Print the primitives of a library with where each comes from, save some as a file, or add those of a file.
+/// Print the primitives of a library with their origins, save some as a file, or add those of a file.
 ///
-/// A saved primitive is a library of its own, with the pose maps that its latents mean something under. It is
-/// added as it is where the pose maps are the same, such as to another file of the same training. Otherwise
-/// --relearn learns it again under the pose maps of this library: from clips, or from what the file keeps of
-/// the movements that it was learned from.
+/// A saved primitive is a library of its own, with the pose maps to which its latents belong. It is added
+/// unchanged if the pose maps are the same, such as to another file of the same training. Otherwise --relearn
+/// learns it again under the pose maps of this library: from clips, or from the latents that the file stores of
+/// the movements from which it was learned.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A library that `vcgpdm train --movement` wrote.
     #[arg(value_name = "LIBRARY.json")]
     library: PathBuf,
-    /// Save these primitives, each by its name or by that of a movement that uses it.
+    /// Save these primitives, each by its name or by the name of a movement that uses it.
     #[arg(long, value_name = "PART=PRIMITIVE,...", conflicts_with = "add", requires = "out")]
     save: Option<String>,
     /// Add the primitives of this library.
     #[arg(long, value_name = "FILE.json", requires = "out")]
     add: Option<PathBuf>,
-    /// Of the library that is added, only these.
+    /// Add only these primitives.
     #[arg(long, value_name = "PART=PRIMITIVE,...", requires = "add")]
     only: Option<String>,
     /// Learn the added primitives again, under the pose maps of this library.
@@ -40,17 +40,16 @@ pub struct Arguments {
     /// Learn from this clip of their movement, a BVH file or sample:ID; may be given several times.
     #[arg(long = "clip", value_name = "CLIP", requires = "relearn")]
     clips: Vec<PathBuf>,
-    /// Learn from rollouts of the movements in the added file, in the place of the latents that it keeps of
-    /// them.
+    /// Learn from rollouts of the movements in the added file, not from the latents that the file stores.
     #[arg(long, requires = "relearn", conflicts_with = "clips")]
     generated: bool,
-    /// The primitives of this library that take part for parts that bring none of their own.
+    /// The primitives of this library for parts of which no primitive is added.
     #[arg(long, value_name = "PART=PRIMITIVE,...", requires = "relearn")]
     with: Option<String>,
-    /// Most iterations of learning again.
+    /// Most iterations of --relearn.
     #[arg(long, value_name = "N", default_value_t = 200, value_parser = whole(1..=MOST_ITERATIONS))]
     max_iterations: usize,
-    /// Seed of everything random in it.
+    /// Seed of --relearn.
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole(0..=u32::MAX))]
     seed: u32,
     /// Write the saved primitives, or the library with the added ones, to this file.
@@ -61,7 +60,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let library = read(&arguments.library)?;
     let Some(out) = &arguments.out else {
-        return files::print_json(&listed(&library));
+        return files::print_json(&summary(&library));
     };
     let read_places = [Some(&arguments.library), arguments.add.as_ref()].into_iter().flatten();
     let read_places = read_places.map(PathBuf::as_path).chain(arguments.clips.iter().map(PathBuf::as_path));
@@ -70,26 +69,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         (Some(save), _) => {
             let chosen = library.chosen(save).map_err(|error| usage(format!("--save: {error}")))?;
             let saved = library.select(&chosen)?;
-            let summary = listed(&saved);
+            let summary = summary(&saved);
             (saved, summary)
         }
-        (None, Some(add)) => added(arguments, library, add)?,
+        (None, Some(path)) => add(arguments, library, path)?,
         (None, None) => return Err(usage("--out: expected --save or --add with it")),
     };
     files::write_text(out, &written.to_json()?)?;
     files::print_summary(&summary, &[out])
 }
 
-fn read(path: &Path) -> Result<TrainedLibrary, Box<dyn Error>> {
-    TrainedLibrary::from_json(&files::read_text(path)?).map_err(|error| files::with_path(path, &error))
-}
-
-fn added(
+fn add(
     arguments: &Arguments,
     mut library: TrainedLibrary,
-    add: &Path,
+    path: &Path,
 ) -> Result<(TrainedLibrary, Value), Box<dyn Error>> {
-    let mut other = read(add)?;
+    let mut other = read(path)?;
     if let Some(only) = &arguments.only {
         let chosen = other.chosen(only).map_err(|error| usage(format!("--only: {error}")))?;
         other = other.select(&chosen)?;
@@ -102,23 +97,23 @@ fn added(
         library.take_in(&other).map_err(|error| match &error {
             TakeInError::Misfit(misfit) if misfit.can_be_relearned() => format!(
                 "{}: {error} (--relearn learns them again under those of this library)",
-                add.display()
+                path.display()
             )
             .into(),
-            _ => files::with_path(add, &error),
+            _ => files::with_path(path, &error),
         })?;
     }
-    let new = (primitives..library.library.primitives.len()).map(|a| primitive(&library, a));
+    let added = (primitives..library.library.primitives.len()).map(|index| primitive(&library, index));
     let learned = library.library.movements[movements..].iter().map(|movement| movement.name.clone());
     let summary = json!({
-        "added": new.collect::<Vec<_>>(),
+        "added": added.collect::<Vec<_>>(),
         "movements": learned.collect::<Vec<_>>(),
         "relearned": relearned,
     });
     Ok((library, summary))
 }
 
-/// The library with the primitives learned again, and how that went.
+/// Learns the primitives again. Returns the library with them, and a summary of the training.
 fn relearn(
     arguments: &Arguments,
     library: &TrainedLibrary,
@@ -126,8 +121,8 @@ fn relearn(
 ) -> Result<(TrainedLibrary, Value), Box<dyn Error>> {
     let mut companions = library.companions(other);
     if let Some(with) = &arguments.with {
-        for a in library.chosen(with).map_err(|error| usage(format!("--with: {error}")))? {
-            companions[library.library.primitives[a].part] = Some(a);
+        for index in library.chosen(with).map_err(|error| usage(format!("--with: {error}")))? {
+            companions[library.library.primitives[index].part] = Some(index);
         }
     }
     let mut clips = Vec::new();
@@ -158,13 +153,13 @@ fn relearn(
     Ok((trainer.finish()?, summary))
 }
 
-/// Primitives with where they come from, and movements.
-fn listed(library: &TrainedLibrary) -> Value {
+/// The primitives with their origins, and the movements.
+fn summary(library: &TrainedLibrary) -> Value {
     let parts = library.body.layout.parts();
     let primitives: Vec<Value> =
-        (0..library.library.primitives.len()).map(|a| primitive(library, a)).collect();
+        (0..library.library.primitives.len()).map(|index| primitive(library, index)).collect();
     let movements = library.library.movements.iter().map(|movement| {
-        let uses = by_part(library, movement);
+        let uses = primitives_by_part(library, movement);
         json!({ "name": movement.name, "uses": uses, "learned": movement.sums.is_some() })
     });
     json!({
@@ -174,16 +169,10 @@ fn listed(library: &TrainedLibrary) -> Value {
     })
 }
 
-/// The primitive of each part in a movement, by their names.
-pub fn by_part(library: &TrainedLibrary, movement: &LearnedMovement) -> serde_json::Map<String, Value> {
-    let parts = library.body.layout.parts().iter().zip(&movement.uses);
-    parts.map(|(part, a)| (part.name.clone(), library.library.primitives[*a].name.clone().into())).collect()
-}
-
-fn primitive(library: &TrainedLibrary, a: usize) -> Value {
-    let known = &library.library.primitives[a];
+fn primitive(library: &TrainedLibrary, index: usize) -> Value {
+    let primitive = &library.library.primitives[index];
     let names = |clips: &[SequenceInfo]| clips.iter().map(|clip| clip.name.clone()).collect::<Vec<_>>();
-    let Origin { training, clips, relearned } = library.origin(a);
+    let Origin { training, clips, relearned } = library.origin(index);
     let relearned = relearned.map(|relearned| {
         json!({
             "primitive": relearned.primitive,
@@ -192,8 +181,8 @@ fn primitive(library: &TrainedLibrary, a: usize) -> Value {
         })
     });
     json!({
-        "part": library.body.layout.parts()[known.part].name,
-        "name": known.name,
+        "part": library.body.layout.parts()[primitive.part].name,
+        "name": primitive.name,
         "origin": {
             "engine": training.engine,
             "seed": training.seed,

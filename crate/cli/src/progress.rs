@@ -1,16 +1,15 @@
-//! How far the work is, on stderr: a bar on a terminal; elsewhere, as in the log of a scheduler, a line now
-//! and then.
+//! Progress on stderr: a bar on a terminal; in a log, such as that of a scheduler, a line every minute.
 
 use crate::files;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
 
-/// A log gets a line at least so often.
-const EVERY: Duration = Duration::from_secs(60);
+/// Time between two lines of a log.
+const INTERVAL: Duration = Duration::from_secs(60);
 
-/// Steps of the bar for one piece of work.
-const FINE: f64 = 1000.0;
+/// Steps of the bar.
+const STEPS: f64 = 1000.0;
 
 pub struct Progress {
     bar: ProgressBar,
@@ -19,65 +18,66 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// `left` says what the estimate of the time left is: "at most" or "about".
-    pub fn new(left: &str) -> Self {
-        let bar = ProgressBar::new(FINE as u64);
-        let template = format!("{{bar:30}} {{msg}}  {{elapsed}} ({left} {{eta}} left)");
+    /// `precision` of the estimated time that is left: "at most" or "about".
+    pub fn new(precision: &str) -> Self {
+        let bar = ProgressBar::new(STEPS as u64);
+        let template = format!("{{bar:30}} {{msg}}  {{elapsed}} ({precision} {{eta}} left)");
         if let Ok(style) = ProgressStyle::with_template(&template) {
             bar.set_style(style);
         }
         Self { bar, log: (!std::io::stderr().is_terminal()).then(|| Log { last: Instant::now() }) }
     }
 
-    /// Shows how far all of the work is, 0 to 1, and in words.
-    pub fn show(&mut self, fraction: f64, words: impl FnOnce() -> String) {
+    /// Shows the finished fraction of the work, 0 to 1, and a message.
+    pub fn show(&mut self, fraction: f64, message: impl FnOnce() -> String) {
         match &mut self.log {
             Some(log) => {
                 if log.is_due(Instant::now()) {
-                    say(&words());
+                    say(&message());
                 }
             }
             None => {
-                self.bar.set_position((fraction * FINE) as u64);
-                self.bar.set_message(words());
+                self.bar.set_position((fraction * STEPS) as u64);
+                self.bar.set_message(message());
             }
         }
     }
 
-    /// Says what has come to its end: where there is no bar that shows it.
-    pub fn ended(&mut self, words: impl FnOnce() -> String) {
+    /// Writes to a log that a piece of the work has ended. On a terminal the bar shows this.
+    pub fn log(&mut self, message: impl FnOnce() -> String) {
         if let Some(log) = &mut self.log {
             log.last = Instant::now();
-            say(&words());
+            say(&message());
         }
     }
 
-    /// Says something once, beside the bar.
-    pub fn note(&self, words: &str) {
-        self.bar.suspend(|| say(words));
+    /// Writes a line above the bar.
+    pub fn note(&self, message: &str) {
+        self.bar.suspend(|| say(message));
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub fn finish(&self) {
         self.bar.finish_and_clear();
     }
 }
 
-/// A line on stderr, beside whatever bar there is.
-pub fn say(words: &str) {
-    // Nobody is left to tell when stderr is closed.
-    let _ = writeln!(std::io::stderr(), "vcgpdm: {}", files::escape(words));
+/// Writes a line to stderr.
+pub fn say(message: &str) {
+    // An error on stderr cannot be reported anywhere.
+    let _ = writeln!(std::io::stderr(), "vcgpdm: {}", files::escape(message));
 }
 
-/// When the last line was written.
+/// The lines of a log.
 struct Log {
+    /// When the last line was written.
     last: Instant,
 }
 
 impl Log {
-    /// Whether it is time for the next line, which then counts as written.
+    /// Whether the next line is due. If so, it counts as written.
     fn is_due(&mut self, now: Instant) -> bool {
-        let due = now.duration_since(self.last) >= EVERY;
+        let due = now.duration_since(self.last) >= INTERVAL;
         if due {
             self.last = now;
         }
@@ -90,7 +90,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_log_gets_a_line_a_minute() {
+    fn writes_a_line_to_a_log_every_minute() {
         let begin = Instant::now();
         let mut log = Log { last: begin };
         let lines = (0..300).filter(|s| log.is_due(begin + Duration::from_secs(*s))).collect::<Vec<_>>();

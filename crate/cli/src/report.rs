@@ -10,10 +10,10 @@ use std::path::PathBuf;
 use vcgpdm_lab::evaluation::stats::Interval;
 use vcgpdm_lab::evaluation::{Comparison, FramesAndTime, Labels, Results, Spread, fixed};
 
-/// Print the tables of an evaluation, and what they say about the claims of the papers.
+/// Print the tables of an evaluation, and what they mean for the claims of the papers.
 ///
-/// Results of the same trials and parts are put together; those of other trials are another subject, with
-/// tables of its own and one more for all of them.
+/// Results of the same trials and parts are put together. Results of other trials are another subject with its
+/// own tables; one more table is for all subjects.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Files that `evaluate` wrote.
@@ -62,10 +62,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         claims(&mut text, &comparison)?;
     }
     if subjects.len() > 1 {
-        let comparison = Comparison::of_all(&once(&subjects));
+        let comparison = Comparison::of_all(&different(&subjects));
         writeln!(
             text,
-            "\n### All together\n\nEvery trial counts once, whoever moves in it: where files hold the same clips, the first of them counts.\n"
+            "\n### All together\n\nEvery trial counts once: of files with the same clips, the first one counts.\n"
         )?;
         models(&mut text, &comparison)?;
         claims(&mut text, &comparison)?;
@@ -73,9 +73,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     files::print(&files::escape(&text))
 }
 
-/// What the tables hold: of each subject, and of all together where there are several.
+/// The numbers of the tables: of each subject and, if there are several, of all together.
 fn numbers(subjects: &[Subject]) -> Value {
-    let of = |subject: &Subject| {
+    let numbers = |subject: &Subject| {
         let results = &subject.results;
         let failed = results.finished().iter().filter(|finished| finished.failure.is_some());
         json!({
@@ -85,12 +85,13 @@ fn numbers(subjects: &[Subject]) -> Value {
             "failed": failed.collect::<Vec<_>>(),
         })
     };
-    let all = (subjects.len() > 1).then(|| Comparison::of_all(&once(subjects)));
-    json!({ "subjects": subjects.iter().map(of).collect::<Vec<_>>(), "all_together": all })
+    let all = (subjects.len() > 1).then(|| Comparison::of_all(&different(subjects)));
+    json!({ "subjects": subjects.iter().map(numbers).collect::<Vec<_>>(), "all_together": all })
 }
 
-/// The subjects without those whose clips are there already, from another number of first frames or cut.
-fn once(subjects: &[Subject]) -> Vec<&Results> {
+/// The subjects without those whose clips belong to an earlier subject, which were predicted from another number
+/// of frames or cut.
+fn different(subjects: &[Subject]) -> Vec<&Results> {
     let mut clips: HashSet<&str> = HashSet::new();
     let mut all = Vec::new();
     for Subject { results, .. } in subjects {
@@ -133,10 +134,10 @@ fn models(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
         return Ok(());
     }
     let parts = &comparison.parts;
-    let of_parts: String = parts.iter().map(|part| format!(" {} |", one_line(part))).collect();
+    let part_headings: String = parts.iter().map(|part| format!(" {} |", one_line(part))).collect();
     writeln!(
         text,
-        "| model | settings | DTW MSE | median | of a motionless prediction |{of_parts} on the trials trained on | bound | of it pose | of it dynamics | training, s | converged | numbers stored | folds | runs |"
+        "| model | settings | DTW MSE | median of the DTW MSE | DTW MSE in % of the trial's variance |{part_headings} DTW MSE on the training trials | bound | bound: pose terms | bound: dynamics terms | training, s | converged | numbers stored | folds | runs |"
     )?;
     writeln!(text, "{}|", "|---".repeat(13 + parts.len()))?;
     for s in &comparison.models {
@@ -167,10 +168,10 @@ fn models(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     }
     writeln!(
         text,
-        "\nMean ± standard error over the trials held out. *Converged* is the share of trainings that ended because nothing changed any more. Pose is the kinematics terms of the bound, dynamics all others."
+        "\nMean ± standard error over the trials held out. *Converged* is the share of trainings that ended because the bound or the density no longer changed. The pose terms are those of the pose maps; the dynamics terms are all others."
     )?;
     if !parts.is_empty() {
-        writeln!(text, "The columns of the parts are the error of each along the same warping path.")?;
+        writeln!(text, "The columns of the parts are the errors of each part along the same warping path.")?;
     }
     writeln!(text)
 }
@@ -181,7 +182,7 @@ fn correlations(text: &mut String, comparison: &Comparison) -> std::fmt::Result 
     }
     writeln!(
         text,
-        "| model | settings compared | rank correlation of bound and MSE | so low by chance |\n|---|---|---|---|"
+        "| model | settings compared | rank correlation of bound and MSE | p value |\n|---|---|---|---|"
     )?;
     for c in &comparison.correlations {
         let (comma, label) = if c.label.is_empty() { ("", "") } else { (", ", c.label.as_str()) };
@@ -223,14 +224,14 @@ fn growth(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     writeln!(text)
 }
 
-/// Bayes factors beside differences in error.
+/// Bayes factors next to ratios of errors.
 fn evidence(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     if comparison.evidence.is_empty() {
         return Ok(());
     }
     writeln!(
         text,
-        "| trial held out | ln Bayes factor, several parts : one (difference of the bounds) | error, several parts : one |\n|---|---|---|"
+        "| trial held out | ln Bayes factor, several parts : one part (difference of the bounds) | error, several parts : one part |\n|---|---|---|"
     )?;
     for e in &comparison.evidence {
         let sign = if e.log_bayes_factor.is_sign_negative() { "" } else { "+" };
@@ -240,7 +241,7 @@ fn evidence(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     writeln!(text)
 }
 
-/// Text that somebody else wrote, as part of a line or a cell of Markdown: without line breaks and bars.
+/// A stranger's text for a line or a cell of Markdown: without line breaks and with escaped bars.
 pub fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ").replace('|', "\\|")
 }
@@ -259,7 +260,7 @@ fn failures(text: &mut String, results: &Results) -> std::fmt::Result {
     Ok(())
 }
 
-/// What the papers say, and what these results say to it.
+/// The claims of the papers, and whether they hold in these results.
 fn claims(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     if comparison.claims.is_empty() {
         return Ok(());
@@ -271,7 +272,7 @@ fn claims(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     }
     writeln!(
         text,
-        "\nErrors are held against each other trial by trial: a number of times is the error of the first over that of the second. Intervals cover at least 95 %: that of the median by the sign test, that of the mean (of the logarithms) by Student's t. The answer follows from that of the median, with fewer than six trials from that of the mean; it is yes or no only where the whole interval says so. Trials share their training data, so that the intervals are a little too narrow. Settings are chosen for each trial by the bound, or without a bound by the error on the other trials.\n"
+        "\nErrors are compared trial by trial: \"0.90 times\" is the error of the first model divided by that of the second. Intervals cover at least 95 %: that of the median by the sign test, that of the mean (of the logarithms) by Student's t. The answer follows from the interval of the median, with fewer than six trials from that of the mean; it is yes or no only if the whole interval says so. Trials share their training data, so that the intervals are a little too narrow. Settings are chosen for each trial by the bound, or without a bound by the error on the other trials.\n"
     )
 }
 
@@ -280,7 +281,7 @@ mod tests {
     use super::one_line;
 
     #[test]
-    fn failures_do_not_break_the_tables() {
+    fn keeps_line_breaks_and_bars_out_of_tables() {
         assert_eq!(one_line("expected a | b,\n\n| found |\r\n c"), "expected a \\| b, \\| found \\| c");
     }
 }

@@ -1,4 +1,4 @@
-//! `vcgpdm reproduce`: trains a model again from what its file says, and compares.
+//! `vcgpdm reproduce`: trains a model again with the settings of its file, and compares.
 
 use crate::numbers::whole;
 use crate::usage::usage;
@@ -11,26 +11,24 @@ use std::time::Instant;
 use vcgpdm::models::{Dataset, FittedModel, Model, SequenceInfo, Source, Trainer, with_bones_of};
 use vcgpdm::motion::Clip;
 
-/// Train a model again from its clips, settings and seed, and compare; print what came out as one JSON
-/// object.
+/// Train a model again from its clips, settings and seed, compare, and print the difference as one JSON object.
 ///
 /// The exit status is 1 when the model differs by more than the tolerance. On one machine the same program
-/// gives the same bits. On another one, and in wasm, the bound has the same bits too; what is computed from
-/// it at the end can differ in its last digits, because products of large matrices are summed as the
-/// processor can do it best.
+/// gives the same bits. On another machine, and in wasm, the bound has the same bits too; numbers that are
+/// computed at the end of the training can differ in their last digits, because products of large matrices are
+/// summed in an order that depends on the processor.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The model of a body, as `vcgpdm train` or the page has saved it.
     #[arg(value_name = "MODEL.json")]
     model: PathBuf,
-    /// The clips that it was trained on, in any order: BVH files, or sample:ID. They are known by their
-    /// content.
+    /// The clips of the training, in any order: BVH files, or sample:ID. They are recognised by their content.
     #[arg(value_name = "CLIP", required = true)]
     clips: Vec<PathBuf>,
-    /// How far a number may be from the recorded one, relative to the larger of the two.
+    /// The largest difference of a number from the recorded one, relative to the larger of the two.
     #[arg(long, value_name = "T", default_value_t = 1e-8)]
     tolerance: f64,
-    /// Threads that compute the bound (vcgpdm, vgpdm), as for `vcgpdm train`; the bits are the same.
+    /// Threads that compute the bound (vcgpdm, vgpdm), as for `vcgpdm train`; the model is the same.
     #[arg(long, value_name = "T", default_value_t = 1, value_parser = whole(1..=u16::MAX))]
     threads: u16,
     /// Write the model that was trained again to this file.
@@ -45,10 +43,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let recorded =
         Model::from_json(&files::read_text(path)?).map_err(|reason| files::with_path(path, &reason))?;
-    if is_put_together(&recorded.fitted) {
+    if is_combination(&recorded.fitted) {
         return Err(format!(
-            "{}: expected a model that was trained from clips, found one that was put together from the primitives of a library, which \
-             learned from other movements too",
+            "{}: expected a model that was trained on clips, found a combination of primitives of a library, which was trained on other \
+             movements too",
             path.display()
         )
         .into());
@@ -65,20 +63,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let sources: Vec<Source> =
         sources.map(|(clip, info)| Source { clip, first_frames: first_frames(info) }).collect();
 
-    let made = &recorded.provenance;
-    let dataset = Dataset::new(&sources, recorded.body.layout.parts(), made.frames_per_second)?;
+    let provenance = &recorded.provenance;
+    let dataset = Dataset::new(&sources, recorded.body.layout.parts(), provenance.frames_per_second)?;
     let begin = Instant::now();
-    let mut trainer = Trainer::new(&dataset, &made.settings, made.seed)?;
+    let mut trainer = Trainer::new(&dataset, &provenance.settings, provenance.seed)?;
     trainer.use_threads(arguments.threads.into());
     let stopped = interrupt::flag()?;
     loop {
         let progress = trainer.step();
-        // A training that was cancelled is cancelled again.
-        if progress.done || progress.iteration >= made.iterations {
+        // A training that was stopped is stopped at the same iteration again.
+        if progress.done || progress.iteration >= provenance.iterations {
             break;
         }
         if stopped.load(Ordering::Relaxed) {
-            return Err("stopped before the training had come as far as the recorded one".into());
+            return Err("stopped before the last iteration of the recorded training".into());
         }
     }
     let again = trainer.finish()?;
@@ -92,7 +90,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         "same_bits": difference.is_none(),
         "within_tolerance": beyond.is_none(),
         "largest_difference": difference.as_ref().map(|(at, relative)| json!({ "at": at, "relative": relative })),
-        "recorded_objective": made.objective,
+        "recorded_objective": provenance.objective,
         "objective": again.provenance.objective,
         "iterations": again.provenance.iterations,
         "seconds": begin.elapsed().as_secs_f64(),
@@ -100,21 +98,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     files::print_summary(&summary, &arguments.out.as_deref().into_iter().collect::<Vec<_>>())?;
     match beyond {
         Some((at, relative)) => Err(format!(
-            "the model differs from the recorded one, most at {at}, by {relative:.1e} of it. Files of {} may need that program",
-            made.engine
+            "the model differs from the recorded one, most at {at}, relatively by {relative:.1e}. The recorded model is of {}: that \
+             version may give the same numbers",
+            provenance.engine
         )
         .into()),
         None => Ok(()),
     }
 }
 
-/// Whether it knows more than its own sequences say: a model of a library of several movements. That of a
-/// library of one movement is what plain training makes.
-fn is_put_together(model: &FittedModel) -> bool {
+/// Whether the model contains information from data sets that are not its own: a model of a library of several
+/// movements. A library of one movement gives the same model as a plain training.
+fn is_combination(model: &FittedModel) -> bool {
     matches!(model, FittedModel::Vcgpdm(model) if !model.elsewhere.is_empty())
 }
 
-/// The clip of a sequence, as it was used.
+/// The clip of a sequence, with the bones of the training.
 fn clip_of(info: &SequenceInfo, infos: &[SequenceInfo], given: &[Clip]) -> Result<Clip, Box<dyn Error>> {
     let find = |info: &SequenceInfo| {
         given.iter().find(|clip| clip.sha256 == info.sha256).ok_or_else(|| {
@@ -134,21 +133,21 @@ fn clip_of(info: &SequenceInfo, infos: &[SequenceInfo], given: &[Clip]) -> Resul
     })
 }
 
-/// The sequence of the clip whose bones others were given.
+/// The sequence of the clip whose bones others have.
 fn owner_of<'a>(name: &str, infos: &'a [SequenceInfo]) -> Option<&'a SequenceInfo> {
     infos.iter().find(|info| info.name == name)
 }
 
-/// Where two models differ most, and by how much relative to the larger number; infinity where they are not
-/// even alike.
+/// The number in which two models differ most, with the difference relative to the larger number; infinity if
+/// the models have other fields.
 fn difference(recorded: &Model, again: &Model) -> Result<Option<(String, f64)>, Box<dyn Error>> {
     let document = |model: &Model| -> Result<Value, Box<dyn Error>> {
         let mut document: Value = serde_json::from_str(&model.to_json()?)?;
-        // Which program made it and what somebody noted is not the model.
+        // The program and the note are not part of the model.
         for name in ["engine", "note"] {
-            document["provenance"].as_object_mut().and_then(|made| made.remove(name));
+            document["provenance"].as_object_mut().and_then(|fields| fields.remove(name));
         }
-        // Clips are known by their content: a copy may have another name.
+        // A copy of a clip may have another name: the content counts.
         let infos = &model.body.sequences;
         let sequences = document["sequences"].as_array_mut().into_iter().flatten();
         for (sequence, info) in sequences.zip(infos) {

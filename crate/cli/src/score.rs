@@ -1,4 +1,4 @@
-//! `vcgpdm score`: how far a rollout is from a whole trial.
+//! `vcgpdm score`: the error of a rollout compared with a whole trial.
 
 use crate::files;
 use crate::numbers::whole;
@@ -6,7 +6,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use vcgpdm_lab::evaluation::dtw_mse;
 
-/// Print the error of a rollout against a whole trial after dynamic time warping as one JSON object.
+/// Print the error of a rollout compared with a whole trial, after dynamic time warping, as one JSON object.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A trained model of a body, of any kind.
@@ -15,7 +15,7 @@ pub struct Arguments {
     /// The trial: a BVH file of the same body, or sample:ID.
     #[arg(value_name = "CLIP")]
     clip: PathBuf,
-    /// Start where this training sequence starts, counted from 0 in the order given to training.
+    /// Start where this training sequence starts, counted from 0 in the order of the training.
     #[arg(long, value_name = "SEQUENCE", default_value_t = 0, value_parser = whole::<usize>(0..))]
     from: usize,
 }

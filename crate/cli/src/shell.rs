@@ -1,4 +1,4 @@
-//! `vcgpdm completions` and `vcgpdm man`: what shells and `man` want to know of the program.
+//! `vcgpdm completions` and `vcgpdm man`: completions for shells, and pages for `man`.
 
 use crate::files;
 use crate::usage::usage;
@@ -6,10 +6,10 @@ use clap::Command;
 use clap_complete::Shell;
 use std::error::Error;
 
-/// Print what a shell needs to complete the program's options.
+/// Print completions of the commands and options for a shell.
 #[derive(clap::Args)]
 pub struct Completions {
-    /// Which shell.
+    /// The shell.
     #[arg(value_name = "SHELL")]
     shell: Shell,
 }
@@ -17,7 +17,7 @@ pub struct Completions {
 /// Print a page for `man`.
 #[derive(clap::Args)]
 pub struct Man {
-    /// The page of a command; absent: of the program.
+    /// The page of this command; absent: the page of the program.
     #[arg(value_name = "COMMAND")]
     command: Option<String>,
 }
@@ -29,13 +29,13 @@ pub fn completions(arguments: &Completions, mut command: Command) -> Result<(), 
 }
 
 pub fn man(arguments: &Man, mut command: Command) -> Result<(), Box<dyn Error>> {
-    // Gives commands their whole names, such as vcgpdm-train.
+    // This gives commands their full names, such as vcgpdm-train.
     command.build();
     let page = match &arguments.command {
         None => command,
         Some(name) => command.find_subcommand(name).cloned().ok_or_else(|| {
-            let known: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
-            usage(format!("man {name}: expected one of the commands {}", known.join(", ")))
+            let names: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+            usage(format!("man {name}: expected one of the commands {}", names.join(", ")))
         })?,
     };
     let mut text = Vec::new();

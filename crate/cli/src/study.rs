@@ -1,4 +1,4 @@
-//! `vcgpdm study`: a study of perceived naturalness, from an evaluation and its clips.
+//! `vcgpdm study`: makes a study of perceived naturalness from an evaluation and its clips.
 
 use crate::evaluate::models;
 use crate::numbers::{check_within, whole};
@@ -20,17 +20,17 @@ use vcgpdm_lab::perception::{Look, Maker, Preset, Shown, Study, TrialKind};
 /// Make a study of perceived naturalness: which of two movements, a natural and a generated one, is the more
 /// natural?
 ///
-/// From the results of an evaluation and its clips it takes every model with all its settings, of several
-/// seeds the one of the highest objective, trains it again as it was trained (results hold no movements) and
-/// takes its prediction of each trial held out. That takes as long as the trainings took: the number of
-/// seconds is said before. From a study, without clips, it makes one with another design or look, or with
-/// other movements marked as failures.
+/// Of the results of an evaluation and its clips, the study takes every model with all its settings, and of
+/// several seeds the one with the highest objective. Each is trained again, because results do not contain
+/// movements, and predicts each trial held out. This takes as long as the trainings took; the number of seconds
+/// is printed before. Without clips, the command changes the design or the look of a study, or marks other
+/// movements as failures.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Results that `evaluate` wrote, or a study that is to be changed.
+    /// Results that `evaluate` wrote, or a study to change.
     #[arg(value_name = "RESULTS.json")]
     source: PathBuf,
-    /// The clips of the evaluation, in any order: BVH files, or sample:ID. They are known by their content.
+    /// The clips of the evaluation, in any order: BVH files, or sample:ID. They are recognised by their content.
     #[arg(value_name = "CLIP")]
     clips: Vec<PathBuf>,
     /// Natural movements that no model has seen, for catch trials.
@@ -48,11 +48,11 @@ pub struct Arguments {
     /// How the figures are drawn: figure, or points (point lights).
     #[arg(long, value_name = "figure|points")]
     look: Option<String>,
-    /// What the study is called.
+    /// The title of the study.
     #[arg(long, value_name = "TEXT")]
     title: Option<String>,
-    /// Which generated movements are marked as obvious failures, by their ids: they check attention. No
-    /// others are.
+    /// Ids of the generated movements that are marked as obvious failures, which check the attention. All
+    /// other movements are unmarked.
     #[arg(long, value_name = "ID,ID", value_delimiter = ',')]
     failed: Option<Vec<String>>,
     /// Seconds of every movement; absent: 3.5.
@@ -61,7 +61,7 @@ pub struct Arguments {
     /// The seed of everything random in the design.
     #[arg(long, value_name = "S", value_parser = whole(0..=u32::MAX))]
     seed: Option<u32>,
-    /// Trainings at a time; absent: as many as there are cores.
+    /// Trainings at the same time; absent: one for each core.
     #[arg(long, value_name = "T", value_parser = whole(1..=u16::MAX))]
     threads: Option<u16>,
     /// Write the study to this file.
@@ -69,12 +69,12 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-/// Seconds of every movement, where nobody asks for others.
+/// Default seconds of every movement.
 const SECONDS: f64 = 3.5;
 
 impl Arguments {
-    /// The first option given that only acts when a study is made.
-    fn about_making(&self) -> Option<&'static str> {
+    /// The first option on the command line that only acts when a study is made.
+    fn making_option(&self) -> Option<&'static str> {
         let options = [
             ("--unseen", !self.unseen.is_empty()),
             ("--models", self.models.is_some()),
@@ -93,43 +93,43 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let preset = arguments.preset.as_deref().map(preset).transpose()?;
     let look = arguments.look.as_deref().map(look).transpose()?;
-    let mut made = if arguments.clips.is_empty() {
-        if let Some(option) = arguments.about_making() {
+    let mut study = if arguments.clips.is_empty() {
+        if let Some(option) = arguments.making_option() {
             return Err(usage(format!(
-                "{option}: expected the clips of an evaluation with it; a study that is there keeps its movements"
+                "{option}: expected the clips of an evaluation with it; an existing study keeps its movements"
             )));
         }
-        let study = read(&arguments.source)?;
-        if let Some(preset) = preset { study.with_preset(preset) } else { study }
+        let old = read(&arguments.source)?;
+        if let Some(preset) = preset { old.with_preset(preset) } else { old }
     } else {
         make(arguments, preset.unwrap_or(Preset::Class))?
     };
     if let Some(look) = look {
-        made.look = look;
+        study.look = look;
     }
     if let Some(title) = &arguments.title {
-        made.title.clone_from(title);
+        study.title.clone_from(title);
     }
     if let Some(seed) = arguments.seed {
-        made.design.seed = seed;
+        study.design.seed = seed;
     }
     if let Some(ids) = &arguments.failed {
-        made = made.with_failed(ids)?;
+        study = study.with_failed(ids)?;
     }
-    let text = made.to_json()? + "\n";
-    // What cannot be read would be found out in front of participants.
-    let made = Study::from_json(&text)?;
+    let text = study.to_json()? + "\n";
+    // A study that cannot be read must not reach participants.
+    let study = Study::from_json(&text)?;
     files::write_text(&arguments.out, &text)?;
-    let trials = made.trials(0);
+    let trials = study.trials(0);
     let count = |kind: TrialKind| trials.iter().filter(|trial| trial.kind == kind).count();
-    let failed = made.stimuli.iter().filter(|stimulus| stimulus.failed()).count();
+    let failed = study.stimuli.iter().filter(|stimulus| stimulus.failed()).count();
     let summary = json!({
-        "hash": made.hash()?,
-        "natural": made.stimuli.iter().filter(|stimulus| stimulus.natural() == Some(true)).count(),
-        "unseen": made.stimuli.iter().filter(|stimulus| stimulus.natural() == Some(false)).count(),
-        "generated": made.stimuli.iter().filter(|stimulus| stimulus.generated().is_some()).count(),
+        "hash": study.hash()?,
+        "natural": study.stimuli.iter().filter(|stimulus| stimulus.natural() == Some(true)).count(),
+        "unseen": study.stimuli.iter().filter(|stimulus| stimulus.natural() == Some(false)).count(),
+        "generated": study.stimuli.iter().filter(|stimulus| stimulus.generated().is_some()).count(),
         "failed": failed,
-        "blocks": made.design.blocks,
+        "blocks": study.design.blocks,
         "comparisons": count(TrialKind::Comparison),
         "attention_checks": count(TrialKind::Attention),
         "catch_trials": count(TrialKind::Catch),
@@ -145,8 +145,8 @@ pub fn read(path: &Path) -> Result<Study, Box<dyn Error>> {
 
 fn preset(id: &str) -> Result<Preset, Box<dyn Error>> {
     Preset::from_id(id).ok_or_else(|| {
-        let known = Preset::ALL.map(Preset::id).join(", ");
-        usage(format!("--preset {id}: expected one of {known}"))
+        let ids = Preset::ALL.map(Preset::id).join(", ");
+        usage(format!("--preset {id}: expected one of {ids}"))
     })
 }
 
@@ -179,7 +179,7 @@ fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> 
         maker.natural(&shown, true)?;
     }
     for (k, clip) in unseen.iter().enumerate() {
-        let positions = natural(body, clip, &clips[0])?;
+        let positions = unseen_positions(body, clip, &clips[0])?;
         let shown =
             Shown { number: k + 1, trial: &clip.name, positions: &positions, frame_time: body.frame_time };
         maker.natural(&shown, false)?;
@@ -197,7 +197,7 @@ fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> 
     Ok(maker.study(&title, preset, look, arguments.seed.unwrap_or(0))?)
 }
 
-/// The clip of a trial, cut as it was.
+/// The clip of a trial, cut as in the evaluation.
 fn clip_of(trial: &TrialClip, given: &[Clip]) -> Result<Clip, Box<dyn Error>> {
     let clip = given.iter().find(|clip| clip.sha256 == trial.sha256).ok_or_else(|| {
         let start: String = trial.sha256.chars().take(8).collect();
@@ -209,15 +209,15 @@ fn clip_of(trial: &TrialClip, given: &[Clip]) -> Result<Clip, Box<dyn Error>> {
     })
 }
 
-/// The places of a clip that is no trial, through the same columns as those of the others.
-fn natural(body: &Body, clip: &Clip, first: &Clip) -> Result<Vec<f32>, Box<dyn Error>> {
+/// The joint positions of a clip that is not a trial, by way of the same columns as those of the trials.
+fn unseen_positions(body: &Body, clip: &Clip, first: &Clip) -> Result<Vec<f32>, Box<dyn Error>> {
     let clip = with_bones_of(clip, first)?;
     let columns = body.mapping.encode(&clip.resample(1.0 / body.frame_time)?)?;
     Ok(body.mapping.decode_positions(&columns.y, &RootStart::default())?)
 }
 
-/// Of each candidate that was trained on all other trials, in each fold, the seed of the highest objective,
-/// and how long its training took.
+/// The seed of the highest objective of each candidate in each fold, with the seconds of its training. Only
+/// candidates that were trained on all other trials count.
 fn best(arguments: &Arguments, results: &Results) -> Result<Vec<(Job, f64)>, Box<dyn Error>> {
     let trials = results.setting().trials.len();
     let kinds = models(arguments.models.as_deref().unwrap_or("all"))?;
@@ -225,16 +225,16 @@ fn best(arguments: &Arguments, results: &Results) -> Result<Vec<(Job, f64)>, Box
     let mut best: Vec<(Job, &Outcome)> = Vec::new();
     for finished in results.in_order() {
         let (job, Some(outcome)) = (&finished.job, &finished.outcome) else { continue };
-        let asked =
+        let wanted =
             kinds.contains(&job.candidate.kind()) && (folds.is_empty() || folds.contains(&job.held_out));
-        if !asked || job.training_trials + 1 != trials {
+        if !wanted || job.training_trials + 1 != trials {
             continue;
         }
         let same = |other: &&mut (Job, &Outcome)| {
             (&other.0.candidate, other.0.held_out) == (&job.candidate, job.held_out)
         };
         match best.iter_mut().find(same) {
-            Some(known) if outcome.is_better_seed(known.1) => *known = (job.clone(), outcome),
+            Some(other) if outcome.is_better_seed(other.1) => *other = (job.clone(), outcome),
             Some(_) => {}
             None => best.push((job.clone(), outcome)),
         }
@@ -244,7 +244,7 @@ fn best(arguments: &Arguments, results: &Results) -> Result<Vec<(Job, f64)>, Box
 
 type Prediction = (Vec<f32>, Outcome);
 
-/// Trains every candidate again and predicts the trial held out: places, and how good the prediction is.
+/// Trains every candidate again and predicts the trial held out: joint positions, and the outcome.
 fn predictions(
     jobs: &[(Job, f64)],
     folds: &BTreeMap<usize, Fold>,
@@ -252,10 +252,10 @@ fn predictions(
 ) -> Result<Vec<(Job, Prediction)>, Box<dyn Error>> {
     let stopped = interrupt::flag()?;
     let seconds: f64 = jobs.iter().map(|(_, seconds)| seconds).sum();
-    let words = |done: usize| format!("{done} of {} trainings, which took {seconds:.0} s", jobs.len());
-    let mut shown = Progress::new("about");
-    shown.show(0.0, || words(0));
-    let shown = Mutex::new(shown);
+    let message = |done: usize| format!("{done} of {} trainings, which took {seconds:.0} s", jobs.len());
+    let mut progress = Progress::new("about");
+    progress.show(0.0, || message(0));
+    let progress = Mutex::new(progress);
     let (next, done) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()));
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let threads = arguments.threads.map_or(cores, usize::from).min(jobs.len());
@@ -269,31 +269,31 @@ fn predictions(
                     let made = predict(fold, job, &|| stopped.load(Ordering::Relaxed));
                     let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
                     done.insert(place, made);
-                    let mut shown = shown.lock().unwrap_or_else(PoisonError::into_inner);
-                    shown.show(done.len() as f64 / jobs.len() as f64, || words(done.len()));
+                    let mut progress = progress.lock().unwrap_or_else(PoisonError::into_inner);
+                    progress.show(done.len() as f64 / jobs.len() as f64, || message(done.len()));
                 }
             });
         }
     });
-    shown.into_inner().unwrap_or_else(PoisonError::into_inner).finish();
+    progress.into_inner().unwrap_or_else(PoisonError::into_inner).finish();
     let done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
-    let named = done.into_iter().map(|(place, made)| {
+    let predictions = done.into_iter().map(|(place, made)| {
         let job = &jobs[place].0;
         made.map(|made| (job.clone(), made)).map_err(|reason| format!("{job}: {reason}").into())
     });
-    named.collect()
+    predictions.collect()
 }
 
 fn predict(fold: &Fold, job: &Job, stopped: &dyn Fn() -> bool) -> Result<Prediction, String> {
-    let words = |error: &dyn Error| error.to_string();
-    let mut learner = fold.learner(&job.candidate, job.seed).map_err(|error| words(&error))?;
+    let text = |error: &dyn Error| error.to_string();
+    let mut learner = fold.learner(&job.candidate, job.seed).map_err(|error| text(&error))?;
     while !learner.step().done {
         if stopped() {
             return Err("stopped".to_owned());
         }
     }
-    let model = learner.model().map_err(|error| words(&error))?;
-    let outcome = fold.outcome(&model, &learner.progress(), 0.0).map_err(|error| words(&error))?;
-    let columns = fold.predict(&model).map_err(|error| words(&error))?;
-    Ok((fold.body().positions(&columns).map_err(|error| words(&error))?, outcome))
+    let model = learner.model().map_err(|error| text(&error))?;
+    let outcome = fold.outcome(&model, &learner.progress(), 0.0).map_err(|error| text(&error))?;
+    let columns = fold.predict(&model).map_err(|error| text(&error))?;
+    Ok((fold.body().positions(&columns).map_err(|error| text(&error))?, outcome))
 }

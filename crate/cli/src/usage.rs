@@ -1,10 +1,9 @@
-//! A command line that asks for what there is not, apart from files that cannot be used: its exit status is
-//! 2.
+//! Errors of the command line. Their exit status is 2; errors of files have the exit status 1.
 
 use std::error::Error;
 use std::fmt;
 
-/// What was wrong with the command line, in one sentence.
+/// An error of the command line, in one sentence.
 #[derive(Debug)]
 pub struct Usage(pub String);
 
@@ -16,7 +15,7 @@ impl fmt::Display for Usage {
 
 impl Error for Usage {}
 
-/// An error about the command line.
+/// An error of the command line.
 pub fn usage(text: impl Into<String>) -> Box<dyn Error> {
     Box::new(Usage(text.into()))
 }

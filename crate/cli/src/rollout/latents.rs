@@ -1,10 +1,10 @@
-//! Latents as tables: CSV with a header, a row a frame.
+//! Latents as tables: CSV with a header and one row for each frame.
 
 use nalgebra::DMatrix;
 use vcgpdm::models::variational::LatentMoments;
 use vcgpdm::series;
 
-/// One row a frame: frame, time in seconds, and the latents of all parts.
+/// One row for each frame: frame, time in seconds, and the latents of all parts.
 pub fn csv(parts: &[String], latents: &[DMatrix<f64>], frame_time: f64) -> String {
     let columns: Vec<_> = (parts.iter().zip(latents))
         .flat_map(|(part, x)| {
@@ -15,7 +15,7 @@ pub fn csv(parts: &[String], latents: &[DMatrix<f64>], frame_time: f64) -> Strin
     table(&columns, frame_time)
 }
 
-/// One row a frame: frame, time in seconds, and mean and variance of the latents of all parts.
+/// One row for each frame: frame, time in seconds, and mean and variance of the latents of all parts.
 pub fn moments_csv(parts: &[String], moments: &LatentMoments, frame_time: f64) -> String {
     let columns: Vec<_> = (parts.iter().enumerate())
         .flat_map(|(i, part)| {
@@ -47,7 +47,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_latent_path_has_a_header_and_a_row_a_frame() {
+    fn writes_a_header_and_a_row_for_each_frame() {
         let latents = [
             DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 3.0, 4.5]),
             DMatrix::from_row_slice(2, 1, &[-1.0, 0.5]),
@@ -58,13 +58,13 @@ mod tests {
     }
 
     #[test]
-    fn no_spreadsheet_computes_a_strangers_name() {
+    fn guards_names_against_spreadsheets() {
         let text = csv(&["=1+1".to_owned()], &[DMatrix::from_element(1, 1, 2.0)], 0.25);
         assert_eq!(text, "frame,time,'=1+1_0\n0,0,2\n");
     }
 
     #[test]
-    fn moments_have_a_mean_and_a_variance_for_each_latent() {
+    fn writes_a_mean_and_a_variance_for_each_latent() {
         let moments = LatentMoments {
             means: vec![DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 3.0, 4.5])],
             covariances: vec![vec![

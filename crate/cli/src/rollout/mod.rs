@@ -1,7 +1,7 @@
-//! `vcgpdm rollout`: a new motion from a trained model.
+//! `vcgpdm rollout`: makes a new motion from a trained model.
 
 mod latents;
-mod words;
+mod parse;
 
 use crate::files;
 use crate::numbers::whole;
@@ -23,33 +23,33 @@ pub struct Arguments {
     /// A trained model of any kind.
     #[arg(value_name = "MODEL.json")]
     model: PathBuf,
-    /// Frames in all, the start included.
+    /// Number of frames, with the start.
     #[arg(long, value_name = "N", value_parser = whole(1..=MOST_FRAMES))]
     frames: usize,
-    /// Start where this training sequence starts, counted from 0 in the order given to training.
+    /// Start where this training sequence starts, counted from 0 in the order of the training.
     #[arg(long, value_name = "SEQUENCE", default_value_t = 0, value_parser = whole::<usize>(0..))]
     from: usize,
-    /// Start at this frame of it, counted from 0. Models that were trained by an older version keep the first
-    /// frames only.
+    /// Start at this frame of the sequence, counted from 0. Models of earlier versions have the first frames
+    /// only.
     #[arg(long, value_name = "FRAME", default_value_t = 0, value_parser = whole::<usize>(0..))]
     frame: usize,
-    /// Change a coupling variance: how little the part SOURCE says about the part TARGET. Parts by name or
-    /// number, from 0.
+    /// Change the coupling variance from part SOURCE to part TARGET: a large variance is a weak coupling. Parts
+    /// by name or number, from 0.
     #[arg(long, value_name = "SOURCE:TARGET=VALUE", num_args = 1..)]
     alpha: Vec<String>,
-    /// What changed couplings do to the experts: they stay as learned, or they are inferred again from the
+    /// How the experts respond to changed couplings: they stay as learned, or they are inferred again from the
     /// same data.
     #[arg(long, default_value = "as-learned")]
     reading: ReadingOption,
-    /// Cut a coupling from frame FROM up to, not including, frame TO.
+    /// Cut a coupling from frame FROM to the frame before TO.
     #[arg(long, value_name = "SOURCE:TARGET@FROM-TO", num_args = 1.., conflicts_with_all = ["samples", "variance"])]
     cut: Vec<String>,
-    /// Push a part before frame FRAME is predicted: AMOUNT is a number for each of its latent dimensions,
-    /// separated by commas, or one number with an f behind it, that many of its own steps ahead (-3f: three
-    /// back).
+    /// Push a part before frame FRAME is predicted. AMOUNT is a number for each latent dimension of the part,
+    /// separated by commas; or one number followed by f, which moves the part that many frames ahead (-3f:
+    /// three frames back).
     #[arg(long, value_name = "PART@FRAME=AMOUNT", num_args = 1.., conflicts_with_all = ["samples", "variance"])]
     push: Vec<String>,
-    /// Write so many sampled rollouts too, numbered from 1: OUT-1.bvh and so on, and the same for --latents.
+    /// Write N sampled rollouts too, numbered from 1: OUT-1.bvh and so on, and the same for --latents.
     #[arg(long, value_name = "N", requires = "seed", value_parser = whole(1..=MOST_SAMPLES))]
     samples: Option<u32>,
     /// The seed of the first sampled rollout; the next ones count on from it.
@@ -61,8 +61,8 @@ pub struct Arguments {
     /// Write the motion to this file. A model of tables has no motion, only columns.
     #[arg(long, value_name = "OUT.bvh", required_unless_present = "columns")]
     out: Option<PathBuf>,
-    /// Write what the model predicts, all columns with a header row, to this file: of a body the root's rates
-    /// and the joints' rotation vectors.
+    /// Write all predicted columns with a header row to this file: of a body, the rates of the root and the
+    /// rotation vectors of the joints.
     #[arg(long, value_name = "OUT.csv")]
     columns: Option<PathBuf>,
     /// Write the latent path to this file, with a header row.
@@ -70,7 +70,7 @@ pub struct Arguments {
     latents: Option<PathBuf>,
 }
 
-/// A reading as a word of the command line.
+/// The values of `--reading`.
 #[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
 enum ReadingOption {
     AsLearned,
@@ -120,9 +120,9 @@ fn roll_out<S: Observed>(
     motion: WriteMotion<S>,
 ) -> Result<(), Box<dyn Error>> {
     match model.coupled() {
-        Some(model) => coupled(arguments, model, motion),
+        Some(model) => roll_out_coupled(arguments, model, motion),
         None => {
-            if let Some(option) = arguments.about_couplings() {
+            if let Some(option) = arguments.coupling_option() {
                 let kind = model.kind().id();
                 return Err(usage(format!(
                     "{option}: expected a vcgpdm or vgpdm model, found a {kind} model"
@@ -135,8 +135,8 @@ fn roll_out<S: Observed>(
 }
 
 impl Arguments {
-    /// The first option given that only a model with couplings knows.
-    fn about_couplings(&self) -> Option<&'static str> {
+    /// The first option on the command line that only models with couplings have.
+    fn coupling_option(&self) -> Option<&'static str> {
         let options = [
             ("--frame", self.frame > 0),
             ("--alpha", !self.alpha.is_empty()),
@@ -150,7 +150,7 @@ impl Arguments {
         first_given(options)
     }
 
-    /// All files that it writes, those of the samples too, each with its option.
+    /// All output files, with those of the samples, each with its option.
     fn outs(&self) -> impl Iterator<Item = (&'static str, PathBuf)> {
         let samples = 1..=self.samples.unwrap_or(0) as usize;
         let each = [("--out", &self.out), ("--columns", &self.columns), ("--latents", &self.latents)];
@@ -161,7 +161,7 @@ impl Arguments {
         each.chain(self.variance.clone().map(|out| ("--variance", out)))
     }
 
-    /// Writes what was rolled out, as motion and as columns, as far as they are asked for.
+    /// Writes a rollout as a motion and as columns, if the options ask for them.
     fn write<S: Observed>(
         &self,
         body: &Body<S>,
@@ -182,7 +182,7 @@ impl Arguments {
     fn request(&self, parts: &[String], alpha: &DMatrix<f64>) -> Result<RolloutRequest, Usage> {
         let mut alpha = alpha.clone();
         for coupling in &self.alpha {
-            let (source, target, value) = words::coupling(coupling, parts).map_err(Usage)?;
+            let (source, target, value) = parse::coupling(coupling, parts).map_err(Usage)?;
             alpha[(source, target)] = value;
         }
         Ok(RolloutRequest {
@@ -194,21 +194,21 @@ impl Arguments {
             cuts: self
                 .cut
                 .iter()
-                .map(|cut| words::cut(cut, parts))
+                .map(|cut| parse::cut(cut, parts))
                 .collect::<Result<_, _>>()
                 .map_err(Usage)?,
             pushes: self
                 .push
                 .iter()
-                .map(|push| words::push(push, parts))
+                .map(|push| parse::push(push, parts))
                 .collect::<Result<_, _>>()
                 .map_err(Usage)?,
         })
     }
 }
 
-/// The rollouts of a model whose couplings may be changed, and its latents into files of their own.
-fn coupled<S: Observed>(
+/// Rolls out a model with couplings, and writes its latents too.
+fn roll_out_coupled<S: Observed>(
     arguments: &Arguments,
     model: Coupled<S>,
     motion: WriteMotion<S>,
@@ -238,7 +238,7 @@ fn coupled<S: Observed>(
     Ok(())
 }
 
-/// `walk.bvh` as `walk-3.bvh`.
+/// `walk-3.bvh` for `walk.bvh` and 3.
 fn numbered(path: &Path, number: Option<usize>) -> PathBuf {
     let Some(number) = number else { return path.to_owned() };
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
@@ -256,9 +256,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sampled_files_are_numbered_before_their_ending() {
-        let named = |path: &str| numbered(Path::new(path), Some(3)).to_string_lossy().into_owned();
-        assert_eq!(named("out/walk.bvh"), "out/walk-3.bvh");
-        assert_eq!(named("walk"), "walk-3");
+    fn numbers_files_of_samples_before_the_extension() {
+        let name = |path: &str| numbered(Path::new(path), Some(3)).to_string_lossy().into_owned();
+        assert_eq!(name("out/walk.bvh"), "out/walk-3.bvh");
+        assert_eq!(name("walk"), "walk-3");
     }
 }

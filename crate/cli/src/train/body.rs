@@ -1,4 +1,4 @@
-//! The parts of a body, and what helps where bodies differ.
+//! The parts of a body, and a hint for clips of different bodies.
 
 use crate::files;
 use crate::usage::usage;
@@ -8,7 +8,7 @@ use vcgpdm::models::DatasetError;
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::{Skeleton, parts};
 
-/// The reason, and what helps where only the bones differ.
+/// The reason, with a hint if only the bones differ.
 pub fn with_hint(reason: DatasetError) -> Box<dyn Error> {
     match &reason {
         DatasetError::Body { reason: body, .. } if body.only_bones_differ() => {
@@ -18,14 +18,14 @@ pub fn with_hint(reason: DatasetError) -> Box<dyn Error> {
     }
 }
 
-/// The parts that `--parts` asks for.
-pub fn parts(asked: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, Box<dyn Error>> {
+/// The parts of `--parts`.
+pub fn parts(text: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, Box<dyn Error>> {
     let presets = parts::presets(skeleton);
-    if let Some(preset) = presets.iter().find(|preset| preset.id == asked) {
+    if let Some(preset) = presets.iter().find(|preset| preset.id == text) {
         return Ok(preset.parts.clone());
     }
-    // The parts' names, in the order in which the model is to have them.
-    let names: Vec<&str> = asked.split(',').map(str::trim).collect();
+    // Names of the parts, in the order of the parts of the model.
+    let names: Vec<&str> = text.split(',').map(str::trim).collect();
     for preset in presets.iter().filter(|preset| preset.parts.len() == names.len()) {
         let chosen: Option<Vec<PartSpec>> =
             names.iter().map(|name| preset.parts.iter().find(|part| part.name == *name).cloned()).collect();
@@ -35,17 +35,17 @@ pub fn parts(asked: &str, skeleton: &Skeleton) -> Result<Vec<PartSpec>, Box<dyn 
             return Ok(chosen);
         }
     }
-    let path = Path::new(asked);
+    let path = Path::new(text);
     if path.exists() {
         return parts::from_json(&files::read_text(path)?, skeleton)
             .map_err(|error| files::with_path(path, &error));
     }
-    let known: Vec<String> = presets
+    let splits: Vec<String> = presets
         .iter()
         .map(|preset| preset.parts.iter().map(|part| part.name.as_str()).collect::<Vec<_>>().join(","))
         .collect();
     Err(usage(format!(
-        "--parts {asked}: expected whole, a file, or what this body can be split into ({})",
-        known.join("; ")
+        "--parts {text}: expected whole, a file, or a split of this body ({})",
+        splits.join("; ")
     )))
 }

@@ -1,4 +1,4 @@
-//! What `vcgpdm train --columns` trains on: CSV files.
+//! `vcgpdm train --columns`: data from CSV files.
 
 use crate::files;
 use crate::numbers::check_within;
@@ -9,8 +9,8 @@ use vcgpdm::models::Dataset;
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::series::{Columns, SeriesError, Table, parts_from_json, parts_from_words, read, whole};
 
-/// The tables as a data set, and its parts. `split` is what `--parts` says; `rate` are the rows a second of
-/// files without times.
+/// The tables as a data set. `split` is the value of `--parts`; `rate` is the number of rows a second of files
+/// without times.
 pub fn dataset(paths: &[PathBuf], split: &str, rate: f64) -> Result<Dataset<Columns>, Box<dyn Error>> {
     check_within("--fps", "rows a second", 0.1..=100_000.0, rate)?;
     let tables = paths.iter().map(|path| table(path)).collect::<Result<Vec<_>, _>>()?;
@@ -23,15 +23,15 @@ fn table(path: &Path) -> Result<Table, Box<dyn Error>> {
     Ok(read(&files::read_name(path), &bytes)?)
 }
 
-/// The parts that `--parts` asks for.
-fn parts(asked: &str, columns: &[String]) -> Result<Vec<PartSpec>, Box<dyn Error>> {
-    if asked == "whole" {
+/// The parts of `--parts`.
+fn parts(text: &str, columns: &[String]) -> Result<Vec<PartSpec>, Box<dyn Error>> {
+    if text == "whole" {
         return Ok(whole(columns.len()));
     }
-    let path = Path::new(asked);
-    if !asked.contains('=') || path.exists() {
-        let text = files::read_text(path)?;
-        return parts_from_json(&text, columns).map_err(|error| files::with_path(path, &error));
+    let path = Path::new(text);
+    if !text.contains('=') || path.exists() {
+        return parts_from_json(&files::read_text(path)?, columns)
+            .map_err(|error| files::with_path(path, &error));
     }
-    parts_from_words(asked, columns).map_err(|error: SeriesError| usage(format!("--parts {asked}: {error}")))
+    parts_from_words(text, columns).map_err(|error: SeriesError| usage(format!("--parts {text}: {error}")))
 }

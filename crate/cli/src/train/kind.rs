@@ -1,4 +1,4 @@
-//! Which kind of model `vcgpdm train` makes, and the options that only some kinds have.
+//! The kind of model that `vcgpdm train` makes, and the options that only some kinds have.
 
 use crate::numbers::whole;
 use crate::usage::usage;
@@ -11,10 +11,10 @@ use vcgpdm::models::{
     Settings, TmpSettings, VariationalSettings,
 };
 
-/// The options that only some kinds have. What they hold counts where the kind has them.
+/// The options that only some kinds have. Other kinds ignore their defaults.
 #[derive(clap::Args)]
 pub struct Options {
-    // Before the others: reading an option takes it away.
+    // This comes first, because clap removes an option when it reads it.
     #[command(flatten)]
     given: Given,
     /// The seed of everything random (GPDMs).
@@ -45,17 +45,17 @@ pub struct Options {
     /// over learned phases.
     #[arg(long)]
     normalised_time: bool,
-    /// How many primitives (tmp); absent: chosen by the bound.
+    /// Number of primitives (tmp); absent: chosen by the bound.
     #[arg(long, value_name = "N", value_parser = whole(1..=MOST_PRIMITIVES))]
     primitives: Option<usize>,
     /// Basis functions of every column (dmp-discrete, dmp-rhythmic).
     #[arg(long, value_name = "B", default_value_t = DmpSettings::default().bases, value_parser = whole(1..=MOST_BASES))]
     bases: usize,
-    /// Threads that compute the bound (vcgpdm, vgpdm), of which up to two for each part have work, and over
-    /// many frames the next step; the model is the same, but takes more memory.
+    /// Threads that compute the bound (vcgpdm, vgpdm): at most two for each part have work. The model is the
+    /// same, but the training takes more memory.
     #[arg(long, value_name = "T", default_value_t = 1, value_parser = whole(1..=u16::MAX))]
     pub threads: u16,
-    /// Write the starting point as the input of a case, for another implementation to start from (vcgpdm,
+    /// Write the starting point as the input of a case, from which another implementation can start (vcgpdm,
     /// vgpdm).
     #[arg(long, value_name = "CASE.json")]
     pub write_start: Option<PathBuf>,
@@ -67,7 +67,7 @@ const GPDMS: &[ModelKind] = &[ModelKind::Vcgpdm, ModelKind::Vgpdm, ModelKind::Ma
 const TMP: &[ModelKind] = &[ModelKind::Tmp];
 const DMPS: &[ModelKind] = &[ModelKind::DmpDiscrete, ModelKind::DmpRhythmic];
 
-/// Which kinds have an option.
+/// The kinds that have an option.
 const KINDS: [(&str, &[ModelKind]); 13] = [
     ("seed", GPDMS),
     ("latent", GPDMS),
@@ -85,7 +85,7 @@ const KINDS: [(&str, &[ModelKind]); 13] = [
 ];
 
 impl Options {
-    /// A model of that kind with the settings asked for; an option that the kind does not have is refused.
+    /// The settings of a model of this kind. An option that the kind does not have is refused.
     pub fn settings(&self, kind: ModelKind) -> Result<Settings, Box<dyn Error>> {
         let misplaced = KINDS.iter().find(|(id, kinds)| self.given.has(id) && !kinds.contains(&kind));
         if let Some((id, kinds)) = misplaced {
@@ -117,32 +117,32 @@ impl Options {
     }
 }
 
-/// The kind that `--model` names.
-pub fn named(id: &str) -> Result<ModelKind, String> {
+/// Reads the value of `--model`.
+pub fn parse(id: &str) -> Result<ModelKind, String> {
     ModelKind::from_id(id).ok_or_else(|| {
-        let known: Vec<&str> = ModelKind::ALL.iter().map(|kind| kind.id()).collect();
-        format!("expected one of {}", known.join(", "))
+        let ids: Vec<&str> = ModelKind::ALL.iter().map(|kind| kind.id()).collect();
+        format!("expected one of {}", ids.join(", "))
     })
 }
 
-/// The kind asked for, or else the variational one of so many parts. A kind that cannot have so many is
-/// refused; `split` is what `--parts` says.
-pub fn of_parts(asked: Option<ModelKind>, parts: usize, split: &str) -> Result<ModelKind, Box<dyn Error>> {
-    let Some(kind) = asked else {
+/// The kind of `--model`; without it, the variational kind for this number of parts. A kind that cannot have
+/// this number of parts is refused. `split` is the value of `--parts`.
+pub fn check_parts(kind: Option<ModelKind>, parts: usize, split: &str) -> Result<ModelKind, Box<dyn Error>> {
+    let Some(kind) = kind else {
         return Ok(if parts == 1 { ModelKind::Vgpdm } else { ModelKind::Vcgpdm });
     };
     let wrong = match kind {
-        ModelKind::Vcgpdm if parts == 1 => ("two parts or more", "a model of one part is a vgpdm"),
-        ModelKind::MapCgpdm if parts == 1 => ("two parts or more", "a model of one part is a map-gpdm"),
-        ModelKind::Vgpdm if parts > 1 => ("one part (whole)", "coupled it is a vcgpdm"),
-        ModelKind::MapGpdm if parts > 1 => ("one part (whole)", "coupled it is a map-cgpdm"),
+        ModelKind::Vcgpdm if parts == 1 => ("two parts or more", "with one part choose vgpdm"),
+        ModelKind::MapCgpdm if parts == 1 => ("two parts or more", "with one part choose map-gpdm"),
+        ModelKind::Vgpdm if parts > 1 => ("one part (whole)", "with several parts choose vcgpdm"),
+        ModelKind::MapGpdm if parts > 1 => ("one part (whole)", "with several parts choose map-cgpdm"),
         _ => return Ok(kind),
     };
     let ((expected, other), kind) = (wrong, kind.id());
     Err(usage(format!("--parts {split}: expected {expected} for a {kind} model, found {parts}; {other}")))
 }
 
-/// Which options stand on the command line; the others hold their defaults.
+/// The options on the command line; all others have their defaults.
 struct Given(Vec<String>);
 
 impl Given {

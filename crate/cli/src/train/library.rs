@@ -1,8 +1,8 @@
-//! `vcgpdm train --movement`: clips of several movements to a library of primitives.
+//! `vcgpdm train --movement`: trains a library of primitives on clips of several movements.
 
 use crate::files;
+use crate::library::primitives_by_part;
 use crate::numbers::check_fps;
-use crate::primitives::by_part;
 use crate::progress::say;
 use crate::train::arguments::Arguments;
 use crate::train::body::{parts, with_hint};
@@ -56,18 +56,18 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let parts = parts(split, &clips[0].skeleton)?;
     let mut shared = vec![false; parts.len()];
     for name in arguments.share.iter().flat_map(|text| text.split(',')) {
-        let place = parts.iter().position(|part| part.name == name.trim()).ok_or_else(|| {
-            let known: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
-            usage(format!("--share {name}: expected one of the parts {}", known.join(", ")))
+        let index = parts.iter().position(|part| part.name == name.trim()).ok_or_else(|| {
+            let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
+            usage(format!("--share {name}: expected one of the parts {}", names.join(", ")))
         })?;
-        shared[place] = true;
+        shared[index] = true;
     }
     let planned = movements
         .into_iter()
         .map(|movement| PlannedMovement { name: movement.name, sequences: movement.clips.len() });
     let plan =
         LibraryPlan::new(planned.collect(), shared).map_err(|error| usage(format!("--movement: {error}")))?;
-    // A library has the settings of the vCGPDM; options that it does not have are refused with theirs.
+    // A library has the settings of the vCGPDM: options of other kinds are refused.
     let model_settings = arguments.options.settings(ModelKind::Vcgpdm)?;
     let Settings::Vcgpdm(settings) = &model_settings else {
         return Err("expected settings of a vcgpdm".into());
@@ -111,7 +111,7 @@ fn summary(
         .movements
         .iter()
         .map(|movement| {
-            json!({ "name": movement.name, "uses": by_part(trained, movement), "alpha": files::rows(&movement.alpha) })
+            json!({ "name": movement.name, "uses": primitives_by_part(trained, movement), "alpha": files::rows(&movement.alpha) })
         })
         .collect();
     json!({

@@ -1,4 +1,4 @@
-//! `vcgpdm train`: clips to a model.
+//! `vcgpdm train`: trains a model on clips or tables.
 
 mod arguments;
 mod body;
@@ -35,14 +35,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if !arguments.movements.is_empty() {
         return library::run(arguments);
     }
-    // clap would not ask for it: clips, which are there, exclude movements.
+    // clap cannot check this: --movement conflicts with the clips.
     if !arguments.share.is_empty() {
         return Err(usage("--share: expected --movement with it"));
     }
     let split = split(arguments)?;
     if arguments.columns {
         let dataset = columns::dataset(&arguments.clips, split, arguments.fps)?;
-        return learn(arguments, split, &dataset, |model| model.to_json());
+        return train(arguments, split, &dataset, |model| model.to_json());
     }
     check_fps(arguments.fps)?;
     let mut clips: Vec<(Clip, Option<usize>)> =
@@ -61,10 +61,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let sources: Vec<Source> =
         clips.iter().map(|(clip, first_frames)| Source { clip, first_frames: *first_frames }).collect();
     let dataset = Dataset::new(&sources, &parts, arguments.fps).map_err(with_hint)?;
-    learn(arguments, split, &dataset, |model| model.to_json())
+    train(arguments, split, &dataset, |model| model.to_json())
 }
 
-/// What `--parts` says, or all as one part for models that are not coupled.
+/// The value of `--parts`; without it, "whole" for models that are not coupled.
 fn split(arguments: &Arguments) -> Result<&str, Box<dyn Error>> {
     match (&arguments.parts, arguments.model) {
         (Some(split), _) => Ok(split),
@@ -79,14 +79,14 @@ fn split(arguments: &Arguments) -> Result<&str, Box<dyn Error>> {
     }
 }
 
-/// Trains on the data set, and writes the model and a summary of the training.
-fn learn<S: Observed>(
+/// Trains on the data set, writes the model and prints a summary.
+fn train<S: Observed>(
     arguments: &Arguments,
     split: &str,
     dataset: &Dataset<S>,
     to_json: impl Fn(&Model<S>) -> Result<String, DocumentError>,
 ) -> Result<(), Box<dyn Error>> {
-    let kind = kind::of_parts(arguments.model, dataset.layout.parts().len(), split)?;
+    let kind = kind::check_parts(arguments.model, dataset.layout.parts().len(), split)?;
     let settings = arguments.options.settings(kind)?;
     let mut read = arguments.clips.clone();
     for text in &arguments.seed_frames {
@@ -142,7 +142,7 @@ fn learn<S: Observed>(
     files::print_summary(&summary, &[&arguments.out])
 }
 
-/// Writes where the training of a variational model starts, as the input of a case.
+/// Writes the starting point of the training of a variational model, as the input of a case.
 fn write_start<S: Observed>(
     path: &Path,
     dataset: &Dataset<S>,
@@ -157,7 +157,7 @@ fn write_start<S: Observed>(
     Ok(())
 }
 
-/// What a training of this kind maximises, in words.
+/// The name of the objective that a training of this kind maximises.
 fn objective(kind: ModelKind) -> &'static str {
     match kind {
         ModelKind::Vcgpdm | ModelKind::Vgpdm | ModelKind::Tmp => "bound",

@@ -1,4 +1,4 @@
-//! A training, one step after the other.
+//! The steps of a training.
 
 use crate::interrupt;
 use crate::progress::{Progress as Bar, say};
@@ -6,12 +6,12 @@ use std::error::Error;
 use std::sync::atomic::Ordering;
 use vcgpdm::models::{Dataset, Observed, Progress, Settings, TrainingCost};
 
-/// Seconds and bytes from which on a training is warned of; ours: half an hour, and the memory of a small
+/// Above these seconds and bytes a warning comes before the training: half an hour, and the memory of a small
 /// machine.
 const LONG: f64 = 1800.0;
 const LARGE: f64 = 4e9;
 
-/// Says before trainings on a data set that they would take long, or much memory.
+/// Warns, before a training on a data set, that it would take long or much memory.
 pub fn warn_of_training<S: Observed>(settings: &Settings, dataset: &Dataset<S>) {
     let columns: Vec<usize> = dataset.y.iter().map(|y| y.ncols()).collect();
     let less = match settings {
@@ -21,8 +21,8 @@ pub fn warn_of_training<S: Observed>(settings: &Settings, dataset: &Dataset<S>) 
     warn_of_cost(settings.cost(dataset.lengths().iter().sum(), &columns), 1, less);
 }
 
-/// Says before trainings, so many at a time, that they would take long, or much memory, and what would need
-/// less.
+/// Warns, before trainings of which `threads` run at the same time, that they would take long or much memory.
+/// `less` names what would need less.
 pub fn warn_of_cost(cost: TrainingCost, threads: usize, less: &str) {
     let (seconds, bytes) = (cost.seconds / threads as f64, cost.bytes * threads as f64);
     if seconds > LONG || bytes > LARGE {
@@ -33,23 +33,23 @@ pub fn warn_of_cost(cost: TrainingCost, threads: usize, less: &str) {
     }
 }
 
-/// Trains to the end, or until Ctrl-C or SIGTERM: then the best so far is kept. Says why it ended.
+/// Trains to the end, or until Ctrl-C or SIGTERM, which keep the best so far. Returns why the training ended.
 pub fn train_steps(mut step: impl FnMut() -> Progress, objective: &str) -> Result<String, Box<dyn Error>> {
     let stopped = interrupt::flag()?;
-    let mut shown = Bar::new("at most");
+    let mut bar = Bar::new("at most");
     loop {
         let progress = step();
-        // Not the iterations: a search for the number of primitives may end long before the most there can
-        // be.
-        shown.show(progress.fraction, || {
+        // Not the share of the iterations: a search for the number of primitives may end long before the
+        // largest number.
+        bar.show(progress.fraction, || {
             let phase = progress.phase.map_or(String::new(), |phase| format!(", {phase}"));
             let (iteration, most, best) = (progress.iteration, progress.max_iterations, progress.best);
             format!("{iteration}/{most}  {objective} {best:.1}{phase}")
         });
         if progress.done || stopped.load(Ordering::Relaxed) {
-            shown.finish();
+            bar.finish();
             if progress.setbacks.any() {
-                shown.note(&progress.setbacks.to_string());
+                bar.note(&progress.setbacks.to_string());
             }
             return Ok(progress.reason.map_or_else(|| "stopped".to_owned(), |reason| reason.to_string()));
         }

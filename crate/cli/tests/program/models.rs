@@ -181,11 +181,11 @@ fn options_of_other_kinds_are_refused_in_words() {
         ("--model map-cgpdm", "--parts: expected how to split the body of a coupled model"),
         (
             "--model vcgpdm --parts whole",
-            "--parts whole: expected two parts or more for a vcgpdm model, found 1; a model of one part is a vgpdm",
+            "--parts whole: expected two parts or more for a vcgpdm model, found 1; with one part choose vgpdm",
         ),
         (
             "--model map-gpdm --parts lower,upper",
-            "--parts lower,upper: expected one part (whole) for a map-gpdm model, found 2; coupled it is a map-cgpdm",
+            "--parts lower,upper: expected one part (whole) for a map-gpdm model, found 2; with several parts choose map-cgpdm",
         ),
     ] {
         let arguments: Vec<&str> = ["train", "sample:walk-1", "--out", text(&out)]

@@ -75,7 +75,7 @@ fn a_model_that_was_put_together_is_not_trained_as_something_else() {
     json(&["couple", text(&library), "--use", "lower=walk,upper=wave", "--out", text(&model)]);
     let said = fails(&["reproduce", text(&model), "sample:walk-wave-1"]);
     assert!(
-        said.contains("model.json: expected a model that was trained from clips, found one that"),
+        said.contains("model.json: expected a model that was trained on clips, found a combination"),
         "{said}"
     );
 }

@@ -69,7 +69,7 @@ const CUBIC: Said =
     Said("\u{201c}... whereas the MAP CGPDM shows cubic scaling.\u{201d}", "2017, supplement, section 5");
 
 /// Our criteria.
-const LOWER: &str = "the error on the trial held out is lower: the interval of the ratio lies below 1";
+const LOWER: &str = "the error on the trial held out is lower: the interval of the ratio is below 1";
 const NEARLY: f64 = 1.1;
 const CHANCE: f64 = 0.05;
 /// The numbers of basis functions about which the papers' claim is.
@@ -153,7 +153,7 @@ pub(super) fn claims(rows: &[Row], growth: &[Growth], labels: &Labels) -> Vec<Cl
     let given = |s: &Settings| matches!(s, Settings::Tmp(s) if s.primitives.is_some());
     if let Some(c) = correlation(&settings(rows, Tmp, &given), String::new(), labels) {
         let (found, answer) = correlated(&c);
-        let criterion = "rank correlation over the numbers of primitives below 0, by chance in less than 5 %";
+        let criterion = "rank correlation over the numbers of primitives below 0 with a p value below 5 %";
         claims.say(&TMP_CORRELATES, criterion, found, answer);
     }
     for growth in growth {
@@ -245,10 +245,10 @@ fn bound_and_error(claims: &mut Claims, kind: &Contender, labels: &Labels) {
             effect.words()
         );
         let criterion =
-            "choosing by the bound costs less than a tenth: the interval of the ratio lies below 1.1";
+            "choosing by the bound costs less than a tenth: the interval of the ratio is below 1.1";
         claims.say(&BOUND_CHOOSES, criterion, found, effect.is_below(NEARLY));
     }
-    let criterion = "rank correlation over the inducing points below 0, by chance in less than 5 %";
+    let criterion = "rank correlation over the inducing points below 0 with a p value below 5 %";
     for (said, correlation) in [
         (&BOUND_CORRELATES, correlation(&kind.settings, String::new(), labels)),
         (&BOUND_TELLS_TRAINING, training_correlation(&kind.settings, labels)),
@@ -281,7 +281,7 @@ fn dynamics_or_poses(claims: &mut Claims, rows: &[&Row], labels: &Labels) {
     );
     let errors = (dynamics.training_errors(&folds), poses.training_errors(&folds));
     if let Some(effect) = Effect::of(&errors.0, &errors.1) {
-        let criterion = "of as many inducing points, more of them in the dynamics leave a lower error: the interval of the ratio lies below 1";
+        let criterion = "of as many inducing points, more of them in the dynamics leave a lower error: the interval of the ratio is below 1";
         claims.say(
             &DYNAMICS_COUNT_MORE,
             criterion,
@@ -293,7 +293,7 @@ fn dynamics_or_poses(claims: &mut Claims, rows: &[&Row], labels: &Labels) {
 
 fn correlated(c: &Correlation) -> (String, ClaimAnswer) {
     let found = format!(
-        "{}: {:.2} over {} settings (means of {} trials); so low by chance in {:.1} %",
+        "{}: {:.2} over {} settings (means of {} trials); p value {:.1} %",
         c.model.title(),
         c.rank,
         c.settings,
