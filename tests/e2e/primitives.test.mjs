@@ -206,7 +206,8 @@ describe("a library of primitives", () => {
     assert.notEqual(await alpha.innerText(), before, "the couplings were taken over");
     await page.getByTestId("keep-combination").click();
     await page.waitForFunction(
-      () => /** @type {any} */ (document.querySelector("pg-walk")).library.known.info.movements.length === 3,
+      () =>
+        /** @type {any} */ (document.querySelector("pg-walk")).library.current.info.movements.length === 3,
     );
     const { name, text } = await saved(page, "save-library");
     assert.equal(name, "library.json");

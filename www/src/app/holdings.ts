@@ -52,7 +52,7 @@ function holdingsOf({ settings, clips, training, model, comparison, primitives }
       model: model.unsaved,
       results: comparison.loaded?.unsaved.some((entry) => entry === shown) ?? false,
     },
-    library: primitives.loaded?.library.kept ?? null,
+    library: primitives.loaded?.library.stored ?? null,
   };
 }
 

@@ -14,7 +14,7 @@ export function wouldLose(app: App): boolean {
   const isStoredThing = (shown: unknown) => (thing: unknown) => isStored && thing === shown;
   return [
     !isStored && (app.model.unsaved || app.training.runs.some(({ model }) => model !== null)),
-    !(library?.unsaved ?? []).every(isStoredThing(library?.known)),
+    !(library?.unsaved ?? []).every(isStoredThing(library?.current)),
     !(comparison?.unsaved ?? []).every(isStoredThing(comparison?.shown)),
     (app.series.loaded?.model.unsaved ?? null) !== null,
     (perception?.unsaved ?? null) !== null,

@@ -1,4 +1,4 @@
-// Each part at a tempo of its own, and a map of when one part still keeps step with another.
+// A tempo for each part, and a map of the tempos and strengths at which one part is locked to another.
 import { html, nothing } from "lit";
 import { partColour } from "../ui/palette";
 import { partStyle, styled } from "../ui/styled";
@@ -8,7 +8,7 @@ import { View } from "../ui/view";
 import type { LibraryStore } from "./library-store";
 import { type LockingStore, type LockingMap, STRENGTHS, TEMPOS } from "./locking-store";
 
-/** How far an arrow key goes in the map: tempos up, strengths to the right. */
+/** Steps of arrow keys in the map: tempos up, strengths to the right. */
 const STEPS: Record<string, [number, number]> = {
   ArrowUp: [1, 0],
   ArrowDown: [-1, 0],
@@ -22,7 +22,7 @@ export class ChimeraView extends View {
   static override properties = { at: { state: true } };
   declare library: LibraryStore;
   declare locking: LockingStore;
-  /** The point that the Tab key leads to: tempo and strength. */
+  /** The indices of the point in the order of the Tab key: tempo and strength. */
   declare at: readonly [number, number];
 
   constructor() {
@@ -35,7 +35,7 @@ export class ChimeraView extends View {
   }
 
   #name(part: number): string {
-    return this.library.known?.info.parts[part]?.name ?? "";
+    return this.library.current?.info.parts[part]?.name ?? "";
   }
 
   #tempo(tempo: number, part: number) {
@@ -95,7 +95,7 @@ export class ChimeraView extends View {
 
   #pair() {
     const { locking } = this;
-    const parts = this.library.known?.info.parts ?? [];
+    const parts = this.library.current?.info.parts ?? [];
     const choice = (label: string, chosen: number, other: number, take: (part: number) => void) => html`
       <label>${label} <select aria-label=${label} @change=${(event: Event) => take(Number((event.target as HTMLSelectElement).value))}>
         ${parts.map(({ name }, part) => html`<option value=${part} ?selected=${part === chosen} ?disabled=${part === other}>${name}</option>`)}
@@ -107,9 +107,9 @@ export class ChimeraView extends View {
 
   protected override render() {
     const { library, locking } = this;
-    if (!library.known) return nothing;
+    if (!library.current) return nothing;
     const { busy, map, problem, fraction } = locking;
-    const several = library.known.info.parts.length > 1;
+    const several = library.current.info.parts.length > 1;
     return html`
       <h2>Chimera: two tempos in one body</h2>
       <p class="hint">Let each part go through its own time slower or faster; 1 is as learned. The tempo is ours, not the papers’.</p>

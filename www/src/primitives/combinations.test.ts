@@ -18,7 +18,7 @@ const info = {
   movements: [movement("walk", [0, 1]), movement("tried", [3, 2], false)],
 } as unknown as LibraryInfo;
 
-it("puts one primitive of each part together in every way", () => {
+it("makes all combinations of one primitive of each part", () => {
   expect(primitivesOf(info, 1)).toEqual([1, 2]);
   const all = combinationsOf(info, 9);
   expect(all).toEqual([
@@ -32,14 +32,14 @@ it("puts one primitive of each part together in every way", () => {
   expect(titleOf(info, [3, 2])).toBe("legs: run, arms: wave");
 });
 
-it("knows which of them were recorded, and begins with one that was not", () => {
+it("finds recorded combinations, and begins with one that was not recorded", () => {
   expect(recordedAs(info, [0, 1])).toBe("walk");
   expect(recordedAs(info, [3, 2])).toBeNull();
   expect(firstOf(info, combinationsOf(info, 9))).toEqual([0, 2]);
   expect(firstOf(info, [[0, 1]])).toEqual([0, 1]);
 });
 
-it("shows a primitive in a recorded movement, or in the first combination that has it", () => {
+it("shows a primitive in a recorded movement, else in its first combination", () => {
   expect(exampleOf(info, 1)).toEqual([0, 1]);
   expect(exampleOf(info, 2)).toEqual([0, 2]);
 });

@@ -1,12 +1,12 @@
-// Which primitives of a library can be put together, and what that is called. No rendering, no worker.
+// The combinations of the primitives of a library, and their titles. No rendering, no worker.
 import type { LibraryInfo } from "../engine/library-protocol";
 
-/** The numbers of the primitives of a part. */
+/** The indices of the primitives of a part. */
 export function primitivesOf({ primitives }: LibraryInfo, part: number): number[] {
   return primitives.flatMap((primitive, index) => (primitive.part === part ? [index] : []));
 }
 
-/** One primitive of each part, in every way; the last part changes first. At most so many. */
+/** At most `most` combinations of one primitive of each part. The last part changes first. */
 export function combinationsOf(info: LibraryInfo, most: number): number[][] {
   let all: number[][] = [[]];
   for (const part of info.parts.keys()) {
@@ -16,14 +16,14 @@ export function combinationsOf(info: LibraryInfo, most: number): number[][] {
   return all;
 }
 
-/** How many combinations there are. */
+/** The number of all combinations. */
 export function countOf(info: LibraryInfo): number {
   return info.parts.reduce((product, _, part) => product * primitivesOf(info, part).length, 1);
 }
 
 export const isSame = (a: readonly number[], b: readonly number[]): boolean => a.join() === b.join();
 
-/** The movement that was recorded with these primitives; null: it was never recorded. */
+/** The recorded movement with these primitives; null if there is none. */
 export function recordedAs({ movements }: LibraryInfo, uses: readonly number[]): string | null {
   return movements.find((movement) => movement.learned && isSame(movement.uses, uses))?.name ?? null;
 }
@@ -33,7 +33,7 @@ export function titleOf({ parts, primitives }: LibraryInfo, uses: readonly numbe
   return parts.map(({ name }, part) => `${name}: ${primitives[uses[part] ?? -1]?.name ?? ""}`).join(", ");
 }
 
-/** A recorded combination in which the primitive stands, or the first that has it. */
+/** A recorded combination with the primitive, else the first combination with it. */
 export function exampleOf(info: LibraryInfo, primitive: number): number[] {
   const recorded = info.movements.find(({ uses, learned }) => learned && uses.includes(primitive));
   if (recorded) return recorded.uses;
@@ -42,7 +42,7 @@ export function exampleOf(info: LibraryInfo, primitive: number): number[] {
   );
 }
 
-/** The combination to begin with: one that was never recorded, if there is one. */
+/** The first combination that was never recorded, else the first. */
 export function firstOf(info: LibraryInfo, among: readonly number[][]): number[] {
   return among.find((uses) => recordedAs(info, uses) === null) ?? among[0] ?? [];
 }

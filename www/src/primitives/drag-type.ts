@@ -1,2 +1,2 @@
-/** What a primitive is known by while it is dragged. */
+/** The data type of a dragged primitive. */
 export const DRAG_TYPE = "application/x-vcgpdm-primitive";

@@ -1,5 +1,5 @@
-// The primitives of each part as small moving figures, of which only the part is in colour: drag one onto the
-// body, or press it.
+// The primitives of each part as small moving figures with the part in colour. A press or a drag onto the body
+// chooses one.
 import { html, nothing } from "lit";
 import { download } from "../ui/download";
 import { messageOf } from "../ui/format";
@@ -23,7 +23,7 @@ export class DrawerView extends View {
     return [this.library];
   }
 
-  /** The primitive as a file of its own. */
+  /** Saves the primitive as a file. */
   async #save(part: string, name: string, primitive: number): Promise<void> {
     try {
       const text = await this.library.primitiveText(primitive);
@@ -35,30 +35,30 @@ export class DrawerView extends View {
 
   #card(part: number, primitive: number) {
     const { library } = this;
-    const info = library.known?.info;
-    const known = info?.primitives[primitive];
-    if (!info || !known) return html``;
-    const { name, origin } = known;
-    const of = info.parts[part]?.name ?? "";
+    const info = library.current?.info;
+    const own = info?.primitives[primitive];
+    if (!info || !own) return html``;
+    const { name, origin } = own;
+    const partName = info.parts[part]?.name ?? "";
     const on = library.uses[part] === primitive;
     const words = originText(origin);
     return html`
       <div class="primitive-box">
       <button class="primitive" draggable="true" aria-pressed=${on ? "true" : "false"} data-testid="primitive-${part}-${primitive}"
-        aria-label="${of}: ${name}" title=${words}
+        aria-label="${partName}: ${name}" title=${words}
         @dragstart=${(event: DragEvent) => event.dataTransfer?.setData(DRAG_TYPE, String(primitive))}
         @click=${() => library.choose(part, primitive)}>
         <pg-small-figure .body=${library.body} .motion=${library.motionOf(exampleOf(info, primitive))} .accent=${part} .playing=${this.playing}></pg-small-figure>
         <span>${name}</span>
         ${origin.relearned ? html`<small>learned again</small>` : nothing}
       </button>
-      <button class="small quiet" data-testid="save-primitive-${part}-${primitive}" aria-label="Save ${of}: ${name}" title="Save this primitive as a file. ${words}"
-        @click=${() => void this.#save(of, name, primitive)}>Save</button>
+      <button class="small quiet" data-testid="save-primitive-${part}-${primitive}" aria-label="Save ${partName}: ${name}" title="Save this primitive as a file. ${words}"
+        @click=${() => void this.#save(partName, name, primitive)}>Save</button>
       </div>`;
   }
 
   protected override render() {
-    const info = this.library.known?.info;
+    const info = this.library.current?.info;
     if (!info) return html``;
     return html`
       <h2>Primitives</h2>

@@ -40,7 +40,7 @@ async function end(alpha: Couplings): Promise<void> {
   training?.end({ cancelled: false, reason: "settled" });
 }
 
-it("fits the combination that walks, and the sliders go back to what was found", async () => {
+it("fits the walking combination, and resets the sliders to the result", async () => {
   const fitted = fitting.fit("a");
   await end(FITTED);
   await fitted;
@@ -60,7 +60,7 @@ it("fits the combination that walks, and the sliders go back to what was found",
   expect(program.libraries.fittings).toHaveLength(1);
 });
 
-it("leaves another combination alone that was chosen meanwhile", async () => {
+it("does not change a combination that was chosen meanwhile", async () => {
   const fitted = fitting.fit("a");
   library.choose(1, 2);
   await end(FITTED);
@@ -68,7 +68,7 @@ it("leaves another combination alone that was chosen meanwhile", async () => {
   expect(library.couplings.alpha).not.toEqual(FITTED);
 });
 
-it("says why it failed", async () => {
+it("reports why it failed", async () => {
   program.libraries.fittings.length = 0;
   program.unreachable = "offline";
   await fitting.fit("a");

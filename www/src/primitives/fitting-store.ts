@@ -1,4 +1,4 @@
-// Couplings of the combination that walks, fitted to a clip while the primitives stay as they are.
+// The couplings of the walking combination, fitted to a clip with fixed primitives.
 import type { ClipsStore } from "../clips/clips-store";
 import type { Fitted } from "../engine/library-protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
@@ -19,14 +19,14 @@ export class FittingStore extends ProgressStore<Fitted> {
     this.#library = library;
   }
 
-  /** Fits to the clip of this key; the sliders take over what was found. */
+  /** Fits to the clip of this key, and sets the sliders to the result. */
   async fit(key: string): Promise<void> {
     const clip = this.#clips.all.find((clip) => clip.key === key);
-    const { known, uses } = this.#library;
-    if (!clip || !known) return;
+    const { current, uses } = this.#library;
+    if (!clip || !current) return;
     const { loaded, source, first, end } = clip;
     const job = {
-      library: known.text,
+      library: current.text,
       uses: [...uses],
       clips: [{ id: loaded.id, source, first, end }],
       maxIterations: MOST_ITERATIONS,
@@ -34,6 +34,6 @@ export class FittingStore extends ProgressStore<Fitted> {
     const fitted = await this.run((report, signal) =>
       this.#whole.pool.run((worker) => worker.fitCouplings(job, report, signal), signal),
     );
-    if (fitted && this.#library.known === known) this.#library.takeFitted(uses, fitted);
+    if (fitted && this.#library.current === current) this.#library.takeFitted(uses, fitted);
   }
 }

@@ -33,7 +33,7 @@ const end = async (which: number, found: ModularityOutcome | null) => {
   await settled();
 };
 
-it("trains a library and a model alone, side by side, and has the errors of both", async () => {
+it("trains a library and a model alone at the same time, and has the errors of both", async () => {
   expect(fold.trial?.id).toBe("w1");
   fold.choose("w2");
   void fold.holdOut();
@@ -63,7 +63,7 @@ it("trains a library and a model alone, side by side, and has the errors of both
   expect(program.libraries.folds).toHaveLength(2);
 });
 
-it("takes fewer iterations for a first look, and has no errors where it is cancelled", async () => {
+it("has fewer iterations in a quick fold, and no errors after a cancel", async () => {
   fold.setQuick(true);
   const held = fold.holdOut();
   await settled();

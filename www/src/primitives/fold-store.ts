@@ -1,5 +1,5 @@
-// One fold of the experiment, done here: a trial is held out, and predicted by a library and by a model of
-// its movement alone.
+// One fold of the experiment: a trial is held out, and predicted by a library and by a model of its movement
+// alone.
 import type { EngineStore } from "../engine/engine-store";
 import type { ModularityOutcome } from "../engine/library-protocol";
 import type { SampleInfo } from "../engine/protocol";
@@ -7,10 +7,10 @@ import type { WholeWorkers } from "../engine/whole-workers";
 import { ProgressStore } from "../training/progress-store";
 import { Store } from "../ui/store";
 
-/** Iterations of each seed for a first look: a tenth of those of the experiment. */
+/** Iterations of each seed of a quick fold: a tenth of those of the experiment. */
 const QUICK_ITERATIONS = 60;
 
-/** What came of a fold. */
+/** The result of a fold. */
 export interface FoldOutcome {
   trial: SampleInfo;
   quick: boolean;
@@ -19,7 +19,7 @@ export interface FoldOutcome {
 }
 
 export class FoldStore extends Store {
-  /** The two trainings, which run beside each other where there are cores for both. */
+  /** The two trainings, which run at the same time if there are two cores. */
   readonly library = new ProgressStore<ModularityOutcome>();
   readonly alone = new ProgressStore<ModularityOutcome>();
   readonly #whole: WholeWorkers;
@@ -39,7 +39,7 @@ export class FoldStore extends Store {
     return this.#engine.samples;
   }
 
-  /** The trial that is held out; null before the trials are known. */
+  /** The trial that is held out; null before the trials are current. */
   get trial(): SampleInfo | null {
     return this.trials.find(({ id }) => id === this.#chosen) ?? this.trials[0] ?? null;
   }
@@ -49,7 +49,7 @@ export class FoldStore extends Store {
     this.changed();
   }
 
-  /** Whether only a tenth of the iterations is taken. */
+  /** Whether a fold has only a tenth of the iterations. */
   get quick(): boolean {
     return this.#quick;
   }
@@ -63,12 +63,12 @@ export class FoldStore extends Store {
     return this.library.busy || this.alone.busy;
   }
 
-  /** Whether both were told to stop, and have not yet. */
+  /** Whether both trainings are being cancelled. */
   get stopping(): boolean {
     return this.busy && [this.library, this.alone].every(({ status }) => status !== "running");
   }
 
-  /** What came of the last fold; null before, and where it was cancelled or failed. */
+  /** The result of the last fold; null before, and if the fold was cancelled or failed. */
   get outcome(): FoldOutcome | null {
     return this.#outcome;
   }

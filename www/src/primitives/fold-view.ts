@@ -1,5 +1,5 @@
-// One fold of the experiment: which trial is held out, how far its two trainings are, and their errors beside
-// those that were measured.
+// One fold of the experiment: the trial held out, the progress of its two trainings, and their errors compared
+// with the measured ones.
 import { html, nothing } from "lit";
 import type { ModularityOutcome } from "../engine/library-protocol";
 import type { ProgressStore } from "../training/progress-store";
@@ -10,7 +10,7 @@ import { View } from "../ui/view";
 import type { FoldOutcome, FoldStore } from "./fold-store";
 import { LESSON_TABLES } from "./lesson-tables";
 
-/** Where the stored table has the mean errors of a model alone and of a library. */
+/** The columns of the stored table with the mean errors of a model alone and of a library. */
 const ALONE = 2;
 const LIBRARY = 3;
 
@@ -32,7 +32,7 @@ export class FoldView extends View {
       </div>`;
   }
 
-  /** How far the trainings are, or why there is no outcome. */
+  /** The progress of the trainings, or the reason why there is no result. */
   #course() {
     const { library, alone, busy } = this.fold;
     const begun = [library, alone].filter(({ status, ending }) => status !== "idle" || ending.words !== "");

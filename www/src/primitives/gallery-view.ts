@@ -1,4 +1,4 @@
-// All combinations of a library's primitives, each a small figure that opens when it is pressed.
+// All combinations of a library's primitives as small figures. A press chooses one.
 import { html, nothing } from "lit";
 import { View } from "../ui/view";
 import { isSame, recordedAs, titleOf } from "./combinations";
@@ -16,7 +16,7 @@ export class GalleryView extends View {
 
   protected override render() {
     const { library } = this;
-    const info = library.known?.info;
+    const info = library.current?.info;
     if (!info) return html``;
     const card = (uses: number[]) => {
       const recorded = recordedAs(info, uses);

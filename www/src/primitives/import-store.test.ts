@@ -34,37 +34,37 @@ async function end(found: Imported | null): Promise<void> {
 }
 
 describe("primitives of another file", () => {
-  it("come in where they fit, while the figure goes on; twice is once", async () => {
+  it("are added where they fit, and only once", async () => {
     await imports.openFile(armsText("swing"), "swing.json");
-    expect(imports.words).toBe("Added upper: swing.");
-    expect(library.known?.info.primitives.map(({ name }) => name)).toEqual([
+    expect(imports.text).toBe("Added upper: swing.");
+    expect(library.current?.info.primitives.map(({ name }) => name)).toEqual([
       "walk",
       "wave",
       "walk",
       "wave",
       "swing",
     ]);
-    expect(library.known?.unsaved).toBe(true);
-    expect(library.kept?.text).toBe(libraryText("first", [], ["swing"]));
+    expect(library.current?.unsaved).toBe(true);
+    expect(library.stored?.text).toBe(libraryText("first", [], ["swing"]));
     expect(program.libraries.walks).toHaveLength(1);
     await settled();
     expect(library.motionOf([0, 4])?.frames).toBe(120);
     await imports.add(armsText("swing"), "swing.json");
-    expect(imports.words).toBe("These primitives are in the library already.");
+    expect(imports.text).toBe("These primitives are in the library already.");
   });
 
-  it("of a whole body are a library of their own", async () => {
-    expect(library.kept).toBeNull();
+  it("of a whole body are opened as a library", async () => {
+    expect(library.stored).toBeNull();
     await imports.openFile(libraryText("second"), "second.json");
-    expect(library.known?.title).toBe("second.json");
-    expect(library.kept).toMatchObject({ title: "second.json", unsaved: false });
+    expect(library.current?.title).toBe("second.json");
+    expect(library.stored).toMatchObject({ title: "second.json", unsaved: false });
   });
 
-  it("that do not fit are offered to be learned again, and come in then", async () => {
+  it("that do not fit are offered to be learned again", async () => {
     program.libraries.misfit = MISFIT;
     await imports.add(armsText("swing"), "swing.json");
     expect(imports.offer).toEqual({ title: "swing.json", text: armsText("swing"), misfit: MISFIT });
-    expect(library.known?.unsaved).toBe(false);
+    expect(library.current?.unsaved).toBe(false);
     const learned = imports.relearn("a", 3);
     await settled();
     await expect(imports.add(armsText("other"), "other.json")).rejects.toThrow("being learned again");
@@ -76,14 +76,14 @@ describe("primitives of another file", () => {
       clips: [{ id: 7, first: 5, end: 90 }],
       seed: 3,
     });
-    expect(imports.words).toBe(
+    expect(imports.text).toBe(
       "Added upper: swing. The pose maps of this library do not show 1.0 % of lower and 25.0 % of upper.",
     );
     expect(imports.offer).toBeNull();
-    expect(library.known?.info.primitives).toHaveLength(5);
+    expect(library.current?.info.primitives).toHaveLength(5);
   });
 
-  it("are learned from what their file keeps where no clip is named; an offer can be left", async () => {
+  it("are learned from the data of their file without a clip, and an offer can be declined", async () => {
     program.libraries.misfit = MISFIT;
     await imports.add(armsText("swing"), "swing.json");
     const learned = imports.relearn("", 1);
@@ -95,10 +95,10 @@ describe("primitives of another file", () => {
     await learned;
     imports.dismiss();
     expect(imports.offer).toBeNull();
-    expect(library.known?.info.primitives).toHaveLength(4);
+    expect(library.current?.info.primitives).toHaveLength(4);
   });
 
-  it("of another body are only refused", async () => {
+  it("of another body are refused", async () => {
     program.libraries.misfit = { reason: "the skeletons differ", canBeRelearned: false };
     await imports.add(armsText("swing"), "swing.json");
     await imports.relearn("", 1);

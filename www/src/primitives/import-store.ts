@@ -8,7 +8,7 @@ import { ProgressStore } from "../training/progress-store";
 
 const MOST_ITERATIONS = 200;
 
-/** Primitives that do not fit as they are. */
+/** Primitives that do not fit the library. */
 export interface Offer {
   /** The name of their file. */
   title: string;
@@ -23,7 +23,7 @@ export class ImportStore extends ProgressStore<Imported> {
   readonly #clips: Pick<ClipsStore, "all">;
   readonly #library: LibraryStore;
   #offer: Offer | null = null;
-  #words = "";
+  #text = "";
 
   constructor(whole: WholeWorkers, clips: Pick<ClipsStore, "all">, library: LibraryStore) {
     super();
@@ -32,20 +32,17 @@ export class ImportStore extends ProgressStore<Imported> {
     this.#library = library;
   }
 
-  /** What could be learned again; null: nothing. */
+  /** The primitives that could be learned again; null without an offer. */
   get offer(): Offer | null {
     return this.#offer;
   }
 
-  /** What became of the last file; empty before. */
-  get words(): string {
-    return this.#words;
+  /** A text about the last file; empty before the first. */
+  get text(): string {
+    return this.#text;
   }
 
-  /**
-   * Opens a file: as the library that is looked at, or, where it holds no whole body, as primitives to be
-   * added.
-   */
+  /** Opens a file as a library, or adds its primitives if it has not those of a whole body. */
   async openFile(text: string, title: string): Promise<void> {
     await this.#library.openFirst();
     if (await this.#library.isWhole(text)) await this.#library.open(text, title);
@@ -56,53 +53,50 @@ export class ImportStore extends ProgressStore<Imported> {
   async add(text: string, title: string): Promise<void> {
     if (this.busy) throw new Error("Primitives are being learned again: wait for them, or cancel.");
     this.#offer = null;
-    this.#words = "";
-    const before = this.#library.known?.info;
+    this.#text = "";
+    const before = this.#library.current?.info;
     const addition = await this.#library.add(text);
-    if (isAdded(addition)) this.#words = addedWords(addition, before);
+    if (isAdded(addition)) this.#text = addedText(addition, before);
     else this.#offer = { title, text, misfit: addition.misfit };
     this.changed();
   }
 
-  /**
-   * Learns the offered primitives again: from the clip of this key, or, without one, from what their file
-   * keeps.
-   */
+  /** Learns the offered primitives again, from a clip, or without one from the data of their file. */
   async relearn(key: string, seed: number): Promise<void> {
-    const { known } = this.#library;
+    const { current } = this.#library;
     const offer = this.#offer;
-    if (!known || !offer?.misfit.canBeRelearned || this.busy) return;
+    if (!current || !offer?.misfit.canBeRelearned || this.busy) return;
     const clips = this.#clips.all
       .filter((clip) => clip.key === key)
       .map(({ loaded, source, first, end }) => ({ id: loaded.id, source, first, end }));
-    const job = { library: known.text, other: offer.text, clips, maxIterations: MOST_ITERATIONS, seed };
+    const job = { library: current.text, other: offer.text, clips, maxIterations: MOST_ITERATIONS, seed };
     const found = await this.run((report, signal) =>
       this.#whole.pool.run((worker) => worker.importPrimitives(job, report, signal), signal),
     );
     if (!found) return;
-    const before = this.#library.known?.info;
-    // The library may have grown meanwhile: of what was learned only what is new comes in.
+    const before = this.#library.current?.info;
+    // The library may have grown meanwhile: only new primitives are added.
     const addition = await this.#library.add(found.text);
     if (!isAdded(addition)) {
       this.#offer = { ...offer, misfit: addition.misfit };
     } else {
       this.#offer = null;
-      this.#words = `${addedWords(addition, before)} ${lostWords(addition.info, found.lost)}`;
+      this.#text = `${addedText(addition, before)} ${lostText(addition.info, found.lost)}`;
     }
     this.changed();
   }
 
-  /** The offer is not taken. */
+  /** Declines the offer. */
   dismiss(): void {
     if (this.busy) return;
     this.#offer = null;
-    this.#words = "";
+    this.#text = "";
     this.changed();
   }
 }
 
 /** "Added lower: walk." */
-function addedWords(
+function addedText(
   { info, added }: { info: LibraryInfo; added: number },
   before: LibraryInfo | undefined,
 ): string {
@@ -111,8 +105,8 @@ function addedWords(
   return `Added ${fresh.map(({ part, name }) => `${info.parts[part]?.name}: ${name}`).join(", ")}.`;
 }
 
-/** What the pose maps here cannot show. */
-function lostWords({ parts }: LibraryInfo, lost: readonly number[]): string {
+/** The share of the variance that the pose maps of this library cannot show. */
+function lostText({ parts }: LibraryInfo, lost: readonly number[]): string {
   const each = parts.map(({ name }, part) => `${percent(lost[part] ?? 0)} of ${name}`);
   return `The pose maps of this library do not show ${each.join(" and ")}.`;
 }

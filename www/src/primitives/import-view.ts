@@ -1,4 +1,4 @@
-// Primitives of another file: what became of them, and the offer to learn them again.
+// Primitives of another file: the result, or the offer to learn them again.
 import { html, nothing } from "lit";
 import type { ClipsStore } from "../clips/clips-store";
 import { goingWords } from "../training/progress-row";
@@ -15,9 +15,9 @@ export class ImportView extends View {
   declare imports: ImportStore;
   declare clips: ClipsStore;
   declare notices: NoticesStore;
-  /** Of everything random in learning again. */
+  /** The seed of learning again. */
   declare seed: number;
-  /** The key of the clip to learn from; empty: what the file keeps. */
+  /** The key of the clip to learn from; empty for the data of the file. */
   declare from: string;
 
   constructor() {
@@ -80,7 +80,7 @@ export class ImportView extends View {
           chosen: ([file]) => void this.#add(file),
         })}
       </div>
-      ${imports.offer ? this.#offer(imports.offer) : html`<p class="hint" role="status" data-testid="import-words">${imports.words}</p>`}`;
+      ${imports.offer ? this.#offer(imports.offer) : html`<p class="hint" role="status" data-testid="import-words">${imports.text}</p>`}`;
   }
 }
 customElements.define("pg-import", ImportView);

@@ -48,7 +48,7 @@ const chosen = () =>
 const report = (found: string | null) =>
   ({ progress: { ...progress(3), fraction: 0.5 }, elapsed: 2, found }) as TrainingReport<string>;
 
-it("puts made clips into the groups of their movements, a few of each, and own clips into groups of their names", () => {
+it("groups sample clips by their movements, and own clips by their names", () => {
   expect(chosen()).toEqual(["w1 walk", "w2 walk", "v1 wave"]);
   clips.add("mine", "own");
   expect(chosen()).toEqual(["mine title of mine"]);
@@ -60,7 +60,7 @@ it("puts made clips into the groups of their movements, a few of each, and own c
   expect(chosen()[0]).toBe("w3 walk");
 });
 
-it("learns group by group, and its library takes the place of the one before", async () => {
+it("learns the groups, and opens the library", async () => {
   await library.openFirst();
   learning.rename("v1", "walk");
   learning.rename("w2", "other");
@@ -81,19 +81,19 @@ it("learns group by group, and its library takes the place of the one before", a
   training?.report(report(libraryText("learned")));
   training?.end({ cancelled: false, reason: "settled" });
   await learned;
-  expect(library.known).toMatchObject({ text: libraryText("learned"), unsaved: true });
+  expect(library.current).toMatchObject({ text: libraryText("learned"), unsaved: true });
   expect(learning.ending).toEqual({ words: "the bound no longer rises", failed: false });
   await library.undo();
-  expect(library.known?.text).toBe(libraryText("first"));
+  expect(library.current?.text).toBe(libraryText("first"));
 });
 
-it("keeps the best so far when it is cancelled", async () => {
+it("keeps the best library when it is cancelled", async () => {
   await library.openFirst();
   const learned = learning.learn();
   await settled();
   program.libraries.learnings[0]?.report(report(libraryText("early")));
   learning.cancel();
   await learned;
-  expect(library.known?.text).toBe(libraryText("early"));
+  expect(library.current?.text).toBe(libraryText("early"));
   expect(learning.ending.words).toMatch(/cancelled/);
 });

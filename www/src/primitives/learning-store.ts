@@ -1,5 +1,5 @@
-// A library that is learned here: clips in named groups, one a movement, and parts that are the same in all
-// of them or not.
+// Learning a library: clips in groups, one group for each movement, and parts that all movements share or
+// not.
 import type { ClipEntry, ClipsStore } from "../clips/clips-store";
 import { partsFor } from "../clips/parts";
 import type { EngineStore } from "../engine/engine-store";
@@ -9,8 +9,8 @@ import type { SettingsStore } from "../settings/settings-store";
 import type { LibraryStore } from "./library-store";
 import { ProgressStore } from "../training/progress-store";
 
-/** So many made clips of a movement are chosen where nobody chose: more take longer. */
-const MADE_CHOSEN = 2;
+/** The default number of chosen sample clips of a movement. */
+const SAMPLES_CHOSEN = 2;
 
 export interface LearningClip {
   key: string;
@@ -26,10 +26,10 @@ export class LearningStore extends ProgressStore<string> {
   readonly #settings: Pick<SettingsStore, "values" | "on">;
   readonly #clips: Pick<ClipsStore, "all" | "samplesLoaded" | "on">;
   readonly #library: LibraryStore;
-  /** What the visitor has said, by the keys of the clips. */
+  /** The choices of the visitor, by the keys of the clips. */
   readonly #chosen = new Map<string, boolean>();
   readonly #named = new Map<string, string>();
-  /** The names of the parts that are the same in all movements. */
+  /** The names of the parts that all movements share. */
   readonly #shared = new Set<string>();
 
   constructor(
@@ -49,7 +49,7 @@ export class LearningStore extends ProgressStore<string> {
     settings.on(() => this.changed());
   }
 
-  /** All clips, with the groups that they are in. */
+  /** All clips with their groups. */
   get clips(): LearningClip[] {
     const all = this.#clips.all;
     const own = all.some(({ origin }) => origin === "own");
@@ -59,8 +59,8 @@ export class LearningStore extends ProgressStore<string> {
       const movement = this.#named.get(clip.key) ?? first;
       const count = (counts.get(first) ?? 0) + 1;
       counts.set(first, count);
-      const unasked = own ? clip.origin === "own" : count <= MADE_CHOSEN;
-      return { key: clip.key, title: clip.title, movement, chosen: this.#chosen.get(clip.key) ?? unasked };
+      const byDefault = own ? clip.origin === "own" : count <= SAMPLES_CHOSEN;
+      return { key: clip.key, title: clip.title, movement, chosen: this.#chosen.get(clip.key) ?? byDefault };
     });
   }
 
@@ -69,18 +69,15 @@ export class LearningStore extends ProgressStore<string> {
     this.changed();
   }
 
-  /** Puts a clip into a group; without a name it goes back to its first one. */
+  /** Puts a clip into a group; an empty name brings it back into its default group. */
   rename(key: string, movement: string): void {
     if (movement.trim() === "") this.#named.delete(key);
     else this.#named.set(key, movement.trim());
     this.changed();
   }
 
-  /**
-   * Chooses all clips that the program makes, each in the group of its movement; these parts are the same in
-   * all groups.
-   */
-  chooseMade(shared: readonly string[]): void {
+  /** Chooses all sample clips in the groups of their movements, with these shared parts. */
+  chooseSamples(shared: readonly string[]): void {
     for (const { key, origin } of this.#clips.all) {
       this.#chosen.set(key, origin !== "own");
       this.#named.delete(key);
@@ -107,7 +104,7 @@ export class LearningStore extends ProgressStore<string> {
     this.changed();
   }
 
-  /** Why it cannot be learned now; empty when it can. */
+  /** The reason why learning is not possible now; empty if it is. */
   get whyNot(): string {
     if (!this.#clips.samplesLoaded) return "Getting the sample clips ready.";
     const groups = this.#groups();
@@ -115,7 +112,7 @@ export class LearningStore extends ProgressStore<string> {
     return groups.length < 2 ? "Choose clips of another movement too." : "";
   }
 
-  /** Learns the library, which takes the place of the one that is looked at. */
+  /** Learns the library, which then becomes the open one. */
   async learn(): Promise<void> {
     if (this.busy || this.whyNot) return;
     const groups = this.#groups();

@@ -1,4 +1,4 @@
-// Learning a library: which clips, in which groups, and which parts are the same in all groups.
+// The choices for learning a library: clips, their groups, and shared parts.
 import { html } from "lit";
 import { progressRow } from "../training/progress-row";
 import { partColour } from "../ui/palette";

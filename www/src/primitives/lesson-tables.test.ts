@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { pageNumbers, LESSON_TABLES } from "./lesson-tables";
 
-it("writes what a program wrote as the page does: minus signs, times, digits in groups", () => {
+it("writes minus signs, times and grouped digits as the page does", () => {
   expect(pageNumbers("-1.045 (-2.594 to +0.504)")).toBe("−1.045 (−2.594 to +0.504)");
   expect(pageNumbers("alone: DTW MSE x 1000")).toBe("alone: DTW MSE × 1,000");
   expect(pageNumbers("2424")).toBe("2,424");
@@ -10,7 +10,7 @@ it("writes what a program wrote as the page does: minus signs, times, digits in 
   expect(pageNumbers("a re-learned walk-1")).toBe("a re-learned walk-1");
 });
 
-it("leaves no sign of a program in the tables of the lesson", () => {
+it("leaves no hyphen or x of the program in the tables of the lesson", () => {
   const cells = Object.values(LESSON_TABLES).flatMap(({ head, rows }) => [...head, ...rows.flat()]);
   expect(cells.filter((cell) => /-\d|\bx \d|\d{4}/.test(cell))).toEqual([]);
 });

@@ -1,4 +1,4 @@
-// The tables of the experiment as the program wrote them, with signs and digits as on the rest of the page.
+// The tables of the experiment, with numbers written as on the rest of the page.
 import { grouped } from "../ui/format";
 import stored from "./modularity.json";
 
@@ -7,7 +7,7 @@ export interface Table {
   rows: string[][];
 }
 
-/** "-1234.5 (x 1000)" becomes "−1,234.5 (× 1,000)"; a hyphen within a word stays. */
+/** "-1234.5 (x 1000)" becomes "−1,234.5 (× 1,000)". A hyphen within a word stays. */
 export function pageNumbers(cell: string): string {
   const numbers = /(?<![\w.-])-?\d+(?:\.(\d+))?/g;
   return cell

@@ -1,5 +1,4 @@
-// The experiment on primitives that are shared, as a lesson: the question, what was measured, and the same
-// training to be tried here.
+// The experiment on shared primitives as a lesson: the question, the measured results, and one fold to try.
 import { html } from "lit";
 import { View } from "../ui/view";
 import "./lesson.css";
@@ -10,7 +9,7 @@ import type { LearningStore } from "./learning-store";
 import paths from "../../../docs/modularity.svg";
 import { LESSON_TABLES, type Table } from "./lesson-tables";
 
-/** The columns of the first table that say how well each foresees, and those that say what it costs. */
+/** The columns of the first table with errors, and with costs. */
 const ERRORS = [0, 1, 2, 3, 4];
 const COSTS = [0, 6, 7, 8, 9];
 
@@ -53,14 +52,14 @@ export class LessonView extends View {
         <img src=${paths} width="840" height="444" loading="lazy" alt="Latent paths of the lower and the upper body, of walking and of walking with waving" />
         <figcaption class="hint">The latent paths of a library: generated (solid) and as trained (dashed).</figcaption>
       </figure>
-      <h3>Primitives that move house</h3>
+      <h3>Primitives in another library</h3>
       <p>A primitive means nothing under the pose maps of another training: it is learned again there, from clips, from the latents that its file keeps, or
         from its own rollouts. Here walking moves into a library of walking with waving that has never seen a walk without it.</p>
       ${table(LESSON_TABLES.imports, "Walking learned again in another library")}
       <p>The legs lose nothing: the other library knows legs that walk. Most of how the arms of a walk are held is not among its poses, and what its
         pose maps do not show cannot come back, whatever the dynamics learn.</p>
       <div class="train-row">
-        <button class="small" data-testid="lesson-try" ?disabled=${learning.busy} @click=${() => learning.chooseMade(["lower"])}>Set the experiment up above</button>
+        <button class="small" data-testid="lesson-try" ?disabled=${learning.busy} @click=${() => learning.chooseSamples(["lower"])}>Set the experiment up above</button>
         <p class="hint">All ten clips in two groups, the lower body the same: press <em>Learn</em>, and watch which combinations walk.</p>
       </div>`;
   }

@@ -31,7 +31,7 @@ async function opened(): Promise<void> {
 }
 
 describe("a library", () => {
-  it("opens with a combination that was never recorded, and with the figures of all", async () => {
+  it("opens with a combination that was never recorded, and with all small figures", async () => {
     await opened();
     expect(library.uses).toEqual([0, 3]);
     expect(library.recorded).toBeNull();
@@ -43,32 +43,32 @@ describe("a library", () => {
     expect(program.libraries.opened).toHaveLength(1);
   });
 
-  it("says why it cannot be opened, and is opened at the next try", async () => {
+  it("reports why it cannot be opened, and can be opened again", async () => {
     first = () => Promise.reject(new Error("no such file"));
     await library.openFirst();
     expect(library.problem).toBe("no such file");
     first = async () => libraryText("first");
     await opened();
     expect(library.problem).toBe("");
-    expect(library.known?.title).toBe("");
+    expect(library.current?.title).toBe("");
   });
 
-  it("makes place for another, which can be undone; one that is refused changes nothing", async () => {
+  it("is replaced by another, which can be undone; a refused file changes nothing", async () => {
     await opened();
     await library.open(libraryText("second"), "second.json");
-    expect(library.known?.title).toBe("second.json");
+    expect(library.current?.title).toBe("second.json");
     program.libraries.refused = "expected a library";
     await expect(library.open("{}", "bad.json")).rejects.toThrow("expected a library");
     program.libraries.refused = "";
-    expect(library.known?.title).toBe("second.json");
+    expect(library.current?.title).toBe("second.json");
     // The worker that refused it was replaced: the next has the library that the page shows.
     expect(JSON.parse(await library.combinationText())).toMatchObject({ library: libraryText("second") });
     await library.undo();
-    expect(library.known?.text).toBe(libraryText("first"));
+    expect(library.current?.text).toBe(libraryText("first"));
     expect(library.before).toBeNull();
   });
 
-  it("that is not saved comes round again, however many others are opened", async () => {
+  it("that is not saved can be brought back after any number of others", async () => {
     await opened();
     await library.open(libraryText("learned"), "learned", true);
     await library.open(libraryText("second"), "second.json");
@@ -77,25 +77,25 @@ describe("a library", () => {
     const titles: (string | undefined)[] = [];
     for (let k = 0; k < 3; k++) {
       await library.undo();
-      titles.push(library.known?.title);
+      titles.push(library.current?.title);
     }
     expect(titles).toEqual(["second.json", "learned", "learned"]);
     expect(library.before).toBeNull();
   });
 
-  it("takes a combination in, while the figure goes on", async () => {
+  it("adds a combination while the figure walks on", async () => {
     await opened();
     await library.keep("mine");
-    expect(library.known?.info.movements.map(({ name }) => name)).toEqual(["walk", "wave", "mine"]);
-    expect(library.known?.unsaved).toBe(true);
+    expect(library.current?.info.movements.map(({ name }) => name)).toEqual(["walk", "wave", "mine"]);
+    expect(library.current?.unsaved).toBe(true);
     expect(program.libraries.walks).toHaveLength(1);
     expect(library.save()).toBe(libraryText("first", ["mine"]));
-    expect(library.known?.unsaved).toBe(false);
+    expect(library.current?.unsaved).toBe(false);
   });
 });
 
 describe("the combination that walks", () => {
-  it("goes on with another primitive, under the couplings of the nearest movement", async () => {
+  it("continues with another primitive, under the couplings of the nearest movement", async () => {
     await opened();
     library.couplings.set(0, 1, 9);
     expect(library.couplings.altered).toBe(true);
@@ -114,7 +114,7 @@ describe("the combination that walks", () => {
     expect(library.uses).toEqual([0, 2]);
   });
 
-  it("goes on without a jump", async () => {
+  it("has no jump", async () => {
     await opened();
     await pass(0.5);
     library.take([1, 2]);
@@ -130,7 +130,7 @@ describe("the combination that walks", () => {
     expect(largest).toBeGreaterThan(0.05);
   });
 
-  it("goes on with another primitive from the frame that is seen: what was ahead of it is made again", async () => {
+  it("uses another primitive from the visible frame on, and computes later frames again", async () => {
     await opened();
     await pass(0.5);
     const { walk } = library;
@@ -164,7 +164,7 @@ describe("the combination that walks", () => {
     expect(walk.track?.frame(walk.track.last)?.[0]).toBe(3);
   });
 
-  it("that stands goes on to where an exchange is over, and shows it", async () => {
+  it("moves a paused figure to the end of the transition", async () => {
     await opened();
     await pass(0.52);
     const { walk } = library;
@@ -186,7 +186,7 @@ describe("the combination that walks", () => {
     expect(now()).toBe(2);
   });
 
-  it("sets out for another primitive from the frame that is seen", async () => {
+  it("mixes primitives from the visible frame on", async () => {
     await opened();
     await pass(0.5);
     const { walk } = library;
@@ -199,7 +199,7 @@ describe("the combination that walks", () => {
     expect(program.libraries.changes).toEqual([{ kind: "mix", part: 1, other: 2, share: 0.5 }]);
   });
 
-  it("takes couplings, tempos and mixes over, of each the newest", async () => {
+  it("applies the newest couplings, tempos and mixes", async () => {
     await opened();
     for (const alpha of [5, 6, 7]) library.couplings.set(0, 1, alpha);
     expect(library.couplings.weight(0, 1)).toBeCloseTo(4 / 11, 12);
@@ -231,7 +231,7 @@ describe("the combination that walks", () => {
     });
   });
 
-  it("says when it stops", async () => {
+  it("reports when it stops", async () => {
     await opened();
     program.libraries.broken = "no longer finite";
     await pass(0.3);

@@ -1,4 +1,4 @@
-// The library that is looked at, and the combination of its primitives that walks.
+// The open library, and the combination of its primitives that walks.
 import { changedFrom, CouplingsStore } from "../couplings/couplings-store";
 import type { Addition, CouplingsFrom, Fitted, LibraryInfo, PartMotion } from "../engine/library-protocol";
 import { Latest } from "../engine/latest";
@@ -12,116 +12,113 @@ import { combinationsOf, countOf, exampleOf, firstOf, isSame, recordedAs, titleO
 import { LibraryWorker } from "./library-worker";
 import { WalkStore } from "./walk-store";
 
-/** More combinations have no room in the gallery. */
+/** The largest number of combinations in the gallery. */
 const MOST_SHOWN = 36;
-/** Milliseconds that couplings rest before it is looked what they do. */
+/** Milliseconds after the last change of couplings before their effect is computed. */
 const LOOK_AFTER = 300;
-/** Frames of a small figure, which walks them again and again. */
+/** Frames of the loop of a small figure. */
 const SMALL_FRAMES = 120;
 
-/** A library, and where it comes from. */
-export interface KnownLibrary {
+/** A library, and its origin. */
+export interface OpenLibrary {
   text: string;
   info: LibraryInfo;
-  /** "the library that comes with this page", or the name of its file. */
+  /** The name of its file; empty for the library of the page. */
   title: string;
-  /** Whether it would be lost: it was learned or changed here, and not saved since. */
+  /** Whether it was learned or changed here, and not saved since. */
   unsaved: boolean;
 }
 
-/** A part that is on its way to another of its primitives. */
+/** A mixture of the primitive of a part with another primitive. */
 export interface Mix {
   other: number;
-  /** 0 to 1 */
+  /** The share of the other primitive, 0 to 1. */
   share: number;
 }
 
-const isUnsaved = ({ unsaved }: KnownLibrary) => unsaved;
+const isUnsaved = ({ unsaved }: OpenLibrary) => unsaved;
 
 export class LibraryStore extends Store {
   readonly walk: WalkStore;
-  /** Learned are the couplings that the primitives were learned with, or fitted. */
+  /** Its learned values are those that the primitives were learned with, or the fitted ones. */
   readonly couplings = new CouplingsStore((change) => this.#walkUnder(change === "all"));
-  readonly #held: LibraryWorker;
+  readonly #worker: LibraryWorker;
   readonly #notices: NoticesStore;
   readonly #fetchStartFile: () => Promise<string>;
-  #known: KnownLibrary | null = null;
-  /**
-   * Those before, the last of which the one that is looked at has taken the place of: it, and all that would
-   * be lost.
-   */
-  #earlier: readonly KnownLibrary[] = [];
+  #current: OpenLibrary | null = null;
+  /** Libraries that can be brought back: the previous one as the last, and before it unsaved ones. */
+  #earlier: readonly OpenLibrary[] = [];
   #opening: Promise<void> | null = null;
   #problem = "";
   /** The document of the library that comes with the page. */
   #first: string | null = null;
   #uses: readonly number[] = [];
-  /** Whether the figure was given couplings since its primitives changed. */
+  /** Whether the couplings were changed since the last change of primitives. */
   #touched = false;
-  /** The couplings that were fitted last, and what to. */
+  /** The last fitted couplings, with their combination. */
   #fitted: (Fitted & { uses: readonly number[] }) | null = null;
-  /** What the parts do under the couplings that were looked at last. */
+  /** The motion of each part under the last computed couplings. */
   #moves: readonly PartMotion[] = [];
-  #look: ReturnType<typeof setTimeout> | undefined;
+  #timer: ReturnType<typeof setTimeout> | undefined;
   #tempos: readonly number[] = [];
   #mixes: readonly (Mix | null)[] = [];
-  /** Of the small figures; another library has others. */
+  /** The motions of the small figures. */
   #motions = new Map<string, Motion>();
   #body: Body | null = null;
   readonly #couplings: Latest<readonly number[], Couplings>;
-  readonly #movesOf: Latest<{ uses: readonly number[]; alpha: Couplings }, PartMotion[]>;
+  readonly #partMotions: Latest<{ uses: readonly number[]; alpha: Couplings }, PartMotion[]>;
 
   /** `fetchStartFile`: the document of the library that comes with the page. */
   constructor(whole: WholeWorkers, notices: NoticesStore, fetchStartFile: () => Promise<string>) {
     super();
-    this.#held = new LibraryWorker(whole);
-    this.walk = new WalkStore(this.#held, notices);
+    this.#worker = new LibraryWorker(whole);
+    this.walk = new WalkStore(this.#worker, notices);
     this.#notices = notices;
     this.#fetchStartFile = fetchStartFile;
     this.#couplings = new Latest(
       (uses) => this.nearestTo(uses),
       (alpha, uses) => {
         if (!isSame(uses, this.#uses)) return;
-        // The figure has them already.
+        // The worker has given these couplings to the figure already.
         if (this.#touched) this.#takeNearest(alpha);
         else this.#showNearest(alpha);
       },
       (problem) => this.#notices.addError("These primitives could not be put together", messageOf(problem)),
     );
-    this.#movesOf = new Latest(
-      ({ uses, alpha }) => this.#held.ask((worker) => worker.combinationMoves([...uses], alpha)),
+    this.#partMotions = new Latest(
+      ({ uses, alpha }) => this.#worker.ask((worker) => worker.combinationMoves([...uses], alpha)),
       (moves, { uses }) => {
         if (!isSame(uses, this.#uses)) return;
         this.#moves = moves;
         this.changed();
       },
-      // A figure that cannot be rolled out says so itself.
+      // A failed rollout has a notice of its own.
       () => {},
     );
   }
 
-  get known(): KnownLibrary | null {
-    return this.#known;
+  get current(): OpenLibrary | null {
+    return this.#current;
   }
 
-  /** What is kept of it for the next visit: nothing where it is the page's own, as it came. */
-  get kept(): Pick<KnownLibrary, "text" | "title" | "unsaved"> | null {
-    const known = this.#known;
-    if (!known || (known.title === "" && known.text === this.#first)) return null;
-    const { text, title, unsaved } = known;
+  /** The library for the next visit; null for the unchanged library of the page. */
+  get stored(): Pick<OpenLibrary, "text" | "title" | "unsaved"> | null {
+    const current = this.#current;
+    if (!current || (current.title === "" && current.text === this.#first)) return null;
+    const { text, title, unsaved } = current;
     return { text, title, unsaved };
   }
 
-  get before(): KnownLibrary | null {
+  get before(): OpenLibrary | null {
     return this.#earlier.at(-1) ?? null;
   }
 
-  /** All libraries of this visit that are on no disk. */
-  get unsaved(): readonly KnownLibrary[] {
-    return this.#known ? [...this.#earlier, this.#known].filter(isUnsaved) : [];
+  /** All unsaved libraries of this visit. */
+  get unsaved(): readonly OpenLibrary[] {
+    return this.#current ? [...this.#earlier, this.#current].filter(isUnsaved) : [];
   }
 
-  /** Why there is no library; empty when there is one, or soon will be. */
+  /** The reason why no library is open; empty otherwise. */
   get problem(): string {
     return this.#problem;
   }
@@ -131,13 +128,13 @@ export class LibraryStore extends Store {
     return this.#uses;
   }
 
-  /** The movement that was recorded with these primitives; null: never recorded. */
+  /** The recorded movement with these primitives; null if there is none. */
   get recorded(): string | null {
-    return this.#known && recordedAs(this.#known.info, this.#uses);
+    return this.#current && recordedAs(this.#current.info, this.#uses);
   }
 
   get title(): string {
-    return this.#known ? titleOf(this.#known.info, this.#uses) : "";
+    return this.#current ? titleOf(this.#current.info, this.#uses) : "";
   }
 
   get tempos(): readonly number[] {
@@ -148,19 +145,19 @@ export class LibraryStore extends Store {
     return this.#mixes;
   }
 
-  /** What each part does in the long run, and to whom it listens; empty where that is not known yet. */
+  /** The lasting motion of each part, and the part that leads it; empty before it is computed. */
   get moves(): readonly PartMotion[] {
     return this.#moves;
   }
 
   /** The combinations of the gallery. */
   get combinations(): number[][] {
-    return this.#known ? combinationsOf(this.#known.info, MOST_SHOWN) : [];
+    return this.#current ? combinationsOf(this.#current.info, MOST_SHOWN) : [];
   }
 
-  /** How many combinations the gallery has no room for. */
+  /** Number of combinations that the gallery does not show. */
   get notShown(): number {
-    return this.#known ? Math.max(0, countOf(this.#known.info) - MOST_SHOWN) : 0;
+    return this.#current ? Math.max(0, countOf(this.#current.info) - MOST_SHOWN) : 0;
   }
 
   /** The body of the library; null before there is one. */
@@ -168,14 +165,14 @@ export class LibraryStore extends Store {
     return this.#body;
   }
 
-  /** The first frames of a combination; null until they are there. */
+  /** The first frames of a combination; null before they are computed. */
   motionOf(uses: readonly number[]): Motion | null {
     return this.#motions.get(uses.join()) ?? null;
   }
 
-  /** Opens the library that comes with the page, at the first time. */
+  /** Opens the library of the page, if no library is open. */
   openFirst(): Promise<void> {
-    if (this.#known) return Promise.resolve();
+    if (this.#current) return Promise.resolve();
     this.#opening ??= this.#openFirst().finally(() => {
       this.#opening = null;
     });
@@ -188,36 +185,33 @@ export class LibraryStore extends Store {
     try {
       const text = await this.#fetchStartFile();
       this.#first = text;
-      // The visitor's own may have come first.
-      if (!this.#known) await this.open(text, "");
+      // The visitor may have opened another library meanwhile.
+      if (!this.#current) await this.open(text, "");
     } catch (problem) {
       this.#problem = messageOf(problem);
       this.changed();
     }
   }
 
-  /**
-   * Takes a library up from its document. The one before can be brought back, and so can all before it that
-   * are not saved.
-   */
+  /** Opens a library from its document. The previous library and all unsaved ones can be brought back. */
   async open(text: string, title: string, unsaved = false): Promise<void> {
-    const info = await this.#held.open(text);
-    const before = this.#known ? [this.#known] : [];
+    const info = await this.#worker.open(text);
+    const before = this.#current ? [this.#current] : [];
     await this.#takeUp({ text, info, title, unsaved }, [...this.#earlier.filter(isUnsaved), ...before]);
   }
 
-  /** Back to the library before this one, which comes round again if it is not saved. */
+  /** Brings the previous library back. An unsaved current library comes back with more calls. */
   async undo(): Promise<void> {
     const { before } = this;
     if (!before) return;
-    await this.#held.open(before.text);
-    const last = this.#known ? [this.#known].filter(isUnsaved) : [];
+    await this.#worker.open(before.text);
+    const last = this.#current ? [this.#current].filter(isUnsaved) : [];
     await this.#takeUp(before, [...last, ...this.#earlier.slice(0, -1)]);
   }
 
-  async #takeUp(library: KnownLibrary, earlier: readonly KnownLibrary[]): Promise<void> {
+  async #takeUp(library: OpenLibrary, earlier: readonly OpenLibrary[]): Promise<void> {
     this.#earlier = earlier;
-    this.#known = library;
+    this.#current = library;
     this.#problem = "";
     this.#motions = new Map();
     const { figure, parts, joints } = library.info;
@@ -231,19 +225,19 @@ export class LibraryStore extends Store {
     void this.#rollOutSmall(library.info);
   }
 
-  /** Another of its primitives for one part; the others go on. */
+  /** Chooses another primitive for one part. */
   choose(part: number, primitive: number): void {
-    if (this.#known?.info.primitives[primitive]?.part !== part) return;
+    if (this.#current?.info.primitives[primitive]?.part !== part) return;
     this.take(this.#uses.map((before, other) => (other === part ? primitive : before)));
   }
 
-  /** Goes on with another combination, under the couplings that its primitives were learned with. */
+  /** Continues with another combination, under the couplings that its primitives were learned with. */
   take(uses: readonly number[]): void {
     if (isSame(uses, this.#uses) && this.#mixes.every((mix) => mix === null)) return;
     this.#mixes.forEach((mix, part) => {
       if (mix) this.walk.change({ kind: "mix", part, other: mix.other, share: 0 });
     });
-    // Primitives together with their couplings, so that it has to catch itself only once.
+    // Primitives and couplings change in the same frame, so that there is one transition.
     uses.forEach((primitive, part) => {
       if (primitive !== this.#uses[part]) this.walk.change({ kind: "use", part, primitive });
     });
@@ -251,17 +245,17 @@ export class LibraryStore extends Store {
     this.#touched = false;
     this.#uses = uses;
     this.#mixes = uses.map(() => null);
-    // After the figure, which shall not wait.
+    // The figure must not wait for this request.
     queueMicrotask(() => this.#couplings.request(uses));
     this.changed();
   }
 
-  /** They act from the next frame on. */
+  /** Sets all couplings from the next frame on. */
   takeCouplings(alpha: Couplings): void {
     this.couplings.takeAll(changedFrom(this.couplings.learned, alpha));
   }
 
-  /** Couplings that were fitted for this combination: what the sliders go back to. */
+  /** Takes fitted couplings of this combination as its learned ones. */
   takeFitted(uses: readonly number[], fitted: Fitted): void {
     if (!isSame(uses, this.#uses)) return;
     this.#fitted = { ...fitted, uses };
@@ -274,7 +268,7 @@ export class LibraryStore extends Store {
     this.changed();
   }
 
-  /** Moves a part so far, 0 to 1, to another of its primitives. */
+  /** Mixes the primitive of a part with another primitive. */
   setMix(part: number, other: number, share: number): void {
     this.#mixes = this.#mixes.map((mix, index) => (index === part ? { other, share } : mix));
     this.walk.change({ kind: "mix", part, other, share });
@@ -283,50 +277,50 @@ export class LibraryStore extends Store {
 
   /** The couplings that the primitives of a combination were learned with. */
   nearestTo(uses: readonly number[]): Promise<Couplings> {
-    return this.#held.ask((worker) => worker.nearestCouplings([...uses]));
+    return this.#worker.ask((worker) => worker.nearestCouplings([...uses]));
   }
 
-  /** The document of the combination as a model of its own. */
+  /** The document of the combination as a model. */
   combinationText(): Promise<string> {
-    return this.#held.ask((worker) => worker.combinationText([...this.#uses], this.couplings.alpha));
+    return this.#worker.ask((worker) => worker.combinationText([...this.#uses], this.couplings.alpha));
   }
 
-  /** Adds the combination, under these couplings, to the library as a movement of this name. */
+  /** Adds the combination with its couplings to the library, as a movement of this name. */
   async keep(name: string): Promise<void> {
-    const known = this.#known;
-    if (!known) return;
-    const { text, info } = await this.#held.add(name, this.#uses, this.couplings.alpha, this.#from);
-    this.#known = { ...known, text, info, unsaved: true };
+    const current = this.#current;
+    if (!current) return;
+    const { text, info } = await this.#worker.add(name, this.#uses, this.couplings.alpha, this.#from);
+    this.#current = { ...current, text, info, unsaved: true };
     this.changed();
   }
 
-  /** The document of one primitive as a file of its own. */
+  /** The document of one primitive. */
   primitiveText(primitive: number): Promise<string> {
-    return this.#held.ask((worker) => worker.primitivesText([primitive]));
+    return this.#worker.ask((worker) => worker.primitivesText([primitive]));
   }
 
-  /** Whether the document is a library that can walk, not some primitives that can only be added to one. */
+  /** Whether the document is a whole library, and not only some primitives. */
   isWhole(text: string): Promise<boolean> {
-    return this.#held.ask((worker) => worker.isWholeLibrary(text));
+    return this.#worker.ask((worker) => worker.isWholeLibrary(text));
   }
 
-  /** Adds the primitives of another file, where they fit; the figure goes on. */
+  /** Adds the primitives of another file, if they fit. */
   async add(text: string): Promise<Addition> {
-    const addition = await this.#held.take(text);
-    const known = this.#known;
-    if (!("info" in addition) || !known) return addition;
-    this.#known = {
-      ...known,
+    const addition = await this.#worker.take(text);
+    const current = this.#current;
+    if (!("info" in addition) || !current) return addition;
+    this.#current = {
+      ...current,
       text: addition.text,
       info: addition.info,
-      unsaved: known.unsaved || addition.added > 0,
+      unsaved: current.unsaved || addition.added > 0,
     };
     this.changed();
     void this.#rollOutSmall(addition.info);
     return addition;
   }
 
-  /** Where the couplings of now come from, as far as the page alone knows it. */
+  /** The origin of the couplings now, if they were fitted. */
   get #from(): CouplingsFrom | null {
     const fitted = this.#fitted;
     const isFitted =
@@ -336,15 +330,15 @@ export class LibraryStore extends Store {
     return isFitted ? fitted.from : null;
   }
 
-  /** The document, which now is on the visitor's disk. */
+  /** The document, marked as saved. */
   save(): string {
-    if (!this.#known) return "";
-    this.#known = { ...this.#known, unsaved: false };
+    if (!this.#current) return "";
+    this.#current = { ...this.#current, unsaved: false };
     this.changed();
-    return this.#known.text;
+    return this.#current.text;
   }
 
-  /** The figure goes on under the couplings now. */
+  /** The figure continues under the couplings now. */
   #walkUnder(leaps: boolean): void {
     this.#touched = true;
     this.walk.change({ kind: "couplings", alpha: this.couplings.alpha }, leaps);
@@ -353,16 +347,16 @@ export class LibraryStore extends Store {
 
   #couplingsChanged(): void {
     this.#moves = [];
-    this.#movesOf.drop();
-    this.#lookLater();
+    this.#partMotions.drop();
+    this.#measureSoon();
     this.changed();
   }
 
-  /** Looks what the parts do once the couplings rest: a slider that is dragged shall not wait for it. */
-  #lookLater(): void {
-    clearTimeout(this.#look);
-    this.#look = setTimeout(
-      () => this.#movesOf.request({ uses: this.#uses, alpha: this.couplings.alpha }),
+  /** Computes the motion of the parts after a pause, so that a dragged slider does not wait for it. */
+  #measureSoon(): void {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(
+      () => this.#partMotions.request({ uses: this.#uses, alpha: this.couplings.alpha }),
       LOOK_AFTER,
     );
   }
@@ -377,7 +371,7 @@ export class LibraryStore extends Store {
     this.#couplingsChanged();
   }
 
-  /** The motions of the small figures, one after the other. */
+  /** Computes the motions of the small figures, one after the other. */
   async #rollOutSmall(info: LibraryInfo): Promise<void> {
     const motions = this.#motions;
     const examples = info.primitives.map((_, primitive) => exampleOf(info, primitive));
@@ -385,7 +379,7 @@ export class LibraryStore extends Store {
       if (this.#motions !== motions) return;
       if (motions.has(uses.join())) continue;
       try {
-        const motion = await this.#held.ask((worker) => worker.combinationMotion([...uses], SMALL_FRAMES));
+        const motion = await this.#worker.ask((worker) => worker.combinationMotion([...uses], SMALL_FRAMES));
         motions.set(uses.join(), motion);
       } catch (problem) {
         this.#notices.addError(`${titleOf(info, uses)} does not move`, messageOf(problem));

@@ -1,4 +1,4 @@
-// The library that a worker holds for the page. A worker that had to be replaced is given it again.
+// The worker that has the library open. A replaced worker opens the library again.
 import type { Addition, CouplingsFrom, LibraryInfo } from "../engine/library-protocol";
 import type { Couplings } from "../engine/protocol";
 import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
@@ -17,7 +17,7 @@ export class LibraryWorker {
     return this.#text;
   }
 
-  /** Takes another library up; the one before stays where that fails. */
+  /** Opens another library. The previous one stays open if that fails. */
   async open(text: string): Promise<LibraryInfo> {
     this.#holder = null;
     const info = await this.#whole.library.run(async (worker) => {
@@ -29,7 +29,7 @@ export class LibraryWorker {
     return info;
   }
 
-  /** Adds a combination as a movement of that name; answers the library with it. */
+  /** Adds a combination as a movement, and returns the new library. */
   async add(
     name: string,
     uses: readonly number[],
@@ -41,14 +41,14 @@ export class LibraryWorker {
     return added;
   }
 
-  /** Adds the primitives of another library, where they fit. */
+  /** Adds the primitives of another library, if they fit. */
   async take(text: string): Promise<Addition> {
     const addition = await this.ask((worker) => worker.addPrimitives(text));
     if ("text" in addition) this.#text = addition.text;
     return addition;
   }
 
-  /** Asks the worker that holds the library. */
+  /** Calls the worker that has the library open. */
   async ask<Answer>(question: (worker: WholeCalls) => Promise<Answer>): Promise<Answer> {
     return this.#whole.library.run(async (worker) => {
       if (worker !== this.#holder) {

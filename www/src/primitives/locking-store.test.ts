@@ -15,7 +15,7 @@ beforeEach(async () => {
   await library.openFirst();
 });
 
-it("asks for a row a tempo, and has the learned coupling and tempo among its points", async () => {
+it("asks for one row for each tempo, and contains the learned coupling and tempo", async () => {
   await locking.make();
   expect(program.libraries.rows.map(({ tempo }) => tempo)).toEqual(TEMPOS);
   expect(program.libraries.rows[0]).toMatchObject({
@@ -45,7 +45,7 @@ it("gives the figure the tempo and the coupling of a point", async () => {
   expect(locking.taken).toBeNull();
 });
 
-it("is gone with another combination or pair of parts", async () => {
+it("is dropped with another combination or pair of parts", async () => {
   await locking.make();
   library.choose(1, 2);
   expect(locking.map).toBeNull();

@@ -1,5 +1,5 @@
-// The map of tempo and coupling: how firmly one part is locked to another, for each tempo of the one and each
-// strength of the coupling.
+// The map of tempo and coupling: the locking of one part to another, for each tempo and each strength of the
+// coupling.
 import type { Couplings } from "../engine/protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
 import { messageOf } from "../ui/format";
@@ -7,19 +7,19 @@ import { Store } from "../ui/store";
 import { isSame } from "./combinations";
 import type { LibraryStore } from "./library-store";
 
-/** Of the target, from slow to fast. */
+/** Tempos of the target. */
 export const TEMPOS: readonly number[] = Array.from({ length: 13 }, (_, i) => (70 + 5 * i) / 100);
-/** What the coupling is multiplied by: its variance is divided by it. */
+/** Factors of the coupling: its variance is divided by them. */
 export const STRENGTHS: readonly number[] = Array.from({ length: 11 }, (_, i) => 2 ** (i - 6));
 
-/** A map, as far as it is made, and what it is of. */
+/** A map, complete or not. */
 export interface LockingMap {
   uses: readonly number[];
   source: number;
   target: number;
-  /** The couplings that the strengths multiply one of. */
+  /** The couplings at strength 1. */
   alpha: Couplings;
-  /** Of each tempo, 0 to 1 at each strength; null: not there yet. */
+  /** For each tempo the locking at each strength, 0 to 1; null before it is computed. */
   rows: (Float64Array | null)[];
 }
 
@@ -38,7 +38,7 @@ export class LockingStore extends Store {
     this.#whole = whole;
     this.#library = library;
     library.on(() => {
-      // Another combination has another map.
+      // The map belongs to another combination.
       if (this.#map && !this.#isOf(this.#map)) this.#forget();
     });
   }
@@ -59,27 +59,27 @@ export class LockingStore extends Store {
     return this.#busy;
   }
 
-  /** Why there is no map; empty where there is one, or none was asked for. */
+  /** The reason why the map failed; else empty. */
   get problem(): string {
     return this.#problem;
   }
 
-  /** The share of the map that is made. */
+  /** The computed share of the map. */
   get fraction(): number {
     const rows = this.#map?.rows ?? [];
     return rows.filter((row) => row !== null).length / Math.max(1, rows.length);
   }
 
-  /** Which part leads, and which follows. */
+  /** Chooses the part that leads and the part that follows. */
   choose(source: number, target: number): void {
     [this.#source, this.#target] = [source, target];
     this.#forget();
   }
 
-  /** Makes the map, a tempo at a time, on as many workers as there are. */
+  /** Computes the map on all workers, one tempo in each job. */
   async make(): Promise<void> {
-    const { known, uses } = this.#library;
-    if (!known || this.#busy) return;
+    const { current, uses } = this.#library;
+    if (!current || this.#busy) return;
     const [source, target] = [this.#source, this.#target];
     const stop = new AbortController();
     this.#stop = stop;
@@ -91,7 +91,7 @@ export class LockingStore extends Store {
       const map: LockingMap = { uses, source, target, alpha, rows: TEMPOS.map(() => null) };
       this.#map = map;
       const { pool } = this.#whole;
-      const job = { library: known.text, uses: [...uses], source, target, strengths: [...STRENGTHS] };
+      const job = { library: current.text, uses: [...uses], source, target, strengths: [...STRENGTHS] };
       const row = async (tempo: number, index: number) => {
         map.rows[index] = await pool.run((worker) => worker.lockingRow({ ...job, tempo }), stop.signal);
         this.changedSoon();
@@ -109,7 +109,7 @@ export class LockingStore extends Store {
     this.changed();
   }
 
-  /** What is made stays. */
+  /** Cancels the map, and keeps its computed rows. */
   cancel(): void {
     this.#stop.abort();
   }
@@ -126,7 +126,7 @@ export class LockingStore extends Store {
     );
   }
 
-  /** The point that the large figure is at; null: none. */
+  /** The point of the large figure in the map; null if it has none. */
   get taken(): { tempo: number; strength: number } | null {
     const map = this.#map;
     if (!map) return null;

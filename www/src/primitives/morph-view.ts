@@ -1,4 +1,4 @@
-// A part on its way from one of its primitives to another.
+// The mixture of two primitives of a part.
 import { html, nothing } from "lit";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
@@ -15,7 +15,7 @@ export class MorphView extends View {
 
   #slider(part: number) {
     const { library } = this;
-    const info = library.known?.info;
+    const info = library.current?.info;
     if (!info) return nothing;
     const from = library.uses[part] ?? 0;
     const others = primitivesOf(info, part).filter((primitive) => primitive !== from);
@@ -38,13 +38,13 @@ export class MorphView extends View {
             ? html`<span>${name(other)}</span>`
             : html`<select aria-label="${title}: towards" @change=${(event: Event) =>
                 library.setMix(part, Number((event.target as HTMLSelectElement).value), share)}>
-                ${others.map((one) => html`<option value=${one} ?selected=${one === other}>${name(one)}</option>`)}</select>`
+                ${others.map((choice) => html`<option value=${choice} ?selected=${choice === other}>${name(choice)}</option>`)}</select>`
         }
       </div>`;
   }
 
   protected override render() {
-    const parts = this.library.known?.info.parts ?? [];
+    const parts = this.library.current?.info.parts ?? [];
     return html`
       <h2>Morph</h2>
       <p class="hint">Moves what a part predicts from one of its primitives to another, little by little.</p>

@@ -7,7 +7,7 @@ const origin: PrimitiveOrigin = {
   ...{ engine: "vcgpdm", seed: 8, bound: 12, iterations: 400, note: null, relearned: null, clips },
 };
 
-it("says what a primitive learned from, and after which other one", () => {
+it("names the clips that a primitive learned from, and the primitive that it was learned after", () => {
   expect(originText(origin)).toBe("Learned from walk-1, walk-2 and 1 more; 400 iterations, seed 8.");
   const relearned = { primitive: "walk", frames: "remembered" as const, clips: clips.slice(0, 1) };
   expect(originText({ ...origin, relearned, note: "Thanks." })).toBe(

@@ -1,4 +1,4 @@
-// Where a primitive comes from, in words.
+// The origin of a primitive as text.
 import type { PrimitiveOrigin } from "../engine/library-protocol";
 
 const FRAMES = {

@@ -1,4 +1,4 @@
-// The view of a library of primitives: what each part has learned to do, put together in new ways.
+// The view of a library of primitives and their combinations.
 import { html, nothing } from "lit";
 import { duration, sentence } from "../ui/format";
 import { download } from "../ui/download";
@@ -36,7 +36,7 @@ export class PrimitivesPage extends View {
   protected override arrived(): void {
     void this.#library.openFirst();
     this.listen(this, "put-on-stage", (event) => {
-      // Its own, with the document in it, goes on to the page.
+      // The event that this view sends itself has a detail.
       if (event instanceof CustomEvent && event.detail === null) void this.#putOnStage(event);
     });
   }
@@ -64,20 +64,20 @@ export class PrimitivesPage extends View {
     download("library.json", new Blob([this.#library.save()], { type: "application/json" }));
   }
 
-  /** What library this is, and what can be done with it as a whole. */
+  /** The title of the library, and the actions for the whole library. */
   #head() {
-    const { known, before } = this.#library;
-    if (!known) return nothing;
-    const { movements, frameTime } = known.info;
+    const { current, before } = this.#library;
+    if (!current) return nothing;
+    const { movements, frameTime } = current.info;
     const learned = movements.filter(({ learned }) => learned);
     const frames = learned.flatMap(({ sequences }) => sequences).reduce((sum, { frames }) => sum + frames, 0);
     const names = learned.map(({ name }) => `“${name}”`).join(" and ");
     return html`
       <section class="panel library-head" aria-label="The library">
-        <p><strong>${known.title === "" ? "A library of made walks" : known.title}</strong>
+        <p><strong>${current.title === "" ? "A library of made walks" : current.title}</strong>
           <span data-testid="library-words">It learned ${names} from ${duration(frames * frameTime)} of motion.
-          ${known.title === "" ? "The clips are this project’s own, made by a program." : nothing}
-          ${known.unsaved ? "It is not saved yet." : nothing}</span></p>
+          ${current.title === "" ? "The clips are this project’s own, made by a program." : nothing}
+          ${current.unsaved ? "It is not saved yet." : nothing}</span></p>
         <div class="button-row">
           ${before ? html`<button class="small" data-testid="library-undo" @click=${() => void this.#library.undo()}>Back to the library before</button>` : nothing}
           <button class="small" data-testid="save-library" @click=${() => this.#save()}>Save the library</button>
@@ -99,7 +99,7 @@ export class PrimitivesPage extends View {
     const { library, fitting, imports, locking, learning, fold } = this.primitives;
     const { playing } = library.walk.player;
     const here = this.notices.all.filter(({ at }) => at === null);
-    if (!library.known) {
+    if (!library.current) {
       return library.problem
         ? html`<p class="empty" role="alert">The library could not be opened: ${sentence(library.problem)}
           <button class="small" @click=${() => void library.openFirst()}>Try again</button></p>`

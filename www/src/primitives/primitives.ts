@@ -1,4 +1,4 @@
-// The stores of this room, which belong together.
+// The stores of the view Primitives.
 import type { ClipsStore } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import type { WholeWorkers } from "../engine/whole-workers";
@@ -11,7 +11,7 @@ import { LearningStore } from "./learning-store";
 import { LibraryStore } from "./library-store";
 import { LockingStore } from "./locking-store";
 
-/** All stores of the view. */
+/** All stores of the view, and the seed of the settings. */
 export type Primitives = ReturnType<typeof openPrimitives>;
 
 /** The document of the library that comes with the page. */
@@ -29,7 +29,7 @@ export function openPrimitives(
   notices: NoticesStore,
 ) {
   const library = new LibraryStore(whole, notices, fetchLibrary);
-  // At first; later it plays, or not, as it was left.
+  // Later visits of the view continue as the visitor left it.
   library.walk.player.playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
   return {
     library,

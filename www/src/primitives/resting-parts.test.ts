@@ -7,7 +7,7 @@ const info = {
   primitives: [{ name: "walk" }, { name: "wave" }],
 } as unknown as LibraryInfo;
 
-it("says which part stands still, and to whom it listens", () => {
+it("names the part that rests, and the part that leads it", () => {
   const moves = (still: boolean, weight: number, met: boolean) => [
     { share: 1, still: false, leader: { part: 1, weight: 0.2, met } },
     { share: 0, still, leader: { part: 0, weight, met } },

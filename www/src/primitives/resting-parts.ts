@@ -1,8 +1,8 @@
-// A word where parts of a combination stand still, and why.
+// A text about the parts of a combination that come to rest.
 import type { LibraryInfo, PartMotion } from "../engine/library-protocol";
 import { sentence } from "../ui/format";
 
-/** Which parts stand still under these couplings, and to whom they listen; empty where all move. */
+/** Names the parts that rest under these couplings, with the reason; empty if all parts move. */
 export function restingPartsText(
   { parts, primitives }: LibraryInfo,
   uses: readonly number[],

@@ -1,4 +1,4 @@
-// An element with a small moving figure: all of it in colour, or one part only.
+// An element with a small moving figure, with all parts or one part in colour.
 import { html } from "lit";
 import type { Motion } from "../engine/protocol";
 import type { Body } from "../scene/columns";
@@ -8,15 +8,15 @@ import { onThemeChange, partColourNow, theme } from "../ui/palette";
 import { View } from "../ui/view";
 import { SmallFigure } from "./small-figure";
 
-/** Milliseconds between two pictures: small figures need no more. */
+/** Milliseconds between two pictures. */
 const BETWEEN = 40;
 
 export class SmallFigureView extends View {
   static override properties = { motion: {}, body: {}, accent: {}, playing: {} };
   declare body: Body;
-  /** Null until it is there. */
+  /** Null before it has arrived. */
   declare motion: Motion | null;
-  /** The part in colour; null: all. */
+  /** The part in colour; null for all parts. */
   declare accent: number | null;
   declare playing: boolean;
   #figure: SmallFigure | null = null;

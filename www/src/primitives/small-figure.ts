@@ -1,5 +1,4 @@
-// A small figure on a canvas of its own, drawn as thick lines: many of them cost little. It walks on the
-// spot.
+// A small figure on the spot, drawn as thick lines, so that many figures are cheap.
 import type { Motion, PartSpec } from "../engine/protocol";
 import { type Shape, shapeOf } from "../scene/body-shape";
 import type { Body } from "../scene/columns";
@@ -7,14 +6,14 @@ import { FADE, findLoop, HERE, type Loop, poseAt, blendInto, placeOnto } from ".
 import { partOfJoints } from "../scene/part-of-joints";
 import { floorOf, headingOf } from "../scene/stance";
 
-/** What is seen of a body with a hand over its head, metres. */
+/** Height of a body with a hand above its head, metres. */
 const HEIGHT = 2.15;
-/** Below the feet, metres. */
+/** Space below the feet, metres. */
 const BELOW = 0.08;
-/** The figure is seen half from its side. */
+/** The angle between heading and camera, radians. */
 const SIDE = 0.95;
 
-/** A line of a figure, in pixels, with the part that it belongs to. */
+/** A line of a figure, in pixels, with its part. */
 export interface Stroke {
   part: number;
   x0: number;
@@ -22,14 +21,11 @@ export interface Stroke {
   x1: number;
   y1: number;
   width: number;
-  /** How near it is; farther ones are drawn first. */
+  /** Nearness to the camera. Far lines are drawn first. */
   depth: number;
 }
 
-/**
- * The lines of a pose [nodes x 3] in a picture, the farthest first. `floor`: the height of the ground;
- * `turn`: what is seen, radians.
- */
+/** The lines of a pose [nodes x 3], the farthest first. `floor`: height of the ground; `turn`: radians. */
 export function strokesOf(
   shape: Shape,
   parts: Int16Array,
@@ -78,7 +74,7 @@ export function strokesOf(
   return strokes.sort((a, b) => a.depth - b.depth);
 }
 
-/** A motion that walks on the spot, again and again. */
+/** A motion in a loop on the spot. */
 export class SmallFigure {
   readonly #motion: Motion;
   readonly #loop: Loop;
@@ -100,7 +96,7 @@ export class SmallFigure {
     this.#turn = headingOf(motion) + SIDE;
   }
 
-  /** Draws it after so many seconds, in these colours: of a part, and of what has none. */
+  /** Draws the figure at a time. `colourOf`: the colour of a part, -1 for no part. */
   draw(
     draw: CanvasRenderingContext2D,
     size: { width: number; height: number },
@@ -120,7 +116,7 @@ export class SmallFigure {
     }
   }
 
-  /** Where one lap meets the next they fade into each other. */
+  /** The pose at a time. The end of a lap fades into the start of the next. */
   #poseAfter(seconds: number): Float32Array {
     const { end } = this.#loop;
     const frame = end > 0 ? (seconds / this.#motion.frameTime) % end : 0;

@@ -1,25 +1,25 @@
 import { expect, it } from "vitest";
-import { onwards, TRANSITION_FRAMES, Transition } from "./transition";
+import { extrapolated, TRANSITION_FRAMES, Transition } from "./transition";
 
 /** One node that moves on by `step` a frame from `from`. */
 const line = (from: number, step: number, frames: number) =>
   Float32Array.from({ length: 3 * frames }, (_, i) => from + step * Math.floor(i / 3));
 const xOf = (positions: Float32Array) => [...positions].filter((_, i) => i % 3 === 0);
 
-it("lets nothing through but what it is given, without a change", () => {
+it("does not change frames without a transition", () => {
   const seam = new Transition();
   const positions = line(1, 0.1, 5);
-  seam.pass(positions, 5, 0);
+  seam.apply(positions, 5, 0);
   expect([...positions]).toEqual([...line(1, 0.1, 5)]);
 });
 
-it("lets a jump fade away: no step is much larger than the jump spread over the seam, and nothing is left of it", () => {
+it("spreads a jump over the transition, and nothing is left of it", () => {
   const seam = new Transition();
   const before = line(0, 0.01, 10);
   const after = line(1, 0.01, 30);
-  seam.open(10, after.slice(0, 3), onwards(before.subarray(24, 27), before.subarray(27)));
+  seam.start(10, after.slice(0, 3), extrapolated(before.subarray(24, 27), before.subarray(27)));
   // The frames come in pieces, as they do while the figure walks.
-  for (let k = 0; k < 10; k++) seam.pass(after.subarray(9 * k, 9 * k + 9), 3, 10 + 3 * k);
+  for (let k = 0; k < 10; k++) seam.apply(after.subarray(9 * k, 9 * k + 9), 3, 10 + 3 * k);
   const all = [...xOf(before), ...xOf(after)];
   const steps = all.slice(1).map((x, i) => Math.abs(x - (all[i] ?? 0)));
   expect(Math.max(...steps)).toBeLessThan(0.01 + (1.6 * 1) / TRANSITION_FRAMES);
@@ -29,11 +29,11 @@ it("lets a jump fade away: no step is much larger than the jump spread over the 
   expect(steps.at(-1)).toBeCloseTo(0.01, 5);
 });
 
-it("goes on where it was when frames are computed again", () => {
+it("continues when frames are computed again", () => {
   const seam = new Transition();
   const [first, again] = [line(1, 0, 8), line(1, 0, 6)];
-  seam.open(4, first.slice(0, 3), line(0, 0, 1));
-  seam.pass(first, 8, 4);
-  seam.pass(again, 6, 6);
+  seam.start(4, first.slice(0, 3), line(0, 0, 1));
+  seam.apply(first, 8, 4);
+  seam.apply(again, 6, 6);
   expect(xOf(again)).toEqual(xOf(first).slice(2));
 });

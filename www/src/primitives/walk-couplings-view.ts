@@ -1,4 +1,4 @@
-// The combination that walks: its couplings, fitted or by hand; kept in the library, or put on the stage.
+// The couplings of the walking combination, set by hand or fitted, and the buttons that keep the combination.
 import { html, nothing } from "lit";
 import type { ClipsStore } from "../clips/clips-store";
 import { couplingsTable } from "../couplings/couplings-table";
@@ -15,7 +15,7 @@ export class WalkCouplingsView extends View {
   declare library: LibraryStore;
   declare fitting: FittingStore;
   declare clips: ClipsStore;
-  /** The key of the clip to fit to; empty: the first. */
+  /** The key of the clip to fit to; empty for the first clip. */
   declare clip: string;
 
   constructor() {
@@ -27,9 +27,9 @@ export class WalkCouplingsView extends View {
     return [this.library, this.fitting, this.clips];
   }
 
-  /** Where a part stands still, which one, and to whom it listens. */
-  #still({ known, uses, moves }: LibraryStore) {
-    const words = known ? restingPartsText(known.info, uses, moves) : "";
+  /** The text about parts that rest. */
+  #still({ current, uses, moves }: LibraryStore) {
+    const words = current ? restingPartsText(current.info, uses, moves) : "";
     return html`<p class="still-words" role="status" data-testid="still-words">${words}</p>`;
   }
 
@@ -56,8 +56,8 @@ export class WalkCouplingsView extends View {
 
   protected override render() {
     const { library } = this;
-    if (!library.known) return nothing;
-    const { movements, parts } = library.known.info;
+    if (!library.current) return nothing;
+    const { movements, parts } = library.current.info;
     return html`
       <header class="panel-head"><h2><pg-term of="coupling" text="Couplings"></pg-term></h2>
         <button class="small" ?disabled=${!library.couplings.altered} @click=${() => library.couplings.resetAll()}>Reset</button></header>
@@ -80,8 +80,8 @@ export class WalkCouplingsView extends View {
 
   /** A name that no movement has. */
   #name(taken: readonly string[]): string {
-    const { known, uses } = this.library;
-    const words = uses.map((primitive) => known?.info.primitives[primitive]?.name ?? "").join(" + ");
+    const { current, uses } = this.library;
+    const words = uses.map((primitive) => current?.info.primitives[primitive]?.name ?? "").join(" + ");
     if (!taken.includes(words)) return words;
     for (let number = 2; ; number++) if (!taken.includes(`${words} ${number}`)) return `${words} ${number}`;
   }

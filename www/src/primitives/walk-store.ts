@@ -1,4 +1,4 @@
-// The large figure, which goes on without an end while its primitives, couplings and tempos change.
+// The large figure, which walks without an end while its primitives, couplings and tempos change.
 import type { LibraryInfo, WalkChange } from "../engine/library-protocol";
 import type { Motion } from "../engine/protocol";
 import { LiveTrack } from "../scene/live-track";
@@ -8,63 +8,58 @@ import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import type { LibraryWorker } from "./library-worker";
-import { onwards, TRANSITION_FRAMES, Transition } from "./transition";
+import { extrapolated, TRANSITION_FRAMES, Transition } from "./transition";
 
-/** Seconds that are kept. */
+/** Stored seconds. */
 const KEPT_SECONDS = 4;
-/**
- * Frames that are there before the clock needs them. Where the visitor changes something, those not yet seen
- * are made again.
- */
+/** Frames computed ahead of the clock. After a change of the visitor they are computed again. */
 const LEAD = 3;
-/**
- * So many are asked for at once, so that the worker is nearly always free when the visitor changes something.
- */
+/** Frames of one request: few requests leave the worker free for changes of the visitor. */
 const PIECE = 6;
 
-/** What acts on all frames after this one. */
+/** Changes that act on all frames after `after`. */
 interface Made {
   after: number;
   changes: readonly WalkChange[];
 }
 
-/** What a change is about. */
+/** Changes of the same subject replace each other. */
 const subjectOf = (change: WalkChange): string =>
   "part" in change ? `${change.kind} ${change.part}` : "couplings";
 
-/** Of changes of one thing only the newest. */
+/** The newest change of each subject. */
 function newest(changes: readonly WalkChange[]): WalkChange[] {
   const places = new Map(changes.map((change, place) => [subjectOf(change), place]));
   return changes.filter((change, place) => places.get(subjectOf(change)) === place);
 }
 
-/** Where a figure was on its way to after a frame; null where that is not known. */
+/** The expected pose after a frame, without changes; null if it is unknown. */
 function expectedAfter(track: LiveTrack, frame: number): Float32Array | null {
   const [before, last, next] = [track.frame(frame - 1), track.frame(frame), track.frame(frame + 1)];
   if (next) return next.slice();
-  return before && last && onwards(before, last);
+  return before && last && extrapolated(before, last);
 }
 
 export class WalkStore extends Store {
   readonly player = new Player();
-  readonly #held: LibraryWorker;
+  readonly #worker: LibraryWorker;
   readonly #notices: NoticesStore;
   #track: LiveTrack | null = null;
   #transition = new Transition();
   #changes: WalkChange[] = [];
-  /** What may have to be made again. */
+  /** Changes in frames that may be computed again. */
   #made: Made[] = [];
-  /** The farthest that the clock has been. */
+  /** The last frame that the clock has reached. */
   #seen = 0;
-  /** Whether one of them would make the figure jump. */
+  /** Whether a change would make the figure jump. */
   #leaps = false;
   #busy = false;
-  /** Grows with every walk: answers for an older one are dropped. */
+  /** The number of walks. Answers for an earlier walk are dropped. */
   #walks = 0;
 
-  constructor(held: LibraryWorker, notices: NoticesStore) {
+  constructor(worker: LibraryWorker, notices: NoticesStore) {
     super();
-    this.#held = held;
+    this.#worker = worker;
     this.#notices = notices;
   }
 
@@ -73,7 +68,7 @@ export class WalkStore extends Store {
     return this.#track;
   }
 
-  /** Begins with a combination, in the place of the walk before. */
+  /** Starts a new walk with a combination. */
   async start({ figure, frameTime }: LibraryInfo, uses: readonly number[]): Promise<void> {
     this.#walks += 1;
     const walks = this.#walks;
@@ -84,7 +79,7 @@ export class WalkStore extends Store {
       { nodes: figure.nodes.length, frameTime },
       Math.round(KEPT_SECONDS / frameTime),
     );
-    const motion = await this.#held.ask(async (worker) => {
+    const motion = await this.#worker.ask(async (worker) => {
       await worker.startWalk([...uses]);
       return worker.advanceWalk(0, [], LEAD);
     });
@@ -98,10 +93,7 @@ export class WalkStore extends Store {
     this.changed();
   }
 
-  /**
-   * From the next frame on that nobody has seen. Of changes of one thing only the newest counts. `leaps`: it
-   * is a large one, not a step of a slider that is dragged.
-   */
+  /** Acts from the next frame on that was not shown. `leaps`: the change is large, not a step of a slider. */
   change(change: WalkChange, leaps = change.kind === "use"): void {
     this.#leaps ||= leaps;
     this.#changes.push(change);
@@ -114,14 +106,14 @@ export class WalkStore extends Store {
     this.changed();
   }
 
-  /** Called once a display frame, so many seconds after the last call. */
+  /** Called once a display frame, `seconds` after the last call. */
   advance(seconds: number): void {
     this.player.advance(seconds);
     this.#seen = Math.max(this.#seen, this.player.frame);
     void this.#fill(seconds);
   }
 
-  /** One frame on; back as far as frames are kept. */
+  /** One frame forward or back, within the stored frames. */
   step(direction: 1 | -1): void {
     const track = this.#track;
     if (!track) return;
@@ -130,26 +122,24 @@ export class WalkStore extends Store {
     void this.#fill(0);
   }
 
-  /** Stands at a frame from now on. */
+  /** Moves the clock to a frame. */
   #goTo(frame: number): void {
     this.player.frame = Math.min(frame, this.player.last);
     this.#seen = Math.max(this.#seen, this.player.frame);
     this.changed();
   }
 
-  /**
-   * The last frame that stays as it is: of a figure that stands, the one that its picture leads to as well.
-   */
+  /** The last frame that does not change. A paused figure is between two frames, which both stay. */
   get #kept(): number {
     return this.player.playing ? Math.floor(this.#seen) : Math.ceil(this.#seen);
   }
 
-  /** When all is said that belongs together. */
+  /** Asks for frames after all changes of this moment. */
   #fillSoon(): void {
     queueMicrotask(() => void this.#fill(0));
   }
 
-  /** Asks for frames before the clock needs them; after a change, also for those that were not seen yet. */
+  /** Asks for frames ahead of the clock, and after a change again for those that were not shown. */
   async #fill(seconds: number): Promise<void> {
     const track = this.#track;
     if (!track || this.#busy) return;
@@ -158,7 +148,7 @@ export class WalkStore extends Store {
     const back = track.last - from;
     const piece = again ? 1 : PIECE;
     const ahead = LEAD + piece - 1 + Math.min(LONGEST_PICTURE, seconds) / track.motion.frameTime;
-    // A figure that stands goes on to where the leap is over: what the visitor did is to be seen.
+    // A paused figure moves on to the end of the transition, so that the change is visible.
     const onward = this.#leaps && !this.player.playing ? TRANSITION_FRAMES : 0;
     const frames = Math.max(back, Math.ceil(ahead + onward + this.player.frame - from));
     if (frames < piece) return;
@@ -168,7 +158,7 @@ export class WalkStore extends Store {
     const leaps = this.#leaps;
     this.#leaps = false;
     try {
-      const motion = await this.#held.ask((worker) => worker.advanceWalk(back, changes, frames));
+      const motion = await this.#worker.ask((worker) => worker.advanceWalk(back, changes, frames));
       if (walks !== this.#walks) return;
       this.#take(track, motion, from, leaps);
       if (onward > 0 && !this.player.playing) this.#goTo(from + onward);
@@ -183,7 +173,7 @@ export class WalkStore extends Store {
     }
   }
 
-  /** What acts after a frame: what is taken back with the frames after it, and what is new. */
+  /** The changes after a frame: those of the frames computed again, and the new ones. */
   #changesAfter(frame: number): WalkChange[] {
     const again = this.#made.filter(({ after }) => after >= frame).flatMap(({ changes }) => changes);
     const changes = newest([...again, ...this.#changes]);
@@ -194,16 +184,16 @@ export class WalkStore extends Store {
     return changes;
   }
 
-  /** Puts frames in the place of those after `from`. What the clock has reached meanwhile stays. */
+  /** Replaces the frames after `from`, except those that the clock has reached meanwhile. */
   #take(track: LiveTrack, motion: Motion, from: number, leaps: boolean): void {
     const kept = Math.max(from, Math.min(this.#kept, track.last));
     const width = 3 * motion.nodes;
     const positions = motion.positions.subarray((kept - from) * width);
     const frames = motion.frames - (kept - from);
     const expected = leaps ? expectedAfter(track, kept) : null;
-    if (expected && frames > 0) this.#transition.open(kept + 1, positions.subarray(0, width), expected);
+    if (expected && frames > 0) this.#transition.start(kept + 1, positions.subarray(0, width), expected);
     else this.#leaps ||= leaps;
-    this.#transition.pass(positions, frames, kept + 1);
+    this.#transition.apply(positions, frames, kept + 1);
     track.cutAfter(kept);
     track.append({ ...motion, positions, frames });
     this.player.follow(track.last, track.motion.frameTime);

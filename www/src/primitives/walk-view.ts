@@ -16,7 +16,7 @@ import type { LibraryStore } from "./library-store";
 export class WalkView extends View {
   static override properties = { over: { state: true } };
   declare library: LibraryStore;
-  /** The part over which something is dragged. */
+  /** The part below a dragged primitive. */
   declare over: number | null;
   #columns: Columns | null = null;
   #problem = "";
@@ -33,7 +33,7 @@ export class WalkView extends View {
     return [this.library, this.library.walk];
   }
 
-  /** What the keys for play and step work on. */
+  /** Called by the key for play. */
   togglePlay(): void {
     this.library.walk.togglePlay();
   }
@@ -59,10 +59,10 @@ export class WalkView extends View {
   }
 
   #tick(seconds: number): void {
-    const { walk, known } = this.library;
+    const { walk, current } = this.library;
     const { track, player } = walk;
     walk.advance(seconds);
-    if (!track || !known || !this.#columns) return;
+    if (!track || !current || !this.#columns) return;
     if (track !== this.#shown) this.#show(track);
     const changed = player.frame !== this.#drawnAt;
     this.#drawnAt = player.frame;
@@ -77,13 +77,13 @@ export class WalkView extends View {
     this.#columns?.show(body, [{ motion: track.motion, ghost: null, ground }]);
   }
 
-  /** A motion of this body from its beginning: it says where the ground lies. */
+  /** A motion of this body from its start, which defines the height of the ground. */
   #example(): Motion | null {
-    const { known, uses } = this.library;
-    return known && this.library.motionOf(exampleOf(known.info, uses[0] ?? 0));
+    const { current, uses } = this.library;
+    return current && this.library.motionOf(exampleOf(current.info, uses[0] ?? 0));
   }
 
-  /** The primitive that is dragged over a slot falls into it where it is of that part. */
+  /** Chooses the dropped primitive, if it belongs to the part. */
   #drop(event: DragEvent, part: number): void {
     this.over = null;
     const primitive = Number(event.dataTransfer?.getData(DRAG_TYPE) || Number.NaN);
@@ -94,7 +94,7 @@ export class WalkView extends View {
 
   #slots() {
     const { library } = this;
-    const info = library.known?.info;
+    const info = library.current?.info;
     const motion = this.#example();
     if (!info || !motion) return nothing;
     if (this.#map?.key !== motion) this.#map = { key: motion, body: bodyOf(info, motion) };
