@@ -11,6 +11,7 @@ mod body;
 mod case;
 mod clip;
 mod convert;
+mod coupled;
 mod document_kind;
 mod error;
 #[cfg(feature = "training")]

@@ -1,9 +1,9 @@
 //! A rollout that never ends.
 
 use crate::convert::flat;
+use crate::coupled::coupled;
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::Whole;
-use crate::model::coupled;
 use crate::rollout::Rollout;
 use nalgebra::DMatrix;
 use std::rc::Rc;

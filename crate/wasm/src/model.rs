@@ -2,6 +2,7 @@
 
 use crate::body::BodyInfo;
 use crate::convert::{flat, from_js, rows, to_js_beside};
+use crate::coupled::coupled;
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::{Text, Whole};
 #[cfg(feature = "training")]
@@ -157,14 +158,6 @@ pub(crate) fn provenance_info<'a>(
         evaluations: made.evaluations,
         note: made.note.as_deref(),
     }
-}
-
-/// The couplings and latents of a model, which vCGPDM and vGPDM alone have.
-pub(crate) fn coupled(model: &TrainedModel) -> Result<Coupled<'_>, VcgpdmError> {
-    model.coupled().ok_or_else(|| {
-        let found = format_args!("expected a vcgpdm or vgpdm model, found a {} model", model.kind().id());
-        VcgpdmError::new(ErrorCode::Model, &found)
-    })
 }
 
 /// A trained model.

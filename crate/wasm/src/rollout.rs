@@ -1,9 +1,9 @@
 //! Rolled-out motions.
 
 use crate::convert::{flat, rows, to_js, to_js_beside};
+use crate::coupled::coupled;
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::given::Whole;
-use crate::model::coupled;
 use crate::predictions::Predictions;
 use serde::Serialize;
 use std::rc::Rc;

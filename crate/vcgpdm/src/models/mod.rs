@@ -21,10 +21,11 @@ pub mod tmp;
 pub(crate) mod training;
 pub mod variational;
 
-pub use data::dataset::{Dataset, DatasetError, SequenceInfo, Source, same_body, with_bones_of};
+pub use data::dataset::{Dataset, DatasetError, Source, same_body, with_bones_of};
 pub use data::movements::{Movements, Sequence};
 pub use data::observed::Observed;
 pub use data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
+pub use data::sequence_info::SequenceInfo;
 pub use data::sequences::{MOST_FRAMES, Sequences, SequencesError};
 pub use fitted::body::Body;
 pub use fitted::coupled::Coupled;

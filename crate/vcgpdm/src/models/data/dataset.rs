@@ -1,6 +1,7 @@
 //! From clips to what a model trains on: one pose mapping, parts, centred columns, sequences.
 
 use crate::gp::linalg::stacked;
+use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::data::warnings::{CLIP, changing_columns, constant_warning, sequence_warnings};
 use crate::models::training::error::TrainingError;
 use crate::motion::measures::rests_from;
@@ -9,7 +10,6 @@ use crate::motion::pose::{PoseError, PoseMapping, RootStart};
 use crate::motion::{BodyMismatch, Clip, ClipError};
 use crate::words::counted;
 use nalgebra::DMatrix;
-use serde::Serialize;
 use thiserror::Error;
 
 /// A clip that becomes a sequence of the training set.
@@ -25,27 +25,6 @@ impl<'a> From<&'a Clip> for Source<'a> {
     fn from(clip: &'a Clip) -> Self {
         Source { clip, first_frames: None }
     }
-}
-
-/// Where a sequence came from.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct SequenceInfo {
-    /// The clip's name.
-    pub name: String,
-    /// The clip's content hash.
-    pub sha256: String,
-    /// Frames of the sequence.
-    pub frames: usize,
-    /// Seconds from its first frame to where its body comes to rest; `None`: it moves to its end, or is not
-    /// known.
-    pub rests_from: Option<f64>,
-    /// The frames of the file that were used, as [`Clip::piece`](crate::motion::Clip::piece) has them;
-    /// `None`: all, or not known.
-    pub piece: Option<(usize, usize)>,
-    /// The name of the clip whose bones it was given; `None`: it kept its own, or not known.
-    pub bones_of: Option<String>,
-    /// Whether all of the clip's frames are there; else only its first ones are.
-    pub whole: bool,
 }
 
 /// Why clips cannot be trained on together.

@@ -4,6 +4,7 @@ pub(crate) mod dataset;
 pub(crate) mod movements;
 pub(crate) mod observed;
 pub(crate) mod phase;
+pub(crate) mod sequence_info;
 pub(crate) mod sequences;
 mod tables;
 pub(crate) mod trials;

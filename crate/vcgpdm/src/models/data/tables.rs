@@ -1,7 +1,8 @@
 //! From tables to what a model trains on.
 
 use crate::gp::linalg::stacked;
-use crate::models::data::dataset::{Dataset, SequenceInfo};
+use crate::models::data::dataset::Dataset;
+use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::data::warnings::{TABLE, changing_columns, constant_warning, sequence_warnings};
 use crate::motion::parts::{PartSpec, PartsLayout};
 use crate::series::{Columns, SeriesError, Table, check_parts};

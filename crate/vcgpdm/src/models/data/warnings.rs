@@ -1,6 +1,6 @@
 //! Warnings about a data set from which a model learns less than its user expects.
 
-use crate::models::data::dataset::SequenceInfo;
+use crate::models::data::sequence_info::SequenceInfo;
 use crate::words::counted;
 use nalgebra::DMatrix;
 

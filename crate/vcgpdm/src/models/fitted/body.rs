@@ -1,8 +1,9 @@
 //! The body that a model moves: from centred columns of its parts to all columns, poses, positions and clips;
 //! and what it was trained on.
 
-use crate::models::data::dataset::{Dataset, SequenceInfo};
+use crate::models::data::dataset::Dataset;
 use crate::models::data::observed::Observed;
+use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::data::sequences::MOST_FRAMES;
 use crate::models::rollout::request::RolloutError;
 use crate::motion::Clip;

@@ -1,7 +1,8 @@
 //! New couplings for stored primitives: everything else stays as it was learned.
 
 use crate::gp::linalg::stacked;
-use crate::models::data::dataset::{DatasetError, SequenceInfo};
+use crate::models::data::dataset::DatasetError;
+use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::library::{
     CombinationError, CouplingsFrom, LearnedMovement, Library, LibraryError, ObservedClip, TrainedLibrary,
 };

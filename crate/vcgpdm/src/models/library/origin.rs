@@ -1,6 +1,6 @@
 //! Where a primitive comes from, and what it keeps of movements that are not in its library.
 
-use crate::models::data::dataset::SequenceInfo;
+use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::fitted::provenance::Provenance;
 use nalgebra::DMatrix;
 

@@ -2,7 +2,8 @@
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, block_diagonal, stacked, symmetric};
-use crate::models::data::dataset::{DatasetError, SequenceInfo};
+use crate::models::data::dataset::DatasetError;
+use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::fitted::provenance::Provenance;
 use crate::models::library::coupling::MOST_ITERATIONS;
 use crate::models::library::import::frames::{of_clips, shown};
