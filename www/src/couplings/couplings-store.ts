@@ -17,7 +17,9 @@ export interface CouplingsPlace {
   change(change: Partial<ChosenCouplings>): void;
 }
 
-/** "set": some couplings were set; "reset": some are as learned again; "all": all couplings changed at once. */
+/**
+ * "set": some couplings were set; "reset": some are as learned again; "all": all couplings changed at once.
+ */
 export type CouplingsChange = "set" | "reset" | "all" | "reading";
 
 /** Couplings whose logarithms differ by less are the same: a link rounds them to four digits. */

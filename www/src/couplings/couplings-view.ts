@@ -1,4 +1,4 @@
-// The couplings as a table of sliders: which part predicts which, and how much its prediction counts.
+// The panel of the couplings: presets, body map, table of sliders, and readings.
 import { html, nothing } from "lit";
 import type { EngineStore } from "../engine/engine-store";
 import type { ModelInfo } from "../engine/protocol";
@@ -43,7 +43,7 @@ export class CouplingsView extends View {
     const { start, startFrame } = this.settings.values;
     const last = this.model.startFrames(start) - 1;
     const frame = Math.min(startFrame, last);
-    // The motion stops where it begins, so that its first pose is seen.
+    // The clock stops at frame 0, so that the first pose is visible.
     const from = (event: Event) => {
       this.playback.scrub(0);
       this.model.setStart(start, (event.target as HTMLInputElement).valueAsNumber);

@@ -31,8 +31,8 @@ export function measuresText(now: BodyReport, learned: BodyReport, names: readon
   const parts = names.flatMap((_, part) => {
     const [is, was] = [now.measures.parts[part], learned.measures.parts[part]];
     if (!is || !was || is.swing === null || was.swing === null) return [];
-    const words = [swingText(is.swing, was.swing), paceText(is, was), steps.size > 1 ? stepText(is) : ""];
-    return { part, words: words.filter(Boolean).join(", ") };
+    const texts = [swingText(is.swing, was.swing), paceText(is, was), steps.size > 1 ? stepText(is) : ""];
+    return { part, words: texts.filter(Boolean).join(", ") };
   });
   const common = steps.size === 1 ? [...steps].join() : "";
   const step = [common && `hands and feet ${common}`, speedText(now, learned)].filter(Boolean).join("; ");

@@ -33,7 +33,7 @@ async function begin(fragment = "", sequences = 1): Promise<void> {
 }
 beforeEach(() => begin());
 
-/** The weight that the rollout on the stage was made with. */
+/** The weight of a coupling in the rollout on the stage. */
 const weightOf = (source: number, target: number) => model.rollout?.weights[source]?.[target];
 
 const clip = () => ({
@@ -187,7 +187,7 @@ describe("presets", () => {
     model.couplings.set(0, 1, 8);
     model.couplings.resetAll();
     expect([model.couplings.altered, settings.values.reading]).toEqual([false, "as learned"]);
-    // What the visitor chose later stays.
+    // A reading that the visitor chose later stays.
     model.takePreset(other);
     model.couplings.setReading("as learned");
     model.couplings.setReading("re-inferred");
@@ -250,7 +250,7 @@ describe("another model", () => {
     await settled();
     expect(model.rollout).toBe(rollout);
 
-    // The worker has taken up a third model, but the page does not know it yet.
+    // The worker has opened a third model, and its answer has not arrived.
     engine.holding.add("openModel");
     engine.held.length = 0;
     const opened = model.open(modelText(3));
@@ -295,7 +295,7 @@ describe("the start", () => {
     await settled();
     expect(engine.rollouts.at(-1)).toMatchObject({ sequence: 1, frame: 40 });
     expect(model.learned?.request.frame).toBe(40);
-    // A link says it, and which model it belongs to.
+    // A link has the frame and the model.
     expect([settings.values.startFrame, settings.values.model]).toEqual([40, model.id]);
     model.setStart(1, 500);
     expect(model.rolloutRequest().frame).toBe(88);

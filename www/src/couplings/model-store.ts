@@ -78,7 +78,7 @@ export class ModelStore extends Store {
       new Latest(
         (request: RolloutRequest) => this.#running().rollout(request),
         (result) => {
-          // The worker may have taken up another model that the page does not know yet.
+          // The worker may have opened another model whose answer has not arrived.
           if (result.revision === this.#model?.revision) done(result);
         },
         (problem) => this.#notices.addError("This rollout failed", messageOf(problem)),
@@ -127,7 +127,7 @@ export class ModelStore extends Store {
     if (this.#model) this.#saved.add(this.#model.sha256);
   }
 
-  /** Sets of couplings to choose from. */
+  /** The presets of the model. */
   get presets(): readonly Preset[] {
     const model = this.#model;
     if (!model) return [];
@@ -153,7 +153,9 @@ export class ModelStore extends Store {
     return altered ? { ...begins, alpha, reading } : { ...begins, alpha: null, reading: "as learned" };
   }
 
-  /** Opens a model from its JSON document. `trainingLatents`: the latents of its training frames, if known. */
+  /**
+   * Opens a model from its JSON document. `trainingLatents`: the latents of its training frames, if known.
+   */
   async open(
     text: string,
     keep = KEEP_NOTHING,
@@ -282,7 +284,7 @@ export class ModelStore extends Store {
     if (this.couplings.altered || !sameTimes(request, asked)) this.#rollOutBoth();
   }
 
-  /** Sets the couplings and the start for a model that was taken up. */
+  /** Sets the couplings and the start of the new model. */
   #settleCouplings({ info }: ModelView, keep: Keep): void {
     const { alpha, start, startFrame, model } = this.#settings.values;
     const ofOtherModel = keep.couplings === "link" && model !== "" && model !== this.id;

@@ -2,7 +2,7 @@ import { expect, it } from "vitest";
 import type { ModelView } from "../engine/protocol";
 import { couplingsOf, INVITATION, isPreset, type Preset, presetsOf, START_PRESETS } from "./presets";
 
-/** As much of a model as presets look at. */
+/** The fields of a model that presets read. */
 function info(names: string[], alpha: number[][]): ModelView["info"] {
   return { parts: names.map((name) => ({ name })), alpha } as ModelView["info"];
 }

@@ -25,7 +25,9 @@ interface Change {
 /** A coupling variance this many times the learned one gives its source almost no weight. */
 const SILENT = 1000;
 
-/** The presets of the model that the page opens with; `tests/node/presets.test.mjs` measures their effects. */
+/**
+ * The presets of the model that the page opens with; `tests/node/presets.test.mjs` measures their effects.
+ */
 export const START_PRESETS: readonly Preset[] = startPresets.map(({ holds: _, reading, ...preset }) => ({
   ...preset,
   reading: reading as Reading,

@@ -58,7 +58,7 @@ it("follows the couplings, and never shows a pair with different couplings", asy
   model.couplings.set(0, 1, 9);
   engine.held[0]?.end();
   await settled();
-  // The motion under 9 is there, its other reading is not; then the coupling is 10.
+  // The coupling changes to 10 after the motion under 9, and before its other reading.
   model.couplings.set(0, 1, 10);
   for (const call of engine.held.slice(1)) call.end();
   await settled();

@@ -17,19 +17,20 @@ const widest = (ticks: Tick[], type: number) =>
   Math.max(0, ...ticks.map(({ label }) => textWidth(label, type)));
 
 /** The ticks of a horizontal axis, without overlap. */
-export function ticksAcross(scale: Scale, room: number, type: number): Tick[] {
+export function ticksAcross(scale: Scale, length: number, type: number): Tick[] {
   for (let most = 8; most > 2; most--) {
     const ticks = scale.ticks(most);
     const places = ticks.map(({ value }) => scale.at(value));
     const least = Math.min(...places.slice(1).map((place, i) => place - (places[i] ?? place)));
-    if (ticks.length < 2 || (least >= widest(ticks, type) + type && ticks.length * type < room)) return ticks;
+    if (ticks.length < 2 || (least >= widest(ticks, type) + type && ticks.length * type < length))
+      return ticks;
   }
   return scale.ticks(2);
 }
 
 /** The ticks of a vertical axis. */
-export function ticksUp(scale: Scale, room: number, type: number): Tick[] {
-  return scale.ticks(Math.max(2, Math.floor(room / (3.2 * type))));
+export function ticksUp(scale: Scale, length: number, type: number): Tick[] {
+  return scale.ticks(Math.max(2, Math.floor(length / (3.2 * type))));
 }
 
 /** The width of the labels of a vertical axis. */

@@ -8,7 +8,9 @@ export interface Table {
   rows: Field[][];
 }
 
-/** A text that a spreadsheet would compute as a formula gets an apostrophe: names come from strangers' files. */
+/**
+ * A text that a spreadsheet would compute as a formula gets an apostrophe: names come from strangers' files.
+ */
 export const guarded = (text: string): string => (/^[=+@\t\r-]/.test(text) ? `'${text}` : text);
 
 function fieldText(field: Field): string {

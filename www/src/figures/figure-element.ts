@@ -59,7 +59,7 @@ export abstract class FigureElement<Data> extends View {
   }
 
   #measure(): void {
-    // A hidden view has no width: the figure keeps the one before.
+    // A hidden view has no width: the figure keeps its last width.
     if (this.clientWidth > 0) this.width = this.clientWidth;
     const root = Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
     this.type = (12 * (Number.isFinite(root) ? root : TYPE)) / TYPE;

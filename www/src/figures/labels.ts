@@ -56,7 +56,9 @@ const CLEAR = 4;
 /** Square pixels of overlap that rounding can cause. */
 const TOUCH = 2;
 
-/** A free box for the label of each point, next to its mark; null without one. `reach`: half width of a mark. */
+/**
+ * A free box for the label of each point, next to its mark; null without one. `reach`: half width of a mark.
+ */
 export function placeLabels(
   points: readonly Point[],
   widths: readonly number[],
@@ -103,13 +105,13 @@ export function placeLabels(
 
 /** Drops labels that overlap an earlier label or the mark of another point, or leave the space. */
 function withoutCollisions(placed: readonly Box[], marks: readonly Box[], within: Box): (Box | null)[] {
-  const kept: (Box | null)[] = [];
+  const free: (Box | null)[] = [];
   placed.forEach((box, i) => {
-    const others = [...kept, ...marks.filter((_, other) => other !== i)];
+    const others = [...free, ...marks.filter((_, other) => other !== i)];
     const isFree = others.every((other) => other === null || overlap(box, other) <= TOUCH);
-    kept.push(isFree && box.width * box.height - overlap(box, within) <= TOUCH ? box : null);
+    free.push(isFree && box.width * box.height - overlap(box, within) <= TOUCH ? box : null);
   });
-  return kept;
+  return free;
 }
 
 /** Short labels, and the words that all labels had in common. */

@@ -23,7 +23,7 @@ function contrast(a: string, b: string): number {
   return (high + 0.05) / (low + 0.05);
 }
 
-/** What is seen without one kind of cone: Machado, Oliveira and Fernandes 2009, severity 1. */
+/** A colour as people without one kind of cone see it: Machado, Oliveira and Fernandes 2009, severity 1. */
 const EYES: Record<string, Triple[]> = {
   normal: [
     [1, 0, 0],

@@ -110,7 +110,9 @@ function heightAt(copy: HTMLElement, width: number): number {
   return height;
 }
 
-/** The element as a PNG with a margin, with `scale` pixels for each pixel of the page. Errors are sentences. */
+/**
+ * The element as a PNG with a margin, with `scale` pixels for each pixel of the page. Errors are sentences.
+ */
 export async function pictureOf(element: HTMLElement, scale = 2, margin = 20): Promise<Blob> {
   const width = wholeWidth(element);
   const copy = styled(element) as HTMLElement | null;

@@ -65,8 +65,8 @@ function byPowers(low: number, high: number, most: number): number[] {
 
 export function linearScale(values: readonly number[], from: number, to: number): Scale {
   const [least, greatest] = extent(values, -Infinity) ?? [0, 1];
-  const room = greatest - least || Math.abs(least) || 1;
-  const [low, high] = [least - MARGIN * room, greatest + MARGIN * room];
+  const range = greatest - least || Math.abs(least) || 1;
+  const [low, high] = [least - MARGIN * range, greatest + MARGIN * range];
   return {
     kind: "linear",
     low,

@@ -135,7 +135,7 @@ export class OutlookStore extends Store {
 
   #takeFutures(futures: RolloutResult[]): void {
     if (futures.length === 0 && this.#futures.length === 0) return;
-    // The worker may have taken up another model that the page does not know yet.
+    // The worker may have opened another model whose answer has not arrived.
     const current = futures[0]?.revision === this.#model.model?.revision;
     this.#futures = current ? futures : [];
     this.#stage.setFutures(this.#futures.map(({ motion }) => motion));

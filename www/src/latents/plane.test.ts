@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { deviationAcross, ellipseOf, Plane } from "./plane";
 import { principalAxes, type Turn } from "./projection";
 
-/** A plot of a latent space of q dimensions whose axes are those of the latents: 41 pixels a unit. */
+/** A plot whose axes are those of the latent space, with 41 pixels for 1. */
 function plane(q: number, turn: Turn = { about: 0, tilt: 0 }): Plane {
   const axes = new Float64Array(3 * q);
   for (let k = 0; k < Math.min(3, q); k++) axes[k * q + k] = 1;
@@ -54,7 +54,7 @@ describe("a Gaussian in a plot", () => {
   });
 
   it("is an ellipse along its longest deviation, where dimensions differ", () => {
-    // Long along the first diagonal, which goes up on the page.
+    // The longest deviation is along the diagonal, which goes up on the page.
     const covariances = Float64Array.of(
       9,
       9,
@@ -104,7 +104,7 @@ describe("a step in a plot", () => {
 
   it("has no part in an invisible dimension", () => {
     expect(plane(1).latentStep(41, 41)).toEqual([1]);
-    // Two dimensions seen along their plane: a drag upwards moves nothing.
+    // The plane of the two dimensions is seen from its edge: a drag upwards moves nothing.
     const [right, up] = plane(2, { about: 0, tilt: Math.PI / 2 }).latentStep(41, -41);
     expect([right, up]).toEqual([expect.closeTo(1, 10), expect.closeTo(0, 10)]);
   });
@@ -123,7 +123,7 @@ describe("the scale of a plot", () => {
       return [Math.max(...places.map(([x]) => x)), Math.max(...places.map(([, y]) => y))];
     };
     const flat = { about: 0, tilt: 0 };
-    // To 41 % of the width; a rounder one to 41 % of the height.
+    // A flat cloud fills 41 % of the width, a round one 41 % of the height.
     expect(farthest(1, flat)[0]).toBeCloseTo(100 + 82, 6);
     expect(farthest(2.9, flat)[1]).toBeCloseTo(50 + 41, 6);
     expect(farthest(1, { about: 0.01, tilt: 0 })[0]).toBeLessThan(100 + 41);

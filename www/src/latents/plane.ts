@@ -22,9 +22,9 @@ export interface PlotView {
   turn: Turn;
 }
 
-/** The share of the plot that the cloud takes to each side of its middle. */
+/** The distance from the middle of the cloud to its edge, as a share of the plot. */
 const FILLED = 0.41;
-/** Pixels from the edge of a plot to the middle of a mark that lies beyond it. */
+/** Pixels from the edge of a plot to the middle of a mark for a point outside. */
 const EDGE = 7;
 
 export class Plane {

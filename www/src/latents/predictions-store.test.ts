@@ -42,7 +42,7 @@ it("asks now and then while a coupling moves, and last for the last rollout", as
   for (let i = 0; i < 40; i++) {
     model.couplings.set(0, 1, 2 + 0.1 * i);
     await vi.advanceTimersByTimeAsync(20);
-    // What was known of the rollout before is shown meanwhile.
+    // Meanwhile the predictions of the rollout before are shown.
     expect(predictions.report).not.toBeNull();
     engine.held.at(-1)?.end();
   }

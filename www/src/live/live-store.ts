@@ -1,4 +1,5 @@
-// The live rollout: the model continues from the figure's state, while couplings are cut and parts are pushed.
+// The live rollout: the model continues from the figure's state, while couplings are cut and parts are
+// pushed.
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import type { Engine, LiveChange, LiveFrames, ModelInfo } from "../engine/protocol";
@@ -128,9 +129,9 @@ export class LiveStore extends Store {
     this.#sent = this.#couplings();
     [this.#trace, this.#marks, this.#changes] = [[], [], []];
     this.#cuts.clear();
-    const kept = Math.round(SHOWN_SECONDS / frameTime);
+    const stored = Math.round(SHOWN_SECONDS / frameTime);
     const widths = parts.map(({ latent }) => latent);
-    const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, kept, widths);
+    const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, stored, widths);
     // A rollout under the learned couplings is "as learned"; a cut obeys the visitor's reading.
     this.#take(track, await engine.advanceLive([this.#sent], LEAD));
     return track;
@@ -207,7 +208,7 @@ export class LiveStore extends Store {
     return { kind: "couplings", alpha, reading };
   }
 
-  /** The visitor has changed couplings, or another model has been taken up. */
+  /** Called when the couplings or the model may have changed. */
   #followCouplings(): void {
     if (!this.#track) return;
     if (this.#model.model?.revision !== this.#revision) {
@@ -257,13 +258,13 @@ export class LiveStore extends Store {
   #take(track: LiveTrack, { motion, latents, phases, distances }: LiveFrames): void {
     const before = track.last;
     track.append(motion, latents);
-    const kept = Math.round(SHOWN_SECONDS / motion.frameTime);
+    const stored = Math.round(SHOWN_SECONDS / motion.frameTime);
     const parts = latents.length;
     for (let k = 0; k < motion.frames; k++) {
       const place = (values: Float64Array) => [...values.subarray(k * parts, (k + 1) * parts)];
       this.#trace.push({ frame: before + 1 + k, phases: place(phases), distances: place(distances) });
     }
-    if (this.#trace.length > kept) this.#trace.splice(0, this.#trace.length - kept);
+    if (this.#trace.length > stored) this.#trace.splice(0, this.#trace.length - stored);
     const first = this.#trace[0]?.frame ?? 0;
     this.#marks = this.#marks.filter(
       (mark) => (mark.kind === "cut" ? (mark.to ?? Infinity) : mark.from) >= first,

@@ -38,7 +38,7 @@ export class LiveView extends View {
 
   /** A node near the pointer follows it; anywhere else a drag turns the camera. */
   #letDrag(stage: StageView, picture: HTMLCanvasElement): void {
-    let held: { node: number; x: number; y: number } | null = null;
+    let grabbed: { node: number; x: number; y: number } | null = null;
     const at = (event: PointerEvent) => {
       const { left, top } = picture.getBoundingClientRect();
       return { x: event.clientX - left, y: event.clientY - top };
@@ -52,18 +52,18 @@ export class LiveView extends View {
       const { x, y } = at(event);
       const node = this.live.running ? (stage.scene?.nodeAt(x, y, REACH) ?? null) : null;
       if (node === null) return;
-      held = { node, x, y };
+      grabbed = { node, x, y };
       turn(false);
       picture.setPointerCapture(event.pointerId);
     };
     const drag = (event: PointerEvent) => {
-      if (!held || !stage.scene) return;
+      if (!grabbed || !stage.scene) return;
       const { x, y } = at(event);
-      this.live.pull(held.node, stage.scene.dragged(held.node, x - held.x, y - held.y));
-      held = { ...held, x, y };
+      this.live.pull(grabbed.node, stage.scene.dragged(grabbed.node, x - grabbed.x, y - grabbed.y));
+      grabbed = { ...grabbed, x, y };
     };
     const drop = () => {
-      held = null;
+      grabbed = null;
       turn(true);
     };
     picture.addEventListener("pointerdown", grab, capture);
@@ -116,9 +116,9 @@ function drawStrip(canvas: HTMLCanvasElement, live: LiveStore, frameTime: number
   const surface = cleared(canvas);
   if (!surface) return;
   const { draw, width, height } = surface;
-  const kept = SHOWN_SECONDS / frameTime;
+  const frames = SHOWN_SECONDS / frameTime;
   const last = live.trace.at(-1)?.frame ?? 0;
-  const x = (frame: number) => width - ((last - frame) / kept) * width;
+  const x = (frame: number) => width - ((last - frame) / frames) * width;
   const half = height / 2;
   const ink = getComputedStyle(canvas).color;
   for (const mark of live.marks) drawMark(draw, mark, x, last, height);

@@ -66,11 +66,11 @@ export class ChimeraView extends View {
     const value = map.rows[k]?.[l];
     const { taken } = this.locking;
     const on = taken?.tempo === tempo && taken.strength === strength;
-    const words = value === undefined ? "not there yet" : `locking ${value.toFixed(2)}`;
+    const text = value === undefined ? "not there yet" : `locking ${value.toFixed(2)}`;
     return html`
       <td><button class=${value === undefined ? "point waiting" : "point"} data-testid="locking-${k}-${l}" aria-pressed=${on ? "true" : "false"}
         tabindex=${this.at[0] === k && this.at[1] === l ? 0 : -1} style=${styled({ "--at": (value ?? 0).toFixed(3) })}
-        aria-label="Tempo ${tempo.toFixed(2)}, coupling times ${times(strength)}: ${words}" title="Tempo ${tempo.toFixed(2)}, coupling × ${times(strength)}: ${words}"
+        aria-label="Tempo ${tempo.toFixed(2)}, coupling times ${times(strength)}: ${text}" title="Tempo ${tempo.toFixed(2)}, coupling × ${times(strength)}: ${text}"
         @click=${() => {
           this.at = [k, l];
           this.locking.take(tempo, strength);

@@ -23,7 +23,7 @@ export function countOf(info: LibraryInfo): number {
 
 export const isSame = (a: readonly number[], b: readonly number[]): boolean => a.join() === b.join();
 
-/** The recorded movement with these primitives; null if there is none. */
+/** The recorded movement with these primitives; null without one. */
 export function recordedAs({ movements }: LibraryInfo, uses: readonly number[]): string | null {
   return movements.find((movement) => movement.learned && isSame(movement.uses, uses))?.name ?? null;
 }

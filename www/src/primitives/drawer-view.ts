@@ -1,4 +1,5 @@
-// The primitives of each part as small moving figures with the part in colour. A press or a drag onto the body
+// The primitives of each part as small moving figures with the part in colour. A press or a drag onto the
+// body
 // chooses one.
 import { html, nothing } from "lit";
 import { download } from "../ui/download";
@@ -41,18 +42,18 @@ export class DrawerView extends View {
     const { name, origin } = own;
     const partName = info.parts[part]?.name ?? "";
     const on = library.uses[part] === primitive;
-    const words = originText(origin);
+    const text = originText(origin);
     return html`
       <div class="primitive-box">
       <button class="primitive" draggable="true" aria-pressed=${on ? "true" : "false"} data-testid="primitive-${part}-${primitive}"
-        aria-label="${partName}: ${name}" title=${words}
+        aria-label="${partName}: ${name}" title=${text}
         @dragstart=${(event: DragEvent) => event.dataTransfer?.setData(DRAG_TYPE, String(primitive))}
         @click=${() => library.choose(part, primitive)}>
         <pg-small-figure .body=${library.body} .motion=${library.motionOf(exampleOf(info, primitive))} .accent=${part} .playing=${this.playing}></pg-small-figure>
         <span>${name}</span>
         ${origin.relearned ? html`<small>learned again</small>` : nothing}
       </button>
-      <button class="small quiet" data-testid="save-primitive-${part}-${primitive}" aria-label="Save ${partName}: ${name}" title="Save this primitive as a file. ${words}"
+      <button class="small quiet" data-testid="save-primitive-${part}-${primitive}" aria-label="Save ${partName}: ${name}" title="Save this primitive as a file. ${text}"
         @click=${() => void this.#save(partName, name, primitive)}>Save</button>
       </div>`;
   }

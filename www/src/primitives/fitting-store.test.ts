@@ -51,7 +51,7 @@ it("fits the walking combination, and resets the sliders to the result", async (
   });
   expect(library.couplings.alpha).toEqual(FITTED);
   expect(library.couplings.altered).toBe(false);
-  // What it was fitted to goes along into the library, until somebody moves a slider.
+  // The library stores the clip of the fit, unless a slider was moved since.
   await library.keep("mine");
   library.couplings.set(0, 1, 5);
   await library.keep("by hand");

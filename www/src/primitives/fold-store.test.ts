@@ -65,12 +65,12 @@ it("trains a library and a model alone at the same time, and has the errors of b
 
 it("has fewer iterations in a quick fold, and no errors after a cancel", async () => {
   fold.setQuick(true);
-  const held = fold.holdOut();
+  const done = fold.holdOut();
   await settled();
   expect(program.libraries.folds[0]?.job.maxIterations).toBeLessThan(100);
   fold.cancel();
   expect(fold.stopping).toBe(true);
-  await held;
+  await done;
   expect([fold.busy, fold.outcome]).toEqual([false, null]);
 });
 

@@ -1,4 +1,5 @@
-// One fold of the experiment: the trial held out, the progress of its two trainings, and their errors compared
+// One fold of the experiment: the trial held out, the progress of its two trainings, and their errors
+// compared
 // with the measured ones.
 import { html, nothing } from "lit";
 import type { ModularityOutcome } from "../engine/library-protocol";

@@ -15,7 +15,7 @@ beforeEach(() => {
   library = new LibraryStore(program, notices, () => first());
 });
 
-/** Lets so many seconds of the visitor's time pass. */
+/** Lets seconds of the visitor's time pass. */
 async function pass(seconds: number): Promise<void> {
   for (let k = 0; k < seconds * 60; k++) {
     library.walk.advance(1 / 60);
@@ -61,7 +61,7 @@ describe("a library", () => {
     await expect(library.open("{}", "bad.json")).rejects.toThrow("expected a library");
     program.libraries.refused = "";
     expect(library.current?.title).toBe("second.json");
-    // The worker that refused it was replaced: the next has the library that the page shows.
+    // The worker that refused the file was replaced, and the next worker has the open library.
     expect(JSON.parse(await library.combinationText())).toMatchObject({ library: libraryText("second") });
     await library.undo();
     expect(library.current?.text).toBe(libraryText("first"));
@@ -124,7 +124,7 @@ describe("the combination that walks", () => {
     let largest = 0;
     for (let i = 3 * nodes; i < frames * nodes * 3; i++)
       largest = Math.max(largest, Math.abs((positions[i] ?? 0) - (positions[i - 3 * nodes] ?? 0)));
-    // From 3 to 4 over fifteen frames.
+    // The jump from 3 to 4 takes fifteen frames.
     expect(positions[3 * nodes * frames - 1]).toBeCloseTo(4);
     expect(largest).toBeLessThan(0.11);
     expect(largest).toBeGreaterThan(0.05);
@@ -145,7 +145,7 @@ describe("the combination that walks", () => {
     const { back, frames } = program.libraries.advances.at(-1) ?? { back: 0, frames: 0 };
     expect(back).toBeGreaterThanOrEqual(2);
     expect(frames).toBeGreaterThanOrEqual(back);
-    // A second change takes the first one back with its frames: it is made again.
+    // A second change computes the frames of the first change again.
     library.setTempo(0, 1.5);
     await settled();
     expect(program.libraries.changes.slice(-3)).toMatchObject([
@@ -177,7 +177,7 @@ describe("the combination that walks", () => {
     expect(walk.player.frame).toBe(Math.ceil(frame) + TRANSITION_FRAMES);
     expect(walk.track?.last).toBeGreaterThanOrEqual(walk.player.frame + 1);
     expect([before, now()]).toEqual([3, 2]);
-    // A coupling has nothing to show while the figure stands.
+    // A coupling does not move a paused figure.
     library.couplings.set(0, 1, 5);
     await settled();
     expect(walk.player.frame).toBe(Math.ceil(frame) + TRANSITION_FRAMES);
@@ -222,7 +222,7 @@ describe("the combination that walks", () => {
     expect(JSON.parse(await library.combinationText())).toMatchObject({ uses: [0, 3], alpha: couplings });
     library.couplings.resetAll();
     expect(library.couplings.altered).toBe(false);
-    // The combination itself again.
+    // The same combination without a mixture.
     library.take([0, 3]);
     await pass(1);
     expect(program.libraries.changes.findLast(({ kind }) => kind === "mix")).toMatchObject({

@@ -128,7 +128,7 @@ export class LibraryStore extends Store {
     return this.#uses;
   }
 
-  /** The recorded movement with these primitives; null if there is none. */
+  /** The recorded movement with these primitives; null without one. */
   get recorded(): string | null {
     return this.#current && recordedAs(this.#current.info, this.#uses);
   }

@@ -10,8 +10,8 @@ const FRAMES = {
 /** "walk-1, walk-2 and 3 more" */
 function list(names: readonly string[]): string {
   const different = [...new Set(names)];
-  const shown = different.slice(0, 2).join(", ");
-  return different.length > 2 ? `${shown} and ${different.length - 2} more` : shown;
+  const first = different.slice(0, 2).join(", ");
+  return different.length > 2 ? `${first} and ${different.length - 2} more` : first;
 }
 
 /** "Learned from walk-1, walk-2; 400 iterations, seed 8." */
@@ -19,8 +19,8 @@ export function originText({ clips, iterations, seed, relearned, note }: Primiti
   const from = (some: PrimitiveOrigin["clips"]) =>
     list(some.map(({ name }) => name)) || "clips that are not named";
   const how = `${iterations} iterations, seed ${seed}.`;
-  const words = relearned
+  const text = relearned
     ? `Learned again, after ${relearned.primitive} of another library, which learned from ${from(relearned.clips)}: from ${FRAMES[relearned.frames]}; ${how}`
     : `Learned from ${from(clips)}; ${how}`;
-  return note ? `${words} ${note}` : words;
+  return note ? `${text} ${note}` : text;
 }

@@ -1,4 +1,5 @@
-// The transition of a figure from one primitive to another: the jump fades within half a second. Geometry only.
+// The transition of a figure from one primitive to another: the jump fades within half a second. Geometry
+// only.
 
 /** Frames in which the jump fades. */
 export const TRANSITION_FRAMES = 15;

@@ -29,15 +29,15 @@ export class WalkCouplingsView extends View {
 
   /** The text about parts that rest. */
   #still({ current, uses, moves }: LibraryStore) {
-    const words = current ? restingPartsText(current.info, uses, moves) : "";
-    return html`<p class="still-words" role="status" data-testid="still-words">${words}</p>`;
+    const text = current ? restingPartsText(current.info, uses, moves) : "";
+    return html`<p class="still-words" role="status" data-testid="still-words">${text}</p>`;
   }
 
   #fit() {
     const { fitting, clips } = this;
     const { busy, status } = fitting;
     const key = clips.all.some((clip) => clip.key === this.clip) ? this.clip : (clips.all[0]?.key ?? "");
-    const words = busy
+    const text = busy
       ? `Iteration ${fitting.iteration}`
       : fitting.ending.words
         ? `${sentence(fitting.ending.words)}${fitting.ending.failed ? "" : ` ${fitting.elapsed.toFixed(1)} s.`}`
@@ -51,7 +51,7 @@ export class WalkCouplingsView extends View {
           @click=${() => (busy ? fitting.cancel() : void fitting.fit(key))}>${busy ? "Cancel" : "Fit to this clip"}</button>
       </div>
       ${progressBar("Fitting", busy ? fitting.fraction : null)}
-      <p class=${fitting.ending.failed ? "bad" : "hint"} role="status" data-testid="fit-words">${words}</p>`;
+      <p class=${fitting.ending.failed ? "bad" : "hint"} role="status" data-testid="fit-words">${text}</p>`;
   }
 
   protected override render() {
@@ -81,9 +81,9 @@ export class WalkCouplingsView extends View {
   /** A name that no movement has. */
   #name(taken: readonly string[]): string {
     const { current, uses } = this.library;
-    const words = uses.map((primitive) => current?.info.primitives[primitive]?.name ?? "").join(" + ");
-    if (!taken.includes(words)) return words;
-    for (let number = 2; ; number++) if (!taken.includes(`${words} ${number}`)) return `${words} ${number}`;
+    const text = uses.map((primitive) => current?.info.primitives[primitive]?.name ?? "").join(" + ");
+    if (!taken.includes(text)) return text;
+    for (let number = 2; ; number++) if (!taken.includes(`${text} ${number}`)) return `${text} ${number}`;
   }
 }
 customElements.define("pg-walk-couplings", WalkCouplingsView);

@@ -11,7 +11,7 @@ import type { LibraryWorker } from "./library-worker";
 import { extrapolated, TRANSITION_FRAMES, Transition } from "./transition";
 
 /** Stored seconds. */
-const KEPT_SECONDS = 4;
+const STORED_SECONDS = 4;
 /** Frames computed ahead of the clock. After a change of the visitor they are computed again. */
 const LEAD = 3;
 /** Frames of one request: few requests leave the worker free for changes of the visitor. */
@@ -77,7 +77,7 @@ export class WalkStore extends Store {
     this.#made = [];
     const track = new LiveTrack(
       { nodes: figure.nodes.length, frameTime },
-      Math.round(KEPT_SECONDS / frameTime),
+      Math.round(STORED_SECONDS / frameTime),
     );
     const motion = await this.#worker.ask(async (worker) => {
       await worker.startWalk([...uses]);
@@ -130,7 +130,7 @@ export class WalkStore extends Store {
   }
 
   /** The last frame that does not change. A paused figure is between two frames, which both stay. */
-  get #kept(): number {
+  get #lastUnchanged(): number {
     return this.player.playing ? Math.floor(this.#seen) : Math.ceil(this.#seen);
   }
 
@@ -144,7 +144,7 @@ export class WalkStore extends Store {
     const track = this.#track;
     if (!track || this.#busy) return;
     const again = this.#changes.length > 0;
-    const from = again ? Math.min(this.#kept, track.last) : track.last;
+    const from = again ? Math.min(this.#lastUnchanged, track.last) : track.last;
     const back = track.last - from;
     const piece = again ? 1 : PIECE;
     const ahead = LEAD + piece - 1 + Math.min(LONGEST_PICTURE, seconds) / track.motion.frameTime;
@@ -186,15 +186,15 @@ export class WalkStore extends Store {
 
   /** Replaces the frames after `from`, except those that the clock has reached meanwhile. */
   #take(track: LiveTrack, motion: Motion, from: number, leaps: boolean): void {
-    const kept = Math.max(from, Math.min(this.#kept, track.last));
+    const unchanged = Math.max(from, Math.min(this.#lastUnchanged, track.last));
     const width = 3 * motion.nodes;
-    const positions = motion.positions.subarray((kept - from) * width);
-    const frames = motion.frames - (kept - from);
-    const expected = leaps ? expectedAfter(track, kept) : null;
-    if (expected && frames > 0) this.#transition.start(kept + 1, positions.subarray(0, width), expected);
+    const positions = motion.positions.subarray((unchanged - from) * width);
+    const frames = motion.frames - (unchanged - from);
+    const expected = leaps ? expectedAfter(track, unchanged) : null;
+    if (expected && frames > 0) this.#transition.start(unchanged + 1, positions.subarray(0, width), expected);
     else this.#leaps ||= leaps;
-    this.#transition.apply(positions, frames, kept + 1);
-    track.cutAfter(kept);
+    this.#transition.apply(positions, frames, unchanged + 1);
+    track.cutAfter(unchanged);
     track.append({ ...motion, positions, frames });
     this.player.follow(track.last, track.motion.frameTime);
   }

@@ -28,7 +28,10 @@ export interface Shape {
   balls: Ball[];
 }
 
-/** Radii at the start and end of a bone, for a body of 1.7 m, by the name of its joint. The first match counts. */
+/**
+ * Radii at the start and end of a bone, for a body of 1.7 m, by the name of its joint. The first match
+ * counts.
+ */
 const FLESH: [RegExp, number, number][] = [
   [/thumb|index|middle|ring|pinky|finger/, 0.013, 0.01],
   [/hand|wrist/, 0.026, 0.018],

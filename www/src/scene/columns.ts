@@ -22,7 +22,9 @@ export interface ColumnMotion {
   motion: Motion;
   /** Placed on the figure; defines the height of the ground. */
   ghost: Motion | null;
-  /** Speed of the camera along the ground, metres a second, from the origin. Absent: it follows the figure. */
+  /**
+   * Speed of the camera along the ground, metres a second, from the origin. Absent: it follows the figure.
+   */
   camera?: { x: number; z: number };
   /** Defines the height of the ground for a motion without an end. */
   ground?: Motion;
@@ -176,7 +178,10 @@ export class Columns {
     controls.minDistance = controls.maxDistance = away;
   }
 
-  /** Draws all columns at a frame, if they have changed. `seconds` since the last call. Calls `drawn` for each. */
+  /**
+   * Draws all columns at a frame, if they have changed. `seconds` since the last call. Calls `drawn` for
+   * each.
+   */
   draw(
     frame: number,
     changed: boolean,

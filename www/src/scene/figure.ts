@@ -20,7 +20,7 @@ import { type Ball, type Capsule, shapeOf } from "./body-shape";
 export type FigureStyle =
   | { kind: "solid" }
   | { kind: "ghost" }
-  /** One of several, all faint. */
+  /** One of several faint figures. */
   | { kind: "future"; index: number }
   /** One part in its colour, the others pale. */
   | { kind: "accent"; part: number; opacity: number };

@@ -4,7 +4,7 @@ import { beforeAll, expect, it } from "vitest";
 import type { Figure } from "../engine/protocol";
 import { motionGlb } from "./glb";
 
-/** The exporter reads its own bytes as a browser does. */
+/** Node has no FileReader, which the exporter needs. */
 class FileReaderOfNode {
   result: ArrayBuffer | null = null;
   onloadend: () => void = () => {};
@@ -19,7 +19,7 @@ beforeAll(() => {
   if (!("FileReader" in globalThis)) Object.assign(globalThis, { FileReader: FileReaderOfNode });
 });
 
-// z points up; in the second frame the body has moved and turned a quarter to the left.
+// z points up. In the second frame the body has moved, and turned by 90 degrees to the left.
 const BVH = `HIERARCHY
 ROOT hips
 {
@@ -54,7 +54,7 @@ Frame Time: 0.5
 const node = (joint: number, parent: number | null, endSite = false) => ({ joint, parent, endSite });
 const figure: Figure = { nodes: [node(0, null), node(1, 0), node(1, 1, true), node(2, 0), node(2, 3, true)] };
 
-/** In the file's own units and axes, by hand. */
+/** The positions in the units and axes of the file, computed by hand. */
 const FIRST = [
   [0, 0, 90],
   [10, 0, 140],
@@ -64,7 +64,7 @@ const FIRST = [
 ];
 const turned = ([x = 0, y = 0, z = 0]: number[]) => [100 - y, 20 + x, z];
 const SECOND = FIRST.map(turned);
-/** As the page has them: metres, y up, on the ground. */
+/** The positions on the page: metres, y up, on the ground. */
 const metres = ([x = 0, y = 0, z = 0]: number[]) => [x / 100 + 0.3, z / 100 - 0.05, -y / 100];
 const positions = Float32Array.from([...FIRST, ...SECOND].flatMap(metres));
 
@@ -88,7 +88,7 @@ it("opens in three's own loader with the same places, for each up axis of the BV
       });
     });
   });
-  // What the skin weighs: eight triangles for each of four bones, each wholly its bone's.
+  // Four bones with eight triangles each, and with one bone for each corner.
   const skin = scene.getObjectByProperty("type", "SkinnedMesh");
   expect(skin).toMatchObject({ geometry: { attributes: { position: { count: 96 } } } });
 });

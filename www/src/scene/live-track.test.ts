@@ -35,7 +35,7 @@ it("replaces its newest frames", () => {
 it("starts at the place and in the direction of the figure, and turns displacements back", () => {
   const track = new LiveTrack({ nodes: 2, frameTime: 1 / 30 }, 10);
   track.append(walk(0, 3));
-  // Turned a quarter to the left: along x.
+  // Turned by 90 degrees to the left: along x.
   track.alignWith(Float32Array.from([5, 0, 7, 6, 0, 7]));
   expect([...track.at(2)].map((x) => Math.round(x))).toEqual([7, 0, 7, 8, 0, 7]);
   const [x, y, z] = track.turnedBack([1, 0.5, 0]);

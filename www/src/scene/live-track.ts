@@ -29,7 +29,7 @@ export class LiveTrack {
     return this.#motion;
   }
 
-  /** The number of the newest frame; one before the first when there is none. */
+  /** The number of the newest frame; `first` - 1 without frames. */
   get last(): number {
     return this.first + this.#motion.frames - 1;
   }

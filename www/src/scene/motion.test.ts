@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { chain, distances, findLoop, HERE, placeOnto, poseAt, Walk } from "./motion";
 import type { Motion } from "../engine/protocol";
 
-/** Three nodes that swing with a period of 30 frames while the whole turns and travels. */
+/** Three nodes that swing with a period of 30 frames while the body turns and moves. */
 function swinging(frames: number): Motion {
   const positions = new Float32Array(frames * 9);
   for (let t = 0; t < frames; t++) {
@@ -45,7 +45,7 @@ describe("placing a pose", () => {
 
 describe("looping", () => {
   it("loops after whole periods", () => {
-    // With three nodes a little of the swing can pass for a turn: two frames either way.
+    // With three nodes, a small part of the swing can look like a turn: two frames of tolerance.
     const off = ((findLoop(swinging(200)).end + 15) % 30) - 15;
     expect(Math.abs(off)).toBeLessThanOrEqual(2);
   });

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { distanceFor, headingOf } from "./stance";
 
-/** A single node that moves by this much a frame. */
+/** A single node that moves by this distance in each frame. */
 const walk = (dx: number, dz: number) => ({
   positions: Float32Array.from({ length: 90 }, (_, i) => [dx, 0, dz][i % 3]! * Math.floor(i / 3)),
   frames: 30,
@@ -20,7 +20,7 @@ it("finds no direction in a walk on the spot", () => {
 });
 
 it("finds a distance from which a camera sees all of a motion", () => {
-  // A root that walks along x, and a foot that swings over it.
+  // A root that walks along x, and a foot that swings above it.
   const swing = (height: number, aside: number) => {
     const positions = new Float32Array([0, 1, 0, 0, 0, 0, 5, 1, 0, 5, height, aside]);
     return { positions, frames: 2, nodes: 2, frameTime: 1 / 30 };

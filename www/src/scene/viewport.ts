@@ -68,7 +68,7 @@ export class Viewport {
     });
   }
 
-  /** Pictures drawn so far. */
+  /** The number of drawn pictures. */
   get drawn(): number {
     return this.#drawn;
   }
@@ -95,7 +95,9 @@ export class Viewport {
     this.changed();
   }
 
-  /** Called once a display frame, `seconds` after the last call. The quality of the picture; null: no picture. */
+  /**
+   * Called once a display frame, `seconds` after the last call. The quality of the picture; null: no picture.
+   */
   next(seconds: number, playing: boolean): Quality | null {
     this.controls.update();
     const quality = this.#pictureQuality.next(seconds, this.#changed, playing);

@@ -1,10 +1,11 @@
-// The motion that walks before the wasm has loaded: a short rollout, made at build time, in a small binary form.
-// Plain JavaScript, since the build script runs it in Node as well.
+// The motion before the wasm has loaded: a short rollout, made at build time, in a small binary format.
+// Plain JavaScript, because the build script runs it in Node too.
 //
-// Layout: 4 bytes little-endian length of the header, the header (JSON, UTF-8, padded with blanks to an even length),
-// then 16-bit integers [frames x nodes x 3] in units of `unit` metres: each says how far the coordinate is from where going on
-// at its last step would have brought it (frame 0: the coordinate itself; frame 1: the step from frame 0).
-// A smooth motion leaves small numbers, which servers compress well.
+// Layout: 4 bytes little-endian length of the header, the header (JSON, UTF-8, padded with blanks to an even
+// length), then 16-bit integers [frames x nodes x 3] in units of `unit` metres. Each is the difference
+// between
+// the coordinate and its linear extrapolation (frame 0: the coordinate; frame 1: the step from frame 0). A
+// smooth motion gives small numbers, which servers compress well.
 
 /**
  * @typedef {object} FirstMotion
@@ -17,11 +18,11 @@
  */
 
 const FORMAT = "vcgpdm-first-motion/1";
-/** Half a millimetre: finer than a pixel on any screen. */
+/** Metres: half a millimetre, which is less than a pixel. */
 const UNIT = 0.0005;
 const LIMIT = 32767;
 
-/** Where each coordinate would go at its last step. */
+/** The linear extrapolation of each coordinate. */
 class Expected {
   /** @param {number} width coordinates in a frame */
   constructor(width) {

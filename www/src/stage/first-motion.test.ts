@@ -13,7 +13,7 @@ function walker() {
 }
 
 describe("the first motion", () => {
-  it("comes back to within half a millimetre, without drift", () => {
+  it("is decoded within half a millimetre, without drift", () => {
     const motion = walker();
     const back = decodeFirstMotion(encodeFirstMotion(motion).buffer as ArrayBuffer);
     expect({ ...back, positions: null }).toEqual({ ...motion, positions: null });
@@ -21,13 +21,13 @@ describe("the first motion", () => {
       expect(Math.abs(value - motion.positions[i]!)).toBeLessThan(0.00026);
   });
 
-  it("refuses what is cut short", () => {
+  it("refuses truncated bytes", () => {
     const bytes = encodeFirstMotion(walker());
     expect(() => decodeFirstMotion(bytes.slice(0, -2).buffer as ArrayBuffer)).toThrow(/bytes of positions/);
     expect(() => decodeFirstMotion(new ArrayBuffer(2))).toThrow(/cut short/);
   });
 
-  it("refuses what cannot be written", () => {
+  it("refuses NaN", () => {
     const motion = walker();
     motion.positions[7] = Number.NaN;
     expect(() => encodeFirstMotion(motion)).toThrow(/coordinate 7/);

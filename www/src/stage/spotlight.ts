@@ -1,6 +1,8 @@
 // The frames that an inducing point lights up.
 
-/** The brightness of each frame, 0 to 1, from the weight of the point in it. Frames of large weight stand out. */
+/**
+ * The brightness of each frame, 0 to 1, from the weight of the point in it. Frames of large weight stand out.
+ */
 export function spotlight(shares: Float64Array): Float64Array {
   const spoken = shares.filter((share) => share > 0).sort();
   const top = spoken.at(-1);

@@ -61,7 +61,7 @@ export class StageStore extends Store {
     return this.#clip?.clip ?? null;
   }
 
-  /** The visible live motion; null if there is none. */
+  /** The visible live motion; null without one. */
   get live(): LiveTrack | null {
     return this.shown?.live ? this.#track : null;
   }
@@ -75,7 +75,9 @@ export class StageStore extends Store {
     return this.#marks;
   }
 
-  /** Motions side by side instead of the model's; null: one figure. A clip, a live motion or marks hide them. */
+  /**
+   * Motions side by side instead of the model's; null: one figure. A clip, a live motion or marks hide them.
+   */
   get columns(): readonly StageColumn[] | null {
     return this.#clip || this.#live || this.#marks ? null : this.#columns;
   }
