@@ -1,7 +1,7 @@
 // Does a higher bound go with a smaller error (figure 6B of Velychko et al. 2018)? A panel for each model
 // that has a bound.
 import { html, nothing, svg } from "lit";
-import { axes, ticksAcross, ticksUp, labelsWidth } from "../figures/chart";
+import { axes, labelsWidth } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
 import { correlationFinding, rankWords } from "./findings";
@@ -54,8 +54,8 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
       bottom,
       top,
     );
-    const up = ticksUp(y, bottom - top, type);
-    const left = labelsWidth(up, type);
+    const up = { scale: y, title: "DTW MSE, log scale" };
+    const left = labelsWidth(up, { right, top, bottom, type });
     const { short, units, all } = shortenLabels(points.map(({ label }) => label));
     const note = [units && `Labels: ${units}.`, all && `All with ${all}.`].filter(Boolean).join(" ");
     const widths = short.map((label) => textWidth(label, type));
@@ -65,7 +65,6 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
       left,
       right - Math.min(Math.max(...widths), 0.25 * width),
     );
-    const across = ticksAcross(x, right - left, type);
     const places = points.map(({ bound, mse }) => ({ x: x.at(bound), y: y.at(mse) }));
     const boxes = placeLabels(places, widths, 1.15 * type, 1.2 * MARK_SIZE * type, {
       x: left,
@@ -78,7 +77,7 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
         <p><svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${modelMark(model, 7, 7, 4.6)}</svg>
           <span class="name">${modelStyle(model).name}</span> <small>${[correlation.label, rankWords(correlation)].filter(Boolean).join(", ")}</small></p>
         <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${correlationFinding(correlation)}>
-          ${axes({ left, right, bottom, type }, { scale: x, ticks: across, title: "Bound, nats" }, { scale: y, ticks: up, title: "DTW MSE, log scale" })}
+          ${axes({ left, right, top, bottom, type }, { scale: x, title: "Bound, nats" }, up)}
           ${places.map((place) => modelMark(model, place.x, place.y, MARK_SIZE * type))}
           ${boxes.map((box, i) => (box ? svg`<text class="label" font-size=${type} x=${box.x + box.width / 2} y=${box.y + 0.93 * type} text-anchor="middle">${short[i]}</text>` : nothing))}
         </svg>

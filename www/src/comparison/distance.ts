@@ -2,7 +2,7 @@
 // stays so.
 import { html, svg } from "lit";
 import type { ModelKind } from "../engine/whole-protocol";
-import { axes, path, ticksAcross, ticksUp, labelsWidth } from "../figures/chart";
+import { axes, path, labelsWidth } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
 import { spreadLabels } from "../figures/labels";
@@ -76,8 +76,8 @@ export class DistanceFigure extends FigureElement<Distances> {
       bottom,
       top,
     );
-    const up = ticksUp(y, bottom - top, type).filter(({ value }) => value >= 0);
-    const left = labelsWidth(up, type);
+    const up = { scale: y, least: 0, title: "Mean distance of the joints, cm" };
+    const left = labelsWidth(up, { right, top, bottom, type });
     const last = Math.max(...lines.map(({ metres }) => metres.length)) - 1;
     const x = linearScale([0, last * frameTime], left, right);
     this.#place = (frame) => x.at(frame * frameTime);
@@ -97,15 +97,7 @@ export class DistanceFigure extends FigureElement<Distances> {
       .join(", ");
     return html`
       <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label="Mean distance of the joints from the real trial: ${found}.">
-        ${axes(
-          { left, right, bottom, type },
-          {
-            scale: x,
-            ticks: ticksAcross(x, right - left, type).filter(({ value }) => value >= 0),
-            title: "Time, seconds",
-          },
-          { scale: y, ticks: up, title: "Mean distance of the joints, cm" },
-        )}
+        ${axes({ left, right, top, bottom, type }, { scale: x, least: 0, title: "Time, seconds" }, up)}
         <line class="playhead" data-not-in-picture x1=${left} x2=${left} y1=${top} y2=${bottom}></line>
         ${drawn.map(({ model, name, places }, i) => {
           const [endX, endY] = places.at(-1) ?? [right, bottom];

@@ -1,6 +1,6 @@
 // How the time of an iteration grows with the frames (figure 2 of the supplement of Velychko et al. 2017).
 import { html, svg } from "lit";
-import { axes, path, ticksAcross, ticksUp, labelsWidth } from "../figures/chart";
+import { axes, path, labelsWidth } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
 import { exponentWords, growthFinding } from "./findings";
@@ -91,8 +91,8 @@ export class GrowthFigure extends FigureElement<Comparison> {
       bottom,
       top,
     );
-    const up = ticksUp(y, bottom - top, type);
-    const left = labelsWidth(up, type);
+    const up = { scale: y, title: "Seconds an iteration, log scale" };
+    const left = labelsWidth(up, { right, top, bottom, type });
     const x = logScale(
       lines.flatMap(({ points }) => points.map(({ frames }) => frames)),
       left,
@@ -111,11 +111,7 @@ export class GrowthFigure extends FigureElement<Comparison> {
     );
     return html`
       <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${growthFinding(lines.map(({ line }) => line))}>
-        ${axes(
-          { left, right, bottom, type },
-          { scale: x, ticks: ticksAcross(x, right - left, type), title: "Frames trained on, log scale" },
-          { scale: y, ticks: up, title: "Seconds an iteration, log scale" },
-        )}
+        ${axes({ left, right, top, bottom, type }, { scale: x, title: "Frames trained on, log scale" }, up)}
         ${drawn.map(({ line, places, words }, i) => this.#line(line, places, words, { x: right + LEAD, y: ends[i] ?? bottom }, narrow)).reverse()}
       </svg>
       <figcaption>Time grows with the frames to the power of the exponent: 1 is twice the time for twice the frames, 3 is eight times.</figcaption>`;

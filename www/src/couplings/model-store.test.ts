@@ -180,7 +180,7 @@ describe("presets", () => {
     expect(model.preset).toBeNull();
   });
 
-  it("give the visitor's reading back with a reset, so that sliders do not keep the reading of a preset", () => {
+  it("give the visitor's reading back with a reset", () => {
     const other = model.presets.find(({ name }) => name === "Upper on its own")!;
     model.couplings.setReading("as learned");
     model.takePreset(other);

@@ -1,6 +1,6 @@
 // One channel of the motion on the stage: over time, against its speed, or against another channel.
 import { html, nothing, svg } from "lit";
-import { axes, path, type Plot, ticksAcross, ticksUp, labelsWidth } from "../figures/chart";
+import { axes, path, labelsWidth } from "../figures/chart";
 import { linearScale } from "../figures/scale";
 import type { Playback } from "../stage/playback";
 import { download } from "../ui/download";
@@ -110,23 +110,23 @@ export class AnglesView extends View {
       bottom,
       top,
     );
-    const upTicks = ticksUp(up, bottom - top, TYPE);
-    const plot: Plot = { left: labelsWidth(upTicks, TYPE), right: this.room - 8, bottom, type: TYPE };
+    const { x, y } = this.#titles;
+    const upward = { scale: up, title: y };
+    const space = { right: this.room - 8, top, bottom, type: TYPE };
+    const plot = { ...space, left: labelsWidth(upward, space) };
     const right = linearScale(
       lines.flatMap(({ x }) => x),
       plot.left,
       plot.right,
     );
-    const rightTicks = ticksAcross(right, plot.right - plot.left, TYPE);
     const placed = lines.map(({ x, y }) =>
       y.map((value, t): [number, number] => [right.at(x[t] ?? 0), up.at(value)]),
     );
     this.#places = placed[0] ?? [];
-    const { x, y } = this.#titles;
     // The one on the stage lies above the others.
     return svg`
       <svg width=${this.room} height=${HEIGHT} viewBox="0 0 ${this.room} ${HEIGHT}" role="img" aria-label="${y} against ${x}">
-        ${axes(plot, { scale: right, ticks: rightTicks, title: x }, { scale: up, ticks: upTicks, title: y })}
+        ${axes(plot, { scale: right, title: x }, upward)}
         ${placed.map((points, i) => svg`<g class="line-${i}">${path(points)}</g>`).reverse()}
         <circle class="now" r="5"></circle>
       </svg>`;

@@ -8,51 +8,58 @@ import { textWidth } from "./text-width";
 export interface Plot {
   left: number;
   right: number;
+  top: number;
   bottom: number;
   type: number;
+}
+
+/** An axis. Its title names quantity, unit and a logarithmic scale. */
+export interface Axis {
+  scale: Scale;
+  title: string;
+  /** The least value with a label. */
+  least?: number;
+  /** The largest number of labels. */
+  most?: number;
 }
 
 /** The width of the widest label. */
 const widest = (ticks: Tick[], type: number) =>
   Math.max(0, ...ticks.map(({ label }) => textWidth(label, type)));
 
+const ticksOf = ({ scale, least = Number.NEGATIVE_INFINITY }: Axis, most: number): Tick[] =>
+  scale.ticks(most).filter(({ value }) => value >= least);
+
 /** The ticks of a horizontal axis, without overlap. */
-export function ticksAcross(scale: Scale, length: number, type: number): Tick[] {
-  for (let most = 8; most > 2; most--) {
-    const ticks = scale.ticks(most);
-    const places = ticks.map(({ value }) => scale.at(value));
-    const least = Math.min(...places.slice(1).map((place, i) => place - (places[i] ?? place)));
-    if (ticks.length < 2 || (least >= widest(ticks, type) + type && ticks.length * type < length))
-      return ticks;
+function ticksAcross(axis: Axis, length: number, type: number): Tick[] {
+  for (let most = axis.most ?? 8; most > 2; most--) {
+    const ticks = ticksOf(axis, most);
+    const places = ticks.map(({ value }) => axis.scale.at(value));
+    const gap = Math.min(...places.slice(1).map((place, i) => place - (places[i] ?? place)));
+    if (ticks.length < 2 || (gap >= widest(ticks, type) + type && ticks.length * type < length)) return ticks;
   }
-  return scale.ticks(2);
+  return ticksOf(axis, 2);
 }
 
 /** The ticks of a vertical axis. */
-export function ticksUp(scale: Scale, length: number, type: number): Tick[] {
-  return scale.ticks(Math.max(2, Math.floor(length / (3.2 * type))));
+const ticksUp = (axis: Axis, length: number, type: number): Tick[] =>
+  ticksOf(axis, axis.most ?? Math.max(2, Math.floor(length / (3.2 * type))));
+
+/** The width of the labels of a vertical axis, which is the left end of the space inside the axes. */
+export function labelsWidth(axis: Axis, { top, bottom, type }: Omit<Plot, "left">): number {
+  return widest(ticksUp(axis, bottom - top, type), type) + 10;
 }
 
-/** The width of the labels of a vertical axis. */
-export function labelsWidth(ticks: Tick[], type: number): number {
-  return widest(ticks, type) + 10;
-}
-
-/** Both axes with their grid. Titles name quantity, unit and a logarithmic scale. */
-export function axes(
-  plot: Plot,
-  x: { scale: Scale; ticks: Tick[]; title: string },
-  y: { scale: Scale; ticks: Tick[]; title: string },
-) {
-  const { left, right, bottom, type } = plot;
+/** Both axes with their grid. */
+export function axes({ left, right, top, bottom, type }: Plot, x: Axis, y: Axis) {
   return svg`
     <g class="axes" font-size=${type}>
-      ${y.ticks.map(
+      ${ticksUp(y, bottom - top, type).map(
         ({ value, label }) => svg`
         <line class="grid" x1=${left} x2=${right} y1=${y.scale.at(value)} y2=${y.scale.at(value)}></line>
         <text x=${left - 7} y=${y.scale.at(value) + 0.35 * type} text-anchor="end">${label}</text>`,
       )}
-      ${x.ticks.map(
+      ${ticksAcross(x, right - left, type).map(
         ({ value, label }) => svg`
         <line class="axis" x1=${x.scale.at(value)} x2=${x.scale.at(value)} y1=${bottom} y2=${bottom + 4}></line>
         <text x=${x.scale.at(value)} y=${bottom + 5 + type} text-anchor="middle">${label}</text>`,

@@ -1,7 +1,7 @@
 // A chart of points with error bars, lines and a curve. A figure has several of them side by side.
 import { html, nothing, svg, type TemplateResult } from "lit";
 import type { ModelKind } from "../engine/whole-protocol";
-import { axes, path, ticksAcross, ticksUp, uprightBar, labelsWidth } from "../figures/chart";
+import { axes, path, uprightBar, labelsWidth } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { inColour, modelMark } from "../figures/model-style";
 import { spreadLabels } from "../figures/labels";
@@ -68,8 +68,8 @@ export function panel(
   const drawn = points.filter(drawable);
   const heights = drawn.flatMap((point) => [point.low, point.y, point.high]);
   const yScale = scaleOf(y, heights, bottom, top);
-  const up = ticksUp(yScale, bottom - top, type);
-  const left = labelsWidth(up, type);
+  const up = { scale: yScale, title: y.title };
+  const left = labelsWidth(up, { right, top, bottom, type });
   const xScale = scaleOf(
     x,
     drawn.map((point) => point.x),
@@ -91,11 +91,7 @@ export function panel(
     <div class="panel-figure">
       <p>${heading}</p>
       <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${words}>
-        ${axes(
-          { left, right, bottom, type },
-          { scale: xScale, ticks: ticksAcross(xScale, right - left, type), title: x.title },
-          { scale: yScale, ticks: up, title: y.title },
-        )}
+        ${axes({ left, right, top, bottom, type }, { scale: xScale, title: x.title }, up)}
         ${references.map((at) => svg`<line class="reference" x1=${left} x2=${right} y1=${yScale.at(at)} y2=${yScale.at(at)}></line>`)}
         ${lines.map(({ model, places }) => svg`<g class="panel-line" style=${model ? inColour(model) : styled({ "--series": "var(--quiet)" })}>${path(places.map(place))}</g>`)}
         ${drawn.map(

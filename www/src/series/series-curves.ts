@@ -1,6 +1,6 @@
 // The columns over time in place of a figure: what the model rolls out, and dashed what was recorded.
 import { html, nothing, svg } from "lit";
-import { axes, path, type Plot, ticksAcross, labelsWidth } from "../figures/chart";
+import { axes, path, labelsWidth } from "../figures/chart";
 import "../figures/figures.css";
 import { linearScale } from "../figures/scale";
 import { partColour } from "../ui/palette";
@@ -55,16 +55,11 @@ export class SeriesCurves extends View {
   #chart({ name, part, rolledOut, recorded }: Curve, frameTime: number, order: number) {
     const [bottom, top] = [HEIGHT - 2.2 * TYPE - 12, 2 * TYPE];
     const up = linearScale([...rolledOut, ...(recorded ?? [])], bottom, top);
-    const upTicks = up.ticks(TICKS);
-    const plot: Plot = {
-      left: Math.max(44, labelsWidth(upTicks, TYPE)),
-      right: this.room - 8,
-      bottom,
-      type: TYPE,
-    };
+    const upward = { scale: up, title: name, most: TICKS };
+    const space = { right: this.room - 8, top, bottom, type: TYPE };
+    const plot = { ...space, left: Math.max(44, labelsWidth(upward, space)) };
     const end = Math.max(rolledOut.length, recorded?.length ?? 0) - 1;
     const right = linearScale([0, end * frameTime], plot.left, plot.right);
-    const rightTicks = ticksAcross(right, plot.right - plot.left, TYPE);
     const placed = (values: readonly number[]) =>
       values.map((value, frame): [number, number] => [right.at(frame * frameTime), up.at(value)]);
     const first = right.at(0);
@@ -72,7 +67,7 @@ export class SeriesCurves extends View {
     return html`
       <figure class="figure-card series-curve" data-testid="curve-${order}" style=${partStyle(partColour(part), { "--series": partColour(part) })}>
         <svg width=${this.room} height=${HEIGHT} viewBox="0 0 ${this.room} ${HEIGHT}" role="img" aria-label="${name} against time${recorded ? ", rolled out and recorded" : ", rolled out"}">
-          ${axes(plot, { scale: right, ticks: rightTicks, title: "time (s)" }, { scale: up, ticks: upTicks, title: name })}
+          ${axes(plot, { scale: right, title: "time (s)" }, upward)}
           ${recorded ? svg`<g class="recorded">${path(placed(recorded))}</g>` : nothing}
           <g class="rolled-out">${path(placed(rolledOut))}</g>
           <line class="playhead" y1=${top} y2=${bottom}></line>
