@@ -148,9 +148,10 @@ describe("what may come", () => {
   it("shows five futures of a seed, and others of the next", async () => {
     const { page } = visitor;
     await page.getByRole("button", { name: "futures", exact: true }).click();
-    const futures = page.getByTestId("futures").and(page.locator("[data-count='5']"));
-    await futures.waitFor();
-    assert.match((await futures.textContent()) ?? "", /seeds 1 to 5/);
+    await page.waitForFunction(
+      () => /** @type {any} */ (document.querySelector("pg-outlook"))?.outlook.futures.length === 5,
+    );
+    assert.match((await page.getByTestId("futures").textContent()) ?? "", /seeds 1 to 5/);
     await page.getByTestId("other-futures").click();
     await page.getByText("seeds 6 to 10").waitFor();
     await page.getByRole("button", { name: "futures", exact: true }).click();
@@ -174,7 +175,7 @@ describe("what may come", () => {
     await page.getByRole("button", { name: "uncertainty", exact: true }).click();
     await page
       .getByTestId("uncertainty")
-      .and(page.locator("[data-known='1']"))
+      .filter({ hasNotText: "(loading)" })
       .waitFor({ state: "attached", timeout: 30_000 });
     await page.mouse.move(0, 0);
     assert.ok(!before.equals(await plot.screenshot()), "the band is drawn");

@@ -31,8 +31,7 @@ export function isClose(a: number, b: number): boolean {
 }
 
 export class CouplingsStore {
-  /** alpha[source][target] as learned; empty for a model without couplings. */
-  learned: Couplings = [];
+  #learned: Couplings = [];
   readonly #place: CouplingsPlace;
   readonly #changed: (change: CouplingsChange) => void;
   /** The reading before `takeAll` brought another one. */
@@ -44,9 +43,14 @@ export class CouplingsStore {
     this.#place = place;
   }
 
+  /** alpha[source][target] as learned; empty for a model without couplings. */
+  get learned(): Couplings {
+    return this.#learned;
+  }
+
   /** alpha[source][target] now. */
   get alpha(): Couplings {
-    return this.learned.map((row, source) =>
+    return this.#learned.map((row, source) =>
       row.map((alpha, target) => this.#chosen(source, target) ?? alpha),
     );
   }
@@ -61,7 +65,7 @@ export class CouplingsStore {
   }
 
   learnedAlpha(source: number, target: number): number {
-    return this.learned[source]?.[target] ?? 1;
+    return this.#learned[source]?.[target] ?? 1;
   }
 
   alphaOf(source: number, target: number): number {
@@ -83,7 +87,7 @@ export class CouplingsStore {
 
   /** The coupling between two different parts with the largest weight; null for a model of one part. */
   strongestBetween(): { source: number; target: number } | null {
-    const parts = this.learned.map((_, part) => part);
+    const parts = this.#learned.map((_, part) => part);
     const pairs = parts.flatMap((source) =>
       parts.filter((target) => target !== source).map((target) => ({ source, target })),
     );
@@ -117,7 +121,7 @@ export class CouplingsStore {
 
   /** Resets all couplings that lead to a part. */
   resetInto(target: number): void {
-    this.#reset(this.learned.map((_, source) => pair(source, target)));
+    this.#reset(this.#learned.map((_, source) => pair(source, target)));
   }
 
   /** Resets all couplings, and the reading that `takeAll` brought. */
@@ -133,9 +137,14 @@ export class CouplingsStore {
     this.#changed("reading");
   }
 
-  /** Takes up another model as it was learned. */
+  /** Takes the couplings of another model, and keeps the changes of the visitor. */
+  setLearned(learned: Couplings): void {
+    this.#learned = learned;
+  }
+
+  /** Takes the couplings of another model, without changes. */
   learn(learned: Couplings): void {
-    this.learned = learned;
+    this.#learned = learned;
     this.#place.change({ alpha: {} });
   }
 
@@ -144,11 +153,11 @@ export class CouplingsStore {
   }
 
   #alphasInto(target: number): number[] {
-    return this.learned.map((_, source) => this.alphaOf(source, target));
+    return this.#learned.map((_, source) => this.alphaOf(source, target));
   }
 
   #set(changes: readonly [source: number, target: number, alpha: number][]): void {
-    if (this.learned.length === 0) return;
+    if (this.#learned.length === 0) return;
     const alpha = this.#without(changes.map(([source, target]) => pair(source, target)));
     for (const [source, target, value] of changes)
       if (!isClose(value, this.learnedAlpha(source, target))) alpha[pair(source, target)] = value;

@@ -271,7 +271,7 @@ export class ModelStore extends Store {
     this.#rollouts.drop();
     this.#learnedRollouts.drop();
     this.#model = model;
-    this.couplings.learned = model.info.alpha;
+    this.couplings.setLearned(model.info.alpha);
     this.#learned = rollout;
     this.#rollout = rollout;
     this.#settleCouplings(model, keep);

@@ -14,18 +14,18 @@ export class OutlookView extends View {
 
   protected override render() {
     const { outlook } = this;
-    const { seed, futures, moments } = outlook;
+    const { seed, moments } = outlook;
     return html`
       ${
         outlook.isShown("futures")
-          ? html`<p class="outlook" data-testid="futures" data-count=${futures.length}>
+          ? html`<p class="outlook" data-testid="futures">
               <span><pg-term of="future" text="Five futures"></pg-term>, seeds ${seed} to ${seed + FUTURES - 1}</span>
               <button class="small" data-testid="other-futures" @click=${() => outlook.drawOthers()}>Five others</button></p>`
           : nothing
       }
       ${
         outlook.isShown("uncertainty")
-          ? html`<p class="outlook" data-testid="uncertainty" data-known=${moments ? "1" : "0"}>
+          ? html`<p class="outlook" data-testid="uncertainty">
               <span>Grey: <pg-term of="moment-matching" text="what a Gaussian knows"></pg-term>, ±1 and ±2 σ${moments ? "" : " (loading)"}</span></p>`
           : nothing
       }`;
