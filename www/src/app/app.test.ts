@@ -70,7 +70,7 @@ describe("the start of the page", () => {
     expect([app.engine.state, app.engine.problem]).toEqual(["failed", "out of memory"]);
   });
 
-  it("goes without a model where the host has none", async () => {
+  it("works without a model when the host has none", async () => {
     await start(null);
     expect([app.engine.state, app.model.model]).toEqual(["ready", null]);
   });
@@ -87,7 +87,7 @@ it("follows a link to other couplings", async () => {
 describe("files", () => {
   beforeEach(() => start());
 
-  it("are opened one after the other, each by what it is, and refused where they landed", async () => {
+  it("are opened one after the other by their kinds, with notices at the place of the drop", async () => {
     const at = { x: 3, y: 4 };
     const files = [
       file("mine.bvh", "HIERARCHY"),
@@ -105,7 +105,7 @@ describe("files", () => {
     expect(titles()).toEqual([]);
   });
 
-  it("with a model take no stage from a training, but from a run that is over", async () => {
+  it("with a model replace the model of a finished run, but not of a running training", async () => {
     const over = app.training.start();
     await settled();
     trainers.trainings[0]?.report(2, -5, modelText(5));
@@ -133,7 +133,7 @@ describe("a model on the stage", () => {
     await start();
   });
 
-  it("from a file or of a training makes place unasked: the file and the list hold it", async () => {
+  it("from a file or of a training is replaced unasked: the file and the list still have it", async () => {
     await openModel(app, modelText(9));
     await trained();
     await openModel(app, modelText(9));
@@ -142,7 +142,7 @@ describe("a model on the stage", () => {
     expect([seed(), visitor.asked]).toEqual([5, []]);
   });
 
-  it("that was put together here makes place for nothing before the visitor was asked", async () => {
+  it("that was made here is not replaced before the visitor is asked", async () => {
     await openModel(app, modelText(7), true);
     expect(await openModel(app, modelText(9))).toBe(false);
     await app.training.start();
@@ -152,12 +152,12 @@ describe("a model on the stage", () => {
     expect(vi.mocked(download).mock.calls.map(([name]) => name)).toEqual([
       expect.stringMatching(/model\.json$/),
     ]);
-    // It is on a disk now, whoever brings it back.
+    // The model is on a disk now.
     await openModel(app, modelText(7), true);
     expect([await openModel(app, modelText(9)), visitor.asked.length]).toEqual([true, 1]);
   });
 
-  it("whose training was removed from the list is asked about too", async () => {
+  it("whose training was removed from the list is not replaced unasked either", async () => {
     await trained();
     app.training.clear();
     expect(await openModel(app, modelText(9))).toBe(false);
@@ -165,7 +165,7 @@ describe("a model on the stage", () => {
   });
 });
 
-it("leaving the page loses work only where nothing keeps it", async () => {
+it("leaving the page loses only work that the browser does not store", async () => {
   visitor.arrives("keep");
   await start();
   expect(wouldLose(app)).toBe(false);
@@ -175,7 +175,7 @@ it("leaving the page loses work only where nothing keeps it", async () => {
   expect(wouldLose(app)).toBe(true);
   const session = { loaded: { keeps: true } };
   expect(wouldLose({ ...app, session } as unknown as App)).toBe(false);
-  // Of the comparisons, the browser keeps the one that is looked at.
+  // The browser stores only the shown comparison.
   const [shown, other] = [{}, {}];
   const compared = (unsaved: unknown[]) => {
     const comparison = { loaded: { unsaved, shown } };

@@ -1,4 +1,4 @@
-// What the page knows, in one place: makes the stores and gives each those that it needs.
+// Makes all stores of the page and connects them.
 import { ClipsStore } from "../clips/clips-store";
 import { BodyStore } from "../couplings/body-store";
 import { ModelStore } from "../couplings/model-store";
@@ -81,7 +81,7 @@ export class App {
     const [{ PerceptionStore }, { studyOfThePage }, shelf] = await Promise.all([
       import("../perception/perception-store"),
       import("../perception/study-of-the-page"),
-      // A browser that keeps nothing is no reason to ask nobody.
+      // The experiment works also in a browser that stores nothing.
       this.#answers.get().catch(() => null),
     ]);
     return new PerceptionStore(wholeWorkers(), shelf, studyOfThePage);
@@ -103,13 +103,13 @@ export class App {
     location.reload();
   }
 
-  /** Shows a study, of which this is the text. `made`: it was made here. */
+  /** Shows the study of this text. `made`: it was made here and is on no disk. */
   async openStudy(text: string, made = false): Promise<void> {
     this.settings.change({ view: "perception" });
     await (await this.perception.get()).openStudy(async () => text, made);
   }
 
-  /** The answers of all participants on this machine. */
+  /** Removes the stored answers of all participants but one who answers now. */
   async forgetAnswers(): Promise<void> {
     await (await this.#answers.get()).forgetAll();
     this.perception.loaded?.dropStored();
@@ -123,7 +123,9 @@ export class App {
 
   constructor(
     address: AddressBar,
-    /** Whether another page shows this one in a frame: the stage, the latent plots and the couplings only. */
+    /**
+     * Whether the page shows only the stage, the latent plots and the couplings, for a frame of another page.
+     */
     readonly embedded: boolean,
   ) {
     this.settings = new SettingsStore(address);
@@ -146,20 +148,17 @@ export class App {
     );
   }
 
-  /** Whether the stage is to be seen: not a comparison or the synthetic experiment. */
+  /** Whether the visible view is Play, with the stage. */
   get isPlayView(): boolean {
     return this.embedded || this.settings.values.view === "play";
   }
 
-  /**
-   * Starts the engine and takes up the model that comes with the page, then its clips. `text`: null without a
-   * model.
-   */
+  /** Starts the engine and opens the first model, then the sample clips. `text`: null without a model. */
   async start(
     startEngine: (events: SupervisedEvents) => Promise<StartedEngine>,
     text: Promise<string | null>,
   ): Promise<void> {
-    // Where the engine cannot start, nobody waits for the model.
+    // When the engine cannot start, nobody waits for the model.
     text.catch(() => {});
     const events: SupervisedEvents = {
       restarted: (why) =>
@@ -180,8 +179,7 @@ export class App {
   }
 
   /**
-   * Futures and uncertainty of the rollout, with how they are drawn; null, with a notice, where they cannot
-   * be loaded.
+   * Futures and uncertainty of the rollout with their drawing; null, with a notice: they cannot be loaded.
    */
   readonly openOutlook = () =>
     this.#outlook.get().catch(() => {

@@ -1,4 +1,4 @@
-// What the stage shows, in words over the figure.
+// The caption over the figure: a title and a text about the stage.
 import { html, nothing } from "lit";
 import type { Detail } from "../details/details";
 import type { ClipEntry } from "../clips/clips-store";
@@ -10,12 +10,12 @@ import "./caption.css";
 import { healthWords } from "./health-words";
 import { MODEL_TITLE, type StageWords, stageWords } from "./stage-words";
 
-/** The clip that hides the model's motion, if one does. */
+/** The clip on the stage; null: the model's motion is there. */
 export function clipOnStage({ clips, stage }: App): ClipEntry | null {
   return clips.all.find(({ key }) => key === stage.clip) ?? null;
 }
 
-/** What the page says about what is on the stage now. */
+/** The texts of the page about the stage now. */
 export function wordsNow(app: App): StageWords {
   const { stage, model, pointing, training } = app;
   const clip = clipOnStage(app);
@@ -46,7 +46,7 @@ function pointWords({ report }: PointingStore, parts: readonly { name: string }[
     : `From this pose of ${name(point.source)} to that of ${name(point.target)}`;
 }
 
-/** The stores that those words depend on. */
+/** The stores that those texts depend on. */
 export const wordStores = ({ stage, clips, model, pointing, training }: App) => [
   stage,
   clips,
@@ -62,7 +62,7 @@ export class CaptionView extends View {
     return [...wordStores(this.app), this.app.body];
   }
 
-  /** Where the motion on the stage is none any more: that it is so, and what helps. */
+  /** For a motion that stands still or breaks down: a notice with buttons that help. */
   #healthNotice() {
     const { stage, model, training, pointing, body, embedded } = this.app;
     const { shown } = stage;
@@ -92,8 +92,8 @@ export class CaptionView extends View {
     return html`<div class="stage-health" role="status" data-testid="health"><p>${words}</p>${buttons}</div>`;
   }
 
-  /** Opens a closer look. */
-  #look(detail: Detail, words: string) {
+  /** A link that opens details. */
+  #detailLink(detail: Detail, words: string) {
     const show = () => this.dispatchEvent(new CustomEvent("show-details", { detail, bubbles: true }));
     return html`<button class="link" data-testid="show-${detail}" @click=${show}>${words}</button>`;
   }
@@ -109,7 +109,7 @@ export class CaptionView extends View {
             ? html`A <pg-term of="rollout" text="rollout"></pg-term>${text ? ", " : ""}`
             : nothing
         }${text}</span>
-        ${model.rollout ? html`<span>${this.#look("angles", "joint angles")}, ${this.#look("kernels", "kernels")}</span>` : nothing}
+        ${model.rollout ? html`<span>${this.#detailLink("angles", "joint angles")}, ${this.#detailLink("kernels", "kernels")}</span>` : nothing}
         ${
           stage.clip !== null && model.model
             ? html`<button class="small" @click=${() => stage.endClip()}>Back to the model</button>`

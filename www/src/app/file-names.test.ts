@@ -26,7 +26,7 @@ const asLearned: RolledOut = {
 };
 
 describe("the name of a motion", () => {
-  it("tells model, couplings, reading, start and length", () => {
+  it("has the model, couplings, reading, start and length", () => {
     expect(modelName(asLearned)).toBe("35_01-2-parts-1a2b3c4d");
     expect(motionName(asLearned)).toBe("35_01-2-parts-1a2b3c4d-10s");
     const other = {
@@ -39,7 +39,7 @@ describe("the name of a motion", () => {
     expect(motionName(other)).toBe("35_01-2-parts-1a2b3c4d-lower-upper-5-re-inferred-as-35_02-2.5s");
   });
 
-  it("differs wherever the motion does", () => {
+  it("differs for different motions", () => {
     const many = { "0.0": 1, "0.1": 2, "1.0": 3, "1.1": 4 };
     const variants: RolledOut[] = [
       asLearned,
@@ -56,7 +56,7 @@ describe("the name of a motion", () => {
     expect(new Set(variants.map(motionName)).size).toBe(variants.length);
   });
 
-  it("is a name on every system", () => {
+  it("is valid on every file system", () => {
     expect(plain('../a: "b"/c?.')).toBe("a-b-c");
     const odd = {
       ...asLearned,

@@ -1,11 +1,11 @@
-// Names for files that leave the page. BVH has no place for comments that every reader skips, so the name
-// itself tells a motion apart: which model, what was changed, which start, how long.
+// Names of saved files. BVH has no comments that every reader skips, so the name of a motion has its model,
+// changed couplings, start and length.
 import { modelName, plain } from "../couplings/model-file";
 import type { ModelInfo, Reading } from "../engine/protocol";
 import type { ChangedCouplings } from "../settings/settings";
 import { clipTitle } from "../ui/format";
 
-/** So many changed couplings are named; of more the number is said. */
+/** The most changed couplings in a name; of more the name has the number. */
 const NAMED = 3;
 
 export interface RolledOut {
@@ -14,14 +14,14 @@ export interface RolledOut {
   id: string;
   alpha: ChangedCouplings;
   reading: Reading;
-  /** The training sequence whose first frames begin the motion. */
+  /** The training sequence that begins the motion. */
   sequence: number;
-  /** Which of its frames; absent: the first. */
+  /** The frame of that sequence; absent: the first. */
   frame?: number | undefined;
   frames: number;
 }
 
-/** The name of the model, and what tells this motion from others of it: "...-lower-upper-5-as-35_02-10s". */
+/** The name of the model and the differences of this motion: "...-lower-upper-5-as-35_02-10s". */
 export function motionName(motion: RolledOut): string {
   const { info, sequence, frame, frames } = motion;
   const start = info.sequences[sequence];
@@ -40,13 +40,13 @@ function couplingWords({ info, alpha, reading }: RolledOut): string[] {
     const [source, target] = pair.split(".");
     return `${name(source)}-${name(target)}-${Number(value.toPrecision(4))}`;
   });
-  // Two motions that differ only in couplings that are not named have different sums.
+  // Motions that differ only in couplings outside the name have different checksums.
   if (changed.length > NAMED)
     words.push(`and-${changed.length - NAMED}-more-${checksum(JSON.stringify(changed))}`);
   return reading === "re-inferred" ? [...words, "re-inferred"] : words;
 }
 
-/** Four hexadecimal digits that nearly always differ where texts do (FNV-1a, folded). */
+/** Four hexadecimal digits that nearly always differ for different texts (FNV-1a, folded). */
 function checksum(text: string): string {
   let hash = 0x811c9dc5;
   for (const character of text) hash = Math.imul(hash ^ character.charCodeAt(0), 0x01000193);

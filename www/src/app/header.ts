@@ -1,4 +1,4 @@
-// The head of the page: what this is, its views, and the files to save and open.
+// The header of the page: the title, the views, and the buttons for files.
 import { html, nothing } from "lit";
 import { guard } from "lit/directives/guard.js";
 import { INVITATION } from "../couplings/presets";
@@ -43,8 +43,8 @@ export class HeaderView extends View {
   }
 
   /**
-   * Links, so that they can be opened elsewhere and shared; written when the address is, not at each move of
-   * a slider.
+   * Links, which can be shared and opened in other tabs. They change with the address, not with each slider
+   * event.
    */
   #views() {
     const { settings } = this.app;
@@ -63,7 +63,7 @@ export class HeaderView extends View {
       </nav>`;
   }
 
-  /** Few have other data than bodies: the view has a place of its own from when it is first opened. */
+  /** Few visitors have time series, so that this view is in the list only after its first use. */
   get #hasSeries(): boolean {
     return this.app.settings.values.view === "series" || this.app.series.loaded !== null;
   }
@@ -74,7 +74,7 @@ export class HeaderView extends View {
     return html`${wordsNow(this.app).lead} ${this.#invitation()}`;
   }
 
-  /** What to try next: what it says is measured by tests/e2e/couplings.test.mjs. */
+  /** What to try next; tests/e2e/couplings.test.mjs measures its promise. */
   #invitation() {
     const { model, stage, training } = this.app;
     if (stage.shown?.kind !== "model" || training.learning) return nothing;

@@ -1,4 +1,4 @@
-// Help and keys, and about this page.
+// The dialog with help, keys and facts about this page.
 import { html } from "lit";
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";

@@ -1,4 +1,4 @@
-// Keys that work anywhere on the page, unless a control wants them.
+// Keys that work anywhere on the page, unless a control uses them.
 
 export interface KeyActions {
   togglePlay(): void;
@@ -6,12 +6,12 @@ export interface KeyActions {
   resetCouplings(): unknown;
   help(): void;
   projector(): void;
-  /** The key that cuts a coupling is held, or let go. */
+  /** The key that cuts a coupling goes down or up. */
   hold(held: boolean): void;
 }
 
-/** Whether the focused control uses this key itself. */
-function taken(event: KeyboardEvent): boolean {
+/** Whether the focused control uses this key. */
+function isUsedByControl(event: KeyboardEvent): boolean {
   const target = event.target as HTMLElement | null;
   if (!target || event.ctrlKey || event.metaKey || event.altKey) return true;
   if (document.querySelector("dialog[open]")) return true;
@@ -24,7 +24,7 @@ function taken(event: KeyboardEvent): boolean {
 export function listenToKeys(actions: KeyActions): void {
   document.addEventListener("keyup", (event) => event.key === "c" && actions.hold(false));
   document.addEventListener("keydown", (event) => {
-    if (event.defaultPrevented || taken(event)) return;
+    if (event.defaultPrevented || isUsedByControl(event)) return;
     const action = {
       " ": () => actions.togglePlay(),
       ArrowLeft: () => actions.step(-1),

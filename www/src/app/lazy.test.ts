@@ -1,7 +1,7 @@
 import { expect, it, vi } from "vitest";
 import { Lazy } from "./lazy";
 
-it("loads once, when it is first asked for, and again after a failure", async () => {
+it("loads once, at the first use, and again after a failure", async () => {
   const load = vi
     .fn<() => Promise<number>>()
     .mockRejectedValueOnce(new Error("offline"))

@@ -1,4 +1,4 @@
-// What is loaded only when it is first asked for.
+// A value that is loaded at its first use.
 
 export class Lazy<Value> {
   readonly #load: () => Promise<Value>;

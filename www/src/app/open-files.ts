@@ -12,7 +12,8 @@ import type { App } from "./app";
 const LONGEST_HEADER = 100_000;
 
 /**
- * Opens the files one after the other. What went wrong is said where they landed; null: in the list of clips.
+ * Opens the files one after the other. A notice at the place of the drop says what failed; null: the notice
+ * is in the list of clips.
  */
 export async function openFiles(app: App, files: readonly File[], at: Place | null): Promise<void> {
   const { notices, clips } = app;
@@ -52,17 +53,14 @@ export async function openFiles(app: App, files: readonly File[], at: Place | nu
   if (tables.length > 0) await openTables(app, tables, refuse);
 }
 
-/**
- * Every table of jsPsych has a column trial_type, wherever that stands. In the view of the study each table is
- * taken for answers.
- */
+/** Tables of jsPsych have a column trial_type. In the view of the study every table is taken for answers. */
 async function isAnswersTable(app: App, file: File): Promise<boolean> {
   if (app.settings.values.view === "perception") return true;
   const [header = ""] = (await file.slice(0, LONGEST_HEADER).text()).split(/[\r\n]/);
   return /\btrial_type\b/.test(header);
 }
 
-/** A file with an error does not keep the others away. */
+/** A file with an error does not stop the others. */
 async function openTables(app: App, files: readonly File[], refuse: (title: string, text: string) => void) {
   app.settings.change({ view: "series" });
   const { tables } = await app.series.get();
@@ -75,7 +73,7 @@ async function openTables(app: App, files: readonly File[], refuse: (title: stri
   }
 }
 
-/** The answers of several participants are analysed together, beside those that are open. */
+/** Adds the answers of several participants to those that are open. */
 async function openAnswers(app: App, files: readonly File[]): Promise<void> {
   app.settings.change({ view: "perception" });
   const [perception, analysis] = await Promise.all([app.perception.get(), app.analysis.get()]);
@@ -103,8 +101,8 @@ async function openJson(app: App, kind: DocumentKind, name: string, text: string
 }
 
 /**
- * Puts a model on the stage, and says whether: the visitor may keep the one that is there. `made`: it was
- * made here, and is on no disk.
+ * Puts a model on the stage. Returns false when the visitor keeps the present one instead. `made`: the model
+ * was made here and is on no disk.
  */
 export async function openModel(app: App, text: string, made = false): Promise<boolean> {
   const refuse = () => {

@@ -1,4 +1,4 @@
-// The page: where each view goes. On narrow screens the panels beside the stage become tabs.
+// The layout of the page. On narrow screens the panels next to the stage become tabs.
 import { html, nothing, type TemplateResult } from "lit";
 import "../clips/clips-view";
 import "../couplings/couplings-view";
@@ -34,7 +34,7 @@ interface Clock {
   step(direction: 1 | -1): void;
 }
 
-/** Views that are loaded only when they are asked for; each answers how to draw it. */
+/** Views that are loaded at their first use. Each function returns a function that draws the view. */
 const ON_DEMAND = {
   async compare({ comparison, settings, clips, engine, notices }: App) {
     const [store] = await Promise.all([comparison.get(), import("../comparison/comparison-page")]);
@@ -69,7 +69,7 @@ const ON_DEMAND = {
   },
 };
 
-/** Where on the page something is to be seen or changed: the tab that it is in, and what takes the focus. */
+/** Places of the page to go to: the tab, and the element that takes the focus. */
 const PLACES = {
   couplings: {
     tab: "couplings",
@@ -90,9 +90,9 @@ const PLACES = {
 
 export class PageView extends View {
   static override properties = { tab: { state: true }, liveView: { state: true }, session: { state: true } };
-  /** What is kept of visits; null where nothing is, or not yet. */
+  /** The stored visits; null: the browser stores none, or the session is not loaded yet. */
   declare session: SessionStore | null;
-  /** How to draw the live motion, once it has been asked for. */
+  /** Draws the live motion; null before its first use. */
   declare liveView: (() => TemplateResult) | null;
   #keyHolds: { source: number; target: number } | null = null;
   declare app: App;
@@ -106,7 +106,7 @@ export class PageView extends View {
     this.session = null;
   }
 
-  /** Goes on live, or back to the clip; the first time loads what that needs. */
+  /** Starts the live motion or returns to the clip. */
   async #switchLive(on: boolean): Promise<void> {
     const live = await this.#liveStore();
     if (!live) return;
@@ -114,7 +114,7 @@ export class PageView extends View {
     else live.stop();
   }
 
-  /** The coupling of the slider in focus; without one, the strongest from one part to another. */
+  /** Cuts the coupling of the slider in focus, or the strongest one between parts. */
   holdByKey(held: boolean): void {
     if (held && this.app.isPlayView)
       this.#keyHolds = this.#couplingInFocus() ?? this.app.model.couplings.strongestBetween();
@@ -135,7 +135,7 @@ export class PageView extends View {
     await live?.hold(source, target, held);
   }
 
-  /** The live motion with its view; null where it cannot be loaded. */
+  /** The live motion with its view; null: it cannot be loaded. */
   async #liveStore(): Promise<LiveStore | null> {
     try {
       const [live] = await Promise.all([this.app.live.get(), import("../live/live-view")]);
@@ -153,20 +153,20 @@ export class PageView extends View {
   }
 
   protected override arrived(): void {
-    // What could not be loaded may be there now. Chromium keeps a failed import until the page is reloaded.
+    // A failed import may work now. Chromium repeats the failure until the page is reloaded.
     this.listen(window, "online", () => {
       for (const [view, state] of this.#loaded) if (state === "failed") this.#load(view);
     });
   }
 
-  /** What the keys for play and step work on. */
+  /** The clock that the keys for play and step control. */
   get clock(): Clock | null {
     return this.app.isPlayView
       ? this.app.playback
       : this.querySelector<HTMLElement & Clock>("pg-side-by-side, pg-walk, pg-series");
   }
 
-  /** The first time it is loaded. */
+  /** Loads the help at its first use. */
   async openHelp(): Promise<void> {
     try {
       await import("./help");
@@ -191,7 +191,7 @@ export class PageView extends View {
     control?.scrollIntoView({ block: "nearest" });
   }
 
-  /** A closer look, in a dialog. */
+  /** Shows details in a dialog. */
   async #showDetails(what: Detail): Promise<void> {
     const { notices, model, playback, engine } = this.app;
     if (!engine.engine || !model.rollout) return;
@@ -254,8 +254,7 @@ export class PageView extends View {
 
   #stageArea() {
     const { stage, playback, settings, clips, model, isPlayView } = this.app;
-    // The handles come with the first clip on the stage; where they could not be loaded the next clip asks
-    // again.
+    // The first clip on the stage loads the handles; after a failure the next clip tries again.
     if (stage.clip !== null) import("../clips/trim-view").catch(() => {});
     return html`
       <section class="stage-area" aria-label="Stage">

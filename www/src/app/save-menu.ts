@@ -1,4 +1,4 @@
-// What can be saved, in a menu: the motion on the stage and what belongs to it, and the model.
+// The menu Save: the motion on the stage in several formats, and the model.
 import { html, nothing } from "lit";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
@@ -8,7 +8,7 @@ import { clipOnStage } from "./caption";
 import "./save-menu.css";
 import type { Saved } from "./saving";
 
-/** The width of the menu, in the type's size; its style says the same. */
+/** The width of the menu in rem; its style has the same. */
 const WIDTH = 17;
 
 export class SaveMenu extends View {
@@ -19,7 +19,7 @@ export class SaveMenu extends View {
     return [engine, model, stage, clips, settings];
   }
 
-  /** Before it is shown: below its button, within the window. */
+  /** Places the menu below its button, within the window, before it appears. */
   #place({ currentTarget, newState }: ToggleEvent & { currentTarget: HTMLElement }): void {
     const button = this.querySelector("button");
     if (newState !== "open" || !button) return;
@@ -48,7 +48,7 @@ export class SaveMenu extends View {
     const clip = clipOnStage(this.app);
     const hasModel = engine.engine !== null && model.rollout !== null;
     const noRollout = clip ? "Go back to the model first" : "";
-    // Other views save what they hold themselves: the stage is not in sight there.
+    // Other views save their own files: the stage is not visible there.
     const { isPlayView } = this.app;
     return html`
       <button class="small" data-testid="save" popovertarget="save-menu" title=${isPlayView ? nothing : "Saves what is on the stage: go to Play"}

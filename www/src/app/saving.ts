@@ -1,4 +1,4 @@
-// Files that leave the page, to the visitor's own disk. Loaded when the first is asked for.
+// Saves files to the visitor's disk. Loaded at the first use.
 import type { ClipEntry } from "../clips/clips-store";
 import { modelFile, plain } from "../couplings/model-file";
 import type { Figure, JointInfo, Motion, PartSpec } from "../engine/protocol";
@@ -8,7 +8,7 @@ import type { App } from "./app";
 import { clipOnStage } from "./caption";
 import { motionName } from "./file-names";
 
-/** What can be saved: the clip that is on the stage, or the model's motion and what belongs to it. */
+/** The kinds of files: of the clip on the stage, or of the model and its motion. */
 export type Saved = "model" | "motion" | "glb" | "positions" | "latents" | "account";
 
 interface File {
@@ -17,9 +17,9 @@ interface File {
   content(): Promise<string | ArrayBuffer>;
 }
 
-/** A motion of the stage, which can be saved in three forms. */
-interface Moved {
-  /** Without an ending. */
+/** A motion on the stage, which can be saved in three formats. */
+interface StageMotion {
+  /** Without a file extension. */
   name: string;
   body: { figure: Figure; joints: readonly JointInfo[]; parts: readonly PartSpec[] };
   motion(): Promise<Motion>;
@@ -37,7 +37,7 @@ export async function save(app: App, what: Saved): Promise<void> {
   }
 }
 
-/** Null while there is nothing of the kind. */
+/** Null: there is nothing of this kind now. */
 function fileOf(app: App, what: Saved): File | null {
   if (what === "motion" || what === "glb" || what === "positions") {
     const moved = movedClip(app) ?? movedModel(app);
@@ -60,7 +60,7 @@ function fileOf(app: App, what: Saved): File | null {
 
 const files = () => import("./stage-files");
 
-function motionFile({ name, body, motion, bvh }: Moved, what: "motion" | "glb" | "positions"): File {
+function motionFile({ name, body, motion, bvh }: StageMotion, what: "motion" | "glb" | "positions"): File {
   if (what === "motion") return { name: `${name}.bvh`, type: "text/plain", content: bvh };
   if (what === "positions") {
     const content = async () => (await files()).positionsCsv(body, await motion());
@@ -73,7 +73,7 @@ function motionFile({ name, body, motion, bvh }: Moved, what: "motion" | "glb" |
   return { name: `${name}.glb`, type: "model/gltf-binary", content };
 }
 
-function movedClip(app: App): Moved | null {
+function movedClip(app: App): StageMotion | null {
   const { engine } = app.engine;
   const clip = clipOnStage(app);
   const { shown } = app.stage;
@@ -82,13 +82,13 @@ function movedClip(app: App): Moved | null {
   return {
     name: clipName(clip),
     body: { ...loaded.info, parts: shown.parts },
-    // Of the frames that it keeps.
+    // Only the frames that the cut keeps.
     motion: async () => shown.motion,
     bvh: () => engine.clipBvh(loaded.id, first, end),
   };
 }
 
-function movedModel(app: App): Moved | null {
+function movedModel(app: App): StageMotion | null {
   const { engine } = app.engine;
   const { model } = app.model;
   const name = rolledOutName(app);
@@ -102,7 +102,7 @@ function movedModel(app: App): Moved | null {
   };
 }
 
-/** What files of the model's motion are called, without an ending; null while there is none. */
+/** The name of the files of the model's motion, without extension; null: there is no motion. */
 function rolledOutName(app: App): string | null {
   const { model, rollout, id } = app.model;
   if (!model || !rollout) return null;

@@ -1,8 +1,8 @@
-// Tables and accounts of what is on the stage, for files. Loaded when the first is asked for.
+// The contents of files about the motion on the stage. Loaded at the first use.
 import type { Figure, JointInfo, ModelView, Motion, Reading, RolloutResult } from "../engine/protocol";
 import { csv } from "../figures/csv";
 
-/** A row a frame: frame, time in seconds, the latents of all parts, and the weights of all experts. */
+/** A row for each frame: frame, time in seconds, the latents of all parts, and the weights of all experts. */
 export function rolloutCsv({ info }: ModelView, { latents, weights, motion }: RolloutResult): string {
   const { parts, frameTime } = info;
   const widths = parts.map(({ latent }) => latent);
@@ -28,8 +28,8 @@ export function rolloutCsv({ info }: ModelView, { latents, weights, motion }: Ro
 }
 
 /**
- * A row a frame: frame, time in seconds, and where each joint and each end of a limb is, in metres for a body
- * 1.7 m tall, y up.
+ * A row for each frame: frame, time in seconds, and the positions of all joints and ends of limbs, in metres
+ * for a body 1.7 m tall, y up.
  */
 export function positionsCsv(
   { figure, joints }: { figure: Figure; joints: readonly Pick<JointInfo, "name">[] },
@@ -52,7 +52,7 @@ export function positionsCsv(
   return csv({ header, rows });
 }
 
-/** How the motion on the stage was made, as JSON: with it and the model's file, anyone can make it again. */
+/** How the motion on the stage was made, as JSON. With the model's file anyone can make the motion again. */
 export function motionAccount(
   { info, sha256 }: ModelView,
   { request }: RolloutResult,

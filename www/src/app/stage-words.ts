@@ -1,25 +1,25 @@
-// What the page says about what is on the stage: its title and text over the figure, and the sentence in the
-// head of the page. All of it is made here, so that the sentences agree with each other.
+// The texts of the page about the stage: title and text over the figure, and the sentence in the header. One
+// file makes all of them, so that they agree.
 import { clipTitle } from "../ui/format";
 
-/** What is on the stage, as far as the words need to know. */
+/** The state of the stage that the texts need. */
 export interface OnStage {
-  /** Null: nothing yet. */
+  /** Null: the stage is empty. */
   kind: "first" | "model" | "clip" | null;
   clip: { title: string; origin: "made" | "own" } | null;
-  /** Names of the sequences that the model was trained on; null without a model. */
+  /** The names of the model's training sequences; null without a model. */
   learnedFrom: readonly string[] | null;
-  /** What an inducing point that is pointed at stands for. */
+  /** The description of the inducing point under the pointer. */
   point: string | null;
-  /** Whether a coupling is not as learned. */
+  /** Whether a coupling is changed. */
   altered: boolean;
-  /** The preset that the couplings are of. */
+  /** The preset of the couplings. */
   preset: { name: string; sentence: string } | null;
-  /** Whether the motion goes on arriving. */
+  /** Whether the motion is live. */
   live: boolean;
-  /** Whether both readings of the couplings are seen side by side. */
+  /** Whether both readings of the couplings are side by side. */
   beside: boolean;
-  /** The training whose model is on the stage; `iteration` is null before the first. */
+  /** The running training whose model is on the stage; `iteration` is null before the first. */
   learning: { iteration: number | null; seed: number | null } | null;
 }
 
@@ -32,7 +32,7 @@ export interface StageWords {
 /** The title of a motion of the model, as learned. */
 export const MODEL_TITLE = "Made by the model";
 
-/** So many clips are named; of more the number is said. */
+/** The most clips that are named; more are counted. */
 const NAMED = 2;
 
 export function stageWords(now: OnStage): StageWords {

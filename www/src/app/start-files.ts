@@ -1,4 +1,4 @@
-// What the page opens with: the first seconds of a walk, and the model that made them.
+// The files that the page opens with: the first seconds of a walk, and the model that made them.
 import { decodeFirstMotion } from "../stage/first-motion.js";
 import type { Shown } from "../stage/stage-store";
 
@@ -7,13 +7,13 @@ async function fetchStartFile(file: string): Promise<Response | null> {
   return answer.ok ? answer : null;
 }
 
-/** The JSON document of the model; null where the host has none. */
+/** The JSON document of the model; null: the host has none. */
 export async function fetchStartModel(): Promise<string | null> {
   const answer = await fetchStartFile("model.json");
   return (await answer?.text()) ?? null;
 }
 
-/** The stored first seconds, which walk until the model is there; null where the host has none. */
+/** The stored first seconds, shown until the model has arrived; null: the host has none. */
 export async function fetchStartMotion(): Promise<Shown | null> {
   const answer = await fetchStartFile("motion.bin");
   if (!answer) return null;

@@ -29,7 +29,7 @@ const file = (name: string, text = "HIERARCHY") => new File([text], name);
 const tickedKeys = () => clips.ticked.map(({ key }) => key);
 
 describe("the clips that come with the page", () => {
-  it("are all there, with the walks ticked", () => {
+  it("are all loaded, with the walks ticked", () => {
     expect(clips.samplesLoaded).toBe(true);
     expect(clips.all.map(({ key, ticked }) => [key, ticked])).toEqual([
       ["made-walk-1", true],
@@ -38,7 +38,7 @@ describe("the clips that come with the page", () => {
     ]);
   });
 
-  it("step back when a visitor opens clips, of which the first is on the stage", async () => {
+  it("are unticked when a visitor opens clips, of which the first goes on the stage", async () => {
     await clips.open(file("mine.bvh"), true);
     await clips.open(file("other.bvh"), false);
     expect(tickedKeys()).toEqual(["own-4", "own-5"]);
@@ -49,7 +49,7 @@ describe("the clips that come with the page", () => {
     expect(stage.clip).toBe("own-4");
   });
 
-  it("are ticked again as before when the last of the visitor's own is removed", async () => {
+  it("are ticked again when the visitor's last own clip is removed", async () => {
     await clips.tick("made-walk-2", false);
     await clips.open(file("mine.bvh"), true);
     await clips.open(file("other.bvh"), false);
@@ -59,7 +59,7 @@ describe("the clips that come with the page", () => {
     expect(tickedKeys()).toEqual(["made-walk-1"]);
   });
 
-  it("stay as they are where a file cannot be read", async () => {
+  it("stay as they are when a file cannot be read", async () => {
     await expect(clips.open(file("empty.bvh", ""), true)).rejects.toThrow("the file is empty");
     expect(tickedKeys()).toEqual(["made-walk-1", "made-walk-2"]);
     expect(stage.clip).toBeNull();
@@ -91,14 +91,14 @@ describe("a clip on the stage", () => {
     expect(clips.parts).toEqual(stage.shown?.parts);
   });
 
-  it("gives the stage back to the model when it is removed, here and in the worker", async () => {
+  it("leaves the stage to the model when it is removed, also from the worker", async () => {
     await clips.remove("own-4");
     expect([stage.clip, stage.shown?.kind]).toEqual([null, "first"]);
     expect([...engine.clips]).toEqual([1, 2, 3]);
     expect(clips.all.map(({ key }) => key)).not.toContain("own-4");
   });
 
-  it("keeps it while another clip is cut or removed", async () => {
+  it("stays there while another clip is cut or removed", async () => {
     await clips.open(file("other.bvh"), false);
     clips.cut("own-5", 0, 20);
     expect(stage.shown?.motion.frames).toBe(60);
@@ -116,7 +116,7 @@ describe("ticked clips that do not go together", () => {
     expect(clips.clash).toBe("");
   });
 
-  it("are judged by the last tick, whichever answer comes last", async () => {
+  it("are judged by the last tick, also when an earlier answer comes later", async () => {
     engine.holding.add("checkTogether");
     void clips.tick("made-wave-1", true);
     void clips.tick("made-wave-1", false);
@@ -135,7 +135,7 @@ describe("clips of one skeleton with other bones", () => {
     await clips.checkClash();
   });
 
-  it("go together with the bones of the first, until they are to have their own", async () => {
+  it("go together with the bones of the first, until each has its own again", async () => {
     expect([clips.clash, clips.bonesClash]).toEqual(["their bones differ", true]);
     await clips.setFirstBones(true);
     expect([clips.clash, clips.bonesClash, clips.firstBones]).toEqual(["", false, true]);
@@ -144,7 +144,7 @@ describe("clips of one skeleton with other bones", () => {
     expect([clips.bonesClash, clips.toTrainOn[1]?.firstBones]).toEqual([true, undefined]);
   });
 
-  it("are told from clips of other joints", async () => {
+  it("differ from clips of other joints", async () => {
     engine.odd.add(1);
     await clips.setFirstBones(true);
     expect([clips.clash, clips.bonesClash]).toEqual(["their bodies differ", false]);

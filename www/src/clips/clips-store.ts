@@ -1,4 +1,4 @@
-// The clips: made by the project or opened by the visitor; ticked, cut and shown on the stage.
+// The clips, made by the project or opened by the visitor: which are ticked, cut and on the stage.
 import type { EngineStore } from "../engine/engine-store";
 import type { Clash, ClipSource, LoadedClip, PartSpec, TrainingClip } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
@@ -7,10 +7,10 @@ import { clipTitle, messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import { partsFor } from "./parts";
 
-/** A larger file is no motion clip; reading it would only fill the memory. */
+/** Bytes. A larger file is no motion clip and would fill the memory. */
 export const LARGEST_FILE = 200e6;
 
-/** A cut clip keeps so many frames. */
+/** The fewest frames of a cut clip. */
 const FEWEST_FRAMES = 10;
 
 export interface ClipEntry {
@@ -27,7 +27,7 @@ export interface ClipEntry {
   end: number;
 }
 
-/** What another visit needs to have a clip again. */
+/** A clip for a later visit. */
 export type StoredClip = Pick<ClipEntry, "key" | "title" | "origin" | "source" | "ticked" | "first" | "end">;
 
 export class ClipsStore extends Store {
@@ -40,7 +40,7 @@ export class ClipsStore extends Store {
   #firstBones = false;
   #locked = false;
   #checks = 0;
-  /** The made clips that were ticked when the visitor's own took their place. */
+  /** The made clips that were unticked when the visitor opened own clips. */
   #steppedBack = new Set<string>();
 
   constructor(engine: EngineStore, settings: SettingsStore, stage: StageStore) {
@@ -68,7 +68,7 @@ export class ClipsStore extends Store {
     return this.#clash?.words ?? "";
   }
 
-  /** Whether only the bones of the ticked clips differ, so that those of the first would do for all. */
+  /** Whether only the bones of the ticked clips differ: all could take those of the first. */
   get bonesClash(): boolean {
     return this.#clash?.bones ?? false;
   }
@@ -88,13 +88,13 @@ export class ClipsStore extends Store {
     return this.#locked;
   }
 
-  /** The parts that the settings ask for, of the ticked clips' skeleton; empty without a ticked clip. */
+  /** The parts of the settings for the ticked clips' skeleton; empty without a ticked clip. */
   get parts(): PartSpec[] {
     const [clip] = this.ticked;
     return clip ? this.#partsOf(clip) : [];
   }
 
-  /** The ticked clips as a worker that trains reads them, with their titles. */
+  /** The ticked clips for a worker that trains, with their titles. */
   get toTrainOn(): (TrainingClip & { title: string })[] {
     return this.ticked.map(({ loaded, title, source, first, end }, place) => ({
       id: loaded.id,
@@ -124,14 +124,14 @@ export class ClipsStore extends Store {
     this.changed();
   }
 
-  /** Opens a motion clip of the visitor's own. The first of several is shown on the stage. */
+  /** Opens a clip of the visitor. The first of several goes on the stage. */
   async open(file: File, first: boolean): Promise<void> {
     const { engine } = this.#engine;
     if (!engine) throw new Error("The page is still getting ready; try again in a moment.");
     const bytes = new Uint8Array(await file.arrayBuffer());
     const title = clipTitle(file.name);
     const loaded = await engine.readClip(title, bytes);
-    // Own clips are what the visitor wants to train on now: the made ones step back.
+    // The visitor wants to train on own clips now, so that the made ones are unticked.
     if (first) {
       for (const { key, origin, ticked } of this.#clips)
         if (origin === "made" && ticked) this.#steppedBack.add(key);
@@ -149,7 +149,7 @@ export class ClipsStore extends Store {
     if (first) this.show(key);
   }
 
-  /** The clips as another visit can take them up. */
+  /** All clips for a later visit. */
   get stored(): StoredClip[] {
     return this.#clips.map(({ key, title, origin, source, ticked, first, end }) => ({
       ...{ key, title, origin, source, ticked, first, end },
@@ -182,7 +182,7 @@ export class ClipsStore extends Store {
   cut(key: string, first: number, end: number): void {
     const clip = this.#find(key);
     if (!clip || !Number.isFinite(first) || !Number.isFinite(end)) {
-      // The fields show again what holds.
+      // The fields show the present values again.
       this.changed();
       return;
     }
@@ -214,7 +214,7 @@ export class ClipsStore extends Store {
     });
   }
 
-  /** Takes other parts over: a preset, or `split` by hand. The clip on the stage shows them. */
+  /** Changes the parts to a preset or to `split` by hand. The clip on the stage shows them. */
   setParts(change: { parts?: string; split?: PartSpec[] }): void {
     this.#settings.change(change);
     if (this.#stage.clip !== null) this.show(this.#stage.clip);
@@ -250,7 +250,7 @@ export class ClipsStore extends Store {
   }
 
   /**
-   * Without any clip of the visitor's own, and none ticked, the made ones are ticked again that were before.
+   * When the last own clip is gone and no clip is ticked, ticks the made clips that own clips had unticked.
    */
   #bringBack(): void {
     if (this.#clips.some(({ origin, ticked }) => origin === "own" || ticked)) return;

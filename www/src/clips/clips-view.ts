@@ -1,4 +1,4 @@
-// The clips: made by the project or opened by the visitor; looked at, ticked, cut.
+// The panel Clips: show, tick and cut clips.
 import { html, nothing } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import type { EngineStore } from "../engine/engine-store";
@@ -17,7 +17,7 @@ export class ClipsView extends View {
   declare engine: EngineStore;
   declare notices: NoticesStore;
   readonly #cutting = new Set<string>();
-  /** Where the clips have a tab of their own there is room for all of them. */
+  /** A tab of its own has space for all clips. */
   readonly #unfolded = matchMedia("(max-width: 1179.98px)").matches;
 
   protected override stores() {
@@ -32,13 +32,13 @@ export class ClipsView extends View {
   #cutField(clip: ClipEntry, side: "first" | "end") {
     const { clips } = this;
     const { key, title, loaded } = clip;
-    // Visitors count frames from 1, and their last is kept.
+    // Visitors count frames from 1, and the last one is included.
     const from = side === "first" ? 1 : 0;
     const change = (event: Event) => {
       const input = event.target as HTMLInputElement;
       const asked: ClipEntry = { ...clip, [side]: input.valueAsNumber - from };
       clips.cut(key, asked.first, asked.end);
-      // A number that stays is not drawn again.
+      // Lit does not draw an unchanged number again.
       const now = clips.all.find((other) => other.key === key) ?? clip;
       input.value = String(now[side] + from);
     };
@@ -87,7 +87,7 @@ export class ClipsView extends View {
       </li>`;
   }
 
-  /** By their keys: what is unfolded in a row stays with its clip. */
+  /** Rows with keys, so that an open row stays with its clip. */
   #rows(clips: readonly ClipEntry[]) {
     return repeat(
       clips,
@@ -96,7 +96,7 @@ export class ClipsView extends View {
     );
   }
 
-  /** Where only the bones differ, what can be done about it; and how to undo it. */
+  /** When only the bones differ: the remedy, and how to undo it. */
   #bones() {
     const { clips } = this;
     const { bonesClash, firstBones, ticked, locked } = clips;

@@ -1,5 +1,4 @@
-// Parts by hand: the joints as a tree, each with the part it belongs to. A change takes the whole branch
-// along.
+// The editor of parts: the joints as a tree, each with its part. A change applies to the whole branch.
 import { html } from "lit";
 import type { PartSpec } from "../engine/protocol";
 import { partOfJoints } from "../scene/part-of-joints";
@@ -22,7 +21,7 @@ export class PartsEditor extends View {
     return [this.settings, this.clips];
   }
 
-  /** Of a link whose split is not valid, the parts that hold in its place. */
+  /** The split of the settings, or the parts in its place when it is invalid. */
   get #split(): PartSpec[] {
     const { split } = this.settings.values;
     return split.length > 0 ? split : this.clips.parts;

@@ -24,7 +24,7 @@ describe("parts", () => {
     expect(partsFor({ joints, presets }, "hand", [])[0]!.name).toBe("body");
   });
 
-  it("by hand name every joint once", () => {
+  it("by hand have every joint once", () => {
     const split = [
       { name: "a", joints: [1, 900] },
       { name: "none", joints: [] },

@@ -1,8 +1,8 @@
-// Which joints make which part: from a preset of the clip's skeleton or from a split by hand.
+// The parts of a skeleton: from a preset of the clip or from a split by hand.
 import type { ClipInfo, JointInfo, PartSpec } from "../engine/protocol";
 import { BY_HAND } from "../settings/settings";
 
-/** The parts for a skeleton: the chosen preset, or the first of its presets when it has no such one. */
+/** The parts of a skeleton: the chosen preset, or its first preset when it has no such one. */
 export function partsFor(
   clip: Pick<ClipInfo, "joints" | "presets">,
   chosen: string,
@@ -13,15 +13,12 @@ export function partsFor(
   return preset?.parts ?? [];
 }
 
-/** A split that names every joint once, in parts that have joints: those that can be trained. */
+/** A split with every joint once and without empty parts, which can be trained. */
 export function completeSplit(joints: Pick<JointInfo, "parent">[], split: PartSpec[]): PartSpec[] {
   return filledSplit(joints, split).filter(({ joints: own }) => own.length > 0);
 }
 
-/**
- * The same with the parts that have no joints: a joint the split leaves out goes with its parent, the root
- * with the first part.
- */
+/** The same with empty parts. A missing joint gets the part of its parent, a missing root the first part. */
 export function filledSplit(joints: Pick<JointInfo, "parent">[], split: PartSpec[]): PartSpec[] {
   const part = new Array<number>(joints.length).fill(-1);
   split.forEach(({ joints: own }, index) => {

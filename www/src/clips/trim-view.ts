@@ -20,7 +20,7 @@ export class TrimView extends View {
     return this.clips.all.find(({ key }) => key === this.stage.clip);
   }
 
-  /** Cuts, and stops at the frame that is now the first or the last, so that it can be seen. */
+  /** Cuts, and shows the frame that is now the first or the last. */
   #cut(event: Event, side: "first" | "end"): void {
     const shown = this.#clip;
     if (!shown) return;
@@ -28,7 +28,7 @@ export class TrimView extends View {
     const asked: ClipEntry = { ...shown, [side]: handle.valueAsNumber };
     this.clips.cut(asked.key, asked.first, asked.end);
     this.playback.scrub(side === "first" ? 0 : this.playback.lastFrame);
-    // Where the handle may not go, it goes back: a place that stays is not drawn again.
+    // A handle beyond its limit goes back; Lit does not draw an unchanged value again.
     handle.value = String((this.#clip ?? shown)[side]);
   }
 

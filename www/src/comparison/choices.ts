@@ -1,4 +1,4 @@
-// What to compare: the models, the trials and their settings.
+// The choices of a comparison: models, trials and settings.
 import { html, nothing } from "lit";
 import type { ClipsStore } from "../clips/clips-store";
 import { type NumberName, settingField } from "../settings/setting-field";
@@ -10,7 +10,7 @@ import { View } from "../ui/view";
 import type { ComparisonStore } from "./comparison-store";
 import { modelStyle } from "../figures/model-style";
 
-/** What each kind of model is, in a line. */
+/** A line about each kind of model. */
 const ABOUT: Record<(typeof MODELS)[number], string> = {
   vcgpdm: "The coupled model of this page",
   vgpdm: "The same, with the whole body as one part",
@@ -39,7 +39,7 @@ export class ComparisonChoices extends View {
     return [this.comparison, this.settings, this.clips];
   }
 
-  /** Makes room for what is found. */
+  /** Folds the choices, to show the results. */
   fold(): void {
     this.unfolded = false;
   }
@@ -129,7 +129,7 @@ export class ComparisonChoices extends View {
       </label>`;
   }
 
-  /** What is missing for the figure of learning time. */
+  /** What the figure of learning time still needs. */
   #growthWords(): string {
     const { outlook } = this.comparison;
     if (!this.settings.values.growth) return "";

@@ -1,4 +1,4 @@
-// What the papers say beside what this comparison finds.
+// The claims of the papers next to the findings of this comparison.
 import { html } from "lit";
 import { FigureElement } from "../figures/figure-element";
 import type { Comparison } from "../engine/whole-protocol";
@@ -27,7 +27,7 @@ export class ClaimsTable extends FigureElement<Comparison> {
   }
 
   protected figure({ claims }: Comparison) {
-    // The roles are said because a narrow page shows the rows as blocks, and then forgets that they are rows.
+    // A narrow page shows the rows as blocks, which then need their roles.
     return html`
       <table class="claims-table" role="table">
         <thead role="rowgroup"><tr role="row"><th scope="col" role="columnheader">The papers say</th><th scope="col" role="columnheader">We find</th><th scope="col" role="columnheader">Holds here</th></tr></thead>

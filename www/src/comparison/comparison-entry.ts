@@ -1,12 +1,11 @@
-// A comparison as this visit knows it: its results, how far its trainings are, and the motions that models
-// predicted.
+// A comparison of this visit: its results, the progress of its trainings, and the predicted motions.
 import type { Evaluated, Job, ResultsView } from "../engine/whole-protocol";
 import { download } from "../ui/download";
 import type { Work } from "../ui/unsaved";
 import type { JobProgress } from "./jobs";
 import type { ComparisonRequest } from "./comparison-request";
 
-/** Motions that are kept: some hundred kilobytes each. */
+/** The most stored motions, of some hundred kilobytes each. */
 const MOST_MOTIONS = 400;
 
 /** World positions of a motion [frames x nodes x 3]. */
@@ -19,28 +18,28 @@ export interface Positions {
 export interface ComparisonEntry {
   /** Null: the results are from a file. */
   readonly request: ComparisonRequest | null;
-  /** Whether they came with the page, and stand there until the visitor has others. */
+  /** Whether the results come with the page; those of the visitor replace them. */
   readonly given: boolean;
-  /** What the trials are called. */
+  /** The names of the trials. */
   readonly titles: readonly string[];
   results: ResultsView;
-  /** The text of the results that is on a disk; empty: none. */
+  /** The text of the results on the visitor's disk; empty: they are on none. */
   onDisk: string;
-  /** What the last press of Compare asked for. */
+  /** The jobs of the last press of Compare. */
   jobs: readonly JobProgress[];
-  /** What models trained on all other trials predict, by the job's id. */
+  /** The predictions of models trained on all other trials, by the job's id. */
   readonly predictions: Map<string, Positions>;
   /** The trials held out, by their number. */
   readonly actual: Map<number, Positions>;
 }
 
-/** The same, for those who only read it. */
+/** A comparison for readers. */
 export type ReadonlyEntry = Readonly<Omit<ComparisonEntry, "predictions" | "actual">> & {
   readonly predictions: ReadonlyMap<string, Positions>;
   readonly actual: ReadonlyMap<number, Positions>;
 };
 
-/** Without a request: from a file. */
+/** Without a request the results are from a file. */
 export function newEntry(
   request: ComparisonRequest | null,
   results: ResultsView,
@@ -59,7 +58,7 @@ export function newEntry(
   };
 }
 
-/** Of results that come with the page. */
+/** The entry of the results that come with the page. */
 export const givenEntry = (results: ResultsView): ComparisonEntry => ({
   ...newEntry(null, results, results.text),
   given: true,
@@ -72,7 +71,7 @@ export function saveResults(entry: ComparisonEntry): void {
   entry.onDisk = text;
 }
 
-/** Results that are on no disk. */
+/** The results as unsaved work; null: they are on a disk. */
 export function workOf(entry: ComparisonEntry | null): Work | null {
   if (!entry || entry.results.finished.length === 0 || entry.results.text === entry.onDisk) return null;
   const { length } = entry.results.finished;
@@ -82,7 +81,7 @@ export function workOf(entry: ComparisonEntry | null): Work | null {
   };
 }
 
-/** Keeps the motions of a job to be shown, if its model was trained on all other trials. */
+/** Stores the motions of a job, if its model was trained on all other trials. */
 export function keepMotions(
   { results, predictions, actual }: ComparisonEntry,
   id: string,

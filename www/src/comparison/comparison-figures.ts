@@ -1,5 +1,5 @@
-// All figures of a comparison: <comparison-figures .comparison=${comparison}>. Files that could not be made
-// are told as `save-failed`, with a SaveFailure.
+// All figures of a comparison: <comparison-figures .comparison=${comparison}>. The event `save-failed`
+// reports a file that could not be made, with a SaveFailure.
 import { html, LitElement } from "lit";
 import "./comparison-figures.css";
 import type { Comparison } from "../engine/whole-protocol";

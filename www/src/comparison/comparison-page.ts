@@ -1,4 +1,4 @@
-// Models compared: what to compare, how far it is, the models side by side, and what came of them.
+// The view Compare models: the choices, the progress, the models side by side, and the results.
 import { html, nothing } from "lit";
 import { type ClipsStore, LARGEST_FILE } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
@@ -22,7 +22,7 @@ import { secondsLeft, share } from "./jobs";
 import { modelStyle } from "../figures/model-style";
 import "./side-by-side";
 
-/** On narrower pages what is found stands below the choices. */
+/** On narrower pages the results are below the choices. */
 const NARROW = "(max-width: 759.98px)";
 
 /** The results that come with the page: all models on ten recorded walks. */
@@ -54,7 +54,7 @@ export class ComparisonPage extends View {
 
   protected override arrived(): void {
     this.whenLeaving(this.comparison.follow());
-    // Nothing is lost where they do not come: the button is still there.
+    // The button remains when the results cannot be loaded.
     void this.comparison.showGiven(recordedWalks).catch(() => {});
     this.listen(window, "online", () => {
       this.#problem = "";
@@ -62,7 +62,7 @@ export class ComparisonPage extends View {
     });
   }
 
-  /** Beside the button: what would happen, what is happening, or how it ended. */
+  /** The status next to the button: the plan, the progress or the end. */
   #status() {
     const { comparison } = this;
     const { status, ending, whyNot, outlook } = comparison;
@@ -88,7 +88,7 @@ export class ComparisonPage extends View {
     return html`${ended}<span>${words}${apart}</span>${wait}`;
   }
 
-  /** Heard by screen readers: the state, not each training. */
+  /** Screen readers read the state, not each training. */
   #announcement(): string {
     const { status, shown, failed, ending } = this.comparison;
     if (status === "running")
@@ -103,7 +103,7 @@ export class ComparisonPage extends View {
     void this.comparison.begin();
   }
 
-  /** Opens results; what is shown stays when they cannot be opened. */
+  /** Opens results. The shown ones stay when that fails. */
   async #open(name: string, text: () => Promise<string>): Promise<void> {
     this.#problem = "";
     try {

@@ -1,4 +1,4 @@
-// What the settings and the ticked clips ask to compare.
+// The request for a comparison, from the settings and the ticked clips.
 import type { ClipsStore } from "../clips/clips-store";
 import type { TrainingClip } from "../engine/protocol";
 import type { ComparisonSettings, Plan } from "../engine/whole-protocol";
@@ -7,7 +7,7 @@ import { seedsFrom } from "../training/runs";
 import type { Body } from "../scene/columns";
 
 export interface ComparisonRequest {
-  /** The same whenever the same clips, parts and frame rate are asked for. */
+  /** Equal for requests with the same clips, parts and frame rate. */
   key: string;
   clips: TrainingClip[];
   titles: string[];

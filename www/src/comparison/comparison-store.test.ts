@@ -53,7 +53,7 @@ beforeEach(() => {
 const states = () => comparison.shown?.jobs.map(({ state }) => state).join(" ");
 const finished = () => comparison.shown?.results.finished.map(({ id }) => id) ?? [];
 
-/** Ends all trainings well, until there is none under way. */
+/** Ends all trainings with success, until none runs. */
 async function endAll(): Promise<void> {
   await settled();
   for (let next = program.evaluations.shift(); next; next = program.evaluations.shift()) {
@@ -69,7 +69,7 @@ async function compare(): Promise<void> {
 }
 
 describe("a comparison", () => {
-  it("holds each trial out in turn, and keeps what came of each training", async () => {
+  it("holds out each trial in turn, and stores the result of each training", async () => {
     await compare();
     expect(comparison.ending).toBe("6 of 6 trainings done.");
     expect(finished()).toHaveLength(6);
@@ -79,7 +79,7 @@ describe("a comparison", () => {
     expect(comparison.ending).toBe("All of this was finished before.");
   });
 
-  it("does as many trainings at once as there are workers, and tells how far they are", async () => {
+  it("runs a training on each worker, and reports the progress", async () => {
     const over = comparison.begin();
     await settled();
     expect(comparison.status).toBe("running");
@@ -91,7 +91,7 @@ describe("a comparison", () => {
     expect(comparison.status).toBe("idle");
   });
 
-  it("keeps what is finished when it is cancelled, and goes on from there", async () => {
+  it("keeps finished trainings when it is cancelled, and continues from there", async () => {
     const over = comparison.begin();
     await settled();
     program.evaluations.shift()?.end(evaluated);
@@ -116,7 +116,7 @@ describe("a comparison", () => {
     expect([comparison.failed, comparison.shown]).toEqual([false, null]);
   });
 
-  it("fails a training alone, and asks for it again the next time", async () => {
+  it("continues when one training fails, and repeats that training the next time", async () => {
     const over = comparison.begin();
     await settled();
     program.evaluations.shift()?.fail(new Error("no period was found"));
@@ -128,7 +128,7 @@ describe("a comparison", () => {
     expect(comparison.ending).toBe("1 of 1 trainings done.");
   });
 
-  it("goes on when a worker that trains dies", async () => {
+  it("continues when a worker dies during a training", async () => {
     const over = comparison.begin();
     await settled();
     program.evaluations.shift()?.die(new Error("out of memory"));
@@ -137,7 +137,7 @@ describe("a comparison", () => {
     expect(comparison.ending).toBe("5 of 6 trainings done, 1 failed.");
   });
 
-  it("loses no outcome to a worker that dies while it adds it", async () => {
+  it("loses no outcome when a worker dies while it adds one", async () => {
     const over = comparison.begin();
     await settled();
     program.failures.push(new Error("the worker stopped"));
@@ -158,7 +158,7 @@ describe("a comparison", () => {
     expect(finished()).toHaveLength(5);
   });
 
-  it("says why the program could not be loaded, and can be begun again", async () => {
+  it("says why the program could not be loaded, and can begin again", async () => {
     program.unreachable = "offline";
     await comparison.begin();
     expect([comparison.failed, comparison.ending, comparison.whyNot]).toEqual([true, "offline", ""]);
@@ -167,7 +167,7 @@ describe("a comparison", () => {
     expect([comparison.failed, comparison.ending]).toEqual([false, "6 of 6 trainings done."]);
   });
 
-  it("is not disturbed by settings that change while it runs", async () => {
+  it("ignores settings that change while it runs", async () => {
     comparison.follow();
     const over = comparison.begin();
     await settled();
@@ -190,7 +190,7 @@ describe("a comparison", () => {
 });
 
 describe("results that come with the page", () => {
-  it("stand there until there are others, and are nobody's work", async () => {
+  it("are shown until there are others, and are no unsaved work", async () => {
     const text = savedResults([clip(8), clip(9)], { parts: clips.parts, framesPerSecond: 30 }, ["tmp"]);
     await comparison.showGiven(async () => text);
     expect([comparison.shown?.given, comparison.ending, comparison.unsaved]).toEqual([true, "", []]);
@@ -204,7 +204,7 @@ describe("results that come with the page", () => {
     expect(comparison.shown).toBe(own);
   });
 
-  it("do not take the place of a comparison that began meanwhile", async () => {
+  it("do not replace a comparison that began meanwhile", async () => {
     let come: (text: string) => void = () => {};
     const given = comparison.showGiven(() => new Promise((done) => (come = done)));
     const over = comparison.begin();
@@ -216,8 +216,8 @@ describe("results that come with the page", () => {
   });
 });
 
-describe("the outlook", () => {
-  it("follows settings and clips while it is asked for", async () => {
+describe("the plan", () => {
+  it("follows settings and clips while somebody listens", async () => {
     const stop = comparison.follow();
     await settled();
     const cost = { words: "At most about 3 min.", absurd: false };
@@ -235,7 +235,7 @@ describe("the outlook", () => {
     expect(program.plans).toBe(asked);
   });
 
-  it("says what is to be done before anything can be compared, and does not ask the program", async () => {
+  it("names what is missing for a comparison, without asking the program", async () => {
     comparison.follow();
     clips.tick(1);
     expect(comparison.whyNot).toMatch(/^Tick at least two clips/);
@@ -248,7 +248,7 @@ describe("the outlook", () => {
     expect([comparison.outlook, program.plans]).toEqual([null, 1]);
   });
 
-  it("hands on why the program refuses a plan", async () => {
+  it("gives the reason when the program refuses it", async () => {
     program.refused = "trials 1 and 2 are the same motion";
     comparison.follow();
     await settled();
@@ -259,14 +259,14 @@ describe("the outlook", () => {
     expect(comparison.whyNot).toBe("");
   });
 
-  it("keeps Compare free where the program could not be loaded", async () => {
+  it("leaves Compare enabled when the program could not be loaded", async () => {
     program.unreachable = "offline";
     comparison.follow();
     await settled();
     expect([comparison.whyNot, comparison.outlook]).toEqual(["", null]);
   });
 
-  it("forgets that the program could not be loaded when the machine is online again", async () => {
+  it("drops the failed load when the machine is online again", async () => {
     program.unreachable = "offline";
     comparison.follow();
     await comparison.begin();
@@ -283,7 +283,7 @@ describe("opened results", () => {
   const saved = () =>
     savedResults(clips.toTrainOn, { parts: clips.parts, framesPerSecond: 30 }, ["tmp", "dmp-rhythmic"]);
 
-  it("are shown without motions, and gone on with on the same clips: only the motions to be shown are made again", async () => {
+  it("have no motions; on the same clips only the motions to show are computed again", async () => {
     comparison.follow();
     await comparison.open(saved());
     await settled();
@@ -295,7 +295,7 @@ describe("opened results", () => {
     expect(comparison.shown?.predictions.size).toBe(6);
   });
 
-  it("of another setting stay apart: what was left half way is gone on with", async () => {
+  it("of another setting stay separate, and an unfinished comparison continues", async () => {
     const over = comparison.begin();
     await settled();
     program.evaluations.shift()?.end(evaluated);
@@ -313,7 +313,7 @@ describe("opened results", () => {
     expect([comparison.ending, finished().length]).toEqual(["5 of 5 trainings done.", 6]);
   });
 
-  it("ask before they take the place of what is on no disk", async () => {
+  it("ask before they replace results that are on no disk", async () => {
     await comparison.open(saved());
     await comparison.open(saved());
     expect(visitor.asked).toEqual([]);
@@ -327,8 +327,8 @@ describe("opened results", () => {
     ]);
     visitor.answer = "discard";
     expect(await comparison.open(saved())).toBe(true);
-    // What an earlier visit has left is on no disk, and nothing else holds it: neither a file nor another
-    // comparison takes its place.
+    // The results of an earlier visit are on no disk: neither a file nor another comparison may replace them
+    // unasked.
     await comparison.open(saved(), false);
     visitor.answer = "keep";
     clips.tick(1, 2);
@@ -338,7 +338,7 @@ describe("opened results", () => {
     expect(comparison.unsaved).toContain(comparison.shown);
   });
 
-  it("are refused while a comparison runs, also when it began meanwhile", async () => {
+  it("are refused while a comparison runs, also one that began meanwhile", async () => {
     const opening = comparison.open(saved());
     const over = comparison.begin();
     await expect(opening).rejects.toThrow("cancel it before opening");
@@ -348,7 +348,7 @@ describe("opened results", () => {
     expect(finished()).toHaveLength(6);
   });
 
-  it("leave what is shown as it is when they cannot be opened", async () => {
+  it("leave the shown results as they are when they cannot be opened", async () => {
     await compare();
     const { shown, ending } = comparison;
     program.failures.push(new Error("expected the results of an evaluation"));

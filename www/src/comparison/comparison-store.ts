@@ -1,5 +1,5 @@
-// The comparison of this visit: what a press of Compare would do, how far its trainings are, its results, and
-// what is looked at.
+// The comparisons of this visit: the plan of a press of Compare, the progress of the trainings, the results,
+// and the visitor's choices.
 import type { ClipsStore } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
@@ -23,47 +23,45 @@ import { costOf, type JobProgress, openJobs, summary, waiting } from "./jobs";
 import { type ComparisonRequest, comparisonRequest } from "./comparison-request";
 import { studyRequestOf } from "./study-request";
 
-/** Comparisons that are kept, so that settings can be changed to and fro. */
+/** The most stored comparisons. They let the visitor change settings and return. */
 const MOST_ENTRIES = 4;
 
-/** The figure of learning time needs models that were trained on so many numbers of trials. */
+/** The figure of learning time needs models trained on at least this many numbers of trials. */
 const NUMBERS_OF_TRIALS = 3;
 
-/** What a press of Compare would do. */
+/** The plan of a press of Compare. */
 export interface Outlook {
-  /** How many trainings the settings ask for. */
+  /** The number of trainings that the settings ask for. */
   asked: number;
-  /** How many of them are not finished. */
+  /** The number of those that are not finished. */
   open: number;
-  /** Whether it would go on with the comparison that is shown. */
+  /** Whether it would continue the shown comparison. */
   goesOn: boolean;
-  /**
-   * Whether models would be trained on so many numbers of trials that the growth of their time can be seen.
-   */
+  /** Whether the trainings would have enough numbers of trials to show the growth of their time. */
   growth: boolean;
-  /** What the trainings that are not finished will cost. */
+  /** The cost of the unfinished trainings. */
   cost: CostWords;
 }
 
-/** What the visitor looks at. */
+/** The visitor's choices for the display. */
 export interface Look {
-  /** The trial held out; 0: the first there is. */
+  /** The held-out trial; 0: the first one. */
   readonly fold: number;
   /** The models; null: the first of each kind. */
   readonly picked: readonly string[] | null;
-  /** Null: as the visitor's system asks. */
+  /** Null: as the visitor's system says. */
   readonly playing: boolean | null;
 }
 
 interface Asked {
   request: ComparisonRequest;
-  /** The comparison that would be gone on with. */
+  /** The comparison that would continue. */
   known: ComparisonEntry | null;
-  /** The known results as they were when this was asked. */
+  /** The results at the time of this request. */
   text: string | null;
 }
 
-/** What it has to know of the other stores. */
+/** The other stores that a comparison needs. */
 export type EngineState = Pick<EngineStore, "state" | "on">;
 export type SettingsNow = Pick<SettingsStore, "values" | "on">;
 export type ClipsNow = Pick<ClipsStore, "ticked" | "toTrainOn" | "parts" | "clash" | "samplesLoaded" | "on">;
@@ -84,9 +82,9 @@ export class ComparisonStore extends Store {
   #look: Look = { fold: 0, picked: null, playing: null };
   #asked: Asked | null = null;
   #planned: { asked: Asked; planned: PlannedComparison } | null = null;
-  /** Why the plan cannot be carried out. */
+  /** Why the plan is impossible. */
   #planProblem = "";
-  /** Outcomes are added one after the other: each goes on with the text of the one before. */
+  /** Outcomes are added one after the other, each to the text of the previous one. */
   #adding: Promise<unknown> = Promise.resolve();
 
   constructor(engine: EngineState, settings: SettingsNow, clips: ClipsNow, whole: WholeWorkers) {
@@ -101,8 +99,7 @@ export class ComparisonStore extends Store {
         return whole.desk.run((worker) => plan(worker, asked));
       },
       (planned, asked) => this.#answered({ asked, planned }, ""),
-      // A program that was not loaded or a worker that died says nothing about the plan: Compare can be
-      // pressed all the same.
+      // A failed load or a dead worker says nothing about the plan, so that Compare stays enabled.
       (problem) => this.#answered(null, isRefusal(problem) ? messageOf(problem) : ""),
     );
   }
@@ -124,12 +121,12 @@ export class ComparisonStore extends Store {
     return this.#ending;
   }
 
-  /** Whether the movements of the comparison that is shown can be made a study. */
+  /** Whether a study can be made of the movements of the shown comparison. */
   get canMakeStudy(): boolean {
     return this.#shown !== null && studyRequestOf(this.#shown) !== null;
   }
 
-  /** The text of a study of these movements. Fails with the reason where there is none. */
+  /** The text of a study of these movements. Fails with the reason when there is none. */
   async makeStudy(): Promise<string> {
     const request = this.#shown && studyRequestOf(this.#shown);
     if (!request) throw new Error("No model was trained here yet.");
@@ -140,7 +137,7 @@ export class ComparisonStore extends Store {
     return this.#failed;
   }
 
-  /** How many jobs are done at once. */
+  /** The number of jobs that run at the same time. */
   get width(): number {
     return this.#width;
   }
@@ -173,7 +170,7 @@ export class ComparisonStore extends Store {
     return this.#planProblem;
   }
 
-  /** What has to be done before there can be a plan. */
+  /** What is missing for a plan. */
   #obstacle(): string {
     const { state } = this.#engine;
     const clips = this.#clips;
@@ -188,7 +185,7 @@ export class ComparisonStore extends Store {
     return models.length === 0 ? "Tick at least one model" : "";
   }
 
-  /** Keeps the outlook in step with settings and clips, until the answer is called. */
+  /** Updates the plan with settings and clips, until the returned function is called. */
   follow(): () => void {
     const stops = [this.#engine, this.#settings, this.#clips].map((store) => store.on(() => this.#ask()));
     this.#ask();
@@ -202,10 +199,7 @@ export class ComparisonStore extends Store {
     this.changed();
   }
 
-  /**
-   * Does all jobs that the settings ask for and that are not finished; what is finished on the same trials is
-   * kept.
-   */
+  /** Does the unfinished jobs that the settings ask for. Finished jobs on the same trials are kept. */
   async begin(): Promise<void> {
     const asked = this.#request();
     if (this.busy || this.whyNot !== "" || !asked) return;
@@ -238,7 +232,7 @@ export class ComparisonStore extends Store {
     this.#askAnew();
   }
 
-  /** The machine is online again: what failed for want of the program may work now, and is no longer true. */
+  /** The machine is online again: drops the failure of loading the program. */
   reconnected(): void {
     if (this.busy) return;
     if (this.#failed) [this.#ending, this.#failed] = ["", false];
@@ -267,8 +261,8 @@ export class ComparisonStore extends Store {
   }
 
   /**
-   * Shows the results that a file holds, from this page or from the terminal, and says whether. What is shown
-   * stays when they cannot be opened, or when the visitor keeps it. `onDisk`: the file is on a disk.
+   * Shows the results of a file, from this page or from the terminal program. Returns false when the visitor
+   * keeps the shown results instead. `onDisk`: the file is on the visitor's disk.
    */
   async open(text: string, onDisk = true): Promise<boolean> {
     this.#refuseWhileBusy();
@@ -281,7 +275,7 @@ export class ComparisonStore extends Store {
     return true;
   }
 
-  /** Shows results that come with the page, if there are no others yet. */
+  /** Shows the results that come with the page, if there are no others yet. */
   async showGiven(text: () => Promise<string>): Promise<void> {
     const isFree = () => this.#shown === null && !this.busy;
     if (!isFree()) return;
@@ -296,7 +290,7 @@ export class ComparisonStore extends Store {
     if (this.busy) throw new Error("A comparison is running: cancel it before opening results.");
   }
 
-  /** What the settings and the ticked clips ask for now. */
+  /** The request of the settings and the ticked clips. */
   #request(): Asked | null {
     const request = comparisonRequest(this.#clips, this.#settings.values);
     if (!request) return null;
@@ -318,7 +312,7 @@ export class ComparisonStore extends Store {
     this.#planning.request(asked);
   }
 
-  /** After the results have changed: what was said about them is out of date. */
+  /** The results have changed, so that the plan is out of date. */
   #askAnew(): void {
     [this.#planned, this.#asked] = [null, null];
     this.#ask();
@@ -331,7 +325,7 @@ export class ComparisonStore extends Store {
     this.changed();
   }
 
-  /** What is shown or kept now, and would be neither. */
+  /** The comparisons that would be neither shown nor stored any more. */
   #lostTo({ request, known }: Asked, { goesOn }: PlannedComparison): ComparisonEntry[] {
     const others = [...this.#entries.values()].filter((entry) => entry.request?.key !== request.key);
     const oldest = others.slice(0, Math.max(0, others.length + 1 - MOST_ENTRIES));
@@ -339,10 +333,7 @@ export class ComparisonStore extends Store {
     return shown?.request === null && !(goesOn && known === shown) ? [...oldest, shown] : oldest;
   }
 
-  /**
-   * Shows the comparison that was asked for: as it was left, with the results of an opened file, or a new
-   * one.
-   */
+  /** Shows the requested comparison: the stored one, one with the results of an opened file, or a new one. */
   #takeUp({ request, known }: Asked, { results, goesOn }: PlannedComparison): ComparisonEntry {
     const own = goesOn && known?.request?.key === request.key ? known : null;
     const entry = own ?? newEntry(request, results, (goesOn && known?.onDisk) || "");
@@ -372,7 +363,7 @@ export class ComparisonStore extends Store {
     try {
       evaluated = await this.#evaluate(request, progress, signal);
     } catch (problem) {
-      // Only what came of a training is a result: one that was stopped or that failed may be asked for again.
+      // A stopped or failed training is no result, so that it can be asked for again.
       return end(signal.aborted ? "cancelled" : "failed", messageOf(problem));
     }
     if (!evaluated) return end("cancelled");
@@ -405,7 +396,7 @@ export class ComparisonStore extends Store {
   #add(entry: ComparisonEntry, { job }: JobProgress, { outcome }: Evaluated): Promise<void> {
     const added = this.#adding.then(async () => {
       const add = () => this.#whole.desk.run((worker) => worker.addOutcome(entry.results.text, job, outcome));
-      // The worker may have died: a fresh one needs nothing but the text.
+      // The worker may have died; a new one needs only the text.
       entry.results = await add().catch(add);
     });
     this.#adding = added.catch(() => {});
@@ -422,7 +413,7 @@ function isSame(a: Asked, b: Asked): boolean {
   return a.known === b.known && a.text === b.text && words(a) === words(b);
 }
 
-/** Whether the program itself says that something cannot be done. */
+/** Whether the library itself refuses, and not the worker or the network. */
 function isRefusal(problem: unknown): boolean {
   return problem instanceof Error && problem.name === "VcgpdmError";
 }

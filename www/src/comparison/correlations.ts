@@ -1,5 +1,4 @@
-// Does a higher bound go with a smaller error (figure 6B of Velychko et al. 2018)? A panel for each model
-// that has a bound.
+// Error over bound, a panel for each model that has a bound (figure 6B of Velychko et al. 2018).
 import { html, nothing, svg } from "lit";
 import { axes, labelsWidth } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
@@ -59,7 +58,7 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
     const { short, units, all } = shortenLabels(points.map(({ label }) => label));
     const note = [units && `Labels: ${units}.`, all && `All with ${all}.`].filter(Boolean).join(" ");
     const widths = short.map((label) => textWidth(label, type));
-    // The outermost points have their labels beside them, too, unless these are long.
+    // The outermost points have short labels at their sides too.
     const x = linearScale(
       points.map(({ bound }) => bound),
       left,

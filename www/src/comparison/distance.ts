@@ -20,9 +20,7 @@ export interface Distances {
 }
 
 const LEAD = 14;
-/**
- * In a narrower figure the lines have the names of their models only; the picture above tells the settings.
- */
+/** In a narrower figure the lines have only the names of their models; the picture above has the settings. */
 const NARROW = 640;
 
 const mean = (values: Float64Array) => values.reduce((sum, value) => sum + value, 0) / values.length;
@@ -54,7 +52,7 @@ export class DistanceFigure extends FigureElement<Distances> {
     };
   }
 
-  /** Moves the line that says where the clock is. */
+  /** Moves the line at the time of the clock. */
   at(frame: number): void {
     const x = String(this.#place(frame));
     const line = this.querySelector(".playhead");

@@ -33,7 +33,7 @@ const summary = (mse: number, error: number, bound: number | null, folds = 3): M
 });
 const [ERROR, BOUND] = MEASURES as [Measure, Measure];
 
-it("says what a rank correlation says", () => {
+it("writes a rank correlation", () => {
   expect(correlationFinding(correlation(-0.9))).toBe(
     "vCGPDM, error against bound: rank correlation −0.90 over 5 settings; a higher bound goes with a smaller error.",
   );
@@ -41,14 +41,14 @@ it("says what a rank correlation says", () => {
   expect(correlationFinding(correlation(-0.2))).toContain("says little");
 });
 
-it("says nothing about a rank correlation that does not exist", () => {
+it("writes nothing for an undefined rank correlation", () => {
   expect(rankWords(correlation(1, 1))).toBe("no rank correlation over 1 setting");
   expect(correlationFinding(correlation(Number.NaN))).toContain(
     "no rank correlation over 5 settings; too few",
   );
 });
 
-it("says how time grows", () => {
+it("writes the growth of time", () => {
   const unknown = { interval: null, trainingExponent: null, trainingInterval: null, converged: null };
   const line = { label: "", points: [], ...unknown };
   expect(
@@ -59,26 +59,26 @@ it("says how time grows", () => {
   ).toContain("vGPDM, exponent 1.01; TMP, no exponent.");
 });
 
-it("says over how many trials means are taken", () => {
+it("writes the number of trials of the means", () => {
   expect(foldWords([summary(1, 1, 1, 1)])).toMatch(/^One trial/);
   expect(foldWords([summary(1, 1, 1, 4), summary(1, 1, 1, 10)])).toContain("over 4 to 10 trials");
 });
 
-it("calls the least error and the greatest bound the best, of what is known", () => {
+it("takes the least error and the greatest bound for the best, of the known ones", () => {
   const models = [summary(0.002, 0, null), summary(0.001, 0, 20), summary(Number.NaN, 0, 30)];
   expect(bestOf(ERROR, models)).toBe(0.001);
   expect(bestOf(BOUND, models)).toBe(30);
   expect(bestOf(BOUND, models.slice(0, 2))).toBeNull();
 });
 
-it("keeps room for all means where an error bar comes near zero", () => {
+it("shows all means when an error bar comes near zero", () => {
   const scale = scaleOf(ERROR, [summary(0.001, 0.00099999, null), summary(0.002, 0.0001, null)], 120);
   expect(scale.low).toBeGreaterThan(0.0001);
   expect(scale.high).toBeGreaterThan(0.03);
   expect([scale.at(0), scale.at(1)]).toEqual([6, 114]);
 });
 
-it("knows when one trial makes most of the error", () => {
+it("recognises when one trial makes most of the error", () => {
   expect(isSkewed(summary(1, 0.1, null))).toBe(false);
   expect(isSkewed({ ...summary(1, 0.1, null), mseMedian: 0.1 })).toBe(true);
 });

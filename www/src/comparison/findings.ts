@@ -1,4 +1,4 @@
-// What the figures find, in words.
+// The findings of the figures as sentences.
 import { modelStyle } from "../figures/model-style";
 import { twoDecimals } from "../figures/numbers";
 import type { Correlation, Growth, ModelSummary } from "../engine/whole-protocol";
@@ -35,7 +35,7 @@ export function growthFinding(growth: readonly Growth[]): string {
   return `Seconds an iteration against frames, both on log scales: ${growth.map((line) => `${modelStyle(line.model).name}, ${exponentWords(line)}`).join("; ")}.`;
 }
 
-/** Over how many trials the means are taken. */
+/** The number of trials of the means. */
 export function foldWords(models: readonly ModelSummary[]): string {
   const folds = models.map((summary) => summary.folds);
   const [least, most] = [Math.min(...folds), Math.max(...folds)];

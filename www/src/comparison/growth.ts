@@ -11,9 +11,9 @@ import { textWidth } from "../figures/text-width";
 import type { Comparison, Growth } from "../engine/whole-protocol";
 
 const MOST = 860;
-/** In a narrower figure names and exponents stand in two lines. */
+/** In a narrower figure names and exponents have two lines. */
 const NARROW = 520;
-/** From the end of the axis to the marks beside the names. */
+/** From the end of the axis to the marks next to the names. */
 const LEAD = 18;
 
 const drawable = ({ points }: Growth) =>
@@ -40,10 +40,7 @@ export class GrowthFigure extends FigureElement<Comparison> {
     };
   }
 
-  /**
-   * A model's points, and at `end` its mark again with name and exponent, where lines that lie on each other
-   * can be told apart.
-   */
+  /** A model's points, and its mark again with name and exponent at `end`, where lines do not overlap. */
   #line(
     { model }: Growth,
     places: readonly (readonly [number, number])[],

@@ -9,33 +9,33 @@ const jobOf = (heldOut: number, trainingTrials: number): Job => ({
   seed: 0,
 });
 
-describe("what is still to be done", () => {
+describe("open jobs", () => {
   const planned = (done: boolean): PlannedJob[] =>
     [1, 2, 3].map((heldOut) => ({ id: `fold ${heldOut}`, job: jobOf(heldOut, 2), done }));
   const folds = (jobs: PlannedJob[]) => jobs.map(({ job }) => job.heldOut);
 
-  it("is all that has no outcome", () => {
+  it("are all without an outcome", () => {
     expect(folds(openJobs(planned(false), new Map()))).toEqual([1, 2, 3]);
     const [first, ...others] = planned(true);
     expect(folds(openJobs([{ ...first!, done: false }, ...others], new Map([["fold 1", {}]])))).toEqual([1]);
   });
 
-  it("is what has no motion to show, too, but only of the first trial", () => {
+  it("are also those without a motion to show, of the first trial only", () => {
     expect(folds(openJobs(planned(true), new Map()))).toEqual([1]);
     expect(folds(openJobs(planned(true), new Map([["fold 1", {}]])))).toEqual([]);
   });
 
-  it("is never a finished training on fewer trials: its motion is not shown", () => {
+  it("are never finished trainings on fewer trials, whose motions are not shown", () => {
     const fewer = { id: "fewer", job: jobOf(1, 1), done: true };
     expect(openJobs([...planned(true), fewer], new Map([["fold 1", {}]]))).toEqual([]);
   });
 
-  it("is nothing where nothing is asked for", () => {
+  it("are none when nothing is asked for", () => {
     expect(openJobs([], new Map())).toEqual([]);
   });
 });
 
-describe("how long a comparison still takes", () => {
+describe("the remaining time of a comparison", () => {
   const progress = (state: JobProgress["state"], fraction = 0, elapsed = 0): JobProgress => ({
     id: "",
     job: jobOf(1, 2),
@@ -45,11 +45,11 @@ describe("how long a comparison still takes", () => {
     why: "",
   });
 
-  it("follows from the jobs that are done or under way", () => {
+  it("follows from finished and running jobs", () => {
     expect(secondsLeft([progress("waiting")], 1)).toBeNull();
     expect(secondsLeft([progress("done", 1, 4), progress("waiting"), progress("waiting")], 1)).toBeCloseTo(8);
     expect(secondsLeft([progress("done", 1, 4), progress("waiting"), progress("waiting")], 2)).toBeCloseTo(4);
-    // One job alone cannot be shared between workers.
+    // Workers cannot share one job.
     expect(secondsLeft([progress("running", 0.25, 4)], 2)).toBeCloseTo(12);
     expect(secondsLeft([progress("done", 1, 4), progress("cancelled", 0.5, 2)], 1)).toBe(0);
   });
@@ -67,7 +67,7 @@ describe("how long a comparison still takes", () => {
     expect(share([progress("failed", 0.2, 1), progress("done", 1, 1)])).toBe(1);
   });
 
-  it("ends in words", () => {
+  it("is followed by a sentence about the end", () => {
     expect(summary([])).toBe("All of this was finished before.");
     expect(summary([progress("done"), progress("failed"), progress("cancelled")])).toBe(
       "1 of 3 trainings done, 1 failed; the others were cancelled.",

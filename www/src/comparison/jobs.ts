@@ -1,8 +1,8 @@
-// How far the trainings of a comparison are. No rendering, no worker.
+// The progress of the trainings of a comparison. No rendering, no worker.
 import type { Job, PlannedComparison, PlannedJob } from "../engine/whole-protocol";
 import { type CostWords, waitWords } from "../training/cost";
 
-/** A job that the last press of Compare asked for. */
+/** A job of the last press of Compare. */
 export interface JobProgress {
   readonly id: string;
   readonly job: Job;
@@ -11,7 +11,7 @@ export interface JobProgress {
   fraction: number;
   /** Seconds of its training so far. */
   elapsed: number;
-  /** Why it failed, in words. */
+  /** Why it failed. */
   why: string;
 }
 
@@ -20,8 +20,8 @@ export function waiting({ id, job }: PlannedJob): JobProgress {
 }
 
 /**
- * The jobs still to be done: those without an outcome, and those of the first trial held out whose prediction
- * is not there to be shown, because the results are from a file.
+ * The open jobs: those without an outcome, and those of the first held-out trial without a motion to show,
+ * because the results are from a file.
  */
 export function openJobs(
   planned: readonly PlannedJob[],
@@ -35,7 +35,7 @@ export function openJobs(
   });
 }
 
-/** What the open ones of planned jobs will cost, so many at once. */
+/** The cost of the open ones of planned jobs on `workers` workers. */
 export function costOf(
   open: readonly PlannedJob[],
   { jobs, costs }: Pick<PlannedComparison, "jobs" | "costs">,
@@ -47,10 +47,7 @@ export function costOf(
   return waitWords({ seconds, bytes }, "Fewer models, trials, seeds or iterations make it shorter.");
 }
 
-/**
- * How much work a job is beside others, roughly; it only serves to say how long the rest takes before any of
- * its kind has run.
- */
+/** The rough work of a job relative to others. It predicts the time before a job of the same kind has run. */
 const WEIGHTS: Record<Job["candidate"]["model"], (trials: number) => number> = {
   vcgpdm: (trials) => 2 * trials,
   vgpdm: (trials) => trials,
@@ -77,11 +74,11 @@ export function share(jobs: readonly JobProgress[]): number {
   return whole > 0 ? sum(jobs, (progress) => weight(progress) * shareOf(progress)) / whole : 0;
 }
 
-/** Seconds that these jobs still take, so many at once; null while it is too early to say. */
+/** The remaining seconds of these jobs on `workers` workers; null: too early to know. */
 export function secondsLeft(jobs: readonly JobProgress[], workers: number): number | null {
   const begun = jobs.filter((progress) => progress.elapsed > 0 && shareOf(progress) > 0.02);
   if (sum(begun, ({ elapsed }) => elapsed) < 1) return null;
-  /** Seconds that a unit of work takes: by what jobs of the same model took, else by all. */
+  /** Seconds for a unit of work, from jobs of the same model or else from all. */
   const rate = ({ job }: JobProgress) => {
     const same = begun.filter((other) => other.job.candidate.model === job.candidate.model);
     const known = same.length > 0 ? same : begun;
@@ -93,7 +90,7 @@ export function secondsLeft(jobs: readonly JobProgress[], workers: number): numb
   return Math.max(rests.reduce((a, b) => a + b, 0) / Math.max(1, workers), ...rests, 0);
 }
 
-/** How a comparison ended, in words. */
+/** How a comparison ended. */
 export function summary(jobs: readonly JobProgress[]): string {
   if (jobs.length === 0) return "All of this was finished before.";
   const count = (state: JobProgress["state"]) => jobs.filter((progress) => progress.state === state).length;

@@ -1,18 +1,18 @@
-// What the table of models compares.
+// The measures in the table of models.
 import { linearScale, logScale, type Scale } from "../figures/scale";
 import type { ModelSummary, Spread } from "../engine/whole-protocol";
 
-/** Pixels kept free at the ends of a scale, so that marks there are whole. */
+/** Free pixels at the ends of a scale, for whole marks. */
 const EDGE = 6;
 
 export interface Measure {
   title: string;
   unit: string;
-  /** Its value of a model; null where the model has none. */
+  /** The value of a model; null: the model has none. */
   spread(summary: ModelSummary): Spread | null;
   scale: "linear" | "log";
   best: "least" | "greatest";
-  /** What the best is called. */
+  /** The word for the best value. */
   word: string;
 }
 
@@ -51,15 +51,11 @@ export function ends({ mean, standardError }: Spread): [number, number] {
 }
 
 /**
- * How far below a mean an error bar may stretch a log scale: one that nearly reaches zero would leave no room
- * for anything else.
+ * The most that an error bar below a mean stretches a log scale; one near zero would fill the whole scale.
  */
 const BELOW = 5;
 
-/**
- * For a drawing of a width: all means with their error bars, and for the error what a prediction that does
- * not move has.
- */
+/** The scale of a drawing: all means with error bars, and for the error also that of a prediction at rest. */
 export function scaleOf(measure: Measure, models: readonly ModelSummary[], width: number): Scale {
   const values = models.flatMap((summary) => {
     const spread = measure.spread(summary);
@@ -76,17 +72,14 @@ export function scaleOf(measure: Measure, models: readonly ModelSummary[], width
   return (measure.scale === "log" ? logScale : linearScale)(values, EDGE, width - EDGE);
 }
 
-/** The best mean; null where fewer than two can be compared. */
+/** The best mean; null with fewer than two. */
 export function bestOf(measure: Measure, models: readonly ModelSummary[]): number | null {
   const means = models.map((summary) => measure.spread(summary)?.mean ?? NaN).filter(Number.isFinite);
   if (means.length < 2) return null;
   return measure.best === "least" ? Math.min(...means) : Math.max(...means);
 }
 
-/**
- * Whether a few trials make most of the error, such as a rollout that goes astray: then the median says more
- * than the mean.
- */
+/** Whether a few trials make most of the error; the median then says more than the mean. */
 export function isSkewed({ mse, mseMedian }: ModelSummary): boolean {
   return mseMedian > 0 && mse.mean > 1.5 * mseMedian;
 }

@@ -13,15 +13,15 @@ import type { Scale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
 import type { Comparison, ModelSummary, Spread } from "../engine/whole-protocol";
 
-/** The drawing in a cell, pixels; as wide as the page lets it. */
+/** The size of the drawing in a cell, in pixels; the page may widen it. */
 const NARROWEST = 112;
 const WIDEST = 230;
-/** Its height, the width of the first column and the room between columns, in the type's size. */
+/** The height, the width of the first column and the gap between columns, in em. */
 const HEIGHT = 1.5;
 const NAMES = 15;
 const BETWEEN = 1.8;
 
-/** The most ticks whose labels stand beside each other; at the ends of the drawing they are moved inwards. */
+/** The most ticks whose labels do not overlap; labels at the ends of the drawing move inwards. */
 function ticksOf(scale: Scale, width: number, type: number) {
   for (let most = 5; most > 1; most--) {
     const ticks = scale.ticks(most).map(({ value, label }) => {
@@ -38,14 +38,14 @@ function ticksOf(scale: Scale, width: number, type: number) {
   return [];
 }
 
-/** Said where some trainings used all their iterations. */
+/** For models of which some trainings used all their iterations. */
 const convergedWords = ({ converged }: ModelSummary) =>
   converged !== null && converged < 1 ? `, ${Math.round(100 * converged)} % converged` : "";
 
-/** Said where it stands for others. */
+/** For a size that represents other sizes. */
 const ofWords = ({ standsFor }: ModelSummary) => (standsFor > 1 ? ` (of ${standsFor} settings)` : "");
 
-/** The error of each part, where there are several. */
+/** The error of each part, for several parts. */
 const ofParts = ({ partErrors }: ModelSummary, parts: readonly string[]) =>
   parts.length > 1 && partErrors.length === parts.length
     ? html`<small class="of-parts">${parts.map((part, k) => `${part}\u00a0${plain(partErrors[k] ?? 0)}`).join(", ")}</small>`
@@ -58,7 +58,7 @@ interface Drawn extends Measure {
   winner: number | null;
 }
 
-/** Of more models one of each size stands for the others, until all are asked for. */
+/** Above this number one size of each model represents the others, until the visitor asks for all. */
 const MOST = 12;
 
 export class ModelsTable extends FigureElement<Comparison> {
@@ -125,7 +125,7 @@ export class ModelsTable extends FigureElement<Comparison> {
     };
   }
 
-  /** The size of the axes' type. */
+  /** The font size of the axes. */
   get #small(): number {
     return 0.86 * this.type;
   }

@@ -16,7 +16,7 @@ const tmp = (heldOut: number): Job => ({
   seed: 0,
 });
 
-/** A comparison of which these jobs are finished, and have predictions unless they are named. */
+/** A comparison with these finished jobs; all but the named ones have predictions. */
 function entryOf(jobs: Job[], without: Job[] = []) {
   const finished = jobs.map((job) => ({
     id: JSON.stringify(job),
@@ -45,24 +45,24 @@ function entryOf(jobs: Job[], without: Job[] = []) {
   return entry;
 }
 
-it("knows the trials of which there are predictions", () => {
+it("lists the trials with predictions", () => {
   const jobs = [tmp(3), tmp(1), tmp(2)];
   expect(foldsOf(entryOf(jobs, jobs.slice(2)))).toEqual([1, 3]);
 });
 
-it("names a model the same in each fold, with what sets it apart", () => {
+it("gives a model the same name in each fold, with its differences from others", () => {
   const entry = entryOf([dmp(10, 1), dmp(10, 2), dmp(20, 1), tmp(1)]);
   const [first, second] = [predictionsOf(entry, 1), predictionsOf(entry, 2)];
   expect(first.map(({ label }) => label)).toEqual(["10 bases", "20 bases", ""]);
   expect(second.map(({ key }) => key)).toEqual([first[0]?.key]);
 });
 
-it("names seeds where there are several", () => {
+it("names seeds when there are several", () => {
   const entry = entryOf([dmp(10, 1, 4), dmp(10, 1, 5)]);
   expect(predictionsOf(entry, 1).map(({ label }) => label)).toEqual(["10 bases, seed 4", "10 bases, seed 5"]);
 });
 
-it("shows the first of each kind until the visitor picks others, four at most", () => {
+it("shows the first of each kind until the visitor chooses others, at most four", () => {
   const all = predictionsOf(entryOf([dmp(10, 1), dmp(20, 1), tmp(1)]), 1);
   const bases = (shown: typeof all) => shown.map(({ label }) => label);
   expect(bases(chosenOf(all, null))).toEqual(["10 bases", ""]);
@@ -71,7 +71,7 @@ it("shows the first of each kind until the visitor picks others, four at most", 
   expect(bases(chosenOf(all, ["no such model"]))).toEqual(["10 bases", ""]);
 });
 
-it("neither takes the last away nor adds a fifth", () => {
+it("neither removes the last nor adds a fifth", () => {
   expect(toggled(["a"], "a")).toEqual(["a"]);
   expect(toggled(["a", "b"], "a")).toEqual(["b"]);
   expect(toggled(["a", "b", "c", "d"], "e")).toEqual(["a", "b", "c", "d"]);

@@ -1,4 +1,4 @@
-// Which predictions can be shown side by side, and which are.
+// The predictions that can be shown side by side, and the chosen ones.
 import type { FinishedJob, Job, ModelSummary } from "../engine/whole-protocol";
 import type { Motion } from "../engine/protocol";
 import type { Positions, ReadonlyEntry } from "./comparison-entry";
@@ -6,17 +6,17 @@ import type { Positions, ReadonlyEntry } from "./comparison-entry";
 /** More columns would be too narrow to see. */
 export const MOST_COLUMNS = 4;
 
-/** What a model predicted of a trial. */
+/** A model's prediction of a trial. */
 export interface Prediction {
-  /** Names the model with its settings and its seed, whichever trial was held out. */
+  /** The key of the model with its settings and seed, the same for all held-out trials. */
   key: string;
   finished: FinishedJob;
   predicted: Positions;
-  /** What sets it apart from the other models of its kind; may be empty. */
+  /** The differences from other models of its kind; may be empty. */
   label: string;
 }
 
-// The program writes all candidates in one way, so that equal ones are equal texts.
+// The program writes equal candidates as equal texts.
 const textOf = (candidate: Job["candidate"]): string => JSON.stringify(candidate);
 
 export function labelOf(
@@ -30,13 +30,13 @@ export function labelOf(
   return [label, severalSeeds ? `seed ${seed}` : ""].filter(Boolean).join(", ");
 }
 
-/** The trials of which there are predictions, by their numbers. */
+/** The numbers of the trials with predictions. */
 export function foldsOf({ results, predictions }: ReadonlyEntry): number[] {
   const known = results.finished.filter(({ id }) => predictions.has(id));
   return [...new Set(known.map(({ job }) => job.heldOut))].sort((a, b) => a - b);
 }
 
-/** The predictions of a trial by models trained on all other trials, in the order of tables. */
+/** The predictions of a trial by models trained on all other trials, in the order of the tables. */
 export function predictionsOf({ results, predictions }: ReadonlyEntry, fold: number): Prediction[] {
   const { finished, comparison } = results;
   return finished.flatMap((known) => {
@@ -48,7 +48,7 @@ export function predictionsOf({ results, predictions }: ReadonlyEntry, fold: num
   });
 }
 
-/** Those that the visitor picked, or else the first of each kind of model. */
+/** The predictions that the visitor has chosen, or else the first of each kind of model. */
 export function chosenOf(predictions: readonly Prediction[], picked: readonly string[] | null): Prediction[] {
   const chosen = picked?.flatMap((key) => predictions.filter((prediction) => prediction.key === key)) ?? [];
   if (chosen.length > 0) return chosen.slice(0, MOST_COLUMNS);
@@ -60,7 +60,7 @@ export function chosenOf(predictions: readonly Prediction[], picked: readonly st
   return [...kinds.values()].slice(0, MOST_COLUMNS);
 }
 
-/** The keys after one was added or taken away; as before when that would leave none, or too many. */
+/** The keys after one was added or removed; unchanged when that would leave none or too many. */
 export function toggled(keys: readonly string[], key: string): readonly string[] {
   const next = keys.includes(key) ? keys.filter((other) => other !== key) : [...keys, key];
   return next.length >= 1 && next.length <= MOST_COLUMNS ? next : keys;

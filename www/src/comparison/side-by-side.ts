@@ -1,5 +1,5 @@
-// Predictions of the same trial side by side, under one clock: which trial, which models, and the clock's
-// controls.
+// Predictions of one trial side by side, with one clock: the choice of the trial and of the models, and the
+// controls of the clock.
 import { html, nothing } from "lit";
 import { plain } from "../figures/numbers";
 import { type ColumnMotion, Columns } from "../scene/columns";
@@ -28,13 +28,13 @@ const modelOf = ({ finished }: Prediction) => finished.job.candidate.model;
 
 export class SideBySide extends View {
   declare comparison: ComparisonStore;
-  /** The whole frame that the controls show, and where the clock was when the columns were last drawn. */
+  /** The frame in the controls, and the time of the last drawing of the columns. */
   #frame = 0;
   #drawnAt = -1;
   readonly #player = new Player();
   #columns: Columns | null = null;
   #problem = "";
-  /** What the columns show now: of which comparison, which trial, which models. */
+  /** The comparison, the trial and the models in the columns now. */
   #loaded: { entry: ReadonlyEntry | null; words: string } = { entry: null, words: "" };
   #distances: Distances | null = null;
 
@@ -75,7 +75,7 @@ export class SideBySide extends View {
     this.#remember();
   }
 
-  /** When the view is opened again it plays, or not, as it was left. */
+  /** The view plays again if it played when it was left. */
   #remember(): void {
     this.comparison.lookAt({ playing: this.#player.playing });
   }
@@ -93,7 +93,7 @@ export class SideBySide extends View {
     return Math.floor(this.#player.frame + 1e-6);
   }
 
-  /** Moves what follows the clock; all else stays as it is drawn. */
+  /** Moves only the elements that follow the clock. */
   #showFrame(): void {
     this.#frame = this.#wholeFrame();
     const [range, clock] = [
@@ -111,7 +111,7 @@ export class SideBySide extends View {
     return `Frame ${this.#frame + 1} of ${this.#player.last + 1}`;
   }
 
-  /** The trial that is looked at, or the first of which there are predictions. */
+  /** The chosen trial, or the first with predictions. */
   #foldNow(folds: readonly number[]): number {
     const { fold } = this.comparison.look;
     return folds.includes(fold) ? fold : (folds[0] ?? 0);
@@ -135,7 +135,7 @@ export class SideBySide extends View {
     if (shown) this.#load(shown);
   }
 
-  /** Gives the columns and the figure below them what is to be shown, if that is not what they show now. */
+  /** Updates the columns and the figure below them, if their content has changed. */
   #load(entry: ReadonlyEntry): void {
     const fold = this.#foldNow(foldsOf(entry));
     const actual = entry.actual.get(fold);

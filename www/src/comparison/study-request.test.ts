@@ -21,7 +21,7 @@ const job = (seed: number, primitives: number): Job => ({
   ...{ candidate: { model: "tmp", primitives }, heldOut: 2, trainingTrials: 1, seed },
 });
 
-it("takes every model that was trained in this visit, with the trial as it was", () => {
+it("has every model that was trained in this visit, and the recorded trial", () => {
   const jobs = [job(0, 3), job(1, 3)];
   const entry = entryOf(jobs, [5, 7]);
   expect(studyRequestOf(entry)).toBe(null);
@@ -36,7 +36,7 @@ it("takes every model that was trained in this visit, with the trial as it was",
   expect(request?.body.id).toBe(1);
 });
 
-it("makes none of results from a file, which hold no movements", () => {
+it("is impossible for results from a file, which have no movements", () => {
   const { results } = entryOf([job(0, 3)], [1]);
   expect(studyRequestOf(newEntry(null, results))).toBe(null);
 });

@@ -1,9 +1,9 @@
-// A study of perceived naturalness from a comparison: its trials, and what the models trained in this visit
-// made of them.
+// The request for a study of perceived naturalness: the trials of a comparison, and the predictions of the
+// models trained in this visit.
 import type { GeneratedMovement, StudyRequest } from "../engine/whole-protocol";
 import type { ReadonlyEntry } from "./comparison-entry";
 
-/** Null where no model was trained in this visit: results from a file hold no movements. */
+/** Null: no model was trained in this visit, and results from a file have no movements. */
 export function studyRequestOf({
   request,
   titles,

@@ -25,15 +25,15 @@ export class AnglesView extends View {
     room: { state: true },
   };
   declare playback: Playback;
-  /** The one on the stage first. */
+  /** The motion on the stage is the first. */
   declare motions: readonly PlottedMotion[];
   declare channels: readonly Channel[];
-  /** A channel's column. */
+  /** The column of the channel. */
   declare chosen: number;
-  /** What lies across: time, the channel's speed, or another channel's column. */
+  /** The horizontal axis: time, the channel's speed, or the column of another channel. */
   declare across: "time" | "speed" | number;
   declare room: number;
-  /** Where the first motion is in each frame, in pixels. */
+  /** The first motion in each frame, in pixels. */
   #places: [number, number][] = [];
 
   constructor() {
@@ -73,12 +73,12 @@ export class AnglesView extends View {
     now.setAttribute("cy", String(place[1]));
   }
 
-  /** What lies across and what goes up in each frame of a motion. */
+  /** The horizontal and the vertical value in each frame of a motion. */
   #courses({ motion }: PlottedMotion): { x: number[] | null; y: number[] } {
     const [channel, other] = [this.channels[this.chosen], this.channels[Number(this.across)]];
     const y = channel ? courseOf(motion, channel) : [];
     if (this.across === "time") return { x: null, y };
-    // A phase plot: where it is lies across, how fast it moves goes up.
+    // A phase plot has the angle across and the speed upwards.
     if (this.across === "speed") return { x: y, y: speedOf(y, motion.frameTime) };
     return { x: other ? courseOf(motion, other) : [], y };
   }
@@ -123,7 +123,7 @@ export class AnglesView extends View {
       y.map((value, t): [number, number] => [right.at(x[t] ?? 0), up.at(value)]),
     );
     this.#places = placed[0] ?? [];
-    // The one on the stage lies above the others.
+    // The motion on the stage is drawn last, above the others.
     return svg`
       <svg width=${this.room} height=${HEIGHT} viewBox="0 0 ${this.room} ${HEIGHT}" role="img" aria-label="${y} against ${x}">
         ${axes(plot, { scale: right, title: x }, upward)}

@@ -18,7 +18,7 @@ it("finds each channel's column and reads its numbers", () => {
   const motion = readMotion(bvh);
   expect(motion.frameTime).toBe(0.5);
   const courses = channels.map((channel) => courseOf(motion, channel));
-  // The second passes 180 degrees and goes on.
+  // The second angle passes 180 degrees.
   expect(courses).toEqual([
     [1, 2, 4],
     [170, 185, 200],
@@ -26,12 +26,12 @@ it("finds each channel's column and reads its numbers", () => {
   ]);
 });
 
-it("knows speeds in the middle and at both ends", () => {
+it("computes speeds in the middle and at both ends", () => {
   expect(speedOf([10, 20, 40], 0.5)).toEqual([20, 30, 40]);
   expect(speedOf([10], 0.5)).toEqual([0]);
 });
 
-it("writes what is plotted: motions of other lengths, with and without a quantity across", () => {
+it("writes motions of different lengths, with and without a horizontal quantity", () => {
   const titles = { x: "knee", y: "hips" };
   expect(plottedCsv(0.5, [{ name: "now", x: null, y: [1, 2] }], titles)).toBe(
     "frame,time (s),now: hips\r\n0,0,1\r\n1,0.5,2\r\n",

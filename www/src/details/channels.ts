@@ -2,7 +2,7 @@
 import type { JointInfo } from "../engine/protocol";
 import { csv } from "../figures/csv";
 
-/** One degree of freedom of a joint: which number of each frame it is. */
+/** A degree of freedom of a joint, with its column in each frame. */
 export interface Channel {
   joint: string;
   channel: string;
@@ -29,7 +29,7 @@ export function readMotion(bvh: string): Recorded {
   return { frameTime: Number(time.split(":")[1]), rows };
 }
 
-/** A channel in every frame. An angle goes on where it passes 180 degrees. */
+/** A channel in every frame. An angle beyond 180 degrees continues without a jump. */
 export function courseOf({ rows }: Recorded, { column, isAngle }: Channel): number[] {
   let before: number | null = null;
   return rows.map((row) => {
@@ -40,10 +40,7 @@ export function courseOf({ rows }: Recorded, { column, isAngle }: Channel): numb
   });
 }
 
-/**
- * Its speed for each second: half the difference of the frames before and after; at the ends, of the frame
- * and its neighbour.
- */
+/** Speeds in units a second: central differences, and one-sided differences at both ends. */
 export function speedOf(course: readonly number[], frameTime: number): number[] {
   const last = course.length - 1;
   return course.map((_, t) => {
@@ -52,7 +49,7 @@ export function speedOf(course: readonly number[], frameTime: number): number[] 
   });
 }
 
-/** What is plotted, as a table for a file: a row a frame, a pair of columns for each motion. */
+/** The plotted values as a table for a file: a row for each frame, two columns for each motion. */
 export function plottedCsv(
   frameTime: number,
   motions: readonly { name: string; x: readonly number[] | null; y: readonly number[] }[],

@@ -1,5 +1,5 @@
-// A closer look, in a dialog: the channels of the motion on the stage, or the kernels of the model. Loaded
-// when it is asked for.
+// A dialog with the channels of the motion on the stage, or with the kernels of the model. Loaded at its
+// first use.
 import { html, render, type TemplateResult } from "lit";
 import type { ModelStore } from "../couplings/model-store";
 import type { Engine, LoadedClip } from "../engine/protocol";
@@ -14,14 +14,13 @@ import { kernelTables } from "./kernels-view";
 
 export type Detail = "angles" | "kernels";
 
-/** What can be looked at. */
+/** The contents of the dialog. */
 export interface Subject {
   engine: Engine;
   model: ModelStore;
   playback: Playback;
   /**
-   * The clip on the stage, its frames from `first` up to, not including, `end`; null: the model's motion is
-   * there.
+   * The clip on the stage with its frames from `first` up to, not including, `end`; null: the model's motion.
    */
   clip: { title: string; loaded: LoadedClip; first: number; end: number } | null;
 }
@@ -39,7 +38,7 @@ async function angles({ engine, model, playback, clip }: Subject): Promise<Templ
 
 const TITLES = { angles: "Joint angles", kernels: "What was learned: kernels" };
 
-/** Opens it within `place`; it goes when it is closed. */
+/** Opens the dialog within `place` and removes it when it is closed. */
 export async function openDetails(what: Detail, subject: Subject, place: HTMLElement): Promise<void> {
   const content =
     what === "angles" ? await angles(subject) : kernelTables(kernelsOf(await subject.engine.modelJson()));

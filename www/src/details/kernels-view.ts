@@ -1,4 +1,4 @@
-// What training has learned besides poses and couplings: kernels, lengthscales and noise, as tables.
+// Tables of the learned kernels, lengthscales and noise.
 import { html } from "lit";
 import "../terms/term";
 import { short } from "../ui/format";
@@ -11,7 +11,7 @@ const named = (name: string, part: number) =>
 const numbers = (values: readonly number[]) => values.map((value) => html`<td>${short(value)}</td>`);
 const lengthscale = html`<pg-term of="lengthscale" text="Lengthscale"></pg-term>`;
 
-/** The dimensions of the widest latent space; parts with fewer leave cells empty. */
+/** The number of dimensions of the widest latent space; parts with fewer have empty cells. */
 const widest = (rows: readonly { lengthscales: readonly number[] }[]) =>
   Math.max(1, ...rows.map(({ lengthscales }) => lengthscales.length));
 const latents = (count: number, index: (q: number) => string) =>
@@ -20,7 +20,7 @@ const latents = (count: number, index: (q: number) => string) =>
 export function kernelTables({ poses, experts, order }: Kernels) {
   const across = widest(poses);
   const inputs = widest(experts);
-  /** Which of the earlier frames an input dimension belongs to, and which dimension of it. */
+  /** The earlier frame of an input dimension, and the dimension in that frame. */
   const history = (q: number) =>
     `${(q % (inputs / order)) + 1}, t−${order - Math.floor((q * order) / inputs)}`;
   const name = (part: number) => poses[part]?.part ?? "";

@@ -21,14 +21,14 @@ export interface ExpertKernel extends Kernel {
 }
 
 export interface Kernels {
-  /** How many earlier frames an expert sees. */
+  /** The number of earlier frames that an expert sees. */
   order: number;
   poses: PoseKernel[];
-  /** Those about the first part first. Their signal variance is 1. */
+  /** The experts about the first part come first. Their signal variance is 1. */
   experts: ExpertKernel[];
 }
 
-/** What a document says of them; its `lambda` are squared lengthscales. */
+/** The fields of a document; its `lambda` are squared lengthscales. */
 interface Document {
   order: number;
   parts: { name: string; lambda: number[]; variance: number; beta: number }[];

@@ -1,5 +1,5 @@
-// The synthetic experiment, step by step: what was made, what the model sees, what training finds, and with
-// how many seeds.
+// The view of the synthetic experiment: the true systems, the data, the findings of training, and those of
+// other seeds.
 import { html, nothing } from "lit";
 import { settingField } from "../settings/setting-field";
 import type { SettingsStore } from "../settings/settings-store";
@@ -32,7 +32,7 @@ export class ExperimentPage extends View {
     this.whenLeaving(this.experiment.follow());
   }
 
-  /** Beside the button: what would happen, what is happening, or how it ended. */
+  /** The status next to the button: the plan, the progress or the end. */
   #status() {
     const { asked, shown, status, busy, width } = this.experiment;
     if (status === "cancelling") return "Stopping";
@@ -53,7 +53,7 @@ export class ExperimentPage extends View {
     return "The seed decides the data and the training.";
   }
 
-  /** Heard by screen readers: the state, not each iteration. */
+  /** Screen readers read the state, not each iteration. */
   #announcement(): string {
     const { asked, runs, shown, status, busy } = this.experiment;
     if (status === "running") return `Training, ${Math.floor(shareOf(asked) * 10) * 10} per cent done`;
@@ -64,7 +64,7 @@ export class ExperimentPage extends View {
       : "";
   }
 
-  /** One button, so that it keeps the focus while what it does changes. */
+  /** One button for both actions, so that it keeps the focus. */
   #button() {
     const store = this.experiment;
     const { busy, status, experiment } = store;

@@ -34,7 +34,7 @@ const states = () => experiments.runs.map(({ seed, state }) => `${seed} ${state}
 const finished = { cancelled: false, reason: null };
 
 describe("the data", () => {
-  it("are drawn when another experiment is looked at, and only then", async () => {
+  it("are drawn when the visitor chooses another experiment, and only then", async () => {
     const stop = experiments.follow();
     await settled();
     expect(program.draws.map(({ request }) => request)).toEqual(seeds(0));
@@ -54,7 +54,7 @@ describe("the data", () => {
     expect(program.draws).toHaveLength(2);
   });
 
-  it("of an older experiment never stand for those of a newer one", async () => {
+  it("of an older experiment never replace those of a newer one", async () => {
     experiments.follow();
     await settled();
     settings.change({ drawn: 1 });
@@ -84,7 +84,7 @@ describe("the data", () => {
 });
 
 describe("a training", () => {
-  it("tells what it finds, and is not done twice", async () => {
+  it("reports its findings, and is not done twice", async () => {
     const over = experiments.train(seeds(0));
     await settled();
     expect(experiments.status).toBe("running");
@@ -98,7 +98,7 @@ describe("a training", () => {
     expect(experiments.open(seeds(0, 1))).toEqual(seeds(1));
   });
 
-  it("keeps its best so far when it is cancelled; those that had not begun are gone", async () => {
+  it("keeps its best model when it is cancelled; trainings that had not begun leave the list", async () => {
     const over = experiments.train(seeds(0, 1, 2, 3));
     await settled();
     expect(states()).toEqual(["0 running", "1 running", "2 waiting", "3 waiting"]);
@@ -114,7 +114,7 @@ describe("a training", () => {
     expect(experiments.open(seeds(0))).toEqual(seeds(0));
   });
 
-  it("fails alone, and can be done again", async () => {
+  it("does not end the others when it fails, and can be repeated", async () => {
     const over = experiments.train(seeds(0, 1));
     await settled();
     program.trainings[0]?.fail(new Error("out of memory"));
@@ -130,7 +130,7 @@ describe("a training", () => {
     expect(states()).toEqual(["1 done", "0 done"]);
   });
 
-  it("goes on when a worker dies", async () => {
+  it("continues when a worker dies", async () => {
     const over = experiments.train(seeds(0, 1, 2));
     await settled();
     program.trainings[0]?.die(new Error("the worker stopped"));

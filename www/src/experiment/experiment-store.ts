@@ -1,4 +1,4 @@
-// The synthetic experiments of this visit: the data of the one that is looked at, and the trainings on them.
+// The synthetic experiments of this visit: the data of the chosen one, and the trainings on them.
 import { Latest } from "../engine/latest";
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { Experiment, SyntheticTruth } from "../engine/whole-protocol";
@@ -16,7 +16,7 @@ export class ExperimentStore extends Store {
   #asked: readonly ExperimentRun[] = [];
   #status: "idle" | "running" | "cancelling" = "idle";
   #problem = "";
-  /** The experiment whose data were asked for last, and the one whose data are there. */
+  /** The experiment whose data were requested last, and the one whose data have arrived. */
   #wanted: Experiment | null = null;
   #drawn: { experiment: Experiment; truth: SyntheticTruth } | null = null;
   #stop = new AbortController();
@@ -45,7 +45,7 @@ export class ExperimentStore extends Store {
     return this.#runs;
   }
 
-  /** The trainings that the last press of a button asked for. */
+  /** The trainings of the last press of a button. */
   get asked(): readonly ExperimentRun[] {
     return this.#asked;
   }
@@ -63,7 +63,7 @@ export class ExperimentStore extends Store {
     return this.#problem;
   }
 
-  /** How many trainings run at once. */
+  /** The number of trainings that run at the same time. */
   get width(): number {
     return this.#width;
   }
@@ -74,24 +74,24 @@ export class ExperimentStore extends Store {
     return { seed, driving };
   }
 
-  /** The training on it; null when there is none. */
+  /** The training on that experiment; null: there is none. */
   get shown(): ExperimentRun | null {
     return this.#find(this.experiment) ?? null;
   }
 
-  /** Its data, and the truth about them; null until they are there. */
+  /** The data of that experiment with the true couplings; null before they arrive. */
   get truth(): SyntheticTruth | null {
     return this.#drawn && isSame(this.#drawn.experiment, this.experiment) ? this.#drawn.truth : null;
   }
 
-  /** Those of these experiments that were not trained to the end. */
+  /** The experiments that were not trained to the end. */
   open(experiments: readonly Experiment[]): Experiment[] {
     return experiments.filter((experiment) => this.#find(experiment)?.state !== "done");
   }
 
   /**
-   * Draws the experiment that the settings name, whenever it is another one, until the answer is called.
-   * Loads the program.
+   * Draws the data of the experiment that the settings name, at each change, until the returned function is
+   * called. Loads the program.
    */
   follow(): () => void {
     const draw = () => {
@@ -108,9 +108,7 @@ export class ExperimentStore extends Store {
     this.changed();
   }
 
-  /**
-   * Trains those of these experiments that were not trained to the end: a training would find the same again.
-   */
+  /** Trains the experiments that were not trained to the end; another training would find the same again. */
   async train(experiments: readonly Experiment[]): Promise<void> {
     const runs = this.open(experiments).map(newRun);
     if (this.busy || runs.length === 0) return;
@@ -124,7 +122,7 @@ export class ExperimentStore extends Store {
     this.changed();
   }
 
-  /** Stops; what is under way keeps its best so far. */
+  /** Stops the trainings, which keep their best models. */
   cancel(): void {
     if (this.#status !== "running") return;
     this.#status = "cancelling";
@@ -136,7 +134,7 @@ export class ExperimentStore extends Store {
     return this.#runs.find((run) => isSame(run, experiment));
   }
 
-  /** Carries one training out. Its failure is its own. */
+  /** Carries out one training. A failure does not end the others. */
   async #carryOut(run: ExperimentRun, signal: AbortSignal): Promise<void> {
     const { seed, driving } = run;
     try {
@@ -158,7 +156,7 @@ export class ExperimentStore extends Store {
       run.state = outcome.cancelled ? "cancelled" : "done";
       run.ending = endingWords(outcome);
     } catch (problem) {
-      // What was cancelled before it began is as if it had not been asked for.
+      // A training that was cancelled before it began leaves the list.
       if (problem === signal.reason) this.#runs = this.#runs.filter((other) => other !== run);
       else [run.state, run.ending] = ["failed", messageOf(problem)];
     }

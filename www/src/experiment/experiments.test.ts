@@ -7,7 +7,7 @@ const RULES = { much: 10, alike: 4 };
 const DRIVEN = { ...RULES, drive: 0.1 };
 const CONTROL = { ...RULES, drive: 0 };
 
-/** Findings with these ratios, right as the program would say. */
+/** Findings with these ratios, judged as the program judges them. */
 function findings(back: number, forth: number, driving = true): SyntheticFindings {
   const forthIsRight = driving ? forth >= 1 / RULES.alike && forth <= RULES.alike : forth >= RULES.much;
   return {
@@ -34,8 +34,8 @@ const ended = (seed: number, more: Partial<ExperimentRun> = {}): ExperimentRun =
   ...more,
 });
 
-describe("the answer in words", () => {
-  it("says what was found", () => {
+describe("the sentences about a result", () => {
+  it("say that the truth was found", () => {
     expect(headline(findings(1800, 2), true)).toMatch(/^Found: part 1 drives part 2/);
     expect(headline(findings(1800, 2000, false), false)).toBe("Found: neither part drives the other.");
     const [back, forth] = readings(findings(1847.7, 2), DRIVEN);
@@ -49,7 +49,7 @@ describe("the answer in words", () => {
     });
   });
 
-  it("says what was missed, and by how much", () => {
+  it("say what was missed, and by how much", () => {
     expect(headline(findings(1800, 4.18), true)).toMatch(/^Missed/);
     expect(readings(findings(1800, 4.18), DRIVEN)[1]).toEqual({
       right: false,
@@ -79,14 +79,14 @@ describe("several trainings", () => {
     ended(6, { state: "failed" }),
   ];
 
-  it("are counted by what was found, not what was stopped or failed", () => {
+  it("are counted without stopped and failed ones", () => {
     expect(tally(runs)).toBe(
       "Found with 1 of 2 seeds. Without driving, found with 1 of 1 seed. 1 stopped early, not counted.",
     );
     expect(tally([])).toBe("");
   });
 
-  it("stand in order: with driving first, then by seed", () => {
+  it("are sorted: with driving first, then by seed", () => {
     expect(inOrder(runs).map(({ seed, driving }) => [seed, driving])).toEqual([
       [3, true],
       [5, true],
@@ -97,20 +97,20 @@ describe("several trainings", () => {
   });
 });
 
-describe("how long it takes", () => {
+describe("the remaining time", () => {
   const running = ended(1, { state: "running", fraction: 0.25, elapsed: 2 });
 
-  it("says nothing before there is something to go by", () => {
+  it("is unknown at the beginning", () => {
     expect(restOf([newRun({ seed: 0, driving: true })], 1)).toBeNull();
   });
 
-  it("takes those that wait to be as long as those under way", () => {
+  it("expects waiting trainings to be as long as running ones", () => {
     expect(restOf([running], 1)).toBeCloseTo(6);
     expect(restOf([running, newRun({ seed: 2, driving: true })], 1)).toBeCloseTo(14);
     expect(restOf([running, newRun({ seed: 2, driving: true })], 2)).toBeCloseTo(8);
   });
 
-  it("counts what ended as done", () => {
+  it("counts ended trainings as done", () => {
     expect(shareOf([running, ended(2), ended(3, { state: "failed", fraction: 0 })])).toBeCloseTo(0.75);
     expect(shareOf([])).toBe(0);
   });

@@ -1,14 +1,14 @@
-// The trainings on synthetic experiments: what they found, in words. No rendering, no worker.
+// Trainings on synthetic experiments and sentences about their findings. No rendering, no worker.
 import type { Experiment, SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
 import type { Course } from "../training/runs";
 import { ratio } from "../figures/numbers";
 
-/** One training on an experiment: asked for, under way or over. */
+/** A training on an experiment that waits, runs or is over. */
 export interface ExperimentRun extends Experiment, Course {
   iteration: number;
-  /** At the best bound so far; null before the first report. */
+  /** The findings at the best bound so far; null before the first report. */
   findings: SyntheticFindings | null;
-  /** How it ended, in words. */
+  /** How it ended. */
   ending: string;
 }
 
@@ -30,16 +30,16 @@ export function newRun({ seed, driving }: Experiment): ExperimentRun {
 
 export const isSame = (a: Experiment, b: Experiment): boolean => a.seed === b.seed && a.driving === b.driving;
 
-/** With driving first, then by seed. */
+/** The order: experiments with driving first, then by seed. */
 export function inOrder(runs: readonly ExperimentRun[]): ExperimentRun[] {
   return [...runs].sort((a, b) => Number(b.driving) - Number(a.driving) || a.seed - b.seed);
 }
 
-/** Whether the couplings say the truth about who drives whom. */
+/** Whether the couplings show the true direction of driving. */
 export const isFound = ({ verdict }: SyntheticFindings): boolean =>
   verdict.backIsRight && verdict.forthIsRight;
 
-/** What the couplings say of each direction, and whether it is true. */
+/** A sentence about the couplings of each direction, and whether it is true. */
 export function readings(
   { verdict }: SyntheticFindings,
   { drive, much, alike }: Pick<SyntheticTruth, "drive" | "much" | "alike">,
@@ -65,7 +65,7 @@ export function readings(
   ];
 }
 
-/** The answer in one sentence. */
+/** The result in one sentence. */
 export function headline(findings: SyntheticFindings, driving: boolean): string {
   if (!isFound(findings)) return "Missed: not all that the couplings say is true.";
   return driving

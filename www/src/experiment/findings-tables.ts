@@ -1,4 +1,4 @@
-// What training found: the couplings as a table, and how well the model explains the data.
+// Tables of the findings: the couplings, and how well the model explains the data.
 import { html, nothing } from "lit";
 import "../terms/term";
 import { grouped, sentence, short, weight } from "../ui/format";
@@ -55,7 +55,7 @@ export function fitTable(run: ExperimentRun | null) {
     </table>`;
 }
 
-/** The answer in words. */
+/** The sentences about the result. */
 export function verdictWords(run: ExperimentRun | null, truth: SyntheticTruth | null) {
   if (run?.state === "failed") return html`<p class="bad">${sentence(`Training failed: ${run.ending}`)}</p>`;
   if (!run?.findings || !truth)

@@ -10,7 +10,7 @@ describe("points of a plane", () => {
     expect(linePath(points, frame)).toBe("M6 50L94 50L50 28L50 72");
   });
 
-  it("that do not move are in the middle, and none make no line", () => {
+  it("at rest are in the middle, and an empty list makes no line", () => {
     expect(linePath([3, 4], frameOf([3, 4], 100))).toBe("M50 50");
     expect(linePath([], frameOf([], 100))).toBe("");
   });

@@ -1,6 +1,6 @@
 // Points as the paths of a drawing.
 
-/** Where points of a plane go in a square drawing of a given side. */
+/** The map from points of a plane to a square drawing. */
 export interface Frame {
   middle: [number, number];
   /** Pixels for one unit. */
@@ -8,10 +8,10 @@ export interface Frame {
   side: number;
 }
 
-/** Share of a drawing that stays free at each edge. */
+/** The free share of a drawing at each edge. */
 const MARGIN = 0.06;
 
-/** The frame in which all points [n x 2], row after row, are seen, with the same scale for both axes. */
+/** The map that shows all points [n x 2], row after row, with one scale for both axes. */
 export function frameOf(points: readonly number[], side: number): Frame {
   const [low, high] = [
     [Infinity, Infinity],
@@ -28,7 +28,7 @@ export function frameOf(points: readonly number[], side: number): Frame {
 
 const tenth = (value: number) => Math.round(10 * value) / 10;
 
-/** Points [n x 2], row after row, as one line; up is up. */
+/** Points [n x 2], row after row, as one line; y points up. */
 export function linePath(points: readonly number[], { middle, scale, side }: Frame): string {
   const steps: string[] = [];
   for (let i = 0; i + 1 < points.length; i += 2) {
@@ -43,18 +43,18 @@ export interface Curves {
   /** All frames [frames x columns], row after row. */
   values: readonly number[];
   columns: number;
-  /** How many of the frames are drawn. */
+  /** The number of drawn frames. */
   frames: number;
   width: number;
   height: number;
 }
 
-/** Each column over time, one under the other, all on the same scale. */
+/** Each column over time, one below the other, all on one scale. */
 export function curvePaths({ values, columns, frames, width, height }: Curves): string[] {
   const shown = values.slice(0, frames * columns);
   const largest = shown.reduce((most, value) => Math.max(most, Math.abs(value)), 0) || 1;
   const row = height / columns;
-  // Curves may reach into their neighbours' rows a little: rarely do both swing far at once.
+  // Curves may overlap their neighbours' rows a little.
   const scale = (0.8 * row) / largest;
   return Array.from({ length: columns }, (_, column) => {
     const steps: string[] = [];

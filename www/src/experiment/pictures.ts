@@ -1,4 +1,4 @@
-// The pictures of an experiment: true and learned latents, and the curves that the model sees.
+// The pictures of an experiment: true and learned latents, and the observed curves.
 import { html, nothing, svg } from "lit";
 import { percent } from "../figures/numbers";
 import { partColour } from "../ui/palette";
@@ -7,10 +7,10 @@ import { curvePaths, frameOf, linePath } from "./paths";
 import { partStyle } from "../ui/styled";
 
 const SIDE = 200;
-/** Frames of the curves: more would be a blur. */
+/** The most frames of the curves; more would blur. */
 export const CURVE_FRAMES = 100;
 
-/** A part's true latents, and the learned ones over them where there are any. */
+/** A part's true latents, and the learned ones above them. */
 export function latentPicture(
   part: number,
   truth: SyntheticTruth | null,
@@ -32,7 +32,7 @@ export function latentPicture(
     </figure>`;
 }
 
-/** What the model sees of a part. */
+/** The observed curves of a part. */
 export function curvesPicture(part: number, truth: SyntheticTruth | null) {
   const [width, height] = [300, 130];
   const paths = truth

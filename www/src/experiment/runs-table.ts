@@ -1,10 +1,10 @@
-// What the training with each seed found, in a table that grows.
+// The table of the findings of each seed.
 import { html, nothing } from "lit";
 import { grouped, short } from "../ui/format";
 import { type ExperimentRun, inOrder, isFound } from "./experiments";
 import { percent, ratio } from "../figures/numbers";
 
-/** Whether the truth was found, or how far training is. */
+/** Whether the truth was found, or the progress of the training. */
 function answer({ state, findings, fraction, seed, ending }: ExperimentRun) {
   switch (state) {
     case "waiting":

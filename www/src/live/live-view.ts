@@ -4,7 +4,7 @@ import type { ModelStore } from "../couplings/model-store";
 import "../latents/push-handle";
 import type { PushPart } from "../latents/push-handle";
 import type { StageView } from "../stage/stage-view";
-import { cleared } from "../ui/canvas";
+import { clearCanvas } from "../ui/canvas";
 import { onThemeChange, partColourNow } from "../ui/palette";
 import { View } from "../ui/view";
 import "./live.css";
@@ -113,7 +113,7 @@ customElements.define("pg-live", LiveView);
 
 /** Draws phase differences above, distances below, and actions as bands and lines behind them. */
 function drawStrip(canvas: HTMLCanvasElement, live: LiveStore, frameTime: number): void {
-  const surface = cleared(canvas);
+  const surface = clearCanvas(canvas);
   if (!surface) return;
   const { draw, width, height } = surface;
   const frames = SHOWN_SECONDS / frameTime;

@@ -1,13 +1,13 @@
-// The equations of the model in MathML, which browsers draw themselves. Constants of the page: no text of a
-// visitor is in them.
+// The equations of the model in MathML, which browsers draw. They are constants: no text of a visitor is in
+// them.
 
 const tag = (name: string, inner: string, attributes = "") => `<${name}${attributes}>${inner}</${name}>`;
 const row = (...parts: string[]) => tag("mrow", parts.join(""));
-/** A letter in italics; several letters stand upright, as names of functions do. */
+/** A letter in italics; several letters are upright, as names of functions are. */
 const id = (name: string) => tag("mi", name);
 const num = (value: string) => tag("mn", value);
 const op = (sign: string) => tag("mo", sign);
-/** Words; a blank at their end is kept only if it does not break. */
+/** Words; only a non-breaking blank survives at their end. */
 const text = (words: string) => tag("mtext", words.replace(/ $/, "\u00a0"));
 const sub = (base: string, below: string) => tag("msub", base + below);
 const sup = (base: string, above: string) => tag("msup", base + above);
@@ -16,7 +16,7 @@ const over = (above: string, below: string) => tag("mfrac", above + below);
 const sum = (index: string) => tag("munder", op("∑") + index);
 const bracket = (sign: string) => tag("mo", sign, ' stretchy="false"');
 const call = (f: string, ...given: string[]) => row(f, bracket("("), given.join(op(",")), bracket(")"));
-/** Browsers set no space beside the name of a function. */
+/** Browsers put no space next to the name of a function. */
 const thin = `<mspace width="0.17em"></mspace>`;
 const log = (of: string) => row(thin, id("log"), op("\u2061"), thin, of);
 const inverse = (matrix: string) => sup(matrix, row(op("−"), num("1")));
@@ -35,12 +35,12 @@ const w = sub(id("w"), ji);
 const f = sup(id("f"), ji);
 const normal = (mean: string, variance: string) => call(id("𝒩"), mean, variance);
 const psi = (index: string) => sub(id("Ψ"), num(index));
-/** Expectation, a bold letter: browsers no longer make letters bold by an attribute. */
+/** Expectation. Browsers no longer make letters bold by an attribute, so that the letter itself is bold. */
 const E = id("𝐄");
 const A = id("A");
 const b = id("b");
 
-/** Between two equations in a line. */
+/** The space between two equations in a line. */
 const apart = `${op(",")}<mspace width="1.2em"></mspace>`;
 
 const math = (...parts: string[]) => `<math display="block">${row(...parts)}</math>`;

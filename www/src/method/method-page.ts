@@ -1,5 +1,5 @@
-// The method: the model in equations, where each symbol is to be seen, the two readings of a coupling, and
-// what to cite.
+// The view of the method: the equations of the model, its symbols, the two readings of a coupling, and the
+// works to cite.
 import { html, LitElement, nothing } from "lit";
 import { unsafeHTML } from "lit/directives/unsafe-html.js";
 import "../terms/term";

@@ -33,11 +33,11 @@ const asCited = (work: Work): Record<string, string> => {
   };
 };
 
-it("says of every work what CITATION.cff says", () => {
+it("the references equal those of CITATION.cff", () => {
   expect(cited()).toEqual([...MODEL_PAPERS, ...FURTHER_WORKS].map(asCited));
 });
 
-it("writes BibTeX and a line for a list", () => {
+it("a reference is written as BibTeX and as a line of a list", () => {
   const [entropy] = MODEL_PAPERS;
   const text = bibtex(entropy!);
   expect(text).toMatch(

@@ -1,5 +1,4 @@
-// The works that the model, and what it is compared with, come from. CITATION.cff says the same for programs;
-// a test holds them equal.
+// The works behind the models. CITATION.cff has the same for programs; a test compares both.
 
 export interface Work {
   /** The key of its BibTeX entry. */
@@ -16,7 +15,7 @@ export interface Work {
   start?: string;
   end?: string;
   doi?: string;
-  /** Of the book that it stands in. */
+  /** The title of the book that contains it. */
   isbn?: string;
 }
 
@@ -24,7 +23,7 @@ const velychko = { family: "Velychko", given: "Dmytro" };
 const knopp = { family: "Knopp", given: "Benjamin" };
 const endres = { family: "Endres", given: "Dominik" };
 
-/** The papers of the model, to be cited with it. */
+/** The papers of the model. */
 export const MODEL_PAPERS: Work[] = [
   {
     key: "velychko2018",
@@ -50,7 +49,7 @@ export const MODEL_PAPERS: Work[] = [
     volume: "10613",
     start: "291",
     end: "299",
-    // That of the volume, which the paper itself names.
+    // The DOI of the volume, which the paper itself names.
     doi: "10.1007/978-3-319-68600-4",
     isbn: "978-3-319-68600-4",
   },
@@ -69,7 +68,7 @@ export const MODEL_PAPERS: Work[] = [
   },
 ];
 
-/** What they rest on. */
+/** The works that these papers build on. */
 export const FURTHER_WORKS: Work[] = [
   {
     key: "velychko2020",

@@ -1,13 +1,10 @@
-// What each symbol of the equations means, and where on the page it is seen or changed.
+// The meaning of each symbol of the equations, and its place on the page.
 import type { SYMBOLS } from "./equations";
 
 export interface SymbolRow {
   symbol: keyof typeof SYMBOLS;
   meaning: string;
-  /**
-   * The name of a place on the page, as the page knows it, and what is to be found there; absent: nothing
-   * shows it.
-   */
+  /** The name of a place on the page and a description of it; absent: no place shows the symbol. */
   place?: string;
   there?: string;
 }

@@ -46,7 +46,9 @@ function participantRow(participant: Participant) {
     </tr>`;
 }
 
-/** One sentence: the counted answers and participants, and how often a generated movement passed for natural. */
+/**
+ * One sentence: the counted answers and participants, and how often a generated movement passed for natural.
+ */
 function countWords({ participants, all, options }: PerceptionResults): string {
   const out = participants.filter(({ excluded }) => excluded).length;
   const counted = participants.length - out;

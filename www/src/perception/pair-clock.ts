@@ -1,5 +1,5 @@
-// The clock of a trial: the cross, then both movements, then nothing. It is asked once for each display frame and
-// measures how long each phase took. No rendering.
+// The clock of a trial: the cross, then both movements, then nothing. It is asked once for each display frame
+// and measures how long each phase took. No rendering.
 
 /** The phase of a trial at a display frame. */
 export type Phase = "cross" | "movement" | "over";
@@ -19,8 +19,8 @@ export interface Shown {
 /** The number of last pictures from which the clock predicts how long the next one takes. */
 const RECENT = 5;
 /**
- * A machine is busy when a picture takes this many display frames. A busy machine draws no picture that might take
- * this many times the remaining time.
+ * A machine is busy when a picture takes this many display frames. A busy machine draws no picture that might
+ * take this many times the remaining time.
  */
 const SLOW = 1.5;
 

@@ -1,5 +1,5 @@
-// The best setting of each model, and the probability that one is better than another (figure 8 of Knopp et al.
-// 2019).
+// The best setting of each model, and the probability that one is better than another (figure 8 of Knopp et
+// al. 2019).
 import { html, svg } from "lit";
 import type { PerceptionResults } from "../engine/whole-protocol";
 import { FigureElement } from "../figures/figure-element";

@@ -1,5 +1,5 @@
-// A simulated participant, to try a study out. It passes every attention check, and takes a movement for natural
-// the more often, the smaller the error of its model is.
+// A simulated participant, to try a study out. It passes every attention check, and takes a movement for
+// natural the more often, the smaller the error of its model is.
 import type { StudyInfo, StudyTrial } from "../engine/whole-protocol";
 import type { Side } from "./trial-view";
 

@@ -30,7 +30,9 @@ export const paragraphsOf = (text: string): string[] =>
     .map((paragraph) => paragraph.trim())
     .filter(Boolean);
 
-/** The steps that remain after a number of trials. A participant who continues reads the instructions again. */
+/**
+ * The steps that remain after a number of trials. A participant who continues reads the instructions again.
+ */
 export function stepsOf(
   { texts, pauseSeconds }: StudyInfo,
   trials: readonly StudyTrial[],

@@ -2,7 +2,7 @@
 import { html } from "lit";
 import type { Motion } from "../engine/protocol";
 import type { Body } from "../scene/columns";
-import { cleared } from "../ui/canvas";
+import { clearCanvas } from "../ui/canvas";
 import { eachFrame } from "../ui/each-frame";
 import { onThemeChange, partColourNow, theme } from "../ui/palette";
 import { View } from "../ui/view";
@@ -49,7 +49,7 @@ export class SmallFigureView extends View {
 
   #draw(): void {
     const canvas = this.querySelector("canvas");
-    const surface = canvas && canvas.clientWidth > 0 ? cleared(canvas) : null;
+    const surface = canvas && canvas.clientWidth > 0 ? clearCanvas(canvas) : null;
     if (!surface || !this.#figure) return;
     this.#drawn = this.#walked;
     const pale = theme().dark ? "#3d444b" : "#d3d5d6";

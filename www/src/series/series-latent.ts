@@ -5,7 +5,7 @@ import { StepBand } from "../latents/prediction-drawing";
 import { type Projection, principalAxes } from "../latents/projection";
 import { onThemeChange, partColour, partColourNow } from "../ui/palette";
 import { partStyle } from "../ui/styled";
-import { cleared } from "../ui/canvas";
+import { clearCanvas } from "../ui/canvas";
 import { View } from "../ui/view";
 import type { SeriesRollout } from "../engine/series-protocol";
 import type { SeriesStore } from "./series-store";
@@ -55,7 +55,7 @@ export class SeriesLatent extends View {
     const { learned, rollout, known, couplings, clock } = this.model;
     const path = rollout?.latents[this.bodyPart];
     const canvas = this.querySelector("canvas");
-    const surface = canvas && canvas.clientWidth > 0 ? cleared(canvas) : null;
+    const surface = canvas && canvas.clientWidth > 0 ? clearCanvas(canvas) : null;
     if (!path || !known || !surface || !this.#projection) return;
     const { settings } = known.info.provenance;
     const { draw, width, height } = surface;

@@ -1,5 +1,5 @@
-// The answers of a graphics Turing test in a database of their own, a record for each row: a tab that is closed
-// loses none.
+// The answers of a graphics Turing test in a database of their own, a record for each row: a tab that is
+// closed loses none.
 import { openDB } from "idb";
 import type { AnswerDatabase, Participation, Row } from "../perception/participation";
 import { type Check, has, isBoolean, isNumber, isText } from "./checks";

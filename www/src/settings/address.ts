@@ -58,7 +58,9 @@ export class Address extends Store {
     setTimeout(() => this.#write(), Math.max(0, this.#written + BETWEEN_WRITES - performance.now()));
   }
 
-  /** Begins a history entry with these settings and writes it at once. The previous entry keeps its address. */
+  /**
+   * Begins a history entry with these settings and writes it at once. The previous entry keeps its address.
+   */
   push(settings: Settings): void {
     this.#write();
     this.#bar.push();

@@ -1,5 +1,5 @@
-// The settings of the page in one table: names, limits and defaults. Writes them to the URL and reads them. A value
-// from the URL passes the same limits as one from a control. No rendering.
+// The settings of the page in one table: names, limits and defaults. Writes them to the URL and reads them. A
+// value from the URL passes the same limits as one from a control. No rendering.
 import { MAX_PARTS } from "../engine/limits";
 import type { PartSpec, Reading } from "../engine/protocol";
 
@@ -162,8 +162,8 @@ const preset: Setting<string> = {
 };
 
 /**
- * The first digits of the SHA-256 of the model's document that the couplings and the start belong to; empty: the
- * link names no model.
+ * The first digits of the SHA-256 of the model's document that the couplings and the start belong to; empty:
+ * the link names no model.
  */
 const model: Setting<string> = {
   key: "model",

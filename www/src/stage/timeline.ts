@@ -2,7 +2,7 @@
 import { html, nothing } from "lit";
 import { SETTINGS } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
-import { cleared } from "../ui/canvas";
+import { clearCanvas } from "../ui/canvas";
 import { icon } from "../ui/icons";
 import { onThemeChange, partColourNow } from "../ui/palette";
 import { View } from "../ui/view";
@@ -112,7 +112,7 @@ customElements.define("pg-timeline", TimelineView);
 
 /** Lights up the frames of an inducing point. */
 function drawMarks(canvas: HTMLCanvasElement, marks: Marks | null): void {
-  const paper = cleared(canvas);
+  const paper = clearCanvas(canvas);
   if (!paper || !marks) return;
   const { draw, height } = paper;
   draw.fillStyle = partColourNow(marks.part);

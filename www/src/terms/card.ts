@@ -1,5 +1,4 @@
-// The card that says what a term means: one for the page, a popover, so that Escape and a click beside it
-// close it.
+// The card that explains a term. The page has one, a popover, which Escape and a click outside close.
 import { showPopoverAt } from "../ui/popover";
 import { TERMS, type TermName } from "./terms";
 
@@ -9,7 +8,7 @@ function made(): HTMLElement {
   const element = document.createElement("div");
   element.className = "term-card";
   element.popover = "auto";
-  // Read out when it opens, because it takes the focus; Escape gives the focus back.
+  // The card takes the focus, so that screen readers read it; Escape gives the focus back.
   element.setAttribute("role", "dialog");
   element.setAttribute("aria-labelledby", "term-title");
   element.setAttribute("aria-describedby", "term-words");
@@ -17,7 +16,7 @@ function made(): HTMLElement {
   return element;
 }
 
-/** Says what a term means, beside the button that asks. */
+/** Explains a term next to the button that was pressed. */
 export function showTerm(name: TermName, asked: HTMLElement): void {
   card ??= made();
   const { title, symbol, words } = TERMS[name];
@@ -42,7 +41,7 @@ export function showTerm(name: TermName, asked: HTMLElement): void {
     asked.dispatchEvent(new CustomEvent("show-method", { bubbles: true }));
   });
   card.replaceChildren(heading, text, more);
-  // What lies outside an open dialog cannot be reached.
+  // Elements outside an open dialog cannot be reached.
   (asked.closest("dialog") ?? document.body).append(card);
   showPopoverAt(card, asked);
   card.focus();

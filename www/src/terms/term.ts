@@ -1,16 +1,16 @@
-// A word of the field that can be asked what it means: with the mouse, by touch and by keyboard. The answers
-// come when the first is asked for.
+// A term of the field with an explanation, by mouse, touch and keyboard. The explanations are loaded at their
+// first use.
 import { html, LitElement, nothing } from "lit";
 import "./term.css";
 import type { TermName } from "./terms";
 
 export class Term extends LitElement {
   static override properties = { of: {}, text: {}, about: {} };
-  /** Which term. */
+  /** The key of the term. */
   declare of: TermName;
-  /** How it is written here. */
+  /** The text on the page. */
   declare text: string;
-  /** Read out in place of a text that says nothing alone, such as a question mark. */
+  /** For screen readers, in place of a text such as a question mark. */
   declare about: string | undefined;
 
   protected override createRenderRoot(): HTMLElement {

@@ -1,5 +1,5 @@
-// Runs that stopped before their bound had settled. The worker that trained a run is reserved, so that the run can
-// continue there.
+// Runs that stopped before their bound had settled. The worker that trained a run is reserved, so that the
+// run can continue there.
 import type { TrainingWorker } from "../engine/whole-workers";
 import type { EngineStore } from "../engine/engine-store";
 import type { Report, TrainedModel, TrainingOutcome } from "../engine/protocol";
@@ -31,7 +31,9 @@ export class PausedRuns {
     return paused !== undefined && (this.#engine.pool?.keeps(paused.worker) ?? false);
   }
 
-  /** Reserves the worker of a run. When all workers are reserved, the run of the lowest bound loses its own. */
+  /**
+   * Reserves the worker of a run. When all workers are reserved, the run of the lowest bound loses its own.
+   */
   keep(run: Run, worker: TrainingWorker, bound: number): void {
     const { pool } = this.#engine;
     if (!pool) return;

@@ -1,4 +1,5 @@
-// Puts models of trainings on the stage one after the other, so that worker and page always hold the same model.
+// Puts models of trainings on the stage one after the other, so that worker and page always hold the same
+// model.
 import type { Keep, ModelStore } from "../couplings/model-store";
 import type { TrainedModel } from "../engine/protocol";
 import { messageOf } from "../ui/format";

@@ -143,8 +143,8 @@ export class TrainingStore extends Store {
   }
 
   /**
-   * Trains from as many seeds as the settings say, and puts the best on the stage. During a session the new runs
-   * join it. For the first caller the promise ends with the session.
+   * Trains from as many seeds as the settings say, and puts the best on the stage. During a session the new
+   * runs join it. For the first caller the promise ends with the session.
    */
   async start(): Promise<void> {
     if (!(await this.#mayTakeStage()) || this.#status === "cancelling" || this.whyNot()) return;
@@ -175,8 +175,8 @@ export class TrainingStore extends Store {
   }
 
   /**
-   * Continues a run in the worker that holds it. Without that worker the run is first trained again up to where
-   * it stopped, with the same bits. Both end like a training that was never stopped.
+   * Continues a run in the worker that holds it. Without that worker the run is first trained again up to
+   * where it stopped, with the same bits. Both end like a training that was never stopped.
    */
   async continue(run: Run): Promise<void> {
     if (!(await this.#mayTakeStage()) || !this.canContinue(run)) return;
@@ -261,8 +261,8 @@ export class TrainingStore extends Store {
   }
 
   /**
-   * Adds runs of an earlier visit before those of this one. Runs that were not over then are cancelled and can
-   * continue. `chosen`: the place of the run whose model goes on the stage; -1: none.
+   * Adds runs of an earlier visit before those of this one. Runs that were not over then are cancelled and
+   * can continue. `chosen`: the place of the run whose model goes on the stage; -1: none.
    */
   async takeUp(runs: readonly Run[], chosen: number): Promise<void> {
     const known = runs.map((run): Run => {
@@ -337,7 +337,9 @@ export class TrainingStore extends Store {
     }, signal);
   }
 
-  /** Carries out one run, from its beginning or from where it stopped. A failure does not end the other runs. */
+  /**
+   * Carries out one run, from its beginning or from where it stopped. A failure does not end the other runs.
+   */
   async #carryOut(
     run: Run,
     signal: AbortSignal,
@@ -411,8 +413,8 @@ export class TrainingStore extends Store {
   }
 
   /**
-   * Keeps the best run, or the one that the visitor chose, on the stage, with a new model about once a second.
-   * Returns whether this run is to send a newer model.
+   * Keeps the best run, or the one that the visitor chose, on the stage, with a new model about once a
+   * second. Returns whether this run is to send a newer model.
    */
   #follow(run: Run): boolean {
     const session = this.#session;
@@ -423,7 +425,9 @@ export class TrainingStore extends Store {
     return false;
   }
 
-  /** The first model of a session takes the stage; later ones keep a clip there, and the visitor's couplings. */
+  /**
+   * The first model of a session takes the stage; later ones keep a clip there, and the visitor's couplings.
+   */
   #stage(run: Run, keep: boolean): Promise<void> {
     this.#session.staged = true;
     this.#look(run);

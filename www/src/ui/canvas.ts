@@ -1,10 +1,10 @@
-// A canvas of the page, as fine as the screen.
+// A canvas with the resolution of the screen.
 
 /**
- * Makes a canvas empty and as large as it stands on the page; null where the browser cannot draw. Two dots a
- * pixel are fine enough.
+ * Clears a canvas and fits it to its size on the page, with at most two dots for a pixel; null: the browser
+ * cannot draw.
  */
-export function cleared(
+export function clearCanvas(
   canvas: HTMLCanvasElement,
 ): { draw: CanvasRenderingContext2D; width: number; height: number } | null {
   const ratio = Math.min(2, devicePixelRatio);

@@ -1,4 +1,4 @@
-// A file that leaves the page, to the visitor's own disk.
+// Saves a file to the visitor's disk.
 export function download(name: string, content: Blob): void {
   const url = URL.createObjectURL(content);
   const link = document.createElement("a");

@@ -1,13 +1,11 @@
-// What is done once a display frame.
+// Work that is done once for each display frame.
 
-/**
- * Seconds that a picture takes at most: after a longer pause of the browser the clock does not go on by more.
- */
+/** The most seconds between two pictures; after a longer pause the clock does not advance by more. */
 export const LONGEST_PICTURE = 0.25;
 
 /**
- * Calls back before each picture with the seconds since the one before, at most `longest`; answers how to
- * stop that.
+ * Calls back before each picture with the seconds since the previous one, at most `longest`. Returns a
+ * function that stops the calls.
  */
 export function eachFrame(work: (seconds: number) => void, longest = LONGEST_PICTURE): () => void {
   let before = performance.now();

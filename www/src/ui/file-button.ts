@@ -4,10 +4,10 @@ import { icon } from "./icons";
 
 export interface FileButton {
   label: string;
-  /** For screen readers: what can be opened. */
+  /** The description for screen readers. */
   meaning: string;
   testId: string;
-  /** Endings and types of the files, as the browser's dialog takes them. */
+  /** Extensions and types of the files, for the browser's dialog. */
   accept: string;
   multiple: boolean;
   disabled: boolean;
@@ -29,7 +29,7 @@ export function fileButton({
         aria-label=${meaning} @change=${(event: Event) => {
           const input = event.target as HTMLInputElement;
           const files = [...(input.files ?? [])];
-          // The same file may be chosen again.
+          // So that the same file can be chosen again.
           input.value = "";
           chosen(files);
         }} />

@@ -18,7 +18,7 @@ it("writes numbers shortly", () => {
   expect([4.4, 80, 7510].map(duration)).toEqual(["4 s", "1 min 20 s", "2 h 5 min"]);
 });
 
-it("rounds the time left, and does not promise one too early", () => {
+it("rounds the remaining time, and says when it is not known yet", () => {
   expect(timeLeft(null)).toBe("estimating the time left");
   expect(timeLeft(0.2)).toBe("at most 1 s left");
   expect(timeLeft(10)).toBe("at most 10 s left");

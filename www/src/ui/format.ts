@@ -1,4 +1,4 @@
-// Numbers and words as the page writes them.
+// Formats numbers and texts for the page.
 
 /** Three significant digits, without an exponent between 0.001 and 10,000. */
 export function short(value: number): string {
@@ -13,17 +13,17 @@ export function weight(value: number): string {
   return value > 0 && value < 0.005 ? "<0.01" : value.toFixed(2);
 }
 
-/** All digits before the point, in groups of three, and so many after it. */
+/** All digits before the point in groups of three, and `decimals` after it. */
 export function grouped(value: number, decimals = 0): string {
   const digits = { minimumFractionDigits: decimals, maximumFractionDigits: decimals };
   const text = value.toLocaleString("en", digits);
   return /^-[0.,]+$/.test(text) ? text.slice(1) : text.replace("-", "\u2212");
 }
 
-/** More decimals than these nobody reads. */
+/** The most decimals on the page. */
 export const MOST_DECIMALS = 8;
 
-/** So many decimals tell each of these numbers as it is. */
+/** The decimals that write each of these numbers exactly. */
 export function decimalsOf(values: readonly number[]): number {
   const own = (value: number) =>
     String(value).includes("e") ? MOST_DECIMALS : (String(value).split(".")[1]?.length ?? 0);
@@ -39,26 +39,26 @@ export function duration(seconds: number): string {
   return whole % 60 === 0 ? minutes : `${minutes} ${whole % 60} s`;
 }
 
-/** Time left, rounded so that it does not flicker; null: not known yet. */
+/** The remaining time, rounded so that it does not flicker; null: not known yet. */
 export function timeLeft(left: number | null, word = "at most"): string {
   if (left === null) return "estimating the time left";
   const step = left > 60 ? 10 : left > 20 ? 5 : 1;
   return `${word} ${duration(Math.max(1, Math.ceil(left / step) * step))} left`;
 }
 
-/** A clip's name without the ending of its file. */
+/** A clip's name without its file extension. */
 export function clipTitle(name: string): string {
   return name.replace(/\.bvh$/i, "");
 }
 
-/** Words from elsewhere as a sentence of their own. */
+/** A text with a capital letter and a full stop. */
 export function sentence(words: string): string {
   const text = words.trim();
   if (text === "") return "";
   return `${text.charAt(0).toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? "" : "."}`;
 }
 
-/** What a caught problem says. */
+/** The message of a caught error. */
 export function messageOf(problem: unknown): string {
   return problem instanceof Error ? problem.message : String(problem);
 }

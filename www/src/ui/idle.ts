@@ -1,7 +1,7 @@
-// Work that can wait until the page has nothing else to do.
+// Work that can wait until the page is idle.
 
 export function whenIdle(work: () => void): void {
-  // Safari does not know it.
+  // Safari has no such function.
   if (typeof requestIdleCallback === "function") requestIdleCallback(work);
   else setTimeout(work, 2000);
 }

@@ -1,4 +1,4 @@
-// What the page tells the visitor about files and failures, until it is dismissed.
+// Notices about files and failures, until the visitor dismisses them.
 import { Store } from "./store";
 
 /** A place on the page, in pixels. */
@@ -16,7 +16,7 @@ export interface Notice {
   at: Place | null;
 }
 
-/** Older notices make room for new ones. */
+/** The most notices; older ones go first. */
 const MOST = 6;
 
 export class NoticesStore extends Store {
@@ -33,12 +33,12 @@ export class NoticesStore extends Store {
     this.changed();
   }
 
-  /** Says in the list of clips what went wrong. */
+  /** Adds an error to the list of clips. */
   addError(title: string, text: string): void {
     this.add({ kind: "error", title, text, at: null });
   }
 
-  /** Says that a piece of the page that is fetched when it is asked for did not come. */
+  /** Adds the error that a part of the page could not be loaded. */
   addNotLoaded(what: string): void {
     this.addError(
       `${what} could not be loaded`,

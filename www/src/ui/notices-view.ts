@@ -1,4 +1,4 @@
-// Words about what went wrong, where it went wrong: at the place of a drop, or in the list of clips.
+// Notices at the place of a drop; those without a place are in the list of clips.
 import { html, type TemplateResult } from "lit";
 import { icon } from "./icons";
 import "./notices.css";

@@ -55,24 +55,19 @@ export function theme(): Theme {
 
 const shadesOf = (part: number): Shades => PARTS[part % PARTS.length] ?? BLUE;
 
-/**
- * The colour of a part as styles have it: it turns dark or light with the page, without being written again.
- */
+/** The colour of a part for styles. It follows the page from light to dark by itself. */
 export function partColour(part: number): string {
   const { light, dark } = shadesOf(part);
   return `light-dark(${light}, ${dark})`;
 }
 
-/**
- * The colour as it is now: canvases, WebGL and files know one only. Who draws with it draws again
- * `onThemeChange`.
- */
+/** The present colour, for canvases, WebGL and files. Drawings with it must be redrawn `onThemeChange`. */
 export function partColourNow(part: number): string {
   const { light, dark } = shadesOf(part);
   return theme().dark ? dark : light;
 }
 
-/** Calls back when the page turns dark or light; answers how to stop that. */
+/** Calls back when the page turns dark or light. Returns a function that stops the calls. */
 export function onThemeChange(listener: () => void): () => void {
   darkScheme?.addEventListener("change", listener);
   return () => darkScheme?.removeEventListener("change", listener);

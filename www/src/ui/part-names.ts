@@ -1,4 +1,4 @@
-// The parts that a visitor makes: a row each, in its colour, with a name of its own; and what is whose.
+// The editor of part names, a row for each part, and the choice of the part of a joint or column.
 import { html, nothing, type TemplateResult } from "lit";
 import { icon } from "./icons";
 import { partColour } from "./palette";
@@ -11,20 +11,20 @@ interface Named {
 export interface PartNames {
   /** Each part's name, and how many joints or columns it has. */
   parts: readonly (Named & { size: number })[];
-  /** What parts are made of. */
+  /** The members of the parts. */
   of: "joints" | "columns";
-  /** No more parts than these. */
+  /** The most parts. */
   most: number;
   disabled: boolean;
   /** Why the last name was refused; empty after the next change. */
   refused: string;
-  /** Gives a part another name, and answers the name that it has now. */
+  /** Renames a part and returns its name now. */
   rename(place: number, text: string): string;
   remove(place: number): void;
   add(): void;
 }
 
-/** Why a part cannot have this name; empty where it can. */
+/** Why a part cannot have this name; empty when it can. */
 export function nameProblem(parts: readonly Named[], place: number, name: string): string {
   if (name === "") return "A part needs a name.";
   return parts.some((other, i) => i !== place && other.name === name)
@@ -32,11 +32,11 @@ export function nameProblem(parts: readonly Named[], place: number, name: string
     : "";
 }
 
-/** With another name for one part. */
+/** The parts with a new name for one of them. */
 export const renamed = <Part extends Named>(parts: readonly Part[], place: number, name: string): Part[] =>
   parts.map((part, i) => (i === place ? { ...part, name } : part));
 
-/** A name for one more part. */
+/** A free name for a new part. */
 export function freeName(parts: readonly Named[]): string {
   for (let i = parts.length + 1; ; i++) {
     const name = `part ${i}`;
@@ -44,10 +44,7 @@ export function freeName(parts: readonly Named[]): string {
   }
 }
 
-/**
- * The colours of parts of these sizes. An empty one is left out of training, and the next has the colour that
- * it would have had.
- */
+/** The colours of parts of these sizes. Empty parts are not trained and take no colour. */
 export function partColours(sizes: readonly number[]): string[] {
   let trained = 0;
   return sizes.map((size) => {
@@ -65,7 +62,7 @@ export function partNames({ parts, of, most, disabled, refused, ...change }: Par
       <input type="text" maxlength="24" aria-label="Name of part ${place + 1}" .value=${name} ?disabled=${disabled}
         @change=${(event: Event) => {
           const input = event.target as HTMLInputElement;
-          // A name that stays is not drawn again.
+          // Lit does not draw an unchanged name again.
           input.value = change.rename(place, input.value);
         }} />
       <button class="round" aria-label="Remove part ${name}" title="Its ${of} go to another" ?disabled=${disabled || parts.length < 2}
@@ -82,15 +79,15 @@ export function partNames({ parts, of, most, disabled, refused, ...change }: Par
 
 export interface Member {
   name: string;
-  /** The place of its part. */
+  /** The index of its part. */
   part: number;
-  /** What its style has besides the colour. */
+  /** More properties of its style. */
   more?: Record<string, number>;
   title?: string;
   move(to: number): void;
 }
 
-/** A joint or a column in the colour of its part, with the choice of another. */
+/** A joint or a column in the colour of its part, with a choice of parts. */
 export const memberRow = (
   { parts, disabled }: Pick<PartNames, "disabled"> & { parts: readonly Named[] },
   colours: readonly string[],

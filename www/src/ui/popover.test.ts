@@ -5,7 +5,7 @@ const phone = { width: 390, height: 600 };
 const box = { width: 300, height: 120 };
 const at = (x: number, y: number) => ({ x, y, width: 40, height: 20 });
 
-it("goes below, or above where there is no room below, and never out of the window", () => {
+it("a popover is below its control, or above it near the lower edge, and always within the window", () => {
   expect(popoverPlace(at(20, 100), box, phone)).toEqual({ left: 20, top: 124 });
   expect(popoverPlace(at(20, 550), box, phone)).toEqual({ left: 20, top: 426 });
   expect(popoverPlace(at(340, 100), box, phone)).toEqual({ left: 82, top: 124 });

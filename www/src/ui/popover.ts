@@ -1,6 +1,6 @@
-// Puts a box that lies over the page beside what it belongs to. CSS can do this only in the newest browsers.
+// Places a popover next to a control. CSS can do this only in the newest browsers.
 
-/** Pixels from the edges of the window, and from what it belongs to. */
+/** Pixels from the edges of the window and from the control. */
 const EDGE = 8;
 const GAP = 4;
 
@@ -9,7 +9,7 @@ export interface Size {
   height: number;
 }
 
-/** Where a box goes: below the anchor, or above where it has more room, and within the window. */
+/** The place of a box: below the anchor, or above it when the box does not fit below, within the window. */
 export function popoverPlace(
   anchor: DOMRectReadOnly | (Size & { x: number; y: number }),
   box: Size,
@@ -24,7 +24,7 @@ export function popoverPlace(
   return { left, top };
 }
 
-/** Shows a popover beside the control that asked for it. */
+/** Shows a popover next to a control. */
 export function showPopoverAt(popover: HTMLElement, anchor: HTMLElement): void {
   popover.showPopover();
   const { left, top } = popoverPlace(anchor.getBoundingClientRect(), popover.getBoundingClientRect(), {

@@ -14,7 +14,7 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-it("tells its listeners until they stop listening", () => {
+it("a store calls its listeners until they stop listening", () => {
   const counter = new Counter();
   const heard: string[] = [];
   const stop = counter.on(() => heard.push("a"));
@@ -25,7 +25,7 @@ it("tells its listeners until they stop listening", () => {
   expect(heard.join("")).toBe("abb");
 });
 
-it("tells of many changes in quick succession once in 100 ms", () => {
+it("a store reports quick changes once in 100 ms", () => {
   vi.useFakeTimers();
   const counter = new Counter();
   const listener = vi.fn();

@@ -1,14 +1,14 @@
-// What the page knows about one subject. Only the store's own methods change it; views and other stores
+// The state of one subject of the page. Only the store's own methods change it; views and other stores
 // listen.
 
-/** Milliseconds between two redraws of what workers report, however many of them work. */
+/** Milliseconds between two redraws of workers' reports. */
 const SOON = 100;
 
 export abstract class Store {
   readonly #listeners = new Set<() => void>();
   #waiting = false;
 
-  /** Calls back after each change; answers how to stop that. */
+  /** Calls back after each change. Returns a function that stops the calls. */
   on(listener: () => void): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
@@ -19,7 +19,7 @@ export abstract class Store {
     for (const listener of [...this.#listeners]) listener();
   }
 
-  /** The same, at most every 100 ms: workers report more often than is worth a redraw. */
+  /** The same at most every 100 ms, because workers report often. */
   protected changedSoon(): void {
     if (this.#waiting) return;
     this.#waiting = true;

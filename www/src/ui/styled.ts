@@ -1,5 +1,5 @@
-// Style properties of an element in a template. Not as an attribute, as lit's own styleMap begins: a strict
-// content security policy forbids style attributes.
+// Style properties of an element in a template. Lit's own styleMap writes a style attribute, which the
+// content security policy forbids.
 import { noChange } from "lit";
 import { type AttributePart, Directive, directive } from "lit/directive.js";
 
@@ -21,8 +21,10 @@ class Styled extends Directive {
   }
 }
 
-/** `style=${styled({ "--at": 0.5, left: "3px" })}`: custom properties, or CSS names as a style sheet has them. */
+/**
+ * `style=${styled({ "--at": 0.5, left: "3px" })}`: custom properties, or CSS names as a style sheet has them.
+ */
 export const styled = directive(Styled);
 
-/** In the colour of a part, with more properties if there are some. */
+/** The colour of a part and more properties. */
 export const partStyle = (colour: string, more: Properties = {}) => styled({ "--part": colour, ...more });

@@ -12,7 +12,7 @@ beforeEach(() => {
 });
 
 describe("work that is not saved", () => {
-  it("is asked about; where there is none nobody is asked", async () => {
+  it("is asked about; without such work there is no question", async () => {
     expect(await mayLose()).toBe(true);
     expect(await mayLose(null, null)).toBe(true);
     expect(visitor.asked).toEqual([]);
@@ -20,16 +20,16 @@ describe("work that is not saved", () => {
     expect(visitor.asked).toEqual(["Not saved: a model, and a study. What comes now takes their place."]);
   });
 
-  it("is lost where the visitor says so, after it was saved where the visitor wants that", async () => {
+  it("is discarded or saved as the visitor says", async () => {
     visitor.arrives("discard");
     expect([await mayLose(work("a model")), saved]).toEqual([true, []]);
     visitor.arrives("save");
     expect([await mayLose(work("a model"), work("a study")), saved]).toEqual([true, ["a model", "a study"]]);
   });
 
-  it("stays where it cannot be saved", async () => {
+  it("stays when it cannot be saved", async () => {
     visitor.arrives("save");
-    const full = { what: "a model", save: () => Promise.reject(new Error("no room")) };
-    await expect(mayLose(full)).rejects.toThrow("no room");
+    const full = { what: "a model", save: () => Promise.reject(new Error("the disk is full")) };
+    await expect(mayLose(full)).rejects.toThrow("the disk is full");
   });
 });

@@ -1,5 +1,5 @@
-// The base of all components: redraws when one of its stores changes. Light DOM, so that the page has one
-// stylesheet.
+// The base of all components: redraws when one of its stores changes. It has no shadow DOM, so that the
+// styles of the page apply.
 import { LitElement } from "lit";
 import type { Store } from "./store";
 
@@ -9,10 +9,10 @@ export abstract class View extends LitElement {
   /** The stores whose changes redraw this view. */
   protected abstract stores(): readonly Store[];
 
-  /** The view is drawn and on the page: here it begins to listen to anything but its stores. */
+  /** The view is drawn and on the page. Subclasses begin to listen here. */
   protected arrived(): void {}
 
-  /** Does this when the view leaves the page. */
+  /** Calls back when the view leaves the page. */
   protected whenLeaving(stop: () => void): void {
     this.#leaving.push(stop);
   }
