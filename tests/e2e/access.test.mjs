@@ -1,4 +1,4 @@
-// Everybody gets in: by keyboard alone, with a screen reader, in the dark, on a phone.
+// Accessibility: keyboard alone, screen readers, dark colours, phones.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { barriers, keepsNobodyOut, LONG, openSite, ready, recolour } from "./site.mjs";
@@ -23,7 +23,7 @@ describe("accessibility", () => {
     },
   );
 
-  it("reaches and works the main controls by keyboard alone", async () => {
+  it("lets the keyboard alone reach and use the main controls", async () => {
     const { page, problems, leave } = await site.visit({
       moving: true,
       settings: `trainings=1&${LONG}`,
@@ -66,7 +66,7 @@ describe("accessibility", () => {
   });
 });
 
-/** What is seen in the colour of a part, as soon as it stays so. */
+/** The colours of everything in the colour of a part, once they no longer change. */
 async function partColours(/** @type {Page} */ page) {
   for (let i = 0, before = ""; i < 20; i++) {
     const colours = await coloursNow(page);
@@ -74,10 +74,10 @@ async function partColours(/** @type {Page} */ page) {
     before = colours.join();
     await page.waitForTimeout(250);
   }
-  assert.fail("it does not come to rest");
+  assert.fail("the colours keep changing");
 }
 
-/** Of elements their colours, of canvases the picture. */
+/** The colours of elements, and the pictures of canvases. */
 const coloursNow = (/** @type {Page} */ page) =>
   page.evaluate(() => {
     const inColour = [...document.querySelectorAll("*")].filter(
@@ -95,15 +95,15 @@ const coloursNow = (/** @type {Page} */ page) =>
       });
   });
 
-describe("a system that turns dark while the page is open", () => {
-  // Settings, and what comes last.
+describe("a system that switches to dark while the page is open", () => {
+  // Settings, and the element that appears last.
   const VIEWS = /** @type {const} */ ([
     ["", ".arrow .line"],
     ["view=primitives", "pg-walk .map-bone"],
     ["view=synthetic", ".curves-picture path"],
   ]);
   for (const [settings, last] of VIEWS) {
-    it(`leaves no colour of the light page behind: ${settings || "the first view"}`, async () => {
+    it(`changes all colours: ${settings || "the first view"}`, async () => {
       const { page, problems, leave } = await site.visit({ settings, colorScheme: "light" });
       const arrive = async () => {
         await page.locator(last).first().waitFor({ state: "attached" });
@@ -118,7 +118,7 @@ describe("a system that turns dark while the page is open", () => {
       await page.reload();
       await arrive();
       await recolour(page, "dark");
-      assert.deepEqual(turned, await partColours(page), "as on a page that was opened in the dark");
+      assert.deepEqual(turned, await partColours(page), "as on a page opened in the dark");
       assert.deepEqual(problems, []);
       await leave();
     });
@@ -126,7 +126,7 @@ describe("a system that turns dark while the page is open", () => {
 });
 
 describe("a phone", () => {
-  it("shows everything without scrolling sideways", async () => {
+  it("shows all tabs without scrolling sideways", async () => {
     const { page, problems, leave } = await site.visit({
       viewport: { width: 390, height: 844 },
       hasTouch: true,
@@ -146,7 +146,7 @@ describe("a phone", () => {
       `stage ${JSON.stringify(stage)}`,
     );
     const length = page.getByTestId("length");
-    assert.equal(await length.inputValue(), "10", "it says how long the motion is");
+    assert.equal(await length.inputValue(), "10", "the length of the motion");
     const box = await length.boundingBox();
     assert.ok(box && box.x + box.width <= 390);
     assert.deepEqual(problems, []);

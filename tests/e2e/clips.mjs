@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { Clip } from "../../crate/wasm/pkg/node/vcgpdm.js";
 
-/** A clip as a visitor may bring it; another number, another movement. */
+/** The file of a visitor's clip; each number gives another movement. */
 export function bvh(number = 0) {
   const wave = Clip.samples().filter(({ movement }) => movement !== "walk")[number];
   assert.ok(wave);

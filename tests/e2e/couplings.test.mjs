@@ -1,4 +1,5 @@
-// The couplings panel: presets do what they say, sliders and bars move, both readings stand side by side.
+// The couplings panel: presets do what their sentences say, sliders and bars move, both readings appear side
+// by side.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
@@ -22,7 +23,7 @@ before(async () => {
 });
 after(() => site?.close());
 
-/** What the page says that it measured, when it is about the motion now. */
+/** The measures on the page, once they belong to the present motion. */
 async function measured(/** @type {Page} */ page) {
   const words = page.locator("[data-testid=measured][data-current=yes]");
   await words.waitFor();
@@ -37,15 +38,15 @@ async function measured(/** @type {Page} */ page) {
   };
 }
 
-/** Whether the words on the page are what a claim says. */
-function holds(/** @type {Claim} */ claim, /** @type {Awaited<ReturnType<typeof measured>>} */ said) {
+/** Whether the measures on the page agree with a claim. */
+function holds(/** @type {Claim} */ claim, /** @type {Awaited<ReturnType<typeof measured>>} */ found) {
   const { from = Number.NaN, to = Number.NaN } = claim;
   const within = (/** @type {number} */ value) => value >= from && value <= to;
-  const words = said.parts[PARTS.indexOf(claim.part ?? "")] ?? "";
-  const still = said.trouble.startsWith("stands still");
+  const words = found.parts[PARTS.indexOf(claim.part ?? "")] ?? "";
+  const still = found.trouble.startsWith("stands still");
   switch (claim.what) {
     case "health":
-      return claim.is === "moves on" ? said.trouble === "" : said.trouble.startsWith(claim.is ?? "?");
+      return claim.is === "moves on" ? found.trouble === "" : found.trouble.startsWith(claim.is ?? "?");
     case "swing":
       return within(still ? 0 : Number(/([\d.]+) × as far/.exec(words)?.[1]));
     case "period": {
@@ -53,9 +54,9 @@ function holds(/** @type {Claim} */ claim, /** @type {Awaited<ReturnType<typeof 
       return within(Number(now) / Number(learned));
     }
     case "locking":
-      return said.step.startsWith(from >= 0.95 ? "hands and feet in step" : "hands and feet out of step");
+      return found.step.startsWith(from >= 0.95 ? "hands and feet in step" : "hands and feet out of step");
     case "walkingSpeed":
-      return still || within(Number(/walks ([\d.]+) × as fast/.exec(said.step)?.[1]));
+      return still || within(Number(/walks ([\d.]+) × as fast/.exec(found.step)?.[1]));
     default:
       return false;
   }
@@ -74,7 +75,7 @@ async function alphasOf(/** @type {Page} */ page) {
 describe("a preset", () => {
   const visitor = oneVisitor(() => readyVisitor(site.visit()));
 
-  it("of the first model does what its sentence says, measured on the motion that it makes", async () => {
+  it("of the first model does what its sentence says, by measures of its motion", async () => {
     const { page } = visitor;
     assert.equal(await page.getByTestId("preset-as-learned").getAttribute("aria-pressed"), "true");
     for (const preset of presets) {
@@ -83,23 +84,23 @@ describe("a preset", () => {
       assert.equal(await button.getAttribute("aria-pressed"), "true", preset.name);
       assert.equal(await page.locator(".preset[aria-pressed=true]").count(), 1);
       assert.equal(await page.getByTestId("preset-sentence").innerText(), preset.sentence);
-      const said = await measured(page);
+      const found = await measured(page);
       assert.ok(preset.holds.length > 0);
       for (const claim of preset.holds)
         assert.ok(
-          holds(claim, said),
-          `${preset.name}: ${JSON.stringify(claim)} against ${JSON.stringify(said)}`,
+          holds(claim, found),
+          `${preset.name}: ${JSON.stringify(claim)} against ${JSON.stringify(found)}`,
         );
     }
   });
 
-  it("is what the head of the page invites to, and what it promises happens", async () => {
+  it("can be tried from the head of the page, and keeps its promise", async () => {
     const { page } = visitor;
     await page.getByTestId("preset-as-learned").click();
     assert.match(await page.getByTestId("lead").innerText(), /Let the arms go, and they fall out of step\./);
     const weight = page.getByTestId("weight-0-1");
     await page.getByTestId("lead-try").click();
-    // No waiting: what the couplings are is to be seen at once.
+    // The page shows the couplings at once, without waiting for the motion.
     assert.equal(await weight.innerText(), "off");
     assert.match((await measured(page)).step, /out of step/);
     assert.match(await page.getByTestId("lead").innerText(), /fall out of step/);
@@ -109,7 +110,7 @@ describe("a preset", () => {
     assert.match(await page.getByTestId("lead").innerText(), /never recorded/);
   });
 
-  it("is no longer on when a coupling of it moves", async () => {
+  it("is no longer selected after one of its couplings changes", async () => {
     const { page } = visitor;
     await page.getByTestId("preset-arms-go").click();
     await page.getByTestId("coupling-0-1").press("ArrowLeft");
@@ -121,7 +122,7 @@ describe("a preset", () => {
 describe("sliders and dividers", () => {
   const visitor = oneVisitor(() => readyVisitor(site.visit()));
 
-  it("move by keyboard: a slider, its share in the bar with it, and says when it has no effect", async () => {
+  it("move by keyboard: a slider moves its share in the bar and shows when it has no effect", async () => {
     const { page } = visitor;
     const [slider, weight] = [page.getByTestId("coupling-0-1"), page.getByTestId("weight-0-1")];
     const divider = page.getByTestId("divider-1-0");
@@ -145,7 +146,7 @@ describe("sliders and dividers", () => {
     assert.equal((await alphasOf(page)).size, 0, "as learned again");
   });
 
-  it("move by pointer: a divider; one gains what the other loses, and how exact both are together stays", async () => {
+  it("move by pointer: a divider moves weight between parts, with the same joint precision", async () => {
     const { page } = visitor;
     const learned = await Promise.all(
       [0, 1].map(async (j) => Number(await page.getByTestId(`alpha-${j}-1`).innerText())),
@@ -170,13 +171,13 @@ describe("sliders and dividers", () => {
     const combined = (/** @type {number[]} */ values) =>
       1 / values.reduce((sum, value) => sum + 1 / value, 0);
     const [before, after] = [combined(learned), combined([...alphas.values()])];
-    // The page writes the learned ones with two digits.
+    // The page writes the learned couplings with two digits.
     assert.ok(Math.abs(after / before - 1) < 0.03, `${before} and ${after}`);
     await page.getByTestId("shares-1").dblclick({ position: { x: 3, y: 12 } });
-    assert.equal((await alphasOf(page)).size, 0, "a double click takes it back");
+    assert.equal((await alphasOf(page)).size, 0, "a double click resets it");
   });
 
-  it("move by keyboard: a divider, to its ends too, and it is read out", async () => {
+  it("move by keyboard: a divider, to its ends too, with a text for screen readers", async () => {
     const { page } = visitor;
     const divider = page.getByTestId("divider-1-0");
     const now = async () => Number(await divider.getAttribute("aria-valuenow"));
@@ -190,14 +191,14 @@ describe("sliders and dividers", () => {
     assert.match((await divider.getAttribute("aria-valuetext")) ?? "", /^lower off, upper 1\.00$/);
     await page.keyboard.press("Delete");
     assert.equal(await now(), before);
-    // What was measured is pale until it is about the motion now.
+    // The measures are pale until they belong to the present motion.
     await measured(page);
     assert.deepEqual(await barriers(page), []);
   });
 });
 
 describe("a link to couplings", () => {
-  it("shows the weights that the motion is made with", async () => {
+  it("shows the weights of the motion", async () => {
     const { page, leave } = await site.visit({ settings: "alpha=0.1:0.05,1.0:0.02" });
     await ready(page);
     await measured(page);
@@ -218,7 +219,7 @@ describe("a link to couplings", () => {
 });
 
 describe("both readings", () => {
-  it("walk side by side when asked for, follow the couplings, and make room again", async () => {
+  it("walk side by side on request, follow the couplings, and give the stage back", async () => {
     const { page, problems, leave } = await site.visit({ moving: true });
     await ready(page);
     await page.getByTestId("preset-arms-go").click();

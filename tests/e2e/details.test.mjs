@@ -1,5 +1,5 @@
-// A closer look: the kernels that a model has learned, and the channels of the motion on the stage, beside
-// what the npm package says.
+// The details: the kernels of a model and the channels of the motion on the stage, compared with the npm
+// package.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { readFileSync } from "node:fs";
@@ -19,8 +19,8 @@ before(async () => {
 });
 after(() => site?.close());
 
-describe("a closer look", () => {
-  it("shows the kernels, with terms that can be asked", async () => {
+describe("the details", () => {
+  it("show the kernels, with explained terms", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
     await page.getByTestId("show-kernels").click();
@@ -41,7 +41,7 @@ describe("a closer look", () => {
     await leave();
   });
 
-  it("plots a channel over time, against its speed, and against another one, and saves what is shown", async () => {
+  it("plot a channel over time, against its speed or another channel, and save the plot", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "alpha=0.1:8",
       moving: true,
@@ -49,7 +49,7 @@ describe("a closer look", () => {
     });
     await ready(page);
     await page.getByTestId("show-angles").click();
-    // Under other couplings: the motion now, and as learned.
+    // With changed couplings there are two curves: the present motion, and as learned.
     await page.locator("dialog.details .course").nth(1).waitFor();
     assert.equal(await page.locator("dialog.details .course").count(), 2);
     assert.deepEqual(await barriers(page), []);
@@ -103,7 +103,7 @@ describe("a closer look", () => {
     assert.ok(Math.abs((against.rows[50]?.[2] ?? 0) - (written[50]?.[elbow] ?? 0)) < 1e-6);
     assert.ok(Math.abs((against.rows[50]?.[3] ?? 0) - (written[50]?.[knee] ?? 0)) < 1e-6);
 
-    // The dot goes where the motion is now.
+    // The dot follows the motion.
     const height = await page.locator("dialog.details .now").getAttribute("cy");
     await page.waitForFunction(
       (before) => document.querySelector("dialog.details .now")?.getAttribute("cy") !== before,

@@ -1,4 +1,4 @@
-// The synthetic experiment: trained in the browser, cancelled, trained with several seeds.
+// The synthetic experiment: training in the browser, cancelling, several seeds.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { barriers, openSite } from "./site.mjs";
@@ -12,11 +12,11 @@ before(async () => {
 });
 after(() => site?.close());
 
-/** Waits until trainings are over. */
+/** Waits until the trainings have ended. */
 const over = (/** @type {Page} */ page) => page.getByTestId("experiment-train").waitFor({ timeout: 240_000 });
 const number = async (/** @type {Page} */ page, /** @type {string} */ id) =>
   Number((await page.getByTestId(id).innerText()).replaceAll(",", "").replace("\u2212", "-"));
-/** Opened, and the experiment is drawn. */
+/** Waits until the experiment is drawn. */
 async function drawn(/** @type {Page} */ page) {
   await page.locator(".true-path[d^=M]").first().waitFor({ timeout: 30_000 });
 }
@@ -26,7 +26,7 @@ describe("the synthetic experiment", () => {
     const { page, problems, leave } = await site.visit({ settings: "view=synthetic", cores: 1 });
     await drawn(page);
     assert.equal(await page.locator(".curves-picture path").count(), 20, "ten curves of each part");
-    assert.equal(await page.locator(".learned-path").count(), 0, "nothing is learned yet");
+    assert.equal(await page.locator(".learned-path").count(), 0, "no learned path yet");
     await page.getByTestId("experiment-train").click();
     await over(page);
     assert.match(
@@ -34,8 +34,8 @@ describe("the synthetic experiment", () => {
       /^Found: part 1 drives part 2, and part 2 does not drive part 1\./,
     );
     const alpha = (/** @type {string} */ pair) => number(page, `experiment-alpha-${pair}`);
-    assert.ok((await alpha("1-0")) >= 10 * (await alpha("0-0")), "part 2 counts for nothing in part 1");
-    assert.ok((await alpha("0-1")) <= 4 * (await alpha("1-1")), "part 1 has a say in part 2");
+    assert.ok((await alpha("1-0")) >= 10 * (await alpha("0-0")), "part 2 has no influence on part 1");
+    assert.ok((await alpha("0-1")) <= 4 * (await alpha("1-1")), "part 1 influences part 2");
     assert.ok((await number(page, "experiment-weight-0-1")) > 0.15);
     assert.equal(await page.getByTestId("experiment-weight-1-0").innerText(), "<0.01");
     assert.ok((await number(page, "experiment-bound")) > 3000);
@@ -43,7 +43,10 @@ describe("the synthetic experiment", () => {
     assert.equal(await page.locator(".learned-path").count(), 2);
     assert.equal(await page.getByTestId("experiment-run").count(), 1);
     assert.equal(await page.getByTestId("experiment-tally").innerText(), "Found with 1 of 1 seed.");
-    assert.ok(await page.getByTestId("experiment-train").isDisabled(), "it would find the same again");
+    assert.ok(
+      await page.getByTestId("experiment-train").isDisabled(),
+      "the same training would give the same result",
+    );
     assert.deepEqual(await barriers(page), []);
     assert.deepEqual(problems, []);
     await leave();
@@ -56,27 +59,27 @@ describe("the synthetic experiment", () => {
     });
     await drawn(page);
     await page.getByTestId("experiment-ten").click();
-    // The first of the ten is under way, the others wait.
+    // The first of the ten trains, the others wait.
     await page
       .locator("[data-testid=experiment-run][data-state=running] td:nth-child(6)")
       .waitFor({ timeout: 30_000 });
     await page.getByTestId("experiment-cancel").click();
     await over(page);
     const rows = page.getByTestId("experiment-run");
-    assert.equal(await rows.count(), 1, "those that had not begun are gone");
+    assert.equal(await rows.count(), 1, "trainings that had not begun are removed");
     assert.match(await rows.innerText(), /stopped early/);
     assert.equal(await page.getByTestId("experiment-tally").innerText(), "1 stopped early, not counted.");
     await page.getByRole("button", { name: "Look at seed 0 without driving" }).click();
     await drawn(page);
-    assert.match(page.url(), /#view=synthetic&driving=0$/, "seed 0 is the one to begin with");
+    assert.match(page.url(), /#view=synthetic&driving=0$/, "seed 0 is the default");
     assert.match(await page.getByTestId("experiment-verdict").innerText(), /Stopped after \d+ iterations/);
     assert.ok(Number.isFinite(await number(page, "experiment-bound")));
-    assert.ok(await page.getByTestId("experiment-train").isEnabled(), "it can be trained to the end");
+    assert.ok(await page.getByTestId("experiment-train").isEnabled(), "the training can continue");
     assert.deepEqual(problems, []);
     await leave();
   });
 
-  it("takes a seed only within its limits, and goes by keyboard alone", async () => {
+  it("limits the seed, and works by keyboard alone", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "view=synthetic&draw=99999999999&driving=perhaps",
     });
@@ -99,9 +102,9 @@ describe("the synthetic experiment", () => {
     await page.keyboard.press("Space");
     assert.ok(
       !(await page.getByTestId("experiment-driving").isChecked()),
-      "the space bar is the box's, not the stage's",
+      "the space bar belongs to the box, not to the stage",
     );
-    // Back over the seed to the button, which stays in focus while it says Cancel.
+    // Back to the button, which keeps the focus while its text is Cancel.
     await page.keyboard.press("Shift+Tab");
     await page.keyboard.press("Shift+Tab");
     await page.keyboard.press("Enter");
@@ -114,7 +117,7 @@ describe("the synthetic experiment", () => {
     await leave();
   });
 
-  it("keeps nobody out on a phone", async () => {
+  it("is accessible and fits on a phone", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "view=synthetic",
       viewport: { width: 390, height: 844 },

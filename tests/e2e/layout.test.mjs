@@ -1,4 +1,4 @@
-// Nothing is cut, lies over something else or scrolls into blank, in frames and rooms of all sizes.
+// Layout: no element is cut off, covers another or scrolls into empty space, in windows of all sizes.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { barriers, oneVisitor, openSite, ready } from "./site.mjs";
@@ -18,7 +18,7 @@ const size = (/** @type {Page} */ page) =>
     return { scrollWidth, scrollHeight, clientWidth, clientHeight };
   });
 
-/** Pairs of texts of the couplings' table that lie over each other. */
+/** Pairs of texts in the table of couplings that cover each other. */
 const overprints = (/** @type {Page} */ page) =>
   page.evaluate(() => {
     const seen = [...document.querySelectorAll(".couplings th, .couplings .numbers > span")]
@@ -46,7 +46,7 @@ describe("embedded", () => {
     [900, 600],
     [390, 500],
   ])) {
-    it(`has its clock in view at ${width}x${height}, and no text over another`, async () => {
+    it(`shows its clock at ${width}x${height}, and no text covers another`, async () => {
       const { page } = visitor;
       await page.setViewportSize({ width, height });
       await page.waitForSelector("html[data-engine=ready]");
@@ -57,10 +57,10 @@ describe("embedded", () => {
       assert.ok(scrollWidth <= width, `${scrollWidth} pixels wide`);
       const title = await page.getByTestId("stage-title").boundingBox();
       const stage = await page.getByTestId("stage").boundingBox();
-      // The head of the figure begins a quarter below the top of the picture.
+      // The head of the figure is a quarter of the picture below its top.
       assert.ok(
         title && stage && title.y + title.height < stage.y + 0.25 * stage.height,
-        "the title is above the head",
+        "the title is above the head of the figure",
       );
     });
   }
@@ -69,27 +69,27 @@ describe("embedded", () => {
 describe("a window of 1440x900", () => {
   const visitor = oneVisitor(() => site.visit({ viewport: { width: 1440, height: 900 } }));
 
-  it("has all couplings of the first model in view, with what was measured", async () => {
+  it("shows all couplings of the first model, with the measures", async () => {
     const { page } = visitor;
     await ready(page);
     for (const preset of ["as-learned", "untrained-advice"]) {
       await page.getByTestId(`preset-${preset}`).click();
       await page.locator("[data-testid=measured][data-current=yes]").waitFor();
-      const [needed = Infinity, room = 0] = await page
+      const [needed = Infinity, space = 0] = await page
         .locator("#panel-couplings")
         .evaluate((panel) => [panel.scrollHeight, panel.clientHeight]);
-      assert.ok(needed <= room, `${preset}: ${needed} of ${room} pixels`);
+      assert.ok(needed <= space, `${preset}: ${needed} of ${space} pixels`);
     }
   });
 
-  it("says beside the figure, not over it, that it stands still; and the stage stays where it is", async () => {
+  it("shows next to the figure that it stands still, and the stage does not move", async () => {
     const { page } = visitor;
     const before = await page.getByTestId("stage").boundingBox();
     await page.getByTestId("preset-legs-lost").click();
     const card = await page.getByTestId("health").boundingBox();
     const stage = await page.getByTestId("stage").boundingBox();
     assert.deepEqual(stage, before);
-    // The figure stands in the middle, and is no wider than a fifth of the picture.
+    // The figure is in the middle and has at most a fifth of the width.
     assert.ok(
       card && stage && card.x + card.width <= stage.x + 0.4 * stage.width,
       `${card?.width} of ${stage?.width}`,
@@ -98,7 +98,7 @@ describe("a window of 1440x900", () => {
     await page.getByTestId("health").waitFor({ state: "detached" });
   });
 
-  it("has nothing of the stage to save where the stage is not in sight", async () => {
+  it("disables saving where the stage is not visible", async () => {
     const { page } = visitor;
     await page.getByTestId("view-primitives").click();
     await page.locator("[data-testid=save]:disabled").waitFor();
@@ -106,7 +106,7 @@ describe("a window of 1440x900", () => {
     await page.locator("[data-testid=save]:enabled").waitFor();
   });
 
-  it("in large type keeps the words that say what the table means, after a reload too", async () => {
+  it("keeps the labels of the table in large type, after a reload too", async () => {
     const { page } = visitor;
     const before = await page.getByTestId("stage").boundingBox();
     await page.keyboard.press("p");
@@ -116,21 +116,21 @@ describe("a window of 1440x900", () => {
     assert.ok(await page.locator("html").evaluate((root) => root.hasAttribute("data-large")));
     assert.ok(await page.locator(".couplings thead small").first().isVisible());
     assert.deepEqual(await overprints(page), []);
-    // The figure is for the last row too, and the couplings are whole.
+    // The figure keeps its height, and all couplings are visible.
     const stage = await page.getByTestId("stage").boundingBox();
     assert.ok(
       before && stage && stage.height > 0.85 * before.height,
       `${stage?.height}, ${before?.height} before`,
     );
-    const [needed = Infinity, room = 0] = await page
+    const [needed = Infinity, space = 0] = await page
       .locator("#panel-couplings")
       .evaluate((panel) => [panel.scrollHeight, panel.clientHeight]);
-    assert.ok(needed <= room, `${needed} of ${room} pixels`);
+    assert.ok(needed <= space, `${needed} of ${space} pixels`);
   });
 });
 
 describe("five parts by hand, trained several times", () => {
-  it("fit their panels, and nothing makes the document longer than the window", async () => {
+  it("fit their panels, and the document fits the window", async () => {
     const split = "hips:0;left leg:1-4;right leg:5-8;trunk:9-14;arms:15-99";
     const settings = `parts=hand&split=${split}&iterations=10&fps=10&latent=1&dynamics=2&poses=2&trainings=3`;
     const { page, problems, leave } = await site.visit({ viewport: { width: 1440, height: 900 }, settings });
@@ -139,10 +139,10 @@ describe("five parts by hand, trained several times", () => {
     await page.getByTestId("train").waitFor({ timeout: 120_000 });
     const { scrollHeight, scrollWidth } = await size(page);
     assert.ok(scrollHeight <= 900 && scrollWidth <= 1440, `${scrollWidth}x${scrollHeight}`);
-    const [wide = Infinity, room = 0] = await page
+    const [wide = Infinity, space = 0] = await page
       .locator("#panel-couplings .table-box")
       .evaluate((box) => [box.scrollWidth, box.clientWidth]);
-    assert.ok(wide <= room, `the table needs ${wide} of ${room} pixels`);
+    assert.ok(wide <= space, `the table needs ${wide} of ${space} pixels`);
     assert.equal(await page.locator(".couplings thead th").count(), 5);
     assert.ok(await page.locator(".couplings thead small").first().isVisible(), "predicts");
     const cut = await page.evaluate(() => {
@@ -154,7 +154,7 @@ describe("five parts by hand, trained several times", () => {
     });
     assert.deepEqual(cut, []);
     assert.deepEqual(await overprints(page), []);
-    // On a phone the table scrolls in its box, and nothing else does.
+    // On a phone only the table scrolls, in its box.
     await page.setViewportSize({ width: 390, height: 844 });
     assert.ok((await size(page)).scrollWidth <= 390, "the table widens the page");
     assert.deepEqual(problems, []);
@@ -163,7 +163,7 @@ describe("five parts by hand, trained several times", () => {
 });
 
 describe("targets", () => {
-  it("are 24 pixels or more, or have that much room", async () => {
+  it("are at least 24 pixels large, or have that much space", async () => {
     const { page, leave } = await site.visit();
     await ready(page);
     for (const [view, element] of /** @type {[string, string][]} */ ([

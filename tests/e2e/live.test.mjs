@@ -1,5 +1,5 @@
-// The live rollout: a coupling is cut for as long as it is held, a limb is dragged, and the figure goes on
-// without a pause.
+// The live rollout: the visitor cuts a coupling while holding its arrow and drags a limb, and the figure
+// moves on without a pause.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { openSite, ready } from "./site.mjs";
@@ -24,19 +24,19 @@ async function now(/** @type {Page} */ page) {
   });
 }
 
-/** Waits until that is so; answers all that was seen on the way. */
+/** Waits until `reached` is true; returns all states until then. */
 async function until(
   /** @type {Page} */ page,
-  /** @type {(now: { frame: number, apart: number, cuts: number }) => boolean} */ so,
+  /** @type {(now: { frame: number, apart: number, cuts: number }) => boolean} */ reached,
 ) {
   const seen = [];
   for (let k = 0; k < 300; k++) {
     const state = await now(page);
     seen.push(state);
-    if (so(state)) return seen;
+    if (reached(state)) return seen;
     await page.waitForTimeout(100);
   }
-  assert.fail(`it did not come to that in 30 seconds: ${JSON.stringify(seen.slice(-3))}`);
+  assert.fail(`not reached in 30 seconds: ${JSON.stringify(seen.slice(-3))}`);
 }
 
 /** The middle of an arrow of the body map, in pixels of the page. */
@@ -52,13 +52,13 @@ const middle = (/** @type {Page} */ page, /** @type {string} */ arrow) =>
     });
 
 describe("a live rollout", () => {
-  it("lets the arms fall out of step while the legs' arrow is held, and in step again when it is let go", async () => {
+  it("lets the arms fall out of step while the legs' arrow is held, then back in step", async () => {
     const { page, problems, leave } = await site.visit({ moving: true });
     await ready(page);
     const arrow = await middle(page, "arrow-0-1");
     await page.mouse.move(arrow.x, arrow.y);
     await page.mouse.down();
-    // Holding goes live by itself.
+    // Holding an arrow starts the live rollout.
     await page.getByTestId("live").waitFor();
     const cut = await until(page, ({ apart, cuts }) => cuts === 1 && Math.abs(apart) > 0.3);
     await page.mouse.up();
@@ -68,7 +68,7 @@ describe("a live rollout", () => {
       frames.every((frame, k) => k === 0 || frame >= (frames[k - 1] ?? 0)),
       "time goes on",
     );
-    // In step again, and it stays so.
+    // The arms are in step again and stay in step.
     const { frame } = free.at(-1) ?? { frame: 0 };
     for (const { apart } of await until(page, (now) => now.frame > frame + 60))
       assert.ok(Math.abs(apart) < 0.1);
@@ -80,7 +80,7 @@ describe("a live rollout", () => {
     await leave();
   });
 
-  it("is cut by a key as well, takes sliders over while it goes on, and a limb can be dragged", async () => {
+  it("can be cut by a key, follows sliders, and a limb can be dragged", async () => {
     const { page, problems, leave } = await site.visit({ moving: true });
     await ready(page);
     await page.getByTestId("live-on").click();
@@ -109,7 +109,7 @@ describe("a live rollout", () => {
           if (scene.nodeAt(x, y, 8) !== null) return { x: left + x, y: top + y };
       return null;
     });
-    assert.ok(spot, "the figure is in the picture");
+    assert.ok(spot, "the figure is visible");
     await page.mouse.move(spot.x, spot.y);
     await page.mouse.down();
     await page.mouse.move(spot.x + 30, spot.y - 20, { steps: 6 });
@@ -124,13 +124,13 @@ describe("a live rollout", () => {
     await leave();
   });
 
-  it("is pushed at the dots of the latent plots: by mouse, finger and keys", async () => {
+  it("can be pushed at the dots of the latent plots by mouse, finger and keys", async () => {
     const { page, problems, leave } = await site.visit({ hasTouch: true });
     await ready(page);
     await page.getByTestId("live-on").click();
     await page.getByTestId("live").waitFor();
     /**
-     * The newest push of a part, and how far from its cycle the part was afterwards; 0: it was not pushed.
+     * The largest distance of a part from its cycle after the newest push; 0: the part was not pushed.
      */
     const farthest = (/** @type {number} */ part) =>
       page.locator("pg-live").evaluate((view, part) => {
@@ -146,7 +146,7 @@ describe("a live rollout", () => {
       }
       assert.fail(`part ${part} was not pushed: ${await farthest(part)}`);
     };
-    /** Of a dot that stands still: a picture or two after the clock has stopped. */
+    /** The middle of a dot that no longer moves: one or two pictures after the clock has stopped. */
     const middleOf = async (/** @type {number} */ part) => {
       for (let last = ""; ; await page.waitForTimeout(100)) {
         const box = (await page.getByTestId(`push-${part}`).boundingBox()) ?? assert.fail();
@@ -162,7 +162,7 @@ describe("a live rollout", () => {
     for (let k = 0; k < 12; k++) await page.keyboard.press("ArrowLeft");
     await gone(0);
 
-    // Held still, so that it does not walk away before it is gripped.
+    // The clock stands, so that the dot does not move away.
     const play = page.getByTestId("play");
     await play.click();
     const { x, y } = await middleOf(1);
@@ -186,7 +186,7 @@ describe("a live rollout", () => {
     await touch("touchStart", start);
     for (let k = 1; k <= 5; k++) await touch("touchMove", { x: start.x, y: start.y + 12 * k });
     await touch("touchEnd");
-    assert.ok((await pushes()) > before, "a finger pushes, too");
+    assert.ok((await pushes()) > before, "a finger pushes too");
 
     await page.getByRole("button", { name: "clip", exact: true }).click();
     await page.getByTestId("push-0").waitFor({ state: "detached" });

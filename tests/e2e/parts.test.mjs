@@ -1,4 +1,4 @@
-// Parts by hand: which joints are whose, and what the parts are called.
+// Parts by hand: the joints of each part, and the names of the parts.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { barriers, openSite, ready } from "./site.mjs";
@@ -13,17 +13,17 @@ before(async () => {
 after(() => site?.close());
 
 const names = (/** @type {Page} */ page) => page.locator("pg-parts-editor .part-names input");
-const said = (/** @type {Page} */ page) => page.locator("pg-parts-editor").getByRole("status");
+const message = (/** @type {Page} */ page) => page.locator("pg-parts-editor").getByRole("status");
 const partOf = (/** @type {Page} */ page, joint = "") => page.getByLabel(`Part of ${joint}`, { exact: true });
 
-/** The colour of what stands before the words of each row. */
+/** The colour of the mark before the words of each row. */
 const colours = (/** @type {Page} */ page, rows = "") =>
   page
     .locator(`${rows} .swatch`)
     .evaluateAll((all) => all.map((one) => getComputedStyle(one).backgroundColor));
 
 describe("parts by hand", () => {
-  it("have names of their own: another gives way to the old one, with a word until the next change", async () => {
+  it("have different names: a repeated name is refused, with a message until the next change", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
     await page.getByTestId("setting-parts").selectOption("hand");
@@ -36,18 +36,18 @@ describe("parts by hand", () => {
     ]) {
       await names(page).nth(1).fill(name);
       await names(page).nth(1).press("Enter");
-      await said(page).filter({ hasText: why }).waitFor();
+      await message(page).filter({ hasText: why }).waitFor();
       assert.equal(await names(page).nth(1).inputValue(), second);
     }
     assert.deepEqual(await barriers(page), []);
     await page.getByTestId("add-part").click();
     await names(page).nth(2).waitFor();
-    assert.equal(await said(page).innerText(), "");
+    assert.equal(await message(page).innerText(), "");
     assert.deepEqual(problems, []);
     await leave();
   });
 
-  it("have one colour each everywhere, and one without joints has none and is left out", async () => {
+  it("have one colour each; a part without joints has no colour and is left out", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
     await page.getByTestId("setting-parts").selectOption("hand");
@@ -55,7 +55,7 @@ describe("parts by hand", () => {
     const empty = page.getByText("No joints: left out of training");
     await empty.waitFor();
     const [lower, upper, none] = await colours(page, "pg-parts-editor .part-names");
-    // All joints go along; what was chosen for one below before does not stay.
+    // All joints below follow, also a joint with an earlier choice of its own.
     const [root, below] = await page
       .locator("pg-parts-editor select")
       .evaluateAll((all) => all.map((select) => select.getAttribute("aria-label")?.replace("Part of ", "")));
@@ -71,13 +71,13 @@ describe("parts by hand", () => {
     await leave();
   });
 
-  it("of a link that gives two one name are those of the page, and can be changed", async () => {
+  it("get the names of the page when a link gives two parts the same name", async () => {
     const { page, problems, leave } = await site.visit({ settings: "parts=hand&split=a:0-4;a:5-99" });
     await ready(page);
     await names(page).first().waitFor();
     const row = page.locator(".part-row li");
     const given = await names(page).evaluateAll((all) =>
-      all.map((one) => /** @type {HTMLInputElement} */ (one).value),
+      all.map((input) => /** @type {HTMLInputElement} */ (input).value),
     );
     assert.equal(given.length, await row.count());
     assert.equal(new Set(given).size, given.length);

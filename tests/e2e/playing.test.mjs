@@ -1,4 +1,4 @@
-// Play, step and scrub; couplings and what they do to the motion.
+// The clock, and couplings with their motion.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { draws, openSite, ready, saved } from "./site.mjs";
@@ -30,7 +30,7 @@ describe("the clock", () => {
 });
 
 describe("the stage", () => {
-  it("says so when the browser takes the graphics away, and draws again when it gives them back", async () => {
+  it("reports lost graphics, and draws again when the browser restores them", async () => {
     const { page, leave } = await site.visit({ moving: true });
     await ready(page);
     await page.evaluate(() => {
@@ -49,7 +49,7 @@ describe("the stage", () => {
 });
 
 describe("a coupling", () => {
-  it("changes its weight and the motion when its slider is dragged, and comes back with 0", async () => {
+  it("changes its weight and the motion when its slider is dragged, and the key 0 resets it", async () => {
     const { page, problems, leave } = await site.visit({ moving: true });
     await ready(page);
     const slider = page.getByTestId("coupling-0-1");
@@ -73,7 +73,7 @@ describe("a coupling", () => {
 
     await page.getByTestId("reading-learned").click();
     const kept = await saved(page, "save-motion");
-    assert.notEqual(kept.text, changed.text, "experts that stay as learned move otherwise");
+    assert.notEqual(kept.text, changed.text, "experts as learned give another motion");
     await page.getByTestId("reading-inferred").click();
 
     await page.keyboard.press("0");
@@ -86,7 +86,7 @@ describe("a coupling", () => {
     await leave();
   });
 
-  it("is in the address, so that a link brings it back", async () => {
+  it("is in the address, so that a link restores it", async () => {
     const { page, leave } = await site.visit({ settings: "alpha=0.1:50", moving: true });
     await ready(page);
     assert.equal(Number(await page.getByTestId("alpha-0-1").textContent()), 50);
@@ -111,7 +111,7 @@ describe("a coupling", () => {
     assert.ok(times.length >= 10, `${times.length} redraws`);
     const median = times.sort((a, b) => a - b)[times.length >> 1] ?? NaN;
     test.diagnostic(`median ${median.toFixed(1)} ms from slider to new motion of 300 frames`);
-    // The goal is one frame, 16 ms. It is reported, not asserted: it says as much of the machine, which may
+    // The goal is one frame, 16 ms. The test reports the time without checking it, because the machine may
     // draw in software.
     assert.ok(median > 0, `median ${median} ms`);
     await leave();

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { it } from "node:test";
 import { policy } from "../../scripts/policy.mjs";
 
-it("the page loads from its own host alone, and runs no text as code", () => {
+it("the page loads from its own host alone, and does not run text as code", () => {
   const sources = Object.fromEntries(
     policy.split("; ").map((directive) => {
       const [name = "", ...allowed] = directive.split(" ");

@@ -1,4 +1,4 @@
-// What the latent plots show of predictions, futures and uncertainty, beside what the npm package computes.
+// Predictions, futures and uncertainty in the latent plots, compared with the npm package.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -30,7 +30,7 @@ const close = (a, b, tolerance) =>
   assert.ok(Math.abs((a ?? Number.NaN) - (b ?? Number.NaN)) <= tolerance, `${a} and ${b}`);
 
 /**
- * Writes down what the latent plots draw from now on.
+ * Records what the latent plots draw from now on.
  * @param {import("playwright-core").Page} page
  */
 async function recordDrawings(page) {
@@ -80,8 +80,9 @@ async function drawn(page, /** @type {number} */ part) {
 }
 
 describe("the product of experts", () => {
-  it("is drawn as the package computes it, in 2-D and 3-D", async () => {
-    const settings = `alpha=${ALPHA.flatMap((row, j) => row.map((a, i) => `${j}.${i}:${a}`)).join(",")}&reading=learned`;
+  it("agrees with the package, in 2-D and 3-D", async () => {
+    const alpha = ALPHA.flatMap((row, j) => row.map((a, i) => `${j}.${i}:${a}`)).join(",");
+    const settings = `alpha=${alpha}&reading=learned`;
     const { page, problems, leave } = await site.visit({ settings });
     await ready(page);
     await recordDrawings(page);
@@ -91,7 +92,7 @@ describe("the product of experts", () => {
     const rollout = model.rollout({ frames, sequence: 0, alpha: ALPHA, reading: "as learned" });
     const [said, weights] = [rollout.predictions(), rollout.weights()];
     const row = FRAME - said.firstFrame;
-    // The page asks when the rollout has stood for a moment.
+    // The page asks for predictions a moment after the rollout has stopped.
     await page.waitForTimeout(1000);
     for (const plot of ["2-D", "3-D"]) {
       await page.getByRole("button", { name: plot }).click();
@@ -103,7 +104,7 @@ describe("the product of experts", () => {
         const scale = product.major / Math.sqrt(said.variances(part)[row] ?? Number.NaN);
         const sum = { x: 0, y: 0 };
         for (const [source, { x, y, major, minor }] of experts.entries()) {
-          // Circles: a deviation is as many pixels for each of them.
+          // Circles: a deviation has the same number of pixels in both directions.
           close(
             major,
             scale * Math.sqrt(said.expertVariances(source, part)[row] ?? Number.NaN),
@@ -114,13 +115,12 @@ describe("the product of experts", () => {
           sum.x += weight * x;
           sum.y += weight * y;
         }
-        // However the plot is turned: the product lies at the weighted mean, and there the step goes.
+        // From every side, the product is at the weighted mean, where the step ends.
         close(product.x, sum.x, 0.01);
         close(product.y, sum.y, 0.01);
         close(step[0], product.x, 0.01);
         close(step[1], product.y, 0.01);
-        // The distance of two centres is that of the means, seen in full where a plot has as many axes as the
-        // part.
+        // A plot with as many axes as the part shows the full distance of two means.
         const [one, two] = [0, 1].map((source) => [
           ...said.expertMeans(source, part).slice(3 * row, 3 * row + 3),
         ]);
@@ -142,10 +142,10 @@ describe("the product of experts", () => {
   });
 });
 
-describe("what may come", () => {
+describe("futures and uncertainty", () => {
   const visitor = oneVisitor(() => readyVisitor(site.visit()));
 
-  it("shows five futures of a seed, and others of the next", async () => {
+  it("show five futures of a seed, and others of the next seed", async () => {
     const { page } = visitor;
     await page.getByRole("button", { name: "futures", exact: true }).click();
     await page.waitForFunction(
@@ -158,9 +158,9 @@ describe("what may come", () => {
     await page.getByTestId("futures").waitFor({ state: "detached" });
   });
 
-  it("shows the band of moment matching, from the whole program", async () => {
+  it("show the band of moment matching, from the whole program", async () => {
     const { page } = visitor;
-    // The words below would make the plots smaller.
+    // The text below would make the plots smaller.
     await page.evaluate(() => {
       const sheet = new CSSStyleSheet();
       sheet.replaceSync(".outlook { display: none !important; }");

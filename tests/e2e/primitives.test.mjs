@@ -1,5 +1,4 @@
-// A library of primitives: put together in new ways while the figure goes on, coupled anew, learned from
-// clips, put on the stage.
+// A library of primitives: new combinations while the figure moves on, new couplings, learning from clips.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
@@ -16,12 +15,12 @@ before(async () => {
 after(() => site?.close());
 
 /**
- * No node of the figure goes farther from one frame to the next, metres. A hand that waves goes 0.3 m without
- * any change; where arms are exchanged they would go 1.1 m and more without the seam.
+ * The largest step of a node from one frame to the next, in metres. A waving hand moves 0.3 m; without the
+ * seam, exchanged arms would move 1.1 m or more.
  */
 const LARGEST_STEP = 0.4;
 
-/** Opened, and all small figures are there. */
+/** Waits until the library is open and all small figures have their motion. */
 async function opened(/** @type {Page} */ page) {
   await page.getByTestId("combination").first().waitFor({ timeout: 30_000 });
   await page.waitForFunction(
@@ -50,7 +49,7 @@ const walked = (/** @type {Page} */ page, newest = 1000) =>
     return { last: track.last, frames, largest };
   }, newest);
 
-/** Waits until the figure has gone so many frames on. */
+/** Waits until the figure has moved on by `frames` frames. */
 async function goOn(/** @type {Page} */ page, frames = 45) {
   const { last } = await walked(page);
   await page.waitForFunction(
@@ -60,9 +59,9 @@ async function goOn(/** @type {Page} */ page, frames = 45) {
   );
 }
 /**
- * Gives a part another primitive by mouse or keyboard. Milliseconds from the event until the worker was asked
- * for frames with it, answered, and the first picture that is made of them was drawn; after how many display
- * frames that was, and how many of them after the answer.
+ * Gives a part another primitive by mouse or keyboard. Returns the milliseconds from the event to the request
+ * to the worker, to its answer and to the first picture with the new frames; also the number of display
+ * frames until that picture, and how many of these came after the answer.
  */
 async function redrawn(/** @type {Page} */ page, /** @type {string} */ id, /** @type {boolean} */ byKey) {
   const button = page.getByTestId(id);
@@ -91,7 +90,7 @@ async function redrawn(/** @type {Page} */ page, /** @type {string} */ id, /** @
       const look = () => {
         found.frames += 1;
         if (found.answered > 0) found.waited += 1;
-        // What the picture is made of.
+        // The frame that the picture shows.
         const newest = Math.ceil(player.frame);
         const before = known.get(newest);
         const isNew =
@@ -116,7 +115,7 @@ async function redrawn(/** @type {Page} */ page, /** @type {string} */ id, /** @
 }
 const median = (/** @type {number[]} */ values) =>
   values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)] ?? 0;
-/** The mean lightness of what is seen of an element, 0 to 1. */
+/** The mean lightness of the picture of an element, 0 to 1. */
 async function lightness(/** @type {import("playwright-core").Locator} */ element) {
   const picture = (await element.screenshot()).toString("base64");
   return element.page().evaluate(async (picture) => {
@@ -134,7 +133,7 @@ async function lightness(/** @type {import("playwright-core").Locator} */ elemen
 const recorded = (/** @type {Page} */ page) => page.getByTestId("recorded").innerText();
 
 describe("a library of primitives", () => {
-  it("opens on legs and arms that were never recorded together, and goes on without a jump when one is exchanged", async (test) => {
+  it("opens with a combination that was never recorded, and exchanges a primitive without a jump", async (test) => {
     const { page, problems, leave } = await site.visit({
       settings: "view=primitives",
       moving: true,
@@ -166,7 +165,9 @@ describe("a library of primitives", () => {
     const of = (/** @type {(redraw: (typeof redraws)[number]) => number} */ what) =>
       median(redraws.map(what)).toFixed(1);
     const answer = of(({ asked, answered }) => answered - asked);
-    const words = `${of(({ drawn }) => drawn)} ms, ${of(({ frames }) => frames)} display frames; the worker's answer took ${answer} ms`;
+    const words =
+      `${of(({ drawn }) => drawn)} ms, ${of(({ frames }) => frames)} display frames; ` +
+      `the worker's answer took ${answer} ms`;
     test.diagnostic(`an exchange is in the picture after (medians of ${redraws.length}) ${words}`);
     await page.getByTestId("primitive-0-1").click();
     await goOn(page);
@@ -187,7 +188,7 @@ describe("a library of primitives", () => {
     await leave();
   });
 
-  it("fits couplings to a clip, keeps the combination, saves and opens the library, and puts the model on the stage", async () => {
+  it("fits couplings to a clip, saves and opens the library, and shows the model on the stage", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=primitives" });
     await ready(page);
     await opened(page);
@@ -372,7 +373,7 @@ describe("a library of primitives", () => {
     await leave();
   });
 
-  it("goes by keyboard alone", async () => {
+  it("works by keyboard alone", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=primitives", moving: true });
     await opened(page);
     const tabTo = async (/** @type {string} */ id) => {
@@ -412,7 +413,7 @@ describe("a library of primitives", () => {
     await leave();
   });
 
-  it("has a lesson whose picture does not glare in the dark, and whose numbers are written as elsewhere", async () => {
+  it("has a lesson with a dark picture in the dark, and with the usual format of numbers", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=primitives", colorScheme: "light" });
     const picture = page.locator(".lesson-paths img");
     await picture.scrollIntoViewIfNeeded();

@@ -1,4 +1,4 @@
-// Time series that are no body: tables in, their model's curves, couplings and files out.
+// Time series other than bodies: tables, and the curves, couplings and files of their model.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { barriers, drop, keepsNobodyOut, openSite, ready, saved } from "./site.mjs";
@@ -12,7 +12,7 @@ before(async () => {
 });
 after(() => site?.close());
 
-/** A trial of two machines, of which the second follows the first. */
+/** A trial of two machines; the second follows the first. */
 function trial(/** @type {number} */ phase) {
   const rows = Array.from({ length: 60 }, (_, row) => {
     const now = phase + row / 3;
@@ -22,12 +22,12 @@ function trial(/** @type {number} */ phase) {
   return `time,drive_a,drive_b,load_c\n${rows.join("\n")}\n`;
 }
 
-/** What the curve of a column looks like, solid. */
+/** The solid curve of a column. */
 const course = (/** @type {Page} */ page, /** @type {number} */ curve) =>
   page.locator(`[data-testid=curve-${curve}] .rolled-out path`).getAttribute("d");
 
 describe("tables of columns", () => {
-  it("are dropped, trained on, looked at as curves, changed and saved, and their model opens again", async () => {
+  it("can be dropped, trained on, drawn, changed and saved, and their model opens again", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "latent=2&dynamics=6&poses=6&iterations=40",
     });
@@ -54,7 +54,7 @@ describe("tables of columns", () => {
     const learned = await saved(page, "save-curves");
     const rows = learned.text.trim().split("\n");
     assert.equal(rows[0], "frame,time,drive_a,drive_b,load_c");
-    // Half as long again as the trial.
+    // One and a half times as long as the trial.
     assert.equal(rows.length, 91);
     const before = await course(page, 2);
     await page.locator("pg-series [data-testid=coupling-0-1]").fill("-3");
@@ -71,11 +71,10 @@ describe("tables of columns", () => {
       before,
     );
 
-    // What is not saved makes no place before the visitor was asked; whoever only closes the question keeps
-    // it.
+    // The page asks before it replaces an unsaved model; closing the question keeps the model.
     const leaving = () =>
       page.evaluate(() => !dispatchEvent(new Event("beforeunload", { cancelable: true })));
-    assert.ok(await leaving(), "the browser would ask");
+    assert.ok(await leaving(), "leaving asks");
     await page.getByTestId("series-train").focus();
     await page.keyboard.press("Enter");
     const question = page.getByTestId("unsaved");
@@ -89,11 +88,11 @@ describe("tables of columns", () => {
       "series-train",
     );
     assert.equal(await course(page, 2), before);
-    // Enough for a look on the way.
+    // Enough iterations for the curves to appear during the training.
     await page.getByTestId("series-maxIterations").fill("5000");
     await page.getByTestId("series-train").click();
     await question.waitFor();
-    // Asked when the question goes: the first look of the new training, a moment later, is not saved again.
+    // Checked when the question closes: a moment later, the new training has an unsaved model again.
     const asksAtOnce = page.evaluate(
       () =>
         new Promise((answer) => {
@@ -105,13 +104,13 @@ describe("tables of columns", () => {
         }),
     );
     const model = await saved(page, "unsaved-save");
-    assert.ok(!(await asksAtOnce), "it is on a disk");
+    assert.ok(!(await asksAtOnce), "the model is saved");
     await page.getByTestId("series-cancel").click();
     await page.getByTestId("series-train").waitFor();
     assert.deepEqual(problems, []);
     await leave();
 
-    // Another visitor has the model alone, and then a table too.
+    // Another visitor opens the model alone, and then a table too.
     const other = await site.visit();
     await ready(other.page);
     await drop(other.page, { "model.json": model.text });
@@ -129,7 +128,7 @@ describe("tables of columns", () => {
     (options) => site.visit({ settings: "latent=1&dynamics=4&poses=4&iterations=10", ...options }),
     async (page) => {
       await ready(page);
-      // On a phone the clips have a tab of their own.
+      // On a phone the clips have their own tab.
       const tab = page.getByRole("tab", { name: "Clips" });
       if (await tab.isVisible()) await tab.click();
       await page.getByTestId("show-series").click();

@@ -1,4 +1,4 @@
-// The built page in a real browser, served from a sub-folder as a university's web space would.
+// The built page in a real browser, served from a sub-folder as on a university's web space.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
@@ -14,8 +14,8 @@ import { dist } from "../../scripts/site.mjs";
 const PICTURES = 12;
 
 /**
- * Runs in the page: a walking figure takes a core and more where no graphics card draws, unless pictures are
- * few.
+ * Runs in the page: shows few pictures a second, because without a graphics card a walking figure needs more
+ * than a core.
  */
 function slowDisplay(/** @type {number} */ pictures) {
   const ask = requestAnimationFrame.bind(window);
@@ -24,7 +24,7 @@ function slowDisplay(/** @type {number} */ pictures) {
   let newest = 0;
   let last = 0;
   const show = (/** @type {number} */ now) => {
-    // Not a little later than it must be, or one more picture is left out.
+    // A few milliseconds early, or one more picture would be left out.
     if (now - last < 1000 / pictures - 8) return void ask(show);
     last = now;
     const all = asked;
@@ -39,14 +39,14 @@ function slowDisplay(/** @type {number} */ pictures) {
   window.cancelAnimationFrame = (which) => void asked.delete(which);
 }
 
-/** Runs in the page: all is computed and handed to the graphics card, which draws nothing. */
+/** Runs in the page: the graphics card gets all its data, but draws nothing. */
 function noDrawing() {
   for (const { prototype } of [WebGLRenderingContext, WebGL2RenderingContext])
     for (const draw of ["drawArrays", "drawArraysInstanced", "drawElements", "drawElementsInstanced"])
       if (draw in prototype) Object.assign(prototype, { [draw]() {} });
 }
 
-/** Runs in the page: counts for each canvas how many times it was cleared, which three.js does once a scene. */
+/** Runs in the page: counts the clearings of each canvas; three.js clears it once for each picture. */
 function countPictures() {
   const times = new WeakMap();
   const { prototype } = WebGL2RenderingContext;
@@ -63,29 +63,31 @@ function countPictures() {
 /**
  * @typedef {object} Visit
  * @property {string} [settings] as in the page's address
- * @property {string} [query] as well
- * @property {number} [cores] as many as the page shall believe the machine to have
- * @property {boolean} [moving] whether the figure walks from the beginning, on a slow display; a visitor who
- * wants little motion else
- * @property {number} [pictures] of the slow display, a second
- * @property {boolean} [seen] whether figures are drawn, which takes long without a graphics card
- * @property {boolean} [idle] whether the whole program comes when the page has nothing else to do; else when
- * it is needed
- * @property {string} [without] files that do not come
+ * @property {string} [query] the part of the address after "?"
+ * @property {number} [cores] the number of cores that the page sees
+ * @property {boolean} [moving] the figure walks from the beginning, on a slow display; otherwise the visitor
+ * prefers reduced motion
+ * @property {number} [pictures] pictures a second of the slow display
+ * @property {boolean} [seen] figures are drawn, which takes long without a graphics card
+ * @property {boolean} [idle] the whole program loads when the page is idle; otherwise when it is needed
+ * @property {string} [without] files that fail to load
  */
 
 /**
  * @param {object} [options]
  * @param {string} [options.folder] the built page
  * @param {string[]} [options.flags] of the browser
- * @param {(path: string) => unknown} [options.before] may hold back a file until its promise is kept
- * @param {(path: string, bytes: number) => void} [options.onSend] told of each file sent
+ * @param {(path: string) => unknown} [options.before] a file waits for the promise of this function
+ * @param {(path: string, bytes: number) => void} [options.onSend] called for each file sent
  */
 export async function openSite({ folder = dist, flags = /** @type {string[]} */ ([]), ...options } = {}) {
   const server = await serve(folder, { prefix: "/some/where/", ...options });
   const browser = await launchChromium(flags);
 
-  /** A fresh visitor on the page, and what went wrong while they were there. @param {import("playwright-core").BrowserContextOptions & Visit} [options] */
+  /**
+   * A new visitor on the page, and the problems during the visit.
+   * @param {import("playwright-core").BrowserContextOptions & Visit} [options]
+   */
   async function visit({
     settings = "",
     query = "",
@@ -101,7 +103,7 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
     const usual = {
       viewport: { width: 1280, height: 800 },
       reducedMotion: moving ? "no-preference" : "reduce",
-      // With a service worker the files come from there: only its own test wants that.
+      // Only the tests of the service worker use it: it would serve the files.
       serviceWorkers: "block",
     };
     const context = await browser.newContext({ ...usual, ...options });
@@ -127,7 +129,7 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
     page.on("pageerror", (error) => problems.push(`uncaught: ${error.message}`));
     page.on("requestfailed", (request) => {
       const why = request.failure()?.errorText;
-      // What is still on its way when a page is left is given up.
+      // Leaving a page aborts its requests.
       if (why !== "net::ERR_ABORTED") problems.push(`failed: ${request.url()} ${why}`);
     });
     context.on("request", (request) => {
@@ -148,10 +150,10 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
   };
 }
 
-/** Settings of a training that goes on long after a test has looked at it. */
+/** Settings of a training that lasts longer than any test. */
 export const LONG = "iterations=5000&dynamics=24&poses=24";
 
-/** Waits until the wasm runs and the sample clips are there: nothing is dead any more. */
+/** Waits until the wasm runs and the sample clips have loaded. */
 export async function ready(/** @type {Page} */ page) {
   await page.waitForSelector("html[data-engine=ready], html[data-engine=failed]", { timeout: 30_000 });
   await page
@@ -160,7 +162,7 @@ export async function ready(/** @type {Page} */ page) {
     .waitFor({ state: "attached", timeout: 30_000 });
 }
 
-/** Whether what an element shows differs between two moments. */
+/** Whether the picture of an element changes within some milliseconds. */
 export async function changes(/** @type {import("playwright-core").Locator} */ element, milliseconds = 400) {
   const before = await element.screenshot();
   await element.page().waitForTimeout(milliseconds);
@@ -178,7 +180,7 @@ export async function draws(/** @type {import("playwright-core").Locator} */ can
 }
 
 /**
- * Whether what an element shows comes to rest (the camera may still glide a little, the picture get finer).
+ * Whether the picture of an element stops changing; at first the camera may glide and the picture get finer.
  */
 export async function rests(/** @type {import("playwright-core").Locator} */ element) {
   for (let i = 0; i < 10; i++) if (!(await changes(element))) return true;
@@ -193,13 +195,13 @@ const SCREENS = [
 /** @typedef {{ page: Page, problems: string[], leave: () => Promise<void> }} Visitor */
 
 /**
- * Tests of a view on a desk and a phone: `look` goes through it, and nothing is wider than the screen.
+ * Tests a view at the sizes of a desk and of a phone: `look` checks it, and the page fits the screen.
  * @param {(options: { viewport: { width: number, height: number } }) => Promise<Visitor>} visit
  * @param {(page: Page) => Promise<void>} look
  */
 export function keepsNobodyOut(visit, look) {
   for (const viewport of SCREENS) {
-    it(`keeps nobody out, at ${viewport.width} x ${viewport.height}`, async () => {
+    it(`is accessible and fits at ${viewport.width} x ${viewport.height}`, async () => {
       const { page, problems, leave } = await visit({ viewport });
       await look(page);
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);
@@ -211,8 +213,8 @@ export function keepsNobodyOut(visit, look) {
 }
 
 /**
- * One visitor for all tests of a suite, which leave the page as they found it: a visit costs more than most
- * of what is tried on it.
+ * One visitor for all tests of a suite, because a visit costs more than most tests. Each test leaves the page
+ * as it found it.
  * @param {() => Promise<Visitor>} visit
  */
 export function oneVisitor(visit) {
@@ -225,14 +227,14 @@ export function oneVisitor(visit) {
   return visitor;
 }
 
-/** A visitor for whom all is ready. */
+/** A visitor whose page is ready. */
 export async function readyVisitor(/** @type {Promise<Visitor>} */ coming) {
   const visitor = await coming;
   await ready(visitor.page);
   return visitor;
 }
 
-/** What a button saves to disk; those of the menu of the page's head are opened first. */
+/** The file that a button saves; opens the menu of the page's head for its buttons. */
 export async function saved(/** @type {Page} */ page, /** @type {string} */ button) {
   if (await page.locator(`#save-menu [data-testid=${button}]`).count())
     await page.getByTestId("save").click();
@@ -257,8 +259,8 @@ export async function drop(/** @type {Page} */ page, /** @type {Record<string, s
 const axe = readFileSync(at("node_modules/axe-core/axe.min.js"), "utf8");
 
 /**
- * What axe-core finds that keeps somebody out, of the colours in the dark too; `rules`: by these rules alone,
- * some of which it does not ask unless told to.
+ * The serious problems that axe-core finds, in light and dark colours. With `rules` it applies only these
+ * rules, also those that are off by default.
  */
 export async function barriers(/** @type {Page} */ page, /** @type {string[]} */ rules = []) {
   await page.evaluate(axe);
@@ -276,17 +278,17 @@ export async function barriers(/** @type {Page} */ page, /** @type {string[]} */
   return found;
 }
 
-/** Turns a page that is open dark or light, as its system does. */
+/** Switches an open page to dark or light colours, as the system does. */
 export async function recolour(/** @type {Page} */ page, /** @type {"light" | "dark"} */ colorScheme) {
   await page.emulateMedia({ colorScheme });
   await atRest(page);
 }
 
-/** Waits until nothing turns from one colour into another any more. */
+/** Waits until all changes of colour have ended. */
 const atRest = (/** @type {Page} */ page) =>
   page.evaluate(async () => {
-    const turning = document.getAnimations().filter((animation) => animation instanceof CSSTransition);
-    await Promise.allSettled(turning.map(({ finished }) => finished));
+    const running = document.getAnimations().filter((animation) => animation instanceof CSSTransition);
+    await Promise.allSettled(running.map(({ finished }) => finished));
   });
 
 const judged = (/** @type {Page} */ page, /** @type {string[]} */ rules) =>

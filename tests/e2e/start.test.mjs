@@ -1,4 +1,4 @@
-// A motion that starts from any frame of what the model was trained on, beside what the npm package computes.
+// A motion that starts from any training frame, compared with the npm package.
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { after, before, it } from "node:test";
@@ -39,10 +39,10 @@ function document() {
   return trainer.model().toJson();
 }
 
-it("starts from any frame of any sequence, and a link says which", async () => {
+it("starts from any frame of any sequence, and a link contains the frame", async () => {
   const { page, problems, leave } = await site.visit();
   await ready(page);
-  // The file of the model that walks first keeps no more than the first frames.
+  // The file of the page's first model has only the first frames.
   assert.equal(await page.getByTestId("start-frame").count(), 0);
   const text = document();
   await page
@@ -54,7 +54,7 @@ it("starts from any frame of any sequence, and a link says which", async () => {
   await page.getByRole("combobox", { name: "Start as in" }).selectOption("1");
   await page.getByTestId("scrub").fill("50");
   await frame.fill("30");
-  // It stands where it begins.
+  // The motion is back at its start.
   assert.equal(await page.getByTestId("scrub").inputValue(), "0");
 
   const model = Model.fromJson(text);

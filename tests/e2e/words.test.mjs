@@ -1,4 +1,4 @@
-// The words of the page: what stands on the first screen, what a term means, and the method.
+// The texts of the page: the first screen, explanations of terms, and the method.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { barriers, oneVisitor, openSite, ready, readyVisitor } from "./site.mjs";
@@ -17,7 +17,7 @@ const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile:
 describe("the first screen", () => {
   const visitor = oneVisitor(() => readyVisitor(site.visit()));
 
-  it("speaks of what is on the stage: the model, a clip, the model again", async () => {
+  it("describes the motion on the stage: the model, a clip, the model again", async () => {
     const { page } = visitor;
     const lead = page.getByTestId("lead");
     const caption = page.locator(".stage-caption");
@@ -35,14 +35,17 @@ describe("the first screen", () => {
     assert.match(await lead.innerText(), /never recorded/);
   });
 
-  it("has terms that say by keyboard what they mean, and Escape gives the focus back", async () => {
+  it("explains terms by keyboard, and Escape returns the focus", async () => {
     const { page } = visitor;
     const alpha = page.locator("pg-couplings .term[data-term=alpha]");
     await alpha.focus();
     await page.keyboard.press("Enter");
     const card = page.getByRole("dialog", { name: /coupling variance/ });
     await card.waitFor();
-    assert.ok(await card.evaluate((element) => element === document.activeElement), "it is read out");
+    assert.ok(
+      await card.evaluate((element) => element === document.activeElement),
+      "a screen reader reads it",
+    );
     assert.match(await card.innerText(), /the smaller it is, the more that prediction counts/);
     assert.deepEqual(await barriers(page), []);
     await page.keyboard.press("Escape");
@@ -52,7 +55,7 @@ describe("the first screen", () => {
 });
 
 describe("a term", () => {
-  it("says it by touch on a phone, within the window, in the dark too", async () => {
+  it("is explained by touch on a phone, within the window, in the dark too", async () => {
     const { page, leave } = await site.visit({ ...PHONE, colorScheme: "dark" });
     await ready(page);
     for (const tab of ["Latents", "Couplings", "Training"]) {
@@ -74,7 +77,7 @@ describe("a term", () => {
     await leave();
   });
 
-  it("is explained wherever it stands", async () => {
+  it("is explained in every view", async () => {
     const { page, leave } = await site.visit({ settings: "view=compare" });
     await page.getByTestId("compare").waitFor();
     const names = await page
@@ -87,7 +90,7 @@ describe("a term", () => {
 });
 
 describe("the method", () => {
-  it("has equations, leads to the control of each symbol, and says what to cite", async () => {
+  it("has equations, links each symbol to its control, and lists references", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
     await page.getByTestId("help").click();
