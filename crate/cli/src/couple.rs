@@ -43,7 +43,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut trained = library::read(&arguments.library)?;
-    let uses = trained.uses(&arguments.uses).map_err(|error| usage(format!("--use: {error}")))?;
+    let uses = trained.read_uses(&arguments.uses).map_err(|error| usage(format!("--use: {error}")))?;
     let read = arguments.clips.iter().map(PathBuf::as_path).chain([arguments.library.as_path()]);
     let library_out = arguments.library_out.as_deref().map(|path| ("--library-out", path));
     files::check_outs([Some(("--out", arguments.out.as_path())), library_out].into_iter().flatten(), read)?;
@@ -53,8 +53,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let begin = Instant::now();
     let mut reason = None;
     // The library already has a combination that was recorded, with its data.
-    let recorded =
-        trained.library.recorded(&uses).filter(|_| arguments.clips.is_empty() && arguments.name.is_none());
+    let recorded = trained
+        .library
+        .recorded_movement(&uses)
+        .filter(|_| arguments.clips.is_empty() && arguments.name.is_none());
     if recorded.is_none() {
         if arguments.clips.is_empty() {
             let sequences = trained.start_infos(&uses);
@@ -62,7 +64,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         } else {
             let mut clips = Vec::new();
             for clip in files::read_clips(&arguments.clips)? {
-                clips.push(trained.observed(&clip)?);
+                clips.push(trained.encode(&clip)?);
             }
             let mut trainer = CouplingTrainer::new(&trained, &uses, &clips, arguments.max_iterations)?;
             reason = Some(train_steps(|| trainer.step(), "bound")?);

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 use vcgpdm::models::SequenceInfo;
 use vcgpdm::models::library::{
-    ImportFrames, ImportRequest, ImportTrainer, MOST_ITERATIONS, Origin, TakeInError, TrainedLibrary,
+    ImportFrames, ImportRequest, ImportTrainer, MOST_ITERATIONS, MergeError, Origin, TrainedLibrary,
 };
 
 /// Print the primitives of a library with their origins, save some as a file, or add those of a file.
@@ -67,7 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     files::check_writable(out, read_places)?;
     let (written, summary) = match (&arguments.save, &arguments.add) {
         (Some(save), _) => {
-            let chosen = library.chosen(save).map_err(|error| usage(format!("--save: {error}")))?;
+            let chosen = library.read_primitives(save).map_err(|error| usage(format!("--save: {error}")))?;
             let saved = library.select(&chosen)?;
             let summary = summary(&saved);
             (saved, summary)
@@ -86,7 +86,7 @@ fn add(
 ) -> Result<(TrainedLibrary, Value), Box<dyn Error>> {
     let mut other = read(path)?;
     if let Some(only) = &arguments.only {
-        let chosen = other.chosen(only).map_err(|error| usage(format!("--only: {error}")))?;
+        let chosen = other.read_primitives(only).map_err(|error| usage(format!("--only: {error}")))?;
         other = other.select(&chosen)?;
     }
     let (primitives, movements) = (library.library.primitives.len(), library.library.movements.len());
@@ -94,8 +94,8 @@ fn add(
     if arguments.relearn {
         (library, relearned) = relearn(arguments, &library, &other)?;
     } else {
-        library.take_in(&other).map_err(|error| match &error {
-            TakeInError::Misfit(misfit) if misfit.can_be_relearned() => format!(
+        library.merge(&other).map_err(|error| match &error {
+            MergeError::Misfit(misfit) if misfit.can_be_relearned() => format!(
                 "{}: {error} (--relearn learns them again under those of this library)",
                 path.display()
             )
@@ -121,18 +121,18 @@ fn relearn(
 ) -> Result<(TrainedLibrary, Value), Box<dyn Error>> {
     let mut companions = library.companions(other);
     if let Some(with) = &arguments.with {
-        for index in library.chosen(with).map_err(|error| usage(format!("--with: {error}")))? {
+        for index in library.read_primitives(with).map_err(|error| usage(format!("--with: {error}")))? {
             companions[library.library.primitives[index].part] = Some(index);
         }
     }
     let mut clips = Vec::new();
     for clip in files::read_clips(&arguments.clips)? {
-        clips.push(library.observed(&clip)?);
+        clips.push(library.encode(&clip)?);
     }
     let frames = match (clips.is_empty(), arguments.generated) {
         (false, _) => ImportFrames::Clips(&clips),
         (true, true) => ImportFrames::Generated,
-        (true, false) => other.own_frames(),
+        (true, false) => other.import_frames(),
     };
     let request =
         ImportRequest { companions, max_iterations: arguments.max_iterations, seed: arguments.seed };

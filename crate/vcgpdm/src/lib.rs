@@ -93,17 +93,17 @@ pub use document::{Document, DocumentError};
 pub use gp::NumericsError;
 pub use json::{FieldError, HeadingError, JsonError};
 pub use models::library::{
-    CombinationError, CouplingTrainer, CouplingsFrom, ImportError, ImportFrames, ImportRequest,
+    CombinationError, CouplingTrainer, CouplingsFrom, EncodedClip, ImportError, ImportFrames, ImportRequest,
     ImportTrainer, Leader, LearnedMovement, Library, LibraryError, LibraryPlan, LibraryTrainer, LibraryWalk,
-    Misfit, ObservedClip, PartMotion, PlanError, PlannedMovement, Primitive, TakeInError, TakenIn,
-    TrainedLibrary, WalkError, WalkFrames,
+    MergeError, Misfit, PartMotion, PlanError, PlannedMovement, Primitive, TrainedLibrary, WalkError,
+    WalkFrames,
 };
 pub use models::variational::{
     BoundTerms, LatentMoments, PartPredictions, Prediction, PredictiveDynamics, VariationalTrainer, Vcgpdm,
 };
 pub use models::{
-    Body, Coupled, CouplingsError, Cut, Dataset, DatasetError, DmpSettings, EndReason, Health, LiveFrames,
-    LiveRollout, MapSettings, Model, ModelKind, Observed, Progress, Provenance, Push, Reading, Rollout,
+    Body, ColumnMapping, Coupled, CouplingsError, Cut, Dataset, DatasetError, DmpSettings, EndReason, Health,
+    LiveFrames, LiveRollout, MapSettings, Model, ModelKind, Progress, Provenance, Push, Reading, Rollout,
     RolloutError, RolloutRequest, SequenceInfo, SequencesError, SeriesModel, Setbacks, Settings, Source,
     TmpSettings, Trainer, TrainingCost, TrainingError, TrainingPhase, VariationalSettings,
     coupling_weight_matrix,
@@ -139,7 +139,7 @@ pub mod internals {
 
     /// Why these sequences cannot be trained on, with the clip's name where the reason is in one of them.
     pub fn dataset_error(reason: TrainingError, sequences: &[SequenceInfo]) -> DatasetError {
-        DatasetError::about(reason, sequences)
+        DatasetError::from_training(reason, sequences)
     }
 }
 

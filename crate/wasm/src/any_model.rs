@@ -11,7 +11,8 @@ use serde::Serialize;
 use std::rc::Rc;
 use vcgpdm::document::Document;
 use vcgpdm::models::{
-    Body, Model as TrainedModel, ModelKind, Observed, RolloutRequest, SequenceInfo, SeriesModel, Settings,
+    Body, ColumnMapping, Model as TrainedModel, ModelKind, RolloutRequest, SequenceInfo, SeriesModel,
+    Settings,
 };
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
@@ -134,7 +135,7 @@ impl AnyModel {
     }
 }
 
-fn info<'a, S: Observed>(trained: &'a TrainedModel<S>, figure: Option<BodyInfo>) -> AnyModelInfo<'a> {
+fn info<'a, S: ColumnMapping>(trained: &'a TrainedModel<S>, figure: Option<BodyInfo>) -> AnyModelInfo<'a> {
     let (body, made) = (&trained.body, &trained.provenance);
     AnyModelInfo {
         kind: trained.kind(),
@@ -156,7 +157,7 @@ fn info<'a, S: Observed>(trained: &'a TrainedModel<S>, figure: Option<BodyInfo>)
     }
 }
 
-fn names<S: Observed>(body: &Body<S>) -> Vec<String> {
+fn names<S: ColumnMapping>(body: &Body<S>) -> Vec<String> {
     (0..body.column_means.len()).map(|column| body.mapping.column_name(column)).collect()
 }
 
@@ -167,7 +168,7 @@ struct Rolled {
     columns: Vec<String>,
 }
 
-fn roll<S: Observed>(model: &TrainedModel<S>, request: &RolloutRequest) -> Result<Rolled, VcgpdmError> {
+fn roll<S: ColumnMapping>(model: &TrainedModel<S>, request: &RolloutRequest) -> Result<Rolled, VcgpdmError> {
     let columns = names(&model.body);
     match model.coupled() {
         Some(coupled) => {

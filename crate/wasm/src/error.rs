@@ -7,7 +7,7 @@ use vcgpdm::document::DocumentError;
 use vcgpdm::gp::NumericsError;
 #[cfg(feature = "training")]
 use vcgpdm::models::library::{
-    CombinationError, ImportError, LibraryError as PrimitivesError, TakeInError, WalkError,
+    CombinationError, ImportError, LibraryError as PrimitivesError, MergeError, WalkError,
 };
 use vcgpdm::models::variational::InducingError;
 use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
@@ -259,10 +259,10 @@ impl LibraryError for PrimitivesError {
 }
 
 #[cfg(feature = "training")]
-impl LibraryError for TakeInError {
+impl LibraryError for MergeError {
     fn code(&self) -> ErrorCode {
         match self {
-            TakeInError::Combination(reason) => reason.code(),
+            MergeError::Combination(reason) => reason.code(),
             _ => ErrorCode::Model,
         }
     }

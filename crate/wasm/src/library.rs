@@ -12,7 +12,7 @@ use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 use vcgpdm::models::SequenceInfo;
-use vcgpdm::models::library::{CouplingsFrom, LearnedMovement, ObservedClip, Primitive, TrainedLibrary};
+use vcgpdm::models::library::{CouplingsFrom, EncodedClip, LearnedMovement, Primitive, TrainedLibrary};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -279,9 +279,9 @@ impl Library {
 }
 
 impl Library {
-    /// Clips, which must have its body, as it sees them.
-    pub(crate) fn observed(&self, clips: &TrainingSet) -> Result<Vec<ObservedClip>, VcgpdmError> {
-        Ok(clips.clips.iter().map(|clip| self.trained.observed(clip)).collect::<Result<_, _>>()?)
+    /// Clips of the body of the library, as centred columns of its parts.
+    pub(crate) fn encode(&self, clips: &TrainingSet) -> Result<Vec<EncodedClip>, VcgpdmError> {
+        Ok(clips.clips.iter().map(|clip| self.trained.encode(clip)).collect::<Result<_, _>>()?)
     }
 
     /// The couplings given, or the nearest ones.

@@ -112,8 +112,8 @@ impl CouplingTrainer {
         max_iterations: &Whole,
     ) -> Result<CouplingTrainer, VcgpdmError> {
         let iterations = max_iterations.count(ErrorCode::Training, "the number of iterations")?;
-        let observed = library.observed(clips)?;
-        Ok(CouplingTrainer { fit: Fit::new(&library.trained, &uses_of(&uses)?, &observed, iterations)? })
+        let clips = library.encode(clips)?;
+        Ok(CouplingTrainer { fit: Fit::new(&library.trained, &uses_of(&uses)?, &clips, iterations)? })
     }
 
     /// One iteration of the optimiser. The bound is that of the clips under the stored primitives.

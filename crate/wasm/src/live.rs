@@ -30,7 +30,7 @@ impl LiveRollout {
         let frame = frame.count(ErrorCode::Rollout, "the frame")?;
         let (model, request) = (Rc::clone(&rollout.model), &rollout.request);
         let view = coupled(&model)?;
-        let live = vcgpdm::models::LiveRollout::behind(view, &rollout.rollout, frame, request.sequence)?;
+        let live = vcgpdm::models::LiveRollout::after(view, &rollout.rollout, frame, request.sequence)?;
         let (alpha, reading) = (request.alpha_or(&view.model.alpha).clone(), request.reading);
         let dynamics = view.model.dynamics_without(&[], &alpha, reading)?;
         Ok(LiveRollout { live, alpha, reading, cuts: Vec::new(), dynamics, model })

@@ -120,7 +120,7 @@ impl Library {
     /// added twice. Throws the reason of `misfit`.
     pub fn add(&self, other: &Library) -> Result<Library, VcgpdmError> {
         let mut trained = TrainedLibrary::clone(&self.trained);
-        trained.take_in(&other.trained)?;
+        trained.merge(&other.trained)?;
         Ok(Library { trained: Rc::new(trained) })
     }
 
@@ -156,7 +156,7 @@ impl ImportTrainer {
         #[wasm_bindgen(unchecked_param_type = "ImportRequest")] request: JsValue,
     ) -> Result<ImportTrainer, VcgpdmError> {
         let request = request_of(library, other, &request)?;
-        let frames = other.trained.own_frames();
+        let frames = other.trained.import_frames();
         Ok(ImportTrainer { import: Import::new(&library.trained, &other.trained, frames, &request)? })
     }
 
@@ -170,8 +170,8 @@ impl ImportTrainer {
         #[wasm_bindgen(unchecked_param_type = "ImportRequest")] request: JsValue,
     ) -> Result<ImportTrainer, VcgpdmError> {
         let request = request_of(library, other, &request)?;
-        let observed = library.observed(clips)?;
-        let frames = ImportFrames::Clips(&observed);
+        let clips = library.encode(clips)?;
+        let frames = ImportFrames::Clips(&clips);
         Ok(ImportTrainer { import: Import::new(&library.trained, &other.trained, frames, &request)? })
     }
 

@@ -9,7 +9,7 @@ use crate::progress::progress_to_js;
 use crate::settings::{Task, settings_from_js};
 use std::rc::Rc;
 use vcgpdm::Trainer as Training;
-use vcgpdm::models::{Dataset, Observed, Source};
+use vcgpdm::models::{ColumnMapping, Dataset, Source};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -115,7 +115,10 @@ impl Trainer {
 }
 
 /// Latent means of a part of a training under way, row after row.
-pub(crate) fn latents_of<S: Observed>(training: &Training<S>, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+pub(crate) fn latents_of<S: ColumnMapping>(
+    training: &Training<S>,
+    part: &Whole,
+) -> Result<Vec<f64>, VcgpdmError> {
     let latents: Vec<_> = (0..training.part_count()).filter_map(|part| training.latents(part)).collect();
     Ok(flat(part.part_of(ErrorCode::Training, &latents)?))
 }

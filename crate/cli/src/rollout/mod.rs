@@ -12,7 +12,7 @@ use std::iter::once;
 use std::path::{Path, PathBuf};
 use vcgpdm::document::Document;
 use vcgpdm::models::{
-    Body, Coupled, MOST_FRAMES, MOST_SAMPLES, Model, Observed, Reading, Rollout, RolloutRequest,
+    Body, ColumnMapping, Coupled, MOST_FRAMES, MOST_SAMPLES, Model, Reading, Rollout, RolloutRequest,
 };
 use vcgpdm::motion::bvh;
 use vcgpdm::series;
@@ -114,7 +114,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 /// Writes columns [frames x D] as the motion of a body to a file.
 type WriteMotion<'a, S> = &'a dyn Fn(&Body<S>, &DMatrix<f64>, &Path) -> Result<(), Box<dyn Error>>;
 
-fn roll_out<S: Observed>(
+fn roll_out<S: ColumnMapping>(
     arguments: &Arguments,
     model: Model<S>,
     motion: WriteMotion<S>,
@@ -162,7 +162,7 @@ impl Arguments {
     }
 
     /// Writes a rollout as a motion and as columns, if the options ask for them.
-    fn write<S: Observed>(
+    fn write<S: ColumnMapping>(
         &self,
         body: &Body<S>,
         y: &DMatrix<f64>,
@@ -208,7 +208,7 @@ impl Arguments {
 }
 
 /// Rolls out a model with couplings, and writes its latents too.
-fn roll_out_coupled<S: Observed>(
+fn roll_out_coupled<S: ColumnMapping>(
     arguments: &Arguments,
     model: Coupled<S>,
     motion: WriteMotion<S>,

@@ -26,7 +26,8 @@ use std::time::Instant;
 use vcgpdm::document::DocumentError;
 use vcgpdm::models::variational::VariationalTrainer;
 use vcgpdm::models::{
-    Dataset, FittedModel, Model, ModelKind, Observed, Provenance, Settings, Source, Trainer, with_bones_of,
+    ColumnMapping, Dataset, FittedModel, Model, ModelKind, Provenance, Settings, Source, Trainer,
+    with_bones_of,
 };
 use vcgpdm::motion::Clip;
 use vcgpdm_lab::golden::Case;
@@ -80,7 +81,7 @@ fn split(arguments: &Arguments) -> Result<&str, Box<dyn Error>> {
 }
 
 /// Trains on the data set, writes the model and prints a summary.
-fn train<S: Observed>(
+fn train<S: ColumnMapping>(
     arguments: &Arguments,
     split: &str,
     dataset: &Dataset<S>,
@@ -143,7 +144,7 @@ fn train<S: Observed>(
 }
 
 /// Writes the starting point of the training of a variational model, as the input of a case.
-fn write_start<S: Observed>(
+fn write_start<S: ColumnMapping>(
     path: &Path,
     dataset: &Dataset<S>,
     settings: &Settings,

@@ -4,7 +4,7 @@ use crate::interrupt;
 use crate::progress::{Progress as Bar, say};
 use std::error::Error;
 use std::sync::atomic::Ordering;
-use vcgpdm::models::{Dataset, Observed, Progress, Settings, TrainingCost};
+use vcgpdm::models::{ColumnMapping, Dataset, Progress, Settings, TrainingCost};
 
 /// Above these seconds and bytes a warning comes before the training: half an hour, and the memory of a small
 /// machine.
@@ -12,7 +12,7 @@ const LONG: f64 = 1800.0;
 const LARGE: f64 = 4e9;
 
 /// Warns, before a training on a data set, that it would take long or much memory.
-pub fn warn_of_training<S: Observed>(settings: &Settings, dataset: &Dataset<S>) {
+pub fn warn_of_training<S: ColumnMapping>(settings: &Settings, dataset: &Dataset<S>) {
     let columns: Vec<usize> = dataset.y.iter().map(|y| y.ncols()).collect();
     let less = match settings {
         Settings::Vcgpdm(_) | Settings::Vgpdm(_) => "a lower --fps, fewer inducing points or iterations",

@@ -168,8 +168,8 @@ mod tests {
             let mut trainer = LibraryTrainer::new(&dataset, &plan, &settings, 0).unwrap();
             while !trainer.step().done {}
             let library = trainer.finish().unwrap();
-            let uses = library.uses("lower=walk,upper=wave").unwrap();
-            let fitted = library.observed(&clips[0]).unwrap();
+            let uses = library.read_uses("lower=walk,upper=wave").unwrap();
+            let fitted = library.encode(&clips[0]).unwrap();
             let mut fit = CouplingTrainer::new(&library, &uses, &[fitted], 4).unwrap();
             fit.run();
             fit.finish("fitted").unwrap()
@@ -255,17 +255,18 @@ mod tests {
     }
 
     #[test]
-    fn primitives_are_taken_in_where_they_fit() {
+    fn a_merge_adds_the_primitives_that_are_missing() {
         let whole = trained();
         // Without the arms of the walk, and these alone.
         let mut some = whole.select(&[0, 2]).unwrap();
         let arms = whole.select(&[1]).unwrap();
-        let taken = some.take_in(&TrainedLibrary::from_json(&arms.to_json().unwrap()).unwrap()).unwrap();
-        assert_eq!((taken.primitives, taken.added, taken.movements), (vec![2], vec![2], vec![]));
+        let movements = some.library.movements.clone();
+        some.merge(&TrainedLibrary::from_json(&arms.to_json().unwrap()).unwrap()).unwrap();
+        assert_eq!((some.library.primitives.len(), &some.library.movements), (3, &movements));
         assert_eq!(some.library.primitives[2].name, "walk");
         // The combination is the recorded one again, couplings included, as far as a primitive alone knows
         // them.
-        let uses = some.uses("lower=walk+wave,upper=walk").unwrap();
+        let uses = some.read_uses("lower=walk+wave,upper=walk").unwrap();
         let alpha = some.library.nearest_couplings(&uses);
         assert_eq!(alpha.row(1), whole.library.movements[0].alpha.row(1));
         let path = |library: &TrainedLibrary, uses: &[usize]| {
@@ -278,13 +279,14 @@ mod tests {
             dynamics.unwrap().path(&start, 30).unwrap()
         };
         assert_eq!(path(&some, &uses), path(whole, &[0, 1]));
-        // Twice is once.
-        let again = some.take_in(&arms).unwrap();
-        assert_eq!((again.primitives, again.added), (vec![2], vec![]));
+        // A second merge of the same primitive changes nothing.
+        let merged = some.library.clone();
+        some.merge(&arms).unwrap();
+        assert_eq!(some.library, merged);
         // A movement comes along with both of its primitives, and rows are not counted twice.
         let mut legs = whole.select(&[0]).unwrap();
-        let taken = legs.take_in(whole).unwrap();
-        assert_eq!((taken.primitives, taken.added), (vec![0, 1, 2], vec![1, 2]));
+        legs.merge(whole).unwrap();
+        assert_eq!(legs.library.primitives.len(), 3);
         assert!(legs.library.movements.iter().all(|movement| movement.sums.is_none()));
         assert_eq!(legs.body.sequences.len(), whole.body.sequences.len());
         let read = TrainedLibrary::from_json(&legs.to_json().unwrap()).unwrap();
@@ -293,11 +295,11 @@ mod tests {
 
     #[test]
     fn what_does_not_fit_another_library_is_refused_with_the_reason() {
-        use crate::models::library::{Misfit, TakeInError};
+        use crate::models::library::{MergeError, Misfit};
         let refused = |change: &dyn Fn(&mut TrainedLibrary)| {
             let (mut host, mut other) = (trained().clone(), trained().select(&[1]).unwrap());
             change(&mut other);
-            let TakeInError::Misfit(misfit) = host.take_in(&other).unwrap_err() else { panic!("no misfit") };
+            let MergeError::Misfit(misfit) = host.merge(&other).unwrap_err() else { panic!("no misfit") };
             assert_eq!(host.library, trained().library);
             (misfit.to_string(), misfit.can_be_relearned(), misfit)
         };
@@ -377,9 +379,9 @@ mod tests {
     #[test]
     fn choices_are_understood_by_primitive_and_by_movement() {
         let library = trained();
-        assert_eq!(library.uses("lower=walk,upper=wave").unwrap(), [0, 2]);
-        assert_eq!(library.uses("upper=walk, lower=walk+wave").unwrap(), [0, 1]);
-        let words = |text: &str| library.uses(text).unwrap_err().to_string();
+        assert_eq!(library.read_uses("lower=walk,upper=wave").unwrap(), [0, 2]);
+        assert_eq!(library.read_uses("upper=walk, lower=walk+wave").unwrap(), [0, 1]);
+        let words = |text: &str| library.read_uses(text).unwrap_err().to_string();
         assert_eq!(
             words("lower=walk"),
             "expected PART=PRIMITIVE for each part, such as lower=walk+wave,upper=walk, found \"lower=walk\""

@@ -4,7 +4,7 @@
 use crate::document::error::{DocumentError, SECOND, VERSION};
 use crate::json::checks::{count, positive};
 use crate::json::{Field, FieldError, Object, Value};
-use crate::models::Observed;
+use crate::models::ColumnMapping;
 use crate::motion::parts::{PartSpec, PartsLayout};
 use crate::motion::pose::PoseMapping;
 use crate::series::{Columns, check_parts};
@@ -13,7 +13,7 @@ use crate::series::{Columns, check_parts};
 const MOST_COLUMNS: usize = 10_000;
 
 /// What a document can say of its columns.
-pub(super) trait Subject: Observed {
+pub(super) trait Subject: ColumnMapping {
     /// The field of the document that holds it.
     const FIELD: &'static str;
     /// The field of a part that lists what belongs to it.

@@ -1,14 +1,13 @@
-//! The models of movement, and what they have in common: what they learn from, a training under way, a fitted
-//! model that rolls out, and the body that it moves.
+//! Models of movement, and what all kinds of models share: training data, trainings, trained models, rollouts.
 //!
-//! [`variational`] is the vCGPDM and, of one part, the vGPDM (Velychko et al. 2018). The others are what it
-//! is compared with: [`map`] the GPDM and CGPDM with point latents, [`tmp`] temporal and [`dmp`] dynamic
+//! [`variational`] is the vCGPDM and, with one part, the vGPDM (Velychko et al. 2018). It is compared with
+//! [`map`], the GPDM and CGPDM with point latents, [`tmp`], temporal movement primitives, and [`dmp`], dynamic
 //! movement primitives.
 //!
-//! From clips to a motion: a [`Dataset`] of clips gives [`Movements`]; [`Settings`] give a [`Learner`]
-//! of these, and that a [`FittedModel`]; a [`Model`] has with it the [`Body`] that turns its columns into
-//! poses, and its [`Provenance`]. Tables of numbers that are no poses go the same way: `Dataset::of_tables`,
-//! and a [`SeriesModel`] at the end.
+//! From clips to a motion: a [`Dataset`] of clips becomes [`Movements`]; [`Settings`] make a [`Learner`] of
+//! the movements; the learner makes a [`FittedModel`]; a [`Model`] is a fitted model with the [`Body`] that
+//! turns its columns into poses and its [`Provenance`]. Tables take the same way from `Dataset::of_tables` to
+//! a [`SeriesModel`].
 
 pub(crate) mod data;
 pub mod dmp;
@@ -21,9 +20,9 @@ pub mod tmp;
 pub(crate) mod training;
 pub mod variational;
 
+pub use data::column_mapping::ColumnMapping;
 pub use data::dataset::{Dataset, DatasetError, Source, same_body, with_bones_of};
 pub use data::movements::{Movements, Sequence};
-pub use data::observed::Observed;
 pub use data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 pub use data::sequence_info::SequenceInfo;
 pub use data::sequences::{MOST_FRAMES, Sequences, SequencesError};

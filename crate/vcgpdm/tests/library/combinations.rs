@@ -33,8 +33,8 @@ fn range(x: &DMatrix<f64>, q: usize) -> (f64, f64) {
 fn legs_of_the_walk_and_arms_of_the_wave_move_on_together() {
     let trained = trained(150);
     let library = &trained.library;
-    let uses = trained.uses("lower=walk,upper=wave").unwrap();
-    assert_eq!(library.recorded(&uses), None);
+    let uses = trained.read_uses("lower=walk,upper=wave").unwrap();
+    assert_eq!(library.recorded_movement(&uses), None);
     let model = trained.combination(&uses, &library.nearest_couplings(&uses)).unwrap();
     let model = model.coupled().unwrap();
     let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();

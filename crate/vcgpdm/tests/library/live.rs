@@ -13,7 +13,7 @@ fn undisturbed_it_goes_on_as_the_rollout_does() {
     let request = RolloutRequest { frames: 60, ..RolloutRequest::default() };
     let rollout = model.rollout(&request).unwrap();
     let expected = model.positions(&rollout).unwrap();
-    let mut live = LiveRollout::behind(model, &rollout, 19, 0).unwrap();
+    let mut live = LiveRollout::after(model, &rollout, 19, 0).unwrap();
     let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
     let mut positions = Vec::new();
     let mut last = DMatrix::zeros(0, 0);
@@ -38,7 +38,7 @@ fn a_pulled_node_moves_the_way_it_is_pulled() {
     let model = start_model();
     let model = model.coupled().unwrap();
     let rollout = model.rollout(&RolloutRequest { frames: 40, ..RolloutRequest::default() }).unwrap();
-    let live = LiveRollout::behind(model, &rollout, 30, 0).unwrap();
+    let live = LiveRollout::after(model, &rollout, 30, 0).unwrap();
     let figure = model.body.mapping.skeleton().figure();
     let joints = &model.body.mapping.skeleton().joints;
     let hand = figure.iter().position(|node| joints[node.joint].name.contains("Hand")).unwrap();
@@ -51,7 +51,7 @@ fn a_pulled_node_moves_the_way_it_is_pulled() {
     pulled.push(&push).unwrap();
     let moved = place(pulled) - free;
     assert!(moved > 0.005 && moved < 0.1, "{moved}");
-    let error = LiveRollout::behind(model, &rollout, 30, 0).unwrap().pull(model, 999, [0.0; 3]).unwrap_err();
+    let error = LiveRollout::after(model, &rollout, 30, 0).unwrap().pull(model, 999, [0.0; 3]).unwrap_err();
     assert!(error.to_string().starts_with("expected a node of the figure from 0 to "));
 }
 
@@ -60,7 +60,7 @@ fn on_its_cycle_all_parts_are_in_step_and_a_push_leaves_it() {
     let model = start_model();
     let model = model.coupled().unwrap();
     let rollout = model.rollout(&RolloutRequest { frames: 250, ..RolloutRequest::default() }).unwrap();
-    let mut live = LiveRollout::behind(model, &rollout, 240, 0).unwrap();
+    let mut live = LiveRollout::after(model, &rollout, 240, 0).unwrap();
     let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
     let settled = live.advance(model, &dynamics, 10).unwrap().places;
     assert_eq!(settled.len(), 10 * 2);

@@ -4,7 +4,7 @@
 use nalgebra::DMatrix;
 use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
 use vcgpdm::models::{
-    Dataset, DmpSettings, MapSettings, Model, Observed, RolloutRequest, Settings, Source, TmpSettings,
+    ColumnMapping, Dataset, DmpSettings, MapSettings, Model, RolloutRequest, Settings, Source, TmpSettings,
     Trainer, VariationalSettings,
 };
 use vcgpdm::motion::{bvh, parts, samples};
@@ -85,7 +85,7 @@ fn walks(names: &[&str], split: &str) -> Dataset {
 }
 
 /// Size of two seconds of a model's rollout, without its mean.
-fn size<S: Observed>(model: &Model<S>) -> f64 {
+fn size<S: ColumnMapping>(model: &Model<S>) -> f64 {
     let y = model.rollout(0, 20).unwrap();
     assert_eq!(y.nrows(), 20);
     let mean = y.row_mean();
@@ -128,7 +128,7 @@ pub fn a_library_of_primitives_trains_and_rolls_out() {
     let mut trainer = LibraryTrainer::new(&dataset, &plan, &SMALL, 1).unwrap();
     while !trainer.step().done {}
     let trained = trainer.finish().unwrap();
-    let uses = trained.uses("lower=walk,upper=wave").unwrap();
+    let uses = trained.read_uses("lower=walk,upper=wave").unwrap();
     let model = trained.combination(&uses, &trained.library.nearest_couplings(&uses)).unwrap();
     is_near("library", [trainer.progress().best, size(&model)], [7481.470350939628, 2.6787161816575877]);
 }

@@ -59,7 +59,7 @@ fn fold(test: &ModularityTest, place: (usize, usize), trained: Trained) -> Train
 /// How far the last sequence of a movement, rolled out, is from the clip that it is the beginning of: in all
 /// columns, and in those of the lower body.
 fn errors(library: &TrainedLibrary, movement: usize, actual: &Clip) -> [f64; 2] {
-    let actual = library.observed(actual).unwrap();
+    let actual = library.encode(actual).unwrap();
     let actual = library.body.columns(&actual.y);
     let model = library.library.movement(movement).unwrap();
     let predicted = library.body.columns(&model.rollout(model.starts.len() - 1, actual.nrows()).unwrap());
@@ -87,7 +87,7 @@ fn held_out_trial(test: &ModularityTest, host: &TrainedLibrary, held_out: usize)
     let start = actual.resample(rate).unwrap().cut(0, START_FRAMES).unwrap();
     let others = trials.iter().enumerate().filter(|(k, _)| *k != held_out - 1);
     let clips: Vec<_> =
-        others.map(|(_, clip)| clip).chain([&start]).map(|clip| host.observed(clip).unwrap()).collect();
+        others.map(|(_, clip)| clip).chain([&start]).map(|clip| host.encode(clip).unwrap()).collect();
     let legs = donor.select(&[0]).unwrap();
     vec![
         Came { errors: errors(&donor, 0, actual), lost: None },

@@ -1,4 +1,4 @@
-//! From clips to what a model trains on: one pose mapping, parts, centred columns, sequences.
+//! From clips to training data: one pose mapping, parts, centred columns, sequences.
 
 use crate::gp::linalg::stacked;
 use crate::models::data::sequence_info::SequenceInfo;
@@ -17,7 +17,7 @@ use thiserror::Error;
 pub struct Source<'a> {
     /// The clip, at any frame rate.
     pub clip: &'a Clip,
-    /// Use only so many frames of it, counted at the frame rate of the data set; `None`: all.
+    /// Use only its first frames, this many at the frame rate of the data set; `None`: all.
     pub first_frames: Option<usize>,
 }
 
@@ -31,7 +31,7 @@ impl<'a> From<&'a Clip> for Source<'a> {
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum DatasetError {
-    /// There is nothing to train on.
+    /// There is no clip.
     #[error("expected at least one clip to train on, found none")]
     Empty,
     /// The bodies differ.
@@ -41,10 +41,10 @@ pub enum DatasetError {
         clip: String,
         /// The clip it was compared with.
         first: String,
-        /// How.
+        /// The difference.
         reason: Box<BodyMismatch>,
     },
-    /// The clip is shorter than what is asked of it.
+    /// The clip has fewer frames than were asked for.
     #[error("{clip} has {}, but the first {expected} were asked for", counted(*found, "frame"))]
     Short {
         /// The clip.
@@ -62,36 +62,36 @@ pub enum DatasetError {
     Pose {
         /// The clip.
         clip: String,
-        /// Why.
+        /// The reason.
         reason: Box<PoseError>,
     },
     /// The parts do not fit the body.
     #[error(transparent)]
     Parts(#[from] PartsError),
-    /// A clip cannot be trained on as asked.
-    #[error("{}", in_clip(clip, reason))]
+    /// Training cannot start because of one clip.
+    #[error("{}", message_with_clip(clip, reason))]
     Sequence {
         /// The clip.
         clip: String,
-        /// Why.
+        /// The reason.
         reason: Box<TrainingError>,
     },
-    /// Training cannot start, for a reason that is not in a single clip.
+    /// Training cannot start, and not because of a single clip.
     #[error(transparent)]
     Training(TrainingError),
 }
 
-/// The reason with the name of the clip in the place of the number of its sequence.
-fn in_clip(clip: &str, reason: &TrainingError) -> String {
-    match reason.of_sequence() {
-        Some((_, words)) => format!("the clip {clip} {words}"),
+/// The reason with the name of the clip instead of the number of its sequence.
+fn message_with_clip(clip: &str, reason: &TrainingError) -> String {
+    match reason.sequence_problem() {
+        Some((_, problem)) => format!("the clip {clip} {problem}"),
         None => format!("{clip}: {reason}"),
     }
 }
 
 impl DatasetError {
-    /// Why these sequences cannot be trained on, with the clip's name where the reason is in one of them.
-    pub(crate) fn about(reason: TrainingError, sequences: &[SequenceInfo]) -> Self {
+    /// The error of a training on these sequences, with the clip's name where the reason is in one clip.
+    pub(crate) fn from_training(reason: TrainingError, sequences: &[SequenceInfo]) -> Self {
         match reason.sequence().and_then(|sequence| sequences.get(sequence)) {
             Some(info) => DatasetError::Sequence { clip: info.name.clone(), reason: Box::new(reason) },
             None => DatasetError::Training(reason),
@@ -101,10 +101,10 @@ impl DatasetError {
 
 /// A training set: the rows of all sequences, one after the other, divided into the columns of the parts.
 ///
-/// `S` is what the columns are: the poses of a body, or the [columns of tables](crate::series::Columns).
+/// `S` is the meaning of the columns: the poses of a body, or the [columns of tables](crate::series::Columns).
 #[derive(Clone, Debug)]
 pub struct Dataset<S = PoseMapping> {
-    /// From joint rotations to columns and back; of tables, the names and units of the columns.
+    /// From joint rotations to columns and back; for tables, the names and units of the columns.
     pub mapping: S,
     /// Which columns belong to which part.
     pub layout: PartsLayout,
@@ -116,7 +116,7 @@ pub struct Dataset<S = PoseMapping> {
     pub sequences: Vec<SequenceInfo>,
     /// Seconds from one frame to the next.
     pub frame_time: f64,
-    /// The frame rate that the data set was asked for, in frames a second; `frame_time` is near its inverse.
+    /// The frame rate asked for, in frames a second; `frame_time` is near its inverse.
     pub frames_per_second: f64,
     /// What a user should know about the clips, such as a T-pose that was left out or a clip that does not
     /// move: sentences without a full stop, each with the name of its clip, part or column.
@@ -145,7 +145,7 @@ fn body_error(first: &Clip, clip: &Clip, reason: BodyMismatch) -> DatasetError {
     DatasetError::Body { clip: clip.name.clone(), first: first.name.clone(), reason: Box::new(reason) }
 }
 
-/// Rates that differ by less than this are one rate.
+/// Rates that differ by less than this share are the same rate.
 const SAME_RATE: f64 = 0.02;
 
 impl Dataset {
@@ -154,8 +154,8 @@ impl Dataset {
     ///
     /// # Errors
     ///
-    /// When there is no clip, the bodies differ, a clip is shorter than what is asked of it, cannot be
-    /// resampled or cannot be turned into rows, or the parts do not fit the body.
+    /// When there is no clip, the bodies differ, a clip is too short, cannot be resampled or cannot be turned
+    /// into rows, or the parts do not fit the body.
     pub fn new(sources: &[Source], parts: &[PartSpec], frames_per_second: f64) -> Result<Self, DatasetError> {
         let first = sources.first().ok_or(DatasetError::Empty)?;
         for source in &sources[1..] {
@@ -164,8 +164,7 @@ impl Dataset {
         let mut clips: Vec<Clip> = Vec::new();
         for source in sources {
             let mut clip = source.clip.resample(frames_per_second)?;
-            // A clip of another rate that also came near the one asked for is brought to the first clip's
-            // exactly.
+            // Two clips can both be near the rate asked for and differ: then the first clip's rate counts.
             if let Some(first) = clips.first()
                 && (clip.frame_time / first.frame_time - 1.0).abs() > SAME_RATE
             {
@@ -188,8 +187,8 @@ impl Dataset {
                 .encode(clip)
                 .map_err(|reason| DatasetError::Pose { clip: clip.name.clone(), reason: Box::new(reason) })?;
             rows.push(encoded.y);
-            let odd = clip.warnings.iter().chain(&encoded.warnings);
-            warnings.extend(odd.map(|warning| format!("{}: {warning}", clip.name)));
+            let own = clip.warnings.iter().chain(&encoded.warnings);
+            warnings.extend(own.map(|warning| format!("{}: {warning}", clip.name)));
         }
         let mut all = stacked(&rows);
         let column_means: Vec<f64> = all.row_mean().iter().copied().collect();
@@ -229,9 +228,9 @@ fn still_parts(layout: &PartsLayout, changing: &[bool]) -> Option<String> {
 }
 
 impl<S> Dataset<S> {
-    /// Why this data set cannot be trained on, with the clip's name where the reason is in one sequence.
-    pub fn refusal(&self, reason: TrainingError) -> DatasetError {
-        DatasetError::about(reason, &self.sequences)
+    /// The error of a training on this data set, with the clip's name where the reason is in one clip.
+    pub fn training_error(&self, reason: TrainingError) -> DatasetError {
+        DatasetError::from_training(reason, &self.sequences)
     }
 
     /// The numbers of frames T_s of the sequences.

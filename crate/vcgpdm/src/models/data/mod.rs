@@ -1,8 +1,8 @@
-//! The data that models are trained on: clips or tables as centred columns of parts, sequence after sequence.
+//! Training data: clips or tables as centred columns of parts, one sequence after the other.
 
+pub(crate) mod column_mapping;
 pub(crate) mod dataset;
 pub(crate) mod movements;
-pub(crate) mod observed;
 pub(crate) mod phase;
 pub(crate) mod sequence_info;
 pub(crate) mod sequences;

@@ -1,12 +1,12 @@
-//! What every model learns from: the columns of each part, sequence after sequence.
+//! Input of every learner: the columns of each part, one sequence after the other.
 
 use crate::models::data::dataset::Dataset;
 use nalgebra::DMatrix;
 
-/// What a model learns from.
+/// The movements that a model learns from.
 ///
-/// A comparison trains on all trials but one and on the first frames of the one held out, as a sequence of
-/// its own; then it rolls out from that sequence for the length of the trial.
+/// A comparison trains on all trials but one, and on the first frames of the held-out trial as a sequence of
+/// its own. Then it rolls out from that sequence for the length of the trial.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Movements {
     /// Centred columns of each part [N x D_i], stacked sequence after sequence.
@@ -20,13 +20,13 @@ pub struct Movements {
 pub struct Sequence {
     /// Number of frames T_s.
     pub frames: usize,
-    /// Whether it is a whole trial; false: only the first frames of a trial that will be predicted.
+    /// Whether it is a whole trial; false: the first frames of a trial that will be predicted.
     pub whole: bool,
 }
 
 impl Movements {
     /// The movements of a data set.
-    pub fn of<S>(dataset: &Dataset<S>) -> Movements {
+    pub fn new<S>(dataset: &Dataset<S>) -> Movements {
         let sequences = dataset.sequences.iter();
         let sequences = sequences.map(|info| Sequence { frames: info.frames, whole: info.whole }).collect();
         Movements { y: dataset.y.clone(), sequences }

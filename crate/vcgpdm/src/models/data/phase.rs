@@ -1,35 +1,35 @@
-//! Trials on a common phase: recordings start anywhere in a gait cycle and walk at their own pace.
+//! Alignment of trials to a common phase: recordings start anywhere in a gait cycle and have their own speed.
 //!
-//! The phase of frame t of a trial is start + rate t. Each trial is fitted to the mean of all (the template),
-//! the template is formed anew, and so on. A straight line, not a free warp of time: it is what can be known
-//! about a trial of which only the first frames are there, and it cannot explain differences of shape away.
+//! The phase of frame t of a trial is start + rate t. In turns, each trial is fitted to the mean of all trials
+//! (the template), and the template is computed again. The map from time to phase is a straight line and not a
+//! free warp: a line can be found from the first frames of a trial, and it cannot hide differences of shape.
 
 use crate::elementary::Elementary;
 use crate::motion::{Period, RHYTHMIC, period};
 use nalgebra::DMatrix;
 
-/// Places of the template along the axis.
+/// Number of places of the template along the axis.
 const TEMPLATE: usize = 64;
-/// Times that all trials are fitted and the template is formed anew.
+/// Number of rounds of fits.
 const ROUNDS: usize = 4;
-/// A cycle that was asked for has the period that is found, unless the movement hardly repeats at all.
+/// A period with a smaller correlation than this is ignored when a cycle was asked for.
 const FAINT: f64 = 0.3;
-/// Where no cycle is, a trial's start moves at most by this, and its rate by this factor: ends are cut
-/// roughly alike.
+/// In a movement that is not a cycle, the largest change of a trial's start, and the largest factor of its
+/// rate: such trials are cut at similar places.
 const MOST_SHIFT: f64 = 0.25;
 const MOST_STRETCH: f64 = 1.25;
-/// A trial of which only the first frames are known begins where trials begin: by at most this part of a
-/// movement later than all the others, and not before them, where no trial tells how it goes on.
+/// A partial trial starts at most this share of a movement after all whole trials start, and not before the
+/// first of them, where no trial shows how it continues.
 const START_MARGIN: f64 = 0.1;
-/// Stretches that are looked at to either side: a movement of several like swings fits in many ways, of which
-/// one is best.
+/// Number of stretches to try in each direction: a movement of several similar swings has several local
+/// minima.
 const STRETCHES: i32 = 6;
-/// The period of a trial is at most so many times longer or shorter than the common one.
+/// The largest ratio between the period of a trial and the common period.
 const MOST_PACE: f64 = 1.5;
-/// Steps of the search for a start are halved so often.
+/// How often the steps of the search for a start are halved.
 const HALVINGS: usize = 6;
 
-/// What phase 0 to 1 means.
+/// Meaning of the phases from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PhaseAxis {
     /// One cycle of a movement that repeats: phases are modulo 1.
@@ -38,23 +38,23 @@ pub enum PhaseAxis {
     Trial,
 }
 
-/// Where a trial lies on the axis.
+/// Map from the frames of a trial to phases.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhaseMap {
     /// Phase of its first frame.
     pub start: f64,
-    /// Phase that passes from one frame to the next, positive.
+    /// Change of phase from one frame to the next, positive.
     pub rate: f64,
 }
 
 impl PhaseMap {
-    /// The phase of frame `t`; on a cycle, whole turns are not taken off.
+    /// The phase of frame `t`; on a cycle, it can exceed 1.
     pub fn at(&self, t: usize) -> f64 {
         self.start + self.rate * t as f64
     }
 
-    /// Start and rate changed so that the phase in the middle of `frames` frames moves by `shift`, and the
-    /// phase that passes over all of them grows by `stretch`.
+    /// The map with the phase in the middle of `frames` frames moved by `shift`, and the change of phase over
+    /// all frames larger by `stretch`.
     pub fn moved(&self, frames: usize, shift: f64, stretch: f64) -> Self {
         let length = frames.saturating_sub(1).max(1) as f64;
         Self { start: self.start + shift - 0.5 * stretch, rate: self.rate + stretch / length }
@@ -66,16 +66,16 @@ impl PhaseMap {
 pub struct Trial {
     /// All columns [T x D].
     pub y: DMatrix<f64>,
-    /// False: only the first frames; then its rate is the mean one.
+    /// Whether it is a whole trial; false: only its first frames, and its rate is the mean rate.
     pub whole: bool,
 }
 
 /// All trials on one axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Alignment {
-    /// What the phase means.
+    /// Meaning of the phase.
     pub axis: PhaseAxis,
-    /// One for each trial.
+    /// The map of each trial.
     pub maps: Vec<PhaseMap>,
 }
 
@@ -86,8 +86,7 @@ impl Alignment {
         whole().map(|(_, map)| map.rate).sum::<f64>() / whole().count().max(1) as f64
     }
 
-    /// The whole movement in normalised time: every whole trial from 0 to 1, every other one at the mean
-    /// rate.
+    /// Normalised time: every whole trial has phases from 0 to 1, every partial trial the mean rate.
     pub fn normalised_time(trials: &[Trial]) -> Self {
         let rate = |trial: &Trial| 1.0 / trial.y.nrows().saturating_sub(1).max(1) as f64;
         let mut maps: Vec<PhaseMap> =
@@ -99,8 +98,8 @@ impl Alignment {
         Self { axis: PhaseAxis::Trial, maps }
     }
 
-    /// Finds the axis (a cycle when the whole trials repeat themselves; `axis` decides otherwise) and fits
-    /// every trial to it. At least one trial has to be whole.
+    /// Fits every trial to the `axis`; without one, the axis is a cycle if the whole trials repeat themselves.
+    /// At least one trial must be whole.
     pub fn new(trials: &[Trial], axis: Option<PhaseAxis>) -> Self {
         let whole: Vec<DMatrix<f64>> = trials.iter().filter(|t| t.whole).map(|t| t.y.clone()).collect();
         let longest = whole.iter().map(|y| y.nrows()).max().unwrap_or(1);
@@ -130,13 +129,13 @@ impl Alignment {
                 maps[s] = template.fit(&frames[s], maps[s], MOST_SHIFT, round == 0, true);
             }
             if axis == PhaseAxis::Trial {
-                span(trials, &mut maps);
+                normalise(trials, &mut maps);
             }
             template = Template::new(axis, whole().map(|s| (&frames[s], maps[s])));
         }
         let rate = Self::mean_rate(trials, &maps);
         for s in (0..trials.len()).filter(|&s| !trials[s].whole) {
-            let (first, last) = beginnings(axis, trials, &maps);
+            let (first, last) = start_range(axis, trials, &maps);
             let middle = PhaseMap { start: 0.5 * (first + last), rate };
             maps[s] = template.fit(&frames[s], middle, 0.5 * (last - first), true, false);
         }
@@ -159,16 +158,16 @@ impl Alignment {
     }
 }
 
-/// Makes the whole trials reach from 0 to 1 together.
-fn span(trials: &[Trial], maps: &mut [PhaseMap]) {
-    let (first, last) = covered(trials, maps);
+/// Scales the maps so that the phases of all whole trials together are from 0 to 1.
+fn normalise(trials: &[Trial], maps: &mut [PhaseMap]) {
+    let (first, last) = phase_range(trials, maps);
     for map in maps {
         *map = PhaseMap { start: (map.start - first) / (last - first), rate: map.rate / (last - first) };
     }
 }
 
-/// The phases between which the whole trials lie.
-pub fn covered(trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
+/// The lowest and highest phase of the whole trials.
+pub fn phase_range(trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
     let whole = || trials.iter().zip(maps).filter(|(trial, _)| trial.whole);
     let first = whole().map(|(_, map)| map.start).fold(f64::INFINITY, f64::min);
     let last =
@@ -176,8 +175,8 @@ pub fn covered(trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
     (first, last)
 }
 
-/// Between which phases a trial may begin.
-fn beginnings(axis: PhaseAxis, trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
+/// The range of the start of a partial trial.
+fn start_range(axis: PhaseAxis, trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64) {
     if axis == PhaseAxis::Cycle {
         return (0.0, 1.0);
     }
@@ -185,8 +184,8 @@ fn beginnings(axis: PhaseAxis, trials: &[Trial], maps: &[PhaseMap]) -> (f64, f64
     (starts().fold(f64::INFINITY, f64::min), starts().fold(f64::NEG_INFINITY, f64::max) + START_MARGIN)
 }
 
-/// The period of all trials together. Walks at several speeds share none: then the median of those of the
-/// trials, where most of them repeat themselves within half of their length.
+/// The period of all trials together. Walks of several speeds have no common period; then it is the median
+/// of the periods of single trials, if most of them repeat within half of their length.
 fn common_period(trials: &[DMatrix<f64>]) -> Option<Period> {
     let together = period(trials);
     if together.is_some_and(|p| p.correlation >= RHYTHMIC) {
@@ -201,8 +200,7 @@ fn common_period(trials: &[DMatrix<f64>]) -> Option<Period> {
     if 2 * own.len() > trials.len() { own.get(own.len() / 2).copied() } else { together }
 }
 
-/// The period of one trial where it is clear, and neither half nor twice the `common` one: people walk slowly
-/// or briskly.
+/// The period of one trial if it is clear and near the `common` period, neither half nor twice as long.
 fn own_period(y: &DMatrix<f64>, common: f64) -> f64 {
     match period(std::slice::from_ref(y)) {
         Some(p) if p.frames < MOST_PACE * common && common < MOST_PACE * p.frames => p.frames,
@@ -231,7 +229,7 @@ impl Template {
                 }
             }
         }
-        // A place that no frame came near takes over its nearest neighbour's mean.
+        // A place without a frame has the mean of the nearest place with one.
         let filled: Vec<usize> = (0..TEMPLATE).filter(|&g| weights[g] > 1e-6).collect();
         for &g in &filled {
             mean.column_mut(g).scale_mut(1.0 / weights[g]);
@@ -262,8 +260,8 @@ impl Template {
         sum / frames.ncols().max(1) as f64
     }
 
-    /// The map near `map` with the least error; `anywhere` looks along the whole axis for its start first. A
-    /// start on a movement that is no cycle moves by at most `reach`.
+    /// The map near `map` with the least error. `anywhere`: starts along the whole axis are tried first. In a
+    /// movement that is not a cycle, the start moves by at most `reach`. `stretch`: the rate is fitted too.
     fn fit(
         &self,
         frames: &DMatrix<f64>,
@@ -322,7 +320,7 @@ impl Template {
     }
 }
 
-/// The two places of the template beside a phase, with their weights.
+/// The two places of the template next to a phase, with their weights.
 fn places(axis: PhaseAxis, phase: f64) -> [(usize, f64); 2] {
     match axis {
         PhaseAxis::Cycle => {
@@ -351,7 +349,7 @@ mod tests {
     }
 
     #[test]
-    fn starts_and_rates_of_walks_are_found() {
+    fn finds_starts_and_rates_of_walks() {
         let truth = [(110, 34.0, 0.1), (95, 36.0, 0.85), (101, 35.0, 0.4)];
         let mut trials: Vec<Trial> =
             truth.map(|(t, p, s)| Trial { y: walk(t, p, s), whole: true }).into_iter().collect();
@@ -369,7 +367,7 @@ mod tests {
     }
 
     #[test]
-    fn reaches_of_different_lengths_lie_on_each_other() {
+    fn aligns_reaches_of_different_lengths() {
         let reach = |frames: usize, early: f64| {
             DMatrix::from_fn(frames, 2, |t, d| {
                 let phase = early + t as f64 / (frames - 1) as f64;

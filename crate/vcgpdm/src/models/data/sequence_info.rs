@@ -1,8 +1,8 @@
-//! Where a sequence of a data set came from.
+//! Origins of the sequences of a data set.
 
 use serde::Serialize;
 
-/// Where a sequence came from.
+/// The clip or table that a sequence came from.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SequenceInfo {
     /// The clip's name.
@@ -11,14 +11,13 @@ pub struct SequenceInfo {
     pub sha256: String,
     /// Frames of the sequence.
     pub frames: usize,
-    /// Seconds from its first frame to where its body comes to rest; `None`: it moves to its end, or is not
-    /// known.
+    /// Seconds from its first frame until the body rests; `None`: it moves until its end, or this is not known.
     pub rests_from: Option<f64>,
-    /// The frames of the file that were used, as [`Clip::piece`](crate::motion::Clip::piece) has them;
-    /// `None`: all, or not known.
+    /// The frames of the file that were used, as in [`Clip::piece`](crate::motion::Clip::piece); `None`: all,
+    /// or this is not known.
     pub piece: Option<(usize, usize)>,
-    /// The name of the clip whose bones it was given; `None`: it kept its own, or not known.
+    /// The name of the clip whose bones it was given; `None`: it has its own, or this is not known.
     pub bones_of: Option<String>,
-    /// Whether all of the clip's frames are there; else only its first ones are.
+    /// Whether it has all frames of the clip; false: only the first ones.
     pub whole: bool,
 }

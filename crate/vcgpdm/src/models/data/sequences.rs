@@ -1,4 +1,4 @@
-//! Where the sequences lie in the stacked frames, and the histories that never cross from one into another.
+//! Sequences in a stack of frames, and histories that never cross from one sequence into another.
 
 use crate::gp::Gaussians;
 use crate::words::counted;
@@ -6,30 +6,30 @@ use nalgebra::DMatrix;
 use std::ops::Range;
 use thiserror::Error;
 
-/// More frames than this would not be a motion but an accident; sums of frames never wrap.
+/// The most frames of all sequences together. Sums of frames never overflow.
 pub const MOST_FRAMES: usize = 1_000_000;
 
-/// Lengths that cannot be trained on.
+/// Why sequences of these lengths cannot be trained on.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum SequencesError {
-    /// There is nothing to train on.
+    /// There is no sequence.
     #[error("expected at least one sequence, found none")]
     Empty,
     /// The order of the dynamics is zero.
     #[error("expected dynamics of order 1 or more, found 0")]
     Order,
-    /// More frames in all than can be trained on.
+    /// There are more frames in all than can be trained on.
     #[error("expected at most {most} frames in all, found more")]
     TooLong {
         /// The limit.
         most: usize,
     },
-    /// A sequence is shorter than the history of a frame, or none is longer: there is no transition to learn
-    /// from.
-    #[error("sequence {index} {}", too_short(*frames, *order))]
+    /// A sequence is shorter than the history of a frame, or no sequence is longer, so that there is no
+    /// transition to learn from.
+    #[error("sequence {index} {}", too_few_for_order(*frames, *order))]
     TooShort {
-        /// Which sequence, counted from 0.
+        /// The sequence, counted from 0.
         index: usize,
         /// Its number of frames.
         frames: usize,
@@ -38,8 +38,8 @@ pub enum SequencesError {
     },
 }
 
-/// What is wrong with a sequence of so few frames, in words that follow its name.
-pub(crate) fn too_short(frames: usize, order: usize) -> String {
+/// The problem of a sequence with too few frames, to follow its name in a message.
+pub(crate) fn too_few_for_order(frames: usize, order: usize) -> String {
     format!("has {}; dynamics of order {order} need at least {}", counted(frames, "frame"), order + 1)
 }
 
@@ -57,8 +57,9 @@ impl Sequences {
     ///
     /// # Errors
     ///
-    /// When there is no sequence, the order is 0, a sequence has fewer than `order` frames, or none has more.
-    /// One of exactly so many, the beginning of a movement to predict, has initial frames and no transition.
+    /// When there is no sequence, the order is 0, a sequence has fewer than `order` frames, or no sequence has
+    /// more. A sequence of exactly `order` frames has initial frames and no transition: it is the start of a
+    /// movement to predict.
     pub fn new(lengths: Vec<usize>, order: usize) -> Result<Self, SequencesError> {
         if lengths.is_empty() {
             return Err(SequencesError::Empty);
@@ -78,13 +79,12 @@ impl Sequences {
         }
     }
 
-    /// Some of the sequences, one after the other, where they lie in the same stack of frames: those of one
-    /// movement.
+    /// The sequences of one movement: a range of neighbouring sequences in the same stack of frames.
     ///
     /// # Errors
     ///
-    /// When there is none in the range.
-    pub fn some(&self, which: Range<usize>) -> Result<Self, SequencesError> {
+    /// When the range has no sequence or exceeds the number of sequences.
+    pub fn subset(&self, which: Range<usize>) -> Result<Self, SequencesError> {
         let lengths = self.lengths.get(which.clone()).unwrap_or_default();
         if lengths.is_empty() {
             return Err(SequencesError::Empty);
@@ -103,12 +103,12 @@ impl Sequences {
         self.order
     }
 
-    /// Frames N of all sequences together.
+    /// Number of frames N of all sequences together.
     pub fn frames(&self) -> usize {
         self.lengths.iter().sum()
     }
 
-    /// R, the number of frames with a whole history before them: N - p times the number of sequences.
+    /// Number R of frames with a whole history: N - p times the number of sequences.
     pub fn transitions(&self) -> usize {
         self.frames() - self.order * self.lengths.len()
     }
@@ -127,15 +127,15 @@ impl Sequences {
         self.ranges().flat_map(|r| r.start..r.start + self.order)
     }
 
-    /// The rows of `x` [N x Q] `lag` frames before each frame that has a history (0: those frames themselves)
-    /// [R x Q].
+    /// The rows of `x` [N x Q] `lag` frames before each frame with a history [R x Q]; lag 0 gives these frames
+    /// themselves.
     pub fn lagged(&self, x: &DMatrix<f64>, lag: usize) -> DMatrix<f64> {
         let mut out = DMatrix::zeros(self.transitions(), x.ncols());
         self.lagged_into(x, lag, &mut out);
         out
     }
 
-    /// As [`lagged`](Self::lagged), into a matrix that is there.
+    /// As [`lagged`](Self::lagged), into an existing matrix.
     pub fn lagged_into(&self, x: &DMatrix<f64>, lag: usize, out: &mut DMatrix<f64>) {
         for (rows, frames) in self.blocks(lag) {
             out.rows_mut(rows.start, rows.len()).copy_from(&x.rows(frames.start, frames.len()));
@@ -149,7 +149,7 @@ impl Sequences {
         out
     }
 
-    /// As [`histories`](Self::histories), into matrices that are there.
+    /// As [`histories`](Self::histories), into existing matrices.
     pub fn histories_into(&self, x: &Gaussians, out: &mut Gaussians) {
         self.windows_into(&x.mean, &mut out.mean);
         self.windows_into(&x.variance, &mut out.variance);
@@ -228,17 +228,17 @@ mod tests {
     }
 
     #[test]
-    fn some_of_the_sequences_keep_their_place_in_the_stack() {
+    fn a_subset_keeps_its_place_in_the_stack() {
         let all = Sequences::new(vec![4, 3, 5], 2).unwrap();
-        let some = all.some(1..3).unwrap();
+        let some = all.subset(1..3).unwrap();
         assert_eq!((some.lengths(), some.frames(), some.transitions()), (&[3, 5][..], 8, 4));
         assert_eq!(some.ranges().collect::<Vec<_>>(), [4..7, 7..12]);
         let x = DMatrix::from_fn(12, 1, |t, _| t as f64);
         assert_eq!(some.lagged(&x, 0).as_slice(), &[6.0, 9.0, 10.0, 11.0]);
         assert_eq!(some.lagged(&x, 2).as_slice(), &[4.0, 7.0, 8.0, 9.0]);
-        assert_eq!(all.some(0..3).unwrap(), all);
-        assert_eq!(all.some(2..2).unwrap_err(), SequencesError::Empty);
-        assert_eq!(all.some(2..4).unwrap_err(), SequencesError::Empty);
+        assert_eq!(all.subset(0..3).unwrap(), all);
+        assert_eq!(all.subset(2..2).unwrap_err(), SequencesError::Empty);
+        assert_eq!(all.subset(2..4).unwrap_err(), SequencesError::Empty);
     }
 
     #[test]
@@ -260,14 +260,14 @@ mod tests {
     }
 
     #[test]
-    fn short_sequences_are_refused() {
+    fn refuses_short_sequences() {
         let error = |lengths| Sequences::new(lengths, 2).unwrap_err().to_string();
         assert_eq!(error(vec![8, 1]), "sequence 1 has 1 frame; dynamics of order 2 need at least 3");
         assert_eq!(error(vec![2, 2]), "sequence 0 has 2 frames; dynamics of order 2 need at least 3");
     }
 
     #[test]
-    fn a_history_alone_adds_no_transition() {
+    fn a_sequence_of_one_history_has_no_transition() {
         let sequences = Sequences::new(vec![5, 2, 4], 2).unwrap();
         assert_eq!((sequences.frames(), sequences.transitions()), (11, 5));
         let x = DMatrix::from_fn(11, 1, |t, _| t as f64);

@@ -1,4 +1,4 @@
-//! From tables to what a model trains on.
+//! From tables to training data.
 
 use crate::gp::linalg::stacked;
 use crate::models::data::dataset::Dataset;
@@ -8,12 +8,12 @@ use crate::motion::parts::{PartSpec, PartsLayout};
 use crate::series::{Columns, SeriesError, Table, check_parts};
 
 impl Dataset<Columns> {
-    /// The tables as sequences, their columns in the order of the first, each without its mean and counted in
-    /// its standard deviation. `rate` is the rows a second where the tables have no column of times.
+    /// The tables as sequences. Their columns are in the order of the first table; each is centred and divided
+    /// by its standard deviation. `rate` is the number of rows a second for tables without times.
     ///
     /// # Errors
     ///
-    /// When there is no table, they do not go together, or the parts do not fit the columns.
+    /// When there is no table, the tables have other columns or rates, or the parts do not fit the columns.
     pub fn of_tables(tables: &[Table], parts: &[PartSpec], rate: f64) -> Result<Self, SeriesError> {
         let first = tables.first().ok_or(SeriesError::Empty)?;
         check_parts(parts, &first.columns)?;

@@ -1,19 +1,19 @@
-//! The sequences of a training set as trials with the columns of all parts side by side, and back.
+//! Sequences as trials with the columns of all parts side by side, and back.
 
 use crate::models::data::movements::Movements;
 use crate::models::data::phase::Trial;
 use crate::models::training::error::TrainingError;
 use nalgebra::DMatrix;
 
-/// A whole movement has at least so many frames.
+/// The fewest frames of a whole movement.
 const LEAST_FRAMES: usize = 4;
 
 /// The sequences with the columns of all parts side by side, and the number of columns D_i of each part.
 ///
 /// # Errors
 ///
-/// When there is no column, a part does not have as many rows as the sequences have frames, a sequence is too
-/// short, or none is a whole movement.
+/// When there is no column, a part does not have one row for each frame, a sequence is too short, or no
+/// sequence is a whole movement.
 pub fn split_trials(movements: &Movements) -> Result<(Vec<Trial>, Vec<usize>), TrainingError> {
     let columns: Vec<usize> = movements.y.iter().map(|y| y.ncols()).collect();
     if columns.iter().sum::<usize>() == 0 {

@@ -9,16 +9,16 @@ use crate::models::dmp::{OVERLAP, SpringStart};
 use crate::models::rollout::request::{RolloutError, check_frames};
 use nalgebra::{DMatrix, DVector};
 
-/// A column is scaled by g - y(0) only where that is at least this part of its range in every whole trial,
-/// one way in all.
+/// A column is scaled by g - y(0) only if that is at least this share of its range in every whole trial, with
+/// the same sign in all.
 const CLEAR_WAY: f64 = 0.25;
-/// How fast x fades: alpha_z / 3, as Ijspeert et al. choose it.
+/// Decay rate of x: alpha_z / 3, as in Ijspeert et al.
 const ALPHA_X: f64 = ALPHA_Z / 3.0;
 
-/// Where a sequence begins.
+/// Start of a sequence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DiscreteStart {
-    /// t / tau of the first frame, and how much of it passes from frame to frame.
+    /// t / tau of the first frame, and its change from frame to frame.
     pub map: PhaseMap,
     /// The springs at the first frame.
     pub spring: SpringStart,
@@ -29,7 +29,7 @@ pub struct DiscreteStart {
 pub struct DmpDiscrete {
     /// Goal g `[D]`: the mean of the last frames of the whole trials.
     pub goal: DVector<f64>,
-    /// How fast x fades: x = exp(-alpha_x t / tau), t / tau being the phase of the trial.
+    /// Decay rate of x: x = exp(-alpha_x t / tau), where t / tau is the phase of the trial.
     pub alpha_x: f64,
     /// Centres of the bases, in x `[B]`.
     pub centres: Vec<f64>,
@@ -39,23 +39,22 @@ pub struct DmpDiscrete {
     pub weights: DMatrix<f64>,
     /// Whether the column's force is scaled by g - y(0) `[D]`.
     pub scaled: Vec<bool>,
-    /// One for each training sequence.
+    /// The start of each training sequence.
     pub starts: Vec<DiscreteStart>,
     /// Numbers of columns D_i of the parts, in order.
     pub columns: Vec<usize>,
 }
 
 impl DmpDiscrete {
-    /// Learns `bases` weights for each column. The trials are brought to a common phase first: recordings of
-    /// one movement do not all begin at the same place in it, and forces of different places must not be
-    /// averaged.
+    /// Learns `bases` weights for each column. The trials are aligned first: recordings of one movement start at
+    /// different phases, and forces of different phases must not be averaged.
     ///
     /// # Errors
     ///
     /// When the regression cannot be solved.
     pub fn fit(trials: &[Trial], columns: &[usize], bases: usize) -> Result<Self, NumericsError> {
         let alpha_x = ALPHA_X;
-        // Equal distances in time; in x they shrink with it.
+        // The distances are equal in time, and so they shrink in x.
         let centre = |b: usize| (-alpha_x * b as f64 / bases.saturating_sub(1).max(1) as f64).exponential();
         let centres: Vec<f64> = (0..bases).map(centre).collect();
         let width = |b: usize| {
@@ -92,8 +91,7 @@ impl DmpDiscrete {
             (0..d).map(|_| (DMatrix::zeros(bases, bases), DMatrix::zeros(bases, 1))).collect();
         for (trial, map) in trials.iter().zip(&alignment.maps).filter(|(trial, _)| trial.whole) {
             let y = &trial.y;
-            // Where the way scales the force its own goal counts, elsewhere the one that the rollout will
-            // have.
+            // A scaled column has the goal of its trial, any other column the goal of the rollout.
             let own = end(y);
             let goal = DVector::from_fn(d, |k, _| if model.scaled[k] { own[k] } else { model.goal[k] });
             let curve = Curve::new(y);
@@ -122,7 +120,7 @@ impl DmpDiscrete {
         let x = (-self.alpha_x * phase).exponential();
         let exponents =
             DVector::from_fn(self.centres.len(), |b, _| -self.widths[b] * (x - self.centres[b]).powi(2));
-        // The largest is taken out first: far from all centres the ratio still means the nearest one.
+        // The largest exponent is subtracted first, so that the ratio is finite far from all centres.
         let largest = exponents.max();
         let psi = exponents.map(|e| (e - largest).exponential());
         let sum = psi.sum();
@@ -146,8 +144,7 @@ impl DmpDiscrete {
         Ok(integrate(&spring.position, &spring.velocity, goal, 1.0 / rate, frames, |t, out| {
             let phase = start.map.start + rate * t;
             if phase > 1.0 {
-                // No trial tells what the force is behind the end of all of them; the spring alone leads to
-                // the goal.
+                // After the end of all trials, no force is known; the spring alone goes to the goal.
                 return out.fill(0.0);
             }
             out.copy_from(&self.weights.tr_mul(&self.features(phase)));
@@ -156,7 +153,7 @@ impl DmpDiscrete {
     }
 }
 
-/// Whether column `k` clearly goes one way in all trials.
+/// Whether column `k` goes the same way by a clear part of its range in all trials.
 fn clear_way(trials: &[&DMatrix<f64>], k: usize) -> bool {
     let way = |y: &DMatrix<f64>| y[(y.nrows() - 1, k)] - y[(0, k)];
     let clear = |y: &DMatrix<f64>| {
@@ -176,7 +173,7 @@ impl SpringStart {
 impl DmpDiscrete {
     /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
     ///
-    /// It is as fast as the training trials were in the mean; behind their end it stands at the goal.
+    /// Its speed is the mean speed of the training trials; after their end it stays at the goal.
     ///
     /// # Errors
     ///
@@ -185,7 +182,7 @@ impl DmpDiscrete {
         Ok(split(&self.path(sequence, frames)?, &self.columns))
     }
 
-    /// How many numbers must be kept to roll out from one sequence: weights, goal, y(0), y'(0), start
+    /// The number of stored numbers from which one sequence can be rolled out: weights, goal, y(0), y'(0), start
     /// and rate of one sequence, which columns are scaled, and alpha_x.
     pub fn stored_numbers(&self) -> usize {
         self.weights.len() + 4 * self.goal.len() + 3

@@ -1,4 +1,4 @@
-//! Learning dynamic movement primitives: one regression.
+//! Trainings of dynamic movement primitives: one regression.
 
 use crate::gp::NumericsError;
 use crate::models::data::movements::Movements;
@@ -14,7 +14,7 @@ use crate::models::training::progress::{EndReason, Progress, Setbacks};
 use crate::models::training::settings::{DmpSettings, MOST_BASES};
 use nalgebra::DMatrix;
 
-/// A training of dynamic movement primitives: a single step does it all.
+/// A training of dynamic movement primitives in a single step.
 pub struct DmpLearner {
     trials: Vec<Trial>,
     columns: Vec<usize>,
@@ -26,11 +26,11 @@ pub struct DmpLearner {
 }
 
 impl DmpLearner {
-    /// Ready to learn.
+    /// A training before its step.
     ///
     /// # Errors
     ///
-    /// When the number of bases is out of its range, or the movements cannot be learned from.
+    /// When the number of bases is out of its range, or the model cannot learn from the movements.
     pub fn new(
         movements: &Movements,
         canonical: Canonical,
@@ -54,7 +54,7 @@ impl DmpLearner {
         })
     }
 
-    /// Mean squared difference of the whole training trials from what the model makes of their starts.
+    /// Mean squared difference between the whole training trials and the model's rollouts of them.
     fn training_error(&self, model: &FittedModel) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for (s, trial) in self.trials.iter().enumerate().filter(|(_, trial)| trial.whole) {
@@ -105,7 +105,7 @@ impl Learner for DmpLearner {
     }
 
     fn model(&self) -> Result<FittedModel, NumericsError> {
-        // Before the first step, or after one that failed: learned now, to say why it fails.
+        // Before the step, or after a step that failed, fit here to return the error.
         self.fitted.clone().map_or_else(|| self.fit(), Ok)
     }
 }

@@ -10,15 +10,15 @@ use crate::models::rollout::request::{RolloutError, check_frames};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// Amplitudes that a few frames may suggest.
+/// The smallest and largest amplitude of a partial trial.
 const AMPLITUDES: (f64, f64) = (0.5, 2.0);
-/// Places around the cycle where the start of a sequence is looked for.
+/// Number of phases around the cycle that are tried as the start of a sequence.
 const PLACES: usize = 256;
 
-/// Where and how large a sequence moves on the limit cycle.
+/// Phase and amplitude of a sequence on the limit cycle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RhythmicStart {
-    /// Phase of the first frame and phase from frame to frame, in cycles.
+    /// Phase of the first frame and its change from frame to frame, in cycles.
     pub map: PhaseMap,
     /// Amplitude r of the movement; 1 in the training trials.
     pub amplitude: f64,
@@ -35,7 +35,7 @@ pub struct DmpRhythmic {
     pub concentration: f64,
     /// Weights w of the basis functions [B x D].
     pub weights: DMatrix<f64>,
-    /// One for each training sequence.
+    /// The start of each training sequence.
     pub starts: Vec<RhythmicStart>,
     /// Numbers of columns D_i of the parts, in order.
     pub columns: Vec<usize>,
@@ -43,8 +43,8 @@ pub struct DmpRhythmic {
 
 impl DmpRhythmic {
     /// Learns `bases` weights for each column. The period is that of the autocorrelation over all columns;
-    /// starts and rates of the trials are aligned to their mean cycle. A movement without a period is one
-    /// cycle, as long as the longest trial.
+    /// starts and rates of the trials come from an alignment to their mean cycle. A movement without a period
+    /// has one cycle, as long as the longest trial.
     ///
     /// # Errors
     ///
@@ -77,7 +77,7 @@ impl DmpRhythmic {
         model.weights = regress(&gram, &moment)?;
         let cycle = model.limit_cycle();
         for (start, trial) in model.starts.iter_mut().zip(trials) {
-            start.place(&cycle, &model.centre, trial);
+            start.fit(&cycle, &model.centre, trial);
         }
         Ok(model)
     }
@@ -93,10 +93,10 @@ impl DmpRhythmic {
         psi / sum
     }
 
-    /// The limit cycle of amplitude 1 around 0, at [`PLACES`] phases from 0 on [PLACES x D]; all rates have
-    /// the same.
+    /// The limit cycle of amplitude 1 around 0 at [`PLACES`] phases from 0 on [PLACES x D], the same for all
+    /// rates.
     fn limit_cycle(&self) -> DMatrix<f64> {
-        // Time in places instead of frames; whatever the start was is forgotten after one cycle.
+        // Time is in places instead of frames. After one cycle, the effect of the start has decayed.
         let tau = PLACES as f64 / TAU;
         let zero = DVector::zeros(self.centre.len());
         let y = integrate(&zero, &zero, &zero, tau, 2 * PLACES, |t, out| {
@@ -125,23 +125,22 @@ impl DmpRhythmic {
 }
 
 impl RhythmicStart {
-    /// The phase (of a sequence that is not whole) and the amplitude at which `cycle` is nearest to the
-    /// frames.
-    fn place(&mut self, cycle: &DMatrix<f64>, centre: &DVector<f64>, trial: &Trial) {
+    /// Sets the amplitude, and the phase of a partial trial, to those at which `cycle` is nearest to the frames.
+    fn fit(&mut self, cycle: &DMatrix<f64>, centre: &DVector<f64>, trial: &Trial) {
         let places = cycle.nrows();
-        let away: Vec<DVector<f64>> = trial.y.row_iter().map(|row| row.transpose() - centre).collect();
+        let centred: Vec<DVector<f64>> = trial.y.row_iter().map(|row| row.transpose() - centre).collect();
         let cycle = cycle.transpose();
         let mut least = f64::INFINITY;
-        let from = if trial.whole { 1 } else { places };
-        for place in 0..from {
+        let tried = if trial.whole { 1 } else { places };
+        for place in 0..tried {
             let start = if trial.whole { self.map.start } else { place as f64 / places as f64 };
             let (mut product, mut energy, mut all) = (0.0, 0.0, 0.0);
-            for (t, away) in away.iter().enumerate() {
+            for (t, row) in centred.iter().enumerate() {
                 let phase = start + self.map.rate * t as f64;
                 let at = ((phase - phase.floor()) * places as f64).round() as usize % places;
-                product += cycle.column(at).dot(away);
+                product += cycle.column(at).dot(row);
                 energy += cycle.column(at).norm_squared();
-                all += away.norm_squared();
+                all += row.norm_squared();
             }
             let free = if energy > 0.0 { product / energy } else { 1.0 };
             let amplitude = free.clamp(AMPLITUDES.0, AMPLITUDES.1);
@@ -164,7 +163,7 @@ impl DmpRhythmic {
         Ok(split(&self.path(sequence, frames)?, &self.columns))
     }
 
-    /// How many numbers must be kept to roll out from one sequence: weights, centre, y(0) and y'(0) of
+    /// The number of stored numbers from which one sequence can be rolled out: weights, centre, y(0) and y'(0) of
     /// one sequence, its start, rate and amplitude, and the concentration.
     pub fn stored_numbers(&self) -> usize {
         self.weights.len() + 3 * self.centre.len() + 4

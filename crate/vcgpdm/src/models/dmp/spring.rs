@@ -1,5 +1,4 @@
-//! The transformation system that every dynamic movement primitive shares, and the regression of its forcing
-//! term.
+//! Transformation system of all dynamic movement primitives, and the regression of its force.
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::Factor;
@@ -8,15 +7,14 @@ use nalgebra::{DMatrix, DVector};
 /// alpha_z and beta_z = alpha_z / 4 of Ijspeert et al. (2013): critically damped.
 pub const ALPHA_Z: f64 = 25.0;
 pub const BETA_Z: f64 = ALPHA_Z / 4.0;
-/// Of the regression, relative to the mean energy of a basis: enough to keep it solvable, too little to
-/// smooth.
+/// Ridge of the regression, relative to the mean energy of a basis: large enough to solve, too small to smooth.
 const RIDGE: f64 = 1e-6;
-/// A step of the integration is at most this part of tau; the spring's own time is tau / 12.5.
+/// The largest step of the integration as a share of tau; the time constant of the spring is tau / 12.5.
 const LARGEST_STEP: f64 = 0.02;
-/// Ends of tau, in frames: no tempo and no document makes a frame take more than 500 steps.
+/// The smallest and largest tau, in frames, so that a frame takes at most 500 steps.
 const SHORTEST: f64 = 0.1;
 const LONGEST: f64 = 1e6;
-/// Forces are learned at so many times from frame to frame.
+/// Number of times from frame to frame at which forces are learned.
 const BETWEEN: usize = 4;
 
 /// tau z' = alpha_z (beta_z (g - y) - z) + f, tau y' = z, for all columns, by the classic fourth order
@@ -64,11 +62,10 @@ pub fn integrate(
     out
 }
 
-/// A trial between its frames: the cubic spline through them, with parabolas at both ends.
+/// Cubic spline through the frames of a trial, with parabolas at both ends.
 ///
-/// The derivatives of a spline belong to one curve, so that the integrated system comes back to the frames.
-/// Differences of neighbouring frames do not: at six waves in a cycle of 34 frames they are a tenth too
-/// small.
+/// The derivatives of a spline belong to one curve, so the integrated system reproduces the frames. Differences
+/// of neighbouring frames are too small: by a tenth for six waves in a cycle of 34 frames.
 pub struct Curve<'a> {
     y: &'a DMatrix<f64>,
     /// y'' at the frames [T x D].
@@ -76,7 +73,7 @@ pub struct Curve<'a> {
 }
 
 impl<'a> Curve<'a> {
-    /// Through the rows of `y` [T x D], T at least 1.
+    /// The spline through the rows of `y` [T x D], T at least 1.
     pub fn new(y: &'a DMatrix<f64>) -> Self {
         let (frames, columns) = y.shape();
         let mut bends = DMatrix::zeros(frames, columns);
@@ -108,8 +105,8 @@ impl<'a> Curve<'a> {
         Self { y, bends }
     }
 
-    /// Times, in frames, at which forces are learned: several between any two frames, or bases as narrow as a
-    /// frame would be free there.
+    /// Times, in frames, at which forces are learned: several between any two frames, so that narrow bases are
+    /// determined too.
     pub fn times(&self) -> Vec<f64> {
         let count = (self.y.nrows() - 1) * BETWEEN + 1;
         (0..count).map(|i| i as f64 / BETWEEN as f64).collect()
@@ -137,7 +134,7 @@ impl<'a> Curve<'a> {
         DVector::from_fn(self.y.ncols(), |k, _| self.at(0.0, k).1)
     }
 
-    /// The force that would have made the system follow the curve, tau^2 y'' - alpha_z (beta_z (g - y) - tau
+    /// The force with which the system follows the curve, tau^2 y'' - alpha_z (beta_z (g - y) - tau
     /// y'), at [`Self::times`] [times x D].
     pub fn forces(&self, goal: &DVector<f64>, tau: f64) -> DMatrix<f64> {
         let times = self.times();
@@ -148,9 +145,9 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// The weights [B x D] of `gram` w = `moment`, sums over frames of the basis functions' products [B x B] and
-/// of their products with the targets [B x D]: ridge regression, each basis measured by its own energy, so
-/// that those of little effect are learned as well.
+/// Ridge regression: the weights w [B x D] with `gram` w = `moment`. These are the sums over frames of the basis
+/// functions' products [B x B] and of their products with the targets [B x D]. Each basis is divided by its own
+/// energy, so that bases with a small effect are learned too.
 pub fn regress(gram: &DMatrix<f64>, moment: &DMatrix<f64>) -> Result<DMatrix<f64>, NumericsError> {
     let largest = gram.diagonal().max();
     let scale = gram.diagonal().map(|e| if e > 1e-200 * largest && e > 0.0 { 1.0 / e.sqrt() } else { 0.0 });

@@ -1,4 +1,4 @@
-//! What dynamic movement primitives promise: reproduction, other goals, other tempi, stable cycles.
+//! Reproduction of movements, other goals, other speeds, stable cycles.
 
 use super::*;
 use crate::models::data::movements::{Movements, Sequence};
@@ -9,7 +9,7 @@ use crate::models::training::settings::DmpSettings;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
-/// Two columns that go a clear way with a detour, and one that comes back to where it began.
+/// Two columns that go a clear way, and a third that returns to its start.
 fn reach(frames: usize) -> DMatrix<f64> {
     DMatrix::from_fn(frames, 3, |t, k| {
         let s = t as f64 / (frames - 1) as f64;
@@ -38,7 +38,7 @@ fn root_mean_square(a: &DMatrix<f64>) -> f64 {
 }
 
 #[test]
-fn enough_bases_reproduce_a_movement() {
+fn more_bases_reproduce_a_movement_better() {
     let trials = [whole(reach(90))];
     let error = |bases| {
         let model = DmpDiscrete::fit(&trials, &[3], bases).unwrap();
@@ -47,7 +47,7 @@ fn enough_bases_reproduce_a_movement() {
     };
     let (few, some, many) = (error(3), error(12), error(40));
     assert!(few > some && some > many, "{few} {some} {many}");
-    // Of movements of size 1 to 2.
+    // The movements have sizes from 1 to 2.
     assert!(many < 0.005, "{many}");
 
     let trials = [whole(walk(110, 34.0, 0.1))];
@@ -60,7 +60,7 @@ fn enough_bases_reproduce_a_movement() {
 }
 
 #[test]
-fn a_moved_goal_is_reached_and_scales_the_way() {
+fn another_goal_is_reached_and_scales_the_movement() {
     let trials = [whole(reach(90)), whole(reach(80))];
     let mut model = DmpDiscrete::fit(&trials, &[2, 1], 30).unwrap();
     let (plain, learned) = (model.path(0, 160).unwrap(), model.goal.clone());
@@ -69,19 +69,18 @@ fn a_moved_goal_is_reached_and_scales_the_way() {
     let moved = model.path(0, 160).unwrap();
     let last = moved.row(159).transpose();
     assert!((&last - &goal).amax() < 1e-3, "{last} {goal}");
-    // A column that is scaled keeps its shape exactly: (y - y0) / (g - y0) is the same, but for the initial
-    // velocity.
+    // A scaled column keeps its shape: (y - y0) / (g - y0) is the same, but for the initial velocity.
     let way = (goal[0] - moved[(0, 0)]) / (learned[0] - plain[(0, 0)]);
     for t in 0..160 {
         let expected = plain[(0, 0)] + way * (plain[(t, 0)] - plain[(0, 0)]);
         assert!((moved[(t, 0)] - expected).abs() < 0.02, "{t}");
     }
-    // One that comes back is not blown up, although its goal is where it began.
+    // The column that returns stays small, although its goal is its start.
     assert!(plain.column(2).amax() < 0.6, "{}", plain.column(2));
 }
 
 #[test]
-fn half_the_rate_takes_twice_as_long_on_the_same_path() {
+fn half_the_rate_takes_twice_as_long() {
     let mut discrete = DmpDiscrete::fit(&[whole(reach(90))], &[3], 25).unwrap();
     let mut rhythmic = DmpRhythmic::fit(&[whole(walk(110, 34.0, 0.1))], &[3], 25).unwrap();
     let fast = [discrete.path(0, 60).unwrap(), rhythmic.path(0, 60).unwrap()];
@@ -99,7 +98,7 @@ fn half_the_rate_takes_twice_as_long_on_the_same_path() {
 }
 
 #[test]
-fn the_limit_cycle_is_kept_and_reached_from_anywhere() {
+fn the_limit_cycle_is_stable() {
     let trials = [
         whole(walk(110, 34.0, 0.1)),
         whole(walk(97, 34.0, 0.7)),
@@ -113,8 +112,8 @@ fn the_limit_cycle_is_kept_and_reached_from_anywhere() {
     let found = crate::motion::period(&[y.rows(500, 500).into_owned()]).unwrap();
     assert!((found.frames - 34.0).abs() < 0.2, "{found:?}");
 
-    // Pushed away at the start, it comes back; twice the amplitude is twice the movement around the same
-    // centre.
+    // A rollout that starts away from the cycle returns to it. Twice the amplitude doubles the movement around
+    // the same centre.
     model.starts[2].spring.position.add_scalar_mut(3.0);
     let pushed = model.path(2, 200).unwrap();
     assert!((pushed.rows(34, 100) - y.rows(34, 100)).amax() < 1e-6);
@@ -127,7 +126,7 @@ fn the_limit_cycle_is_kept_and_reached_from_anywhere() {
 }
 
 #[test]
-fn learners_learn_in_one_step_and_refuse_in_words() {
+fn a_learner_needs_one_step_and_refuses_0_bases() {
     let y =
         vec![walk(60, 20.0, 0.0).columns(0, 2).into_owned(), walk(60, 20.0, 0.0).columns(2, 1).into_owned()];
     let movements = Movements {
@@ -151,7 +150,7 @@ fn learners_learn_in_one_step_and_refuse_in_words() {
     let none = DmpLearner::new(&movements, Canonical::Rhythmic, &DmpSettings { bases: 0 });
     let error = none.err().unwrap().to_string();
     assert_eq!(error, "the number of bases must be from 1 to 200, found 0");
-    // What does not move at all stays where it is.
+    // A still movement stays where it is.
     let still =
         Movements { y: vec![DMatrix::zeros(20, 2)], sequences: vec![Sequence { frames: 20, whole: true }] };
     for canonical in [Canonical::Discrete, Canonical::Rhythmic] {

@@ -1,8 +1,7 @@
-//! The body that a model moves: from centred columns of its parts to all columns, poses, positions and clips;
-//! and what it was trained on.
+//! The body of a model: from centred columns of its parts to all columns, poses, positions and clips.
 
+use crate::models::data::column_mapping::ColumnMapping;
 use crate::models::data::dataset::Dataset;
-use crate::models::data::observed::Observed;
 use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::data::sequences::MOST_FRAMES;
 use crate::models::rollout::request::RolloutError;
@@ -12,11 +11,11 @@ use crate::motion::pose::{PoseError, PoseMapping, RootStart};
 use crate::motion::skeleton::MAX_POSITIONS;
 use nalgebra::DMatrix;
 
-/// The body that a model moves, whatever the model; or, with [`Columns`](crate::series::Columns) in the place
-/// of the mapping, the table whose columns it predicts.
+/// The body that a model of any kind moves; with [`Columns`](crate::series::Columns) as the mapping, the table
+/// whose columns it predicts.
 #[derive(Clone, Debug)]
 pub struct Body<S = PoseMapping> {
-    /// From columns to joint rotations; of tables, the names and units of the columns.
+    /// From columns to joint rotations; for tables, the names and units of the columns.
     pub mapping: S,
     /// Which columns belong to which part.
     pub layout: PartsLayout,
@@ -24,12 +23,12 @@ pub struct Body<S = PoseMapping> {
     pub column_means: Vec<f64>,
     /// Seconds from one frame to the next.
     pub frame_time: f64,
-    /// The training sequences one can start from.
+    /// The training sequences, from which a rollout can start.
     pub sequences: Vec<SequenceInfo>,
 }
 
-impl<S: Observed> Body<S> {
-    /// The body, or table, that a data set is about.
+impl<S: ColumnMapping> Body<S> {
+    /// The body, or table, of a data set.
     pub fn new(dataset: &Dataset<S>) -> Self {
         Self {
             mapping: dataset.mapping.clone(),
@@ -40,12 +39,12 @@ impl<S: Observed> Body<S> {
         }
     }
 
-    /// Checks that a rollout of so many frames, with `width` latent dimensions in all, can be written as BVH,
+    /// Checks that a rollout of `frames` frames, with `width` latent dimensions in all, can be written as BVH,
     /// read again and held in memory.
     ///
     /// # Errors
     ///
-    /// When there is no frame, or there are too many.
+    /// When the number of frames is 0 or too large.
     pub fn check_frames(&self, frames: usize, width: usize) -> Result<(), RolloutError> {
         let most = MOST_FRAMES.min(self.mapping.most_frames()).min(MAX_POSITIONS / width.max(1));
         if (1..=most).contains(&frames) { Ok(()) } else { Err(RolloutError::Frames { most, found: frames }) }

@@ -1,6 +1,6 @@
-//! A trained vCGPDM or vGPDM: rollouts under other couplings, sampled rollouts, latents as poses.
+//! Trained vCGPDMs and vGPDMs: rollouts under other couplings, sampled rollouts, poses of latents.
 
-use crate::models::data::observed::Observed;
+use crate::models::data::column_mapping::ColumnMapping;
 use crate::models::fitted::body::Body;
 use crate::models::fitted::provenance::Provenance;
 use crate::models::rollout::couplings::coupling_weight_matrix;
@@ -10,7 +10,7 @@ use crate::motion::Clip;
 use crate::motion::pose::{PoseError, PoseMapping};
 use nalgebra::DMatrix;
 
-/// A trained model whose couplings can be changed: a view of a [`Model`](crate::models::Model).
+/// A trained model whose couplings can be changed: a borrowed view of a [`Model`](crate::models::Model).
 #[derive(Debug)]
 pub struct Coupled<'a, S = PoseMapping> {
     /// Pose maps, experts and couplings.
@@ -18,11 +18,11 @@ pub struct Coupled<'a, S = PoseMapping> {
     pub model: &'a Vcgpdm,
     /// From columns to poses, and the sequences that the model was trained on.
     pub body: &'a Body<S>,
-    /// How the model was made.
+    /// Settings, seed and results of the training.
     pub provenance: &'a Provenance,
 }
 
-// Derived, they would ask `S` to be `Clone` and `Copy`, which a reference does not need.
+// A derived `Clone` would require `S: Clone`, which a reference does not need.
 impl<S> Clone for Coupled<'_, S> {
     fn clone(&self) -> Self {
         *self
@@ -31,18 +31,18 @@ impl<S> Clone for Coupled<'_, S> {
 
 impl<S> Copy for Coupled<'_, S> {}
 
-impl<'a, S: Observed> Coupled<'a, S> {
+impl<'a, S: ColumnMapping> Coupled<'a, S> {
     pub(crate) fn new(model: &'a Vcgpdm, body: &'a Body<S>, provenance: &'a Provenance) -> Self {
         Self { model, body, provenance }
     }
 
-    /// The learned couplings `alpha[(source, target)]` [M x M]: the variance of what the expert of the
-    /// source part predicts for the target part.
+    /// The learned couplings `alpha[(source, target)]` [M x M]: the variance of the source part's prediction
+    /// about the target part.
     pub fn alpha(&self) -> &DMatrix<f64> {
         &self.model.alpha
     }
 
-    /// Checks that `frames` frames can be rolled out.
+    /// Checks that a rollout can have `frames` frames.
     ///
     /// # Errors
     ///
@@ -51,7 +51,7 @@ impl<'a, S: Observed> Coupled<'a, S> {
         self.body.check_frames(frames, self.model.latent_dimensions().iter().sum())
     }
 
-    /// The mean rollout from a training sequence's start latents, under the learned couplings or others.
+    /// The mean rollout from the start latents of a training sequence, under the learned couplings or others.
     ///
     /// # Errors
     ///
@@ -62,9 +62,9 @@ impl<'a, S: Observed> Coupled<'a, S> {
         Ok(self.rollout_along(self.model.path(request)?, request))
     }
 
-    /// Sampled rollouts, one for each of `seeds`, made one after the other: every frame is drawn from what
-    /// the experts predict, with their variances. The poses are the mean poses at the sampled latents. Cuts
-    /// and pushes are for mean rollouts alone.
+    /// Sampled rollouts, one for each of `seeds`. The latents of every frame are drawn from the predictive
+    /// distribution of the experts; the poses are the mean poses at these latents. A request with cuts or
+    /// pushes is refused.
     ///
     /// # Errors
     ///
@@ -85,12 +85,12 @@ impl<'a, S: Observed> Coupled<'a, S> {
             .map(move |seed| Ok(self.rollout_along(dynamics.sample(&start, request.frames, seed)?, request))))
     }
 
-    /// The moments of the latents in every frame of a rollout, as far as Gaussians can say. Cuts and pushes
-    /// are for mean rollouts alone.
+    /// The moments of the latents in every frame of a rollout, in a Gaussian approximation. A request with cuts
+    /// or pushes is refused.
     ///
     /// # Errors
     ///
-    /// As [`Coupled::rollout`], and when a covariance cannot be factorised.
+    /// As [`Coupled::rollout`], when the request has cuts or pushes, or when a covariance cannot be factorised.
     pub fn moments(&self, request: &RolloutRequest) -> Result<LatentMoments, RolloutError> {
         self.check_frames(request.frames)?;
         self.predictive_dynamics(request)?

@@ -1,4 +1,4 @@
-//! A fitted model of any kind.
+//! Fitted models of any kind.
 
 use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
 use crate::models::map::MapModel;
@@ -8,13 +8,13 @@ use crate::models::training::kind::ModelKind;
 use crate::models::variational::{BoundTerms, Vcgpdm};
 use nalgebra::DMatrix;
 
-/// A fitted model of any kind, without its training data (but a MAP model, whose predictions are sums over
-/// all training frames).
+/// A fitted model of any kind, without its training data. (A MAP model has the latents of all training frames,
+/// because its predictions are sums over them.)
 #[derive(Clone, Debug)]
 pub enum FittedModel {
-    /// A vCGPDM or, of one part, a vGPDM.
+    /// A vCGPDM or, with one part, a vGPDM.
     Vcgpdm(Box<Vcgpdm>),
-    /// A CGPDM with point estimates of its latents or, of one part, a GPDM.
+    /// A CGPDM with point estimates of its latents or, with one part, a GPDM.
     Map(Box<MapModel>),
     /// Temporal movement primitives.
     Tmp(Box<Tmp>),
@@ -51,8 +51,8 @@ impl FittedModel {
         }
     }
 
-    /// How many numbers must be kept to roll out from one sequence. The column means and the body are the
-    /// same for all models and do not count.
+    /// The number of stored numbers from which one sequence can be rolled out. Column means and body are the
+    /// same for all kinds of models and do not count.
     pub fn stored_numbers(&self) -> usize {
         match self {
             FittedModel::Vcgpdm(model) => model.stored_numbers(),
@@ -63,7 +63,7 @@ impl FittedModel {
         }
     }
 
-    /// The terms of the bound, where the model has a bound of such terms.
+    /// The terms of the bound, for a vCGPDM or vGPDM.
     pub fn terms(&self) -> Option<&BoundTerms> {
         match self {
             FittedModel::Vcgpdm(model) => Some(&model.terms),
@@ -74,7 +74,7 @@ impl FittedModel {
         }
     }
 
-    /// The bound on the log evidence, in nats, where the model has one.
+    /// The bound on the log evidence, in nats, for a kind of model that has one.
     pub fn bound(&self) -> Option<f64> {
         match self {
             FittedModel::Vcgpdm(model) => Some(model.bound()),

@@ -1,8 +1,8 @@
-//! A trained model: the fitted numbers of any kind of model, the body that it moves, and how it was made.
+//! Trained models: the fitted numbers of any kind of model, the body, and the provenance.
 
 pub(crate) mod body;
 pub(crate) mod coupled;
 pub(crate) mod fitted_model;
+pub(crate) mod json;
 pub(crate) mod model;
 pub(crate) mod provenance;
-pub(crate) mod stored;

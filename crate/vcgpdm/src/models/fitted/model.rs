@@ -1,6 +1,6 @@
-//! A trained model: its fitted numbers with the body or table that it predicts, and how it was made.
+//! Trained models: the fitted numbers with the body or table that they predict, and the provenance.
 
-use crate::models::data::observed::Observed;
+use crate::models::data::column_mapping::ColumnMapping;
 use crate::models::fitted::body::Body;
 use crate::models::fitted::coupled::Coupled;
 use crate::models::fitted::fitted_model::FittedModel;
@@ -13,7 +13,7 @@ use nalgebra::DMatrix;
 
 /// A trained model of any kind, ready to roll out. It holds no training clip.
 ///
-/// `S` says what its columns are: the poses of a body, or the columns of tables ([`SeriesModel`]).
+/// `S` is the meaning of its columns: the poses of a body, or the columns of tables ([`SeriesModel`]).
 #[derive(Clone, Debug)]
 pub struct Model<S = PoseMapping> {
     /// The fitted numbers.
@@ -21,21 +21,20 @@ pub struct Model<S = PoseMapping> {
     pub fitted: FittedModel,
     /// From columns to poses, and the sequences that the model was trained on.
     pub body: Body<S>,
-    /// How the model was made.
+    /// Settings, seed and results of the training.
     pub provenance: Provenance,
 }
 
 /// A trained model of tables.
 pub type SeriesModel = Model<Columns>;
 
-impl<S: Observed> Model<S> {
+impl<S: ColumnMapping> Model<S> {
     /// The kind of model.
     pub fn kind(&self) -> ModelKind {
         self.fitted.kind()
     }
 
-    /// The model with its couplings and latents; `None` for a kind that has neither (all but vCGPDM and
-    /// vGPDM).
+    /// The model with its couplings and latents; `None` for all kinds but vCGPDM and vGPDM.
     pub fn coupled(&self) -> Option<Coupled<'_, S>> {
         match &self.fitted {
             FittedModel::Vcgpdm(model) => Some(Coupled::new(model, &self.body, &self.provenance)),

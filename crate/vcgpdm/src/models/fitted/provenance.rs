@@ -1,27 +1,26 @@
-//! How a model was made.
+//! Provenance of a model.
 
 use crate::models::training::settings::Settings;
 
-/// The program and its version, as documents and results name the program that made them.
+/// The program and its version, as in documents and results.
 pub const ENGINE: &str = concat!("vcgpdm ", env!("CARGO_PKG_VERSION"));
 
-/// How a model was made.
+/// Provenance of a model: settings, seed and results of its training.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Provenance {
     /// The program and its version.
     pub engine: String,
     /// The settings of the training.
     pub settings: Settings,
-    /// The seed of everything random; 0 for a model that has nothing random.
+    /// The seed of everything random; 0 for a kind of model without randomness.
     pub seed: u32,
-    /// The frame rate that the clips were asked to be brought to, in frames a second.
+    /// The frame rate asked for, in frames a second.
     pub frames_per_second: f64,
-    /// The highest value of what training maximised: the bound or a log density in nats, or the negative of
-    /// an error.
+    /// The highest value of the objective: the bound or a log density in nats, or the negative of an error.
     pub objective: f64,
     /// Iterations of the training.
     pub iterations: usize,
-    /// Evaluations of the variational bound with its gradient; 0 for models that have none.
+    /// Evaluations of the variational bound with its gradient; 0 for models without such a bound.
     pub evaluations: usize,
     /// A note by the person who trained the model, such as an acknowledgement.
     pub note: Option<String>,

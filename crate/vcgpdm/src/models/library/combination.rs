@@ -4,7 +4,7 @@ use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, block_diagonal, symmetric};
 use crate::gp::stored_outputs::StoredOutputs;
 use crate::models::library::combination_error::CombinationError;
-use crate::models::library::known::Known;
+use crate::models::library::information::Information;
 use crate::models::library::{LearnedMovement, Library};
 use crate::models::rollout::couplings::{check_couplings, coupling_weights};
 use crate::models::variational::{DynamicsSums, Elsewhere, FittedExpert, Vcgpdm};
@@ -23,8 +23,8 @@ impl Library {
     }
 
     /// The model of any combination: the primitive `uses[part]` of each part, under the couplings `alpha` [M
-    /// x M]. Where no movement of the library is just this combination, there are no rows of its own from
-    /// which its experts could be inferred again.
+    /// x M]. Only a combination that is a movement of the library has rows of its own, from which its experts
+    /// can be inferred again.
     ///
     /// # Errors
     ///
@@ -33,12 +33,13 @@ impl Library {
     pub fn combination(&self, uses: &[usize], alpha: &DMatrix<f64>) -> Result<Vcgpdm, CombinationError> {
         self.check_uses(uses)?;
         check_couplings(alpha, self.part_count())?;
-        let own = self.recorded(uses).map(|index| &self.movements[index]);
+        let own = self.recorded_movement(uses).map(|index| &self.movements[index]);
         self.model(uses, alpha, own, self.starts(uses))
     }
 
-    /// The movement of just these primitives that they learned from, if there is one.
-    pub fn recorded(&self, uses: &[usize]) -> Option<usize> {
+    /// The movement whose primitives are exactly these and learned from its rows; `None` where there is no
+    /// such movement.
+    pub fn recorded_movement(&self, uses: &[usize]) -> Option<usize> {
         self.movements.iter().position(|movement| movement.uses == uses && movement.sums.is_some())
     }
 
@@ -52,13 +53,21 @@ impl Library {
         if uses.len() != expected {
             return Err(CombinationError::Count { expected, found: uses.len() });
         }
-        let wrong = uses
-            .iter()
-            .enumerate()
-            .find(|(part, used)| self.primitives.get(**used).is_none_or(|primitive| primitive.part != *part));
-        match wrong {
-            Some((part, found)) => Err(CombinationError::Primitive { part, found: *found }),
-            None => Ok(()),
+        for (part, primitive) in uses.iter().enumerate() {
+            self.check_primitive(part, *primitive)?;
+        }
+        Ok(())
+    }
+
+    /// Checks that a primitive belongs to a part.
+    ///
+    /// # Errors
+    ///
+    /// When it does not.
+    pub(super) fn check_primitive(&self, part: usize, primitive: usize) -> Result<(), CombinationError> {
+        match self.primitives.get(primitive) {
+            Some(known) if known.part == part => Ok(()),
+            _ => Err(CombinationError::Primitive { part, found: primitive }),
         }
     }
 
@@ -75,7 +84,7 @@ impl Library {
         let experts: Vec<Vec<FittedExpert>> = uses.iter().map(|a| fitted(*a).collect()).collect();
         let sums = match own.and_then(|movement| movement.sums.clone()) {
             Some(sums) => sums,
-            None => (0..m).map(|i| self.no_rows(uses, i)).collect(),
+            None => (0..m).map(|i| self.sums_of_no_rows(uses, i)).collect(),
         };
         let mut model = Vcgpdm {
             order: self.order,
@@ -92,7 +101,8 @@ impl Library {
         let others = self.movements.iter().any(|other| other.sums.is_some() && !is_same(other, own));
         if others || self.primitives.iter().any(|p| p.experts.iter().any(|e| e.elsewhere.is_some())) {
             for i in 0..m {
-                let Known { precision, b } = self.known(i, uses, &|movement| is_same(movement, own))?;
+                let Information { precision, b } =
+                    self.information(i, uses, &|movement| is_same(movement, own))?;
                 model.elsewhere.push(Elsewhere { precision, b });
             }
         }
@@ -105,15 +115,18 @@ impl Library {
         Ok(model)
     }
 
-    fn no_rows(&self, uses: &[usize], i: usize) -> DynamicsSums {
+    fn sums_of_no_rows(&self, uses: &[usize], i: usize) -> DynamicsSums {
         let points = uses.iter().map(|a| self.primitives[*a].experts[i].fitted.z().nrows()).sum();
         DynamicsSums::zeros(points, self.parts[i].r().ncols())
     }
 
-    /// The inducing outputs of the experts about part `i` of these primitives, as they are kept while
-    /// something else is learned.
-    pub(super) fn kept(&self, i: usize, uses: &[usize]) -> Result<StoredOutputs, NumericsError> {
-        let Known { precision, b } = self.known(i, uses, &|_| false)?;
+    /// The inducing outputs of the experts about part `i` of these primitives, as fixed outputs of a training.
+    pub(super) fn fixed_dynamics_outputs(
+        &self,
+        i: usize,
+        uses: &[usize],
+    ) -> Result<StoredOutputs, NumericsError> {
+        let Information { precision, b } = self.information(i, uses, &|_| false)?;
         let k = block_diagonal(uses.iter().map(|a| self.primitives[*a].experts[i].fitted.k()));
         let a = &k + precision;
         let coefficients =
@@ -121,30 +134,28 @@ impl Library {
         StoredOutputs::new(&k, &a, coefficients)
     }
 
-    /// What all rows but those of movements that are left `out` say about the experts about part `i` of these
-    /// primitives. The other primitives are integrated out: what rows say about two experts together, they
-    /// say of each with the uncertainty of the other.
-    pub(super) fn known(
+    /// The information about the experts about part `i` of the primitives `chosen`, from the rows of all
+    /// movements that `is_left_out` does not leave out. The other primitives are integrated out.
+    pub(super) fn information(
         &self,
         i: usize,
         chosen: &[usize],
-        out: &dyn Fn(&LearnedMovement) -> bool,
-    ) -> Result<Known, NumericsError> {
-        let all = self.gathered(i, out);
+        is_left_out: &dyn Fn(&LearnedMovement) -> bool,
+    ) -> Result<Information, NumericsError> {
+        let all = self.information_of_all(i, is_left_out);
         let offsets = self.offsets(i);
         let rows_of = |a: &usize| offsets[*a]..offsets[*a + 1];
-        let used: Vec<usize> = chosen.iter().flat_map(rows_of).collect();
-        let rest: Vec<usize> = (0..self.primitives.len()).filter(|a| !chosen.contains(a)).collect();
-        let rest: Vec<usize> = rest.iter().flat_map(rows_of).collect();
+        let others: Vec<usize> = (0..self.primitives.len()).filter(|a| !chosen.contains(a)).collect();
+        let chosen: Vec<usize> = chosen.iter().flat_map(rows_of).collect();
+        let others: Vec<usize> = others.iter().flat_map(rows_of).collect();
         let blocks = || self.primitives.iter().map(|primitive| primitive.experts[i].fitted.k());
-        all.about(&used, &rest, || block_diagonal(blocks()))
+        all.marginal(&chosen, &others, || block_diagonal(blocks()))
     }
 
-    /// A - K and b / n of all primitives' experts about part `i`, stacked, from all rows but those of
-    /// movements that are left `out`.
-    fn gathered(&self, i: usize, out: &dyn Fn(&LearnedMovement) -> bool) -> Known {
+    /// The information about the experts about part `i` of all primitives, stacked.
+    fn information_of_all(&self, i: usize, is_left_out: &dyn Fn(&LearnedMovement) -> bool) -> Information {
         let offsets = self.offsets(i);
-        let mut all = Known::nothing(offsets[offsets.len() - 1], self.parts[i].r().ncols());
+        let mut all = Information::zeros(offsets[offsets.len() - 1], self.parts[i].r().ncols());
         for (primitive, at) in self.primitives.iter().zip(&offsets) {
             if let Some(elsewhere) = &primitive.experts[i].elsewhere {
                 let mut block = all.precision.view_mut((*at, *at), elsewhere.precision.shape());
@@ -153,10 +164,10 @@ impl Library {
                 rows += &elsewhere.b;
             }
         }
-        for movement in self.movements.iter().filter(|movement| !out(movement)) {
+        for movement in self.movements.iter().filter(|movement| !is_left_out(movement)) {
             if let Some(sums) = &movement.sums {
-                let places: Vec<_> = movement.uses.iter().map(|a| offsets[*a]..offsets[*a + 1]).collect();
-                all.add(&sums[i], movement.alpha.column(i).as_slice(), &places);
+                let ranges: Vec<_> = movement.uses.iter().map(|a| offsets[*a]..offsets[*a + 1]).collect();
+                all.add(&sums[i], movement.alpha.column(i).as_slice(), &ranges);
             }
         }
         all

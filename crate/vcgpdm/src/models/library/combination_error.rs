@@ -8,39 +8,39 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CombinationError {
-    /// Not one primitive for each part.
+    /// The number of primitives is not the number of parts.
     #[error("expected a primitive for each of {expected} parts, found {found}")]
     Count {
-        /// Parts there are.
+        /// Number of parts.
         expected: usize,
-        /// Primitives named.
+        /// Number of primitives.
         found: usize,
     },
-    /// A part is given what is not one of its primitives.
+    /// A part is given a primitive that belongs to another part or does not exist.
     #[error("expected a primitive of part {part}, found primitive {found}")]
     Primitive {
         /// The part, counted from 0.
         part: usize,
-        /// What it was given, counted from 0.
+        /// The primitive, counted from 0.
         found: usize,
     },
-    /// There is no such primitive, or none is named at all.
+    /// There is no such primitive, or no primitive is chosen.
     #[error("expected primitives from 0 to {}, one or more, found {found}", count.saturating_sub(1))]
     Unknown {
-        /// Primitives there are.
+        /// Number of primitives.
         count: usize,
-        /// What was named.
+        /// The primitive found.
         found: String,
     },
     /// There is no such movement.
     #[error("expected a movement from 0 to {}, found {found}", count.saturating_sub(1))]
     Movement {
-        /// Movements there are.
+        /// Number of movements.
         count: usize,
-        /// The one asked for, counted from 0.
+        /// The movement asked for, counted from 0.
         found: usize,
     },
-    /// A combination would take the place of a movement that primitives learned from.
+    /// A combination would replace a movement that primitives learned from.
     #[error("expected a name that no learned movement has, found {found:?}")]
     Learned {
         /// The name asked for.
@@ -49,7 +49,7 @@ pub enum CombinationError {
     /// The couplings do not fit the parts.
     #[error(transparent)]
     Couplings(#[from] CouplingsError),
-    /// The primitives cannot be solved for.
+    /// A covariance of the primitives cannot be factorised.
     #[error(transparent)]
     Numerics(#[from] NumericsError),
 }

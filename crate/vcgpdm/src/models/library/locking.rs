@@ -1,18 +1,19 @@
-//! How firmly parts of a combination are locked to each other, at tempos and couplings of all kinds.
+//! How firmly the phases of two parts are locked, at several tempos and couplings.
 
 use crate::elementary::Elementary;
 use crate::models::library::{CombinationError, LatentWalk, Library, WalkError};
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
-/// A map that takes more frames in all would take minutes.
+/// The most frames of all rollouts of a map together; more would take minutes.
 const MOST_FRAMES: usize = 2_000_000;
 
 impl Library {
-    /// How firmly a target part is locked to a source part, for each tempo of the target and each strength of
-    /// the coupling between them: the length of the mean of exp(2 pi i (phase of target - phase of source))
-    /// over the second half of `frames`, 1 locked, 0 not at all [tempos x strengths]. A strength s divides
-    /// alpha of the source about the target by s; phases are places on the cycle of the combination under
+    /// How firmly a target part is locked to a source part [tempos x strengths]: 1 locked, 0 not at all.
+    ///
+    /// This is the length of the mean of exp(2 pi i (phase of target - phase of source)) over the second half
+    /// of `frames` frames, for each tempo of the target and each strength of the coupling. A strength s divides
+    /// alpha of the source about the target by s. Phases are places on the cycle of the combination under
     /// `alpha` [M x M].
     ///
     /// # Errors

@@ -1,30 +1,30 @@
 //! A library of primitives: the dynamics of each part learned once, and coupled in new ways (Velychko et al.
 //! 2018, section 5.5).
 //!
-//! A *primitive* belongs to one part and holds what that part predicts about every part. A *movement* uses
-//! one primitive of each part under couplings of its own; the pose map of a part is one for all.
+//! A *primitive* belongs to one part and holds the predictions of that part about every part. A *movement*
+//! uses one primitive of each part under couplings of its own. All movements share the pose maps.
 //! [`LibraryTrainer`] learns a library from clips of several movements; [`Library::combination`] is a
-//! [`Vcgpdm`](crate::models::variational::Vcgpdm) of any primitives, one of each part, whether it was ever
-//! recorded or not; [`CouplingTrainer`] learns the couplings of a combination from a clip, while the
-//! primitives stay as they are.
+//! [`Vcgpdm`](crate::models::variational::Vcgpdm) of any primitives, one of each part, recorded or not;
+//! [`CouplingTrainer`] learns the couplings of a combination from clips, while the primitives stay as they
+//! are; [`ImportTrainer`] learns primitives of another library again.
 
 mod combination;
 mod combination_error;
-mod coupling;
-mod figure_walk;
-mod held;
+mod coupling_trainer;
 mod import;
-mod known;
+mod information;
+mod latent_walk;
+mod library_trainer;
+mod library_walk;
 mod locking;
-mod nearest;
+mod merge;
+mod new_combination;
 mod origin;
+mod part_motion;
 mod plan;
 mod selection;
-mod stillness;
-mod taking_in;
-mod trained;
-mod trainer;
-mod walk;
+mod trained_library;
+mod training_start;
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::symmetric;
@@ -35,40 +35,40 @@ use crate::models::variational::{
 use nalgebra::DMatrix;
 
 pub use combination_error::CombinationError;
-pub use coupling::{CouplingTrainer, MOST_ITERATIONS};
-pub use figure_walk::{LibraryWalk, REWINDS, WalkFrames};
+pub use coupling_trainer::{CouplingTrainer, MOST_ITERATIONS};
 pub use import::{ImportError, ImportFrames, ImportRequest, ImportTrainer};
+pub use latent_walk::{LatentWalk, TEMPOS, WalkError};
+pub use library_trainer::LibraryTrainer;
+pub use library_walk::{LibraryWalk, REWINDS, WalkFrames};
+pub use merge::{MergeError, Misfit};
 pub use origin::{Excerpt, FramesFrom, Origin, Relearned};
+pub use part_motion::{Leader, PartMotion};
 pub use plan::{LibraryPlan, PlanError, PlannedMovement};
-pub use stillness::{Leader, PartMotion};
-pub use taking_in::{Misfit, TakeInError, TakenIn};
-pub use trained::{LibraryError, ObservedClip, TrainedLibrary};
-pub use trainer::LibraryTrainer;
-pub use walk::{LatentWalk, TEMPOS, WalkError};
+pub use trained_library::{EncodedClip, LibraryError, TrainedLibrary};
 
-/// What a primitive predicts about one part.
+/// The predictions of a primitive about one part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LibraryExpert {
     /// Inducing inputs, kernel, and the mean of the inducing outputs.
     pub fitted: FittedExpert,
     /// Covariance of every column of its inducing outputs [K x K].
     pub covariance: DMatrix<f64>,
-    /// What it has learned from rows that no movement of the library holds; `None`: nothing.
+    /// Evidence from rows that are not in a movement of the library; `None`: no such rows.
     pub elsewhere: Option<Elsewhere>,
 }
 
-/// A primitive: the dynamics of one part, as they are seen by all parts.
+/// A primitive: the predictions of one part about all parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Primitive {
     /// Its name; no other primitive of its part has it.
     pub name: String,
-    /// The part that it belongs to, counted from 0.
+    /// The part that the primitive belongs to, counted from 0.
     pub part: usize,
     /// Its predictions about each part `[M]`.
     pub experts: Vec<LibraryExpert>,
-    /// Where it comes from; `None`: from the training of its library.
+    /// Its origin; `None`: the training of its library.
     pub origin: Option<Box<Origin>>,
-    /// What it keeps of movements that used it and are not in its library.
+    /// Excerpts of movements that used the primitive but are not in its library.
     pub excerpts: Vec<Excerpt>,
 }
 
@@ -81,34 +81,32 @@ pub struct LearnedMovement {
     pub uses: Vec<usize>,
     /// Coupling variances [M x M], row the source, column the target.
     pub alpha: DMatrix<f64>,
-    /// What its rows say about the experts in use `[M]`, the sources stacked in order; `None` where only its
-    /// couplings were learned.
+    /// Sums over its rows for the experts about each part `[M]`, with the sources stacked in order; `None`
+    /// when the primitives did not learn from the movement.
     pub sums: Option<Vec<DynamicsSums>>,
     /// The latent means of its sequences, `starts[sequence][part]` [T x Q_i].
     pub starts: Vec<Vec<DMatrix<f64>>>,
-    /// Where its couplings come from.
+    /// The origin of its couplings.
     pub couplings: CouplingsFrom,
 }
 
-/// Where the couplings of a movement come from.
+/// Origin of the couplings of a movement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CouplingsFrom {
     /// They were learned together with the primitives.
     Training,
-    /// They were fitted to clips, while the primitives stayed: the bound of these clips, in nats, and
-    /// iterations.
+    /// They were fitted to clips, while the primitives stayed as they were.
     Clips {
-        /// The bound under the stored primitives.
+        /// The bound of the clips under the stored primitives, in nats.
         bound: f64,
         /// Iterations of the fit.
         iterations: usize,
     },
-    /// They were taken from the movement of this name; from several, each source's from one, their names are
-    /// joined with "+".
+    /// They were taken from the movement of this name. The names of several movements are joined with "+".
     Movement(String),
-    /// Somebody chose them.
+    /// A user chose them.
     Hand,
-    /// Nothing was known about them: 1 each.
+    /// No movement uses the primitives: the couplings are 1.
     Nothing,
 }
 
@@ -121,8 +119,7 @@ pub struct Library {
     pub jitter: f64,
     /// The pose map of each part `[M]`.
     pub parts: Vec<PoseMap>,
-    /// Sum over rows of psi2 of each pose map [L_i x L_i] `[M]`: with it, its inducing outputs can be kept
-    /// for new rows.
+    /// Sum over rows of psi2 of each pose map [L_i x L_i] `[M]`, to fix its inducing outputs for new rows.
     pub pose_sums: Vec<DMatrix<f64>>,
     /// The primitives.
     pub primitives: Vec<Primitive>,
@@ -133,8 +130,8 @@ pub struct Library {
 }
 
 impl Library {
-    /// The library with the optimal posteriors at `params`, where the bound has these `terms`; the plan names
-    /// what there is.
+    /// The library with the optimal posteriors at `params`, where the bound has these `terms`. The plan gives
+    /// the names.
     ///
     /// # Errors
     ///
@@ -186,18 +183,19 @@ impl Library {
         self.parts.iter().map(|part| part.r().ncols()).collect()
     }
 
-    /// How many numbers must be kept to roll out every movement, each from one sequence: pose maps and
-    /// primitives once, couplings and a start for each movement. Of each map its inducing inputs, their
+    /// The number of stored numbers from which every movement can be rolled out, each from one sequence: pose
+    /// maps and primitives once, couplings and a start for each movement. A map has its inducing inputs, their
     /// posterior mean and its kernel.
     pub fn stored_numbers(&self) -> usize {
         let experts = self.primitives.iter().flat_map(|primitive| &primitive.experts);
         let start: usize = self.latent_dimensions().iter().map(|q| self.order * q).sum();
         self.parts.iter().map(PoseMap::stored_numbers).sum::<usize>()
-            + experts.map(|known| known.fitted.stored_numbers()).sum::<usize>()
+            + experts.map(|expert| expert.fitted.stored_numbers()).sum::<usize>()
             + self.movements.len() * (self.part_count() * self.part_count() + start)
     }
 
-    /// Where each primitive's expert about part `i` starts in the stack of all; last its height.
+    /// The first row of each primitive's expert about part `i` in the stack of all; last, the height of the
+    /// stack.
     pub(super) fn offsets(&self, i: usize) -> Vec<usize> {
         stack_offsets(self.primitives.iter().map(|primitive| primitive.experts[i].fitted.z().nrows()))
     }

@@ -1,46 +1,45 @@
-//! Where a primitive comes from, and what it keeps of movements that are not in its library.
+//! Origins of primitives, and excerpts of movements that are not in their library.
 
 use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::fitted::provenance::Provenance;
 use nalgebra::DMatrix;
 
-/// Where a primitive comes from.
+/// Origin of a primitive.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Origin {
-    /// The training that it was learned in; of one that was learned again, that training.
+    /// The training that the primitive was learned in, or learned again in.
     pub training: Provenance,
-    /// The sequences that it learned from.
+    /// The sequences that the primitive learned from.
     pub clips: Vec<SequenceInfo>,
-    /// The primitive of another library that it was learned again from; `None`: it was learned from clips
-    /// where it stands.
+    /// The primitive of another library from which it was learned again; `None`: it was learned in the
+    /// training of a library.
     pub relearned: Option<Relearned>,
 }
 
-/// What a primitive was learned again from.
+/// The primitive of another library from which a primitive was learned again.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relearned {
-    /// The name of the primitive there.
+    /// Its name in the other library.
     pub primitive: String,
-    /// What its training there learned from.
+    /// The sequences that it learned from in the other library.
     pub clips: Vec<SequenceInfo>,
-    /// Which frames it was learned again from.
+    /// The frames that it was learned again from.
     pub frames: FramesFrom,
 }
 
-/// Where the frames come from that a primitive is learned again from. A primitive holds no clips.
+/// Source of the frames from which a primitive is learned again. A primitive holds no clips.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FramesFrom {
-    /// Clips that somebody gave.
+    /// Clips.
     Clips,
-    /// The poses, under its own pose maps, of the latents that it had in training: those clips without what
-    /// its pose maps do not show.
+    /// The poses of the primitive's training latents under its own pose maps: nearly its training clips.
     Remembered,
-    /// Rollouts of the movements that it came with: what it does, rather than what it saw.
+    /// Rollouts of the movements of its library.
     Generated,
 }
 
 impl FramesFrom {
-    /// As documents and the terminal name it.
+    /// Its name in documents and in the terminal.
     pub fn id(self) -> &'static str {
         match self {
             Self::Clips => "clips",
@@ -49,14 +48,13 @@ impl FramesFrom {
         }
     }
 
-    /// The one of that name.
+    /// The source of this name.
     pub fn from_id(id: &str) -> Option<Self> {
         [Self::Clips, Self::Remembered, Self::Generated].into_iter().find(|from| from.id() == id)
     }
 }
 
-/// What a primitive keeps of a movement that used it and whose other primitives are not in its library: how
-/// much its predictions were worth there, and where all parts were.
+/// Excerpt of a movement that used a primitive but is not in the primitive's library: couplings and latents.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Excerpt {
     /// The movement's name.

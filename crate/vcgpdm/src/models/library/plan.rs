@@ -1,12 +1,12 @@
-//! Which movements a library learns, and which parts use the same primitive in all of them.
+//! Plan of a library: its movements, and the parts that use one primitive in all of them.
 
 use thiserror::Error;
 
-/// Why a plan cannot be followed.
+/// Why a plan is not valid.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum PlanError {
-    /// A movement has no name, or one that would not be understood.
+    /// A movement has no name, or a name with other characters than those allowed.
     #[error(
         "expected a name for each movement, of letters, digits, spaces, \"-\", \"_\" or \".\", found {0:?}"
     )]
@@ -14,12 +14,12 @@ pub enum PlanError {
     /// Two movements have the same name.
     #[error("expected a name of its own for each movement, found {0:?} twice")]
     Twice(String),
-    /// It is not said of each part whether its primitive is shared.
+    /// The plan does not say of each part whether its primitive is shared.
     #[error("expected same or own for each of {expected} parts, found {found}")]
     Parts {
-        /// Parts there are.
+        /// Number of parts.
         expected: usize,
-        /// Parts of the plan.
+        /// Number of parts of the plan.
         found: usize,
     },
 }
@@ -29,12 +29,12 @@ pub enum PlanError {
 pub struct PlannedMovement {
     /// Its name.
     pub name: String,
-    /// How many of the sequences are its own; they follow those of the movements before it.
+    /// Its number of sequences. The data set has the sequences of all movements in the order of the plan.
     pub sequences: usize,
 }
 
-/// The movements of a library to be learned, and of each part whether it uses the same primitive in all of
-/// them, or its own in each.
+/// The movements of a library, and for each part whether it uses one primitive in all of them or another
+/// primitive in each.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LibraryPlan {
     movements: Vec<PlannedMovement>,
@@ -48,19 +48,20 @@ pub(super) struct PlannedPrimitive {
     pub part: usize,
 }
 
-/// Names stand in options such as `lower=walk,upper=wave`, and join to names of shared primitives with "+".
+/// Names are used in options such as `lower=walk,upper=wave`; the name of a shared primitive joins them with
+/// "+".
 fn is_name(name: &str) -> bool {
     let fits = |c: char| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_' | '.');
     !name.trim().is_empty() && name.trim() == name && name.chars().count() <= 60 && name.chars().all(fits)
 }
 
 impl LibraryPlan {
-    /// A plan of these movements; `shared[part]` says whether the part uses the same primitive in all of
-    /// them.
+    /// A plan of these movements; `shared[part]` says whether the part uses one primitive in all of them.
     ///
     /// # Errors
     ///
-    /// When a name is empty, has other signs than letters, digits, spaces, "-", "_" and ".", or stands twice.
+    /// When a name is empty, has other characters than letters, digits, spaces, "-", "_" and ".", or occurs
+    /// twice.
     pub fn new(movements: Vec<PlannedMovement>, shared: Vec<bool>) -> Result<Self, PlanError> {
         for (k, movement) in movements.iter().enumerate() {
             if !is_name(&movement.name) {
@@ -78,12 +79,12 @@ impl LibraryPlan {
         &self.movements
     }
 
-    /// Of each part, whether it uses the same primitive in all movements.
+    /// Whether each part uses one primitive in all movements `[M]`.
     pub fn shared(&self) -> &[bool] {
         &self.shared
     }
 
-    /// Checks that the plan is about so many parts.
+    /// Checks that the plan has this number of `parts`.
     pub(super) fn check(&self, parts: usize) -> Result<(), PlanError> {
         if self.shared.len() == parts {
             return Ok(());
@@ -91,8 +92,8 @@ impl LibraryPlan {
         Err(PlanError::Parts { expected: parts, found: self.shared.len() })
     }
 
-    /// The primitives, part by part: one for all movements, named after them all, or one for each, named
-    /// after it.
+    /// The primitives, part by part. A shared primitive has the names of all movements, another one the name
+    /// of its movement.
     pub(super) fn primitives(&self) -> Vec<PlannedPrimitive> {
         let mut primitives = Vec::new();
         for (part, shared) in self.shared.iter().enumerate() {
@@ -107,7 +108,7 @@ impl LibraryPlan {
         primitives
     }
 
-    /// How many sequences each movement has, and the primitive that each part uses in it.
+    /// The number of sequences of each movement, and the primitive of each part in it.
     pub(super) fn uses(&self) -> Vec<(usize, Vec<usize>)> {
         let count = self.movements.len();
         let uses = |m: usize| {
@@ -145,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn names_that_would_not_be_understood_are_refused() {
+    fn refuses_names_with_other_characters_and_equal_names() {
         for name in ["", " walk", "a=b", "walk+wave", "a,b", "\u{7}"] {
             assert_eq!(plan(&[name], &[true]), Err(PlanError::Name(name.to_owned())));
         }

@@ -7,21 +7,22 @@ use crate::models::library::{
 };
 
 impl LearnedMovement {
-    /// Whether all its primitives are among these.
-    fn is_of(&self, primitives: &[usize]) -> bool {
+    /// Whether all primitives of the movement are among these.
+    fn uses_only(&self, primitives: &[usize]) -> bool {
         self.uses.iter().all(|a| primitives.contains(a))
     }
 }
 
 impl Library {
-    /// These primitives with the pose maps of all parts. Movements of which all primitives are chosen come
-    /// along. What the primitives learned from others is kept as `LibraryExpert::elsewhere`, the primitives
-    /// that are left out integrated out; and of each of these movements an `Excerpt`. What such rows say
-    /// about two chosen primitives together is kept of each alone.
+    /// The `chosen` primitives with the pose maps of all parts, and the movements that use only chosen
+    /// primitives.
+    ///
+    /// What a primitive learned from other movements stays in `LibraryExpert::elsewhere`, with all other
+    /// primitives integrated out, and the primitive gets an `Excerpt` of each of these movements.
     ///
     /// # Errors
     ///
-    /// When none is chosen, one is not there, or a covariance cannot be factorised.
+    /// When no primitive is chosen, one does not exist, or a covariance cannot be factorised.
     pub fn select(&self, chosen: &[usize]) -> Result<Library, CombinationError> {
         let count = self.primitives.len();
         let unknown = |found: String| CombinationError::Unknown { count, found };
@@ -31,16 +32,16 @@ impl Library {
         if let Some(found) = chosen.iter().find(|a| **a >= count) {
             return Err(unknown(found.to_string()));
         }
-        // In the order that they had, each once.
+        // Each once, in the order of this library.
         let chosen: Vec<usize> = (0..count).filter(|a| chosen.contains(a)).collect();
-        let whole = |movement: &LearnedMovement| movement.is_of(&chosen);
+        let whole = |movement: &LearnedMovement| movement.uses_only(&chosen);
         let place = |a: &usize| chosen.iter().position(|b| a == b);
         let mut primitives = Vec::with_capacity(chosen.len());
         for &a in &chosen {
             let before = &self.primitives[a];
             let mut experts = Vec::with_capacity(before.experts.len());
             for (i, expert) in before.experts.iter().enumerate() {
-                let elsewhere = self.known(i, &[a], &whole)?.kept();
+                let elsewhere = self.information(i, &[a], &whole)?.nonzero();
                 experts.push(LibraryExpert { elsewhere, ..expert.clone() });
             }
             let others = self.movements.iter().filter(|movement| !whole(movement));
@@ -63,7 +64,7 @@ impl Library {
 }
 
 impl TrainedLibrary {
-    /// As [`Library::select`]; every primitive says where it comes from.
+    /// As [`Library::select`]; every primitive keeps its origin.
     ///
     /// # Errors
     ///
@@ -74,16 +75,17 @@ impl TrainedLibrary {
         for (primitive, a) in library.primitives.iter_mut().zip(places) {
             primitive.origin = Some(Box::new(self.origin(a)));
         }
-        let kept = (0..self.library.movements.len()).filter(|m| self.library.movements[*m].is_of(chosen));
-        let sequences = kept.flat_map(|m| self.sequences_of(m).to_vec()).collect();
+        let movements =
+            (0..self.library.movements.len()).filter(|m| self.library.movements[*m].uses_only(chosen));
+        let sequences = movements.flat_map(|m| self.sequences_of(m).to_vec()).collect();
         let body = Body { sequences, ..self.body.clone() };
         Ok(TrainedLibrary { library, body, provenance: self.provenance.clone() })
     }
 
-    /// Where a primitive comes from: what it says itself, or the training of the library with the clips of
-    /// the movements that use it.
+    /// The origin of a primitive. A primitive without one of its own comes from the training of the library
+    /// and the clips of the movements that use it.
     pub fn origin(&self, primitive: usize) -> Origin {
-        if let Some(origin) = self.library.primitives.get(primitive).and_then(|known| known.origin.as_ref()) {
+        if let Some(origin) = self.library.primitives.get(primitive).and_then(|own| own.origin.as_ref()) {
             return Origin::clone(origin);
         }
         let movements = self.library.movements.iter().enumerate();

@@ -1,12 +1,12 @@
-use super::coupling::{fit_of, fitted_movement};
-use super::trainer::{library_of, trainer_of};
+use super::coupling_trainer::{fit_of, fitted_movement};
+use super::library_trainer::{library_of, trainer_of};
 use super::*;
 use crate::models::rollout::couplings::Reading;
 use crate::models::training::settings::VariationalSettings;
 use approx::assert_relative_eq;
 
-/// Two parts that go round, the second with another wave in the second movement: [frames x 3] of each.
-fn rounds(frames: usize, speed: f64, waving: bool) -> Vec<DMatrix<f64>> {
+/// Two parts that move in circles [frames x 3] each. The second waves when `waving`.
+fn circles(frames: usize, speed: f64, waving: bool) -> Vec<DMatrix<f64>> {
     let legs = DMatrix::from_fn(frames, 3, |t, d| (speed * t as f64 + d as f64).sin());
     let arms = DMatrix::from_fn(frames, 3, |t, d| {
         let phase = speed * t as f64 + 0.5;
@@ -32,7 +32,7 @@ fn settings() -> VariationalSettings {
 }
 
 fn trained(shared: [bool; 2]) -> Library {
-    let y = stacked(&[rounds(40, 0.3, false), rounds(35, 0.32, false), rounds(45, 0.3, true)]);
+    let y = stacked(&[circles(40, 0.3, false), circles(35, 0.32, false), circles(45, 0.3, true)]);
     let movement = |name: &str, sequences| PlannedMovement { name: name.to_owned(), sequences };
     let plan = LibraryPlan::new(vec![movement("walk", 2), movement("wave", 1)], shared.to_vec()).unwrap();
     let mut trainer = trainer_of(y, vec![40, 35, 45], &plan, &settings(), 1).unwrap();
@@ -41,7 +41,7 @@ fn trained(shared: [bool; 2]) -> Library {
 }
 
 #[test]
-fn shared_primitives_serve_every_movement() {
+fn movements_share_a_primitive() {
     let library = trained([true, false]);
     let names: Vec<_> = library.primitives.iter().map(|p| (p.part, p.name.as_str())).collect();
     assert_eq!(names, [(0, "walk+wave"), (1, "walk"), (1, "wave")]);
@@ -55,8 +55,8 @@ fn shared_primitives_serve_every_movement() {
     }
 }
 
-/// The other movements and primitives are integrated out of what is known about a movement's own experts:
-/// inferring these again under the learned couplings must give what all rows together gave.
+/// Other movements and primitives are integrated out of the information about a movement's experts. So
+/// experts that are inferred again under the learned couplings must be those that all rows together gave.
 #[test]
 fn a_movement_inferred_again_under_its_couplings_is_as_learned() {
     let library = trained([true, false]);
@@ -90,7 +90,7 @@ fn a_movement_inferred_again_under_its_couplings_is_as_learned() {
 
 #[test]
 fn a_library_of_one_movement_is_the_plain_model() {
-    let y = stacked(&[rounds(40, 0.3, false), rounds(35, 0.32, false)]);
+    let y = stacked(&[circles(40, 0.3, false), circles(35, 0.32, false)]);
     let movement = PlannedMovement { name: "walk".to_owned(), sequences: 2 };
     let plan = LibraryPlan::new(vec![movement], vec![false, true]).unwrap();
     let mut library = trainer_of(y.clone(), vec![40, 35], &plan, &settings(), 1).unwrap();
@@ -107,11 +107,11 @@ fn a_library_of_one_movement_is_the_plain_model() {
 }
 
 #[test]
-fn a_combination_that_was_never_recorded_starts_where_its_parts_meet() {
+fn a_new_combination_starts_at_the_nearest_states_of_its_parts() {
     let library = trained([false, false]);
     let uses = [0, 3];
     assert_eq!(library.movements[0].uses, [0, 2]);
-    // What each source says is worth what it was where it was learned.
+    // The couplings of each source are those of its own movement.
     let alpha = library.nearest_couplings(&uses);
     assert_eq!(alpha.row(0), library.movements[0].alpha.row(0));
     assert_eq!(alpha.row(1), library.movements[1].alpha.row(1));
@@ -129,8 +129,7 @@ fn a_combination_that_was_never_recorded_starts_where_its_parts_meet() {
     assert_eq!(found, nearest);
     let y = model.rollout(0, 60).unwrap();
     assert!(y.iter().all(|y| y.iter().all(|v| v.is_finite())));
-    // There are no rows from which its experts could be inferred again: they stay as learned under any
-    // couplings.
+    // Without rows of its own, its experts cannot be inferred again: they stay as learned.
     let mut other = model.alpha.clone();
     other[(0, 1)] *= 5.0;
     let paths = [Reading::AsLearned, Reading::ReInferred].map(|reading| {
@@ -140,10 +139,10 @@ fn a_combination_that_was_never_recorded_starts_where_its_parts_meet() {
 }
 
 #[test]
-fn couplings_are_learned_for_new_frames_while_primitives_stay() {
+fn a_fit_learns_couplings_and_keeps_the_primitives() {
     let library = trained([true, false]);
     // The walk again at another tempo, its columns centred as in the training.
-    let all = stacked(&[rounds(40, 0.3, false), rounds(35, 0.32, false), rounds(45, 0.3, true)]);
+    let all = stacked(&[circles(40, 0.3, false), circles(35, 0.32, false), circles(45, 0.3, true)]);
     let y: Vec<_> = all.iter().map(|y| y.rows(5, 30).into_owned()).collect();
     let mut fit = fit_of(&library, &[0, 1], y.clone(), vec![30], 150).unwrap();
     let begin = fit.progress().objective;
@@ -167,7 +166,7 @@ fn couplings_are_learned_for_new_frames_while_primitives_stay() {
 }
 
 #[test]
-fn a_walk_at_tempo_one_is_the_rollout_and_goes_on_when_a_part_changes() {
+fn a_walk_at_tempo_one_is_the_rollout_and_continues_when_a_part_changes() {
     let library = trained([true, false]);
     let model = library.movement(0).unwrap();
     let dynamics = model.dynamics(&model.alpha, Reading::AsLearned).unwrap();
@@ -177,19 +176,18 @@ fn a_walk_at_tempo_one_is_the_rollout_and_goes_on_when_a_part_changes() {
     for (a, b) in walked.iter().zip(&path) {
         assert_relative_eq!(*a, b.rows(2, 40).into_owned(), epsilon = 1e-9);
     }
-    // The legs go on to the same bits as without the change in their next frame, for they listen to their own
-    // past first; the arms begin at a state that they had while waving.
+    // The history of the legs stays; the arms begin at a state of the waving movement.
     let legs = walk.history(0);
     walk.use_primitive(&library, 1, 2).unwrap();
     assert_eq!((walk.uses(), walk.history(0)), (vec![0, 2], legs));
     let arms = DMatrix::from_row_slice(2, 2, &walk.history(1));
     let waving = &library.movements[1].starts[0][1];
     assert!((0..44).any(|t| waving.rows(t, 2) == arms));
-    // Wholly mixed, the other primitive takes over.
+    // A mix with share 1 is the other primitive.
     let mut mixed = LatentWalk::new(&library, &[0, 1]).unwrap();
     mixed.mix(&library, 1, 2, 1.0, 0).unwrap();
     let mut other = LatentWalk::new(&library, &[0, 1]).unwrap();
-    other.parts_for_tests(1, 2);
+    other.replace_primitive(1, 2);
     assert_relative_eq!(mixed.advance(&library, 5)[1], other.advance(&library, 5)[1], epsilon = 1e-12);
     let words = |result: Result<(), WalkError>| result.unwrap_err().to_string();
     assert_eq!(words(walk.set_tempo(0, 3.0)), "expected a tempo from 0.25 to 2, found 3");
@@ -197,16 +195,17 @@ fn a_walk_at_tempo_one_is_the_rollout_and_goes_on_when_a_part_changes() {
     assert_eq!(words(walk.mix(&library, 1, 1, f64::NAN, 0)), "expected a share from 0 to 1, found NaN");
 }
 
-/// However many frames are asked for at once, a mix takes one even step in each: on a slow display the arms
-/// once jumped a third of the way. Taken back, it goes on from the share that it had.
+/// A mix changes by the same step in every frame, however many frames are asked for at once. On a slow
+/// display, the arms once jumped a third of the way.
 #[test]
-fn a_mix_takes_even_steps_however_many_frames_are_made_at_once() {
+fn a_mix_changes_by_equal_steps() {
     let library = trained([true, false]);
     let path = |pieces: &[usize]| {
         let mut walk = LatentWalk::new(&library, &[0, 1]).unwrap();
         walk.mix(&library, 1, 2, 0.5, 30).unwrap();
-        let made: Vec<_> = pieces.iter().map(|frames| walk.advance(&library, *frames)).collect();
-        made.iter().flat_map(|made| made[1].row_iter().map(|row| (row[0], row[1]))).collect::<Vec<_>>()
+        let pieces: Vec<_> = pieces.iter().map(|frames| walk.advance(&library, *frames)).collect();
+        let rows = pieces.iter().flat_map(|piece| piece[1].row_iter());
+        rows.map(|row| (row[0], row[1])).collect::<Vec<_>>()
     };
     assert_eq!(path(&[40]), path(&[1, 3, 16, 20]));
     let at_once = |share: f64, frames: usize| {
@@ -215,20 +214,20 @@ fn a_mix_takes_even_steps_however_many_frames_are_made_at_once() {
         walk.advance(&library, 1)[1].clone()
     };
     assert_eq!(at_once(0.5, 30), at_once(1.0 / 30.0, 0));
-    // There and back again, and nothing is left of it.
+    // A mix that returns to share 0 ends.
     let mut walk = LatentWalk::new(&library, &[0, 1]).unwrap();
     walk.mix(&library, 1, 2, 0.1, 30).unwrap();
     walk.advance(&library, 3);
     walk.mix(&library, 1, 2, 0.0, 30).unwrap();
     walk.advance(&library, 4);
-    let (mut here, mut there) = (walk.clone(), walk);
-    there.mix(&library, 1, 2, 0.0, 0).unwrap();
-    assert_eq!(here.advance(&library, 5), there.advance(&library, 5));
+    let (mut ended, mut plain) = (walk.clone(), walk);
+    plain.mix(&library, 1, 2, 0.0, 0).unwrap();
+    assert_eq!(ended.advance(&library, 5), plain.advance(&library, 5));
 }
 
-/// A part alone goes through its own time at its tempo: half as fast, a turn takes twice as many frames.
+/// At half the tempo, a turn of an uncoupled part takes twice as many frames.
 #[test]
-fn a_tempo_stretches_the_time_of_a_part() {
+fn a_tempo_changes_the_speed_of_a_part() {
     let library = trained([true, false]);
     let alone = DMatrix::from_fn(2, 2, |j, i| if i == j { 0.1 } else { 1e6 });
     let turns = |tempo: f64| {
@@ -245,25 +244,25 @@ fn a_tempo_stretches_the_time_of_a_part() {
 }
 
 #[test]
-fn arms_at_another_tempo_that_hardly_listen_are_not_locked() {
+fn weakly_coupled_arms_at_another_tempo_are_not_locked() {
     let library = trained([true, false]);
     let alpha = library.nearest_couplings(&[0, 1]);
     let map = library.locking(&[0, 1], &alpha, (0, 1), &[1.0, 1.4], &[1e-6, 1.0], 600).unwrap();
     assert!(map.iter().all(|locked| (0.0..=1.0 + 1e-12).contains(locked)));
     assert!(map[(0, 1)] > 0.9 && map[(1, 0)] < 0.3, "{map}");
     assert!(library.locking(&[0, 1], &alpha, (0, 7), &[1.0], &[1.0], 10).is_err());
-    // Legs that are hardly heard under the couplings given: as under a weak strength.
-    let mut deaf = alpha.clone();
-    deaf[(0, 1)] *= 1e6;
-    let map = library.locking(&[0, 1], &deaf, (0, 1), &[1.4], &[1.0], 600).unwrap();
+    // A large alpha has the effect of a weak strength.
+    let mut weak = alpha.clone();
+    weak[(0, 1)] *= 1e6;
+    let map = library.locking(&[0, 1], &weak, (0, 1), &[1.4], &[1.0], 600).unwrap();
     assert!(map[(0, 0)] < 0.3, "{map}");
 }
 
-/// A selection knows as much as the library it comes from: the same models, to the last digits.
+/// A selection gives the same models as its library.
 #[test]
-fn a_selection_is_worth_what_it_was_worth_in_its_library() {
+fn a_selection_keeps_what_its_primitives_learned() {
     let library = trained([true, false]);
-    // The shared legs and the arms of the walk: their movement comes along, of the waving an excerpt is left.
+    // The shared legs and the arms of the walk, with the movement walk and an excerpt of the waving.
     let some = library.select(&[1, 0]).unwrap();
     assert_eq!(some.primitives.iter().map(|p| p.name.as_str()).collect::<Vec<_>>(), ["walk+wave", "walk"]);
     assert_eq!(some.movements.iter().map(|m| m.name.as_str()).collect::<Vec<_>>(), ["walk"]);
@@ -276,7 +275,7 @@ fn a_selection_is_worth_what_it_was_worth_in_its_library() {
         assert_relative_eq!(a.precision, b.precision, epsilon = 1e-9, max_relative = 1e-9);
         assert_relative_eq!(a.b, b.b, epsilon = 1e-9, max_relative = 1e-9);
     }
-    // Of one primitive alone all that is known is its own: the covariance of its outputs is what it was.
+    // A primitive alone has the same mean and covariance of its outputs as in the library.
     for a in 0..3 {
         let alone = library.select(&[a]).unwrap();
         let (primitive, before) = (&alone.primitives[0], &library.primitives[a]);
@@ -284,10 +283,10 @@ fn a_selection_is_worth_what_it_was_worth_in_its_library() {
         assert_eq!(primitive.excerpts.len(), if a == 0 { 2 } else { 1 });
         for (expert, before) in primitive.experts.iter().zip(&before.experts) {
             let k = expert.fitted.k();
-            let known = expert.elsewhere.as_ref().unwrap();
-            let inverse = (k + &known.precision).try_inverse().unwrap();
+            let evidence = expert.elsewhere.as_ref().unwrap();
+            let inverse = (k + &evidence.precision).try_inverse().unwrap();
             assert_relative_eq!(k * &inverse * k, before.covariance, epsilon = 1e-6);
-            assert_relative_eq!(k * &inverse * &known.b, *before.fitted.mean(), epsilon = 1e-6);
+            assert_relative_eq!(k * &inverse * &evidence.b, *before.fitted.mean(), epsilon = 1e-6);
         }
     }
     let words = |chosen: &[usize]| library.select(chosen).unwrap_err().to_string();
@@ -295,12 +294,11 @@ fn a_selection_is_worth_what_it_was_worth_in_its_library() {
     assert_eq!(words(&[0, 3]), "expected primitives from 0 to 2, one or more, found 3");
 }
 
-/// A primitive whose movement is not there still knows how much its predictions were worth, and where its
-/// part was.
+/// A primitive without its movement still has couplings and start latents.
 #[test]
-fn an_excerpt_says_where_a_primitive_starts_and_how_it_is_coupled() {
+fn an_excerpt_gives_couplings_and_starts() {
     let library = trained([false, false]);
-    // Without the legs of the walk: its arms keep an excerpt of it.
+    // Without the legs of the walk, its arms have an excerpt of it.
     let some = library.select(&[1, 2, 3]).unwrap();
     let uses = [0, 1];
     assert_eq!(some.movements.len(), 1);
@@ -308,7 +306,7 @@ fn an_excerpt_says_where_a_primitive_starts_and_how_it_is_coupled() {
     let named = some.nearest_combination("half", &uses).unwrap();
     assert_eq!(named.couplings, CouplingsFrom::Movement("wave+walk".to_owned()));
     let window: Vec<_> = library.movements[0].starts[0].iter().map(|x| x.rows(7, 2).into_owned()).collect();
-    assert_eq!(some.state_near(1, &window, &[]).unwrap(), window[1]);
+    assert_eq!(some.nearest_state(1, &window, &[]).unwrap(), window[1]);
     assert!(some.combination(&uses, &some.nearest_couplings(&uses)).unwrap().rollout(0, 30).is_ok());
 }
 
@@ -320,7 +318,7 @@ fn a_walk_begins_at_any_frame_of_any_sequence() {
         let start = library.movements[0].starts[1][part].rows(12, 2).into_owned();
         assert_eq!(DMatrix::from_row_slice(2, 2, &walk.history(part)), start);
     }
-    // Arms of the walk while the legs wave: the legs as they were then, the arms at their nearest state.
+    // From the waving movement with the arms of the walk: the legs as recorded, the arms at the nearest state.
     let walk = LatentWalk::from_sequence(&library, &[0, 1], (1, 0, 5)).unwrap();
     let legs = library.movements[1].starts[0][0].rows(5, 2).into_owned();
     assert_eq!(DMatrix::from_row_slice(2, 2, &walk.history(0)), legs);
@@ -334,16 +332,16 @@ fn a_walk_begins_at_any_frame_of_any_sequence() {
 }
 
 #[test]
-fn parts_that_stand_still_are_told_apart_and_to_whom_they_listen() {
+fn motion_tells_still_parts_and_their_leaders() {
     let library = trained([false, false]);
     let recorded = library.motion(&[0, 2], &library.movements[0].alpha).unwrap();
     assert!(recorded.iter().all(|part| !part.still && part.share > 0.3), "{recorded:?}");
     assert!(recorded.iter().all(|part| part.leader.as_ref().unwrap().met));
-    // Arms that listen to nobody but legs of another movement, which never learned what these arms do.
-    let deaf = DMatrix::from_row_slice(2, 2, &[0.1, 0.1, 1e6, 1e6]);
-    let motion = library.motion(&[0, 3], &deaf).unwrap();
+    // Arms that are driven only by legs of another movement, which did not learn together with them.
+    let driven = DMatrix::from_row_slice(2, 2, &[0.1, 0.1, 1e6, 1e6]);
+    let motion = library.motion(&[0, 3], &driven).unwrap();
     let leader = motion[1].leader.as_ref().unwrap();
     assert_eq!((leader.part, leader.met), (0, false));
     assert!(leader.weight > 0.99);
-    assert!(library.motion(&[0], &deaf).is_err());
+    assert!(library.motion(&[0], &driven).is_err());
 }

@@ -1,4 +1,4 @@
-//! The log density of observations under one Gaussian process, with its adjoints. Knows no kernel.
+//! Log density of observations under a Gaussian process of any covariance, with its adjoints.
 //!
 //! log N(T; 0, C) over the columns of T = - R c/2 log(2 pi) - c/2 log|C| - 1/2 tr( T^T C^-1 T ), for R rows
 //! and c columns (Rasmussen & Williams 2006, 5.8 and 5.9).
@@ -9,7 +9,7 @@ use crate::gp::linalg::Factor;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
-/// d log N(T; 0, C).
+/// Adjoints of log N(T; 0, C).
 pub struct DensityAdjoint {
     /// dF/dC = 1/2 ( C^-1 T T^T C^-1 - c C^-1 ) [R x R], symmetric.
     pub covariance: DMatrix<f64>,
@@ -32,7 +32,7 @@ pub fn log_density(
     Ok(value(&Factor::of_large(covariance, what)?, targets))
 }
 
-/// The same with its adjoint.
+/// The log density with its adjoints.
 pub fn log_density_and_adjoint(
     covariance: &DMatrix<f64>,
     targets: &DMatrix<f64>,
@@ -58,7 +58,7 @@ mod tests {
     }
 
     #[test]
-    fn value_is_the_formula_as_written() {
+    fn value_agrees_with_the_formula() {
         let (c, t) = example();
         let expected = -0.5
             * (10.0 * TAU.ln()

@@ -1,7 +1,7 @@
-//! A fitted MAP model: predictions by the exact conditional means.
+//! Fitted MAP models, which predict by exact conditional means.
 //!
 //! `E[x^i_t]` = sum_j w_ji^2 k^{ji}(x^j_{-t}, X^j) C_i^-1 X^i and `E[y^i_t]` = k^i(x^i_t, X^i) (K^i + beta^i
-//! I)^-1 Y^i: both are sums over all training frames, whose coefficients are solved for once.
+//! I)^-1 Y^i: both are sums over all training frames with coefficients that are computed once.
 
 use crate::gp::{Kernel, KernelSum, NumericsError};
 use crate::models::data::sequences::Sequences;
@@ -60,8 +60,8 @@ impl MapModel {
         ))
     }
 
-    /// Puts a model together: `dynamics[source][target]`, `coefficients[target]` C_i^-1 X^i [R x Q_i],
-    /// `linear[source][target]` (or [0 x 0]), `alpha[source][target]`.
+    /// The model with the kernels `dynamics[source][target]`, the `coefficients[target]` C_i^-1 X^i [R x Q_i],
+    /// `linear[source][target]` (or [0 x 0]) and `alpha[source][target]`.
     pub fn new(
         sequences: Sequences,
         parts: Vec<MapPoseMap>,
@@ -90,7 +90,7 @@ impl MapModel {
         Self { sequences, parts, dynamics, coefficients, linear, alpha, latent_dynamics, poses }
     }
 
-    /// Where the training sequences lie in the latents.
+    /// The training sequences in the rows of the latents.
     pub fn sequences(&self) -> &Sequences {
         &self.sequences
     }
@@ -151,8 +151,8 @@ impl MapModel {
         Ok(self.poses.iter().zip(&latents).map(|(pose, x)| pose.at_rows(x)).collect())
     }
 
-    /// How many numbers must be kept to roll out: all training latents, the coefficients of all maps, kernels
-    /// and couplings.
+    /// The number of stored numbers from which one sequence can be rolled out: all training latents, the
+    /// coefficients of all maps, kernels and couplings.
     pub fn stored_numbers(&self) -> usize {
         let poses =
             self.parts.iter().map(|p| p.latents.len() + p.coefficients.len() + p.kernel.lambda.len() + 1);

@@ -1,4 +1,4 @@
-//! The named parameters of a GPDM or CGPDM with point latents.
+//! Parameters of a GPDM or CGPDM with point latents.
 
 use crate::gp::Kernel;
 use crate::models::training::parameters::{ALPHA, BETA, Kind, LAMBDA, MU, Parameters, SIGNAL};
@@ -16,14 +16,14 @@ pub struct MapPart {
     pub beta: f64,
 }
 
-/// All parameters, in natural units. The same type holds a gradient, entry by entry.
+/// All parameters, in natural units. A gradient has the same type.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapParams {
-    /// One for each of the M parts.
+    /// The parameters of each part `[M]`.
     pub parts: Vec<MapPart>,
-    /// Kernels of the dynamics by source and target: `dynamics[j][i]` is of j's prediction about i. Their
-    /// signal variance is 1, because the scale of a function and its coupling weight could otherwise be
-    /// traded for each other.
+    /// Kernels of the dynamics by source and target: `dynamics[j][i]` is that of j's prediction about i. Their
+    /// signal variance is 1, because the scale of a function and its coupling weight could otherwise compensate
+    /// each other.
     pub dynamics: Vec<Vec<Kernel>>,
     /// Variances theta of the linear term theta x_{-t} . x_{-t'} of each kernel of the dynamics (Wang et al.
     /// 2008, 10) [M x M], row the source, column the target; [0 x 0]: no linear term.
@@ -38,7 +38,7 @@ impl MapParams {
         self.parts.len()
     }
 
-    /// theta of what part j predicts about part i, where there are linear terms.
+    /// theta of part j's prediction about part i; `None` without linear terms.
     pub fn linear_term(&self, j: usize, i: usize) -> Option<f64> {
         self.linear.get((j, i)).copied()
     }

@@ -1,8 +1,8 @@
-//! Couplings: how strongly each part listens to each other part.
+//! Couplings: how strongly each part drives each other part.
 //!
 //! The product of experts turns coupling variances `alpha[source][target]` into weights (Velychko et al.
 //! 2018, equation 1): alpha^i = 1 / sum_j (1 / alpha^{ji}) and w_{ji} = alpha^i / alpha^{ji}. The larger the
-//! variance, the less the source says.
+//! variance, the smaller the weight of the source.
 
 use nalgebra::DMatrix;
 use serde::Deserialize;
@@ -12,7 +12,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CouplingsError {
-    /// There is not one coupling for each pair of parts.
+    /// The couplings are not one for each pair of parts.
     #[error("expected coupling variances for {parts} x {parts} parts, found {rows} x {columns}")]
     Shape {
         /// Number of parts M.
@@ -22,7 +22,7 @@ pub enum CouplingsError {
         /// Columns found.
         columns: usize,
     },
-    /// A coupling is not a variance.
+    /// A coupling is not a positive variance.
     #[error(
         "expected a positive coupling variance from part {source_part} to part {target}, 1e-100 to 1e100, found {value:?}"
     )]
@@ -31,19 +31,19 @@ pub enum CouplingsError {
         source_part: usize,
         /// The target part, counted from 0.
         target: usize,
-        /// What stands there.
+        /// The value found.
         value: f64,
     },
 }
 
-/// What a changed coupling does to the experts.
+/// Effect of changed couplings on the experts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 pub enum Reading {
     /// The experts stay as learned; only their weights change.
     #[default]
     #[serde(rename = "as learned")]
     AsLearned,
-    /// The experts are what the same data would make of them under the changed couplings.
+    /// The experts are inferred again from the training data under the changed couplings.
     #[serde(rename = "re-inferred")]
     ReInferred,
 }
@@ -60,7 +60,7 @@ pub fn check_couplings(alpha: &DMatrix<f64>, parts: usize) -> Result<(), Couplin
     for target in 0..parts {
         for source_part in 0..parts {
             let value = alpha[(source_part, target)];
-            // The ends keep 1 / alpha and its sums away from infinities.
+            // Within these limits, 1 / alpha and its sums are finite.
             if !(1e-100..=1e100).contains(&value) {
                 return Err(CouplingsError::Variance { source_part, target, value });
             }
@@ -76,7 +76,7 @@ pub fn coupling_weights(alpha: &[f64]) -> (f64, Vec<f64>) {
     (coupling_weights_into(alpha, &mut weights), weights)
 }
 
-/// As [`coupling_weights`]: gives alpha^i, and the weights in a vector that is there.
+/// As [`coupling_weights`], with the weights in an existing vector; returns alpha^i.
 pub(crate) fn coupling_weights_into(alpha: &[f64], weights: &mut [f64]) -> f64 {
     let combined = 1.0 / alpha.iter().map(|a| 1.0 / a).sum::<f64>();
     for (w, a) in weights.iter_mut().zip(alpha) {
@@ -92,7 +92,7 @@ pub(crate) fn coupling_weights_into(alpha: &[f64], weights: &mut [f64]) -> f64 {
 /// use nalgebra::DMatrix;
 /// use vcgpdm::models::coupling_weight_matrix;
 ///
-/// // Part 1 says four times less about part 0 than part 0 itself.
+/// // For part 0, part 1 has a quarter of the weight of part 0 itself.
 /// let weights = coupling_weight_matrix(&DMatrix::from_row_slice(2, 2, &[1.0, 1.0, 4.0, 1.0]));
 /// assert_eq!(weights, DMatrix::from_row_slice(2, 2, &[0.8, 0.5, 0.2, 0.5]));
 /// ```
@@ -110,7 +110,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     #[test]
-    fn couplings_that_are_not_variances_are_refused_in_words() {
+    fn refuses_couplings_that_are_not_positive_variances() {
         let mut alpha = DMatrix::from_element(2, 2, 1.0);
         assert_eq!(check_couplings(&alpha, 2), Ok(()));
         for (value, found) in [(-1.0, "-1.0"), (1e-308, "1e-308"), (f64::NAN, "NaN")] {

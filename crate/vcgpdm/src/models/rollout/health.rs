@@ -1,4 +1,4 @@
-//! Whether a rollout is still a motion: what a page may show as a success, and what it must say otherwise.
+//! Health of a rollout: whether it keeps moving, stands still, leaves the range of its training or breaks down.
 
 use crate::gp::NumericsError;
 use crate::models::fitted::coupled::Coupled;
@@ -6,30 +6,30 @@ use crate::models::rollout::request::{Rollout, RolloutRequest};
 use crate::motion::measures::still_from;
 use std::cmp::Ordering;
 
-/// A part has left the range of its training where its inducing points explain less than this share of the
+/// A part is outside the range of its training when its inducing points explain less than this share of the
 /// variance.
 const FAMILIAR: f64 = 0.5;
-/// A part has left for good when it is away for at least this long, to the end; in seconds.
+/// A part has left the range when it is outside for at least this long until the end; in seconds.
 const AWAY_FOR: f64 = 1.0;
-/// A rollout may come to rest so much earlier than the recording that it begins as; in seconds.
+/// A rollout rests as recorded when it rests at most this much earlier than its recording; in seconds.
 const EARLY: f64 = 0.5;
 
 /// How a rollout ends, in seconds from its first frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Health {
-    /// It keeps moving, in every part like what the model was trained on.
+    /// It keeps moving, with every part in the range of its training.
     MovesOn,
-    /// No joint moves any more from here to the end; see `still_from`.
+    /// No joint moves from this time until the end; see `still_from`.
     StandsStill {
         /// Seconds.
         from: f64,
     },
-    /// It comes to stand still, and so does the recording that it begins as, hardly later.
+    /// It stands still in the end, as does its recording at nearly the same time.
     RestsAsRecorded {
         /// Seconds.
         from: f64,
     },
-    /// From here to the end the latents of a part are far from those of the training; see
+    /// From this time until the end, the latents of a part are far from those of the training; see
     /// `Vcgpdm::familiarity`.
     LeavesTraining {
         /// Seconds.
@@ -37,13 +37,13 @@ pub enum Health {
         /// The first part that leaves, counted from 0.
         part: usize,
     },
-    /// It has latents or places that are not finite numbers.
+    /// A latent or position is not a finite number.
     NotFinite,
 }
 
 impl Health {
-    /// Of several models of one data set, how good to show is one whose rollout ends so; the higher the
-    /// better. Those of one rank are told apart by their bounds.
+    /// Rank for the choice among several models of one data set; higher is better. The bound decides between
+    /// models of the same rank.
     pub fn rank(&self) -> u8 {
         match self {
             Health::MovesOn | Health::RestsAsRecorded { .. } => 2,
@@ -53,8 +53,8 @@ impl Health {
     }
 }
 
-/// Which of several models of one data set is to be shown: of those of the highest [rank](Health::rank) the
-/// one of the highest bound, of equals the first. Each is a rank and a bound in nats; `None` without a model.
+/// The model to show among several of one data set, each given as its [rank](Health::rank) and its bound in
+/// nats: the highest bound of the highest rank, the first of equals. `None` without a model.
 pub fn best_to_show(models: impl IntoIterator<Item = (u8, f64)>) -> Option<usize> {
     let better = |a: (u8, f64), b: (u8, f64)| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1));
     let first = |best: (usize, (u8, f64)), next: (usize, (u8, f64))| {
@@ -64,9 +64,8 @@ pub fn best_to_show(models: impl IntoIterator<Item = (u8, f64)>) -> Option<usize
 }
 
 impl Coupled<'_> {
-    /// How the rollout that this model makes of `request` ends, where `positions` are those that
-    /// [`Coupled::positions`] gives for it. A rollout that both stands still and is far from its
-    /// training is said to stand still, for this can be seen.
+    /// The health of the rollout of `request`, with its positions from [`Coupled::positions`]. A rollout that
+    /// both stands still and is far from its training counts as standing still, which a viewer can see.
     ///
     /// # Errors
     ///
@@ -86,7 +85,7 @@ impl Coupled<'_> {
         let frame_time = self.body.frame_time;
         if let Some(from) = still_from(self.body.mapping.skeleton(), positions, frame_time) {
             let recorded = self.body.sequences.get(request.sequence).and_then(|info| info.rests_from);
-            // It may have begun later than the recording.
+            // The rollout may start at a later frame of the recording.
             let begun = request.frame as f64 * frame_time;
             let rests = recorded.is_some_and(|rest| begun + from >= rest - EARLY);
             return Ok(if rests { Health::RestsAsRecorded { from } } else { Health::StandsStill { from } });
@@ -112,7 +111,7 @@ mod tests {
     use crate::motion::{parts, samples};
     use nalgebra::DMatrix;
 
-    /// A model, and a rollout in which the body walks as recorded, its latents at the inducing points.
+    /// A model, and a rollout of the recorded walk with its latents at the inducing points.
     fn walk() -> (Model, Rollout) {
         let clip = samples::clip("walk-1").unwrap();
         let parts = &parts::presets(&clip.skeleton)[1].parts;
@@ -139,7 +138,7 @@ mod tests {
     fn a_walk_moves_on_until_it_stands_still() {
         let (model, mut rollout) = walk();
         assert_eq!(health(&model, &rollout), Health::MovesOn);
-        // In the pose of frame 60 it glides on.
+        // From frame 60 on, the pose does not change.
         let pose = rollout.y.row(60).into_owned();
         for t in 60..rollout.y.nrows() {
             rollout.y.set_row(t, &pose);
@@ -149,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn what_rests_as_its_recording_does_is_no_failure() {
+    fn a_rollout_may_rest_where_its_recording_rests() {
         let (mut model, mut rollout) = walk();
         let pose = rollout.y.row(60).into_owned();
         for t in 60..rollout.y.nrows() {
@@ -160,7 +159,7 @@ mod tests {
             let found = health(&model, &rollout);
             assert_eq!(matches!(found, Health::RestsAsRecorded { .. }), rests, "{recorded:?} {found:?}");
         }
-        // The same motion, begun a second after the recording of the last.
+        // The same motion, started at a later frame of the recording.
         let request = RolloutRequest { frame: 30, ..RolloutRequest::default() };
         let model = model.coupled().unwrap();
         let found = model.health(&rollout, &request, &model.positions(&rollout).unwrap()).unwrap();
@@ -184,14 +183,14 @@ mod tests {
         }
         let Health::LeavesTraining { from, part } = health(&model, &rollout) else { panic!("it leaves") };
         assert!((from - 1.5).abs() < 0.01 && part == 1, "{from} {part}");
-        // It is back at the end.
+        // The part returns at the end.
         let last = rollout.y.nrows() - 1;
         rollout.latents[1][(last, 0)] -= 1000.0;
         assert_eq!(health(&model, &rollout), Health::MovesOn);
     }
 
     #[test]
-    fn numbers_that_are_not_finite_are_told() {
+    fn reports_numbers_that_are_not_finite() {
         let (model, mut rollout) = walk();
         let positions = model.coupled().unwrap().positions(&rollout).unwrap();
         rollout.latents[0][(7, 0)] = f64::NAN;

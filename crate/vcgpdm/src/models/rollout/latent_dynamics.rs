@@ -1,5 +1,4 @@
-//! The mean dynamics of the latents of all parts, under given couplings: iterated, they are the latent path
-//! of a rollout (as in Velychko et al. 2018, figure 3F).
+//! Mean dynamics of the latents of all parts under given couplings (Velychko et al. 2018, figure 3F).
 
 use crate::gp::KernelSum;
 use crate::models::rollout::latent_paths::LatentPaths;
@@ -36,7 +35,7 @@ impl LatentDynamics {
         Ok(paths.matrices(0..frames))
     }
 
-    /// Goes on with paths of these parts until they have so many frames.
+    /// Extends paths of these parts until they have `frames` frames.
     pub(crate) fn extend(&self, paths: &mut LatentPaths, frames: usize) {
         let widest = self.latent.iter().max().copied().unwrap_or(0);
         let mut scratch = vec![0.0; self.order * widest];

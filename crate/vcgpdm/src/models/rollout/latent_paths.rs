@@ -1,11 +1,10 @@
-//! Latent paths under way: what has been, in the form in which the dynamics read it.
+//! Latent paths of a rollout so far, in the layout that the dynamics read.
 
 use crate::models::rollout::request::{Push, RolloutError};
 use nalgebra::DMatrix;
 use std::ops::Range;
 
-/// The latent paths of all parts up to now. There are always at least p frames, the history that the dynamics
-/// begin with.
+/// The latent paths of all parts so far. There are always at least p frames: the start of the rollout.
 #[derive(Clone, Debug)]
 pub(crate) struct LatentPaths {
     order: usize,
@@ -33,7 +32,7 @@ impl LatentPaths {
         &self.latent
     }
 
-    /// How many frames there are.
+    /// The number of frames so far.
     pub(crate) fn frames(&self) -> usize {
         match (self.paths.first(), self.latent.first()) {
             (Some(path), Some(&q)) if q > 0 => path.len() / q,
@@ -52,21 +51,21 @@ impl LatentPaths {
         &self.paths[part][(end - self.order) * q..end * q]
     }
 
-    /// One frame more: the latents `[Q_i]` of each part.
+    /// Appends a frame: the latents `[Q_i]` of each part.
     pub(crate) fn append(&mut self, next: &[Vec<f64>]) {
         for (path, next) in self.paths.iter_mut().zip(next) {
             path.extend_from_slice(next);
         }
     }
 
-    /// Takes over from other paths of these parts the frames that are not here yet.
+    /// Appends the frames of longer paths of these parts that are missing here.
     pub(crate) fn follow(&mut self, others: &LatentPaths) {
         for (path, other) in self.paths.iter_mut().zip(&others.paths) {
             path.extend_from_slice(&other[path.len()..]);
         }
     }
 
-    /// Pushes a part, which must fit it: the last p frames move together.
+    /// Pushes a part: its last p frames move together. The push must fit the part.
     pub(crate) fn push(&mut self, push: &Push) {
         let (path, q) = (&mut self.paths[push.part], self.latent[push.part]);
         let newest = path.len() - q;
@@ -79,7 +78,7 @@ impl LatentPaths {
         }
     }
 
-    /// Forgets all but the last frames that a prediction or a push looks at.
+    /// Drops all but the last frames that a prediction or a push needs.
     pub(crate) fn forget(&mut self) {
         for (path, q) in self.paths.iter_mut().zip(&self.latent) {
             path.drain(..path.len().saturating_sub(self.order.max(2) * q));
@@ -126,19 +125,19 @@ mod tests {
         paths.push(&Push { part: 1, by: vec![0.5, -1.0], ..Push::default() });
         assert_eq!(paths.history(1), &[3.5, 3.0, 5.5, 5.0]);
         assert_eq!(paths.history(0), &[2.0, 3.0]);
-        // What was before is as it was.
+        // Earlier frames do not change.
         assert_eq!(paths.matrices(0..1)[1], DMatrix::from_row_slice(1, 2, &[1.0, 2.0]));
     }
 
     #[test]
-    fn a_push_ahead_goes_on_by_steps_of_the_part_itself() {
+    fn a_push_ahead_moves_by_steps_of_the_part() {
         let mut paths = paths();
         paths.push(&Push { part: 0, ahead: 1.5, ..Push::default() });
         assert_eq!(paths.history(0), &[3.5, 4.5]);
     }
 
     #[test]
-    fn a_start_of_another_shape_is_refused() {
+    fn refuses_a_start_of_another_shape() {
         let error = LatentPaths::new(&[DMatrix::zeros(1, 1)], 2, &[1]).unwrap_err().to_string();
         assert_eq!(error, "the start latents of part 0 must be 2 x 1 numbers, found 1 x 1");
     }

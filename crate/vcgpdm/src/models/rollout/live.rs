@@ -1,5 +1,4 @@
-//! A rollout that never ends: a few frames at a time, with couplings that change and parts that are pushed on
-//! the way.
+//! Rollouts without an end: a few frames at a time, while couplings change and parts are pushed.
 
 use crate::models::fitted::coupled::Coupled;
 use crate::models::rollout::latent_dynamics::LatentDynamics;
@@ -9,12 +8,13 @@ use crate::models::variational::{Cycle, CyclePlace};
 use crate::motion::pose::{RootStart, RootTrack};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
-/// Step of the differences that say how a joint moves with the latents.
+/// Step of the finite differences of a joint's place with respect to the latents.
 const DIFFERENCE: f64 = 1e-4;
-/// How small a movement of a joint, for a latent step of 1, is not worth a push: metres squared.
+/// Regularisation of a pull, in metres squared: a joint that moves less than its root for a latent step of 1 is
+/// hardly pushed.
 const STIFFNESS: f64 = 1e-4;
 
-/// A rollout under way.
+/// A rollout without an end.
 #[derive(Clone, Debug)]
 pub struct LiveRollout {
     paths: LatentPaths,
@@ -29,19 +29,19 @@ pub struct LiveFrames {
     pub latents: Vec<DMatrix<f64>>,
     /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
     pub positions: Vec<f32>,
-    /// Where each part stands on the learned cycle, all parts of the first frame, then of the next [frames x
-    /// M]; empty where the learned rollout does not repeat itself.
+    /// The place of each part on the learned cycle [frames x M], frame by frame; empty when the learned rollout
+    /// does not repeat itself.
     pub places: Vec<CyclePlace>,
 }
 
 impl LiveRollout {
-    /// Goes on behind `frame` of a rollout of the model, counted from 0; from its first frames on where it
-    /// has no history yet. The learned cycle is that of the training sequence `sequence`.
+    /// Continues a rollout of the model after `frame`, counted from 0, or after its first p frames. The learned
+    /// cycle is that of the training sequence `sequence`.
     ///
     /// # Errors
     ///
-    /// When the rollout is another model's, or has no such frame.
-    pub fn behind(
+    /// When the rollout is of another model, or has no such frame.
+    pub fn after(
         model: Coupled,
         rollout: &Rollout,
         frame: usize,
@@ -60,11 +60,11 @@ impl LiveRollout {
         Ok(Self { paths, track, cycle: model.model.cycle(sequence)? })
     }
 
-    /// The next `frames` frames under these dynamics, which must be the model's.
+    /// The next `frames` frames under these dynamics of the model.
     ///
     /// # Errors
     ///
-    /// When there is no such number of frames, or the poses are no longer finite.
+    /// When the number of frames is 0 or too large, or the poses are no longer finite.
     pub fn advance(
         &mut self,
         model: Coupled,
@@ -86,7 +86,7 @@ impl LiveRollout {
         Ok(LiveFrames { latents, positions, places })
     }
 
-    /// Pushes a part; its `frame` is the next one, whatever it says.
+    /// Pushes a part before the next frame, whatever the `frame` of the push.
     ///
     /// # Errors
     ///
@@ -97,9 +97,9 @@ impl LiveRollout {
         Ok(())
     }
 
-    /// The push that moves a node of the figure, counted as in its positions, by about `by` metres, as far as
-    /// the part of its joint can: the smallest latent displacement d with J d = `by`, where J says how the
-    /// node moves with the part's latents. Where the figure stands and which way it faces does not count.
+    /// The push that moves a node of the figure, counted as in its positions, by about `by` metres: the smallest
+    /// latent displacement d of the node's part with J d = `by`, where J is the derivative of the node's place
+    /// with respect to the part's latents. The place and the heading of the figure stay as they are.
     ///
     /// # Errors
     ///

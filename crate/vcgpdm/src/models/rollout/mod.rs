@@ -1,4 +1,4 @@
-//! Rollouts: requests, latent dynamics under given couplings, live rollouts, and how a rollout ends.
+//! Rollouts: requests, latent dynamics under given couplings, live rollouts, and the health of a rollout.
 
 pub(crate) mod couplings;
 pub(crate) mod health;

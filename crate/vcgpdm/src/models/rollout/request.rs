@@ -1,4 +1,4 @@
-//! What a rollout is asked for, what it gives, and why it may be refused.
+//! Requests for rollouts, rollouts, and errors.
 
 use crate::gp::NumericsError;
 use crate::json::rows;
@@ -9,78 +9,78 @@ use nalgebra::DMatrix;
 use serde::Deserialize;
 use thiserror::Error;
 
-/// So many sampled rollouts can be asked for at once: more than anybody looks at.
+/// The most sampled rollouts of one request.
 pub const MOST_SAMPLES: u32 = 1000;
 
-/// What a rollout of a model with couplings is asked for.
+/// Request for a rollout of a model with couplings.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RolloutRequest {
     /// Frames in all, the start included.
     pub frames: usize,
-    /// The training sequence whose start latents begin it, counted from 0.
+    /// The training sequence that the rollout starts as, counted from 0.
     pub sequence: usize,
-    /// The frame of the sequence that it begins with, counted from 0: a model may keep the latents of all of
-    /// them.
+    /// The frame of the sequence that the rollout starts with, counted from 0. A model may store the latents of
+    /// its first frames alone.
     #[serde(default)]
     pub frame: usize,
     /// Coupling variances [M x M], row the source, column the target; absent: as learned.
     #[serde(default, deserialize_with = "rows::optional_matrix")]
     pub alpha: Option<DMatrix<f64>>,
-    /// What changed couplings do to the experts.
+    /// Effect of changed couplings on the experts.
     #[serde(default)]
     pub reading: Reading,
-    /// Couplings that are cut for a while. JavaScript has live rollouts for that.
+    /// Couplings that are cut for a while. In JavaScript, live rollouts do this.
     #[serde(skip)]
     pub cuts: Vec<Cut>,
-    /// Pushes that parts get on their way.
+    /// Pushes of parts.
     #[serde(skip)]
     pub pushes: Vec<Push>,
 }
 
 impl RolloutRequest {
-    /// The couplings that it asks for, where it asks for none those that were `learned`.
+    /// The requested couplings, or else those that were `learned`.
     pub fn alpha_or<'a>(&'a self, learned: &'a DMatrix<f64>) -> &'a DMatrix<f64> {
         self.alpha.as_ref().unwrap_or(learned)
     }
 }
 
-/// A coupling that is cut for a while: from frame `from` up to, not including, frame `to` the target does not
-/// listen to the source.
+/// A coupling that is cut for a while: from frame `from` up to, but not including, frame `to`, the source has no
+/// weight in the prediction of the target.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cut {
     /// The source part, counted from 0.
     pub source: usize,
     /// The target part, counted from 0.
     pub target: usize,
-    /// The first frame that is predicted without it.
+    /// The first frame that is predicted without the coupling.
     pub from: usize,
-    /// The first frame that is predicted with it again.
+    /// The first frame that is predicted with the coupling again.
     pub to: usize,
 }
 
-/// A push that a part gets: its last p latent states are moved together before the frame is predicted, so
-/// that its place changes and its speed does not.
+/// A push of a part: its last p latent states move together before a frame is predicted, so that the place of
+/// the part changes and its speed does not.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Push {
     /// The part, counted from 0.
     pub part: usize,
-    /// The first frame that feels it.
+    /// The first frame that is predicted after the push.
     pub frame: usize,
-    /// By how much, in each latent dimension `[Q_i]`; empty: not at all.
+    /// The displacement in each latent dimension `[Q_i]`; empty: none.
     pub by: Vec<f64>,
-    /// And so many of its last steps ahead on its own path; negative: back.
+    /// An additional displacement along the part's own path, in multiples of its last step; negative: back.
     pub ahead: f64,
 }
 
-/// A rolled-out motion of a model with couplings.
+/// A rollout of a model with couplings.
 #[derive(Clone, Debug)]
 pub struct Rollout {
     /// The latent path of each part [frames x Q_i].
     pub latents: Vec<DMatrix<f64>>,
     /// All columns, means included [frames x D].
     pub y: DMatrix<f64>,
-    /// The weights of the experts under its couplings [M x M], row the source; those into each part sum to 1.
+    /// The weights of the experts under the couplings [M x M], row the source; those into each part sum to 1.
     pub weights: DMatrix<f64>,
 }
 
@@ -94,36 +94,36 @@ pub enum RolloutError {
     /// There is no such training sequence.
     #[error("expected a training sequence from 0 to {}, found {found}", count - 1)]
     Sequence {
-        /// How many there are, at least one.
+        /// The number of them, at least 1.
         count: usize,
-        /// The one asked for.
+        /// The number asked for.
         found: usize,
     },
-    /// The latents of such a frame are not there.
+    /// The model does not store the latents of this frame.
     #[error("expected a frame of the sequence from 0 to {most} to start from, found {found}")]
     StartFrame {
-        /// The last one that can be started from.
+        /// The last frame with stored latents.
         most: usize,
-        /// The one asked for.
+        /// The number asked for.
         found: usize,
     },
     /// There is no such part.
     #[error("expected a part from 0 to {}, found {found}", count - 1)]
     Part {
-        /// How many there are, at least one.
+        /// The number of them, at least 1.
         count: usize,
-        /// The one asked for.
+        /// The number asked for.
         found: usize,
     },
     /// The figure has no such node.
     #[error("expected a node of the figure from 0 to {}, found {found}", count - 1)]
     Node {
-        /// How many there are, at least one.
+        /// The number of them, at least 1.
         count: usize,
-        /// The one asked for.
+        /// The number asked for.
         found: usize,
     },
-    /// A part would listen to nothing.
+    /// All couplings into a part are cut.
     #[error(
         "expected one coupling into part {target} that is not cut, found none: nothing would say where it goes"
     )]
@@ -140,38 +140,38 @@ pub enum RolloutError {
         part: usize,
         /// The latent dimensions Q of the part.
         expected: usize,
-        /// How many numbers there are.
+        /// The number of numbers found.
         found: usize,
     },
-    /// A push is not by numbers.
+    /// A push has a number that is not finite.
     #[error("expected a push of part {part} by finite numbers, found {found}")]
     PushNumber {
         /// The part, counted from 0.
         part: usize,
-        /// What stands there.
+        /// The number found.
         found: f64,
     },
-    /// A cut or a push would not be felt.
+    /// A cut or a push is in no predicted frame.
     #[error(
         "expected a {what} in a frame that is predicted, from {first} on and before {end}, found {found}"
     )]
     Unfelt {
-        /// A cut or a push.
+        /// "cut" or "push".
         what: &'static str,
         /// The first frame that is predicted: the order p of the dynamics.
         first: usize,
         /// Frames of the rollout.
         end: usize,
-        /// The frame asked for; of a cut the first one.
+        /// The frame asked for; for a cut, its first frame.
         found: usize,
     },
-    /// Uncertain rollouts know no cuts and pushes.
+    /// A rollout with variances cannot have cuts and pushes.
     #[error("expected no cuts and pushes in a rollout with variances")]
     Disturbed,
-    /// Too many frames, or none.
+    /// The number of frames is 0 or too large.
     #[error("expected from 1 to {most} frames, found {found}")]
     Frames {
-        /// The most there can be.
+        /// The most frames.
         most: usize,
         /// The number asked for.
         found: usize,
@@ -192,7 +192,7 @@ pub enum RolloutError {
         /// Columns found.
         found_columns: usize,
     },
-    /// There is no history to predict from.
+    /// The history of the predicted frame is not complete.
     #[error("expected at least {least} frames before the predicted one, found {found}")]
     History {
         /// The order p of the dynamics.
@@ -208,11 +208,11 @@ pub enum RolloutError {
     Numerics(#[from] NumericsError),
 }
 
-/// Checks that so many frames can be rolled out.
+/// Checks that a rollout can have `frames` frames.
 ///
 /// # Errors
 ///
-/// When there are none, or more than [`MOST_FRAMES`].
+/// When the number of frames is 0 or larger than [`MOST_FRAMES`].
 pub(crate) fn check_frames(frames: usize) -> Result<(), RolloutError> {
     if (1..=MOST_FRAMES).contains(&frames) {
         return Ok(());

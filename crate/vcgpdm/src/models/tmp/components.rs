@@ -1,15 +1,15 @@
-//! The functions of phase that explain most of some columns.
+//! Principal components over phase: the functions of phase that explain most of the columns.
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, symmetric};
-use crate::models::tmp::view::View;
+use crate::models::tmp::trial_features::TrialFeatures;
 use nalgebra::{DMatrix, DVector};
 
-/// The sum over trials and columns of the outer products of their fitted coefficients [R x R].
-pub struct Fits(DMatrix<f64>);
+/// Sum over trials and columns of the outer products of fitted coefficients [R x R].
+pub struct CoefficientSums(DMatrix<f64>);
 
-impl Fits {
-    /// Of nothing, over so many inducing phases.
+impl CoefficientSums {
+    /// An empty sum over `inducing` inducing phases.
     pub fn new(inducing: usize) -> Self {
         Self(DMatrix::zeros(inducing, inducing))
     }
@@ -18,13 +18,13 @@ impl Fits {
     /// by the root of its `variance` `[D]`.
     pub fn add(
         &mut self,
-        view: &View,
+        trial: &TrialFeatures,
         y: &DMatrix<f64>,
         variance: &DVector<f64>,
     ) -> Result<(), NumericsError> {
-        let r = view.gram.nrows();
-        let ridge = &view.gram + DMatrix::identity(r, r);
-        let mut fit = Factor::new(&ridge, "phases of a trial")?.solve(&view.features.tr_mul(y));
+        let r = trial.gram.nrows();
+        let ridge = &trial.gram + DMatrix::identity(r, r);
+        let mut fit = Factor::new(&ridge, "phases of a trial")?.solve(&trial.features.tr_mul(y));
         for (mut column, variance) in fit.column_iter_mut().zip(variance.iter()) {
             column /= variance.sqrt();
         }
@@ -33,10 +33,10 @@ impl Fits {
     }
 }
 
-/// v of the `count` functions of phase that explain most of what was fitted [R x count].
-pub fn leading(fits: &Fits, count: usize) -> DMatrix<f64> {
-    let r = fits.0.nrows();
-    let eigen = nalgebra::SymmetricEigen::new(symmetric(fits.0.clone()));
+/// v of the `count` functions of phase that explain most of the fitted columns [R x count].
+pub fn leading(sums: &CoefficientSums, count: usize) -> DMatrix<f64> {
+    let r = sums.0.nrows();
+    let eigen = nalgebra::SymmetricEigen::new(symmetric(sums.0.clone()));
     let mut order: Vec<usize> = (0..r).collect();
     order.sort_by(|a, b| eigen.eigenvalues[*b].total_cmp(&eigen.eigenvalues[*a]));
     // v ~ N(0, I): a primitive of prior size has a norm of sqrt(R).

@@ -1,4 +1,4 @@
-//! The Gaussian process over phase, seen through inducing phases.
+//! Gaussian process over phase with inducing phases.
 
 use crate::elementary::Elementary;
 use crate::gp::NumericsError;
@@ -8,13 +8,13 @@ use crate::models::data::phase::PhaseAxis;
 use nalgebra::DMatrix;
 use std::f64::consts::PI;
 
-/// Distance of inducing phases in lengthscales. A squared exponential has almost nothing above the frequency
-/// that this resolves, so that the values between them follow (the bound counts what does not).
+/// Distance between inducing phases in lengthscales. A squared exponential has almost no power above the
+/// frequency that this resolves.
 const SPACING: f64 = 0.7;
-/// More would only be slow; it limits the lengthscale from below. On a cycle, and on a whole movement.
+/// The most inducing phases on a cycle and on a whole movement. This limits the lengthscale from below.
 const MOST_INDUCING: [usize; 2] = [30, 48];
 const FEWEST_INDUCING: usize = 5;
-/// On the diagonal of the inducing covariance: inducing values with a little noise are inducing values too.
+/// Added to the diagonal of the inducing covariance.
 const JITTER: f64 = 1e-8;
 
 /// A squared exponential of variance 1 over phase, with regularly spaced inducing phases.
@@ -23,7 +23,7 @@ const JITTER: f64 = 1e-8;
 /// chord between the two places on a circle of circumference 1: (p - p') becomes sin(pi (p - p')) / pi.
 #[derive(Clone, Debug)]
 pub struct PhaseKernel {
-    /// What the phase means.
+    /// Meaning of the phase.
     pub axis: PhaseAxis,
     /// l, in units of phase.
     pub lengthscale: f64,
@@ -33,7 +33,7 @@ pub struct PhaseKernel {
 }
 
 impl PhaseKernel {
-    /// `range` is what phases occur (0 to 1 on a cycle).
+    /// A kernel for phases in `range` (0 to 1 on a cycle).
     pub fn new(axis: PhaseAxis, lengthscale: f64, range: (f64, f64)) -> Result<Self, NumericsError> {
         let inducing: Vec<f64> = match axis {
             PhaseAxis::Cycle => {
@@ -41,7 +41,7 @@ impl PhaseKernel {
                 (0..count).map(|r| r as f64 / count as f64).collect()
             }
             PhaseAxis::Trial => {
-                // One beyond each end: a process seen from one side only is known less well.
+                // One beyond each end, where the data are on one side only.
                 let step = SPACING * lengthscale;
                 let count = (((range.1 - range.0) / step).ceil() as usize + 3).max(FEWEST_INDUCING);
                 let first = 0.5 * (range.0 + range.1 - step * (count - 1) as f64);
@@ -51,7 +51,7 @@ impl PhaseKernel {
         Self::with_inducing(axis, lengthscale, inducing)
     }
 
-    /// A kernel that was fitted before.
+    /// A kernel with these inducing phases.
     pub fn with_inducing(
         axis: PhaseAxis,
         lengthscale: f64,
@@ -71,8 +71,7 @@ impl PhaseKernel {
         length / (SPACING * (MOST_INDUCING[usize::from(axis == PhaseAxis::Trial)] - 3) as f64)
     }
 
-    /// P = K_pz L^-T [T x R] with K_zz = L L^T: the process at `phases` is P v plus what is left, v ~ N(0,
-    /// I).
+    /// P = K_pz L^-T [T x R] with K_zz = L L^T: the process at `phases` is P v plus a residual, v ~ N(0, I).
     pub fn features(&self, phases: &[f64]) -> DMatrix<f64> {
         let cross = DMatrix::from_fn(self.inducing.len(), phases.len(), |r, t| {
             covariance(self.axis, self.lengthscale, self.inducing[r] - phases[t])
@@ -80,8 +79,7 @@ impl PhaseKernel {
         self.factor.solve_lower(&cross).transpose()
     }
 
-    /// K_zz^-1 L v = L^-T v: what the covariances with the inducing phases are multiplied by in a prediction
-    /// [R x Q].
+    /// K_zz^-1 L v = L^-T v: the factors of the covariances with the inducing phases in a prediction [R x Q].
     pub fn coefficients(&self, v: &DMatrix<f64>) -> DMatrix<f64> {
         self.factor.solve_upper(v)
     }
@@ -101,7 +99,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn inducing_phases_carry_the_whole_process() {
+    fn inducing_phases_reproduce_the_kernel() {
         for (axis, lengthscale) in
             [(PhaseAxis::Trial, 0.05), (PhaseAxis::Cycle, 0.05), (PhaseAxis::Cycle, 0.15)]
         {
@@ -115,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn coefficients_predict_what_features_do() {
+    fn coefficients_and_features_give_the_same_prediction() {
         let kernel = PhaseKernel::new(PhaseAxis::Cycle, 0.1, (0.0, 1.0)).unwrap();
         let v = DMatrix::from_fn(kernel.inducing.len(), 2, |r, q| ((r * 2 + q) as f64).sin());
         let phases = [0.03, 0.4, 1.2];

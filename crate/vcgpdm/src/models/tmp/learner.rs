@@ -1,4 +1,4 @@
-//! Learning temporal movement primitives, sweep by sweep, and their number.
+//! Trainings of temporal movement primitives, sweep by sweep, with a search for their number.
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::counting_jittered;
@@ -7,60 +7,59 @@ use crate::models::data::phase::{Alignment, PhaseMap, Trial};
 use crate::models::data::trials::split_trials;
 use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::tmp::Tmp;
-use crate::models::tmp::beginning::Beginning;
+use crate::models::tmp::partial_trial::PartialTrial;
 use crate::models::tmp::posterior::Posterior;
 use crate::models::training::error::{TrainingError, in_range};
 use crate::models::training::learner::Learner;
 use crate::models::training::progress::{EndReason, Progress, Setbacks};
 use crate::models::training::settings::{MOST_PRIMITIVES, TmpSettings};
 
-/// So many sweeps pass between two looks at lengthscale and phases.
+/// Number of sweeps between two updates of lengthscale and phases.
 const EVERY: usize = 5;
-/// A number of primitives is done when [`EVERY`] sweeps have together gained less than this part of the
-/// bound.
+/// The sweeps of a number of primitives end when [`EVERY`] of them raise the bound by less than this share.
 const SMALL_GAIN: f64 = 5e-6;
-/// While numbers are compared: each begins where the one before it ended, with one primitive more, and is
-/// soon good enough.
+/// The same share, and the most sweeps, during the search for the number of primitives. Each number starts
+/// from the result of the number before and so needs few sweeps.
 const SEARCH_GAIN: f64 = 5e-5;
 const SEARCH_SWEEPS: usize = 30;
-/// In nats: more primitives are better only when they raise the bound by so much, a Bayes factor of 150. One
-/// that is not used costs nothing, and the bound creeps up a little with every sweep.
+/// More primitives are better only when they raise the bound by this many nats, a Bayes factor of 150. Without
+/// this limit, an unused primitive could win, because the bound rises a little with every sweep.
 const DECISIVE: f64 = 5.0;
-/// From so many primitives on every second number is tried: one more hardly changes the bound.
+/// From this number of primitives on, only every second number is tried: one more hardly changes the bound.
 const MANY: usize = 10;
-/// The search for the number ends when so many in a row were worse than the best.
+/// The search ends when this many numbers in a row are worse than the best.
 const WORSE_IN_A_ROW: usize = 2;
-/// First step of the phases and factor of the lengthscale; both shrink.
+/// The first step of the phases and the first factor of the lengthscale; both shrink.
 const PHASE_STEP: f64 = 1.0 / 64.0;
 const LENGTHSCALE_FACTOR: f64 = 1.4;
 
-/// How far the learning goes.
+/// Limits of a training.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
-    /// Where the search for the number of primitives ends at the latest.
+    /// The most primitives of the search.
     pub most_primitives: usize,
-    /// Sweeps over all updates for each number of primitives, at most.
+    /// The most sweeps for each number of primitives.
     pub max_sweeps: usize,
 }
 
-/// The limits of every training; tests have smaller ones.
+/// The limits of a training outside tests.
 const LIMITS: Limits = Limits { most_primitives: 20, max_sweeps: 150 };
 
 /// A training of temporal movement primitives.
 pub struct TmpLearner {
-    /// The whole trials: what is learned from.
+    /// The whole trials, from which the model learns.
     trials: Vec<Trial>,
-    /// Those of which only the first frames are known.
-    begun: Vec<Trial>,
-    /// The places in the training set of the whole trials, then of the begun ones.
+    /// The partial trials.
+    partial: Vec<Trial>,
+    /// The places in the training set of the whole trials, then of the partial ones.
     order: Vec<usize>,
     columns: Vec<usize>,
-    /// Whether phases are learned; else they are normalised time, and all trials have the same weights.
+    /// Whether phases are learned; false: they are normalised time, and all trials have the same weights.
     learns_phases: bool,
-    /// The number of primitives asked for; absent: chosen by the bound.
+    /// The number of primitives asked for; `None`: the number with the highest bound.
     asked: Option<usize>,
     limits: Limits,
-    /// The number of primitives that is being tried.
+    /// The current number of primitives.
     count: usize,
     current: Posterior,
     bound: f64,
@@ -73,17 +72,17 @@ pub struct TmpLearner {
     setbacks: Setbacks,
     bounds: Vec<(usize, f64)>,
     iteration: usize,
-    /// How the search for the number ended, while the best is learned to the end.
+    /// Why the search for the number ended, while the best number is trained to the end.
     end: Option<EndReason>,
     reason: Option<EndReason>,
 }
 
 impl TmpLearner {
-    /// Aligns the trials and starts with the smallest number of primitives.
+    /// A training before its first sweep, with aligned trials and one primitive or the number asked for.
     ///
     /// # Errors
     ///
-    /// When the number of primitives is out of its range, or the movements cannot be learned from.
+    /// When the number of primitives is out of its range, or the model cannot learn from the movements.
     pub fn new(movements: &Movements, settings: &TmpSettings) -> Result<Self, TrainingError> {
         Self::within(movements, settings, LIMITS)
     }
@@ -98,19 +97,19 @@ impl TmpLearner {
         let (all, columns) = split_trials(movements)?;
         let mut order: Vec<usize> = (0..all.len()).collect();
         order.sort_by_key(|&s| !all[s].whole);
-        let (trials, begun): (Vec<Trial>, Vec<Trial>) = all.into_iter().partition(|trial| trial.whole);
+        let (trials, partial): (Vec<Trial>, Vec<Trial>) = all.into_iter().partition(|trial| trial.whole);
         let learns_phases = !settings.normalised_time;
         let alignment =
             if learns_phases { Alignment::new(&trials, None) } else { Alignment::normalised_time(&trials) };
         let count = asked.unwrap_or(1);
-        // A part has one noise variance, like beta of the vCGPDM: only then are the bounds of both on the
-        // same footing, because the bound of a column that hardly moves would otherwise grow without limit.
+        // A part has one noise variance, like beta of the vCGPDM. With a variance for each column, the bound of
+        // a column that hardly moves would grow without limit, and the bounds could not be compared.
         let groups: Vec<usize> = columns.iter().copied().filter(|&width| width > 0).collect();
         let current = Posterior::start(&trials, &alignment, &groups, count, settings.normalised_time)?;
         let bound = current.bound(&trials)?;
         Ok(Self {
             trials,
-            begun,
+            partial,
             order,
             columns,
             learns_phases,
@@ -132,7 +131,7 @@ impl TmpLearner {
         })
     }
 
-    /// All updates once; the bound after them.
+    /// Does all updates once and returns the bound.
     fn sweep(&mut self) -> Result<f64, NumericsError> {
         let (current, trials) = (&mut self.current, &self.trials);
         current.update_primitives()?;
@@ -151,29 +150,29 @@ impl TmpLearner {
         current.bound(trials)
     }
 
-    /// One sweep, and what follows when this number of primitives is done.
+    /// One sweep; when the sweeps of a number of primitives end, the change to the next number.
     fn advance(&mut self) -> Result<(), NumericsError> {
         self.bound = self.sweep()?;
-        let look = self.sweeps.is_multiple_of(EVERY);
+        let compare = self.sweeps.is_multiple_of(EVERY);
         let gain = if self.is_searching() { SEARCH_GAIN } else { SMALL_GAIN };
-        let small = look && self.bound - self.before < gain * self.bound.abs();
-        if look {
+        let small = compare && self.bound - self.before < gain * self.bound.abs();
+        if compare {
             self.before = self.bound;
         }
         let most = if self.is_searching() { SEARCH_SWEEPS } else { self.limits.max_sweeps };
         if self.sweeps < most && !small {
             return Ok(());
         }
-        self.keep();
+        self.record_bound();
         let best = self.best.as_ref().map_or(self.count, |(_, p)| p.primitives());
         if self.asked.is_some() {
             self.reason = Some(if small { EndReason::BoundSettled } else { EndReason::Iterations });
         } else if let Some(end) = self.end.take() {
             self.reason = Some(end);
         } else if self.worse_in_a_row(best) >= WORSE_IN_A_ROW {
-            self.polish(EndReason::MorePrimitivesAreWorse { best });
+            self.train_best(EndReason::MorePrimitivesAreWorse { best });
         } else if self.count >= self.limits.most_primitives {
-            self.polish(EndReason::MostPrimitives { best });
+            self.train_best(EndReason::MostPrimitives { best });
         } else {
             let more = if self.count < MANY { 1 } else { 2.min(self.limits.most_primitives - self.count) };
             for _ in 0..more {
@@ -181,58 +180,58 @@ impl TmpLearner {
                 self.current = self.current.with_one_more(&self.trials)?;
             }
             self.bound = self.current.bound(&self.trials)?;
-            self.begin();
+            self.restart_sweeps();
         }
         Ok(())
     }
 
-    /// How many numbers of primitives are tried at most.
+    /// The most numbers of primitives to try.
     fn numbers_to_try(&self) -> usize {
         let most = self.limits.most_primitives;
         most.min(MANY) + most.saturating_sub(MANY).div_ceil(2)
     }
 
-    /// How many numbers of primitives were tried after the best.
+    /// The number of numbers of primitives that were tried after the best.
     fn worse_in_a_row(&self, best: usize) -> usize {
         self.bounds.iter().filter(|(count, _)| *count > best).count()
     }
 
-    /// Whether numbers of primitives are tried; the best one is learned to the end afterwards.
+    /// Whether the search for the number of primitives goes on. After it, the best number is trained to the end.
     fn is_searching(&self) -> bool {
         self.asked.is_none() && self.end.is_none()
     }
 
-    /// Sweeps, and the steps that shrink in them, begin anew.
-    fn begin(&mut self) {
+    /// Resets the sweeps, and the steps that shrink in them.
+    fn restart_sweeps(&mut self) {
         (self.sweeps, self.before) = (0, self.bound);
         (self.phase_step, self.lengthscale_factor) = (PHASE_STEP, LENGTHSCALE_FACTOR);
     }
 
-    /// Whether what is being learned is better than the best before.
-    fn leads(&self) -> bool {
+    /// Whether the current posterior is better than the best before.
+    fn is_best(&self) -> bool {
         self.best.as_ref().is_none_or(|(bound, posterior)| {
             self.bound > bound + if posterior.primitives() < self.count { DECISIVE } else { 0.0 }
         })
     }
 
-    /// Notes the bound of this number of primitives, and the posterior where it is the best.
-    fn keep(&mut self) {
+    /// Records the bound of the current number of primitives, and the posterior if it is the best.
+    fn record_bound(&mut self) {
         match self.bounds.iter_mut().find(|(count, _)| *count == self.count) {
             Some((_, bound)) => *bound = self.bound.max(*bound),
             None => self.bounds.push((self.count, self.bound)),
         }
-        if self.leads() {
+        if self.is_best() {
             self.best = Some((self.bound, self.current.clone()));
         }
     }
 
-    /// Goes on with the best number of primitives; what is said at the end is known.
-    fn polish(&mut self, end: EndReason) {
+    /// Continues with the best number of primitives; `end` is the reason at the end.
+    fn train_best(&mut self, end: EndReason) {
         if let Some((bound, posterior)) = &self.best {
             (self.count, self.bound, self.current) = (posterior.primitives(), *bound, posterior.clone());
         }
         self.end = Some(end);
-        self.begin();
+        self.restart_sweeps();
     }
 }
 
@@ -253,7 +252,7 @@ impl Learner for TmpLearner {
         let most = if self.asked.is_some() { 0 } else { self.numbers_to_try() * SEARCH_SWEEPS };
         let most = most + self.limits.max_sweeps;
         let best = match &self.best {
-            Some((best, _)) if !self.leads() => *best,
+            Some((best, _)) if !self.is_best() => *best,
             _ => self.bound,
         };
         let share = self.iteration as f64 / most as f64;
@@ -279,32 +278,32 @@ impl Learner for TmpLearner {
 }
 
 impl TmpLearner {
-    /// The best model so far, with all that is known of it.
+    /// The best model so far.
     ///
     /// # Errors
     ///
     /// When a covariance cannot be factorised.
     pub fn fitted(&self) -> Result<Tmp, NumericsError> {
         let best = match &self.best {
-            Some((_, posterior)) if !self.leads() => posterior,
+            Some((_, posterior)) if !self.is_best() => posterior,
             _ => &self.current,
         };
         let mut posterior = best.clone();
         let mut trials = self.trials.clone();
-        let mut stretch = 0.0;
-        for trial in &self.begun {
-            let beginning = Beginning::new(best, &self.trials, trial)?;
+        let mut log_determinant = 0.0;
+        for trial in &self.partial {
+            let trial = PartialTrial::new(best, &self.trials, trial)?;
             let map = if self.learns_phases {
-                beginning.find()?
+                trial.best_map()?
             } else {
                 PhaseMap { start: 0.0, rate: Alignment::mean_rate(&self.trials, &best.maps) }
             };
-            posterior.include(beginning.view(&map), map)?;
-            trials.push(beginning.whitened().clone());
-            stretch += beginning.stretch();
+            posterior.include(trial.features(&map), map)?;
+            trials.push(trial.whitened().clone());
+            log_determinant += trial.log_determinant();
         }
         let mut model = Tmp::new(&posterior, &trials, &self.order, &self.columns, &self.bounds)?;
-        model.bound -= stretch;
+        model.bound -= log_determinant;
         Ok(model)
     }
 }

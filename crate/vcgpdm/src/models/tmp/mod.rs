@@ -1,48 +1,45 @@
 //! Temporal movement primitives (Clever et al. 2016; Endres et al. 2013), by variational Bayes.
 //!
-//! A movement is a weighted sum of a few functions of time that all its columns share. Column k of trial s at
-//! frame t is
+//! A movement is a weighted sum of a few functions of time, the primitives, which all columns share. Column k
+//! of trial s at frame t is
 //!
 //! y_sk(t) = sum_q w_skq m_q(p_s(t)) + noise of variance sigma_k^2 (one for all columns of a part),
 //!
 //! - p_s(t) = start_s + rate_s t is the phase ([`PhaseAxis`]): of one cycle for a movement that repeats
 //!   itself, of the whole movement for one that does not. Recorded walks start anywhere in the gait cycle and
-//!   walk at their own pace; a plain normalisation of their lengths would add up steps of the left and of the
-//!   right leg. Start and rate begin with an alignment to the mean of all trials
-//!   ([`crate::models::Alignment`]) and then follow the bound like everything else. The frames themselves are
-//!   modelled at their own phases, so that the bound is one on log p of the same numbers as that of the other
-//!   models.
+//!   have their own speed; if only their lengths were normalised, steps of the left and the right leg would be
+//!   averaged. Start and rate begin with an alignment to the mean of all trials
+//!   ([`crate::models::Alignment`]), and then the bound is maximised over them too. The frames are modelled at
+//!   their own phases, so that the bound is on log p of the same numbers as for the other models.
 //! - m_q ~ GP(0, squared exponential of variance 1) over phase; one lengthscale for all; regular inducing
-//!   phases, their number following from the lengthscale (0.7 lengthscales apart). What lies between them is
-//!   in the bound, not neglected.
+//!   phases, 0.7 lengthscales apart. The bound includes the variance between them.
 //! - The primitives are shared, the weights belong to the trial: w_sk ~ N(mu_k, c_k V), mu_k ~ N(0, c_k
-//!   diag(a)). c_k is the scale of the column, a_q tells how much primitive q is used at all, and V [Q x Q]
-//!   how the weights of a trial differ from the mean movement: together, since all columns of all trials
-//!   teach one V.
-//! - A trial of which only the first frames are known teaches the model nothing: c, V and the noise come from
-//!   whole trials. (If it did, V would grow along any combination of weights that only those frames ask for,
-//!   and such a combination would cost nothing: predictions exploded.) Given the model, its rate is the mean
-//!   of the whole trials, and its start is where the posterior is highest, its weights integrated out. The
-//!   posterior of its weights is the prediction, near mu_k where those frames say nothing.
+//!   diag(a)). c_k is the scale of the column, a_q the relevance of primitive q, and V [Q x Q] the covariance
+//!   of the weights of a trial around the mean movement, one for all columns and trials.
+//! - The model learns nothing from a partial trial, of which only the first frames are known: c, V and the
+//!   noise come from whole trials. (Otherwise V grows along a combination of weights that only those frames
+//!   need; the combination then has no cost, and predictions explode.) The rate of a partial trial is the mean
+//!   of the whole trials, and its start maximises the posterior, with the weights integrated out. The posterior
+//!   of its weights is the prediction; it is near mu_k where those frames have no information.
 //!
 //! With [`crate::models::TmpSettings::normalised_time`] the model is that of Clever et al. (2016): functions
-//! of normalised time, and weights of the columns that all trials share, w_sk = w_k. Learned phases, the
-//! cycle and weights for every trial are ours; they make it stronger.
+//! of normalised time, and weights of the columns that all trials share, w_sk = w_k. Learned phases, cycles
+//! and weights of each trial are extensions of this project.
 //!
 //! q = q(m) q(mu, w): Gaussians, the first over all primitives together, the second joint over mu_k and all
 //! w_sk of a column. Both updates, and those of sigma, c, V and a, are maxima of the bound in closed form;
-//! lengthscale, starts and rates move only where that raises it. So it never falls. The number of primitives
-//! is the one of the highest bound.
+//! lengthscale, starts and rates change only where that raises the bound. So the bound never falls. The number
+//! of primitives is the one with the highest bound.
 
-mod beginning;
 mod components;
+mod json;
 mod kernel;
 mod learner;
+mod partial_trial;
 mod posterior;
-mod stored;
 #[cfg(test)]
 mod tests;
-mod view;
+mod trial_features;
 mod weights;
 
 pub use learner::TmpLearner;
@@ -55,10 +52,10 @@ use kernel::covariance;
 use nalgebra::{DMatrix, DVector};
 use posterior::Posterior;
 
-/// What is kept of a training sequence.
+/// Phases and weights of a training sequence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrialWeights {
-    /// Where it lies.
+    /// Map from its frames to phases.
     pub map: PhaseMap,
     /// `E[w_sk]` [D x Q].
     pub weights: DMatrix<f64>,
@@ -67,17 +64,17 @@ pub struct TrialWeights {
 /// Fitted temporal movement primitives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tmp {
-    /// What the phase means.
+    /// Meaning of the phase.
     pub axis: PhaseAxis,
-    /// Of the primitives, in units of phase.
+    /// Lengthscale of the primitives, in units of phase.
     pub lengthscale: f64,
-    /// Between which phases the whole trials lie: 0 and 1 on a cycle.
+    /// The lowest and highest phase of the whole trials: 0 and 1 on a cycle.
     pub range: (f64, f64),
     /// Inducing phases z `[R]`.
     pub inducing: Vec<f64>,
     /// K_zz^-1 E[m(z)] [R x Q]: primitive q at phase p is sum_r k(p, z_r) coefficients_rq.
     pub coefficients: DMatrix<f64>,
-    /// One for each training sequence.
+    /// Phases and weights of each training sequence.
     pub trials: Vec<TrialWeights>,
     /// `E[mu_k]` [D x Q]: the mean movement.
     pub centre: DMatrix<f64>,
@@ -91,12 +88,12 @@ pub struct Tmp {
     pub columns: Vec<usize>,
     /// The bound on log p of all training frames, in nats.
     pub bound: f64,
-    /// The bound that each number of primitives reached, in the order tried.
+    /// Each number of primitives with its bound, in the order tried.
     pub bounds: Vec<(usize, f64)>,
 }
 
 impl Tmp {
-    /// `order` are the places in the training set of the trials that the posterior has seen.
+    /// `order` are the places in the training set of the posterior's trials.
     fn new(
         posterior: &Posterior,
         trials: &[Trial],
@@ -136,8 +133,8 @@ impl Tmp {
 
     /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
     ///
-    /// The sequence goes on at its own rate. A movement that is no cycle ends where the training trials do:
-    /// more frames than reach there are spread over the same phases, so that the movement is slower.
+    /// The rate is that of the sequence. A movement that is not a cycle ends at the last phase of the training
+    /// trials: with more frames, it is slower.
     ///
     /// # Errors
     ///
@@ -156,8 +153,8 @@ impl Tmp {
         Ok(split(&(self.primitives(&phases) * trial.weights.transpose()), &self.columns))
     }
 
-    /// How many numbers must be kept to roll out from one sequence: primitives at the inducing phases, the
-    /// weights of one trial, its start and rate, lengthscale and range.
+    /// The number of stored numbers from which one sequence can be rolled out: primitives at the inducing
+    /// phases, the weights of one trial, its start and rate, lengthscale and range.
     pub fn stored_numbers(&self) -> usize {
         let weights = self.centre.len();
         self.coefficients.len() + weights + 2 + 1 + if self.axis == PhaseAxis::Trial { 2 } else { 0 }

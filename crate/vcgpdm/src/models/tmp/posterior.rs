@@ -1,28 +1,28 @@
-//! The variational posterior of temporal movement primitives: its bound, and the updates that never lower it.
+//! Variational posterior of temporal movement primitives: its bound, and updates that never lower the bound.
 
 use crate::elementary::Elementary;
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, symmetric};
-use crate::models::data::phase::{Alignment, PhaseAxis, PhaseMap, Trial, covered};
-use crate::models::tmp::components::{Fits, leading};
+use crate::models::data::phase::{Alignment, PhaseAxis, PhaseMap, Trial, phase_range};
+use crate::models::tmp::components::{CoefficientSums, leading};
 use crate::models::tmp::kernel::PhaseKernel;
-use crate::models::tmp::view::View;
+use crate::models::tmp::trial_features::TrialFeatures;
 use crate::models::tmp::weights::{ColumnWeights, infer};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::{E, PI};
 
-/// Noise variances and column scales stay above this times the mean variance of a column: some columns never
-/// move.
+/// Noise variances and column scales are at least this times the mean variance of a column; some columns
+/// never change.
 const FLOOR: f64 = 1e-6;
-/// The mean variance counts as this much at least: a clip in which nothing moves has none.
+/// The least mean variance; that of a still clip is 0.
 const LEAST_VARIANCE: f64 = 1e-4;
-/// Starts: the share of a column's variance that is noise, and of the weights' variance that is between
-/// trials.
+/// Starting values: the share of noise in a column's variance, and the share of the variance between trials in
+/// that of the weights.
 const NOISE_SHARE: f64 = 0.1;
 const SPREAD_SHARE: f64 = 0.1;
-/// Starts: the variance of v that is not known yet.
+/// Starting value: the variance of v.
 const START_COVARIANCE: f64 = 1e-4;
-/// Starts: the lengthscale, in cycles or in lengths of a trial.
+/// Starting values: the lengthscale in cycles, and in lengths of a trial.
 const LENGTHSCALE: [f64; 2] = [0.12, 0.08];
 
 /// q(m) q(mu, w) and the hyperparameters, of a fixed number of primitives.
@@ -30,7 +30,7 @@ const LENGTHSCALE: [f64; 2] = [0.12, 0.08];
 pub struct Posterior {
     /// The process over phase.
     pub kernel: PhaseKernel,
-    /// Where each trial lies.
+    /// Map of each trial from frames to phases.
     pub maps: Vec<PhaseMap>,
     /// `E[v]` [R x Q]: primitive q at phases p is P(p) v_q.
     pub v: DMatrix<f64>,
@@ -46,19 +46,19 @@ pub struct Posterior {
     pub spread: DMatrix<f64>,
     /// a_q `[Q]`.
     pub relevance: DVector<f64>,
-    /// Columns that share their noise, one group after the other: the number of columns of each.
+    /// The number of columns in each group of neighbouring columns that share their noise.
     groups: Vec<usize>,
-    /// Which weights each trial has: its own, or one set for all trials.
+    /// The set of weights of each trial: its own, or one set for all trials.
     sets: Vec<usize>,
     range: (f64, f64),
-    views: Vec<View>,
+    features: Vec<TrialFeatures>,
     v_log_determinant: f64,
     floor: f64,
 }
 
 impl Posterior {
-    /// Starts from the `count` leading principal components over phase of the aligned trials. `groups` are
-    /// the numbers of neighbouring columns that share their noise; `shared_weights`: all trials have the same
+    /// The starting posterior: `count` principal components over phase of the aligned trials. `groups` are the
+    /// numbers of neighbouring columns that share their noise; `shared_weights`: all trials have the same
     /// weights.
     pub fn start(
         trials: &[Trial],
@@ -70,13 +70,14 @@ impl Posterior {
         let axis = alignment.axis;
         let range = match axis {
             PhaseAxis::Cycle => (0.0, 1.0),
-            PhaseAxis::Trial => covered(trials, &alignment.maps),
+            PhaseAxis::Trial => phase_range(trials, &alignment.maps),
         };
         let preferred = LENGTHSCALE[usize::from(axis == PhaseAxis::Trial)];
         let lengthscale = preferred.max(PhaseKernel::shortest(axis, range));
         let kernel = PhaseKernel::new(axis, lengthscale, range)?;
         let maps = alignment.maps.clone();
-        let views: Vec<View> = trials.iter().zip(&maps).map(|(t, m)| View::new(&kernel, t, m)).collect();
+        let features: Vec<TrialFeatures> =
+            trials.iter().zip(&maps).map(|(t, m)| TrialFeatures::new(&kernel, t, m)).collect();
         let columns = trials.first().map_or(0, |t| t.y.ncols());
         let frames = trials.iter().map(|t| t.y.nrows()).sum::<usize>().max(1) as f64;
         let variance = DVector::from_fn(columns, |k, _| {
@@ -85,24 +86,24 @@ impl Posterior {
         let floor = FLOOR * variance.mean().max(LEAST_VARIANCE);
         let variance = variance.map(|v| v.max(floor));
         let r = kernel.inducing.len();
-        let mut fits = Fits::new(r);
-        for (view, trial) in views.iter().zip(trials) {
-            fits.add(view, &trial.y, &variance)?;
+        let mut sums = CoefficientSums::new(r);
+        for (features, trial) in features.iter().zip(trials) {
+            sums.add(features, &trial.y, &variance)?;
         }
-        let v = leading(&fits, count);
+        let v = leading(&sums, count);
         let mut posterior = Self {
             kernel,
             maps,
             v,
             weights: Vec::new(),
-            noise: shared(&variance, groups) * NOISE_SHARE,
+            noise: group_means(&variance, groups) * NOISE_SHARE,
             scale: variance,
             spread: DMatrix::identity(count, count) * SPREAD_SHARE,
             relevance: DVector::from_element(count, 1.0),
             groups: groups.to_vec(),
             sets: (0..trials.len()).map(|s| if shared_weights { 0 } else { s }).collect(),
             range,
-            views,
+            features,
             v_covariance: DMatrix::identity(r * count, r * count) * START_COVARIANCE,
             v_log_determinant: (r * count) as f64 * START_COVARIANCE.logarithm(),
             floor,
@@ -112,22 +113,22 @@ impl Posterior {
         Ok(posterior)
     }
 
-    /// The same with one primitive more: the function of phase that explains most of what is left.
+    /// The posterior with one more primitive: the function of phase that explains most of the residual.
     pub fn with_one_more(&self, trials: &[Trial]) -> Result<Self, NumericsError> {
         let (r, count) = (self.v.nrows(), self.primitives());
-        let mut fits = Fits::new(r);
-        for (s, (view, trial)) in self.views.iter().zip(trials).enumerate() {
-            let left = &trial.y - &view.features * &self.v * self.mean_weights(s).transpose();
-            fits.add(view, &left, &self.noise)?;
+        let mut sums = CoefficientSums::new(r);
+        for (s, (features, trial)) in self.features.iter().zip(trials).enumerate() {
+            let residual = &trial.y - &features.features * &self.v * self.mean_weights(s).transpose();
+            sums.add(features, &residual, &self.noise)?;
         }
         let mut more = self.clone();
         more.v = self.v.clone().insert_column(count, 0.0);
-        more.v.set_column(count, &leading(&fits, 1).column(0));
+        more.v.set_column(count, &leading(&sums, 1).column(0));
         let mut covariance = DMatrix::identity(r * (count + 1), r * (count + 1)) * START_COVARIANCE;
         covariance.view_mut((0, 0), (r * count, r * count)).copy_from(&self.v_covariance);
         more.v_covariance = covariance;
         more.v_log_determinant += r as f64 * START_COVARIANCE.logarithm();
-        // What is left is about as large as the noise.
+        // The residual is about as large as the noise.
         let small = self.noise.mean() / self.scale.mean();
         more.relevance = self.relevance.clone().insert_row(count, small);
         more.spread = self.spread.clone().insert_column(count, 0.0).insert_row(count, 0.0);
@@ -147,21 +148,21 @@ impl Posterior {
         DMatrix::from_fn(self.weights.len(), self.primitives(), |k, q| self.weights[k].mean[set][q])
     }
 
-    /// E[M^T M] over the frames of a trial [Q x Q], M the primitives at its phases.
-    pub fn energy(&self, view: &View) -> DMatrix<f64> {
+    /// E[M^T M] over the frames of a trial [Q x Q], where M are the primitives at its phases.
+    pub fn energy(&self, trial: &TrialFeatures) -> DMatrix<f64> {
         let r = self.v.nrows();
-        let mut energy = symmetric(self.v.tr_mul(&(&view.gram * &self.v)));
+        let mut energy = symmetric(self.v.tr_mul(&(&trial.gram * &self.v)));
         for a in 0..self.primitives() {
             for b in 0..self.primitives() {
-                energy[(a, b)] += self.v_covariance.view((a * r, b * r), (r, r)).dot(&view.gram);
+                energy[(a, b)] += self.v_covariance.view((a * r, b * r), (r, r)).dot(&trial.gram);
             }
-            energy[(a, a)] += view.left;
+            energy[(a, a)] += trial.residual;
         }
         energy
     }
 
     /// omega_s = sum_k E[w_sk w_sk^T] / sigma_k^2 [Q x Q].
-    fn demand(&self, s: usize) -> DMatrix<f64> {
+    fn weight_precision(&self, s: usize) -> DMatrix<f64> {
         let mut sum = DMatrix::zeros(self.primitives(), self.primitives());
         for (weights, noise) in self.weights.iter().zip(self.noise.iter()) {
             sum += &weights.second[self.sets[s]] / *noise;
@@ -170,38 +171,38 @@ impl Posterior {
     }
 
     /// `E[w_sk]` / sigma_k^2 of trial `s` [D x Q].
-    fn pull(&self, s: usize) -> DMatrix<f64> {
-        let mut pull = self.mean_weights(s);
-        for (mut row, noise) in pull.row_iter_mut().zip(self.noise.iter()) {
+    fn scaled_weights(&self, s: usize) -> DMatrix<f64> {
+        let mut scaled = self.mean_weights(s);
+        for (mut row, noise) in scaled.row_iter_mut().zip(self.noise.iter()) {
             row /= *noise;
         }
-        pull
+        scaled
     }
 
     /// [`Self::energy`] of every trial.
     fn energies(&self) -> Vec<DMatrix<f64>> {
-        self.views.iter().map(|view| self.energy(view)).collect()
+        self.features.iter().map(|trial| self.energy(trial)).collect()
     }
 
-    /// How many sets of weights there are.
+    /// The number of sets of weights.
     fn set_count(&self) -> usize {
         self.sets.iter().max().map_or(0, |last| last + 1)
     }
 
-    /// q(v) = N: precision I + sum_s omega_s (x) P_s^T P_s, all primitives together.
+    /// Updates q(v), a Gaussian of precision I + sum_s omega_s (x) P_s^T P_s over all primitives.
     pub fn update_primitives(&mut self) -> Result<(), NumericsError> {
         let (r, count) = (self.kernel.inducing.len(), self.primitives());
         let mut precision = DMatrix::identity(r * count, r * count);
         let mut information = DMatrix::zeros(r, count);
-        for s in 0..self.views.len() {
-            let (demand, view) = (self.demand(s), &self.views[s]);
+        for s in 0..self.features.len() {
+            let (weights, trial) = (self.weight_precision(s), &self.features[s]);
             for a in 0..count {
                 for b in 0..count {
                     let mut block = precision.view_mut((a * r, b * r), (r, r));
-                    block += &view.gram * demand[(a, b)];
+                    block += &trial.gram * weights[(a, b)];
                 }
             }
-            information += &view.projected * self.pull(s);
+            information += &trial.projected * self.scaled_weights(s);
         }
         let factor = Factor::of_large(&precision, "precision of the primitives")?;
         let stacked = DMatrix::from_column_slice(r * count, 1, information.as_slice());
@@ -211,16 +212,17 @@ impl Posterior {
         Ok(())
     }
 
-    /// q(mu, w), column by column.
+    /// Updates q(mu, w), column by column.
     pub fn update_weights(&mut self) -> Result<(), NumericsError> {
         let energies = self.energies();
-        let seen: Vec<DMatrix<f64>> = self.views.iter().map(|view| self.v.tr_mul(&view.projected)).collect();
+        let projections: Vec<DMatrix<f64>> =
+            self.features.iter().map(|trial| self.v.tr_mul(&trial.projected)).collect();
         let precision = Factor::new(&self.spread, "covariance of the weights")?.inverse();
         let column = |k: usize| {
             let count = self.primitives();
-            let nothing = (DMatrix::zeros(count, count), DVector::zeros(count));
-            let mut likelihoods = vec![nothing; self.set_count()];
-            for ((set, e), h) in self.sets.iter().zip(&energies).zip(&seen) {
+            let zero = (DMatrix::zeros(count, count), DVector::zeros(count));
+            let mut likelihoods = vec![zero; self.set_count()];
+            for ((set, e), h) in self.sets.iter().zip(&energies).zip(&projections) {
                 likelihoods[*set].0 += e / self.noise[k];
                 likelihoods[*set].1 += h.column(k) / self.noise[k];
             }
@@ -230,25 +232,25 @@ impl Posterior {
         Ok(())
     }
 
-    /// Expected squared error of column `k` over all trials, `energies` as of [`Self::energy`].
+    /// Expected squared error of column `k` over all trials, with the `energies` of [`Self::energy`].
     fn squared_error(&self, trials: &[Trial], energies: &[DMatrix<f64>], k: usize) -> f64 {
         let weights = &self.weights[k];
-        let of_trial = |(s, trial): (usize, &Trial)| {
-            let seen = self.v.tr_mul(&self.views[s].projected.column(k));
+        let error = |(s, trial): (usize, &Trial)| {
+            let projection = self.v.tr_mul(&self.features[s].projected.column(k));
             let set = self.sets[s];
-            trial.y.column(k).norm_squared() - 2.0 * seen.dot(&weights.mean[set])
+            trial.y.column(k).norm_squared() - 2.0 * projection.dot(&weights.mean[set])
                 + weights.second[set].dot(&energies[s])
         };
-        trials.iter().enumerate().map(of_trial).sum()
+        trials.iter().enumerate().map(error).sum()
     }
 
-    /// sigma^2, c, V and a, one after the other, each at the bound's maximum.
+    /// Updates sigma^2, c, V and a, each to the maximum of the bound given the others.
     pub fn update_hyperparameters(&mut self, trials: &[Trial]) -> Result<(), NumericsError> {
         let frames = trials.iter().map(|t| t.y.nrows()).sum::<usize>() as f64;
         let energies = self.energies();
         let (d, count, s) = (self.weights.len(), self.primitives(), self.set_count());
         let errors = DVector::from_fn(d, |k, _| self.squared_error(trials, &energies, k) / frames);
-        self.noise = shared(&errors, &self.groups).map(|n| n.max(self.floor));
+        self.noise = group_means(&errors, &self.groups).map(|n| n.max(self.floor));
         let precision = Factor::new(&self.spread, "covariance of the weights")?.inverse();
         for k in 0..d {
             let w = &self.weights[k];
@@ -267,8 +269,8 @@ impl Posterior {
         Ok(())
     }
 
-    /// Tries lengthscales `factor` times longer and shorter, each with its best q(v); keeps what raises the
-    /// bound.
+    /// Tries lengthscales `factor` times longer and shorter, each with its best q(v), and takes one that raises
+    /// the bound. Returns whether it did.
     pub fn update_lengthscale(&mut self, trials: &[Trial], factor: f64) -> Result<bool, NumericsError> {
         self.update_primitives()?;
         let best = self.bound(trials)?;
@@ -280,7 +282,7 @@ impl Posterior {
             }
             let mut other = self.clone();
             other.kernel = PhaseKernel::new(self.kernel.axis, lengthscale, self.range)?;
-            other.view_again(trials);
+            other.update_features(trials);
             other.update_primitives()?;
             let bound = other.bound(trials)?;
             if bound > best {
@@ -291,63 +293,65 @@ impl Posterior {
         Ok(false)
     }
 
-    fn view_again(&mut self, trials: &[Trial]) {
-        self.views = trials.iter().zip(&self.maps).map(|(t, m)| View::new(&self.kernel, t, m)).collect();
+    fn update_features(&mut self, trials: &[Trial]) {
+        self.features =
+            trials.iter().zip(&self.maps).map(|(t, m)| TrialFeatures::new(&self.kernel, t, m)).collect();
     }
 
-    /// Moves the trials along the axis (whole ones also stretch) by `step` where that raises the bound.
+    /// Moves the trials along the axis by `step`, and stretches whole trials, where that raises the bound.
     pub fn update_phases(&mut self, trials: &[Trial], step: f64) {
         let (r, count) = (self.kernel.inducing.len(), self.primitives());
         for (s, trial) in trials.iter().enumerate() {
-            let demand = self.demand(s);
+            let precision = self.weight_precision(s);
             let mut quadratic = DMatrix::zeros(r, r);
             for a in 0..count {
                 for b in 0..count {
-                    quadratic += self.v_covariance.view((a * r, b * r), (r, r)) * demand[(a, b)];
+                    quadratic += self.v_covariance.view((a * r, b * r), (r, r)) * precision[(a, b)];
                 }
             }
-            quadratic += &self.v * &demand * self.v.transpose();
+            quadratic += &self.v * &precision * self.v.transpose();
             // (1 - p^T p) tr(omega) has the same form.
             for a in 0..r {
-                quadratic[(a, a)] -= demand.trace();
+                quadratic[(a, a)] -= precision.trace();
             }
-            let linear = &trial.y * self.pull(s) * self.v.transpose();
-            let value = |view: &View| linear.dot(&view.features) - 0.5 * quadratic.dot(&view.gram);
-            let mut best = value(&self.views[s]);
+            let linear = &trial.y * self.scaled_weights(s) * self.v.transpose();
+            let value =
+                |trial: &TrialFeatures| linear.dot(&trial.features) - 0.5 * quadratic.dot(&trial.gram);
+            let mut best = value(&self.features[s]);
             let stretch = if trial.whole { 2.0 * step } else { 0.0 };
             for (shift, stretch) in [(step, 0.0), (-step, 0.0), (0.0, stretch), (0.0, -stretch)] {
                 let map = self.maps[s].moved(trial.y.nrows(), shift, stretch);
                 if map == self.maps[s] || map.rate <= 0.0 {
                     continue;
                 }
-                let view = View::new(&self.kernel, trial, &map);
-                let moved = value(&view);
+                let features = TrialFeatures::new(&self.kernel, trial, &map);
+                let moved = value(&features);
                 if moved > best {
                     best = moved;
                     self.maps[s] = map;
-                    self.views[s] = view;
+                    self.features[s] = features;
                 }
             }
         }
     }
 
-    /// Takes in a trial that nothing was learned from, as it looks where it lies; its weights are its own
-    /// unless all trials share them.
-    pub fn include(&mut self, view: View, map: PhaseMap) -> Result<(), NumericsError> {
+    /// Adds a trial with these features without learning from it. Its weights are its own unless all trials
+    /// share them.
+    pub fn include(&mut self, features: TrialFeatures, map: PhaseMap) -> Result<(), NumericsError> {
         let shared_weights = self.sets.len() > 1 && self.set_count() == 1;
         self.sets.push(if shared_weights { 0 } else { self.set_count() });
-        self.views.push(view);
+        self.features.push(features);
         self.maps.push(map);
         self.update_weights()
     }
 
-    /// How what the primitives leave of a column goes on from frame to frame: its correlation with itself 0,
-    /// 1, ... frames later, over all trials and columns, each weighed by its noise.
+    /// Autocorrelation of the residuals of the primitives at lags of 0, 1, ... frames, over all trials and
+    /// columns, each weighted by its noise.
     pub fn residual_correlations(&self, trials: &[Trial], lags: usize) -> Vec<f64> {
         let mut sums = vec![0.0; lags];
-        for (s, (trial, view)) in trials.iter().zip(&self.views).enumerate() {
-            let left = &trial.y - &view.features * &self.v * self.mean_weights(s).transpose();
-            for (column, noise) in left.column_iter().zip(self.noise.iter()) {
+        for (s, (trial, features)) in trials.iter().zip(&self.features).enumerate() {
+            let residual = &trial.y - &features.features * &self.v * self.mean_weights(s).transpose();
+            for (column, noise) in residual.column_iter().zip(self.noise.iter()) {
                 for (lag, sum) in sums.iter_mut().enumerate().take(column.len()) {
                     let rest = column.len() - lag;
                     *sum += column.rows(0, rest).dot(&column.rows(lag, rest)) / noise;
@@ -391,14 +395,14 @@ impl Posterior {
         0.5 * (self.v.norm_squared() + self.v_covariance.trace() - size - self.v_log_determinant)
     }
 
-    /// The phases between which the whole trials lie.
+    /// The lowest and highest phase of the whole trials.
     pub fn range(&self, trials: &[Trial]) -> (f64, f64) {
-        if self.kernel.axis == PhaseAxis::Cycle { (0.0, 1.0) } else { covered(trials, &self.maps) }
+        if self.kernel.axis == PhaseAxis::Cycle { (0.0, 1.0) } else { phase_range(trials, &self.maps) }
     }
 }
 
-/// The mean of each group in the place of every member.
-fn shared(values: &DVector<f64>, groups: &[usize]) -> DVector<f64> {
+/// The values with each replaced by the mean of its group.
+fn group_means(values: &DVector<f64>, groups: &[usize]) -> DVector<f64> {
     let mut out = values.clone();
     let mut at = 0;
     for &size in groups {

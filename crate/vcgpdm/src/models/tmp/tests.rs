@@ -1,4 +1,4 @@
-//! The bound against brute force, its rise, and what the primitives find.
+//! The bound against quadrature, its rise in every update, and the learned primitives.
 
 use super::*;
 use crate::models::data::movements::{Movements, Sequence};
@@ -17,8 +17,7 @@ fn noise(rng: &mut ChaCha8Rng) -> f64 {
     StandardNormal.sample(rng)
 }
 
-/// Trials that follow the model: two primitives, weights around a mean, noise; rhythmic or not; the last one
-/// only begun.
+/// Trials of the model: two primitives, weights around a mean, noise; rhythmic or not; the last is partial.
 fn problem(seed: u64, rhythmic: bool) -> Vec<Trial> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let columns = 4;
@@ -49,7 +48,7 @@ fn movements(trials: &[Trial]) -> Movements {
 }
 
 #[test]
-fn no_update_ever_lowers_the_bound() {
+fn no_update_lowers_the_bound() {
     for seed in 0..6 {
         let mut trials = problem(seed, seed % 2 == 0);
         trials.pop();
@@ -108,7 +107,7 @@ fn primitive(posterior: &Posterior, phases: &[f64]) -> (DMatrix<f64>, DMatrix<f6
 }
 
 #[test]
-fn the_bound_is_the_expectation_that_it_stands_for() {
+fn the_bound_is_the_expected_log_joint_plus_entropies() {
     // One column, one primitive, one trial of four frames: the expectation of the log joint is one of
     // polynomials, which quadrature over every single Gaussian variable gives exactly.
     let y = DMatrix::from_column_slice(4, 1, &[0.4, -0.3, 0.9, 0.2]);
@@ -135,10 +134,10 @@ fn the_bound_is_the_expectation_that_it_stands_for() {
         2,
         &[1.0 / centre_variance + precision, -precision, -precision, precision + energy / noise],
     );
-    let cover = joint.try_inverse().unwrap();
-    let seen = m.column(0).dot(&trials[0].y.column(0)) / noise;
-    let mean = &cover * nalgebra::dvector![0.0, seen];
-    let root = nalgebra::Cholesky::new(cover.clone()).unwrap().l();
+    let joint_covariance = joint.try_inverse().unwrap();
+    let projection = m.column(0).dot(&trials[0].y.column(0)) / noise;
+    let mean = &joint_covariance * nalgebra::dvector![0.0, projection];
+    let root = nalgebra::Cholesky::new(joint_covariance.clone()).unwrap().l();
 
     let mut expectation = 0.0;
     for (a, wa) in NODES {
@@ -155,13 +154,12 @@ fn the_bound_is_the_expectation_that_it_stands_for() {
             expectation += wa * wb * log;
         }
     }
-    expectation += 0.5 * (2.0 * (TAU * std::f64::consts::E).ln() + cover.determinant().ln());
+    expectation += 0.5 * (2.0 * (TAU * std::f64::consts::E).ln() + joint_covariance.determinant().ln());
     expectation -= posterior.divergence();
     let bound = posterior.bound(&trials).unwrap();
     assert_relative_eq!(bound, expectation, epsilon = 1e-9);
 
-    // And it is one: below the log evidence, where w has been integrated out by many points and m in closed
-    // form.
+    // It is below the log evidence, with w integrated numerically and m in closed form.
     let total = centre_variance + spread;
     let k = DMatrix::from_fn(4, 4, |a, b| {
         kernel::covariance(PhaseAxis::Trial, posterior.kernel.lengthscale, phases[a] - phases[b])
@@ -169,9 +167,9 @@ fn the_bound_is_the_expectation_that_it_stands_for() {
     let (mut evidence, step) = (0.0, 0.01);
     for i in -800..=800 {
         let z = step * f64::from(i);
-        let cover = &k * (total * z * z) + DMatrix::identity(4, 4) * noise;
-        let quadratic = trials[0].y.dot(&(cover.clone().try_inverse().unwrap() * &trials[0].y));
-        let log = -0.5 * (4.0 * TAU.ln() + cover.determinant().ln() + quadratic);
+        let covariance = &k * (total * z * z) + DMatrix::identity(4, 4) * noise;
+        let quadratic = trials[0].y.dot(&(covariance.clone().try_inverse().unwrap() * &trials[0].y));
+        let log = -0.5 * (4.0 * TAU.ln() + covariance.determinant().ln() + quadratic);
         evidence += step * (log - 0.5 * z * z).exp() / TAU.sqrt();
     }
     let evidence = evidence.ln();
@@ -179,7 +177,7 @@ fn the_bound_is_the_expectation_that_it_stands_for() {
 }
 
 #[test]
-fn the_bound_finds_the_number_of_primitives_and_the_rest_of_a_trial() {
+fn finds_the_number_of_primitives_and_predicts_a_partial_trial() {
     for rhythmic in [true, false] {
         let trials = problem(8, rhythmic);
         let limits = Limits { most_primitives: 5, max_sweeps: 150 };
@@ -193,18 +191,17 @@ fn the_bound_finds_the_number_of_primitives_and_the_rest_of_a_trial() {
         }
         let model = learner.fitted().unwrap();
         assert_eq!(model.centre.ncols(), 2, "{:?}", model.bounds);
-        // The best of the whole trials; the five frames of the other one make it another number.
+        // The best bound is that of the whole trials; the model's bound includes the partial trial.
         assert!(model.bounds.contains(&(2, best)), "{best}: {:?}", model.bounds);
         assert!(model.bound > best, "{} {best}", model.bound);
         assert!(model.noise.iter().all(|n| (0.03..0.08).contains(&n.sqrt())), "{}", model.noise);
-        // A training trial comes out as it was, up to its noise.
+        // A training trial is reproduced up to its noise.
         let y = model.rollout(0, 40).unwrap();
         let difference = &y[0] - trials[0].y.columns(0, 3);
         assert!((difference.norm_squared() / difference.len() as f64).sqrt() < 0.07, "{difference}");
         let stored = model.inducing.len() * 2 + 4 * 2 + if rhythmic { 3 } else { 5 };
         assert_eq!(model.stored_numbers(), stored);
-        // The trial of which five frames were known goes on as the primitives say, from the frames that were
-        // known.
+        // The rollout of the partial trial starts as its five frames.
         let y = model.rollout(3, 60).unwrap();
         let start = y[0].rows(0, 5) - trials[3].y.columns(0, 3);
         assert!(start.amax() < 0.25, "{start}");
@@ -213,7 +210,7 @@ fn the_bound_finds_the_number_of_primitives_and_the_rest_of_a_trial() {
 }
 
 #[test]
-fn what_never_moves_and_single_trials_break_nothing() {
+fn still_and_single_trials_give_finite_models() {
     let still = vec![Trial { y: DMatrix::zeros(20, 3), whole: true }];
     let mut moving = problem(2, true);
     moving.truncate(1);
@@ -242,17 +239,17 @@ fn what_never_moves_and_single_trials_break_nothing() {
     assert_eq!(error, "the number of primitives must be from 1 to 40, found 0");
 }
 
-/// The story of a brisk walk among slower ones: its first frames ask for a combination of weights that no
-/// whole trial has. When these frames took part in learning how trials differ, the combination became likely,
-/// and the prediction went a hundred times further than any trial.
+/// A brisk walk among slower ones needs a combination of weights that no whole trial has. When the model
+/// learned V from its first frames too, that combination became likely, and the prediction was a hundred
+/// times larger than any trial.
 #[test]
-fn the_first_frames_of_an_unusual_trial_do_not_lead_astray() {
+fn an_unusual_partial_trial_gives_no_extreme_prediction() {
     for seed in 0..4 {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let columns = 12;
         let mean = DMatrix::from_fn(columns, 4, |_, _| noise(&mut rng));
         let mut trials = Vec::new();
-        // The last one is quicker by a third, swings further, and is seen for five frames.
+        // The last trial is faster by a third, swings further, and has five frames.
         for (s, (frames, period, swing)) in
             [(70, 36.0, 1.0), (76, 38.0, 0.95), (64, 34.0, 1.05), (60, 26.0, 1.4)].into_iter().enumerate()
         {
@@ -274,8 +271,8 @@ fn the_first_frames_of_an_unusual_trial_do_not_lead_astray() {
             let mut learner = TmpLearner::new(&movements, &settings).unwrap();
             while !learner.step().done {}
             let predicted = learner.model().unwrap().rollout(3, actual.nrows()).unwrap().swap_remove(0);
-            // At the wrong pace it may be against the trial half of the time; what swings as far then has up
-            // to four times this.
+            // At a wrong speed, the prediction may be in antiphase; a swing of the same size then has up to
+            // four times this error.
             let still = actual.norm_squared();
             let error = (&predicted - &actual).norm_squared();
             assert!(error < 4.0 * still, "seed {seed}: {:.2} times a motionless prediction", error / still);
@@ -297,6 +294,6 @@ fn in_normalised_time_all_trials_have_the_same_weights() {
     for (trial, found) in trials.iter().zip(&model.trials).filter(|(trial, _)| trial.whole) {
         assert_eq!(found.map, PhaseMap { start: 0.0, rate: 1.0 / (trial.y.nrows() - 1) as f64 });
     }
-    // The trial that was only begun: at the mean pace of the others.
+    // The partial trial has the mean rate of the others.
     assert_relative_eq!(model.trials[3].map.rate, (1.0 / 39.0 + 1.0 / 46.0 + 1.0 / 51.0) / 3.0);
 }

@@ -1,4 +1,4 @@
-//! The weights of one column: their posterior over all trials together with their mean.
+//! Posterior of the weights of one column: the weights of all trials together with their mean.
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, symmetric};
@@ -47,19 +47,19 @@ pub fn infer(
     }
     let factor = Factor::new(&centre_precision, WHAT)?;
     log_determinant -= factor.log_determinant();
-    let cover = factor.inverse();
-    let centre = &cover * information;
+    let covariance = factor.inverse();
+    let centre = &covariance * information;
     let mut deviation = DMatrix::zeros(centre.len(), centre.len());
     let (mut mean, mut second) = (Vec::new(), Vec::new());
     for ((_, h), (c, pull)) in likelihoods.iter().zip(&conditionals) {
         let w = c * h + pull * &centre;
-        second.push(symmetric(c + pull * &cover * pull.transpose()) + &w * w.transpose());
+        second.push(symmetric(c + pull * &covariance * pull.transpose()) + &w * w.transpose());
         let away = pull - DMatrix::identity(centre.len(), centre.len());
         let d = &w - &centre;
-        deviation += symmetric(c + &away * &cover * away.transpose()) + &d * d.transpose();
+        deviation += symmetric(c + &away * &covariance * away.transpose()) + &d * d.transpose();
         mean.push(w);
     }
-    let centre_second = cover + &centre * centre.transpose();
+    let centre_second = covariance + &centre * centre.transpose();
     Ok(ColumnWeights { mean, second, centre, centre_second, deviation, log_determinant })
 }
 
@@ -70,7 +70,7 @@ mod tests {
     use nalgebra::{dmatrix, dvector};
 
     #[test]
-    fn agrees_with_the_joint_gaussian_written_out() {
+    fn agrees_with_the_joint_gaussian() {
         let precision = dmatrix![2.0, 0.3; 0.3, 1.0];
         let variance = dvector![3.0, 0.5];
         let likelihoods = [
@@ -109,7 +109,7 @@ mod tests {
             deviation += block(s + 1, s + 1) - block(s + 1, 0) - block(0, s + 1) + block(0, 0);
         }
         assert_relative_eq!(found.deviation, deviation, epsilon = 1e-12);
-        // A trial without observations has the prior around the mean of the others.
+        // A trial without observations has the mean of the others.
         assert_relative_eq!(found.mean[2], found.centre, epsilon = 1e-12);
     }
 }

@@ -1,75 +1,71 @@
-//! What a training will cost, before it begins: so that one that would take a day, or more memory than there
-//! is, is not begun unawares.
+//! Estimated time and memory of a training, to warn of a training that would take very long.
 
 use crate::models::training::settings::{MapSettings, Settings, VariationalSettings};
 use std::iter::Sum;
 
-/// Seconds of one step of the sums over rows, a few multiplications four at a time, of the native program on
-/// one core of a usual machine. `npm run lab -- scaling` prints measured next to estimated times.
+/// Seconds of one step of the sums over rows: a few multiplications, four at a time, natively on one core of
+/// a usual machine. `npm run lab -- scaling` prints measured next to estimated times.
 const ROW_STEP: f64 = 6e-10;
-/// The same of a covariance's entry, one at a time.
+/// Seconds of one step for an entry of a covariance, one at a time.
 const ENTRY_STEP: f64 = 1e-9;
-/// Seconds of one of the N^3 steps of a factor and its inverse, by blocks, on the same machine.
+/// Seconds of one of the N^3 steps of a factor and its inverse, in blocks.
 const DENSE_STEP: f64 = 5e-11;
-/// Evaluations of the bound in an iteration: now and then a line search needs a second one.
+/// Mean number of evaluations of the bound in an iteration; some line searches need a second one.
 const EVALUATIONS: f64 = 1.06;
-/// Vectors of all parameters that the optimiser holds: 20 pairs of steps and gradients, and those of its line
-/// search.
+/// Vectors of all parameters in the optimiser: 20 pairs of steps and gradients, and those of its line search.
 const OPTIMISER_VECTORS: f64 = 60.0;
 
-/// What a training will cost on one core: an estimate, good to a factor of two or so.
+/// Estimated cost of a training on one core, right to a factor of about two.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TrainingCost {
     /// Seconds of one evaluation of the bound, or the density, with its gradient.
     pub evaluation_seconds: f64,
-    /// Seconds until all iterations are used; a bound that settles ends the training sooner.
+    /// Seconds for all iterations; a training whose bound settles ends sooner.
     pub seconds: f64,
     /// Bytes of memory.
     pub bytes: f64,
 }
 
 impl VariationalSettings {
-    /// What a training on so many frames costs, of parts with so many `columns` each.
+    /// The cost of a training on `frames` frames of parts with these numbers of `columns`.
     pub fn cost(&self, frames: usize, columns: &[usize]) -> TrainingCost {
         let d = columns.iter().sum::<usize>() as f64;
         let [n, m, q, p, l, k] =
             [frames, columns.len(), self.latent, self.order, self.pose_ips, self.dynamics_ips]
                 .map(|count| count as f64);
         let (pose_pairs, pairs) = (l * (l + 1.0) / 2.0, k * (k + 1.0) / 2.0);
-        // Of each frame: psi2 and psi1 with the observations of every pose map; psi2 of every expert, psi2 of
-        // every two experts, psi1.
+        // For each frame: psi2 and psi1 with the observations of every pose map; psi2 of every expert and of
+        // every pair of experts, and psi1.
         let poses = m * pose_pairs * (1.0 + q) + l * d;
         let dynamics = m * m * (pairs * (1.0 + p * q) + (m - 1.0) / 2.0 * k * k + k * q);
         let factors = m * ((m * k).powi(3) + l.powi(3));
         let evaluation_seconds = ROW_STEP * (n * (poses + dynamics) + factors);
         let parameters = 2.0 * n * m * q + m * l * q + m * m * k * p * q;
-        // The summands of psi2 are kept for the gradient.
-        let rooms = m * pairs + pose_pairs + 2.0 * d + m * (2.0 * l + 2.0 * k + 4.0 * p * q);
-        let numbers = parameters * OPTIMISER_VECTORS + n * rooms + 8.0 * m * (m * k).powi(2);
-        TrainingCost::of(evaluation_seconds, self.max_iterations, numbers)
+        // The terms of psi2 are stored for the gradient.
+        let scratch = m * pairs + pose_pairs + 2.0 * d + m * (2.0 * l + 2.0 * k + 4.0 * p * q);
+        let numbers = parameters * OPTIMISER_VECTORS + n * scratch + 8.0 * m * (m * k).powi(2);
+        TrainingCost::new(evaluation_seconds, self.max_iterations, numbers)
     }
 }
 
 impl MapSettings {
-    /// As for variational models. It grows with the cube of the frames, and its memory with their square:
-    /// every map is a Gaussian process over all frames.
+    /// As for variational models. The time grows with the cube of the frames and the memory with their square,
+    /// because every map is a Gaussian process over all frames.
     pub fn cost(&self, frames: usize, columns: &[usize]) -> TrainingCost {
         let d = columns.iter().sum::<usize>() as f64;
         let [n, m, q, p] = [frames, columns.len(), self.latent, self.order].map(|count| count as f64);
-        // Of each part two covariances: that of its poses, and that of its dynamics, of an expert from each
-        // part.
+        // Each part has two covariances: of its poses, and of its dynamics with an expert from each part.
         let factors = DENSE_STEP * 2.0 * m * n.powi(3);
         let kernels = ENTRY_STEP * n * n * (m * (2.0 + 2.0 * q) + m * m * (2.0 + 2.0 * p * q));
-        // An expert's kernel each, the covariance, its factor, its inverse, and what is on the way between
-        // them.
+        // The kernel of each expert, the covariance, its factor, its inverse and their products.
         let numbers = n * m * q * OPTIMISER_VECTORS + (m + 5.0) * n * n + 4.0 * n * d;
-        TrainingCost::of(factors + kernels, self.max_iterations, numbers)
+        TrainingCost::new(factors + kernels, self.max_iterations, numbers)
     }
 }
 
 impl Settings {
-    /// As for variational models; one that does not couple parts takes all columns as one. Nothing for TMP
-    /// and DMP: beside the others they cost little.
+    /// As for variational models. A model without couplings has all columns in one part. 0 for TMP and DMP,
+    /// which cost little compared with the others.
     pub fn cost(&self, frames: usize, columns: &[usize]) -> TrainingCost {
         let whole = [columns.iter().sum()];
         let columns = if self.kind().is_coupled() { columns } else { &whole };
@@ -82,14 +78,14 @@ impl Settings {
 }
 
 impl TrainingCost {
-    fn of(evaluation_seconds: f64, iterations: usize, numbers: f64) -> Self {
+    fn new(evaluation_seconds: f64, iterations: usize, numbers: f64) -> Self {
         let seconds = evaluation_seconds * EVALUATIONS * iterations as f64;
         Self { evaluation_seconds, seconds, bytes: 8.0 * numbers }
     }
 }
 
 impl Sum for TrainingCost {
-    /// Of trainings one after the other: the memory is that of the largest.
+    /// The cost of trainings one after the other: the memory is that of the largest.
     fn sum<I: Iterator<Item = Self>>(all: I) -> Self {
         all.fold(Self::default(), |a, b| Self {
             evaluation_seconds: a.evaluation_seconds + b.evaluation_seconds,
@@ -103,9 +99,8 @@ impl Sum for TrainingCost {
 mod tests {
     use super::*;
 
-    /// The times are checked by the example, against a clock.
     #[test]
-    fn costs_grow_as_the_sums_do() {
+    fn costs_of_variational_models_grow_with_frames_and_points() {
         let usual = VariationalSettings::default();
         let cost = |frames| usual.cost(frames, &[30, 30]);
         let (short, long) = (cost(1000), cost(2000));
@@ -118,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_models_grow_with_the_cube_and_the_others_hardly_cost() {
+    fn costs_of_map_models_grow_with_the_cube_of_the_frames() {
         let map = Settings::MapCgpdm(MapSettings::default());
         let [short, long] = [2000, 4000].map(|frames| map.cost(frames, &[30, 30]));
         assert!((7.0..8.0).contains(&(long.seconds / short.seconds)));

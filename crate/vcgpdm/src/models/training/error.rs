@@ -1,20 +1,20 @@
-//! Why a training could not start.
+//! Errors at the start of a training.
 
 use crate::gp::NumericsError;
-use crate::models::data::sequences::{SequencesError, too_short};
+use crate::models::data::sequences::{SequencesError, too_few_for_order};
 use crate::models::library::{CombinationError, PlanError};
 use crate::models::variational::RepertoireError;
 use crate::words::counted;
 use thiserror::Error;
 
-/// Why training could not start.
+/// Why a training could not start.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum TrainingError {
     /// A setting is out of its range.
     #[error("{name} must be from {lowest} to {highest}, found {found}")]
     Setting {
-        /// What the setting is called.
+        /// The name of the setting.
         name: &'static str,
         /// Smallest value.
         lowest: usize,
@@ -23,7 +23,7 @@ pub enum TrainingError {
         /// The value asked for.
         found: usize,
     },
-    /// There is nothing to do.
+    /// The schedule is empty.
     #[error("expected at least one phase in the schedule, found none")]
     NoPhases,
     /// There is no part.
@@ -32,43 +32,43 @@ pub enum TrainingError {
     /// Observations and sequences do not fit each other.
     #[error("part {part} has {} of observations, but the sequences have {expected}", counted(*found, "frame"))]
     Frames {
-        /// Counted from 0.
+        /// The part, counted from 0.
         part: usize,
         /// Frames of the sequences.
         expected: usize,
         /// Frames found.
         found: usize,
     },
-    /// Other parts than those that were learned before.
+    /// The number of parts is not that of the model.
     #[error("expected observations of {expected} parts, found {found}")]
     Parts {
-        /// Parts there are.
+        /// Number of parts of the model.
         expected: usize,
-        /// Parts found.
+        /// Number of parts found.
         found: usize,
     },
-    /// Other columns than those that were learned before.
+    /// A part does not have the columns that were learned.
     #[error("part {part} has {}, expected {expected}", counted(*found, "column"))]
     Columns {
-        /// Counted from 0.
+        /// The part, counted from 0.
         part: usize,
         /// Columns that were learned.
         expected: usize,
         /// Columns found.
         found: usize,
     },
-    /// Primitives that cannot be combined.
+    /// The primitives cannot be combined.
     #[error(transparent)]
     Combination(#[from] CombinationError),
     /// No sequence is a whole movement.
     #[error("expected at least one whole movement to learn from, found none")]
     NoWhole,
-    /// A sequence holds too little to learn from.
+    /// A sequence has too few frames.
     #[error("sequence {sequence} {}", too_few(*found, *expected))]
     Short {
-        /// Counted from 0.
+        /// The sequence, counted from 0.
         sequence: usize,
-        /// Fewest frames.
+        /// The fewest frames.
         expected: usize,
         /// Frames found.
         found: usize,
@@ -79,7 +79,7 @@ pub enum TrainingError {
     /// Movements and primitives do not fit each other.
     #[error(transparent)]
     Repertoire(#[from] RepertoireError),
-    /// Movements and shared parts that do not fit the data.
+    /// The plan of a library does not fit the data.
     #[error(transparent)]
     Plan(#[from] PlanError),
     /// The bound cannot be computed at the starting point.
@@ -88,19 +88,19 @@ pub enum TrainingError {
 }
 
 impl TrainingError {
-    /// The sequence that the error is about, counted from 0; `None` when it is about all of them.
+    /// The sequence that causes the error, counted from 0; `None` when it is not a single sequence.
     pub fn sequence(&self) -> Option<usize> {
-        self.of_sequence().map(|(sequence, _)| sequence)
+        self.sequence_problem().map(|(sequence, _)| sequence)
     }
 
-    /// The sequence that the error is about, and what is wrong with it, in words that follow its name.
-    pub(crate) fn of_sequence(&self) -> Option<(usize, String)> {
+    /// The sequence that causes the error, and its problem, to follow its name in a message.
+    pub(crate) fn sequence_problem(&self) -> Option<(usize, String)> {
         match self {
             TrainingError::Short { sequence, expected, found } => {
                 Some((*sequence, too_few(*found, *expected)))
             }
             TrainingError::Sequences(SequencesError::TooShort { index, frames, order }) => {
-                Some((*index, too_short(*frames, *order)))
+                Some((*index, too_few_for_order(*frames, *order)))
             }
             _ => None,
         }

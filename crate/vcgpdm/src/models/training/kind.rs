@@ -1,4 +1,4 @@
-//! The kinds of models that can be compared.
+//! Kinds of models.
 
 use serde::{Deserialize, Serialize};
 
@@ -34,7 +34,7 @@ impl ModelKind {
         ModelKind::DmpRhythmic,
     ];
 
-    /// Its name in documents and on the command line.
+    /// The name in documents and on the command line.
     pub fn id(self) -> &'static str {
         match self {
             ModelKind::Vcgpdm => "vcgpdm",
@@ -47,7 +47,7 @@ impl ModelKind {
         }
     }
 
-    /// Its name for a person to read, as the papers write it.
+    /// The name as the papers write it.
     pub fn title(self) -> &'static str {
         match self {
             ModelKind::Vcgpdm => "vCGPDM",
@@ -60,17 +60,17 @@ impl ModelKind {
         }
     }
 
-    /// The kind of that name.
+    /// The kind of this name.
     pub fn from_id(id: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.id() == id)
     }
 
-    /// Whether it couples the parts of a body.
+    /// Whether the model couples the parts of a body.
     pub fn is_coupled(self) -> bool {
         matches!(self, ModelKind::Vcgpdm | ModelKind::MapCgpdm)
     }
 
-    /// Whether training begins with random numbers, so that another seed gives another model.
+    /// Whether training starts with random numbers, so that another seed gives another model.
     pub fn is_random(self) -> bool {
         match self {
             ModelKind::Vcgpdm | ModelKind::Vgpdm | ModelKind::MapGpdm | ModelKind::MapCgpdm => true,
@@ -84,7 +84,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ids_name_their_kind() {
+    fn reads_every_id() {
         for kind in ModelKind::ALL {
             assert_eq!(ModelKind::from_id(kind.id()), Some(kind));
             assert_eq!(serde_json::to_string(&kind).unwrap(), format!("\"{}\"", kind.id()));

@@ -1,5 +1,4 @@
-//! Where the training of every model with latents starts: latents from principal components, variances from
-//! the data's spread.
+//! Starting values of models with latents: latents from principal components, variances from the data.
 
 use crate::gp::Kernel;
 use crate::models::data::sequences::Sequences;
@@ -9,20 +8,20 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-/// Noise variance as a part of the data's mean variance.
+/// Noise variance as a share of the data's mean variance.
 const NOISE_SHARE: f64 = 0.1;
-/// Standard deviation of the noise that stands in for what the data do not have.
+/// Standard deviation of the noise in place of missing principal components.
 pub(crate) const STAND_IN: f64 = 0.1;
 const ALPHA_OWN: f64 = 1.0;
 const ALPHA_OTHER: f64 = 2.0;
 
-/// Checks what every model with latents asks of its centred observations `y` [N x D_i], of the lengths T_s of
-/// its sequences and of its settings.
+/// Checks the centred observations `y` [N x D_i], the lengths T_s of the sequences and the settings of a model
+/// with latents.
 ///
 /// # Errors
 ///
-/// When a setting is out of its range, there is no part, a sequence is too short for the order, or the rows
-/// of a part are not as many as the frames of all sequences.
+/// When a setting is out of its range, there is no part, a sequence is too short for the order, or a part does
+/// not have one row for each frame.
 pub(crate) fn check_training(
     y: &[DMatrix<f64>],
     lengths: Vec<usize>,
@@ -41,7 +40,7 @@ pub(crate) fn check_training(
     Ok(sequences)
 }
 
-/// Checks that so many latent dimensions and this order of the dynamics can be trained.
+/// Checks the number of latent dimensions and the order of the dynamics.
 ///
 /// # Errors
 ///
@@ -54,7 +53,7 @@ pub(crate) fn check_dimensions(latent: usize, order: usize) -> Result<(), Traini
 /// The pose kernel and the noise variance beta that a part with the centred observations `y` [N x D] starts
 /// with.
 pub(crate) fn starting_pose(y: &DMatrix<f64>, latent: usize) -> (Kernel, f64) {
-    // A part that does not move at all still needs a positive variance.
+    // A part that does not move still needs a positive variance.
     let variance = (y.norm_squared() / y.len().max(1) as f64).max(1e-6);
     (Kernel { lambda: DVector::from_element(latent, 1.0), variance }, NOISE_SHARE * variance)
 }
@@ -65,8 +64,8 @@ pub(crate) fn starting_dynamics(latent: usize, order: usize) -> Kernel {
     Kernel { lambda: DVector::from_element(latent * order, 1.0), variance: 1.0 }
 }
 
-/// The coupling variances alpha [M x M] that training starts with: each part listens to itself more than to
-/// the others.
+/// The coupling variances alpha [M x M] that training starts with: each part has a larger weight on its own
+/// dynamics than the others have.
 pub(crate) fn starting_couplings(parts: usize) -> DMatrix<f64> {
     DMatrix::from_fn(parts, parts, |j, i| if i == j { ALPHA_OWN } else { ALPHA_OTHER })
 }
@@ -74,7 +73,7 @@ pub(crate) fn starting_couplings(parts: usize) -> DMatrix<f64> {
 /// The first `count` principal component scores of the centred rows `y` [N x D], scaled to unit variance [N x
 /// count].
 ///
-/// Where the data have fewer dimensions than asked for, small noise stands in for the missing ones.
+/// Where the data have fewer dimensions than `count`, the missing ones are small noise.
 pub(crate) fn principal_components(y: &DMatrix<f64>, count: usize, rng: &mut ChaCha8Rng) -> DMatrix<f64> {
     let n = y.nrows();
     // Frames and columns have the same eigenvalues; the smaller of the two matrices is taken.
@@ -95,8 +94,7 @@ pub(crate) fn principal_components(y: &DMatrix<f64>, count: usize, rng: &mut Cha
             } else {
                 (y * vector / eigen.eigenvalues[k].sqrt(), vector.into_owned())
             };
-            // An eigenvector's sign is arbitrary; the largest loading positive makes it one and the same
-            // everywhere.
+            // The sign of an eigenvector is arbitrary; here its largest loading is positive.
             let sign = if loading[loading.iamax()] < 0.0 { -1.0 } else { 1.0 };
             scores.set_column(q, &(score * sign));
         } else {
@@ -116,7 +114,7 @@ mod tests {
     use rand_chacha::rand_core::SeedableRng;
 
     #[test]
-    fn a_body_with_more_columns_than_frames_starts_alike() {
+    fn more_columns_than_frames_give_the_same_scores() {
         let y = DMatrix::from_fn(40, 4, |t, d| ((t as f64) * 0.3 + d as f64).sin() * (1.0 + d as f64));
         let mean = y.row_mean();
         let y = DMatrix::from_fn(40, 4, |t, d| y[(t, d)] - mean[d]);

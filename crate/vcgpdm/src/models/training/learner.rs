@@ -1,11 +1,12 @@
-//! What the trainings of all kinds of models have in common.
+//! Interface of the trainings of all kinds of models.
 
 use crate::gp::NumericsError;
 use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::training::progress::Progress;
 use nalgebra::DMatrix;
 
-/// A training of one kind of model. Its caller loops and may stop at any iteration: the best so far is kept.
+/// A training of one kind of model. The caller loops and may stop after any iteration; the best model so far
+/// is kept.
 pub trait Learner {
     /// One iteration. After the end it does nothing.
     fn step(&mut self) -> Progress;
@@ -19,15 +20,15 @@ pub trait Learner {
         &[]
     }
 
-    /// Allows `iterations` more, where the kind of model can.
+    /// Allows `iterations` more, if the kind of model can.
     fn extend(&mut self, _iterations: usize) {}
 
-    /// Latent means of a part at the best so far [N x Q_i], where the kind of model has any.
+    /// Latent means of a part at the best so far [N x Q_i]; `None` for a kind of model without latents.
     fn latents(&self, _part: usize) -> Option<DMatrix<f64>> {
         None
     }
 
-    /// How far training is.
+    /// How far the training is.
     fn progress(&self) -> Progress;
 
     /// The best model so far.

@@ -1,4 +1,4 @@
-//! A training of any kind of model: settings, cost, progress, errors.
+//! Trainings of any kind of model: settings, cost, progress, errors.
 
 pub(crate) mod cost;
 pub(crate) mod error;

@@ -1,4 +1,4 @@
-//! How far a training is, whatever the model, and why it ended.
+//! Progress of a training of any kind of model, and why it ended.
 
 use crate::gp::NumericsError;
 use crate::models::variational::BoundTerms;
@@ -6,17 +6,17 @@ use crate::words::counted;
 use serde::Serialize;
 use std::fmt;
 
-/// What went wrong in a training and was survived.
+/// Numerical problems from which a training recovered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Setbacks {
-    /// Factorisations of a covariance that failed, and were tried again with jitter on its diagonal.
+    /// Factorisations of a covariance that failed and were repeated with jitter on the diagonal.
     pub jittered: usize,
-    /// Evaluations that gave no finite number even so: the search turned back there.
+    /// Points at which no finite number could be computed; the search turned back from them.
     pub turned_back: usize,
 }
 
 impl Setbacks {
-    /// Whether there was any.
+    /// Whether there were any.
     pub fn any(self) -> bool {
         self != Self::default()
     }
@@ -39,35 +39,35 @@ impl fmt::Display for Setbacks {
 pub struct Progress {
     /// Iterations so far.
     pub iteration: usize,
-    /// Most iterations there can be.
+    /// The most iterations.
     pub max_iterations: usize,
     /// Evaluations of the variational bound with its gradient so far; 0 for models that have none.
     pub evaluations: usize,
-    /// What went wrong so far and was survived.
+    /// Numerical problems so far.
     pub setbacks: Setbacks,
-    /// What is maximised, now: the bound, a log density, or the negative of an error.
+    /// The current value of the objective: the bound, a log density, or the negative of an error.
     pub objective: f64,
-    /// The best so far.
+    /// The best value so far.
     pub best: f64,
     /// The terms of the best bound; absent for models without such terms.
     pub terms: Option<BoundTerms>,
-    /// What is being optimised; absent for models that are not trained in phases.
+    /// The current phase; absent for models that are not trained in phases.
     pub phase: Option<TrainingPhase>,
     /// Whether training has ended.
     pub done: bool,
     /// Why it ended; absent before the end.
     pub reason: Option<EndReason>,
-    /// Share of the work done, 0 to 1. Time left is at most elapsed (1 - fraction) / fraction.
+    /// Share of the work that is done, 0 to 1. The time left is at most elapsed (1 - fraction) / fraction.
     pub fraction: f64,
 }
 
-/// What is being optimised in a phase of a variational training. Displayed in plain words.
+/// A phase of a variational training, displayed in plain words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum TrainingPhase {
-    /// What the latents are explained with, while they are held.
+    /// Couplings, kernels and inducing points are free, the latents fixed.
     CouplingsKernelsInducingPoints,
-    /// Everything together.
+    /// All parameters are free.
     Everything,
 }
 
@@ -80,7 +80,7 @@ impl fmt::Display for TrainingPhase {
     }
 }
 
-/// Why a training ended. Displayed in plain words, as terminal output and results files have it.
+/// Why a training ended, displayed in plain words in the terminal and in results files.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum EndReason {
@@ -104,9 +104,9 @@ pub enum EndReason {
     Regression,
     /// A covariance could not be factorised; the best before that is kept.
     Failed {
-        /// The number of temporal primitives that was tried, for a model that has such a number.
+        /// The number of temporal primitives that failed, for a TMP.
         primitives: Option<usize>,
-        /// What failed.
+        /// The error.
         error: NumericsError,
     },
 }
@@ -136,9 +136,9 @@ impl fmt::Display for EndReason {
 mod tests {
     use super::*;
 
-    /// Results files hold these words.
+    /// Results files contain these sentences.
     #[test]
-    fn reasons_are_said_in_words() {
+    fn displays_reasons_setbacks_and_phases() {
         let error = NumericsError::NotFinite { what: "bound" };
         let failed = |primitives| EndReason::Failed { primitives, error: error.clone() };
         for (reason, words) in [

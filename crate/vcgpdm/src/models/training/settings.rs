@@ -1,17 +1,16 @@
-//! What a training is asked for: one type of settings for each model, without the seed, and the enum of all
-//! of them.
+//! Settings of a training without the seed: a type for each kind of model, and the enum of all of them.
 
 use crate::models::training::kind::ModelKind;
 use serde::{Deserialize, Serialize};
 
-/// The most latent dimensions of a part, and the highest order of the dynamics: more would not fit a
-/// browser's memory, or anybody's patience.
+/// The most latent dimensions of a part, and the highest order of the dynamics; more would not fit the memory
+/// of a browser.
 pub const MOST_DIMENSIONS: usize = 100;
 /// The most inducing points of a map.
 pub const MOST_INDUCING: usize = 1000;
-/// The most primitives that a TMP is asked for: more would only be slow.
+/// The most primitives of a TMP; more would only be slow.
 pub const MOST_PRIMITIVES: usize = 40;
-/// The most basis functions that a DMP is asked for.
+/// The most basis functions of a DMP.
 pub const MOST_BASES: usize = 200;
 
 /// Settings of the variational models, vCGPDM and vGPDM.
@@ -46,11 +45,10 @@ pub struct MapSettings {
     pub order: usize,
     /// Most iterations of the optimiser.
     pub max_iterations: usize,
-    /// Whether the dynamics into part i weigh D_i / Q_i times as much (Urtasun, Fleet & Fua 2006). Otherwise
-    /// the latents are at the maximum of their posterior density itself.
+    /// Whether the log density of the dynamics into part i is multiplied by D_i / Q_i (Urtasun, Fleet & Fua
+    /// 2006).
     pub balanced: bool,
-    /// Whether the kernels of the dynamics have a linear term (Wang et al. 2008); the variational models have
-    /// none.
+    /// Whether the kernels of the dynamics have a linear term (Wang et al. 2008).
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub linear: bool,
 }
@@ -65,10 +63,10 @@ impl Default for MapSettings {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TmpSettings {
-    /// Number of primitives Q, 1 to 40; absent: the number of the highest bound.
+    /// Number of primitives Q, 1 to 40; absent: the number with the highest bound.
     pub primitives: Option<usize>,
     /// Whether the primitives are functions of normalised time, with weights that all trials share (Clever et
-    /// al. 2016); otherwise of a phase that is learned for each trial, as are its weights.
+    /// al. 2016); false: functions of a phase that is learned for each trial, like its weights.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub normalised_time: bool,
 }
@@ -87,8 +85,8 @@ impl Default for DmpSettings {
     }
 }
 
-/// A kind of model with its settings. In JSON its field "model" names the kind, and the settings stand beside
-/// it.
+/// A kind of model with its settings. In JSON, the field "model" names the kind, and the settings are fields of
+/// the same object.
 ///
 /// ```
 /// use vcgpdm::models::{DmpSettings, ModelKind, Settings};
@@ -167,7 +165,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn settings_read_back_and_name_their_kind() {
+    fn reads_the_settings_that_it_writes() {
         for (settings, text) in [
             (
                 Settings::Vcgpdm(VariationalSettings::default()),
@@ -189,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn unknown_settings_are_refused() {
+    fn refuses_unknown_settings() {
         let error = |text| serde_json::from_str::<Settings>(text).unwrap_err().to_string();
         let unknown = error(r#"{"model":"dmp-rhythmic","bases":5,"primitives":2}"#);
         assert_eq!(unknown, "unknown field `primitives`, expected `bases`");

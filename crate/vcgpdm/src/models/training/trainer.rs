@@ -1,9 +1,9 @@
-//! A training of any kind of model on a data set.
+//! Trainings of any kind of model on a data set.
 
 use crate::gp::NumericsError;
+use crate::models::data::column_mapping::ColumnMapping;
 use crate::models::data::dataset::{Dataset, DatasetError};
 use crate::models::data::movements::Movements;
-use crate::models::data::observed::Observed;
 use crate::models::fitted::body::Body;
 use crate::models::fitted::model::Model;
 use crate::models::fitted::provenance::{ENGINE, Provenance};
@@ -15,7 +15,7 @@ use crate::motion::pose::PoseMapping;
 use nalgebra::DMatrix;
 use std::ops::ControlFlow;
 
-/// A training under way. It can be stopped at any iteration: the best model so far is kept.
+/// A training of any kind of model. It can be stopped after any iteration; the best model so far is kept.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -42,21 +42,21 @@ pub struct Trainer<S = PoseMapping> {
     warnings: Vec<String>,
 }
 
-impl<S: Observed> Trainer<S> {
-    /// A training that has done no iteration yet. `seed` decides everything random.
+impl<S: ColumnMapping> Trainer<S> {
+    /// A training before its first iteration. Everything random follows from the `seed`.
     ///
     /// # Errors
     ///
-    /// When a setting is out of its range, or the data set cannot be learned from; the error names the clip
-    /// where the reason is in one of them.
+    /// When a setting is out of its range, or the model cannot learn from the data set; the error names the
+    /// clip if the reason is in one clip.
     pub fn new(dataset: &Dataset<S>, settings: &Settings, seed: u32) -> Result<Self, DatasetError> {
         let parts = dataset.layout.parts().len();
         if parts > 1 && matches!(settings, Settings::Vgpdm(_) | Settings::MapGpdm(_)) {
             return Err(DatasetError::Training(TrainingError::Parts { expected: 1, found: parts }));
         }
-        let learner = settings.learner(&Movements::of(dataset), seed);
+        let learner = settings.learner(&Movements::new(dataset), seed);
         Ok(Self {
-            learner: learner.map_err(|reason| dataset.refusal(reason))?,
+            learner: learner.map_err(|reason| dataset.training_error(reason))?,
             body: Body::new(dataset),
             settings: settings.clone(),
             seed,
@@ -89,7 +89,7 @@ impl<S: Observed> Trainer<S> {
         let progress = self.learner.progress();
         let mut settings = self.settings.clone();
         if let Settings::Vcgpdm(s) | Settings::Vgpdm(s) = &mut settings {
-            // `extend` may have allowed more.
+            // `extend` may have raised it.
             s.max_iterations = progress.max_iterations;
         }
         if let (Settings::Vcgpdm(s), 1) = (&settings, self.body.layout.parts().len()) {
@@ -119,9 +119,8 @@ impl<S: Observed> Trainer<S> {
         [&self.warnings, self.learner.notices()].concat()
     }
 
-    /// Allows `iterations` more, during training or at its end, where the training goes on from. A bound that
-    /// no longer rises stays. Only the training of a vCGPDM or vGPDM can be extended; of others, nothing
-    /// changes.
+    /// Allows `iterations` more, also after the end, where the training then continues. Only the training of a
+    /// vCGPDM or vGPDM can be extended; for other kinds this does nothing.
     pub fn extend(&mut self, iterations: usize) {
         self.learner.extend(iterations);
     }
@@ -132,12 +131,12 @@ impl<S: Observed> Trainer<S> {
     }
 
     /// Latent means of a part in all training frames at the best so far [N x Q_i], sequences one after the
-    /// other; `None` where there is no such part, or the kind of model has no latents to show.
+    /// other; `None` where there is no such part, or the kind of model has no latents.
     pub fn latents(&self, part: usize) -> Option<DMatrix<f64>> {
         self.learner.latents(part)
     }
 
-    /// Uses `threads` threads from now on, where the kind of model can. The result is the same to the last
+    /// Uses `threads` threads from now on, if the kind of model can. The result is the same to the last
     /// bit.
     #[cfg(feature = "threads")]
     pub fn use_threads(&mut self, threads: usize) {

@@ -123,7 +123,7 @@ impl Repertoire {
                 }
             }
             let found = first + count;
-            let some = sequences.some(first..found);
+            let some = sequences.subset(first..found);
             let sequences = some.map_err(|_| RepertoireError::Sequences { expected, found })?;
             out.push(Movement { sequences, uses });
             first = found;

@@ -1,9 +1,9 @@
-//! Primitives of another training, learned again under the pose maps of this library.
+//! Imports: primitives of another library (the donor), learned again under the pose maps of this one.
 //!
-//! Two trainings share no latent space: what a primitive predicts means nothing under other pose maps. So its
-//! dynamics are learned again: new frames get latents under the pose maps of this library, which stay as they
-//! are, as do the primitives that stand in for parts that bring none of their own; inducing inputs, kernels
-//! and outputs of the new primitives, couplings and latents are learned.
+//! Two trainings share no latent space, so the predictions of a primitive are wrong under other pose maps. An
+//! import learns its dynamics again from frames. Fixed are the pose maps of this library (the host) and its
+//! primitives for parts without a new one (the companions). Learned are the latents of the frames, the
+//! couplings, and the new primitives: inducing inputs, kernels and outputs.
 
 mod frames;
 mod request;

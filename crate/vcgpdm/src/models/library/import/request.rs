@@ -1,9 +1,9 @@
-//! What an import is asked for, and why it cannot be made.
+//! Requests for imports, and errors.
 
 use crate::gp::NumericsError;
 use crate::models::data::dataset::DatasetError;
 use crate::models::library::{
-    CombinationError, FramesFrom, LibraryError, Misfit, ObservedClip, TrainedLibrary,
+    CombinationError, EncodedClip, FramesFrom, LibraryError, Misfit, TrainedLibrary,
 };
 use crate::models::rollout::request::RolloutError;
 use crate::models::training::error::TrainingError;
@@ -12,25 +12,25 @@ use nalgebra::DMatrix;
 use std::ops::Range;
 use thiserror::Error;
 
-/// Why primitives cannot be learned again.
+/// Why an import cannot begin.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ImportError {
-    /// They move another body, or other parts of it.
+    /// The primitives move another body, or other parts of it.
     #[error(transparent)]
     Misfit(#[from] Misfit),
     /// There are no frames to learn from.
     #[error("the file keeps no movement to learn its primitives again from: expected clips")]
     NoFrames,
-    /// Clips show one movement, in which a part uses one primitive.
+    /// Clips are of one movement, in which a part uses one primitive, but the donor has several.
     #[error("expected one primitive of {part} to be learned again from clips, found {found}")]
     Several {
         /// The part.
         part: String,
-        /// How many there are.
+        /// Primitives of the part.
         found: usize,
     },
-    /// Nothing stands in for a part that brings no primitive of its own.
+    /// A part without a new primitive needs a companion.
     #[error(
         "expected a primitive of {part} in this library to take part with those that are learned again, found none"
     )]
@@ -38,43 +38,43 @@ pub enum ImportError {
         /// The part.
         part: String,
     },
-    /// What stands in for the other parts does not fit them.
+    /// A companion does not belong to its part.
     #[error(transparent)]
     Combination(#[from] CombinationError),
-    /// The clips cannot be looked at by this library.
+    /// A clip does not fit the host.
     #[error(transparent)]
     Clips(#[from] LibraryError),
-    /// A movement of the other library cannot be made.
+    /// A movement of the donor cannot be rolled out.
     #[error(transparent)]
     Rollout(#[from] RolloutError),
-    /// A movement of the other library cannot be turned into poses.
+    /// A movement of the donor cannot be turned into poses.
     #[error(transparent)]
     Pose(#[from] PoseError),
     /// Training cannot start.
     #[error(transparent)]
     Training(#[from] TrainingError),
-    /// The frames cannot be learned from, as they are in a clip.
+    /// Training cannot start because of one clip.
     #[error(transparent)]
     Dataset(#[from] DatasetError),
-    /// What stays cannot be solved for.
+    /// A covariance of the host cannot be factorised.
     #[error(transparent)]
     Numerics(#[from] NumericsError),
 }
 
-/// The frames that primitives are learned again from.
+/// The frames from which an import learns.
 #[derive(Clone, Copy, Debug)]
 pub enum ImportFrames<'a> {
-    /// Clips of the movement, as this library sees them.
-    Clips(&'a [ObservedClip]),
-    /// `FramesFrom::Remembered`.
+    /// Clips of the movement, as columns of the host.
+    Clips(&'a [EncodedClip]),
+    /// See `FramesFrom::Remembered`.
     Remembered,
-    /// `FramesFrom::Generated`.
+    /// See `FramesFrom::Generated`.
     Generated,
 }
 
 impl ImportFrames<'_> {
-    /// As it is kept.
-    pub fn from(self) -> FramesFrom {
+    /// The source of the frames, for the origin of the new primitives.
+    pub fn source(self) -> FramesFrom {
         match self {
             Self::Clips(_) => FramesFrom::Clips,
             Self::Remembered => FramesFrom::Remembered,
@@ -83,11 +83,11 @@ impl ImportFrames<'_> {
     }
 }
 
-/// What is asked of an import.
+/// Request for an import.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportRequest {
-    /// The primitive of this library that stands in for each part, in movements to which the part brings none
-    /// of its own `[M]`; `None` where none is needed.
+    /// The companion of each part `[M]`: the primitive of the host that the part uses in movements for which
+    /// the donor has no primitive of the part. `None` where no movement needs one.
     pub companions: Vec<Option<usize>>,
     /// Most iterations of the training.
     pub max_iterations: usize,
@@ -96,18 +96,18 @@ pub struct ImportRequest {
 }
 
 /// A movement of the training.
-pub(super) struct Planned {
+pub(super) struct ImportedMovement {
     pub name: String,
-    /// Which of the sequences.
-    pub which: Range<usize>,
-    /// Places among the companions and, after them, the new primitives.
+    /// Its sequences.
+    pub sequences: Range<usize>,
+    /// The primitive of each part: first the companions are counted, then the new primitives.
     pub uses: Vec<usize>,
 }
 
 impl TrainedLibrary {
-    /// What this library can show of its movements without a clip: what it remembers, or, where it keeps only
-    /// the first frames of what a primitive learned from, what it generates.
-    pub fn own_frames(&self) -> ImportFrames<'static> {
+    /// The frames that an import of this library learns from without clips: poses of its latents, or rollouts
+    /// where it stores only the first frames of a sequence.
+    pub fn import_frames(&self) -> ImportFrames<'static> {
         let is_whole = |start: &Vec<DMatrix<f64>>| start.iter().all(|x| x.nrows() > self.library.order);
         match (0..self.library.primitives.len()).all(|a| self.library.starts_of(a).any(is_whole)) {
             true => ImportFrames::Remembered,
@@ -115,9 +115,8 @@ impl TrainedLibrary {
         }
     }
 
-    /// The primitives of this library that stand in, when nobody says which, for parts that bring none of
-    /// their own `[M]`: of each part one that is called as a movement or primitive of `donor`, else the
-    /// first.
+    /// Default companions for an import of `donor` `[M]`: the primitive of each part that has the name of a
+    /// movement or primitive of the donor, or else the first of the part.
     pub fn companions(&self, donor: &TrainedLibrary) -> Vec<Option<usize>> {
         let movements = donor.library.movements.iter().map(|movement| &movement.name);
         let primitives = donor.library.primitives.iter();

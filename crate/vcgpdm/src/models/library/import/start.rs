@@ -1,7 +1,7 @@
-//! Where an import begins.
+//! Starting point of an import.
 
 use crate::models::library::TrainedLibrary;
-use crate::models::library::import::request::{ImportError, ImportRequest, Planned};
+use crate::models::library::import::request::{ImportError, ImportRequest, ImportedMovement};
 use crate::models::training::error::TrainingError;
 use crate::models::training::latents::{check_training, starting_couplings};
 use crate::models::variational::{
@@ -11,13 +11,13 @@ use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
-/// The training, ready to begin: latents of the host nearest to the frames, its pose maps and companions
-/// held.
-pub(super) fn trainer(
+/// The training before its first iteration. Its latents are those of the host whose poses are nearest to the
+/// frames; pose maps and companions are fixed.
+pub(super) fn starting_trainer(
     host: &TrainedLibrary,
     donor: &TrainedLibrary,
     companions: &[usize],
-    movements: &[Planned],
+    movements: &[ImportedMovement],
     y: Vec<DMatrix<f64>>,
     lengths: Vec<usize>,
     request: &ImportRequest,
@@ -27,12 +27,12 @@ pub(super) fn trainer(
     let parts_of = |a: &usize| library.primitives[*a].part;
     let new = donor.library.primitives.iter().map(|primitive| primitive.part);
     let primitives: Vec<usize> = companions.iter().map(parts_of).chain(new).collect();
-    let uses = movements.iter().map(|movement| (movement.which.len(), movement.uses.clone())).collect();
+    let uses = movements.iter().map(|movement| (movement.sequences.len(), movement.uses.clone())).collect();
     let repertoire =
         Repertoire::new(sequences, y.len(), primitives.clone(), uses).map_err(TrainingError::Repertoire)?;
-    let parts = library.parts_near(&y, repertoire.sequences());
+    let parts = library.starting_parts(&y, repertoire.sequences());
     let mut rng = ChaCha8Rng::seed_from_u64(u64::from(request.seed));
-    let mut experts = library.experts_of(companions);
+    let mut experts = library.expert_parameters(companions);
     for primitive in &donor.library.primitives {
         let counts: Vec<usize> = primitive.experts.iter().map(|e| e.fitted.z().nrows()).collect();
         let x = &parts[primitive.part].latents.mean;
@@ -40,21 +40,21 @@ pub(super) fn trainer(
     }
     let alpha = vec![starting_couplings(y.len()); movements.len()];
     let start = Params { parts, experts, alpha };
-    let settings = library.settings_of(&start.experts[companions.len()..], request.max_iterations);
-    let mut held = start.zeros_like();
-    for part in &mut held.parts {
+    let settings = library.training_settings(&start.experts[companions.len()..], request.max_iterations);
+    let mut fixed = start.zeros_like();
+    for part in &mut fixed.parts {
         part.r.fill(1.0);
         part.kernel.lambda.fill(1.0);
         (part.kernel.variance, part.beta) = (1.0, 1.0);
     }
-    for expert in held.experts[..companions.len()].iter_mut().flatten() {
+    for expert in fixed.experts[..companions.len()].iter_mut().flatten() {
         expert.z.fill(1.0);
         expert.kernel.lambda.fill(1.0);
     }
-    let stored = library.stored(companions)?;
-    let objective = Objective::of_movements(y, repertoire, library.jitter).under(stored);
+    let outputs = library.fixed_outputs(companions)?;
+    let objective = Objective::of_movements(y, repertoire, library.jitter).under(outputs);
     let phases = schedule(request.max_iterations);
     let mut trainer = VariationalTrainer::from_start(objective, start, phases, &settings, request.seed)?;
-    trainer.hold(&held);
+    trainer.hold(&fixed);
     Ok(trainer)
 }

@@ -34,7 +34,7 @@ fn host() -> &'static TrainedLibrary {
     HOST.get_or_init(|| library("wave", &["walk-wave-1"], 3, 1))
 }
 
-/// Of other latent dimensions.
+/// A library of other latent dimensions.
 fn donor() -> &'static TrainedLibrary {
     static DONOR: OnceLock<TrainedLibrary> = OnceLock::new();
     DONOR.get_or_init(|| library("walk", &["walk-1"], 2, 2))
@@ -45,14 +45,14 @@ fn request(host: &TrainedLibrary, donor: &TrainedLibrary) -> ImportRequest {
 }
 
 #[test]
-fn a_primitive_of_another_training_is_learned_again_while_all_else_stays() {
+fn an_import_adds_a_primitive_and_keeps_the_host_unchanged() {
     let legs = donor().select(&[0]).unwrap();
     assert_eq!(
         host().check_fit(&legs).unwrap_err().to_string(),
         "the latent dimensions of lower differ: expected 3, found 2"
     );
-    let observed = [host().observed(&clip("walk-1")).unwrap()];
-    for frames in [ImportFrames::Remembered, ImportFrames::Clips(&observed)] {
+    let encoded = [host().encode(&clip("walk-1")).unwrap()];
+    for frames in [ImportFrames::Remembered, ImportFrames::Clips(&encoded)] {
         let mut trainer = ImportTrainer::new(host(), &legs, frames, &request(host(), &legs)).unwrap();
         let begin = trainer.progress().objective;
         trainer.run();
@@ -66,12 +66,12 @@ fn a_primitive_of_another_training_is_learned_again_while_all_else_stays() {
         assert_eq!(library.library.movements[..1], before.movements[..]);
         let (new, movement) = (&library.library.primitives[2], &library.library.movements[1]);
         assert_eq!((new.name.as_str(), new.part, new.experts.len()), ("walk", 0, 2));
-        // The host's arms took part; nothing of theirs may change.
+        // The host's arms are the companion of the new legs; they stay as they are.
         assert_eq!((movement.name.as_str(), &movement.uses), ("walk", &vec![2, 1]));
         assert!(movement.sums.is_none());
         let origin = library.origin(2);
         let relearned = origin.relearned.unwrap();
-        assert_eq!((relearned.primitive.as_str(), relearned.frames), ("walk", frames.from()));
+        assert_eq!((relearned.primitive.as_str(), relearned.frames), ("walk", frames.source()));
         assert_eq!(relearned.clips, donor().body.sequences);
         assert_eq!(origin.training.objective, trainer.progress().best);
         // What is kept of the rows gives the outputs again.
@@ -88,7 +88,7 @@ fn a_primitive_of_another_training_is_learned_again_while_all_else_stays() {
 }
 
 #[test]
-fn a_whole_movement_comes_with_its_rows() {
+fn a_movement_of_new_primitives_alone_keeps_its_rows() {
     let mut trainer =
         ImportTrainer::new(host(), donor(), ImportFrames::Generated, &request(host(), donor())).unwrap();
     trainer.run();
@@ -97,7 +97,7 @@ fn a_whole_movement_comes_with_its_rows() {
     assert_eq!(movement.uses, [2, 3]);
     assert!(movement.sums.is_some());
     assert!(library.library.primitives[2].experts.iter().all(|expert| expert.elsewhere.is_none()));
-    // Inferred again from its rows it is as learned.
+    // Experts inferred again from the rows are those that were learned.
     let model = library.movement(1).unwrap();
     let model = model.coupled().unwrap().model;
     use crate::models::rollout::couplings::Reading;
@@ -111,7 +111,7 @@ fn a_whole_movement_comes_with_its_rows() {
 }
 
 #[test]
-fn what_cannot_be_learned_again_is_refused_in_words() {
+fn refuses_imports_without_frames_or_companions() {
     let words = |donor: &TrainedLibrary, frames: ImportFrames, companions: Vec<Option<usize>>| {
         let request = ImportRequest { companions, ..request(host(), donor) };
         ImportTrainer::new(host(), donor, frames, &request).err().unwrap().to_string()
@@ -132,7 +132,7 @@ fn what_cannot_be_learned_again_is_refused_in_words() {
         words(&legs, ImportFrames::Remembered, vec![]),
         "expected a primitive for each of 2 parts, found 0"
     );
-    // A file that keeps only the first frames.
+    // A donor that stores only the first frames.
     let mut short = legs.clone();
     for start in short.library.primitives[0].excerpts.iter_mut().flat_map(|excerpt| &mut excerpt.starts) {
         *start = start.iter().map(|x| x.rows(0, 2).into_owned()).collect();

@@ -1,17 +1,17 @@
-//! The training of primitives that are learned again.
+//! Trainings of imports.
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, block_diagonal, stacked, symmetric};
 use crate::models::data::dataset::DatasetError;
 use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::fitted::provenance::Provenance;
-use crate::models::library::coupling::MOST_ITERATIONS;
-use crate::models::library::import::frames::{of_clips, shown};
-use crate::models::library::import::request::{ImportError, ImportFrames, ImportRequest, Planned};
-use crate::models::library::import::start::trainer;
-use crate::models::library::known::Known;
+use crate::models::library::coupling_trainer::MOST_ITERATIONS;
+use crate::models::library::import::frames::{clip_movement, stored_movements};
+use crate::models::library::import::request::{ImportError, ImportFrames, ImportRequest, ImportedMovement};
+use crate::models::library::import::start::starting_trainer;
+use crate::models::library::information::Information;
 use crate::models::library::{
-    CombinationError, CouplingsFrom, LearnedMovement, LibraryExpert, ObservedClip, Origin, Primitive,
+    CombinationError, CouplingsFrom, EncodedClip, LearnedMovement, LibraryExpert, Origin, Primitive,
     Relearned, TrainedLibrary,
 };
 use crate::models::training::error::in_range;
@@ -22,31 +22,31 @@ use nalgebra::DMatrix;
 use std::ops::ControlFlow;
 
 /// A primitive that is learned again.
-struct Arriving {
+struct NewPrimitive {
     name: String,
     part: usize,
     relearned: Relearned,
 }
 
-/// An import under way.
+/// A training of an import.
 pub struct ImportTrainer {
     trainer: VariationalTrainer,
     host: TrainedLibrary,
-    /// The primitives of this library that take part: the first of the training.
+    /// The primitives of the host that are used: the first of the training.
     companions: Vec<usize>,
-    arriving: Vec<Arriving>,
-    movements: Vec<Planned>,
+    new_primitives: Vec<NewPrimitive>,
+    movements: Vec<ImportedMovement>,
     sequences: Vec<SequenceInfo>,
     note: Option<String>,
 }
 
 impl ImportTrainer {
-    /// Ready to learn all primitives of `donor` again, in the latent spaces of `host`.
+    /// A training of all primitives of `donor` under the pose maps of `host`, before its first iteration.
     ///
     /// # Errors
     ///
-    /// When the bodies or their parts differ, a primitive has no frames to learn from, what stands in for
-    /// other parts does not fit them, or the bound cannot be computed at the start.
+    /// When the bodies or their parts differ, a primitive has no frames to learn from, a companion is missing
+    /// or does not belong to its part, or the bound cannot be computed at the start.
     pub fn new(
         host: &TrainedLibrary,
         donor: &TrainedLibrary,
@@ -57,11 +57,13 @@ impl ImportTrainer {
         check_companions(host, &request.companions)?;
         in_range("the number of iterations", request.max_iterations, MOST_ITERATIONS)?;
         let shown = match frames {
-            ImportFrames::Clips(clips) => vec![of_clips(donor, clips)?],
-            ImportFrames::Remembered | ImportFrames::Generated => shown(host, donor, frames.from())?,
+            ImportFrames::Clips(clips) => vec![clip_movement(donor, clips)?],
+            ImportFrames::Remembered | ImportFrames::Generated => {
+                stored_movements(host, donor, frames.source())?
+            }
         };
-        let is_shown = |a: usize| shown.iter().any(|movement| movement.uses.contains(&Some(a)));
-        if !(0..donor.library.primitives.len()).all(is_shown) {
+        let has_frames = |a: usize| shown.iter().any(|movement| movement.uses.contains(&Some(a)));
+        if !(0..donor.library.primitives.len()).all(has_frames) {
             return Err(ImportError::NoFrames);
         }
         let mut companions: Vec<usize> = Vec::new();
@@ -77,42 +79,42 @@ impl ImportTrainer {
         companions.dedup();
         let place = |(own, companion): (&Option<usize>, &Option<usize>)| match own {
             Some(a) => companions.len() + a,
-            None => companions.iter().position(|known| Some(known) == companion.as_ref()).unwrap_or_default(),
+            None => companions.iter().position(|a| Some(a) == companion.as_ref()).unwrap_or_default(),
         };
-        let mut movements: Vec<Planned> = Vec::new();
+        let mut movements: Vec<ImportedMovement> = Vec::new();
         for movement in &shown {
-            let first = movements.last().map_or(0, |before| before.which.end);
+            let first = movements.last().map_or(0, |before| before.sequences.end);
             let uses = movement.uses.iter().zip(&request.companions).map(place).collect();
-            movements.push(Planned {
+            movements.push(ImportedMovement {
                 name: movement.name.clone(),
-                which: first..first + movement.clips.len(),
+                sequences: first..first + movement.clips.len(),
                 uses,
             });
         }
-        let clips: Vec<&ObservedClip> = shown.iter().flat_map(|movement| &movement.clips).collect();
+        let clips: Vec<&EncodedClip> = shown.iter().flat_map(|movement| &movement.clips).collect();
         let y = (0..host.library.part_count())
             .map(|part| stacked(clips.iter().map(|clip| &clip.y[part])))
             .collect();
         let sequences: Vec<SequenceInfo> = clips.iter().map(|clip| clip.info.clone()).collect();
         let lengths = sequences.iter().map(|info| info.frames).collect();
-        let trainer = trainer(host, donor, &companions, &movements, y, lengths, request);
+        let trainer = starting_trainer(host, donor, &companions, &movements, y, lengths, request);
         let trainer = trainer.map_err(|error| match error {
-            ImportError::Training(reason) => DatasetError::about(reason, &sequences).into(),
+            ImportError::Training(reason) => DatasetError::from_training(reason, &sequences).into(),
             error => error,
         })?;
         let primitives = donor.library.primitives.iter().enumerate();
-        let arriving = primitives.map(|(a, primitive)| Arriving {
+        let new_primitives = primitives.map(|(a, primitive)| NewPrimitive {
             name: primitive.name.clone(),
             part: primitive.part,
             relearned: Relearned {
                 primitive: primitive.name.clone(),
                 clips: donor.origin(a).clips,
-                frames: frames.from(),
+                frames: frames.source(),
             },
         });
-        let arriving = arriving.collect();
+        let new_primitives = new_primitives.collect();
         let note = donor.provenance.note.clone();
-        Ok(Self { trainer, host: host.clone(), companions, arriving, movements, sequences, note })
+        Ok(Self { trainer, host: host.clone(), companions, new_primitives, movements, sequences, note })
     }
 
     /// One iteration of the optimiser. After the end it does nothing.
@@ -130,27 +132,25 @@ impl ImportTrainer {
         run_with(|| self.trainer.step(), watch)
     }
 
-    /// How far the import is. The bound is that of the frames under what stays.
+    /// How far the import is. The bound is that of the frames under the fixed maps.
     pub fn progress(&self) -> Progress {
         self.trainer.progress()
     }
 
-    /// How much of what the frames show of each part the pose maps of this library do not reproduce at the
-    /// best latents so far `[M]`: the squared distance of their columns from the frames' over that of the
-    /// frames from the library's mean pose. 0: nothing is lost; 1: the mean pose would do as well. No
-    /// dynamics can bring it back.
+    /// The share of each part's motion that the pose maps of the host cannot reproduce, at the best latents so
+    /// far `[M]`: the squared distance of their columns from the frames, divided by that of the mean pose. 0:
+    /// nothing is lost; 1: the mean pose is as good.
     pub fn lost(&self) -> Vec<f64> {
         let (objective, best) = (self.trainer.objective(), self.trainer.best());
         let parts = objective.observations().iter().zip(&best.parts).zip(&self.host.library.parts);
         let lost = parts.map(|((y, part), map)| {
-            let missed = (y - map.observations(&part.latents.mean)).norm_squared();
-            missed / y.norm_squared().max(f64::MIN_POSITIVE)
+            let error = (y - map.observations(&part.latents.mean)).norm_squared();
+            error / y.norm_squared().max(f64::MIN_POSITIVE)
         });
         lost.collect()
     }
 
-    /// The library with the primitives as they are at the best bound so far, and the movements that they were
-    /// learned from.
+    /// The host with the new primitives of the best bound so far, and the movements that they learned from.
     ///
     /// # Errors
     ///
@@ -160,14 +160,15 @@ impl ImportTrainer {
         let first = library.library.primitives.len();
         let (best, objective) = (self.trainer.best(), self.trainer.objective());
         let sums = objective.posteriors(&best)?.sums;
-        let whole = |movement: &Planned| movement.uses.iter().all(|a| *a >= self.companions.len());
-        let mut experts: Vec<Vec<LibraryExpert>> = self.arriving.iter().map(|_| Vec::new()).collect();
+        let whole = |movement: &ImportedMovement| movement.uses.iter().all(|a| *a >= self.companions.len());
+        let mut experts: Vec<Vec<LibraryExpert>> = self.new_primitives.iter().map(|_| Vec::new()).collect();
         for i in 0..best.part_count() {
             let offsets = expert_offsets(&best, i);
             let latent = best.parts[i].latents.mean.ncols();
-            // What the rows say, and what those say that no movement of the library will hold.
+            // From all rows, and from those that are in no movement of the new library.
             let height = offsets[offsets.len() - 1];
-            let (mut all, mut elsewhere) = (Known::nothing(height, latent), Known::nothing(height, latent));
+            let (mut all, mut elsewhere) =
+                (Information::zeros(height, latent), Information::zeros(height, latent));
             for ((movement, alpha), sums) in self.movements.iter().zip(&best.alpha).zip(&sums) {
                 let places: Vec<_> = movement.uses.iter().map(|a| offsets[*a]..offsets[*a + 1]).collect();
                 all.add(&sums[i], alpha.column(i).as_slice(), &places);
@@ -175,8 +176,9 @@ impl ImportTrainer {
                     elsewhere.add(&sums[i], alpha.column(i).as_slice(), &places);
                 }
             }
-            let kept = self.host.library.kept(i, &self.companions)?;
-            let (all, elsewhere) = (all.beside(kept.coefficients()), elsewhere.beside(kept.coefficients()));
+            let fixed = self.host.library.fixed_dynamics_outputs(i, &self.companions)?;
+            let fixed = fixed.coefficients();
+            let (all, elsewhere) = (all.given_first(fixed), elsewhere.given_first(fixed));
             let jitter = self.host.library.jitter;
             let new = best.experts[self.companions.len()..].iter().map(|row| &row[i]);
             let blocks: Vec<_> = new.clone().map(|e| e.kernel.inducing_covariance(&e.z, jitter)).collect();
@@ -190,19 +192,19 @@ impl ImportTrainer {
             for (place, (expert, into)) in new.zip(&mut experts).enumerate() {
                 let (at, points) = (own[place], expert.z.nrows());
                 let used: Vec<usize> = (at..at + points).collect();
-                let rest: Vec<usize> = (0..k.nrows()).filter(|row| !used.contains(row)).collect();
+                let others: Vec<usize> = (0..k.nrows()).filter(|row| !used.contains(row)).collect();
                 let mean = mean.rows(at, points).into_owned();
                 into.push(LibraryExpert {
                     fitted: FittedExpert::new(expert.z.clone(), expert.kernel.clone(), mean, jitter)?,
                     covariance: symmetric(covariance.view((at, at), (points, points)).into_owned()),
-                    elsewhere: elsewhere.about(&used, &rest, || k.clone())?.kept(),
+                    elsewhere: elsewhere.marginal(&used, &others, || k.clone())?.nonzero(),
                 });
             }
         }
-        for ((place, arriving), experts) in self.arriving.iter().enumerate().zip(experts) {
-            let name = library.free_name(arriving.part, &arriving.name);
+        for ((place, new), experts) in self.new_primitives.iter().enumerate().zip(experts) {
+            let name = library.unused_name(new.part, &new.name);
             let origin = Some(Box::new(self.origin(place)));
-            let (part, excerpts) = (arriving.part, Vec::new());
+            let (part, excerpts) = (new.part, Vec::new());
             library.library.primitives.push(Primitive { name, part, experts, origin, excerpts });
         }
         let ranges: Vec<_> = objective.sequences().ranges().collect();
@@ -212,9 +214,9 @@ impl ImportTrainer {
                 None => self.companions[*a],
             };
             let starts =
-                ranges[movement.which.clone()].iter().map(|range| best.latent_means(range)).collect();
+                ranges[movement.sequences.clone()].iter().map(|range| best.latent_means(range)).collect();
             let learned = LearnedMovement {
-                name: library.free_movement_name(&movement.name),
+                name: library.unused_movement_name(&movement.name),
                 uses: movement.uses.iter().map(place).collect(),
                 alpha: alpha.clone(),
                 sums: whole(movement).then_some(sums),
@@ -222,37 +224,34 @@ impl ImportTrainer {
                 couplings: CouplingsFrom::Training,
             };
             library.library.movements.push(learned);
-            library.body.sequences.extend_from_slice(&self.sequences[movement.which.clone()]);
+            library.body.sequences.extend_from_slice(&self.sequences[movement.sequences.clone()]);
         }
         Ok(library)
     }
 
-    /// Where the new primitive of this place comes from.
+    /// The origin of the new primitive at this place.
     fn origin(&self, place: usize) -> Origin {
         let used = self.companions.len() + place;
         let using = self.movements.iter().filter(|movement| movement.uses.contains(&used));
         let training = self.trainer.provenance(self.host.provenance.frames_per_second);
         Origin {
             training: Provenance { note: self.note.clone(), ..training },
-            clips: using.flat_map(|movement| self.sequences[movement.which.clone()].to_vec()).collect(),
-            relearned: Some(self.arriving[place].relearned.clone()),
+            clips: using.flat_map(|movement| self.sequences[movement.sequences.clone()].to_vec()).collect(),
+            relearned: Some(self.new_primitives[place].relearned.clone()),
         }
     }
 }
 
-/// Checks that what stands in for a part is a primitive of it.
+/// Checks that the companion of each part is one of its primitives.
 fn check_companions(host: &TrainedLibrary, companions: &[Option<usize>]) -> Result<(), CombinationError> {
     let expected = host.library.part_count();
     if companions.len() != expected {
         return Err(CombinationError::Count { expected, found: companions.len() });
     }
-    let wrong = |(part, found): (usize, &Option<usize>)| {
-        let found = (*found)?;
-        let known = host.library.primitives.get(found);
-        known.is_none_or(|primitive| primitive.part != part).then_some((part, found))
-    };
-    match companions.iter().enumerate().find_map(wrong) {
-        Some((part, found)) => Err(CombinationError::Primitive { part, found }),
-        None => Ok(()),
+    for (part, companion) in companions.iter().enumerate() {
+        if let Some(companion) = companion {
+            host.library.check_primitive(part, *companion)?;
+        }
     }
+    Ok(())
 }

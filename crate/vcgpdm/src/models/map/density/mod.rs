@@ -4,18 +4,18 @@
 //! I) + sum over t < p of log N(x^i_t; 0, I)
 //!
 //! Wang et al. (2008, 9 to 11) with the product of experts of Velychko et al. (2018, equations 1 and 2): the
-//! functions f^{ji} are marginalised, so the experts into a part add up to one covariance over all frames
-//! with a history. The prior of the hyperparameters is flat inside their boxes; Wang et al. have 1 / theta,
-//! which is a few nats beside thousands.
+//! functions f^{ji} are marginalised, so the covariances of the experts into a part add up to one over all
+//! frames with a history. The prior of the hyperparameters is flat inside their boxes; that of Wang et al. is
+//! 1 / theta, a difference of a few nats in thousands.
 //!
-//! Wang et al. add a linear term to the kernel of the dynamics: with it K^{ji} has theta^{ji} x^j_{-t} .
-//! x^j_{-t'} more.
+//! Wang et al. add a linear term to the kernel of the dynamics, theta^{ji} x^j_{-t} . x^j_{-t'}.
 //!
-//! A part has many more observed columns than latent ones, and so its pose map may outvote its dynamics. The
+//! A part has many more observed columns than latent ones, so its pose map may dominate its dynamics. The
 //! balanced GPDM (Urtasun, Fleet & Fua 2006) raises the density of the dynamics into part i to the power D_i
 //! / Q_i.
 
 use crate::elementary::Elementary;
+use crate::gp::linalg::Factor;
 use crate::gp::{Kernel, NumericsError};
 use crate::models::data::sequences::Sequences;
 use crate::models::map::exact_gp::{log_density, log_density_and_adjoint};
@@ -32,7 +32,7 @@ const DYNAMICS: &str = "covariance of the dynamics";
 pub struct MapTerms {
     /// The pose map of each part `[M]`.
     pub kinematics: Vec<f64>,
-    /// The dynamics into each part, balanced where that was asked for `[M]`.
+    /// The dynamics into each part `[M]`, balanced if the settings say so.
     pub dynamics: Vec<f64>,
     /// The prior of the first p frames of every sequence.
     pub initial: f64,
@@ -45,7 +45,7 @@ impl MapTerms {
     }
 }
 
-/// What the density is computed on: centred observations and how they divide into sequences.
+/// The log density of given observations: centred columns, divided into sequences.
 #[derive(Clone, Debug)]
 pub struct LogDensity {
     y: Vec<DMatrix<f64>>,
@@ -54,7 +54,7 @@ pub struct LogDensity {
 }
 
 /// The covariance of the dynamics into one part.
-struct Into {
+struct DynamicsCovariance {
     /// w_ji.
     weights: Vec<f64>,
     /// alpha^i.
@@ -67,12 +67,12 @@ struct Into {
 
 impl LogDensity {
     /// `y[i]` are the centred observations of part i [N x D_i], with as many rows as the sequences have
-    /// frames. `balanced`: the dynamics into each part weigh D_i / Q_i times as much.
+    /// frames. `balanced`: the log density of the dynamics into part i is multiplied by D_i / Q_i.
     pub fn new(y: Vec<DMatrix<f64>>, sequences: Sequences, balanced: bool) -> Self {
         Self { y, sequences, balanced }
     }
 
-    /// What the log density of the dynamics into part i is multiplied with.
+    /// The factor of the log density of the dynamics into part i.
     fn balance(&self, params: &MapParams, i: usize) -> f64 {
         if self.balanced { self.y[i].ncols() as f64 / params.parts[i].latents.ncols() as f64 } else { 1.0 }
     }
@@ -98,7 +98,7 @@ impl LogDensity {
         for (i, part) in params.parts.iter().enumerate() {
             kinematics.push(log_density(&self.poses(params, i), &self.y[i], POSES)?);
             let targets = self.sequences.lagged(&part.latents, 0);
-            let covariance = self.into(params, &histories, i).covariance;
+            let covariance = self.dynamics_covariance(params, &histories, i).covariance;
             dynamics.push(self.balance(params, i) * log_density(&covariance, &targets, DYNAMICS)?);
         }
         finite(MapTerms { kinematics, dynamics, initial: self.initial(params) })
@@ -126,11 +126,9 @@ impl LogDensity {
         Ok((finite(MapTerms { kinematics, dynamics, initial: self.initial(params) })?, gradient))
     }
 
-    /// (K^i + beta^i I)^-1 Y^i of every part [N x D_i]: what a pose is a weighted sum of.
+    /// (K^i + beta^i I)^-1 Y^i of every part [N x D_i]: the coefficients of the poses.
     pub(super) fn pose_coefficients(&self, params: &MapParams) -> Result<Vec<DMatrix<f64>>, NumericsError> {
-        let solve = |i| {
-            crate::gp::linalg::Factor::of_large(&self.poses(params, i), POSES).map(|f| f.solve(&self.y[i]))
-        };
+        let solve = |i| Factor::of_large(&self.poses(params, i), POSES).map(|f| f.solve(&self.y[i]));
         (0..params.part_count()).map(solve).collect()
     }
 
@@ -142,8 +140,8 @@ impl LogDensity {
         let histories = self.histories(params);
         let solve = |i: usize| {
             let targets = self.sequences.lagged(&params.parts[i].latents, 0);
-            let covariance = self.into(params, &histories, i).covariance;
-            Ok(crate::gp::linalg::Factor::of_large(&covariance, DYNAMICS)?.solve(&targets))
+            let covariance = self.dynamics_covariance(params, &histories, i).covariance;
+            Ok(Factor::of_large(&covariance, DYNAMICS)?.solve(&targets))
         };
         (0..params.part_count()).map(solve).collect()
     }
@@ -184,7 +182,12 @@ impl LogDensity {
         Ok(value)
     }
 
-    fn into(&self, params: &MapParams, histories: &[DMatrix<f64>], i: usize) -> Into {
+    fn dynamics_covariance(
+        &self,
+        params: &MapParams,
+        histories: &[DMatrix<f64>],
+        i: usize,
+    ) -> DynamicsCovariance {
         let (noise, weights) = coupling_weights(params.alpha.column(i).as_slice());
         let rows = self.sequences.transitions();
         let mut covariance = DMatrix::zeros(rows, rows);
@@ -197,7 +200,7 @@ impl LogDensity {
                 covariance.gemm(w * w * theta, &histories[j], &histories[j].transpose(), 1.0);
             }
         }
-        Into { weights, noise, kernels, covariance }
+        DynamicsCovariance { weights, noise, kernels, covariance }
     }
 
     fn dynamics_gradient(
@@ -207,7 +210,8 @@ impl LogDensity {
         i: usize,
         gradient: &mut MapParams,
     ) -> Result<f64, NumericsError> {
-        let Into { weights, noise, kernels, covariance } = self.into(params, histories, i);
+        let DynamicsCovariance { weights, noise, kernels, covariance } =
+            self.dynamics_covariance(params, histories, i);
         let targets = self.sequences.lagged(&params.parts[i].latents, 0);
         let (value, mut adjoint) = log_density_and_adjoint(&covariance, &targets, DYNAMICS)?;
         let balance = self.balance(params, i);
@@ -218,14 +222,14 @@ impl LogDensity {
         for (j, w) in weights.iter().enumerate() {
             let kernel: &Kernel = &params.dynamics[j][i];
             let mut df_dk = &adjoint.covariance * (w * w);
-            // dF/dtheta and dF/dx of the linear term, before the rest overwrites dF/dk.
+            // dF/dtheta and dF/dx of the linear term, before `covariance_adjoint` overwrites dF/dk.
             let linear = params.linear_term(j, i).map(|theta| {
                 let pull = &df_dk * &histories[j];
                 (theta, histories[j].dot(&pull), pull)
             });
             let from = kernel.covariance_adjoint(&histories[j], &kernels[j], &mut df_dk);
-            // The sum of dF/dk k is the derivative with respect to the logarithm of the signal variance, and
-            // w^2 is one more.
+            // The sum of dF/dk k is the derivative with respect to the logarithm of the signal variance; w^2 scales
+            // the kernel in the same way.
             weights_adjoint.push(2.0 * from.variance * kernel.variance / w);
             self.sequences.add_windows_adjoint(&from.z, &mut gradient.parts[j].latents);
             if let Some((theta, slope, pull)) = linear {

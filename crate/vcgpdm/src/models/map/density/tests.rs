@@ -4,8 +4,8 @@ use crate::models::training::parameters::Parameters;
 use crate::models::variational::testing::random_case;
 use approx::assert_relative_eq;
 
-/// The shapes of the vCGPDM's random cases: 1, 2, 2 or 3 parts, order 2, 2, 1 or 2; from seed 4 on balanced,
-/// every third with linear terms.
+/// Random cases with the shapes of those of the vCGPDM: 1, 2, 2 or 3 parts, order 2, 2, 1 or 2. They are
+/// balanced from seed 4 on; every third has linear terms.
 pub fn random_map_case(seed: u64) -> (MapParams, LogDensity) {
     let (params, objective) = random_case(seed);
     let parts = params.parts.into_iter();
@@ -47,9 +47,9 @@ fn gradient_agrees_with_differences_in_every_block() {
     }
 }
 
-/// The density as the page of formulas has it, without factors, kernels written out.
+/// The density by its formula, with inverses instead of factors.
 #[test]
-fn value_is_the_formula_as_written() {
+fn value_agrees_with_the_formula() {
     for seed in 0..8 {
         let (params, density) = random_map_case(seed);
         let gaussian = |c: DMatrix<f64>, t: &DMatrix<f64>| {

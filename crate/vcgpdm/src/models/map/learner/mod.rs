@@ -1,4 +1,4 @@
-//! Training of MAP models.
+//! Trainings of MAP models.
 
 use crate::gp::NumericsError;
 use crate::models::data::movements::Movements;
@@ -21,14 +21,14 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
-/// Iterations before everything is optimised together, at most.
+/// The most iterations of the first phase, in which the latents are fixed.
 const BLOCK_ITERATIONS: usize = 50;
-/// Variance of a linear term at the start, beside a squared exponential of variance 1.
+/// Starting variance of a linear term; that of the squared exponential is 1.
 const START_LINEAR: f64 = 0.1;
-/// Standard deviation of what the seed adds to the latents at the start, which have unit variance.
+/// Standard deviation of the noise that is added to the starting latents, which have unit variance.
 const SPREAD: f64 = 0.01;
 
-/// The density with its last value.
+/// The density with its value at the last point.
 struct Evaluated {
     density: LogDensity,
     terms: MapTerms,
@@ -53,17 +53,17 @@ impl Target for Evaluated {
     }
 }
 
-/// A training of a MAP GPDM (one part) or a MAP CGPDM under way.
+/// A training of a MAP GPDM (one part) or a MAP CGPDM.
 pub struct MapLearner {
     ascent: Ascent<Evaluated>,
 }
 
 impl MapLearner {
-    /// Ready to train. A sequence that is not whole is a short one like any other.
+    /// A training before its first iteration. A partial trial counts as a short sequence.
     ///
     /// # Errors
     ///
-    /// When a setting is out of its range, or the movements cannot be learned from.
+    /// When a setting is out of its range, or the model cannot learn from the movements.
     pub fn new(movements: Movements, settings: &MapSettings, seed: u32) -> Result<Self, TrainingError> {
         let sequences = check_training(&movements.y, movements.lengths(), settings.latent, settings.order)?;
         let params = starting_point(&movements, &sequences, settings, seed);
@@ -111,8 +111,8 @@ impl MapLearner {
     }
 }
 
-/// Latents, kernels and couplings as those of a variational model start, with a little noise on the latents:
-/// it is all that the seed decides where the data have as many dimensions as asked for.
+/// Starting values as for a variational model, with a little noise on the latents. Without missing principal
+/// components, this noise is all that depends on the seed.
 fn starting_point(
     movements: &Movements,
     sequences: &Sequences,
@@ -125,7 +125,7 @@ fn starting_point(
     for y in &movements.y {
         latents.push(principal_components(y, settings.latent, &mut rng));
     }
-    // Begun anew, so that the noise does not depend on what the components drew.
+    // A new generator, so that the noise does not depend on the numbers drawn before.
     let mut rng = random();
     let mut parts = Vec::with_capacity(movements.y.len());
     for (mut latents, y) in latents.into_iter().zip(&movements.y) {

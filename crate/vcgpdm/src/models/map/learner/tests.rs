@@ -3,7 +3,7 @@ use crate::models::data::movements::Sequence;
 use crate::models::training::kind::ModelKind;
 use nalgebra::DMatrix;
 
-/// Two noisy loops, the second half a cycle behind the first; the last five frames are another trial's first.
+/// Two noisy loops, the second half a cycle after the first; the last five frames are a partial trial.
 fn loops() -> Movements {
     let part = |lag: f64| {
         let y = DMatrix::from_fn(75, 4, |t, d| {
@@ -44,15 +44,14 @@ fn training_raises_the_density_and_the_rollout_keeps_moving() {
         for (rolled, trained) in model.rollout(2, 200).unwrap().iter().zip(&movements.y) {
             assert_eq!(rolled.shape(), (200, trained.ncols()));
             let (end, learned) = (spread(&rolled.rows(140, 60).into_owned()), spread(trained));
-            assert!(end > 0.3 * learned, "the rollout stands still: {end} beside {learned}");
+            assert!(end > 0.3 * learned, "the rollout stands still: {end}, in training {learned}");
         }
     }
 }
 
-/// From training latents one step leads near the latent that followed, and the poses are those of training
-/// but for the noise.
+/// One step from training latents leads near the next latent, and the poses are those of training up to noise.
 #[test]
-fn a_rollout_begins_as_its_sequence() {
+fn a_rollout_starts_as_its_sequence() {
     let movements = loops();
     let mut learner = MapLearner::new(movements.clone(), &settings(), 1).unwrap();
     while !learner.step().done {}
@@ -73,7 +72,7 @@ fn a_rollout_begins_as_its_sequence() {
 }
 
 #[test]
-fn the_seed_is_all_that_is_random() {
+fn the_same_seed_gives_the_same_numbers() {
     let run = |seed| {
         let mut learner = MapLearner::new(loops(), &settings(), seed).unwrap();
         for _ in 0..15 {
@@ -86,7 +85,7 @@ fn the_seed_is_all_that_is_random() {
 }
 
 #[test]
-fn what_cannot_be_trained_is_refused_and_what_does_not_move_gives_no_nan() {
+fn refuses_settings_out_of_range_and_trains_on_a_still_part() {
     let error = |settings| MapLearner::new(loops(), &settings, 1).err().unwrap().to_string();
     assert_eq!(
         error(MapSettings { latent: 0, ..settings() }),

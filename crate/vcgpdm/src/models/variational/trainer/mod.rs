@@ -4,8 +4,8 @@
 mod reduced;
 
 use crate::gp::NumericsError;
+use crate::models::data::column_mapping::ColumnMapping;
 use crate::models::data::dataset::Dataset;
-use crate::models::data::observed::Observed;
 use crate::models::fitted::body::Body;
 use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::fitted::model::Model;
@@ -248,7 +248,7 @@ impl VariationalTrainer {
     /// # Errors
     ///
     /// When a covariance of the model cannot be factorised.
-    pub fn finish<S: Observed>(&self, dataset: &Dataset<S>) -> Result<Model<S>, NumericsError> {
+    pub fn finish<S: ColumnMapping>(&self, dataset: &Dataset<S>) -> Result<Model<S>, NumericsError> {
         let provenance = match dataset.y.len() {
             1 => self.provenance(dataset.frames_per_second).of_one_part(),
             _ => self.provenance(dataset.frames_per_second),

@@ -1,11 +1,11 @@
-//! Dynamic movement primitives as they stand in a document.
+//! Reads and writes dynamic movement primitives as JSON.
 
 use crate::json::checks::{count, positive, positive_number, shape, tame_matrix};
 use crate::json::{Field, FieldError, Value};
 use crate::models::dmp::SpringStart;
 use crate::models::dmp::discrete::{DiscreteStart, DmpDiscrete};
 use crate::models::dmp::rhythmic::{DmpRhythmic, RhythmicStart};
-use crate::models::fitted::stored::{map_value, phase_map, vector, whole_columns};
+use crate::models::fitted::json::{column_count, phase_map, phase_map_value, vector};
 
 const MOST_BASES: usize = 1000;
 
@@ -22,16 +22,19 @@ impl DmpDiscrete {
             (
                 "starts",
                 Value::list(&self.starts, |start| {
-                    Value::object([("phase", map_value(&start.map)), ("spring", spring_value(&start.spring))])
+                    Value::object([
+                        ("phase", phase_map_value(&start.map)),
+                        ("spring", spring_value(&start.spring)),
+                    ])
                 }),
             ),
         ])
     }
 
-    /// Reads a model of parts with these numbers of `columns` and of so many `sequences`.
+    /// Reads a model of parts with these numbers of `columns` and of `sequences` sequences.
     pub(crate) fn from_field(field: Field, columns: &[usize], sequences: usize) -> Result<Self, FieldError> {
         let mut object = field.object()?;
-        let d = whole_columns(columns);
+        let d = column_count(columns);
         let goal = vector(&object.get("goal")?, d)?;
 
         let alpha_x = positive_number(object.get("alpha_x")?)?;
@@ -74,7 +77,7 @@ impl DmpRhythmic {
                 "starts",
                 Value::list(&self.starts, |start| {
                     Value::object([
-                        ("phase", map_value(&start.map)),
+                        ("phase", phase_map_value(&start.map)),
                         ("amplitude", Value::Number(start.amplitude)),
                         ("spring", spring_value(&start.spring)),
                     ])
@@ -83,10 +86,10 @@ impl DmpRhythmic {
         ])
     }
 
-    /// Reads a model of parts with these numbers of `columns` and of so many `sequences`.
+    /// Reads a model of parts with these numbers of `columns` and of `sequences` sequences.
     pub(crate) fn from_field(field: Field, columns: &[usize], sequences: usize) -> Result<Self, FieldError> {
         let mut object = field.object()?;
-        let d = whole_columns(columns);
+        let d = column_count(columns);
         let centre = vector(&object.get("centre")?, d)?;
         let concentration = positive_number(object.get("concentration")?)?;
         let field = object.get("weights")?;

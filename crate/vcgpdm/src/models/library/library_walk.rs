@@ -1,11 +1,11 @@
-//! A walk with its body, which can go back to what it was a moment ago.
+//! A walk through a library with the body that it moves; it can go back by some frames.
 
 use crate::models::library::{CombinationError, LatentWalk, TrainedLibrary, WalkError};
 use crate::motion::pose::{RootStart, RootTrack};
 use nalgebra::DMatrix;
 use std::collections::VecDeque;
 
-/// So many frames can be taken back: more than a page has ready before its clock needs them.
+/// The most frames that a walk can go back: more than a page prepares in advance.
 pub const REWINDS: usize = 64;
 
 /// The next frames of a walk.
@@ -17,31 +17,30 @@ pub struct WalkFrames {
     pub positions: Vec<f32>,
 }
 
-/// What a walk goes on from.
+/// The state from which a walk continues.
 #[derive(Clone, Debug)]
 struct State {
     latents: LatentWalk,
     track: RootTrack,
 }
 
-/// A walk with its body.
+/// A motion without an end, of the primitives of a library, with the body that it moves.
 #[derive(Clone, Debug)]
 pub struct LibraryWalk {
-    /// Its latents.
+    /// The latents of the walk.
     pub latents: LatentWalk,
     track: RootTrack,
-    /// As it was when each of its last frames had been made, the newest last; before them the one that they
-    /// go on from.
+    /// The state before the newest frames, then the state after each of them, the newest last.
     states: VecDeque<State>,
 }
 
 impl TrainedLibrary {
-    /// Checks that a walk in this library can go on in one that it has grown into: with the same body, pose
-    /// maps and primitives, and more.
+    /// Checks that a walk in this library can continue in `grown`: that library must have the same body and
+    /// pose maps, and begin with all primitives of this one.
     ///
     /// # Errors
     ///
-    /// When something of this library is not in the other as it was.
+    /// When the body, a pose map or a primitive differs.
     pub fn check_growth(&self, grown: &TrainedLibrary) -> Result<(), WalkError> {
         self.check_fit(grown)?;
         if grown.library.primitives.starts_with(&self.library.primitives) {
@@ -52,7 +51,7 @@ impl TrainedLibrary {
 }
 
 impl LibraryWalk {
-    /// As `LatentWalk::new`, from the origin.
+    /// A walk of a combination under its nearest couplings, from the origin.
     ///
     /// # Errors
     ///
@@ -61,7 +60,7 @@ impl LibraryWalk {
         Ok(Self::begin(trained, LatentWalk::new(&trained.library, uses)?))
     }
 
-    /// As `LatentWalk::from_sequence`, from the origin.
+    /// A walk from the latents at `place`, a (movement, sequence, frame) counted from 0, and from the origin.
     ///
     /// # Errors
     ///
@@ -84,7 +83,8 @@ impl LibraryWalk {
     ///
     /// # Errors
     ///
-    /// When the poses are no longer finite; the walk then stays where it is.
+    /// When the number of frames is 0 or too large, or the poses are no longer finite; the walk then stays as
+    /// it is.
     pub fn advance(&mut self, trained: &TrainedLibrary, frames: usize) -> Result<WalkFrames, WalkError> {
         let dimensions = trained.library.latent_dimensions();
         trained.body.check_frames(frames, dimensions.iter().sum())?;
@@ -105,30 +105,30 @@ impl LibraryWalk {
         let mapping = &trained.body.mapping;
         let (mut track, earlier) = (self.track.clone(), frames - states.len());
         let mut positions = mapping.continue_positions(&y.rows(0, earlier).into_owned(), &mut track)?;
-        let mut made = VecDeque::new();
+        let mut newest = VecDeque::new();
         for (k, latents) in states.into_iter().enumerate() {
             let row = y.rows(earlier + k, 1).into_owned();
             positions.extend(mapping.continue_positions(&row, &mut track)?);
-            made.push_back(State { latents, track: track.clone() });
+            newest.push_back(State { latents, track: track.clone() });
         }
-        self.states.extend(made);
+        self.states.extend(newest);
         self.states.drain(..self.states.len().saturating_sub(REWINDS + 1));
         (self.latents, self.track) = (walk, track);
         Ok(WalkFrames { latents, positions })
     }
 
-    /// Takes the last frames back: the walk is what it was when the frame before them had been made. What was
-    /// changed since is taken back as well, also with 0 frames.
+    /// Goes back by `frames` frames. Changes since then are undone too; 0 frames undo the changes since the
+    /// newest frame.
     ///
     /// # Errors
     ///
-    /// When so many frames are not known any more.
+    /// When the walk does not hold that many frames any more.
     pub fn rewind(&mut self, frames: usize) -> Result<(), WalkError> {
-        let kept = self.states.len().checked_sub(frames).filter(|kept| *kept > 0);
+        let left = self.states.len().checked_sub(frames).filter(|left| *left > 0);
         let highest = self.states.len().saturating_sub(1) as f64;
-        let refused =
+        let error =
             || WalkError::Range { what: "frames to take back", lowest: 0.0, highest, found: frames as f64 };
-        self.states.truncate(kept.ok_or_else(refused)?);
+        self.states.truncate(left.ok_or_else(error)?);
         if let Some(State { latents, track }) = self.states.back().cloned() {
             (self.latents, self.track) = (latents, track);
         }

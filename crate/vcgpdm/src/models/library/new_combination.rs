@@ -1,14 +1,13 @@
-//! Where a combination starts, and under which couplings, when nobody says.
+//! Default couplings and start latents of a new combination.
 
 use crate::models::library::{CombinationError, CouplingsFrom, LearnedMovement, Library};
 use nalgebra::DMatrix;
 
 impl Library {
-    /// The couplings of a combination that nobody has fitted: how much a primitive's predictions are worth
-    /// was learned in the movements that use it, so the couplings of each source are those of such a
-    /// movement; of several, of the one that shares most primitives with `uses`, the first where several
-    /// share as many; where none uses it, of one that the primitive keeps an excerpt of; else 1 each. Of a
-    /// movement's own combination they are that movement's.
+    /// Default couplings of a combination [M x M]. Each source part has the couplings of the movement that
+    /// uses its primitive and shares most primitives with `uses`; the first of several such movements counts.
+    /// Where no movement uses the primitive, the couplings are those of the primitive's first excerpt, or else
+    /// 1. The couplings of a movement's own combination are those of the movement.
     pub fn nearest_couplings(&self, uses: &[usize]) -> DMatrix<f64> {
         let parts = self.part_count();
         let mut alpha = DMatrix::from_element(parts, parts, 1.0);
@@ -22,15 +21,14 @@ impl Library {
         alpha
     }
 
-    /// Of the movements that use a primitive, the one that shares most primitives with `uses`.
+    /// The movement that uses a primitive and shares most primitives with `uses`.
     fn nearest_movement(&self, uses: &[usize], primitive: usize) -> Option<&LearnedMovement> {
         let using = || self.movements.iter().filter(|movement| movement.uses.contains(&primitive));
         let most = using().map(|movement| count_shared(&movement.uses, uses)).max()?;
         using().find(|movement| count_shared(&movement.uses, uses) == most)
     }
 
-    /// A combination under the couplings of [`nearest_couplings`](Self::nearest_couplings), as a movement of
-    /// that name.
+    /// A combination under its [`nearest_couplings`](Self::nearest_couplings), as a movement of this name.
     ///
     /// # Errors
     ///
@@ -41,12 +39,12 @@ impl Library {
         uses: &[usize],
     ) -> Result<LearnedMovement, CombinationError> {
         self.check_uses(uses)?;
-        let mut nearest: Vec<&str> = Vec::new();
+        let mut names: Vec<&str> = Vec::new();
         for primitive in uses {
             let excerpt = || self.primitives[*primitive].excerpts.first().map(|excerpt| &excerpt.movement);
             let from = self.nearest_movement(uses, *primitive).map(|movement| &movement.name);
-            if let Some(name) = from.or_else(excerpt).filter(|name| !nearest.contains(&name.as_str())) {
-                nearest.push(name);
+            if let Some(name) = from.or_else(excerpt).filter(|name| !names.contains(&name.as_str())) {
+                names.push(name);
             }
         }
         Ok(LearnedMovement {
@@ -55,16 +53,16 @@ impl Library {
             alpha: self.nearest_couplings(uses),
             sums: None,
             starts: self.starts(uses),
-            couplings: if nearest.is_empty() {
+            couplings: if names.is_empty() {
                 CouplingsFrom::Nothing
             } else {
-                CouplingsFrom::Movement(nearest.join("+"))
+                CouplingsFrom::Movement(names.join("+"))
             },
         })
     }
 
-    /// The sequences that a combination can start from, (movement, sequence of it): those of the movements
-    /// that share most primitives with it.
+    /// The sequences that a combination can start from, as (movement, sequence of the movement): those of the
+    /// movements that share most primitives with the combination.
     pub fn start_sequences(&self, uses: &[usize]) -> Vec<(usize, usize)> {
         let shared = |movement: &LearnedMovement| count_shared(&movement.uses, uses);
         let most = self.movements.iter().filter(|m| !m.starts.is_empty()).map(shared).max().unwrap_or(0);
@@ -73,8 +71,8 @@ impl Library {
     }
 
     /// The latents that a combination starts with, in the order of
-    /// [`start_sequences`](Self::start_sequences). A part that keeps its primitive starts as in the sequence;
-    /// one with another primitive starts where that is nearest to what the others do.
+    /// [`start_sequences`](Self::start_sequences). A part with the primitive of the movement starts as in the
+    /// sequence; a part with another primitive starts at its [`nearest_state`](Self::nearest_state).
     pub(super) fn starts(&self, uses: &[usize]) -> Vec<Vec<DMatrix<f64>>> {
         let start = |(m, s): (usize, usize)| {
             let movement = &self.movements[m];
@@ -83,8 +81,8 @@ impl Library {
         self.start_sequences(uses).into_iter().map(start).collect()
     }
 
-    /// The p latents of each part [p x Q_i] that a combination starts with at a frame of a sequence: parts
-    /// with another primitive than in the movement start where that is nearest to what the others do there.
+    /// The p latents of each part [p x Q_i] that a combination starts with at a frame of a sequence. A part
+    /// with another primitive than in the movement starts at its [`nearest_state`](Self::nearest_state).
     pub(super) fn window(
         &self,
         uses: &[usize],
@@ -96,7 +94,7 @@ impl Library {
         let mut window: Vec<DMatrix<f64>> = movement.starts[sequence].iter().map(rows).collect();
         let changed: Vec<bool> = movement.uses.iter().zip(uses).map(|(a, b)| a != b).collect();
         let states: Vec<_> = (0..window.len())
-            .map(|part| if changed[part] { self.state_near(uses[part], &window, &changed) } else { None })
+            .map(|part| if changed[part] { self.nearest_state(uses[part], &window, &changed) } else { None })
             .collect();
         for (own, state) in window.iter_mut().zip(states) {
             if let Some(state) = state {
@@ -106,22 +104,22 @@ impl Library {
         window
     }
 
-    /// The latents of all sequences of a primitive, those of its excerpts last: [T x Q_i] of each part.
+    /// The latents of all sequences of a primitive [T x Q_i] by part, with those of its excerpts last.
     pub(super) fn starts_of(&self, primitive: usize) -> impl Iterator<Item = &Vec<DMatrix<f64>>> {
         let movements = self.movements.iter().filter(move |movement| movement.uses.contains(&primitive));
-        let excerpts = self.primitives.get(primitive).into_iter().flat_map(|known| &known.excerpts);
+        let excerpts = self.primitives.get(primitive).into_iter().flat_map(|own| &own.excerpts);
         movements.flat_map(|movement| &movement.starts).chain(excerpts.flat_map(|excerpt| &excerpt.starts))
     }
 
-    /// The p latents of each part [p x Q_i] where nothing is known: all 0.
-    pub(super) fn at_rest(&self) -> Vec<DMatrix<f64>> {
+    /// p latents 0 of each part [p x Q_i], for a library without start latents.
+    pub(super) fn zero_start(&self) -> Vec<DMatrix<f64>> {
         self.latent_dimensions().into_iter().map(|q| DMatrix::zeros(self.order, q)).collect()
     }
 
-    /// The p latents of a primitive's part [p x Q] at the time of its movements when the other parts were
-    /// nearest to `window` [p x Q_i each]; parts in `ignored` do not count, unless all do. `None` where no
-    /// movement uses the primitive, and it keeps no excerpt of one.
-    pub fn state_near(
+    /// The p latents of a primitive's part [p x Q] at the moment of its movements and excerpts when the other
+    /// parts were nearest to `window` [p x Q_i each]. Parts with `ignored` true do not count, unless no other
+    /// part is left. `None` where the primitive has neither a movement nor an excerpt.
+    pub fn nearest_state(
         &self,
         primitive: usize,
         window: &[DMatrix<f64>],
@@ -147,19 +145,19 @@ impl Library {
         best.map(|(_, state)| state)
     }
 
-    /// Latents [T x Q_i of each part] at which the pose maps come nearest to centred columns `y` [T x D_i of
-    /// each part], frame by frame, among the latents of all movements and excerpts.
-    pub(super) fn latents_near(&self, y: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
-        let of_part = |(part, y): (usize, &DMatrix<f64>)| {
+    /// For each frame of the centred columns `y` [T x D_i of each part], the latents of a movement or excerpt
+    /// whose pose is nearest [T x Q_i of each part].
+    pub(super) fn nearest_latents(&self, y: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
+        let nearest = |(part, y): (usize, &DMatrix<f64>)| {
             let excerpts =
                 self.primitives.iter().flat_map(|p| &p.excerpts).flat_map(|excerpt| &excerpt.starts);
             let starts = self.movements.iter().flat_map(|m| &m.starts).chain(excerpts);
-            let known: Vec<&DMatrix<f64>> = starts.map(|latents| &latents[part]).collect();
-            let poses: Vec<DMatrix<f64>> = known.iter().map(|x| self.parts[part].observations(x)).collect();
+            let stored: Vec<&DMatrix<f64>> = starts.map(|latents| &latents[part]).collect();
+            let poses: Vec<DMatrix<f64>> = stored.iter().map(|x| self.parts[part].observations(x)).collect();
             let mut out = DMatrix::zeros(y.nrows(), self.parts[part].r().ncols());
             for t in 0..y.nrows() {
                 let mut least = f64::INFINITY;
-                for (x, poses) in known.iter().zip(&poses) {
+                for (x, poses) in stored.iter().zip(&poses) {
                     for s in 0..poses.nrows() {
                         let distance = (poses.row(s) - y.row(t)).norm_squared();
                         if distance < least {
@@ -171,7 +169,7 @@ impl Library {
             }
             out
         };
-        y.iter().enumerate().map(of_part).collect()
+        y.iter().enumerate().map(nearest).collect()
     }
 }
 

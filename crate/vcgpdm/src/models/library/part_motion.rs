@@ -1,50 +1,50 @@
-//! Which parts of a combination stand still, and to whom they listen.
+//! Which parts of a combination stand still, and which part drives each of them.
 
 use crate::models::library::{Library, WalkError};
 use crate::models::rollout::couplings::{Reading, coupling_weights};
 use nalgebra::DMatrix;
 
-/// Frames of the rollout that is looked at, of which the second half counts: what a start leaves behind has
-/// faded by then.
+/// Frames of the rollout that is measured. Only the second half counts: by then, the effect of the start
+/// has faded.
 const FRAMES: usize = 240;
-/// A part stands still where its latents vary less than this share of what they varied in training.
+/// A part stands still when the variance of its latents is less than this share of that in training.
 const STILL: f64 = 0.05;
 
-/// How much a part of a combination moves in the long run, and to whom it listens.
+/// How much a part of a combination moves in the long run, and which part drives it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartMotion {
     /// The variance of its latents as a share of that in the movements that its primitive learned from.
     pub share: f64,
-    /// Whether it stands still.
+    /// Whether the part stands still.
     pub still: bool,
-    /// The other part whose predictions about it weigh most; `None` where there is no other.
+    /// The other part whose predictions about this part weigh most; `None` for a single part.
     pub leader: Option<Leader>,
 }
 
-/// A part to which another listens.
+/// The part that drives another part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Leader {
     /// The part, counted from 0.
     pub part: usize,
     /// The weight of its predictions, 0 to 1.
     pub weight: f64,
-    /// Whether its primitive learned together with that of the part that listens.
+    /// Whether the primitives of both parts learned from the same movement.
     pub met: bool,
 }
 
 impl Library {
-    /// What each part of a combination does in the long run under the couplings `alpha` [M x M].
+    /// The motion of each part of a combination in the long run under the couplings `alpha` [M x M].
     ///
     /// # Errors
     ///
     /// When the primitives or the couplings do not fit the parts.
     pub fn motion(&self, uses: &[usize], alpha: &DMatrix<f64>) -> Result<Vec<PartMotion>, WalkError> {
         let model = self.combination(uses, alpha)?;
-        let start = model.start(0, 0).unwrap_or_else(|_| self.at_rest());
+        let start = model.start(0, 0).unwrap_or_else(|_| self.zero_start());
         let path = model.dynamics(alpha, Reading::AsLearned)?.path(&start, FRAMES)?;
         let motion = |(part, path): (usize, &DMatrix<f64>)| {
-            let share =
-                variance(&[path.rows(FRAMES / 2, FRAMES / 2).into_owned()]) / self.varied(uses[part], part);
+            let share = variance(&[path.rows(FRAMES / 2, FRAMES / 2).into_owned()])
+                / self.training_variance(uses[part], part);
             PartMotion {
                 share,
                 still: share.is_nan() || share < STILL,
@@ -55,7 +55,7 @@ impl Library {
     }
 
     /// The variance of a part's latents in all movements of one of its primitives.
-    fn varied(&self, primitive: usize, part: usize) -> f64 {
+    fn training_variance(&self, primitive: usize, part: usize) -> f64 {
         let latents = self.starts_of(primitive).map(|start| start[part].clone());
         variance(&latents.collect::<Vec<_>>()).max(f64::MIN_POSITIVE)
     }
@@ -65,7 +65,7 @@ impl Library {
         let others = weights.into_iter().enumerate().filter(|(source, _)| *source != part);
         let (source, weight) = others.max_by(|a, b| a.1.total_cmp(&b.1))?;
         let (own, other) = (uses[part], uses[source]);
-        let excerpt_of_both = |a: usize, b: usize| {
+        let share_an_excerpt = |a: usize, b: usize| {
             let names = |a: usize| self.primitives[a].excerpts.iter().map(|excerpt| &excerpt.movement);
             names(a).any(|name| names(b).any(|other| other == name))
         };
@@ -73,12 +73,12 @@ impl Library {
             .movements
             .iter()
             .any(|m| m.sums.is_some() && m.uses.contains(&own) && m.uses.contains(&other))
-            || excerpt_of_both(own, other);
+            || share_an_excerpt(own, other);
         Some(Leader { part: source, weight, met })
     }
 }
 
-/// The mean over all rows of their squared distance from the mean row.
+/// The mean squared distance of all rows from the mean row.
 fn variance(latents: &[DMatrix<f64>]) -> f64 {
     let count: usize = latents.iter().map(DMatrix::nrows).sum();
     let Some(first) = latents.first() else { return 0.0 };

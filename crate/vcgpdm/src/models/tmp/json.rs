@@ -1,9 +1,9 @@
-//! Temporal movement primitives as they stand in a document.
+//! Reads and writes temporal movement primitives as JSON.
 
 use crate::json::checks::{count, positive, positive_number, shape, tame_matrix};
 use crate::json::{Field, FieldError, Value};
 use crate::models::data::phase::PhaseAxis;
-use crate::models::fitted::stored::{map_value, phase_map, vector, whole_columns};
+use crate::models::fitted::json::{column_count, phase_map, phase_map_value, vector};
 use crate::models::tmp::{Tmp, TrialWeights};
 use nalgebra::DMatrix;
 
@@ -18,9 +18,12 @@ impl Tmp {
             PhaseAxis::Trial => "trial",
         };
         let trials = Value::list(&self.trials, |trial| {
-            Value::object([("phase", map_value(&trial.map)), ("weights", Value::matrix(&trial.weights))])
+            Value::object([
+                ("phase", phase_map_value(&trial.map)),
+                ("weights", Value::matrix(&trial.weights)),
+            ])
         });
-        // Of each number of primitives that was tried, in that order.
+        // The bound of each number of primitives, in the order tried.
         let bounds = Value::list(&self.bounds, |(count, bound)| Value::numbers(&[*count as f64, *bound]));
         Value::object([
             ("axis", Value::text(axis)),
@@ -38,10 +41,10 @@ impl Tmp {
         ])
     }
 
-    /// Reads a model of parts with these numbers of `columns` and of so many `sequences`.
+    /// Reads a model of parts with these numbers of `columns` and of `sequences` sequences.
     pub(crate) fn from_field(field: Field, columns: &[usize], sequences: usize) -> Result<Self, FieldError> {
         let mut object = field.object()?;
-        let d = whole_columns(columns);
+        let d = column_count(columns);
         let field = object.get("axis")?;
         let axis = match field.text()? {
             "cycle" => PhaseAxis::Cycle,

@@ -1,4 +1,4 @@
-//! What the documents of movement primitives have in common.
+//! JSON of what temporal and dynamic movement primitives share.
 
 use crate::json::checks::{count, positive_number, tame};
 use crate::json::{Field, FieldError, Value};
@@ -6,11 +6,11 @@ use crate::models::data::phase::PhaseMap;
 use nalgebra::DVector;
 
 /// Number of columns D of all parts together.
-pub fn whole_columns(columns: &[usize]) -> usize {
+pub fn column_count(columns: &[usize]) -> usize {
     columns.iter().sum()
 }
 
-/// Reads a vector of `length` numbers that can be computed with.
+/// Reads a vector of `length` numbers of moderate size.
 pub fn vector(field: &Field, length: usize) -> Result<DVector<f64>, FieldError> {
     let numbers = field.numbers()?;
     count(field, numbers.len(), length..=length)?;
@@ -18,12 +18,12 @@ pub fn vector(field: &Field, length: usize) -> Result<DVector<f64>, FieldError> 
     Ok(DVector::from_vec(numbers))
 }
 
-/// Where a trial lies on the axis of phase.
-pub fn map_value(map: &PhaseMap) -> Value {
+/// Writes a map from frames to phases.
+pub fn phase_map_value(map: &PhaseMap) -> Value {
     Value::object([("start", Value::Number(map.start)), ("rate", Value::Number(map.rate))])
 }
 
-/// Reads where a trial lies on the axis of phase.
+/// Reads a map from frames to phases.
 pub fn phase_map(field: Field) -> Result<PhaseMap, FieldError> {
     let mut object = field.object()?;
     let start = object.get("start")?;

@@ -4,7 +4,7 @@ use crate::gp::linalg::stacked;
 use crate::models::data::dataset::DatasetError;
 use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::library::{
-    CombinationError, CouplingsFrom, LearnedMovement, Library, LibraryError, ObservedClip, TrainedLibrary,
+    CombinationError, CouplingsFrom, EncodedClip, LearnedMovement, Library, LibraryError, TrainedLibrary,
 };
 use crate::models::search::ascent::Phase;
 use crate::models::training::error::{TrainingError, in_range};
@@ -31,17 +31,17 @@ pub struct CouplingTrainer {
 }
 
 impl CouplingTrainer {
-    /// A fit that has done no iteration yet, of at most `max_iterations` iterations, for the primitive
+    /// A fit before its first iteration, of at most `max_iterations` iterations, for the primitive
     /// `uses[part]` of each part.
     ///
     /// # Errors
     ///
     /// When a part is not given one of its primitives, the clips do not fit the library, or the bound cannot
-    /// be computed at the start; the error names the clip where the reason is in one of them.
+    /// be computed at the start; the error names the clip if the reason is in one clip.
     pub fn new(
         library: &TrainedLibrary,
         uses: &[usize],
-        clips: &[ObservedClip],
+        clips: &[EncodedClip],
         max_iterations: usize,
     ) -> Result<Self, LibraryError> {
         let sequences: Vec<SequenceInfo> = clips.iter().map(|clip| clip.info.clone()).collect();
@@ -49,7 +49,7 @@ impl CouplingTrainer {
         let parts = 0..library.library.part_count();
         let y = parts.map(|part| stacked(clips.iter().map(|clip| &clip.y[part]))).collect();
         let trainer = fit_of(&library.library, uses, y, lengths, max_iterations)
-            .map_err(|reason| DatasetError::about(reason, &sequences))?;
+            .map_err(|reason| DatasetError::from_training(reason, &sequences))?;
         Ok(Self { trainer, library: library.clone(), uses: uses.to_vec(), sequences })
     }
 
@@ -114,13 +114,13 @@ pub(super) fn fit_of(
         }
     }
     let start = Params {
-        parts: library.parts_near(&y, &sequences),
-        experts: library.experts_of(uses),
+        parts: library.starting_parts(&y, &sequences),
+        experts: library.expert_parameters(uses),
         alpha: vec![library.nearest_couplings(uses)],
     };
-    let settings = library.settings_of(&start.experts, max_iterations);
-    let stored = library.stored(uses)?;
-    let objective = Objective::new(y, sequences, library.jitter).under(stored);
+    let settings = library.training_settings(&start.experts, max_iterations);
+    let fixed = library.fixed_outputs(uses)?;
+    let objective = Objective::new(y, sequences, library.jitter).under(fixed);
     VariationalTrainer::from_start(objective, start, phases(max_iterations), &settings, 0)
 }
 

@@ -1,4 +1,4 @@
-//! A motion that goes on without an end while primitives are exchanged, mixed and set to other tempos.
+//! Latents of a motion without an end, while primitives are exchanged, mixed and set to other tempos.
 
 use crate::gp::KernelSum;
 use crate::models::library::{CombinationError, Library, Misfit};
@@ -9,10 +9,10 @@ use nalgebra::DMatrix;
 use std::ops::RangeInclusive;
 use thiserror::Error;
 
-/// Tempos at which a step of the dynamics can still be divided or stretched.
+/// Tempos of a part; 1 is as learned.
 pub const TEMPOS: RangeInclusive<f64> = 0.25..=2.0;
 
-/// Why a walk cannot go on as asked.
+/// Why a walk cannot begin or continue.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum WalkError {
@@ -22,10 +22,10 @@ pub enum WalkError {
     /// The couplings do not fit the parts.
     #[error(transparent)]
     Couplings(#[from] CouplingsError),
-    /// A number that is out of its range.
+    /// A number is out of its range.
     #[error("expected {what} from {lowest} to {highest}, found {found}")]
     Range {
-        /// What it is.
+        /// What the number is.
         what: &'static str,
         /// Smallest value.
         lowest: f64,
@@ -34,16 +34,16 @@ pub enum WalkError {
         /// The value asked for.
         found: f64,
     },
-    /// A library that does not move this figure.
+    /// The library moves another body.
     #[error(transparent)]
     Misfit(#[from] Misfit),
-    /// A library with other primitives.
+    /// The library has other primitives.
     #[error("expected a library with all primitives of the one before, in the same places")]
     Primitives,
-    /// Phases have no meaning without a cycle.
+    /// The combination has no cycle, and so its parts have no phases.
     #[error("expected a combination that repeats itself, found one that does not settle in a cycle")]
     NoCycle,
-    /// The learned motion cannot be made.
+    /// The rollout of the combination cannot be made.
     #[error(transparent)]
     Rollout(#[from] RolloutError),
     /// The poses are no longer finite.
@@ -51,31 +51,31 @@ pub enum WalkError {
     Pose(#[from] PoseError),
 }
 
-/// Another primitive of a part, and how far its predictions have taken the place of the first one's.
+/// A mix with another primitive of the part.
 #[derive(Clone, Copy, Debug)]
 struct Mix {
     other: usize,
-    /// 0 to 1.
+    /// Share of the other primitive's predictions, 0 to 1.
     share: f64,
-    /// Where the share goes, and by how much at most in a frame.
+    /// The share at the end, and its largest change in a frame.
     goal: f64,
     pace: f64,
 }
 
 impl Mix {
-    /// A frame later; none any more when the first primitive has its place back.
+    /// The mix a frame later; `None` when the share is 0.
     fn next(self) -> Option<Self> {
         let share = self.share + (self.goal - self.share).clamp(-self.pace, self.pace);
         (share > 0.0).then_some(Self { share, ..self })
     }
 }
 
-/// What one part does.
+/// The walk of one part.
 #[derive(Clone, Debug)]
 struct PartWalk {
     primitive: usize,
     mix: Option<Mix>,
-    /// Frames of its own time that pass in a frame.
+    /// Frames of the part's own time in a frame.
     tempo: f64,
     /// Its latents [frames x Q], newest last.
     path: Vec<f64>,
@@ -83,13 +83,12 @@ struct PartWalk {
 
 /// The latents of a walk.
 ///
-/// A part at tempo s goes through its own time s times as fast. Its history is read at whole frames of its
-/// own time, between frames by a straight line, and of the step that is predicted for its next frame it makes
-/// the part s:
+/// A part at tempo s moves s times as fast. Its history is read at whole frames of its own time, with straight
+/// lines between frames, and each frame makes the share s of the predicted step:
 ///
 /// x^i <- x^i + s_i ( sum_j w_{ji} f^{ji}(history of j) - x^i ).
 ///
-/// At tempo 1 these are the dynamics as learned. The tempo is ours; the papers have none.
+/// At tempo 1 these are the dynamics as learned. The papers have no tempo.
 #[derive(Clone, Debug)]
 pub struct LatentWalk {
     order: usize,
@@ -99,19 +98,19 @@ pub struct LatentWalk {
 }
 
 impl LatentWalk {
-    /// A combination from where it starts, under its nearest couplings.
+    /// A walk of a combination under its nearest couplings, from its first start latents.
     ///
     /// # Errors
     ///
     /// When a part is not given one of its primitives.
     pub fn new(library: &Library, uses: &[usize]) -> Result<Self, CombinationError> {
         library.check_uses(uses)?;
-        let start = library.starts(uses).into_iter().next().unwrap_or_else(|| library.at_rest());
+        let start = library.starts(uses).into_iter().next().unwrap_or_else(|| library.zero_start());
         Ok(Self::begin(library, uses, &start))
     }
 
-    /// A combination from where the parts were at a frame of a sequence of a movement, all counted from 0;
-    /// parts with another primitive than there start where that is nearest to what the others do.
+    /// A walk of a combination from a frame of a sequence of a movement, all counted from 0. A part with
+    /// another primitive than in the movement starts at its [`nearest_state`](Library::nearest_state).
     ///
     /// # Errors
     ///
@@ -126,8 +125,8 @@ impl LatentWalk {
         let movement = library.movements.get(movement).ok_or(unknown)?;
         let within = |what: &'static str, count: usize, found: usize| {
             let (highest, asked) = (count.saturating_sub(1) as f64, found as f64);
-            let refused = WalkError::Range { what, lowest: 0.0, highest, found: asked };
-            if found < count { Ok(()) } else { Err(refused) }
+            let error = WalkError::Range { what, lowest: 0.0, highest, found: asked };
+            if found < count { Ok(()) } else { Err(error) }
         };
         within("a sequence of the movement", movement.starts.len(), sequence)?;
         let rows = movement.starts[sequence].iter().map(DMatrix::nrows).min().unwrap_or(0);
@@ -154,17 +153,17 @@ impl LatentWalk {
         }
     }
 
-    /// The couplings now [M x M], row the source.
+    /// The current couplings [M x M], row the source.
     pub fn alpha(&self) -> &DMatrix<f64> {
         &self.alpha
     }
 
-    /// The primitive that each part uses now.
+    /// The current primitive of each part.
     pub fn uses(&self) -> Vec<usize> {
         self.parts.iter().map(|part| part.primitive).collect()
     }
 
-    /// Other couplings [M x M], row the source.
+    /// Sets the couplings [M x M], row the source.
     ///
     /// # Errors
     ///
@@ -175,12 +174,12 @@ impl LatentWalk {
         Ok(())
     }
 
-    /// Gives a part another of its primitives, at the state that is nearest to what the other parts do; these
-    /// go on as they are. No movement that uses it: the part goes on from its own state.
+    /// Gives a part another of its primitives, at its [`nearest_state`](Library::nearest_state); where there is
+    /// none, the part continues from its own state. The other parts do not change.
     ///
     /// # Errors
     ///
-    /// When it is not a primitive of the part.
+    /// When the primitive is not one of the part.
     pub fn use_primitive(
         &mut self,
         library: &Library,
@@ -192,7 +191,7 @@ impl LatentWalk {
         *uses.get_mut(part).ok_or(CombinationError::Count { expected, found: part + 1 })? = primitive;
         library.check_uses(&uses)?;
         let window: Vec<DMatrix<f64>> = (0..self.parts.len()).map(|k| self.window(k)).collect();
-        if let Some(state) = library.state_near(primitive, &window, &[]) {
+        if let Some(state) = library.nearest_state(primitive, &window, &[]) {
             self.parts[part].path = state.transpose().as_slice().to_vec();
         }
         self.parts[part].primitive = primitive;
@@ -200,9 +199,9 @@ impl LatentWalk {
         Ok(())
     }
 
-    /// Mixes the predictions of a part's primitive with those of another one of the part: 1 - `share` of the
-    /// first, `share` of the other. It gets there evenly, at the pace of a whole exchange in `frames`; with
-    /// 0, at once. A mix with a third primitive begins anew.
+    /// Mixes the predictions of a part's primitive with those of another primitive of the part: 1 - `share` of
+    /// the first, `share` of the other. The share changes by 1 / `frames` in a frame; with 0 frames, at once.
+    /// A mix with a third primitive begins at share 0.
     ///
     /// # Errors
     ///
@@ -215,9 +214,7 @@ impl LatentWalk {
         share: f64,
         frames: usize,
     ) -> Result<(), WalkError> {
-        if library.primitives.get(other).is_none_or(|primitive| primitive.part != part) {
-            return Err(CombinationError::Primitive { part, found: other }.into());
-        }
+        library.check_primitive(part, other)?;
         if !(0.0..=1.0).contains(&share) {
             return Err(WalkError::Range { what: "a share", lowest: 0.0, highest: 1.0, found: share });
         }
@@ -227,7 +224,7 @@ impl LatentWalk {
         Ok(())
     }
 
-    /// Lets a part go through its own time at another tempo; 1 is as learned.
+    /// Sets the tempo of a part; 1 is as learned.
     ///
     /// # Errors
     ///
@@ -269,7 +266,7 @@ impl LatentWalk {
                     let own = &self.parts[i];
                     let newest = &own.path[own.path.len() - self.latent[i]..];
                     let step = |(x, predicted): (&f64, f64)| {
-                        // As learned to the bit.
+                        // The same bits as a rollout.
                         if own.tempo == 1.0 { predicted } else { x + own.tempo * (predicted - x) }
                     };
                     newest.iter().zip(predicted).map(step).collect()
@@ -279,17 +276,17 @@ impl LatentWalk {
                 part.path.extend(next);
             }
         }
-        let made =
+        let newest =
             self.parts.iter().zip(&self.latent).map(|(part, &q)| {
                 DMatrix::from_row_slice(frames, q, &part.path[part.path.len() - frames * q..])
             });
-        let made = made.collect();
-        // What no history reaches any more.
-        let kept = (self.order as f64 / TEMPOS.start()).ceil() as usize + 1;
+        let newest = newest.collect();
+        // No history reaches further back than this.
+        let longest = (self.order as f64 / TEMPOS.start()).ceil() as usize + 1;
         for (part, q) in self.parts.iter_mut().zip(&self.latent) {
-            part.path.drain(..part.path.len().saturating_sub(kept * q));
+            part.path.drain(..part.path.len().saturating_sub(longest * q));
         }
-        made
+        newest
     }
 
     /// The last p states of a part at whole frames of its own time, oldest first [p Q].
@@ -307,9 +304,9 @@ impl LatentWalk {
         history
     }
 
-    /// Gives a part another primitive where it stands.
+    /// Gives a part another primitive and keeps its state.
     #[cfg(test)]
-    pub(super) fn parts_for_tests(&mut self, part: usize, primitive: usize) {
+    pub(super) fn replace_primitive(&mut self, part: usize, primitive: usize) {
         self.parts[part].primitive = primitive;
     }
 
@@ -320,13 +317,13 @@ impl LatentWalk {
 
 /// Adds f(x), times a weight, to `out`.
 fn add(expert: &KernelSum, weight: f64, x: &[f64], scratch: &mut [f64], out: &mut [f64]) {
-    let mut said = vec![0.0; out.len()];
-    expert.add_to(x, scratch, &mut said);
-    out.iter_mut().zip(said).for_each(|(out, said)| *out += weight * said);
+    let mut prediction = vec![0.0; out.len()];
+    expert.add_to(x, scratch, &mut prediction);
+    out.iter_mut().zip(prediction).for_each(|(out, f)| *out += weight * f);
 }
 
 impl Library {
-    /// What a primitive predicts about part `i`.
+    /// The expert of a primitive about part `i`.
     fn expert(&self, primitive: usize, i: usize) -> &KernelSum {
         self.primitives[primitive].experts[i].fitted.sum()
     }

@@ -1,4 +1,4 @@
-//! Training of a library, one step at a time.
+//! Trainings of a library.
 
 use crate::gp::NumericsError;
 use crate::models::data::dataset::{Dataset, DatasetError};
@@ -13,7 +13,7 @@ use crate::models::variational::VariationalTrainer;
 use nalgebra::DMatrix;
 use std::ops::ControlFlow;
 
-/// A training of a library under way: all movements together, with the primitives that they share.
+/// A training of a library: all movements together, with the primitives that they share.
 pub struct LibraryTrainer {
     trainer: VariationalTrainer,
     plan: LibraryPlan,
@@ -23,13 +23,13 @@ pub struct LibraryTrainer {
 }
 
 impl LibraryTrainer {
-    /// A training that has done no iteration yet. The sequences of the data set are those of the plan's
-    /// movements, one movement after the other. `seed` decides everything random.
+    /// A training before its first iteration. The data set has the sequences of the plan's movements, one
+    /// movement after the other. Everything random follows from the `seed`.
     ///
     /// # Errors
     ///
     /// When a setting is out of its range, the data set does not fit the plan, or the bound cannot be
-    /// computed at the start; the error names the clip where the reason is in one of them.
+    /// computed at the start; the error names the clip if the reason is in one clip.
     pub fn new(
         dataset: &Dataset,
         plan: &LibraryPlan,
@@ -38,7 +38,7 @@ impl LibraryTrainer {
     ) -> Result<Self, DatasetError> {
         let trainer = trainer_of(dataset.y.clone(), dataset.lengths(), plan, settings, seed);
         Ok(Self {
-            trainer: trainer.map_err(|reason| dataset.refusal(reason))?,
+            trainer: trainer.map_err(|reason| dataset.training_error(reason))?,
             plan: plan.clone(),
             body: Body::new(dataset),
             frames_per_second: dataset.frames_per_second,
@@ -52,7 +52,7 @@ impl LibraryTrainer {
         self.trainer.use_threads(threads);
     }
 
-    /// One iteration of the optimiser. After the end it does nothing.
+    /// One iteration. After the end it does nothing.
     pub fn step(&mut self) -> Progress {
         self.trainer.step()
     }
@@ -72,7 +72,7 @@ impl LibraryTrainer {
         self.trainer.progress()
     }
 
-    /// Allows `iterations` more, during training or at its end, where the training goes on from.
+    /// Allows `iterations` more, also after the end, where the training then continues.
     pub fn extend(&mut self, iterations: usize) {
         self.trainer.extend(iterations);
     }
@@ -87,7 +87,7 @@ impl LibraryTrainer {
     ///
     /// # Errors
     ///
-    /// When a covariance of it cannot be factorised.
+    /// When a covariance of the library cannot be factorised.
     pub fn finish(&self) -> Result<TrainedLibrary, NumericsError> {
         Ok(TrainedLibrary {
             library: library_of(&self.trainer, &self.plan)?,
@@ -111,7 +111,7 @@ pub(super) fn trainer_of(
     VariationalTrainer::of_movements(y, lengths, primitives, plan.uses(), settings, seed)
 }
 
-/// The library of the best bound that such a training has found so far.
+/// The library of the best bound of a training so far.
 pub(super) fn library_of(trainer: &VariationalTrainer, plan: &LibraryPlan) -> Result<Library, NumericsError> {
     Library::fit(&trainer.objective(), &trainer.best(), trainer.best_terms(), plan)
 }

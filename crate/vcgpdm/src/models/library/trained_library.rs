@@ -1,4 +1,4 @@
-//! A library with the body that it moves, and how it was made.
+//! A library with the body that it moves and its provenance.
 
 use crate::models::data::dataset::DatasetError;
 use crate::models::data::sequence_info::SequenceInfo;
@@ -18,28 +18,28 @@ use thiserror::Error;
 pub struct TrainedLibrary {
     /// Pose maps, primitives and movements.
     pub library: Library,
-    /// What turns columns into poses; its sequences are those of the movements, one movement after the other.
+    /// From columns to poses; its sequences are those of the movements, one movement after the other.
     pub body: Body,
     /// How the library was trained.
     pub provenance: Provenance,
 }
 
-/// Why a clip cannot be looked at by a library, or a choice of primitives is not understood.
+/// Why a clip does not fit a library, or a choice of primitives cannot be read.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum LibraryError {
-    /// The clip's body is another one.
+    /// The clip has another body.
     #[error("{clip} does not have the body of the library: {reason}")]
     Body {
         /// The clip.
         clip: String,
-        /// How it differs.
+        /// The difference.
         reason: Box<BodyMismatch>,
     },
     /// The clip cannot be brought to the library's frame rate.
     #[error(transparent)]
     Clip(#[from] ClipError),
-    /// Its poses cannot be turned into rows.
+    /// The clip's poses cannot be turned into rows.
     #[error("{clip}: {reason}")]
     Pose {
         /// The clip.
@@ -50,19 +50,19 @@ pub enum LibraryError {
     /// A choice is not of the form part=primitive.
     #[error("expected PART=PRIMITIVE for each part, such as {example}, found {found:?}")]
     Choice {
-        /// A choice that this library has.
+        /// A choice of this library.
         example: String,
-        /// What was found.
+        /// The text found.
         found: String,
     },
-    /// There is no such part or primitive.
+    /// There is no part or primitive of this name.
     #[error("expected {what} to be one of {known}, found {found:?}")]
     Unknown {
-        /// What was named.
+        /// "the part" or "the primitive".
         what: &'static str,
-        /// What there is.
+        /// The names that exist.
         known: String,
-        /// What was found.
+        /// The text found.
         found: String,
     },
     /// The primitives cannot be combined.
@@ -73,12 +73,12 @@ pub enum LibraryError {
     Training(#[from] DatasetError),
 }
 
-/// A clip as a library sees it.
+/// A clip as centred columns of the parts of a library.
 #[derive(Clone, Debug)]
-pub struct ObservedClip {
+pub struct EncodedClip {
     /// Columns of each part, centred by the library's means [T x D_i].
     pub y: Vec<DMatrix<f64>>,
-    /// Where they came from.
+    /// The clip that they came from.
     pub info: SequenceInfo,
 }
 
@@ -104,18 +104,18 @@ impl TrainedLibrary {
         Ok(self.with_sequences(model, self.library.start_sequences(uses)))
     }
 
-    /// Where the sequences come from that a combination can start from.
+    /// The sequences that a combination can start from.
     pub fn start_infos(&self, uses: &[usize]) -> Vec<SequenceInfo> {
         self.infos(self.library.start_sequences(uses))
     }
 
-    /// Of sequences by movement and place in it.
+    /// The sequences at these places: (movement, sequence of the movement).
     fn infos(&self, chosen: Vec<(usize, usize)>) -> Vec<SequenceInfo> {
         let info = |(movement, sequence): (usize, usize)| self.sequences_of(movement).get(sequence).cloned();
         chosen.into_iter().filter_map(info).collect()
     }
 
-    /// Where the sequences of a movement come from.
+    /// The sequences of a movement.
     pub fn sequences_of(&self, movement: usize) -> &[SequenceInfo] {
         let mut counts = self.library.movements.iter().map(|m| m.starts.len());
         let first: usize = counts.clone().take(movement).sum();
@@ -128,49 +128,48 @@ impl TrainedLibrary {
         Model { fitted: FittedModel::Vcgpdm(Box::new(model)), body, provenance: self.provenance.clone() }
     }
 
-    /// The primitives that a text such as `lower=walk,upper=wave` names: of each part the primitive of that
-    /// name, or the one that the movement of that name uses.
+    /// Reads the primitive of each part from a text such as `lower=walk,upper=wave`. A name is that of a
+    /// primitive of the part, or of a movement that uses one.
     ///
     /// # Errors
     ///
-    /// When it names a part or a primitive that is not there, or not just one primitive for each part.
-    pub fn uses(&self, text: &str) -> Result<Vec<usize>, LibraryError> {
+    /// When a part or primitive does not exist, or the text does not have one primitive for each part.
+    pub fn read_uses(&self, text: &str) -> Result<Vec<usize>, LibraryError> {
         let mut uses: Vec<Option<usize>> = vec![None; self.library.part_count()];
-        for a in self.chosen(text)? {
+        for a in self.read_primitives(text)? {
             if uses[self.library.primitives[a].part].replace(a).is_some() {
-                return Err(self.misunderstood(text));
+                return Err(self.choice_error(text));
             }
         }
         let whole: Option<Vec<usize>> = uses.into_iter().collect();
-        whole.ok_or_else(|| self.misunderstood(text))
+        whole.ok_or_else(|| self.choice_error(text))
     }
 
-    /// The primitives that a text such as `lower=walk,upper=wave` names, as [`uses`](Self::uses): of any
-    /// parts, one or more.
+    /// As [`read_uses`](Self::read_uses), of any number of primitives of any parts.
     ///
     /// # Errors
     ///
-    /// When it names a part or a primitive that is not there.
-    pub fn chosen(&self, text: &str) -> Result<Vec<usize>, LibraryError> {
+    /// When a part or primitive does not exist.
+    pub fn read_primitives(&self, text: &str) -> Result<Vec<usize>, LibraryError> {
         let parts: Vec<&str> = self.body.layout.parts().iter().map(|part| part.name.as_str()).collect();
         let choice = |choice: &str| {
-            let (part, name) = choice.split_once('=').ok_or_else(|| self.misunderstood(choice))?;
+            let (part, name) = choice.split_once('=').ok_or_else(|| self.choice_error(choice))?;
             let (part, name) = (part.trim(), name.trim());
             let place = parts.iter().position(|known| *known == part).ok_or_else(|| {
-                LibraryError::Unknown { what: "the part", known: parts.join(", "), found: shown(part) }
+                LibraryError::Unknown { what: "the part", known: parts.join(", "), found: shortened(part) }
             })?;
             self.primitive(place, name).ok_or_else(|| LibraryError::Unknown {
                 what: "the primitive",
                 known: self.names(place),
-                found: shown(name),
+                found: shortened(name),
             })
         };
         text.split(',').map(choice).collect()
     }
 
-    fn misunderstood(&self, text: &str) -> LibraryError {
+    fn choice_error(&self, text: &str) -> LibraryError {
         let parts: Vec<&str> = self.body.layout.parts().iter().map(|part| part.name.as_str()).collect();
-        LibraryError::Choice { example: self.example(&parts), found: shown(text) }
+        LibraryError::Choice { example: self.example(&parts), found: shortened(text) }
     }
 
     /// The primitive of a part by its name, or by that of a movement that uses it.
@@ -196,12 +195,12 @@ impl TrainedLibrary {
         choices.collect::<Vec<_>>().join(",")
     }
 
-    /// A clip at the library's frame rate, as centred columns of its parts.
+    /// A clip at the library's frame rate, as centred columns of the parts.
     ///
     /// # Errors
     ///
-    /// When its body is another one, or it cannot be resampled or turned into rows.
-    pub fn observed(&self, clip: &Clip) -> Result<ObservedClip, LibraryError> {
+    /// When the clip has another body, or cannot be resampled or turned into rows.
+    pub fn encode(&self, clip: &Clip) -> Result<EncodedClip, LibraryError> {
         let clip = clip.resample(1.0 / self.body.frame_time)?;
         let name = || clip.name.clone();
         let mismatch = |reason| LibraryError::Body { clip: name(), reason: Box::new(reason) };
@@ -221,12 +220,12 @@ impl TrainedLibrary {
             bones_of: clip.bones_of.clone(),
             whole: true,
         };
-        Ok(ObservedClip { y: self.body.layout.split(&rows), info })
+        Ok(EncodedClip { y: self.body.layout.split(&rows), info })
     }
 
-    /// Adds a combination under the couplings `alpha` [M x M] as a movement of that name, which starts where
-    /// the nearest movements do; a combination of the same name makes way. Couplings that are not the nearest
-    /// ones come from where `from` says, else from somebody's hand.
+    /// Adds a combination under the couplings `alpha` [M x M] as a movement of this name, which replaces a
+    /// combination of the same name. It starts as the movements that share most primitives with it. `from` is
+    /// the origin of the couplings; without it, they are the nearest couplings or chosen by the user.
     ///
     /// # Errors
     ///
@@ -249,21 +248,21 @@ impl TrainedLibrary {
         self.add(LearnedMovement { alpha: alpha.clone(), couplings, ..nearest }, infos)
     }
 
-    /// Checks that a combination can have this name: the rows of a learned movement, and with them where
-    /// primitives come from, would go.
+    /// Checks that a combination can have this name. It must not replace a learned movement, whose rows hold
+    /// what the primitives learned.
     ///
     /// # Errors
     ///
-    /// When a learned movement has it.
+    /// When a learned movement has the name.
     pub fn check_name(&self, name: &str) -> Result<(), CombinationError> {
         let has_rows = |m: &LearnedMovement| m.name == name && m.sums.is_some();
         if self.library.movements.iter().any(has_rows) {
-            return Err(CombinationError::Learned { found: shown(name) });
+            return Err(CombinationError::Learned { found: shortened(name) });
         }
         Ok(())
     }
 
-    /// Adds a movement that starts where these clips do; a combination of the same name makes way.
+    /// Adds a movement that starts as these sequences; it replaces a combination of the same name.
     ///
     /// # Errors
     ///
@@ -276,8 +275,8 @@ impl TrainedLibrary {
         self.check_name(&movement.name)?;
         if let Some(old) = self.library.movements.iter().position(|m| m.name == movement.name) {
             let before: usize = self.library.movements[..old].iter().map(|m| m.starts.len()).sum();
-            let gone = self.library.movements.remove(old).starts.len();
-            self.body.sequences.drain(before..before + gone);
+            let count = self.library.movements.remove(old).starts.len();
+            self.body.sequences.drain(before..before + count);
         }
         self.library.movements.push(movement);
         self.body.sequences.extend(sequences);
@@ -285,6 +284,6 @@ impl TrainedLibrary {
     }
 }
 
-fn shown(found: &str) -> String {
+fn shortened(found: &str) -> String {
     found.chars().take(60).collect()
 }

@@ -1,7 +1,7 @@
-//! A MAP model as it stands in a document.
+//! Reads and writes MAP models as JSON.
 //!
-//! Its predictions are sums over all training frames, so the document holds the latents of every frame: the
-//! movements that it learned from can be read out of it.
+//! The predictions are sums over all training frames, so the document contains the latents of every frame:
+//! the training movements can be computed from it.
 
 use crate::gp::Kernel;
 use crate::json::checks::{count, positive, positive_number, shape, tame_matrix};
@@ -26,7 +26,7 @@ impl MapModel {
         });
         // The dynamics into each part.
         let dynamics = Value::list(self.coefficients().iter().enumerate(), |(i, coefficients)| {
-            // Of each source; absent without linear terms.
+            // The linear term of each source; absent without linear terms.
             let linear = self.linear().column_iter().nth(i);
             let linear = linear.map(|column| ("linear".to_owned(), Value::numbers(column.as_slice())));
             let fields = [
@@ -88,7 +88,7 @@ impl MapModel {
             }
             target.end()?;
         }
-        // All targets have linear terms, or none has.
+        // All targets have linear terms, or no target has.
         let linear = match linear.len() {
             0 => DMatrix::zeros(0, 0),
             found if found == m * m => DMatrix::from_vec(m, m, linear),

@@ -1,88 +1,86 @@
-//! Where a trial lies of which only the first frames are known: the maximum of the posterior of its start,
-//! its weights integrated out.
+//! Partial trials, of which only the first frames are known: the start that maximises the posterior, with the
+//! weights integrated out.
 //!
-//! Its rate is the one that the whole trials lead to expect, their mean. A few frames tell how fast a
-//! movement is just then, which is not how fast it is on the whole: from five frames, the periods of ten
-//! walks of one person came out up to 15 % wrong, while the walks themselves differ by 2 %.
+//! The rate is the mean rate of the whole trials. A few frames show the speed of the movement at that moment,
+//! not its mean speed: from five frames, the periods of ten walks of one person had errors of up to 15 %, while
+//! the periods differ by 2 %.
 //!
-//! What the primitives leave of a movement is no white noise: it goes on from frame to frame, so that five
-//! frames in a row tell little more than one or two. So the noise of these frames has the correlations from
-//! frame to frame that the whole trials show, and both are whitened: the rest is as for a whole trial.
+//! The residual of the primitives is not white noise: neighbouring frames are correlated, so five frames have
+//! little more information than one or two. So the noise of a partial trial has the correlations of the
+//! residuals of the whole trials; the frames are whitened and then treated as those of a whole trial.
 
 use crate::elementary::Elementary;
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, symmetric};
 use crate::models::data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use crate::models::tmp::posterior::Posterior;
-use crate::models::tmp::view::View;
+use crate::models::tmp::trial_features::TrialFeatures;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// What is known before any trial was seen: clips are cut roughly alike. The standard deviation of the start,
-/// in movements, worth so many trials.
-const CUT: f64 = 0.05;
+/// Prior standard deviation of the start, in movements, and its weight, in trials: clips are cut at similar
+/// places.
+const PRIOR_DEVIATION: f64 = 0.05;
 const PRIOR_TRIALS: f64 = 2.0;
-/// What of the noise's variance is white at least.
+/// The least share of white noise in the variance of the noise.
 const WHITE: f64 = 1e-3;
-/// Places that are looked at first.
+/// Number of starts that are tried first.
 const PLACES: usize = 64;
-/// The range of the starts that are looked at on a movement that is no cycle, in scales of their prior to
-/// either side.
+/// In a movement that is not a cycle, the range of the starts that are tried, in scales of their prior.
 const START_REACH: f64 = 6.0;
-/// Steps of the search are halved so often.
+/// How often the steps of the search are halved.
 const HALVINGS: usize = 7;
 
-/// A Student t distribution: the next value after some that were seen, under the conjugate prior of a normal
-/// distribution.
+/// A Student t distribution: the predictive distribution of a normal variable under its conjugate prior.
 #[derive(Clone, Copy, Debug)]
-struct Next {
+struct StudentT {
     centre: f64,
     scale: f64,
     freedom: f64,
 }
 
-impl Next {
-    /// After `values`, when before them a standard deviation of `before` was expected.
-    fn after(values: &[f64], before: f64) -> Self {
+impl StudentT {
+    /// The distribution of the next value after `values`, with a prior standard deviation of `deviation`.
+    fn new(values: &[f64], deviation: f64) -> Self {
         let n = values.len().max(1) as f64;
         let centre = values.iter().sum::<f64>() / n;
         let squares: f64 = values.iter().map(|v| (v - centre).powi(2)).sum();
         let freedom = PRIOR_TRIALS + n - 1.0;
-        let variance = (PRIOR_TRIALS * before * before + squares) / freedom;
+        let variance = (PRIOR_TRIALS * deviation * deviation + squares) / freedom;
         Self { centre, scale: (variance * (1.0 + 1.0 / n)).sqrt(), freedom }
     }
 
-    /// The log density, without what does not depend on `value`.
+    /// The log density, without terms that do not depend on `value`.
     fn log_density(&self, value: f64) -> f64 {
         let off = (value - self.centre) / self.scale;
         -0.5 * (self.freedom + 1.0) * (1.0 + off * off / self.freedom).logarithm()
     }
 }
 
-/// What the whole trials say about the next one.
-pub struct Beginning<'a> {
+/// A partial trial under the posterior of the whole trials.
+pub struct PartialTrial<'a> {
     posterior: &'a Posterior,
     /// The frames, whitened.
     whitened: Trial,
     /// A root of the correlations of the noise from frame to frame.
     noise: Factor,
     rate: f64,
-    /// Absent on a cycle: a recording begins anywhere.
-    start: Option<Next>,
+    /// The prior of the start; absent on a cycle, where a recording starts anywhere.
+    start: Option<StudentT>,
     /// Mean of the weights of every column `[Q]`, and a root of their covariance [Q x Q].
     weights: Vec<(DVector<f64>, DMatrix<f64>)>,
 }
 
-impl<'a> Beginning<'a> {
-    /// Of the `begun` trial, after the `trials` that the `posterior` has seen.
-    pub fn new(posterior: &'a Posterior, trials: &[Trial], begun: &Trial) -> Result<Self, NumericsError> {
-        let correlations = posterior.residual_correlations(trials, begun.y.nrows());
-        let frames = begun.y.nrows();
+impl<'a> PartialTrial<'a> {
+    /// The `partial` trial under the `posterior` of the whole `trials`.
+    pub fn new(posterior: &'a Posterior, trials: &[Trial], partial: &Trial) -> Result<Self, NumericsError> {
+        let correlations = posterior.residual_correlations(trials, partial.y.nrows());
+        let frames = partial.y.nrows();
         let correlation = DMatrix::from_fn(frames, frames, |a, b| {
             correlations[a.abs_diff(b)] + if a == b { WHITE } else { 0.0 }
         });
         let noise = Factor::new(&correlation, "correlations of the noise")?;
-        let whitened = Trial { y: noise.solve_lower(&begun.y), whole: false };
+        let whitened = Trial { y: noise.solve_lower(&partial.y), whole: false };
         let maps = &posterior.maps;
         let starts: Vec<f64> = maps.iter().map(|map| map.start).collect();
         let movement = posterior.kernel.axis == PhaseAxis::Trial;
@@ -94,23 +92,24 @@ impl<'a> Beginning<'a> {
             weights.push((w.centre.clone(), factor.lower()));
         }
         let rate = Alignment::mean_rate(trials, maps);
-        let start = movement.then(|| Next::after(&starts, CUT));
+        let start = movement.then(|| StudentT::new(&starts, PRIOR_DEVIATION));
         Ok(Self { posterior, whitened, noise, rate, start, weights })
     }
 
-    /// The log density of start and frames, the weights integrated out; without what does not depend on the
-    /// start.
+    /// The log density of start and frames, with the weights integrated out and without terms that do not depend
+    /// on the start.
     fn value(&self, map: &PhaseMap) -> Result<f64, NumericsError> {
         let mut value = self.start.map_or(0.0, |start| start.log_density(map.start));
         let posterior = self.posterior;
-        let (trial, view) = (&self.whitened, self.view(map));
-        let (energy, seen) = (posterior.energy(&view), posterior.v.tr_mul(&view.projected));
+        let (trial, features) = (&self.whitened, self.features(map));
+        let energy = posterior.energy(&features);
+        let projection = posterior.v.tr_mul(&features.projected);
         let frames = trial.y.nrows() as f64;
         for (k, (mean, root)) in self.weights.iter().enumerate() {
             let noise = posterior.noise[k];
             // w = mean + root z, z ~ N(0, I).
-            let off = (seen.column(k) - &energy * mean) / noise;
-            let squares = trial.y.column(k).norm_squared() - 2.0 * seen.column(k).dot(mean)
+            let off = (projection.column(k) - &energy * mean) / noise;
+            let squares = trial.y.column(k).norm_squared() - 2.0 * projection.column(k).dot(mean)
                 + mean.dot(&(&energy * mean));
             let precision =
                 DMatrix::identity(mean.len(), mean.len()) + symmetric(root.tr_mul(&(&energy * root)) / noise);
@@ -122,24 +121,24 @@ impl<'a> Beginning<'a> {
         Ok(value)
     }
 
-    /// What the frames look like at `map`.
-    pub fn view(&self, map: &PhaseMap) -> View {
-        View::whitened(&self.posterior.kernel, &self.whitened, &self.noise, map)
+    /// The features of the whitened frames at `map`.
+    pub fn features(&self, map: &PhaseMap) -> TrialFeatures {
+        TrialFeatures::whitened(&self.posterior.kernel, &self.whitened, &self.noise, map)
     }
 
-    /// The frames as [`Self::view`] has them.
+    /// The whitened frames.
     pub fn whitened(&self) -> &Trial {
         &self.whitened
     }
 
-    /// What the bound of the whitened frames has more than that of the frames: the log-determinant of the
-    /// whitening, in nats.
-    pub fn stretch(&self) -> f64 {
+    /// The difference between the bound of the whitened frames and that of the frames, in nats: the
+    /// log-determinant of the whitening.
+    pub fn log_determinant(&self) -> f64 {
         0.5 * self.noise.log_determinant() * self.whitened.y.ncols() as f64
     }
 
-    /// Where the posterior of the start is highest.
-    pub fn find(&self) -> Result<PhaseMap, NumericsError> {
+    /// The map with the highest posterior of the start.
+    pub fn best_map(&self) -> Result<PhaseMap, NumericsError> {
         let starts: Vec<f64> = match self.start {
             None => (0..PLACES).map(|k| k as f64 / PLACES as f64).collect(),
             Some(start) => {

@@ -1,26 +1,26 @@
-//! What the columns of a model are: the poses of a body, or the columns of tables.
+//! Meaning of the columns of a model: the poses of a body, or the columns of tables.
 
 use crate::motion::pose::PoseMapping;
 use crate::motion::skeleton::MAX_POSITIONS;
 use crate::series::Columns;
 use std::fmt::Debug;
 
-/// What the columns of a model are.
-pub trait Observed: Clone + Debug {
-    /// How many columns there are, D.
+/// Meaning of the columns of a model.
+pub trait ColumnMapping: Clone + Debug {
+    /// The number of columns D.
     fn column_count(&self) -> usize;
 
     /// The name of a column.
     fn column_name(&self, column: usize) -> String;
 
-    /// The unit in which a model counts a column: what it predicts is multiplied by that.
+    /// The unit of a column: predictions of the model are multiplied by it.
     fn unit(&self, column: usize) -> f64;
 
-    /// The most frames that can be shown, written and held in memory.
+    /// The most frames of a rollout that can be shown, written and held in memory.
     fn most_frames(&self) -> usize;
 }
 
-impl Observed for PoseMapping {
+impl ColumnMapping for PoseMapping {
     fn column_count(&self) -> usize {
         PoseMapping::column_count(self)
     }
@@ -31,7 +31,7 @@ impl Observed for PoseMapping {
         columns.get(column).map_or_else(String::new, |at| format!("{}.{}", name(at.joint), at.kind.name()))
     }
 
-    /// Angles and leg lengths have a size of their own.
+    /// Angles and leg lengths have natural units.
     fn unit(&self, _column: usize) -> f64 {
         1.0
     }
@@ -41,7 +41,7 @@ impl Observed for PoseMapping {
     }
 }
 
-impl Observed for Columns {
+impl ColumnMapping for Columns {
     fn column_count(&self) -> usize {
         self.names().len()
     }

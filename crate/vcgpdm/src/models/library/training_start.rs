@@ -1,5 +1,5 @@
-//! What a library brings to a training of new frames in which some of it stays as it is: [`CouplingTrainer`]
-//! and [`ImportTrainer`].
+//! Start of a training on new frames in which part of a library is fixed: [`CouplingTrainer`] and
+//! [`ImportTrainer`].
 //!
 //! [`CouplingTrainer`]: crate::models::library::CouplingTrainer
 //! [`ImportTrainer`]: crate::models::library::ImportTrainer
@@ -13,21 +13,22 @@ use crate::models::variational::{Expert, PartParams, PoseMap, StoredMaps, first_
 use nalgebra::DMatrix;
 
 impl Library {
-    /// The inducing outputs of the pose maps and of these primitives, stacked in this order, to be kept.
-    pub(super) fn stored(&self, uses: &[usize]) -> Result<StoredMaps, NumericsError> {
+    /// The inducing outputs of the pose maps and of these primitives, stacked in this order, as fixed outputs
+    /// of the training.
+    pub(super) fn fixed_outputs(&self, uses: &[usize]) -> Result<StoredMaps, NumericsError> {
         let mut maps = StoredMaps { kinematics: Vec::new(), dynamics: Vec::new() };
         for (i, (map, psi2)) in self.parts.iter().zip(&self.pose_sums).enumerate() {
             let k = map.kernel().inducing_covariance(map.r(), self.jitter);
             let a = &k + psi2 / map.beta();
             maps.kinematics.push(StoredOutputs::new(&k, &a, map.coefficients(self.jitter)?)?);
-            maps.dynamics.push(self.kept(i, uses)?);
+            maps.dynamics.push(self.fixed_dynamics_outputs(i, uses)?);
         }
         Ok(maps)
     }
 
-    /// The pose maps as parameters, with the latents that come nearest to new observations `y` [N x D_i] of
-    /// each part.
-    pub(super) fn parts_near(&self, y: &[DMatrix<f64>], sequences: &Sequences) -> Vec<PartParams> {
+    /// The pose maps as parameters, with the latents whose poses are nearest to new observations `y` [N x
+    /// D_i] of each part.
+    pub(super) fn starting_parts(&self, y: &[DMatrix<f64>], sequences: &Sequences) -> Vec<PartParams> {
         let part = |(mean, map): (DMatrix<f64>, &PoseMap)| {
             let s = first_variance(&mean, sequences);
             let variance = DMatrix::from_element(mean.nrows(), mean.ncols(), s);
@@ -38,11 +39,11 @@ impl Library {
                 beta: map.beta(),
             }
         };
-        self.latents_near(y).into_iter().zip(&self.parts).map(part).collect()
+        self.nearest_latents(y).into_iter().zip(&self.parts).map(part).collect()
     }
 
     /// The experts of these primitives as parameters, by primitive and target.
-    pub(super) fn experts_of(&self, uses: &[usize]) -> Vec<Vec<Expert>> {
+    pub(super) fn expert_parameters(&self, uses: &[usize]) -> Vec<Vec<Expert>> {
         let experts = |a: &usize| {
             let fitted = self.primitives[*a].experts.iter().map(|expert| &expert.fitted);
             fitted.map(|e| Expert { z: e.z().clone(), kernel: e.kernel().clone() }).collect()
@@ -50,14 +51,17 @@ impl Library {
         uses.iter().map(experts).collect()
     }
 
-    /// Latent dimensions of the part that has most.
+    /// The largest number of latent dimensions of a part.
     pub(super) fn largest_latent(&self) -> usize {
         self.latent_dimensions().into_iter().max().unwrap_or(0)
     }
 
-    /// The settings of a training that learns these `experts` or nothing but their couplings, as its
-    /// provenance has them.
-    pub(super) fn settings_of(&self, experts: &[Vec<Expert>], max_iterations: usize) -> VariationalSettings {
+    /// Settings of a training with these `experts`, for its provenance.
+    pub(super) fn training_settings(
+        &self,
+        experts: &[Vec<Expert>],
+        max_iterations: usize,
+    ) -> VariationalSettings {
         VariationalSettings {
             latent: self.largest_latent(),
             order: self.order,
