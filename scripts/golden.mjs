@@ -1,7 +1,7 @@
 // `npm run golden`: computes the golden cases again with the independent implementation in
 // tests/golden/generator (Python with JAX, installed into .tools/golden) and compares them.
 // `npm run golden -- CASE.json ...` checks other cases. `npm run golden -- --out FOLDER [--case K ...]
-// [--seed S] [--movements | --beside]` makes new ones.
+// [--seed S] [--movements | --stored]` makes new ones.
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
@@ -41,14 +41,14 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
         case: { type: "string", multiple: true },
         seed: { type: "string" },
         movements: { type: "boolean", default: false },
-        beside: { type: "boolean", default: false },
+        stored: { type: "boolean", default: false },
       },
     });
-    const { out, case: cases = [], seed, movements, beside } = values;
-    if (movements && beside) throw new Failure("either --movements or --beside");
-    if (out === undefined && (cases.length > 0 || seed !== undefined || movements || beside))
+    const { out, case: cases = [], seed, movements, stored } = values;
+    if (movements && stored) throw new Failure("either --movements or --stored");
+    if (out === undefined && (cases.length > 0 || seed !== undefined || movements || stored))
       throw new Failure(
-        "--case, --seed, --movements and --beside belong to --out FOLDER, which makes new cases",
+        "--case, --seed, --movements and --stored belong to --out FOLDER, which makes new cases",
       );
     if (out !== undefined && positionals.length > 0)
       throw new Failure("either --out FOLDER makes new cases, or files are checked");
@@ -59,7 +59,7 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
         ...cases.flatMap((number) => ["--case", number]),
         ...(seed === undefined ? [] : ["--seed", seed]),
         ...(movements ? ["--movements"] : []),
-        ...(beside ? ["--beside"] : []),
+        ...(stored ? ["--stored"] : []),
       ];
       await step("new golden cases", () => runGenerator("make_golden.py", out, ...choices));
     }

@@ -5,7 +5,7 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 
-import beside
+import stored_primitives
 import bound
 import movements
 
@@ -37,7 +37,7 @@ def problem_of(given: Json) -> bound.Problem:
 def evaluate(given: Json, rollouts: list[Json]) -> Json:
     """What is expected of a case: `given` is its input; of `rollouts` only alpha, x0 and steps are read."""
     if "stored" in given:
-        return evaluate_beside(given)
+        return evaluate_stored(given)
     return evaluate_movements(given) if "movements" in given else evaluate_plain(given, rollouts)
 
 
@@ -56,18 +56,18 @@ def latents_of(gradient: bound.Params) -> Json:
     return [{name: plain(part[name]) for name in ("mu", "s")} for part in gradient["parts"]]
 
 
-def evaluate_beside(given: Json) -> Json:
-    """What is expected of new primitives beside stored ones: of what stays as it is there is no gradient."""
+def evaluate_stored(given: Json) -> Json:
+    """What is expected of new primitives next to stored ones: of what stays as it is there is no gradient."""
     shared, params = shared_and_params(given)
     stored, jitter = given["stored"], shared.problem.jitter
     primitives = stored["primitives"]
-    lower = beside.roots(params, primitives, jitter)
+    lower = stored_primitives.roots(params, primitives, jitter)
 
     def whitened(group: Json, roots: list[bound.Array]) -> list[bound.Gaussian]:
-        return [beside.whitened(root, bound.Gaussian(arrays(q["mean"]), arrays(q["cov"]))) for q, root in zip(group, roots)]
+        return [stored_primitives.whitened(root, bound.Gaussian(arrays(q["mean"]), arrays(q["cov"]))) for q, root in zip(group, roots)]
 
-    kept = beside.Stored(whitened(stored["kin"], lower.kinematics), whitened(stored["dyn"], lower.dynamics))
-    differentiated = jax.value_and_grad(lambda params: beside.bound_and_terms(params, kept, shared), has_aux=True)
+    kept = stored_primitives.Stored(whitened(stored["kin"], lower.kinematics), whitened(stored["dyn"], lower.dynamics))
+    differentiated = jax.value_and_grad(lambda params: stored_primitives.bound_and_terms(params, kept, shared), has_aux=True)
     (value, terms), gradient = jax.jit(differentiated)(params)
     return {
         "elbo": plain(value),

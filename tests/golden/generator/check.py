@@ -2,7 +2,7 @@
 
     python check.py [CASE.json ...]
 
-Without files, all cases beside this folder. Ends with 1 when a number is further away than it may be.
+Without files, all cases in the folder above this one. Ends with 1 when a number is further away than it may be.
 """
 
 import json
@@ -65,7 +65,7 @@ def without_requests(expected: case.Json) -> case.Json:
 
 
 def quadrature_difference() -> float:
-    """psi1 and psi2 beside the integrals that they stand for, taken numerically: the largest relative difference.
+    """The largest relative difference between psi1 and psi2 and their integrals, taken numerically.
 
     The kernel is a product over dimensions and q(x) too, so each integral is a product of one-dimensional ones.
     """
@@ -95,7 +95,7 @@ def main() -> int:
     failed = 0
 
     distance = quadrature_difference()
-    print(f"psi statistics beside numerical integrals: {distance:.1e}, at most {QUADRATURE_TOLERANCE:.0e}")
+    print(f"psi statistics and numerical integrals differ by {distance:.1e}, at most {QUADRATURE_TOLERANCE:.0e}")
     failed += not distance <= QUADRATURE_TOLERANCE
 
     print("\nLargest difference from the stored number, relative to the largest number of the block:\n")

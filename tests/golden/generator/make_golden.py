@@ -1,10 +1,10 @@
 """Makes golden cases: random problems from a seed, with everything that is expected of them.
 
-    python make_golden.py OUT_DIR [--case K ...] [--seed S] [--movements | --beside]
+    python make_golden.py OUT_DIR [--case K ...] [--seed S] [--movements | --stored]
 
 writes OUT_DIR/case-K.json, a problem of the same sizes as the stored case K with other numbers. Without --case, all;
 without --seed, the seed of case K is K. With --movements, OUT_DIR/movements-K.json: movements that share primitives. With
---beside, OUT_DIR/beside-K.json: new primitives beside stored ones.
+--stored, OUT_DIR/stored-K.json: new primitives next to stored ones.
 """
 
 import argparse
@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-import beside
+import stored_primitives
 import bound
 import case
 
@@ -57,10 +57,10 @@ MOVEMENTS = [
     Sharing([Part(2, 4, 4)], 4, [0], [([8], [0]), ([7], [0])], 1),
 ]
 # The same of which the first primitives are stored, as many as the number says.
-BESIDE = [
-    # New arms beside stored legs, in one movement.
+STORED = [
+    # New arms with stored legs, in one movement.
     (Sharing([Part(2, 4, 5), Part(2, 5, 5)], 4, [0, 1], [([10, 8], [0, 1])], 2), 1),
-    # New primitives of both parts, each also beside a stored one of the other part; one stored one is not used.
+    # New primitives of both parts, each also with a stored primitive of the other part; one stored primitive is not used.
     (Sharing([Part(2, 3, 4), Part(1, 3, 4)], 3, [0, 1, 1, 0, 1], [([9], [0, 4]), ([8], [3, 1]), ([7], [3, 4])], 2), 3),
 ]
 STEPS = 20  # of each rollout
@@ -151,7 +151,7 @@ def draw_movements(sizes: Sharing, rng: np.random.Generator) -> case.Json:
 def draw_stored(given: case.Json, primitives: int, rng: np.random.Generator) -> case.Json:
     """Gaussians of the inducing outputs of the pose maps and the first primitives."""
     _, params = case.shared_and_params(given)
-    roots = beside.roots(params, primitives, 0.0)
+    roots = stored_primitives.roots(params, primitives, 0.0)
 
     def gaussian(root: np.ndarray, columns: int) -> case.Json:
         size = len(root)
@@ -184,14 +184,14 @@ def make_movements(number: int, seed: int) -> case.Json:
     }
 
 
-def make_beside(number: int, seed: int) -> case.Json:
-    sizes, primitives = BESIDE[number]
+def make_stored(number: int, seed: int) -> case.Json:
+    sizes, primitives = STORED[number]
     rng = np.random.default_rng((number, seed, 2))
     given = draw_movements(sizes, rng)
     given["stored"] = draw_stored(given, primitives, rng)
-    about = "bound of new primitives beside stored ones, in natural parameters; no jitter"
+    about = "bound of new primitives next to stored ones, in natural parameters; no jitter"
     return {
-        "about": f"{about}; tests/golden/generator, beside {number}, seed {seed}",
+        "about": f"{about}; tests/golden/generator, stored {number}, seed {seed}",
         "input": given,
         "expected": case.evaluate(given, []),
     }
@@ -203,15 +203,15 @@ def main() -> None:
     parser.add_argument("--case", type=int, action="append", help="may be given several times")
     sorts = parser.add_mutually_exclusive_group()
     sorts.add_argument("--movements", action="store_true", help="movements that share primitives")
-    sorts.add_argument("--beside", action="store_true", help="new primitives beside stored ones")
+    sorts.add_argument("--stored", action="store_true", help="new primitives next to stored ones")
     parser.add_argument("--seed", type=int, help="the seed of all cases made; without it, each case has its number as its seed")
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)
     sizes, name, make_one = CASES, "case", make
     if arguments.movements:
         sizes, name, make_one = MOVEMENTS, "movements", make_movements
-    if arguments.beside:
-        sizes, name, make_one = BESIDE, "beside", make_beside
+    if arguments.stored:
+        sizes, name, make_one = STORED, "stored", make_stored
     for number in arguments.case or range(len(sizes)):
         if number not in range(len(sizes)):
             parser.error(f"--case {number}: expected from 0 to {len(sizes) - 1}")

@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn stored_outputs_that_do_not_fit_are_refused_with_their_path() {
-        let text = include_str!("../../../../tests/golden/beside-0.json");
+        let text = include_str!("../../../../tests/golden/stored-0.json");
         let refused = |place: &str, to: serde_json::Value| {
             let mut value: serde_json::Value = serde_json::from_str(text).unwrap();
             *value.pointer_mut(&format!("/input/stored/{place}")).unwrap() = to;

@@ -18,10 +18,10 @@ const MOVEMENTS: [&str; 3] = [
     include_str!("../../../../tests/golden/movements-2.json"),
 ];
 
-/// New primitives beside stored ones.
+/// New primitives next to stored ones.
 const BESIDE: [&str; 2] = [
-    include_str!("../../../../tests/golden/beside-0.json"),
-    include_str!("../../../../tests/golden/beside-1.json"),
+    include_str!("../../../../tests/golden/stored-0.json"),
+    include_str!("../../../../tests/golden/stored-1.json"),
 ];
 
 fn largest(value: &Value) -> f64 {
@@ -63,7 +63,7 @@ pub fn golden_cases_agree() {
         agrees(&format!("movements {k}"), text, &["posterior", "elbo_given", "gradient_given"]);
     }
     for (k, text) in BESIDE.into_iter().enumerate() {
-        agrees(&format!("beside {k}"), text, &[]);
+        agrees(&format!("stored {k}"), text, &[]);
     }
 }
 

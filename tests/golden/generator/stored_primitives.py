@@ -1,4 +1,4 @@
-"""New primitives beside stored ones: what a library does when it learns a primitive of another one again under its own pose maps.
+"""New primitives next to stored ones: what a library does when it learns a primitive of another one again under its own pose maps.
 
 The pose maps and the first primitives are stored: their q(e) stay as they are. The experts of all other primitives have the best q(e)
 for the movements, independent of the stored ones. Divergences of what is stored are constants and left out.
@@ -51,7 +51,7 @@ def term(kept: Gaussian, new: Gaussian, regressions: list[Regression]) -> Array:
     return sum(bound.expected_log_likelihood(q, regression) for regression in regressions) - bound.divergence(new)
 
 
-def best_beside(kept: Gaussian, regressions: list[Regression]) -> Gaussian:
+def best_with_stored(kept: Gaussian, regressions: list[Regression]) -> Gaussian:
     """The q(e) of the new experts at which the term is highest."""
     features, columns = regressions[0].phi.first.shape[1], regressions[0].target.shape[1]
     new = features - len(kept.mean)
@@ -69,7 +69,7 @@ def bound_and_terms(params: Params, kept: Stored, shared: movements.Shared) -> t
 
     def dynamics(q: Gaussian, regressions: list[Regression]) -> Array:
         # At the best q(e) the bound does not change with q(e) to first order: for the gradient, q(e) may be held still.
-        return term(q, jax.lax.stop_gradient(best_beside(q, regressions)), regressions)
+        return term(q, jax.lax.stop_gradient(best_with_stored(q, regressions)), regressions)
 
     terms = {
         "kinematics": [
