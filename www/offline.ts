@@ -6,21 +6,18 @@ import { build, type Plugin } from "vite";
 
 const SERVICE = "service.js";
 
-/**
- * Files that the service worker keeps, with what tells their versions apart; the name of what stands in
- * assets does that itself.
- */
-function kept(folder: string) {
+/** The files that the service worker keeps, with their revisions. The names of files in assets have a hash already. */
+function precachedFiles(folder: string) {
   const files = readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile() && !entry.name.endsWith(".map") && entry.name !== SERVICE)
     .map((entry) => join(entry.parentPath, entry.name))
     .sort();
   return files.map((file) => {
     const url = relative(folder, file).split(sep).join("/");
-    const named = url.startsWith("assets/");
+    const hasHash = url.startsWith("assets/");
     return {
       url,
-      revision: named ? null : createHash("sha256").update(readFileSync(file)).digest("hex").slice(0, 16),
+      revision: hasHash ? null : createHash("sha256").update(readFileSync(file)).digest("hex").slice(0, 16),
     };
   });
 }
@@ -40,7 +37,7 @@ export function offline(): Plugin {
         root,
         publicDir: false,
         logLevel: "warn",
-        define: { FILES: JSON.stringify(kept(folder)) },
+        define: { FILES: JSON.stringify(precachedFiles(folder)) },
         build: {
           outDir: folder,
           emptyOutDir: false,

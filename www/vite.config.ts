@@ -3,11 +3,11 @@ import { defineConfig, type Plugin } from "vite";
 import { policy } from "../scripts/policy.mjs";
 import { offline } from "./offline.ts";
 
-// The wasm package is built beside this folder, not installed.
+// The wasm package is built next to this folder and not installed.
 const wasmPackage = (folder: string) =>
   fileURLToPath(new URL(`../crate/wasm/pkg/${folder}/vcgpdm.js`, import.meta.url));
 
-/** What a visitor of the first view may ask for, in `src`: files without their ending, and whole rooms. */
+/** What a visitor of the first view may ask for, in `src`: files without extension, and whole folders. */
 const WHEN_ASKED = [
   "app/help",
   "app/saving",

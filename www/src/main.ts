@@ -53,7 +53,7 @@ const start = () => app.start(startEngine, fetchStartModel());
 // What could not be loaded may be there now.
 addEventListener("online", () => void (app.engine.state === "failed" && start()));
 void start().then(() => {
-  // What cannot be kept is no reason to say so to somebody who has nothing to keep.
+  // A browser that stores nothing is no reason for a notice to a visitor with nothing to store.
   if (!app.embedded && app.engine.state === "ready")
     whenIdle(() => {
       app.session.get().then(

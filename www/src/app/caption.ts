@@ -29,7 +29,7 @@ export function wordsNow(app: App): StageWords {
     altered: model.couplings.altered,
     preset: model.preset,
     live: stage.shown?.live === true,
-    beside: stage.columns !== null,
+    twoReadings: stage.columns !== null,
     learning: run && {
       iteration: run.steps.at(-1)?.iteration ?? null,
       seed: several ? run.settings.seed : null,

@@ -4,7 +4,7 @@ import { healthWords } from "./health-words";
 
 const seen = { seconds: 10, parts: [{ name: "lower" }, { name: "upper" }], altered: false };
 
-it("says nothing of a motion that goes on, or rests as its recording does, or ends after what is shown", () => {
+it("has no notice for a motion that continues, rests as recorded, or stops after the shown time", () => {
   expect(healthWords(MOVES_ON, seen)).toBe("");
   expect(healthWords({ ...STANDS_STILL, state: "rests as recorded", rank: 2 }, seen)).toBe("");
   expect(healthWords({ ...STANDS_STILL, from: 12 }, seen)).toBe("");

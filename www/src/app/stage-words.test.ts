@@ -9,7 +9,7 @@ const walking: OnStage = {
   altered: false,
   preset: null,
   live: false,
-  beside: false,
+  twoReadings: false,
   learning: null,
 };
 
@@ -50,9 +50,9 @@ describe("the words about the stage", () => {
     const preset = { name: "Let the arms go", sentence: "The arms no longer hear the legs." };
     const { title, lead } = stageWords({ ...walking, altered: true, preset });
     expect([title, lead]).toEqual([preset.name, preset.sentence]);
-    expect(stageWords({ ...walking, altered: true, beside: true }).text).not.toMatch(/ghost/);
+    expect(stageWords({ ...walking, altered: true, twoReadings: true }).text).not.toMatch(/ghost/);
     expect(stageWords({ ...walking, altered: true, live: true }).text).not.toMatch(/ghost/);
-    expect(stageWords({ ...walking, beside: true }).text).toMatch(/change a coupling/);
+    expect(stageWords({ ...walking, twoReadings: true }).text).toMatch(/change a coupling/);
     expect(stageWords({ ...walking, altered: true, point: "A pose of lower" }).text).toBe("A pose of lower");
   });
 });

@@ -18,7 +18,7 @@ export interface OnStage {
   /** Whether the motion is live. */
   live: boolean;
   /** Whether both readings of the couplings are side by side. */
-  beside: boolean;
+  twoReadings: boolean;
   /** The running training whose model is on the stage; `iteration` is null before the first. */
   learning: { iteration: number | null; seed: number | null } | null;
 }
@@ -67,17 +67,17 @@ function clipWords(clip: OnStage["clip"]): StageWords {
 }
 
 function modelWords(now: OnStage): { title: string; text: string } {
-  const { point, altered, preset, beside, live, learning, learnedFrom } = now;
+  const { point, altered, preset, twoReadings, live, learning, learnedFrom } = now;
   if (point !== null) return { title: "What an inducing point stands for", text: point };
   if (altered) {
     const title = preset?.name ?? "Couplings changed";
     if (live) return { title, text: "The model goes on live" };
     return {
       title,
-      text: beside ? "The same couplings, read in two ways" : "The ghost moves as the model learned it",
+      text: twoReadings ? "The same couplings, read in two ways" : "The ghost moves as the model learned it",
     };
   }
-  if (beside) return { title: MODEL_TITLE, text: "change a coupling to see two readings of it" };
+  if (twoReadings) return { title: MODEL_TITLE, text: "change a coupling to see two readings of it" };
   if (learning) {
     const seed = learning.seed === null ? "" : `, seed ${learning.seed}`;
     const text = learning.iteration === null ? "Starting" : `Iteration ${learning.iteration}${seed}`;

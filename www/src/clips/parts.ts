@@ -45,7 +45,7 @@ export function moveBranch(
     if (parent !== null && moved.has(parent)) moved.add(child);
   });
   return split.map(({ name, joints: own }, index) => {
-    const kept = own.filter((other) => !moved.has(other));
-    return { name, joints: index === to ? [...kept, ...moved].sort((a, b) => a - b) : kept };
+    const remaining = own.filter((other) => !moved.has(other));
+    return { name, joints: index === to ? [...remaining, ...moved].sort((a, b) => a - b) : remaining };
   });
 }

@@ -46,10 +46,10 @@ export class ComparisonChoices extends View {
 
   #number(name: NumberName, label: string, hint: string, term?: TermName, symbol = "?") {
     const { settings, comparison } = this;
-    const beside =
+    const afterLabel =
       term && html`<pg-term of=${term} text=${symbol} about="${label}: what is that?"></pg-term>`;
     const field = { label, hint, testId: `compare-${name}`, disabled: comparison.busy };
-    return settingField(settings, name, { ...field, ...(beside && { beside }) });
+    return settingField(settings, name, { ...field, ...(afterLabel && { afterLabel }) });
   }
 
   #numbers(name: "ips" | "bases", label: string, hint: string, term: TermName) {

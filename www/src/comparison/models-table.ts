@@ -173,8 +173,8 @@ export class ModelsTable extends FigureElement<Comparison> {
     const shown = every.filter((summary) => summary.standsFor > 0);
     const shorter = every.length > MOST && shown.length < every.length;
     const models = shorter && !this.all ? shown : every;
-    const room = (this.width - NAMES * this.type) / MEASURES.length - BETWEEN * this.type;
-    const width = Math.round(Math.min(WIDEST, Math.max(NARROWEST, room)));
+    const space = (this.width - NAMES * this.type) / MEASURES.length - BETWEEN * this.type;
+    const width = Math.round(Math.min(WIDEST, Math.max(NARROWEST, space)));
     const measures: Drawn[] = MEASURES.map((measure) => {
       const drawing = scaleOf(measure, models, width);
       return {

@@ -22,7 +22,7 @@ export class AnglesView extends View {
     channels: { attribute: false },
     chosen: { state: true },
     across: { state: true },
-    room: { state: true },
+    width: { state: true },
   };
   declare playback: Playback;
   /** The motion on the stage is the first. */
@@ -32,14 +32,14 @@ export class AnglesView extends View {
   declare chosen: number;
   /** The horizontal axis: time, the channel's speed, or the column of another channel. */
   declare across: "time" | "speed" | number;
-  declare room: number;
+  declare width: number;
   /** The first motion in each frame, in pixels. */
   #places: [number, number][] = [];
 
   constructor() {
     super();
     this.across = "time";
-    this.room = 320;
+    this.width = 320;
   }
 
   protected override stores() {
@@ -50,7 +50,7 @@ export class AnglesView extends View {
     this.whenLeaving(this.playback.on(() => this.#markNow()));
     const box = this.querySelector(".details-chart");
     const measure = () => {
-      this.room = box?.clientWidth || this.room;
+      this.width = box?.clientWidth || this.width;
     };
     if (box) this.watchSize(box, measure);
     measure();
@@ -112,7 +112,7 @@ export class AnglesView extends View {
     );
     const { x, y } = this.#titles;
     const upward = { scale: up, title: y };
-    const space = { right: this.room - 8, top, bottom, type: TYPE };
+    const space = { right: this.width - 8, top, bottom, type: TYPE };
     const plot = { ...space, left: labelsWidth(upward, space) };
     const right = linearScale(
       lines.flatMap(({ x }) => x),
@@ -125,7 +125,7 @@ export class AnglesView extends View {
     this.#places = placed[0] ?? [];
     // The motion on the stage is drawn last, above the others.
     return svg`
-      <svg width=${this.room} height=${HEIGHT} viewBox="0 0 ${this.room} ${HEIGHT}" role="img" aria-label="${y} against ${x}">
+      <svg width=${this.width} height=${HEIGHT} viewBox="0 0 ${this.width} ${HEIGHT}" role="img" aria-label="${y} against ${x}">
         ${axes(plot, { scale: right, title: x }, upward)}
         ${placed.map((points, i) => svg`<g class="line-${i}">${path(points)}</g>`).reverse()}
         <circle class="now" r="5"></circle>

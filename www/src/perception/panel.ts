@@ -107,10 +107,10 @@ export function panel(
 const GAP = 28;
 
 /** Panels side by side, as many as the width allows; at most `across`. */
-export function panels(all: readonly Panel[], room: number, type: number, across = 3) {
+export function panels(all: readonly Panel[], space: number, type: number, across = 3) {
   const least = 21 * type;
-  const columns = Math.max(1, Math.min(across, all.length, Math.floor((room + GAP) / (least + GAP))));
-  const width = Math.floor(Math.min(440, (room - (columns - 1) * GAP) / columns));
+  const columns = Math.max(1, Math.min(across, all.length, Math.floor((space + GAP) / (least + GAP))));
+  const width = Math.floor(Math.min(440, (space - (columns - 1) * GAP) / columns));
   return html`
     <div class="panels" style=${styled({ "grid-template-columns": `repeat(${columns}, minmax(0, ${width}px))`, gap: `18px ${GAP}px` })}>
       ${all.map((one) => panel(one, width, type))}

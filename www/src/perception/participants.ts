@@ -15,9 +15,9 @@ const save = ({ name, text }: AnswersFile) =>
 
 const COLUMNS = ["Participant", "Study", "Answered", ""];
 
-function row(store: PerceptionStore, kept: StoredParticipation) {
-  const { key, participant, title, trials, simulated } = kept;
-  const done = answered(kept);
+function row(store: PerceptionStore, participation: StoredParticipation) {
+  const { key, participant, title, trials, simulated } = participation;
+  const done = answered(participation);
   const forget = () => {
     if (
       done === 0 ||
@@ -28,14 +28,14 @@ function row(store: PerceptionStore, kept: StoredParticipation) {
       void store.forget(key);
   };
   return html`
-    <tr data-testid="participant" data-complete=${isComplete(kept)}>
+    <tr data-testid="participant" data-complete=${isComplete(participation)}>
       <th scope="row">${participant}${simulated ? html` <small>simulated</small>` : nothing}</th>
       <td>${title}</td>
       <td>${done} of ${trials}</td>
       <td class="row-buttons">
-        ${isComplete(kept) ? nothing : html`<button class="small" data-testid="resume" ?disabled=${store.busy} @click=${() => void store.resume(key)}>${icon("play")} Go on</button>`}
-        <button class="small" data-testid="save-csv" ?disabled=${done === 0} aria-label="CSV of ${participant}" @click=${() => save(csvFile([kept]))}>CSV</button>
-        <button class="small" data-testid="save-json" ?disabled=${done === 0} aria-label="JSON of ${participant}" @click=${() => save(jsonFile([kept]))}>JSON</button>
+        ${isComplete(participation) ? nothing : html`<button class="small" data-testid="resume" ?disabled=${store.busy} @click=${() => void store.resume(key)}>${icon("play")} Go on</button>`}
+        <button class="small" data-testid="save-csv" ?disabled=${done === 0} aria-label="CSV of ${participant}" @click=${() => save(csvFile([participation]))}>CSV</button>
+        <button class="small" data-testid="save-json" ?disabled=${done === 0} aria-label="JSON of ${participant}" @click=${() => save(jsonFile([participation]))}>JSON</button>
         <button class="round" aria-label="Forget ${participant}" title="Forget" @click=${forget}>${icon("close")}</button>
       </td>
     </tr>`;

@@ -26,12 +26,12 @@ class FakeDatabase implements AnswerDatabase {
     return this.studies.get(key) ?? null;
   }
   async begin(participation: Participation, text: string) {
-    if (this.full) throw new Error("no room");
+    if (this.full) throw new Error("the storage is full");
     this.participations.set(participation.key, structuredClone(participation));
     this.studies.set(participation.key, text);
   }
   async add(key: string, place: number, row: Row) {
-    if (this.full) throw new Error("no room");
+    if (this.full) throw new Error("the storage is full");
     const rows = this.rows.get(key) ?? [];
     rows[place] = structuredClone(row);
     this.rows.set(key, rows);
@@ -118,9 +118,9 @@ describe("a participant", () => {
     expect(store.active?.columns).toMatchObject({ participant: "anna-3", study: study.hash, sitting: 1 });
     await store.addRow(page);
     await store.addRow(answer(0));
-    const [kept] = await database.all();
-    expect(kept?.rows.map(({ trial_index }) => trial_index)).toEqual([0, 1]);
-    expect(kept && answered(kept)).toBe(1);
+    const [participation] = await database.all();
+    expect(participation?.rows.map(({ trial_index }) => trial_index)).toEqual([0, 1]);
+    expect(participation && answered(participation)).toBe(1);
     expect(store.active?.participation.rows).toHaveLength(2);
   });
 
@@ -131,14 +131,18 @@ describe("a participant", () => {
     database.held.clear();
     const next = new PerceptionStore(program, database, async () => "study of the page");
     await next.loadStored();
-    const [kept] = next.participations;
-    expect([kept?.trials, kept && answered(kept), kept && isComplete(kept)]).toEqual([3, 2, false]);
-    expect(kept?.participant).toMatch(/^[2-9a-z]{6}$/);
-    await next.resume(kept?.key ?? "");
+    const [participation] = next.participations;
+    expect([
+      participation?.trials,
+      participation && answered(participation),
+      participation && isComplete(participation),
+    ]).toEqual([3, 2, false]);
+    expect(participation?.participant).toMatch(/^[2-9a-z]{6}$/);
+    await next.resume(participation?.key ?? "");
     expect(next.active?.study.title).toBe("walks");
     expect(left(next)).toBe("instructions 2 end");
     // Before the last trial the second session had only a page of text.
-    expect(next.active?.columns).toMatchObject({ seed: kept?.seed });
+    expect(next.active?.columns).toMatchObject({ seed: participation?.seed });
     await next.addRow({ ...answer(2), sitting: 1 });
     expect((await database.all())[0]?.rows.map(({ trial_index }) => trial_index)).toEqual([0, 1, 2, 3]);
     next.leave();
@@ -160,7 +164,7 @@ describe("a participant", () => {
     database.full = true;
     await store.begin("", true);
     await store.addRow(answer(0));
-    expect(store.storageProblem).toBe("no room");
+    expect(store.storageProblem).toBe("the storage is full");
     expect(store.participations[0]?.rows).toHaveLength(1);
     store.leave();
     await store.resume(store.participations[0]?.key ?? "");

@@ -179,9 +179,9 @@ export class PerceptionStore extends Store {
       if (this.#active) return;
       if (!(await this.#lock(key))) throw new Error("Another tab of this browser goes on with it.");
       // Another tab may have added answers meanwhile.
-      const now = (await this.#database?.all())?.find((kept) => kept.key === key);
+      const now = (await this.#database?.all())?.find((other) => other.key === key);
       if (now && !this.#storageProblem) this.#replace(now);
-      const participation = this.#participations.find((kept) => kept.key === key);
+      const participation = this.#participations.find((other) => other.key === key);
       if (!participation || isComplete(participation)) {
         this.#release();
         return;
@@ -222,7 +222,7 @@ export class PerceptionStore extends Store {
   async forget(key: string): Promise<void> {
     await this.#tryToStore(() => this.#database?.forget(key));
     this.#texts.delete(key);
-    this.#participations = this.#participations.filter((kept) => kept.key !== key);
+    this.#participations = this.#participations.filter((other) => other.key !== key);
     this.changed();
   }
 
@@ -245,15 +245,15 @@ export class PerceptionStore extends Store {
   }
 
   #activate(key: string, study: StudyInfo, steps: readonly Step[], movements: readonly Float32Array[]): void {
-    const participation = this.#participations.find((kept) => kept.key === key);
+    const participation = this.#participations.find((other) => other.key === key);
     if (!participation) return;
     const columns = columnsOf(participation, sessionCount(participation) + 1);
     this.#active = { participation, study, steps, columns, movements };
   }
 
   #replace(participation: StoredParticipation): void {
-    this.#participations = this.#participations.map((kept) =>
-      kept.key === participation.key ? participation : kept,
+    this.#participations = this.#participations.map((other) =>
+      other.key === participation.key ? participation : other,
     );
     if (this.#active) this.#active = { ...this.#active, participation };
     this.changed();

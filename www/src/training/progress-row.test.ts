@@ -7,19 +7,19 @@ describe("the status of a running training", () => {
   it("says the phase, and the remaining time once it is known", async () => {
     const store = new ProgressStore<string>();
     expect(goingWords(store)).toEqual([]);
-    const told: string[][] = [];
+    const statuses: string[][] = [];
     await store.run(async (report) => {
-      told.push(goingWords(store));
+      statuses.push(goingWords(store));
       const halfway = { ...progress(7), fraction: 0.5 };
       report({ steps: [], progress: halfway, elapsed: 0.2, found: null });
-      told.push(goingWords(store));
+      statuses.push(goingWords(store));
       report({ steps: [], progress: halfway, elapsed: 8, found: "this" });
-      told.push(goingWords(store));
+      statuses.push(goingWords(store));
       store.cancel();
-      told.push(goingWords(store));
+      statuses.push(goingWords(store));
       return { cancelled: true, reason: null };
     });
-    expect(told).toEqual([
+    expect(statuses).toEqual([
       ["Setting up"],
       ["Iteration 7", "Estimating the time left."],
       ["Iteration 7", "At most 8 s left."],

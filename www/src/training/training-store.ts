@@ -395,8 +395,9 @@ export class TrainingStore extends Store {
       awaited = session.work.length;
       await Promise.all(session.work);
     }
-    const kept = session.runs.filter(({ model }) => model !== null);
-    const best = (await this.#bestToShow(kept.filter(({ state }) => state !== "failed"))) ?? bestRun(kept);
+    const trained = session.runs.filter(({ model }) => model !== null);
+    const best =
+      (await this.#bestToShow(trained.filter(({ state }) => state !== "failed"))) ?? bestRun(trained);
     const { picked } = session;
     if (best && !picked) await this.#stage(best, session.staged);
     this.#status = "idle";

@@ -32,14 +32,14 @@ export class TrainingView extends View {
   #count(name: NumberName, label: string, hint: string, term?: TermName, symbol = "?") {
     // Trainings of one session have the same data, so that their bounds can be compared.
     const disabled = this.training.busy && name === "framesPerSecond";
-    const beside =
+    const afterLabel =
       term && html`<pg-term of=${term} text=${symbol} about="${label}: what is that?"></pg-term>`;
     return settingField(this.settings, name, {
       label,
       hint,
       testId: `setting-${name}`,
       disabled,
-      ...(beside && { beside }),
+      ...(afterLabel && { afterLabel }),
     });
   }
 

@@ -16,8 +16,8 @@ interface NumberInput {
 
 export interface NumberField extends Omit<NumberInput, "id"> {
   label: string;
-  /** Beside the label: a term to ask about. */
-  beside?: TemplateResult;
+  /** A term to explain, after the label. */
+  afterLabel?: TemplateResult;
   /** Shown when the mouse rests on it. */
   hint: string;
 }
@@ -40,8 +40,8 @@ export function numberInput({ id, testId, limits, value, disabled, change }: Num
     }} /><small class="limit" role="status"></small>`;
 }
 
-/** The label is not around the field: a button beside its words would then be what it labels. */
-export function numberField({ label, beside, hint, ...input }: NumberField): TemplateResult {
+/** The label does not contain the field, because it would then label a button next to its text. */
+export function numberField({ label, afterLabel, hint, ...input }: NumberField): TemplateResult {
   const id = `field-${input.testId}`;
-  return html`<div class="field" title=${hint}><span><label for=${id}>${label}</label> ${beside ?? nothing}</span>${numberInput({ ...input, id })}</div>`;
+  return html`<div class="field" title=${hint}><span><label for=${id}>${label}</label> ${afterLabel ?? nothing}</span>${numberInput({ ...input, id })}</div>`;
 }
