@@ -39,7 +39,6 @@ const WHEN_ASKED = [
   "ui/choice-dialog",
 ];
 const isAsked = (file: string) =>
-  file.includes("/uplot/") ||
   WHEN_ASKED.some((name) =>
     name.endsWith("/") ? file.includes(`/src/${name}`) : file.includes(`/src/${name}.`),
   );

@@ -32,7 +32,6 @@ const PACKAGES = [
   { packages: ["jspsych"], folders: ["perception"] },
   { packages: ["idb"], folders: ["session"] },
   { packages: ["workbox-core", "workbox-precaching", "workbox-window"], folders: ["offline"] },
-  { packages: ["uplot"], folders: ["training"] },
 ];
 
 const unlisted = readdirSync(join(__dirname, "../../www/src"))

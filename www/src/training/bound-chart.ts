@@ -4,7 +4,6 @@ import { grouped } from "../ui/format";
 import "../terms/term";
 import { onThemeChange } from "../ui/palette";
 import { View } from "../ui/view";
-import type { BoundDrawing } from "./bound-drawing";
 import { termLines } from "./bound-lines";
 import type { TrainingStore } from "./training-store";
 import { phaseWords } from "./words";
@@ -13,49 +12,31 @@ import { partStyle } from "../ui/styled";
 export class BoundChart extends View {
   declare training: TrainingStore;
   /** Loaded with the table of trainings when the first training starts. */
-  #drawing: BoundDrawing | "loading" | null = null;
+  #drawing: typeof import("./bound-drawing") | null = null;
+  #loading = false;
 
   protected override stores() {
     return [this.training];
   }
 
   protected override arrived(): void {
-    const redraw = () => {
-      this.#drawn?.forget();
-      // The list below has the colours of the lines.
-      this.requestUpdate();
-    };
-    this.whenLeaving(onThemeChange(redraw));
-    this.whenLeaving(() => this.#drawn?.destroy());
-    this.watchSize(this, () => {
-      if (this.clientWidth > 0) this.#drawn?.fit(this.clientWidth);
-    });
-  }
-
-  get #drawn(): BoundDrawing | null {
-    return this.#drawing === "loading" ? null : this.#drawing;
+    this.whenLeaving(onThemeChange(() => this.requestUpdate()));
+    this.watchSize(this, () => this.requestUpdate());
   }
 
   override updated(): void {
-    this.#fill();
+    if (this.training.busy && !this.#drawing && !this.#loading) void this.#load();
   }
 
   async #load(): Promise<void> {
-    this.#drawing = "loading";
+    this.#loading = true;
     try {
-      const [{ BoundDrawing }] = await Promise.all([import("./bound-drawing"), import("./runs-table")]);
-      this.#drawing = new BoundDrawing(this);
-      this.#fill();
+      [this.#drawing] = await Promise.all([import("./bound-drawing"), import("./runs-table")]);
+      this.requestUpdate();
     } catch {
       // The numbers below remain without a chart; the next step tries again.
-      this.#drawing = null;
     }
-  }
-
-  #fill(): void {
-    const { charted, runs, busy } = this.training;
-    if (busy && this.#drawing === null) void this.#load();
-    if (charted && charted.steps.length > 0 && this.clientWidth > 0) this.#drawn?.draw(charted, runs);
+    this.#loading = false;
   }
 
   protected override render() {
@@ -67,16 +48,17 @@ export class BoundChart extends View {
     const which = runs.length > 1 ? `, seed ${charted?.settings.seed}` : phase;
     // The size stays while the next training sets up.
     const isEmpty = runs.every(({ steps }) => steps.length === 0);
+    const drawing = charted && last && this.clientWidth > 0 ? this.#drawing : null;
     return html`
       <figure class="chart" data-testid="bound-chart">
         <figcaption><span><pg-term of="bound" text="Evidence lower bound"></pg-term><small>, in <pg-term of="nats" text="nats"></pg-term>${which}</small></span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
         <div class="bound-box">
-          <div class="bound" role="img" aria-label="The bound over the iterations"></div>
+          <div class="bound" role="img" aria-label="The bound over the iterations">${drawing && charted ? drawing.boundPicture(charted, runs, this.clientWidth) : nothing}</div>
           ${isEmpty ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}
         </div>
         <pg-runs .training=${this.training}></pg-runs>
         <figcaption ?hidden=${isEmpty}><pg-term of="bound-terms" text="Its terms"></pg-term></figcaption>
-        <div class="terms" ?hidden=${isEmpty} role="img" aria-label="The terms of the bound over the iterations"></div>
+        <div class="terms" ?hidden=${isEmpty} role="img" aria-label="The terms of the bound over the iterations">${drawing && charted ? drawing.termsPicture(charted, this.clientWidth) : nothing}</div>
         <ul ?hidden=${isEmpty} class="term-list">
           ${termLines(parts).map(
             ({ label, colour, dash, value }) => html`

@@ -3,13 +3,13 @@ import type { TrainingProgress } from "../engine/protocol";
 import { partColourNow, theme } from "../ui/palette";
 
 export interface Stroke {
-  label: string;
   colour: string;
   width?: number;
   dash?: number[];
 }
 
 export interface Line extends Stroke {
+  label: string;
   value(step: TrainingProgress): number;
 }
 
