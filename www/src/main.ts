@@ -71,7 +71,7 @@ void start().then(() => {
 fetchStartMotion().then(
   (motion) => {
     // Until the model has rolled out the real thing.
-    if (motion && !app.stage.shown) app.stage.showModel(motion);
+    if (motion && !app.stage.content) app.stage.showModel(motion);
   },
   () => {
     // Only the head start is lost: the model rolls out its own motion as soon as it is there.

@@ -36,7 +36,7 @@ describe("the start of the page", () => {
     await start();
     await settled();
     expect([app.engine.state, app.engine.version, app.clips.all.length]).toEqual(["ready", "1.2.3", 3]);
-    expect([app.model.rollout?.weights[0]?.[1], app.stage.shown?.kind]).toEqual([50, "model"]);
+    expect([app.model.rollout?.weights[0]?.[1], app.stage.content?.kind]).toEqual([50, "model"]);
     expect(app.training.whyNot()).toBe("");
   });
 

@@ -22,13 +22,13 @@ export function wordsNow(app: App): StageWords {
   const run = training.learning;
   const several = training.asked.length > 1;
   return stageWords({
-    kind: stage.shown?.kind ?? null,
+    kind: stage.content?.kind ?? null,
     clip,
     learnedFrom: model.model?.info.sequences.map(({ name }) => name) ?? null,
     point: pointing.report ? pointWords(pointing, model.model?.info.parts ?? []) : null,
     altered: model.couplings.altered,
     preset: model.preset,
-    live: stage.shown?.live === true,
+    live: stage.content?.live === true,
     twoReadings: stage.columns !== null,
     learning: run && {
       iteration: run.steps.at(-1)?.iteration ?? null,
@@ -65,13 +65,13 @@ export class CaptionView extends View {
   /** For a motion that stands still or breaks down: a notice with buttons that help. */
   #healthNotice() {
     const { stage, model, training, pointing, body, embedded } = this.app;
-    const { shown } = stage;
-    if (shown?.kind !== "model" || training.learning || pointing.report || !body.reports || !body.isCurrent)
+    const { content } = stage;
+    if (content?.kind !== "model" || training.learning || pointing.report || !body.reports || !body.isCurrent)
       return nothing;
-    const seconds = shown.motion.frames * shown.motion.frameTime;
+    const seconds = content.motion.frames * content.motion.frameTime;
     const words = healthWords(body.reports.now.health, {
       seconds,
-      parts: shown.parts,
+      parts: content.parts,
       altered: model.couplings.altered,
     });
     if (!words) return nothing;
@@ -105,7 +105,7 @@ export class CaptionView extends View {
       <div class="stage-caption">
         <strong data-testid="stage-title">${title}</strong>
         <span>${
-          stage.shown?.kind === "model" && title === MODEL_TITLE
+          stage.content?.kind === "model" && title === MODEL_TITLE
             ? html`A <pg-term of="rollout" text="rollout"></pg-term>${text ? ", " : ""}`
             : nothing
         }${text}</span>

@@ -77,7 +77,7 @@ export class HeaderView extends View {
   /** What to try next; tests/e2e/couplings.test.mjs measures its promise. */
   #invitation() {
     const { model, stage, training } = this.app;
-    if (stage.shown?.kind !== "model" || training.learning) return nothing;
+    if (stage.content?.kind !== "model" || training.learning) return nothing;
     if (model.couplings.altered) {
       return html`<button class="link" data-testid="lead-back" @click=${() => model.couplings.resetAll()}>Back to as learned</button>`;
     }

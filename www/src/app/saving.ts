@@ -76,14 +76,14 @@ function motionFile({ name, body, motion, bvh }: StageMotion, what: "motion" | "
 function movedClip(app: App): StageMotion | null {
   const { engine } = app.engine;
   const clip = clipOnStage(app);
-  const { shown } = app.stage;
-  if (!engine || !clip || shown?.kind !== "clip") return null;
+  const { content } = app.stage;
+  if (!engine || !clip || content?.kind !== "clip") return null;
   const { loaded, first, end } = clip;
   return {
     name: clipName(clip),
-    body: { ...loaded.info, parts: shown.parts },
+    body: { ...loaded.info, parts: content.parts },
     // Only the frames that the cut keeps.
-    motion: async () => shown.motion,
+    motion: async () => content.motion,
     bvh: () => engine.clipBvh(loaded.id, first, end),
   };
 }

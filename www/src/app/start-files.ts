@@ -1,6 +1,6 @@
 // The files that the page opens with: the first seconds of a walk, and the model that made them.
 import { decodeFirstMotion } from "../stage/first-motion.js";
-import type { Shown } from "../stage/stage-store";
+import type { StageContent } from "../stage/stage-store";
 
 async function fetchStartFile(file: string): Promise<Response | null> {
   const answer = await fetch(new URL(`first/${file}`, document.baseURI));
@@ -14,7 +14,7 @@ export async function fetchStartModel(): Promise<string | null> {
 }
 
 /** The stored first seconds, shown until the model has arrived; null: the host has none. */
-export async function fetchStartMotion(): Promise<Shown | null> {
+export async function fetchStartMotion(): Promise<StageContent | null> {
   const answer = await fetchStartFile("motion.bin");
   if (!answer) return null;
   const { figure, joints, parts, positions, frames, frameTime } = decodeFirstMotion(

@@ -71,8 +71,8 @@ describe("a clip on the stage", () => {
 
   it("is shown with the frames that it is cut to, at least ten", () => {
     clips.cut("own-4", 5.2, 40);
-    expect(stage.shown?.motion.frames).toBe(35);
-    expect(stage.shown?.motion.positions).toHaveLength(35 * 6);
+    expect(stage.content?.motion.frames).toBe(35);
+    expect(stage.content?.motion.positions).toHaveLength(35 * 6);
     clips.cut("own-4", 55, 2);
     expect([clips.ticked[0]?.first, clips.ticked[0]?.end]).toEqual([50, 60]);
     clips.cut("own-4", Number.NaN, 20);
@@ -87,13 +87,13 @@ describe("a clip on the stage", () => {
         { name: "chest", joints: [1] },
       ],
     });
-    expect(stage.shown?.parts.map(({ name }) => name)).toEqual(["all but the chest", "chest"]);
-    expect(clips.parts).toEqual(stage.shown?.parts);
+    expect(stage.content?.parts.map(({ name }) => name)).toEqual(["all but the chest", "chest"]);
+    expect(clips.parts).toEqual(stage.content?.parts);
   });
 
   it("leaves the stage to the model when it is removed, also from the worker", async () => {
     await clips.remove("own-4");
-    expect([stage.clip, stage.shown?.kind]).toEqual([null, "first"]);
+    expect([stage.clip, stage.content?.kind]).toEqual([null, "first"]);
     expect([...engine.clips]).toEqual([1, 2, 3]);
     expect(clips.all.map(({ key }) => key)).not.toContain("own-4");
   });
@@ -101,7 +101,7 @@ describe("a clip on the stage", () => {
   it("stays there while another clip is cut or removed", async () => {
     await clips.open(file("other.bvh"), false);
     clips.cut("own-5", 0, 20);
-    expect(stage.shown?.motion.frames).toBe(60);
+    expect(stage.content?.motion.frames).toBe(60);
     await clips.remove("own-5");
     expect(stage.clip).toBe("own-4");
   });

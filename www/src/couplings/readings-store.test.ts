@@ -73,7 +73,7 @@ it("hides both figures on request, and while a clip is in front", async () => {
   model.couplings.set(0, 1, 8);
   readings.show(true);
   await settled();
-  stage.showClip({ ...stage.shown!, kind: "clip", clip: "a" });
+  stage.showClip({ ...stage.content!, kind: "clip", clip: "a" });
   expect(stage.columns).toBeNull();
   stage.endClip();
   expect(titles()).toHaveLength(2);
@@ -89,7 +89,7 @@ it("ends when a live motion begins, and ends a live motion when it begins", asyn
   stage.showLive(new LiveTrack({ nodes: 2, frameTime: 1 / 30 }, 60));
   expect([readings.bothShown, stage.columns]).toEqual([false, null]);
   readings.show(true);
-  expect([stage.shown?.live, titles()?.length]).toEqual([undefined, 2]);
+  expect([stage.content?.live, titles()?.length]).toEqual([undefined, 2]);
 });
 
 it("keeps one figure where the other reading fails", async () => {

@@ -31,7 +31,7 @@ export class ReadingsStore extends Store {
     model.on(() => this.#follow());
     stage.on(() => {
       // A live motion has a clock of its own.
-      if (this.#bothShown && stage.shown?.live) this.show(false);
+      if (this.#bothShown && stage.content?.live) this.show(false);
     });
   }
 

@@ -195,7 +195,7 @@ export class LatentPlot extends View {
       incoming: ofOthers((other) => inducing(other, part)),
       order: model.info.order,
       frame: playback.frame - (live?.first ?? 0),
-      live: this.stage.shown?.kind === "model",
+      live: this.stage.content?.kind === "model",
       report,
       lit:
         report !== null && part === (report.point.kind === "pose" ? report.point.part : report.point.source),

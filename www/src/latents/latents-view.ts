@@ -122,7 +122,7 @@ export class LatentsView extends View {
                 : ""
             }
             <pg-term of="inducing-point" text="?" about="What are inducing points?"></pg-term>
-            <button class="chip" aria-pressed=${predictions.shown ? "true" : "false"} @click=${() => predictions.show(!predictions.shown)}
+            <button class="chip" aria-pressed=${predictions.visible ? "true" : "false"} @click=${() => predictions.show(!predictions.visible)}
               title="What each part predicts about the next state, one standard deviation wide, in its colour; in black their product, to which the step goes. Dashed: hardly heard">
               <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M1 6a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0 -6.4 0M4.6 6a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0 -6.4 0" /></svg>predictions</button>
             <pg-term of="predictions" text="?" about="What do the predictions show?"></pg-term>

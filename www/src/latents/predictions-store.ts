@@ -14,7 +14,7 @@ const LONGEST = 300;
 export class PredictionsStore extends Store {
   readonly #model: ModelStore;
   readonly #reports: Latest<RolloutRequest, PredictionsReport | null>;
-  #shown = true;
+  #visible = true;
   #report: PredictionsReport | null = null;
   /** The last rollout whose predictions were asked for, or will be. */
   #asked: RolloutResult | null = null;
@@ -34,8 +34,8 @@ export class PredictionsStore extends Store {
     model.on(() => this.#follow());
   }
 
-  get shown(): boolean {
-    return this.#shown;
+  get visible(): boolean {
+    return this.#visible;
   }
 
   /**
@@ -46,16 +46,16 @@ export class PredictionsStore extends Store {
     return this.#report;
   }
 
-  show(shown: boolean): void {
-    this.#shown = shown;
-    if (shown) this.#follow();
+  show(visible: boolean): void {
+    this.#visible = visible;
+    if (visible) this.#follow();
     else this.#forget();
     this.changed();
   }
 
   #follow(): void {
     const { rollout } = this.#model;
-    if (rollout === this.#asked || !this.#shown) return;
+    if (rollout === this.#asked || !this.#visible) return;
     this.#asked = rollout;
     if (this.#report && !this.#fits(this.#report)) this.#take(null);
     clearTimeout(this.#timer);

@@ -63,7 +63,7 @@ describe("a live rollout", () => {
   it("begins at the state of the figure, has no end, and gives the motion of some seconds back", async () => {
     playback.scrub(40);
     await live.start();
-    expect(stage.shown?.live).toBe(true);
+    expect(stage.content?.live).toBe(true);
     expect(playback.playing).toBe(true);
     await pass(20);
     expect(playback.frame).toBeGreaterThan(19 * 30);
@@ -72,7 +72,7 @@ describe("a live rollout", () => {
     expect(live.track?.latents(0)).toHaveLength(2 * (live.track?.motion.frames ?? 0));
     live.stop();
     await settled();
-    expect(stage.shown?.live).toBeUndefined();
+    expect(stage.content?.live).toBeUndefined();
     expect(engine.live).toBeNull();
     expect(playback.frame).toBeLessThan(playback.lastFrame + 1);
   });

@@ -71,7 +71,7 @@ export class LiveStore extends Store {
     model.on(() => this.#followCouplings());
     stage.on(() => {
       // A clip or both readings are in front.
-      if (!stage.shown?.live) this.stop();
+      if (!stage.content?.live) this.stop();
     });
   }
 

@@ -20,7 +20,7 @@ export class WalkView extends View {
   declare over: number | null;
   #columns: Columns | null = null;
   #problem = "";
-  #shown: LiveTrack | null = null;
+  #drawnTrack: LiveTrack | null = null;
   #drawnAt = -1;
   #map: { key: unknown; body: MapBody } | null = null;
 
@@ -54,7 +54,7 @@ export class WalkView extends View {
     this.whenLeaving(() => {
       this.#columns?.dispose();
       this.#columns = null;
-      this.#shown = null;
+      this.#drawnTrack = null;
     });
   }
 
@@ -63,7 +63,7 @@ export class WalkView extends View {
     const { track, player } = walk;
     walk.advance(seconds);
     if (!track || !current || !this.#columns) return;
-    if (track !== this.#shown) this.#show(track);
+    if (track !== this.#drawnTrack) this.#show(track);
     const changed = player.frame !== this.#drawnAt;
     this.#drawnAt = player.frame;
     this.#columns.draw(player.frame - track.first, changed, seconds, player.playing);
@@ -73,7 +73,7 @@ export class WalkView extends View {
     const { body } = this.library;
     const ground = this.#example();
     if (!body || !ground) return;
-    this.#shown = track;
+    this.#drawnTrack = track;
     this.#columns?.show(body, [{ motion: track.motion, ghost: null, ground }]);
   }
 

@@ -43,14 +43,14 @@ class Column {
   readonly #lights = new Lights(this.scene, SHADOW);
   readonly #figure: FigureView | PointLights;
   readonly #ghost: FigureView | null;
-  #shown: ColumnMotion;
+  #current: ColumnMotion;
   #floor = 0;
   #feet: number[] = [];
   readonly #pose: Float32Array;
   readonly #ghostPose: Float32Array;
 
-  constructor({ figure, joints, parts, lights }: Body, shown: ColumnMotion) {
-    const { motion, ghost } = shown;
+  constructor({ figure, joints, parts, lights }: Body, current: ColumnMotion) {
+    const { motion, ghost } = current;
     this.#pose = poseAt(motion, 0, HERE, new Float32Array(motion.nodes * 3));
     this.#ghostPose = this.#pose.slice();
     if (lights) {
@@ -63,18 +63,18 @@ class Column {
     }
     this.scene.add(this.#figure.group);
     if (this.#ghost) this.scene.add(this.#ghost.group);
-    this.#shown = shown;
-    this.take(shown);
+    this.#current = current;
+    this.take(current);
   }
 
-  get shown(): ColumnMotion {
-    return this.#shown;
+  get current(): ColumnMotion {
+    return this.#current;
   }
 
   /** Shows another motion of the same body. A ghost needs a ghost before. */
-  take(shown: ColumnMotion): void {
-    this.#shown = shown;
-    const ground = shown.ghost ?? shown.ground ?? shown.motion;
+  take(current: ColumnMotion): void {
+    this.#current = current;
+    const ground = current.ghost ?? current.ground ?? current.motion;
     this.#floor = floorOf(ground) - SOLE;
     this.#feet = feetOf(ground, this.#floor + SOLE);
     this.#ground.group.position.y = this.#floor;
@@ -82,7 +82,7 @@ class Column {
 
   /** Poses figure and ghost, and writes the centre of the picture into `middle`. */
   at(frame: number, middle: Vector3): void {
-    const { motion, ghost } = this.#shown;
+    const { motion, ghost } = this.#current;
     const pose = poseAt(motion, frame, HERE, this.#pose);
     this.#figure.pose(pose);
     if (ghost) {
@@ -98,7 +98,7 @@ class Column {
 
   /** The place on the ground below the centre of the picture. */
   #place(frame: number, pose: Float32Array): [x: number, z: number] {
-    const { camera, motion } = this.#shown;
+    const { camera, motion } = this.#current;
     if (!camera) return [pose[0] ?? 0, pose[2] ?? 0];
     const seconds = frame * motion.frameTime;
     return [camera.x * seconds, camera.z * seconds];
@@ -137,7 +137,7 @@ export class Columns {
     this.#from = from;
     this.#viewport = new Viewport(canvas, {
       resized: (width, height) => this.#fit(width, height),
-      recoloured: () => this.#remake(this.#columns.map(({ shown }) => shown)),
+      recoloured: () => this.#remake(this.#columns.map(({ current }) => current)),
     });
     this.#viewport.renderer.autoClear = false;
     this.#viewport.controls.enableZoom = false;
@@ -151,7 +151,7 @@ export class Columns {
       const angle = this.#from ?? headingOf(first.ghost ?? first.ground ?? first.motion) + 1.15;
       this.#viewport.camera.position.set(Math.sin(angle), 0.1, Math.cos(angle));
     }
-    const fit = (column: Column, i: number) => !column.shown.ghost === !motions[i]?.ghost;
+    const fit = (column: Column, i: number) => !column.current.ghost === !motions[i]?.ghost;
     if (body === this.#body && motions.length === this.#columns.length && this.#columns.every(fit)) {
       motions.forEach((motion, i) => this.#columns[i]?.take(motion));
       this.#viewport.changed();

@@ -7,7 +7,7 @@ import { View } from "../ui/view";
 import "./columns-view.css";
 import type { Playback } from "./playback";
 import { sameBody } from "./stage";
-import type { Shown, StageColumn, StageStore } from "./stage-store";
+import type { StageContent, StageColumn, StageStore } from "./stage-store";
 import { styled } from "../ui/styled";
 
 export class ColumnsView extends View {
@@ -15,8 +15,8 @@ export class ColumnsView extends View {
   declare playback: Playback;
   #columns: Columns | null = null;
   /** The columns that are drawn, and the body of their figures. */
-  #shown: readonly StageColumn[] | null = null;
-  #body: Shown | null = null;
+  #drawnColumns: readonly StageColumn[] | null = null;
+  #body: StageContent | null = null;
 
   protected override stores() {
     return [this.stage];
@@ -34,7 +34,7 @@ export class ColumnsView extends View {
     this.#keepDrawing(this.#columns);
     this.whenLeaving(() => {
       this.#columns?.dispose();
-      [this.#columns, this.#shown, this.#body] = [null, null, null];
+      [this.#columns, this.#drawnColumns, this.#body] = [null, null, null];
     });
     this.#show();
   }
@@ -56,12 +56,12 @@ export class ColumnsView extends View {
 
   /** Draws new columns. */
   #show(): void {
-    const { columns, shown } = this.stage;
-    if (!this.#columns || !columns || !shown || columns === this.#shown) return;
+    const { columns, content } = this.stage;
+    if (!this.#columns || !columns || !content || columns === this.#drawnColumns) return;
     // The motions belong to another body than the one on the stage.
-    if (columns.some(({ motion }) => motion.nodes !== shown.motion.nodes)) return;
-    this.#shown = columns;
-    if (!this.#body || !sameBody(this.#body, shown)) this.#body = shown;
+    if (columns.some(({ motion }) => motion.nodes !== content.motion.nodes)) return;
+    this.#drawnColumns = columns;
+    if (!this.#body || !sameBody(this.#body, content)) this.#body = content;
     this.#columns.show(
       this.#body,
       columns.map(({ motion }) => ({ motion, ghost: null })),

@@ -2,10 +2,10 @@ import { beforeEach, describe, expect, it, vi } from "vitest";
 import { FakeAddressBar } from "../settings/address.fake";
 import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "./playback";
-import { type Shown, StageStore } from "./stage-store";
+import { type StageContent, StageStore } from "./stage-store";
 
 /** A figure of two nodes that walks along x, a metre a second. */
-function walk(kind: Shown["kind"], clip?: string, frames = 120): Shown {
+function walk(kind: StageContent["kind"], clip?: string, frames = 120): StageContent {
   const positions = Float32Array.from({ length: frames * 6 }, (_, i) =>
     i % 3 === 0 ? Math.floor(i / 6) / 30 : i % 6,
   );
@@ -38,7 +38,7 @@ describe("the stage", () => {
     stage.showModel(walk("model"));
     expect(playback.frame).toBeCloseTo(30);
     expect(playback.pose?.[0]).toBeCloseTo(x ?? NaN);
-    expect(stage.shown?.kind).toBe("model");
+    expect(stage.content?.kind).toBe("model");
   });
 
   it("keeps a clip in front of new motions of the model until the clip is removed", () => {
@@ -46,9 +46,9 @@ describe("the stage", () => {
     stage.showClip(walk("clip", "a"));
     playback.scrub(50);
     stage.showModel(walk("model"));
-    expect([stage.clip, stage.shown?.kind, playback.frame]).toEqual(["a", "clip", 50]);
+    expect([stage.clip, stage.content?.kind, playback.frame]).toEqual(["a", "clip", 50]);
     stage.endClip();
-    expect([stage.clip, stage.shown?.kind, playback.frame]).toEqual([null, "model", 0]);
+    expect([stage.clip, stage.content?.kind, playback.frame]).toEqual([null, "model", 0]);
   });
 
   it("continues the same clip, but starts another clip at frame 0", () => {

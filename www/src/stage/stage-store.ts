@@ -6,7 +6,7 @@ import type { LiveTrack } from "../scene/live-track";
 import type { Playback } from "./playback";
 
 /** A motion on the stage. */
-export interface Shown {
+export interface StageContent {
   /** "first": the stored first seconds; "model": a rollout; "clip": a recording. */
   kind: "first" | "model" | "clip";
   figure: Figure;
@@ -37,10 +37,10 @@ export interface StageColumn {
 export class StageStore extends Store {
   readonly #playback: Playback;
   /** The clip in front of the model. */
-  #clip: Shown | null = null;
-  #model: Shown | null = null;
+  #clip: StageContent | null = null;
+  #model: StageContent | null = null;
   /** The live motion in front of the model's motion. */
-  #live: Shown | null = null;
+  #live: StageContent | null = null;
   #track: LiveTrack | null = null;
   #ghost: Motion | null = null;
   #marks: Marks | null = null;
@@ -52,7 +52,7 @@ export class StageStore extends Store {
     this.#playback = playback;
   }
 
-  get shown(): Shown | null {
+  get content(): StageContent | null {
     return this.#clip ?? this.#live ?? this.#model;
   }
 
@@ -63,10 +63,10 @@ export class StageStore extends Store {
 
   /** The visible live motion; null without one. */
   get live(): LiveTrack | null {
-    return this.shown?.live ? this.#track : null;
+    return this.content?.live ? this.#track : null;
   }
 
-  /** The motion as learned, shown together with the motion under other couplings. */
+  /** The motion as learned, drawn together with the motion under other couplings. */
   get ghost(): Motion | null {
     return this.#ghost;
   }
@@ -82,16 +82,16 @@ export class StageStore extends Store {
     return this.#clip || this.#live || this.#marks ? null : this.#columns;
   }
 
-  /** Other motions that the model could make, shown faintly with its own. */
+  /** Other motions that the model could make, drawn faintly with its own. */
   get futures(): readonly Motion[] {
     return this.#futures;
   }
 
   /** Shows a motion of the model, behind the clip if there is one, from the place of the motion before. */
-  showModel(shown: Shown): void {
+  showModel(content: StageContent): void {
     const before = this.#model;
-    this.#model = shown;
-    if (!this.#clip && !this.#live) this.#play(shown, before !== null);
+    this.#model = content;
+    if (!this.#clip && !this.#live) this.#play(content, before !== null);
     this.changed();
   }
 
@@ -114,10 +114,10 @@ export class StageStore extends Store {
   }
 
   /** Shows a clip in front of the model. The same clip goes on, with other frames or parts. */
-  showClip(shown: Shown): void {
+  showClip(content: StageContent): void {
     const before = this.#clip;
-    this.#clip = shown;
-    this.#play(shown, before?.clip === shown.clip);
+    this.#clip = content;
+    this.#play(content, before?.clip === content.clip);
     this.changed();
   }
 
@@ -152,7 +152,7 @@ export class StageStore extends Store {
     this.changed();
   }
 
-  #play(shown: Shown, goesOn: boolean): void {
-    this.#playback.load(shown.motion, { whole: shown.kind === "clip", goesOn });
+  #play(content: StageContent, goesOn: boolean): void {
+    this.#playback.load(content.motion, { whole: content.kind === "clip", goesOn });
   }
 }

@@ -76,7 +76,7 @@ export class StageView extends View {
       ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
       ${this.#columns()}
       <ul class="stage-legend" aria-label="Parts">
-        ${(this.stage.shown?.parts ?? []).map(
+        ${(this.stage.content?.parts ?? []).map(
           ({ name }, part) =>
             html`<li style=${partStyle(partColour(part))}><i class="swatch"></i>${name}</li>`,
         )}

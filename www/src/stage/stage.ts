@@ -9,7 +9,7 @@ import type { Quality } from "../scene/picture-quality";
 import { distanceFor, feetOf, floorOf, headingOf, MIDDLE, SOLE } from "../scene/stance";
 import { Viewport } from "../scene/viewport";
 import type { Playback } from "./playback";
-import type { Marks, Shown, StageStore } from "./stage-store";
+import type { Marks, StageContent, StageStore } from "./stage-store";
 
 /** Least distance of the camera from the figure, in a wide and in a high picture, metres. */
 const NEAR = 4.7;
@@ -35,7 +35,7 @@ export class Stage {
   #marked: FigureView[] = [];
   #futures: FigureView[] = [];
   /** The content that the figure and the marked poses were made for. */
-  #figureOf: Shown | null = null;
+  #figureOf: StageContent | null = null;
   #markedOf: Marks | null = null;
   #feet: number[] = [];
   #floor = 0;
@@ -55,7 +55,7 @@ export class Stage {
         const { camera } = this.#viewport;
         camera.aspect = width / height;
         // A strip chart covers the lower end of a live picture.
-        const lower = this.#store.shown?.live ? -HIGHER : height < LOW_PICTURE ? LOWER : 0;
+        const lower = this.#store.content?.live ? -HIGHER : height < LOW_PICTURE ? LOWER : 0;
         camera.setViewOffset(width, height, 0, -lower * height, width, height);
       },
       recoloured: () => this.#recolour(),
@@ -90,9 +90,9 @@ export class Stage {
     this.#viewport.changed();
   }
 
-  #make(shown: Shown, style: FigureStyle): FigureView {
-    const pose = poseAt(shown.motion, 0, HERE, new Float32Array(shown.motion.nodes * 3));
-    const view = new FigureView(shown.figure, shown.joints, shown.parts, pose, style);
+  #make(content: StageContent, style: FigureStyle): FigureView {
+    const pose = poseAt(content.motion, 0, HERE, new Float32Array(content.motion.nodes * 3));
+    const view = new FigureView(content.figure, content.joints, content.parts, pose, style);
     this.#scene.add(view.group);
     return view;
   }
@@ -107,55 +107,55 @@ export class Stage {
   /** Makes the figures of the stage's content. */
   update(): void {
     this.#viewport.changed();
-    const { shown } = this.#store;
-    if (!shown) return;
-    this.#updateFigure(shown);
-    this.#updateGhost(shown);
-    this.#updateFutures(shown);
-    this.#updateMarked(shown);
+    const { content } = this.#store;
+    if (!content) return;
+    this.#updateFigure(content);
+    this.#updateGhost(content);
+    this.#updateFutures(content);
+    this.#updateMarked(content);
   }
 
-  #updateFigure(shown: Shown): void {
+  #updateFigure(content: StageContent): void {
     const before = this.#figureOf;
-    if (before === shown) return;
-    this.#figureOf = shown;
-    if (before?.live !== shown.live) this.#viewport.resize();
-    if (!before || !sameBody(before, shown)) {
+    if (before === content) return;
+    this.#figureOf = content;
+    if (before?.live !== content.live) this.#viewport.resize();
+    if (!before || !sameBody(before, content)) {
       this.#clear();
-      this.#figureOf = shown;
-      this.#figure = this.#make(shown, { kind: "solid" });
-      this.#floor = floorOf(shown.motion) - SOLE;
-      this.#feet = feetOf(shown.motion, this.#floor + SOLE);
+      this.#figureOf = content;
+      this.#figure = this.#make(content, { kind: "solid" });
+      this.#floor = floorOf(content.motion) - SOLE;
+      this.#feet = feetOf(content.motion, this.#floor + SOLE);
       this.#ground.group.position.y = this.#floor;
     }
-    if (!this.#placed || (before && before.motion.nodes !== shown.motion.nodes)) this.#placeCamera(shown);
-    else if (before?.clip !== shown.clip) this.#keepInPicture(shown);
+    if (!this.#placed || (before && before.motion.nodes !== content.motion.nodes)) this.#placeCamera(content);
+    else if (before?.clip !== content.clip) this.#keepInPicture(content);
   }
 
-  #updateGhost(shown: Shown): void {
-    if (shown.kind === "model" && !shown.live && this.#store.ghost) {
-      this.#ghost ??= this.#make(shown, { kind: "ghost" });
+  #updateGhost(content: StageContent): void {
+    if (content.kind === "model" && !content.live && this.#store.ghost) {
+      this.#ghost ??= this.#make(content, { kind: "ghost" });
     } else {
       this.#ghost?.dispose();
       this.#ghost = null;
     }
   }
 
-  #updateFutures(shown: Shown): void {
-    const count = shown.kind === "model" && !shown.live ? this.#store.futures.length : 0;
+  #updateFutures(content: StageContent): void {
+    const count = content.kind === "model" && !content.live ? this.#store.futures.length : 0;
     for (const figure of this.#futures.splice(count)) figure.dispose();
     while (this.#futures.length < count)
-      this.#futures.push(this.#make(shown, { kind: "future", index: this.#futures.length }));
+      this.#futures.push(this.#make(content, { kind: "future", index: this.#futures.length }));
   }
 
   /** The poses of an inducing point. */
-  #updateMarked(shown: Shown): void {
-    const marks = shown.kind === "model" ? this.#store.marks : null;
+  #updateMarked(content: StageContent): void {
+    const marks = content.kind === "model" ? this.#store.marks : null;
     if (this.#markedOf === marks) return;
     this.#markedOf = marks;
     for (const figure of this.#marked) figure.dispose();
     this.#marked = (marks?.poses ?? []).map(({ part, opacity }) =>
-      this.#make(shown, { kind: "accent", part, opacity }),
+      this.#make(content, { kind: "accent", part, opacity }),
     );
     this.#figure?.fade(this.#marked.length > 0 ? 0.12 : 1);
   }
@@ -170,14 +170,14 @@ export class Stage {
   }
 
   /** Keeps the direction of the camera, at the distance for another clip. */
-  #keepInPicture({ motion }: Shown): void {
+  #keepInPicture({ motion }: StageContent): void {
     const { camera, controls } = this.#viewport;
     const offset = camera.position.clone().sub(controls.target);
     camera.position.copy(controls.target).add(offset.setLength(this.#distance(motion)));
   }
 
   /** Places the camera at the side of the walk, a little in front. */
-  #placeCamera({ motion }: Shown): void {
+  #placeCamera({ motion }: StageContent): void {
     const { pose } = this.#playback;
     if (!pose) return;
     this.#focus.fromArray(pose).setY(this.#floor + MIDDLE);
@@ -296,6 +296,6 @@ function placed(marked: Float32Array, pose: Float32Array): Float32Array {
 }
 
 /** Whether two motions have the same body. */
-export function sameBody(a: Shown, b: Shown): boolean {
+export function sameBody(a: StageContent, b: StageContent): boolean {
   return JSON.stringify([a.figure, a.joints, a.parts]) === JSON.stringify([b.figure, b.joints, b.parts]);
 }

@@ -40,8 +40,8 @@ export class TimelineView extends View {
 
   /** The length of the motion, which can be chosen for the model's motion only. */
   #length(frameTime: number, last: string) {
-    if (this.stage.shown?.live) return nothing;
-    if (this.stage.shown?.kind !== "model") return html`<span> / ${last} s</span>`;
+    if (this.stage.content?.live) return nothing;
+    if (this.stage.content?.kind !== "model") return html`<span> / ${last} s</span>`;
     const { frames } = this.settings.values;
     const { min, max } = SETTINGS.frames;
     const seconds = (frames: number) => String(Number((frames * frameTime).toFixed(1)));
@@ -58,9 +58,9 @@ export class TimelineView extends View {
 
   /** The choice between a motion of some seconds and a live motion. */
   #modes() {
-    const { shown } = this.stage;
-    if (shown?.kind !== "model") return nothing;
-    const live = shown.live === true;
+    const { content } = this.stage;
+    if (content?.kind !== "model") return nothing;
+    const live = content.live === true;
     const turn = (on: boolean) => () =>
       live !== on && this.dispatchEvent(new CustomEvent("switch-live", { detail: on, bubbles: true }));
     return html`
@@ -75,7 +75,7 @@ export class TimelineView extends View {
     const { playback, settings } = this;
     const { playing, lastFrame } = playback;
     const { loop, speed: now } = settings.values;
-    const frameTime = this.stage.shown?.motion.frameTime ?? 1 / 30;
+    const frameTime = this.stage.content?.motion.frameTime ?? 1 / 30;
     const frame = Math.min(Math.floor(playback.frame + 1e-6), lastFrame);
     const seconds = (value: number) => (value * frameTime).toFixed(1);
     return html`
@@ -87,7 +87,7 @@ export class TimelineView extends View {
         ${this.#modes()}
         <div class="scrub">
           <canvas aria-hidden="true"></canvas>
-          <input type="range" aria-label="Frame" data-testid="scrub" ?disabled=${this.stage.shown?.live === true} min="0" max=${lastFrame} step="1" .value=${String(frame)}
+          <input type="range" aria-label="Frame" data-testid="scrub" ?disabled=${this.stage.content?.live === true} min="0" max=${lastFrame} step="1" .value=${String(frame)}
             aria-valuetext="Frame ${frame + 1} of ${lastFrame + 1}"
             @input=${(event: Event) => playback.scrub((event.target as HTMLInputElement).valueAsNumber)} />
         </div>
