@@ -1,4 +1,4 @@
-//! Any bytes as a motion clip: read, measured, cut, brought to another rate, written and read again.
+//! Any bytes as a motion clip: read, measured, cut, resampled, written and read again.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
@@ -8,7 +8,7 @@ fuzz_target!(|bytes: &[u8]| {
     let Ok(recording) = bvh::read("fuzzed.bvh", bytes) else { return };
     let clip = recording.into_clip();
     assert!(clip.values.iter().all(|value| value.is_finite()));
-    // Long clips take long, and are no other case.
+    // Long clips take long and test nothing more.
     if clip.frames() * clip.skeleton.joints.len() > 20_000 {
         return;
     }
@@ -19,6 +19,6 @@ fuzz_target!(|bytes: &[u8]| {
         let _ = clip.resample(10.0);
     }
     let written = bvh::write(&clip);
-    let again = bvh::read("again.bvh", written.as_bytes()).expect("what was written can be read");
+    let again = bvh::read("again.bvh", written.as_bytes()).expect("a clip that was written can be read");
     assert_eq!(again.values.nrows(), clip.frames());
 });

@@ -11,6 +11,6 @@ fuzz_target!(|text: &str| {
     for stimulus in 0..study.stimuli.len() {
         assert!(study.positions(stimulus).is_some_and(|places| places.iter().all(|place| place.is_finite())));
     }
-    let written = study.to_json().expect("what was read can be written");
-    assert!(Study::from_json(&written).expect("what was written can be read") == study);
+    let written = study.to_json().expect("a study that was read can be written");
+    assert!(Study::from_json(&written).expect("a study that was written can be read") == study);
 });

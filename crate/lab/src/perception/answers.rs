@@ -179,19 +179,19 @@ impl Reader<'_> {
 
     fn csv(&self, name: &str, text: &str) -> Result<Vec<(String, Answer)>, AnswersReason> {
         let rows = rows(text).map_err(AnswersReason::Csv)?;
-        let Some((header, rows)) = rows.split_first() else { return Ok(Vec::new()) };
+        let Some(((_, header), rows)) = rows.split_first() else { return Ok(Vec::new()) };
         for needed in ["kind", "left", "right", "response", "trial_index"] {
-            if !header.fields.iter().any(|field| field == needed) {
+            if !header.iter().any(|field| field == needed) {
                 return Err(AnswersReason::Column(needed));
             }
         }
         let mut answers = Vec::new();
-        for row in rows {
+        for (line, row) in rows {
             let get = |name: &str| {
-                let column = header.fields.iter().position(|field| field == name)?;
-                row.fields.get(column).map(|field| without_guard(field).to_owned())
+                let column = header.iter().position(|field| field == name)?;
+                row.get(column).map(|field| without_guard(field).to_owned())
             };
-            let fields = Fields { place: format!("line {}", row.line), get: &get };
+            let fields = Fields { place: format!("line {line}"), get: &get };
             answers.extend(self.answer(name, &fields)?.map(|answer| (fields.place, answer)));
         }
         Ok(answers)
@@ -412,7 +412,7 @@ mod tests {
             if csv().contains("\"left\",\"left\"") { "\"left\",\"left\"" } else { "\"right\",\"left\"" };
         let side = refused(side, &side.replacen("left", "none", 1).replacen("right", "none", 1));
         assert!(side.contains("natural_side: expected ") && side.ends_with("found \"none\""), "{side}");
-        assert!(refused("\"0.3\"", "\"0.3").contains("line 3: expected a comma or the end of the line"));
+        assert!(refused("\"0.3\"", "\"0.3").contains("line 3: expected 14 fields"));
         let error = read_text("{\"answers\": 3}").unwrap_err().to_string();
         assert_eq!(error, "a.csv: at the top of the document: expected a list, found 3");
         assert!(read_text("[1]").unwrap_err().to_string().contains("at [0]: expected an object, found 1"));

@@ -1,6 +1,5 @@
 //! The data of the papers' figures, a table each, as CSV.
 
-use crate::perception::csv::quoted;
 use crate::perception::results::{Confusion, PerceptionResults, ScoreKind, SettingResult};
 
 /// A table, and what its file is called.
@@ -18,12 +17,12 @@ impl PerceptionResults {
     /// The data of figures 2 to 8 of Knopp et al. (2019) and figure 6 of Velychko et al. (2018).
     pub fn figures(&self) -> Vec<FigureTable> {
         let table = |name, title, header: &str, rows: Vec<Vec<String>>| {
-            let mut csv = format!("{header}\n");
+            let mut writer = csv::Writer::from_writer(format!("{header}\n").into_bytes());
             for row in rows {
-                let row: Vec<String> = row.iter().map(|field| quoted(field)).collect();
-                csv.push_str(&row.join(","));
-                csv.push('\n');
+                // Writing to memory cannot fail.
+                let _ = writer.write_record(row);
             }
+            let csv = String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default();
             FigureTable { name, title, csv }
         };
         vec![
