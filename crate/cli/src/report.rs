@@ -109,7 +109,7 @@ fn subjects(paths: &[PathBuf], preferred: Option<Preferred>) -> Result<Vec<Subje
     let mut subjects: Vec<(String, Merged)> = Vec::new();
     for path in paths {
         let results = read(path)?;
-        match subjects.iter_mut().find(|(_, merged)| merged.results.is_of_same_setting(&results)) {
+        match subjects.iter_mut().find(|(_, merged)| merged.results.has_same_setting(&results)) {
             Some((_, merged)) => merged.add(path, results, preferred)?,
             None => {
                 let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());

@@ -94,7 +94,7 @@ fn ratio(outcomes: &[[Vec<Outcome>; 2]], error: impl Fn(&Outcome) -> f64) -> Str
     let of_seeds = |outcomes: &Vec<Outcome>| mean(&outcomes.iter().map(&error).collect::<Vec<f64>>());
     let logarithm = |[parts, whole]: &[Vec<Outcome>; 2]| (of_seeds(parts) / of_seeds(whole)).ln();
     let logarithms: Vec<f64> = outcomes.iter().map(logarithm).collect();
-    let range = median_interval(&logarithms).map(|i| format!(" ({})", i.through(f64::exp)));
+    let range = median_interval(&logarithms).map(|i| format!(" ({})", i.map(f64::exp)));
     let wins = logarithms.iter().filter(|ratio| **ratio < 0.0).count();
     format!("{:.2}{}, {wins} of {}", median(&logarithms).exp(), range.unwrap_or_default(), logarithms.len())
 }

@@ -2,8 +2,8 @@
 
 use vcgpdm::models::Settings;
 
-/// Inducing points of dynamics and poses, primitives, or bases; 0 where the data are the size and where it is
-/// chosen by the bound.
+/// Inducing points of dynamics and poses, primitives, or bases; 0 if the data determine the size or the bound
+/// chooses it.
 pub(super) fn size(candidate: &Settings) -> (usize, usize) {
     match candidate {
         Settings::Vcgpdm(s) | Settings::Vgpdm(s) => (s.dynamics_ips, s.pose_ips),
@@ -13,7 +13,7 @@ pub(super) fn size(candidate: &Settings) -> (usize, usize) {
     }
 }
 
-/// The settings without the size: equal for candidates that differ in size alone.
+/// The settings without the size: equal for candidates that differ only in size.
 pub(super) fn without_size(candidate: &Settings) -> Settings {
     let mut settings = candidate.clone();
     match &mut settings {

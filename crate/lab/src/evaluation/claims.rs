@@ -1,7 +1,7 @@
-//! What the papers say about the models, held against results.
+//! The claims of the papers about the models, checked with results.
 //!
-//! A claim is the papers' own sentence. What we hold it against is our criterion, and its answer is an
-//! interval: "yes" or "no" only where the whole of it says so.
+//! A claim is a sentence of a paper. Our criterion is about an interval, and the answer is "yes" or "no" only if
+//! the whole interval agrees.
 
 use crate::evaluation::candidate_size::size;
 use crate::evaluation::contender::Contender;
@@ -16,90 +16,91 @@ use crate::evaluation::summary::{Claim, ClaimAnswer, Correlation, Growth};
 use vcgpdm::models::ModelKind::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
 use vcgpdm::models::{ModelKind, Settings};
 
-/// A sentence of a paper, and where it stands.
-struct Said(&'static str, &'static str);
+/// A sentence of a paper, with its year and section.
+struct Sentence(&'static str, &'static str);
 
-const MAP_IS_WORSE: Said = Said(
+const MAP_IS_WORSE: Sentence = Sentence(
     "\u{201c}It is significantly better than the full-capacity (no IPs) MAP models\u{201d}: the two-part vCGPDM",
     "2017, section 3.2",
 );
-const MAP_IS_WORSE_TOO: Said =
-    Said("The same, beside MAP models that the papers did not try", "not in the papers");
-const BEST: Said = Said(
+const MAP_IS_WORSE_TOO: Sentence =
+    Sentence("The same, compared with MAP models that the papers did not try", "not in the papers");
+const BEST: Sentence = Sentence(
     "\u{201c}Of all tested models, the 2-part vCGPDM performs best in terms of MSE.\u{201d}",
     "2017, section 3.2",
 );
-const PARTS_PAY: Said = Said(
+const PARTS_PAY: Sentence = Sentence(
     "\u{201c}The vCGPDM U+L outperforms the vGPDM particularly on the 'walking + waving' dataset.\u{201d}",
     "2018, section 5.3",
 );
-const BOUND_CHOOSES: Said = Said(
+const BOUND_CHOOSES: Sentence = Sentence(
     "\u{201c}The best ELBO's MSE (that is, the MSE at the maximum of the ELBO) is a fairly good predictor of the best MSE\u{201d}",
     "2018, section 5.3",
 );
-const BOUND_CORRELATES: Said = Said(
+const BOUND_CORRELATES: Sentence = Sentence(
     "\u{201c}The negative correlation between MSE and ELBO is clearly visible.\u{201d}",
     "2017, section 3.2",
 );
-const BOUND_CHOOSES_SPLITS: Said = Said(
+const BOUND_CHOOSES_SPLITS: Sentence = Sentence(
     "\u{201c}To compare two parametric models, we can compute the ratio of their probabilities, known as Bayes factor.\u{201d} Here: of one part and several",
     "2020, section 2.2",
 );
-const BOUND_TELLS_TRAINING: Said = Said(
+const BOUND_TELLS_TRAINING: Sentence = Sentence(
     "\u{201c}MSE and therefore confusion rate can be predicted well from ELBO\u{201d}: the MSE on the training data",
     "2018, figure 6B",
 );
-const DYNAMICS_COUNT_MORE: Said = Said(
+const DYNAMICS_COUNT_MORE: Sentence = Sentence(
     "\u{201c}Additional dynamics IPs contribute more to the reduction of the MSE than latent-to-observed IPs.\u{201d}",
     "2018, figure 6B",
 );
-const DMP_OPTIMUM: Said = Said(
+const DMP_OPTIMUM: Sentence = Sentence(
     "\u{201c}The minimal predictive MSE, which is reached with 25 basis functions and increases from there on\u{201d}: DMP",
     "2019, section 4.2",
 );
-const TMP_CORRELATES: Said = Said(
+const TMP_CORRELATES: Sentence = Sentence(
     "\u{201c}MSE and ELBO of TMP models have similar predictive capabilities, as they are highly correlated in the investigated parameter regime.\u{201d}",
     "2019, section 4.3",
 );
-const LINEAR: Said = Said(
+const LINEAR: Sentence = Sentence(
     "\u{201c}The linear learning time scaling of the vCGPDM is evident, ...\u{201d}",
     "2017, supplement, section 5",
 );
-const CUBIC: Said =
-    Said("\u{201c}... whereas the MAP CGPDM shows cubic scaling.\u{201d}", "2017, supplement, section 5");
+const CUBIC: Sentence =
+    Sentence("\u{201c}... whereas the MAP CGPDM shows cubic scaling.\u{201d}", "2017, supplement, section 5");
 
-/// Our criteria.
 const LOWER: &str = "the error on the trial held out is lower: the interval of the ratio is below 1";
+/// A ratio of errors below this is nearly 1.
 const NEARLY: f64 = 1.1;
-const CHANCE: f64 = 0.05;
-/// The numbers of basis functions about which the papers' claim is.
+/// Largest p value of a correlation.
+const LARGEST_P: f64 = 0.05;
+/// The number of basis functions in the papers' claim.
 const OPTIMAL_BASES: usize = 25;
 
-/// As the other settings of the table: MAP models neither balanced nor with a linear term.
+/// Whether a MAP model is neither balanced nor has a linear term.
 fn is_plain(candidate: &Settings) -> bool {
     !matches!(candidate, Settings::MapGpdm(s) | Settings::MapCgpdm(s) if s.balanced || s.linear)
 }
 
-/// Claims as they are found.
+/// Claims with their answers.
 struct Claims(Vec<Claim>);
 
 impl Claims {
-    fn say(&mut self, said: &Said, criterion: &str, found: String, answer: ClaimAnswer) {
-        let Said(claim, place) = said;
+    fn add(&mut self, sentence: &Sentence, criterion: &str, found: String, answer: ClaimAnswer) {
+        let Sentence(claim, place) = sentence;
         let (claim, place, criterion) = ((*claim).to_owned(), (*place).to_owned(), criterion.to_owned());
         self.0.push(Claim { claim, place, criterion, found, answer });
     }
 
-    /// The errors of `a` are lower than those of `b`, called so.
-    fn lower(&mut self, said: &Said, a: &Errors, b: &Errors, names: &str) {
-        if let Some(effect) = Effect::of(a, b) {
-            self.say(said, LOWER, format!("{names}: {}", effect.words()), effect.is_below(1.0));
+    /// Adds the claim that the errors of `a` are lower than those of `b`.
+    fn add_lower(&mut self, sentence: &Sentence, a: &Errors, b: &Errors, names: &str) {
+        if let Some(effect) = Effect::new(a, b) {
+            self.add(sentence, LOWER, format!("{names}: {}", effect.text()), effect.is_below(1.0));
         }
     }
 
-    fn exponent(
+    fn add_exponent(
         &mut self,
-        said: &Said,
+        sentence: &Sentence,
         criterion: &str,
         growth: &Growth,
         answer: impl Fn(Interval) -> ClaimAnswer,
@@ -118,12 +119,12 @@ impl Claims {
                 "time of a training grows with the power {whole} of the frames, of an iteration with the power {iteration}, {} numbers of frames{converged}",
                 growth.points.len()
             );
-            self.say(said, criterion, found, answer(interval));
+            self.add(sentence, criterion, found, answer(interval));
         }
     }
 }
 
-/// The claims about which there are results.
+/// The claims for which there are results.
 pub(super) fn claims(rows: &[Row], growth: &[Growth], labels: &Labels) -> Vec<Claim> {
     let contender = |kind| Contender::new(settings(rows, kind, &is_plain));
     let (vcgpdm, vgpdm) = (contender(Vcgpdm), contender(Vgpdm));
@@ -133,14 +134,14 @@ pub(super) fn claims(rows: &[Row], growth: &[Growth], labels: &Labels) -> Vec<Cl
         against_all(&mut claims, parts, rows, labels);
     }
     if let (Some(parts), Some(whole)) = (&vcgpdm, &vgpdm) {
-        let names = format!("{} beside {}", parts.words(labels), whole.words(labels));
-        claims.lower(&PARTS_PAY, &parts.errors, &whole.errors, &names);
+        let names = format!("{} compared with {}", parts.text(labels), whole.text(labels));
+        claims.add_lower(&PARTS_PAY, &parts.errors, &whole.errors, &names);
         let (preferred, other) = by_preference(parts, whole);
         let criterion =
-            "of the split in parts and the whole body, the one of the higher bound has the lower error";
-        if let Some(effect) = Effect::of(&preferred, &other) {
-            let found = format!("the preferred one beside the other: {}", effect.words());
-            claims.say(&BOUND_CHOOSES_SPLITS, criterion, found, effect.is_below(1.0));
+            "of the split in parts and the whole body, the one with the higher bound has the lower error";
+        if let Some(effect) = Effect::new(&preferred, &other) {
+            let found = format!("the preferred one compared with the other: {}", effect.text());
+            claims.add(&BOUND_CHOOSES_SPLITS, criterion, found, effect.is_below(1.0));
         }
     }
     for kind in [&vcgpdm, &vgpdm].into_iter().flatten().filter(|kind| kind.settings.len() > 2) {
@@ -149,22 +150,22 @@ pub(super) fn claims(rows: &[Row], growth: &[Growth], labels: &Labels) -> Vec<Cl
     for kind in [DmpDiscrete, DmpRhythmic] {
         bases(&mut claims, &settings(rows, kind, &is_plain));
     }
-    // Those whose number of primitives is given; the one that is chosen by the bound is one of them again.
+    // The number that the bound chooses would count twice.
     let given = |s: &Settings| matches!(s, Settings::Tmp(s) if s.primitives.is_some());
     if let Some(c) = correlation(&settings(rows, Tmp, &given), String::new(), labels) {
         let (found, answer) = correlated(&c);
         let criterion = "rank correlation over the numbers of primitives below 0 with a p value below 5 %";
-        claims.say(&TMP_CORRELATES, criterion, found, answer);
+        claims.add(&TMP_CORRELATES, criterion, found, answer);
     }
     for growth in growth {
         match growth.model {
             Vcgpdm => {
                 let criterion = "the exponent is below 1.2";
-                claims.exponent(&LINEAR, criterion, growth, |i| is_below(i, 1.2));
+                claims.add_exponent(&LINEAR, criterion, growth, |i| is_below(i, 1.2));
             }
             MapCgpdm => {
-                let criterion = "the exponent is above 2: it reaches 3 only with more frames than there are";
-                claims.exponent(&CUBIC, criterion, growth, |i| not(is_below(i, 2.0)));
+                let criterion = "the exponent is above 2: it reaches 3 only with more frames than these";
+                claims.add_exponent(&CUBIC, criterion, growth, |i| not(is_below(i, 2.0)));
             }
             _ => {}
         }
@@ -190,33 +191,33 @@ fn not(answer: ClaimAnswer) -> ClaimAnswer {
     }
 }
 
-/// The vCGPDM beside every form of both MAP models.
+/// The vCGPDM compared with every form of both MAP models.
 fn against_map(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &Labels) {
     for kind in [MapGpdm, MapCgpdm] {
         for group in groups(rows.iter().filter(|row| row.candidate.kind() == kind)) {
-            let said = if is_plain(group[0].candidate) { &MAP_IS_WORSE } else { &MAP_IS_WORSE_TOO };
+            let sentence = if is_plain(group[0].candidate) { &MAP_IS_WORSE } else { &MAP_IS_WORSE_TOO };
             if let Some(map) = Contender::new(group) {
-                let names = format!("{} beside {}", parts.words(labels), map.words(labels));
-                claims.lower(said, &parts.errors, &map.errors, &names);
+                let names = format!("{} compared with {}", parts.text(labels), map.text(labels));
+                claims.add_lower(sentence, &parts.errors, &map.errors, &names);
             }
         }
     }
 }
 
-/// The vCGPDM beside every other model: it is the best when it is better than each, and not when one is
+/// The vCGPDM compared with every other model: it is the best if it is better than each, and not if one is
 /// better.
 fn against_all(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &Labels) {
     let mut answers = Vec::new();
     let mut found = Vec::new();
     for kind in ModelKind::ALL.into_iter().filter(|kind| *kind != Vcgpdm) {
         let Some(other) = Contender::new(settings(rows, kind, &is_plain)) else { continue };
-        let Some(effect) = Effect::of(&parts.errors, &other.errors) else { continue };
+        let Some(effect) = Effect::new(&parts.errors, &other.errors) else { continue };
         let range = effect.interval().map_or(String::new(), |i| format!(" ({i})"));
         let middle = if effect.median_interval.is_some() { effect.median } else { effect.mean };
         found.push(format!(
             "{} times{range} {}, lower in {} of {}",
             fixed(middle, 2),
-            other.words(labels),
+            other.text(labels),
             effect.wins,
             effect.folds
         ));
@@ -232,37 +233,37 @@ fn against_all(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &La
     } else {
         ClaimAnswer::Yes
     };
-    claims.say(&BEST, "its error is lower than that of every other model", found.join("; "), answer);
+    claims.add(&BEST, "its error is lower than that of every other model", found.join("; "), answer);
 }
 
-/// What the bound says about the error, over the sizes of a kind.
+/// The relation of bound and error, over the sizes of a kind.
 fn bound_and_error(claims: &mut Claims, kind: &Contender, labels: &Labels) {
-    if let Some(effect) = Effect::of(&kind.errors, &kind.least()) {
+    if let Some(effect) = Effect::new(&kind.errors, &kind.smallest_errors()) {
         let title = kind.settings[0].candidate.kind().title();
         let found = format!(
-            "{title}, the best of {} settings by the bound beside the best by the error: {}",
+            "{title}, the best of {} settings by the bound compared with the best by the error: {}",
             kind.settings.len(),
-            effect.words()
+            effect.text()
         );
         let criterion =
             "choosing by the bound costs less than a tenth: the interval of the ratio is below 1.1";
-        claims.say(&BOUND_CHOOSES, criterion, found, effect.is_below(NEARLY));
+        claims.add(&BOUND_CHOOSES, criterion, found, effect.is_below(NEARLY));
     }
     let criterion = "rank correlation over the inducing points below 0 with a p value below 5 %";
-    for (said, correlation) in [
+    for (sentence, correlation) in [
         (&BOUND_CORRELATES, correlation(&kind.settings, String::new(), labels)),
         (&BOUND_TELLS_TRAINING, training_correlation(&kind.settings, labels)),
     ] {
         if let Some(c) = correlation {
             let (found, answer) = correlated(&c);
-            claims.say(said, criterion, found, answer);
+            claims.add(sentence, criterion, found, answer);
         }
     }
     dynamics_or_poses(claims, &kind.settings, labels);
 }
 
-/// Whether inducing points are of more use in the dynamics than in the pose maps: k and l of them beside l
-/// and k, for the two numbers furthest apart that were tried both ways.
+/// Whether inducing points help more in the dynamics than in the pose maps: k dynamics and l pose points
+/// compared with l and k, for the largest difference of k and l that was tried both ways.
 fn dynamics_or_poses(claims: &mut Claims, rows: &[&Row], labels: &Labels) {
     let numbers = |row: &Row| size(row.candidate);
     let turned = |row: &Row| {
@@ -274,18 +275,18 @@ fn dynamics_or_poses(claims: &mut Claims, rows: &[&Row], labels: &Labels) {
     let Some(poses) = turned(dynamics) else { return };
     let folds = common_folds(&[dynamics, poses]);
     let names = format!(
-        "{}, on the trials trained on, {} beside {}",
+        "{}, on the training trials, {} compared with {}",
         dynamics.candidate.kind().title(),
         labels.label(dynamics.candidate),
         labels.label(poses.candidate)
     );
     let errors = (dynamics.training_errors(&folds), poses.training_errors(&folds));
-    if let Some(effect) = Effect::of(&errors.0, &errors.1) {
-        let criterion = "of as many inducing points, more of them in the dynamics leave a lower error: the interval of the ratio is below 1";
-        claims.say(
+    if let Some(effect) = Effect::new(&errors.0, &errors.1) {
+        let criterion = "with the same number of inducing points, more in the dynamics give a lower error: the interval of the ratio is below 1";
+        claims.add(
             &DYNAMICS_COUNT_MORE,
             criterion,
-            format!("{names}: {}", effect.words()),
+            format!("{names}: {}", effect.text()),
             effect.is_below(1.0),
         );
     }
@@ -300,9 +301,9 @@ fn correlated(c: &Correlation) -> (String, ClaimAnswer) {
         c.folds,
         100.0 * c.chance
     );
-    let answer = if c.chance < CHANCE {
+    let answer = if c.chance < LARGEST_P {
         ClaimAnswer::Yes
-    } else if c.chance > 1.0 - CHANCE {
+    } else if c.chance > 1.0 - LARGEST_P {
         ClaimAnswer::No
     } else {
         ClaimAnswer::Undecided
@@ -310,7 +311,7 @@ fn correlated(c: &Correlation) -> (String, ClaimAnswer) {
     (found, answer)
 }
 
-/// Whether a DMP's error is least at about 25 bases: higher with the fewest, and with the most.
+/// Whether the error of a DMP is smallest at about 25 bases: higher with the fewest, and with the most.
 fn bases(claims: &mut Claims, rows: &[&Row]) {
     let number = |row: &Row| size(row.candidate).0;
     let middle = rows.iter().min_by_key(|row| number(row).abs_diff(OPTIMAL_BASES));
@@ -322,13 +323,13 @@ fn bases(claims: &mut Claims, rows: &[&Row]) {
     }
     let folds = common_folds(&[few, middle, many]);
     let least = middle.errors(&folds);
-    let effects = (Effect::of(&few.errors(&folds), &least), Effect::of(&many.errors(&folds), &least));
+    let effects = (Effect::new(&few.errors(&folds), &least), Effect::new(&many.errors(&folds), &least));
     let (Some(fewer), Some(more)) = effects else { return };
     let found = format!(
-        "{}: {a} bases beside {b}: {}; {c} beside {b}: {}",
+        "{}: {a} bases compared with {b}: {}; {c} compared with {b}: {}",
         middle.candidate.kind().title(),
-        fewer.words(),
-        more.words()
+        fewer.text(),
+        more.text()
     );
     let answer = match (not(fewer.is_below(1.0)), not(more.is_below(1.0))) {
         (ClaimAnswer::Yes, ClaimAnswer::Yes) => ClaimAnswer::Yes,
@@ -337,5 +338,5 @@ fn bases(claims: &mut Claims, rows: &[&Row]) {
     };
     let criterion =
         "of the numbers tried, the fewest and the most have a higher error than the one nearest to 25";
-    claims.say(&DMP_OPTIMUM, criterion, found, answer);
+    claims.add(&DMP_OPTIMUM, criterion, found, answer);
 }

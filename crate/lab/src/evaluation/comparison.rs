@@ -1,5 +1,4 @@
-//! What the results of a comparison say: the table of models, bound against error, time against frames,
-//! claims.
+//! The tables of a comparison: models, correlations of bound and error, growth of the time, claims.
 
 use crate::evaluation::claims::claims;
 use crate::evaluation::contender::Contender;
@@ -13,34 +12,32 @@ use crate::evaluation::summary::{Claim, Correlation, Evidence, Growth, ModelSumm
 use serde::Serialize;
 use vcgpdm::models::Settings;
 
-/// What the results of a comparison say.
+/// The tables of a comparison, and the answers to the claims of the papers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Comparison {
-    /// Names of the parts whose errors the models have; empty where these are not the same in all that is put
-    /// together.
+    /// Names of the parts whose errors the models have; empty if the names differ between the results.
     pub parts: Vec<String>,
     /// Every candidate that was trained on all other trials.
     pub models: Vec<ModelSummary>,
-    /// For every kind of model with a bound and at least three candidates that differ in size alone.
+    /// For every kind of model with a bound and at least three candidates that differ only in size.
     pub correlations: Vec<Correlation>,
     /// For every kind of model that was trained on at least three numbers of trials.
     pub growth: Vec<Growth>,
-    /// In every fold that both variational models have: what their bounds say about one part and several,
-    /// beside their errors.
+    /// For every fold of both variational models: the Bayes factor of several parts and one, and the ratio of
+    /// the errors.
     pub evidence: Vec<Evidence>,
-    /// The claims about which there are results.
+    /// The claims for which there are results.
     pub claims: Vec<Claim>,
 }
 
 impl Comparison {
-    /// What these results say.
+    /// The tables of these results.
     pub fn of(results: &Results) -> Self {
         Self::of_all(&[results])
     }
 
-    /// What several comparisons say together, each of its own trials: a trial counts as a trial, whoever
-    /// moves in it. Errors are held against each other trial by trial, so that those of different people and
-    /// movements are never mixed.
+    /// The tables of several comparisons together, each with its own trials. Errors are compared trial by trial,
+    /// so that errors of different people and movements are never mixed.
     pub fn of_all(several: &[&Results]) -> Self {
         let (rows, labels) = (rows(several), Labels::of_all(several));
         let growth = growth(several, &labels);
@@ -52,7 +49,7 @@ impl Comparison {
         let chosen: Vec<(&Settings, usize)> = groups
             .filter_map(|group| {
                 let (count, first) = (group.len(), group.first()?.candidate);
-                // Where sizes have no trial in common, none can be chosen.
+                // Without a common trial no size can be chosen.
                 Some((Contender::new(group).map_or(first, |c| c.most_often().candidate), count))
             })
             .collect();
@@ -98,7 +95,7 @@ mod tests {
         assert!(found.claims.is_empty() && found.correlations.is_empty() && found.growth.is_empty());
     }
 
-    /// The answer to the claim at `place` whose words about what is found begin or go on like this.
+    /// The answer to the claim at `place` whose finding contains these words.
     fn answer(found: &Comparison, place: &str, words: &str) -> ClaimAnswer {
         let mut of_place = found.claims.iter().filter(|c| c.place.contains(place) && c.found.contains(words));
         let claim = of_place.next().unwrap_or_else(|| panic!("{place}, {words}: {:#?}", found.claims));
@@ -107,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn the_claims_use_the_setting_that_the_bound_prefers_in_each_trial() {
+    fn claims_use_the_setting_with_the_highest_bound_in_each_trial() {
         let mut jobs = Vec::new();
         for fold in 1..=7 {
             let hard = 1.0 + 0.3 * fold as f64;
@@ -127,10 +124,10 @@ mod tests {
         let found = Comparison::of(&results(7, &jobs));
         // Better than the plain GPDM, not than the balanced one; of seven trials the wild one leaves the
         // CGPDM undecided.
-        assert_eq!(answer(&found, "3.2", "12 + 12 inducing points beside MAP GPDM"), ClaimAnswer::Yes);
+        assert_eq!(answer(&found, "3.2", "12 + 12 inducing points compared with MAP GPDM"), ClaimAnswer::Yes);
         assert_eq!(answer(&found, "not in the papers", "MAP GPDM, balanced"), ClaimAnswer::No);
-        assert_eq!(answer(&found, "3.2", "beside MAP CGPDM"), ClaimAnswer::Undecided);
-        assert_eq!(answer(&found, "5.3", "beside vGPDM"), ClaimAnswer::Yes);
+        assert_eq!(answer(&found, "3.2", "compared with MAP CGPDM"), ClaimAnswer::Undecided);
+        assert_eq!(answer(&found, "5.3", "compared with vGPDM"), ClaimAnswer::Yes);
         // Not the best of all where one is better, or it is not known.
         assert_eq!(answer(&found, "3.2", "lower in 7 of 7"), ClaimAnswer::Undecided);
         // 0.3 is not nearly 0.2; of bounds (1, 3, 2) and errors (0.5, 0.3, 0.2) nothing can be said.
@@ -149,9 +146,9 @@ mod tests {
         assert_eq!(found.evidence[2].trial, "walk 3");
     }
 
-    /// What a cancelled run leaves: the hard trials 2 and 3 are there for the first model alone.
+    /// As after a cancelled run: only the first model has the hard trials 2 and 3.
     #[test]
-    fn models_are_compared_over_the_trials_that_both_have() {
+    fn compares_models_over_the_trials_that_both_have() {
         let mut jobs = Vec::new();
         let mut add = |candidate: Settings, fold: usize, mse: f64| {
             jobs.push(finished(candidate, fold, 2, 0, outcome(mse, Some(1.0), 100, 1.0)));
@@ -163,23 +160,23 @@ mod tests {
         let found = Comparison::of(&results(3, &jobs));
         let claim = found.claims.iter().find(|c| c.place == "2018, section 5.3").unwrap();
         assert!(claim.found.contains("0.80 times in the median of 1 trial,"), "{claim:?}");
-        // A single trial has no interval: whatever is found says neither yes nor no.
+        // A single trial has no interval: nothing is decided.
         assert!(
             found.claims.iter().all(|claim| claim.answer == ClaimAnswer::Undecided),
             "{:?}",
             found.claims
         );
-        // The table shows all that each of them has.
+        // The table shows all trials of each model.
         assert_eq!((found.models[0].folds, found.models[1].folds), (3, 1));
         assert_relative_eq!(found.models[0].mse.mean, 2.0 / 3.0);
-        // Held against another trial, a model says nothing.
+        // Models without a common trial are not compared.
         jobs[3].job.held_out = 2;
         jobs.retain(|f| f.job.held_out != 2 || f.job.candidate.kind() == ModelKind::Vgpdm);
         assert!(Comparison::of(&results(3, &jobs)).claims.is_empty());
     }
 
     #[test]
-    fn several_comparisons_say_more_than_one() {
+    fn several_comparisons_decide_more_than_one() {
         let subject = |ratios: &[f64]| {
             let mut jobs = Vec::new();
             for (k, ratio) in ratios.iter().enumerate() {
@@ -198,7 +195,7 @@ mod tests {
             results(ratios.len(), &jobs)
         };
         let (a, b) = (subject(&[0.9, 0.95, 1.02, 0.92]), subject(&[0.9, 0.8, 0.97, 0.93, 0.94, 0.9]));
-        let pays = |found: &Comparison| answer(found, "5.3", "beside vGPDM");
+        let pays = |found: &Comparison| answer(found, "5.3", "compared with vGPDM");
         assert_eq!(pays(&Comparison::of(&a)), ClaimAnswer::Undecided);
         let both = Comparison::of_all(&[&a, &b]);
         assert_eq!((pays(&both), both.models[0].folds, both.evidence.len()), (ClaimAnswer::Yes, 10, 10));
@@ -210,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn dmp_errors_are_least_in_the_middle_or_not() {
+    fn decides_whether_a_dmp_is_best_with_25_bases() {
         let with = |errors: [f64; 3]| {
             let mut jobs = Vec::new();
             for fold in 1..=6 {
@@ -219,7 +216,7 @@ mod tests {
                     jobs.push(finished(candidate, fold, 5, 0, outcome(mse * fold as f64, None, 100, 1.0)));
                 }
             }
-            answer(&Comparison::of(&results(6, &jobs)), "2019, section 4.2", "5 bases beside 25")
+            answer(&Comparison::of(&results(6, &jobs)), "2019, section 4.2", "5 bases compared with 25")
         };
         assert_eq!(with([3.0, 1.0, 1.5]), ClaimAnswer::Yes);
         assert_eq!(with([3.0, 1.0, 0.9]), ClaimAnswer::No);
@@ -227,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn bound_and_error_are_correlated_over_the_trials_that_all_settings_have() {
+    fn correlates_bound_and_error_over_the_trials_of_all_settings() {
         let mut jobs = Vec::new();
         let mut add = |ips: usize, fold: usize, mse: f64, bound: f64| {
             let candidate = Settings::Vgpdm(variational(ips));
@@ -259,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn settings_besides_the_size_are_never_mixed() {
+    fn does_not_mix_settings_that_differ_in_more_than_size() {
         let mut jobs = Vec::new();
         let mut add = |ips: usize, max_iterations: usize, fold: usize, mse: f64, bound: f64| {
             let candidate = Settings::Vgpdm(VariationalSettings { max_iterations, ..variational(ips) });
@@ -286,12 +283,12 @@ mod tests {
             found.models[5].candidate,
             Settings::Vgpdm(VariationalSettings { max_iterations: 800, ..variational(12) })
         );
-        let said: Vec<&str> = found.claims.iter().map(|claim| &claim.found[..]).collect();
-        assert!(said[0].contains("1.00 times") && said[1].contains("-1.00 over 3 settings"), "{said:?}");
+        let texts: Vec<&str> = found.claims.iter().map(|claim| &claim.found[..]).collect();
+        assert!(texts[0].contains("1.00 times") && texts[1].contains("-1.00 over 3 settings"), "{texts:?}");
     }
 
     #[test]
-    fn time_is_compared_over_the_same_folds_and_settings() {
+    fn compares_times_over_the_same_folds_and_settings() {
         let mut jobs = Vec::new();
         for count in 1..=4usize {
             let frames = 100 * count;
@@ -307,7 +304,7 @@ mod tests {
             let vcgpdm = || Settings::Vcgpdm(variational(12));
             jobs.push(finished(vcgpdm(), 1, count, 0, outcome(1.0, Some(1.0), frames, linear)));
         }
-        // Another fold that has only the most trials, and another setting: neither tells how time grows.
+        // Another fold with only one number of trials, and another setting: neither shows growth.
         let odd = || outcome(1.0, Some(1.0), 400, 1e6);
         jobs.push(finished(Settings::Vcgpdm(variational(12)), 2, 4, 0, odd()));
         jobs.push(finished(Settings::Vcgpdm(variational(16)), 1, 4, 0, odd()));
@@ -318,7 +315,7 @@ mod tests {
         assert_relative_eq!(found.growth[0].points[3].seconds, 0.04);
         assert_eq!(answer(&found, "supplement", "power 1.00 (1.00 to 1.00)"), ClaimAnswer::Yes);
         assert_eq!(answer(&found, "supplement", "power 3.00 (3.00 to 3.00)"), ClaimAnswer::Yes);
-        // Where more frames take more iterations too, learning takes longer than they say.
+        // More frames can need more iterations: a training then grows faster than an iteration.
         for finished in &mut jobs {
             let count = finished.job.training_trials;
             let outcome = finished.outcome.as_mut().unwrap();
@@ -336,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_on_the_trials_trained_on_are_told_from_those_held_out() {
+    fn distinguishes_errors_on_training_trials_and_on_trials_held_out() {
         let mut jobs = Vec::new();
         for fold in 1..=7 {
             // Dynamics inducing points help with what was trained on, and the bound knows; the trial held out
@@ -358,9 +355,9 @@ mod tests {
         assert_relative_eq!(found.models[0].training_mse.as_ref().unwrap().mean, 0.9 * 1.4, epsilon = 1e-12);
         assert_eq!(answer(&found, "3.2", "1.00 over 5 settings"), ClaimAnswer::No);
         assert_eq!(answer(&found, "figure 6B", "-1.00 over 5 settings"), ClaimAnswer::Yes);
-        let words = "30 + 5 inducing points beside 5 + 30 inducing points: 0.50 times";
+        let words = "30 + 5 inducing points compared with 5 + 30 inducing points: 0.50 times";
         assert_eq!(answer(&found, "figure 6B", words), ClaimAnswer::Yes);
-        // Results of earlier programs do not hold them.
+        // Results of earlier versions do not have these errors.
         for finished in &mut jobs {
             finished.outcome.as_mut().unwrap().training_mse = None;
         }

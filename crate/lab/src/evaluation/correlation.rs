@@ -1,33 +1,33 @@
-//! Bound against error over the sizes of a kind of model: figure 1 of the supplement of Velychko et al.
-//! (2017), and on the trials trained on figure 6B of Velychko et al. (2018).
+//! Correlation of bound and error over the sizes of a kind of model: figure 1 of the supplement of Velychko et
+//! al. (2017), and on the training trials figure 6B of Velychko et al. (2018).
 
 use crate::evaluation::labels::Labels;
 use crate::evaluation::rows::{Row, common_folds, groups};
-use crate::evaluation::stats::{chance_of_so_low, rank_correlation};
+use crate::evaluation::stats::{correlation_p_value, rank_correlation};
 use crate::evaluation::summary::{BoundAndError, Correlation};
 use std::collections::BTreeSet;
 use vcgpdm::models::ModelKind;
 
-/// For every kind of model and all settings but its size.
+/// One correlation for every kind of model and all its settings but the size.
 pub(super) fn correlations(rows: &[Row], labels: &Labels) -> Vec<Correlation> {
     let mut correlations = Vec::new();
     for kind in ModelKind::ALL {
         let groups = groups(rows.iter().filter(|row| row.candidate.kind() == kind));
         let several = groups.len() > 1;
         for group in &groups {
-            let label = if several { labels.besides_size(group[0].candidate) } else { String::new() };
+            let label = if several { labels.without_size(group[0].candidate) } else { String::new() };
             correlations.extend(correlation(group, label, labels));
         }
     }
     correlations
 }
 
-/// Over the folds that all of these candidates of a kind have; absent for fewer than three.
+/// Over the folds that all of these candidates have; absent for fewer than three candidates.
 pub(super) fn correlation(rows: &[&Row], label: String, labels: &Labels) -> Option<Correlation> {
     with_error(rows, label, labels, &|row, folds| row.mse(folds))
 }
 
-/// The same with the error on the trials that were trained on.
+/// The same with the error on the training trials.
 pub(super) fn training_correlation(rows: &[&Row], labels: &Labels) -> Option<Correlation> {
     with_error(rows, String::new(), labels, &|row, folds| row.training_mse(folds))
 }
@@ -46,7 +46,7 @@ fn with_error(
     let points: Vec<BoundAndError> = rows.iter().filter_map(point).collect();
     let pairs: Vec<(f64, f64)> = points.iter().map(|p| (p.bound, p.mse)).collect();
     let rank = (pairs.len() > 2).then(|| rank_correlation(&pairs)).flatten()?;
-    let chance = chance_of_so_low(&pairs)?;
+    let chance = correlation_p_value(&pairs)?;
     let model = rows[0].candidate.kind();
     Some(Correlation { model, label, settings: points.len(), folds: folds.len(), rank, chance, points })
 }

@@ -1,16 +1,16 @@
-//! What the trainings of a comparison will cost, before they begin.
+//! The cost of the trainings of a comparison, estimated before they begin.
 
 use crate::evaluation::job::Job;
 use vcgpdm::models::TrainingCost;
 use vcgpdm::motion::Clip;
 use vcgpdm::motion::parts::PartSpec;
 
-/// Columns of a joint: its rotation. Those of the root are few.
+/// Columns of a joint: its rotation. The few columns of the root are neglected.
 const COLUMNS: usize = 3;
 
 impl Job {
-    /// What its training will cost on one core, without that of a TMP or DMP. `trials` are all clips of the
-    /// comparison in their order.
+    /// The estimated cost of its training on one core; that of a TMP or DMP is neglected. `trials` are all clips
+    /// of the comparison in their order.
     pub fn cost(&self, trials: &[Clip], parts: &[PartSpec], frames_per_second: f64) -> TrainingCost {
         let others = trials.iter().enumerate().filter(|(k, _)| k + 1 != self.held_out);
         let seconds: f64 = others
@@ -30,7 +30,7 @@ mod tests {
     use vcgpdm::motion::{parts, samples};
 
     #[test]
-    fn a_job_costs_what_it_trains_on() {
+    fn the_cost_follows_the_training_trials() {
         let clips: Vec<Clip> = ["walk-1", "walk-2", "walk-3"].map(|id| samples::clip(id).unwrap()).into();
         let parts = parts::presets(&clips[0].skeleton).remove(1).parts;
         let cost = |candidate: &Settings, training_trials| {
@@ -44,7 +44,7 @@ mod tests {
         assert_eq!(
             cost(&variational, 1),
             variational.cost(frames(1), &columns),
-            "the first that is not held out"
+            "the first trial that is not held out"
         );
         let map = Settings::MapGpdm(map(false));
         for candidate in [&variational, &map] {

@@ -9,26 +9,26 @@ use vcgpdm::internals::Elementary;
 /// Errors by the trial held out.
 pub(super) type Errors = BTreeMap<usize, f64>;
 
-/// How many times the error of one model is that of another, over the trials that both have.
+/// The ratio of the errors of two models, over the trials that both have.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Effect {
     /// Trials that both have.
     pub folds: usize,
-    /// In how many the error is lower.
+    /// Number of trials in which the error is lower.
     pub wins: usize,
     /// The median ratio.
     pub median: f64,
-    /// Of the median: absent for fewer than six trials.
+    /// Interval of the median; absent for fewer than six trials.
     pub median_interval: Option<Interval>,
     /// The geometric mean of the ratios.
     pub mean: f64,
-    /// Of the geometric mean, by Student's t of the logarithms: absent for a single trial.
+    /// Interval of the geometric mean, by Student's t of the logarithms; absent for a single trial.
     pub mean_interval: Option<Interval>,
 }
 
 impl Effect {
-    /// Of the errors `a` over the errors `b`; absent without a trial that both have.
-    pub fn of(a: &Errors, b: &Errors) -> Option<Self> {
+    /// The errors `a` divided by the errors `b`; absent without a trial that both have.
+    pub fn new(a: &Errors, b: &Errors) -> Option<Self> {
         let ratio = |(fold, a): (&usize, &f64)| {
             let ratio = a / b.get(fold)?;
             (ratio.is_finite() && ratio > 0.0).then(|| ratio.logarithm())
@@ -38,28 +38,28 @@ impl Effect {
             folds: logarithms.len(),
             wins: logarithms.iter().filter(|l| **l < 0.0).count(),
             median: median(&logarithms).exponential(),
-            median_interval: median_interval(&logarithms).map(|i| i.through(f64::exponential)),
+            median_interval: median_interval(&logarithms).map(|i| i.map(f64::exponential)),
             mean: mean(&logarithms).exponential(),
-            mean_interval: mean_interval(&logarithms).map(|i| i.through(f64::exponential)),
+            mean_interval: mean_interval(&logarithms).map(|i| i.map(f64::exponential)),
         })
     }
 
-    /// What the answer rests on: the interval of the median, and for fewer than six trials that of the mean.
+    /// The interval that decides: that of the median, for fewer than six trials that of the mean.
     pub fn interval(&self) -> Option<Interval> {
         self.median_interval.or(self.mean_interval)
     }
 
-    /// Whether the error is less than `times` that of the other: said only when the whole interval says so.
-    pub fn is_below(&self, times: f64) -> ClaimAnswer {
+    /// Whether the ratio is below `limit`: decided only if the whole interval is on one side of it.
+    pub fn is_below(&self, limit: f64) -> ClaimAnswer {
         match self.interval() {
-            Some(interval) if interval.high < times => ClaimAnswer::Yes,
-            Some(interval) if interval.low > times => ClaimAnswer::No,
+            Some(interval) if interval.high < limit => ClaimAnswer::Yes,
+            Some(interval) if interval.low > limit => ClaimAnswer::No,
             _ => ClaimAnswer::Undecided,
         }
     }
 
-    /// The effect in words.
-    pub fn words(&self) -> String {
+    /// The effect as text.
+    pub fn text(&self) -> String {
         let range = |interval: &Option<Interval>| interval.map_or(String::new(), |i| format!(" ({i})"));
         format!(
             "{} times{} in the median of {} {}, {} times{} in the mean; lower in {}",
@@ -83,34 +83,34 @@ mod tests {
     }
 
     #[test]
-    fn one_wild_fold_does_not_decide() {
+    fn one_extreme_trial_does_not_decide() {
         let b = errors(&[1.0; 10]);
         let mut a = errors(&[0.9, 0.8, 0.95, 0.85, 0.9, 0.7, 0.9, 0.8, 0.9, 0.85]);
-        let calm = Effect::of(&a, &b).unwrap();
+        let calm = Effect::new(&a, &b).unwrap();
         assert_eq!((calm.wins, calm.is_below(1.0)), (10, ClaimAnswer::Yes));
         a.insert(10, 300.0);
-        let wild = Effect::of(&a, &b).unwrap();
-        assert_eq!((wild.wins, wild.is_below(1.0)), (9, ClaimAnswer::Yes));
-        // The mean, beside it, is carried away.
-        assert!(wild.mean > 1.5 && wild.mean_interval.unwrap().high > 4.0, "{wild:?}");
+        let extreme = Effect::new(&a, &b).unwrap();
+        assert_eq!((extreme.wins, extreme.is_below(1.0)), (9, ClaimAnswer::Yes));
+        // The mean follows the extreme trial.
+        assert!(extreme.mean > 1.5 && extreme.mean_interval.unwrap().high > 4.0, "{extreme:?}");
         assert!(
-            wild.words().starts_with("0.90 times (0.80 to 0.95) in the median of 10 trials, 1.5"),
+            extreme.text().starts_with("0.90 times (0.80 to 0.95) in the median of 10 trials, 1.5"),
             "{}",
-            wild.words()
+            extreme.text()
         );
     }
 
     #[test]
-    fn few_or_mixed_folds_decide_nothing() {
+    fn few_or_mixed_trials_decide_nothing() {
         let b = errors(&[1.0; 10]);
         let mixed = errors(&[0.9, 1.1, 0.8, 1.2, 0.9, 1.1, 0.95, 1.05, 0.9, 1.1]);
-        assert_eq!(Effect::of(&mixed, &b).unwrap().is_below(1.0), ClaimAnswer::Undecided);
-        let one = Effect::of(&errors(&[0.1]), &b).unwrap();
+        assert_eq!(Effect::new(&mixed, &b).unwrap().is_below(1.0), ClaimAnswer::Undecided);
+        let one = Effect::new(&errors(&[0.1]), &b).unwrap();
         assert_eq!((one.folds, one.is_below(1.0)), (1, ClaimAnswer::Undecided));
         // Four trials: by Student's t of the logarithms.
-        let four = Effect::of(&errors(&[1.5, 1.6, 1.4, 1.5]), &b).unwrap();
+        let four = Effect::new(&errors(&[1.5, 1.6, 1.4, 1.5]), &b).unwrap();
         assert!(four.median_interval.is_none());
         assert_eq!((four.is_below(1.0), four.is_below(2.0)), (ClaimAnswer::No, ClaimAnswer::Yes));
-        assert_eq!(Effect::of(&errors(&[]), &b), None);
+        assert_eq!(Effect::new(&errors(&[]), &b), None);
     }
 }

@@ -1,4 +1,4 @@
-//! Bayes factors between splits of the body (Velychko 2020, equation 2.12), beside the differences in error.
+//! Bayes factors between splits of the body (Velychko 2020, equation 2.12), and the ratios of their errors.
 
 use crate::evaluation::contender::Contender;
 use crate::evaluation::effect::Errors;
@@ -6,8 +6,8 @@ use crate::evaluation::rows::{Row, settings};
 use crate::evaluation::summary::Evidence;
 use vcgpdm::models::ModelKind;
 
-/// In each fold that both have. Both models are of the same frames and the same columns; one noise for each
-/// part, or one for all.
+/// One entry for each fold that both models have. Both are of the same frames and columns, with a noise for each
+/// part or one for all.
 pub(super) fn evidence(rows: &[Row], name: &dyn Fn(usize) -> String) -> Vec<Evidence> {
     let contender = |kind| Contender::new(settings(rows, kind, &|_| true));
     let (Some(parts), Some(whole)) = (contender(ModelKind::Vcgpdm), contender(ModelKind::Vgpdm)) else {
@@ -21,7 +21,7 @@ pub(super) fn evidence(rows: &[Row], name: &dyn Fn(usize) -> String) -> Vec<Evid
     parts.bounds.iter().filter_map(of_fold).collect()
 }
 
-/// The errors of the split that the bound prefers in each fold, and those of the other one.
+/// In each fold, the error of the split with the higher bound, and that of the other split.
 pub(super) fn by_preference(parts: &Contender, whole: &Contender) -> (Errors, Errors) {
     let mut sides = (Errors::new(), Errors::new());
     for (fold, bound) in &parts.bounds {

@@ -1,4 +1,4 @@
-//! How learning time grows with the frames: figure 2 of the supplement of Velychko et al. (2017).
+//! How the time of a training grows with the frames: figure 2 of the supplement of Velychko et al. (2017).
 
 use crate::evaluation::job::Finished;
 use crate::evaluation::labels::Labels;
@@ -12,8 +12,8 @@ use vcgpdm::models::{ModelKind, Settings};
 /// Outcomes of a candidate by the number of trials trained on, each with the trial held out.
 type Course<'a> = BTreeMap<usize, Vec<(usize, &'a Outcome)>>;
 
-/// For each kind the candidate that was trained on most numbers of trials; only folds that all of these
-/// numbers have are compared.
+/// For each kind, the candidate that was trained on the most different numbers of trials; only folds with all
+/// of these numbers count.
 pub(super) fn growth(several: &[&Results], labels: &Labels) -> Vec<Growth> {
     let mut courses: Vec<(&Settings, Course)> = Vec::new();
     let mut before = 0;

@@ -1,12 +1,12 @@
-//! One job of a comparison, and what came of it.
+//! One job of a comparison, and its result.
 
-use crate::evaluation::candidate_words::every_setting;
+use crate::evaluation::candidate_text::every_setting;
 use crate::evaluation::outcome::Outcome;
 use serde::{Deserialize, Serialize};
 use std::fmt::{Display, Formatter};
 use vcgpdm::models::{ENGINE, Settings};
 
-/// One candidate in one fold with one seed. Written out, it is an id that tells it from every other job.
+/// One candidate in one fold with one seed. Its text is different for different jobs.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Job {
@@ -14,14 +14,14 @@ pub struct Job {
     pub candidate: Settings,
     /// The trial held out, counted from 1.
     pub held_out: usize,
-    /// How many of the other trials are trained on.
+    /// Number of the other trials that are trained on.
     pub training_trials: usize,
     /// The seed of everything random.
     pub seed: u32,
 }
 
 impl Job {
-    /// Whether there are enough trials for it.
+    /// Whether there are enough trials for the job.
     pub(super) fn fits(&self, trials: usize) -> bool {
         (1..=trials).contains(&self.held_out) && (1..trials).contains(&self.training_trials)
     }
@@ -35,7 +35,7 @@ impl Display for Job {
     }
 }
 
-/// What came of a job: an outcome, or why there is none.
+/// A finished job: its outcome, or the reason of its failure.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Finished {
@@ -43,14 +43,14 @@ pub struct Finished {
     pub job: Job,
     /// The program and its version that computed it.
     pub engine: String,
-    /// What came of it.
+    /// The outcome; absent after a failure.
     pub outcome: Option<Outcome>,
-    /// Why nothing did.
+    /// The reason of a failure.
     pub failure: Option<String>,
 }
 
 impl Finished {
-    /// What this program made of a job: an outcome, or why there is none.
+    /// A job that this version has finished.
     pub fn new(job: Job, result: Result<Outcome, String>) -> Self {
         let (outcome, failure) = match result {
             Ok(outcome) => (Some(outcome), None),
@@ -68,7 +68,7 @@ mod tests {
     use vcgpdm::models::{DmpSettings, TmpSettings, VariationalSettings};
 
     #[test]
-    fn an_id_names_everything_that_sets_a_job_apart() {
+    fn has_different_texts_for_different_jobs() {
         use Settings::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
         let settings = variational(12);
         let candidates = [

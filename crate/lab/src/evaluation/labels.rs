@@ -1,16 +1,16 @@
-//! What candidates are called beside others of their kind.
+//! Short names of candidates among others of their kind.
 
-use crate::evaluation::candidate_words::{Common, LINEAR, balance, common, size};
+use crate::evaluation::candidate_text::{Common, LINEAR, balance, common, size};
 use crate::evaluation::results::Results;
 use std::collections::HashMap;
 use vcgpdm::models::{ModelKind, Settings};
 
-/// Names for the candidates of some results: their size, and every setting in which those of a kind differ.
+/// Short names of candidates: their size, and every setting in which candidates of a kind differ.
 pub struct Labels {
     varying: HashMap<ModelKind, Varying>,
 }
 
-/// In what the candidates of a kind differ.
+/// The settings in which the candidates of a kind differ.
 #[derive(Clone, Copy, Default)]
 struct Varying {
     latent: bool,
@@ -47,7 +47,7 @@ impl Labels {
         Self { varying }
     }
 
-    /// What a candidate is called.
+    /// The short name of a candidate.
     pub fn label(&self, candidate: &Settings) -> String {
         let words: Vec<String> = size(candidate).into_iter().chain(self.others(candidate)).collect();
         match common(candidate) {
@@ -56,15 +56,15 @@ impl Labels {
         }
     }
 
-    /// The same without its size.
-    pub(super) fn besides_size(&self, candidate: &Settings) -> String {
+    /// The short name without the size.
+    pub(super) fn without_size(&self, candidate: &Settings) -> String {
         self.others(candidate).join(", ")
     }
 
     fn others(&self, candidate: &Settings) -> Vec<String> {
         let Some(settings) = common(candidate) else { return Vec::new() };
         let differ = self.varying.get(&candidate.kind()).copied().unwrap_or_default();
-        // Balanced is not what the papers do: it is said even where all are.
+        // The papers do not balance: a balanced model is named even if all are balanced.
         let balanced = settings.balanced.filter(|balanced| *balanced || differ.balanced);
         [
             differ.latent.then(|| format!("Q = {}", settings.latent)),
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn labels_name_what_differs_within_a_kind() {
+    fn names_the_settings_that_differ_within_a_kind() {
         use Settings::{DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
         assert_eq!(
             labels(&[

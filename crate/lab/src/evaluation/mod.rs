@@ -1,11 +1,10 @@
-//! How well models predict: one model trained and scored in one fold, the jobs of a comparison, their
-//! results, and what these say.
+//! Comparison of models by cross-validation.
 //!
-//! A [`Plan`] asks for jobs, a [`Fold`] trains and scores a candidate, [`Results`] keep the outcomes, and a
-//! [`Comparison`] says what they mean.
+//! A [`Plan`] lists jobs, a [`Fold`] trains and scores a candidate, [`Results`] store the outcomes, and a
+//! [`Comparison`] computes tables and the answers to the papers' claims.
 
 mod candidate_size;
-mod candidate_words;
+mod candidate_text;
 mod claims;
 mod comparison;
 mod contender;

@@ -1,4 +1,4 @@
-//! Which jobs a comparison asks for.
+//! The jobs of a comparison.
 
 use crate::evaluation::job::Job;
 use serde::Deserialize;
@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use thiserror::Error;
 use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, Settings, TmpSettings, VariationalSettings};
 
-/// Which jobs a comparison asks for: every candidate in every fold with every seed.
+/// The jobs of a comparison: every candidate in every fold with every seed.
 ///
 /// ```
 /// use vcgpdm_lab::evaluation::Plan;
@@ -14,7 +14,7 @@ use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, Settings, TmpSettings,
 ///
 /// let plan = Plan { models: vec![ModelKind::Vgpdm, ModelKind::DmpRhythmic], seeds: vec![0, 1], ..Plan::default() };
 /// let jobs = plan.jobs(3)?;
-/// // In each of three folds two vGPDMs and, as it has no random start, one DMP.
+/// // In each of three folds two vGPDMs, and one DMP because a DMP has no random start.
 /// assert_eq!(jobs.len(), 9);
 /// # Ok::<(), vcgpdm_lab::evaluation::ComparisonPlanError>(())
 /// ```
@@ -29,16 +29,16 @@ pub struct Plan {
     pub order: usize,
     /// Most iterations of the optimiser.
     pub max_iterations: usize,
-    /// Numbers of inducing points of every dynamics map of the variational models, and of every pose map
-    /// where `pose_ips` is empty.
+    /// Numbers of inducing points of every dynamics map of the variational models, and of every pose map if
+    /// `pose_ips` is empty.
     pub ips: Vec<usize>,
     /// Numbers of inducing points of every pose map: each with each of `ips`.
     #[serde(default)]
     pub pose_ips: Vec<usize>,
-    /// Numbers of primitives of the TMP; `None` is the number that the bound prefers.
+    /// Numbers of primitives of the TMP; `None`: the bound chooses.
     pub primitives: Vec<Option<usize>>,
-    /// Whether the TMP's primitives are functions of normalised time, with weights that all trials share, as
-    /// in the papers.
+    /// Whether the primitives of the TMP are functions of normalised time, with weights that all trials share,
+    /// as in the papers.
     #[serde(default)]
     pub normalised_time: bool,
     /// Numbers of basis functions of the DMPs.
@@ -52,9 +52,9 @@ pub struct Plan {
     pub held_out: Vec<usize>,
     /// The seeds of models with a random start; the others get 0.
     pub seeds: Vec<u32>,
-    /// How many of the other trials are trained on; empty: all.
+    /// Numbers of the other trials that are trained on; empty: all.
     pub training_trials: Vec<usize>,
-    /// Whether also the coupled models are trained on one trial, on two, and so on, to see how time grows:
+    /// Whether the coupled models are also trained on one trial, on two, and so on, to see how the time grows:
     /// with the middle number of inducing points, in the first fold, with the first seed.
     pub growth: bool,
 }
@@ -84,36 +84,36 @@ impl Default for Plan {
     }
 }
 
-/// Why a plan cannot be followed.
+/// Why a plan has no jobs.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ComparisonPlanError {
-    /// There is no such trial to hold out.
+    /// The trial to hold out does not exist.
     #[error("expected a trial from 1 to {trials} to hold out, found {found}")]
     HeldOut {
-        /// Trials there are.
+        /// Number of trials.
         trials: usize,
-        /// The one asked for.
+        /// The trial found.
         found: usize,
     },
-    /// There are not so many trials to train on.
+    /// There are fewer trials to train on.
     #[error("expected from 1 to {most} trials to train on, found {found}")]
     TrainingTrials {
-        /// Trials besides the one held out.
+        /// Number of the trials that are not held out.
         most: usize,
-        /// The number asked for.
+        /// The number found.
         found: usize,
     },
 }
 
 impl Plan {
-    /// The same without the models that couple parts, for a body in one part.
+    /// The plan without models that couple parts, for a body in one part.
     pub fn without_coupled(mut self) -> Self {
         self.models.retain(|kind| !kind.is_coupled());
         self
     }
 
-    /// The models with all settings that are asked for.
+    /// The models with all settings of the plan.
     pub fn candidates(&self) -> Vec<Settings> {
         self.models.iter().flat_map(|kind| self.candidates_of(*kind)).collect()
     }
@@ -157,10 +157,11 @@ impl Plan {
         }
     }
 
-    /// The jobs on so many trials, each once, fold after fold, so that the first tables come early.
+    /// The jobs on `trials` trials, each once. One fold comes after the other, so that the first tables come
+    /// early.
     ///
     /// # Errors
-    /// It asks for a trial that is not there, or for more trials to train on than there are.
+    /// A trial to hold out does not exist, or a number of trials to train on is too large.
     pub fn jobs(&self, trials: usize) -> Result<Vec<Job>, ComparisonPlanError> {
         let most = trials.saturating_sub(1);
         let folds = if self.held_out.is_empty() { (1..=trials).collect() } else { self.held_out.clone() };
@@ -186,12 +187,12 @@ impl Plan {
             let fewer = self.growth_jobs(&folds, most);
             jobs.extend(fewer);
         }
-        let mut known = HashSet::new();
-        jobs.retain(|job| known.insert(job.clone()));
+        let mut seen = HashSet::new();
+        jobs.retain(|job| seen.insert(job.clone()));
         Ok(jobs)
     }
 
-    /// The coupled models on one trial, on two, and so on up to all but one of the `most` that there are.
+    /// The coupled models on one trial, on two, and so on, up to one less than `most`.
     fn growth_jobs(&self, folds: &[usize], most: usize) -> Vec<Job> {
         let (Some(&held_out), Some(&seed)) = (folds.first(), self.seeds.first()) else { return Vec::new() };
         let coupled =
@@ -228,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn every_candidate_in_every_fold_with_every_seed_that_it_has() {
+    fn plans_every_candidate_in_every_fold_with_every_seed() {
         let jobs = plan().jobs(3).unwrap();
         // Three sizes of both variational models and one of both MAP models, twice each; the TMP; two sizes
         // of both DMPs.
@@ -250,7 +251,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_named_twice_is_one_job() {
+    fn plans_each_job_once() {
         let once = Plan { held_out: vec![2, 1], training_trials: vec![2, 1], ..plan() };
         let twice = Plan {
             models: [ModelKind::ALL, ModelKind::ALL].concat(),
@@ -276,13 +277,13 @@ mod tests {
         assert_eq!(found, expected);
         assert!(fewer.iter().all(|job| (job.held_out, job.seed) == (1, 3)));
         assert!(matches!(&fewer[0].candidate, Settings::Vcgpdm(s) if s.dynamics_ips == 12));
-        // No job is asked for twice.
+        // No job is planned twice.
         let both = Plan { growth: true, training_trials: vec![1, 2, 3, 4], ..plan() };
         assert_eq!(both.jobs(5), Plan { growth: false, ..both }.jobs(5));
     }
 
     #[test]
-    fn a_body_in_one_part_has_nothing_to_couple() {
+    fn leaves_out_coupled_models_for_a_body_in_one_part() {
         let candidates = plan().without_coupled().candidates();
         let coupled = [ModelKind::Vcgpdm, ModelKind::MapCgpdm];
         assert!(candidates.iter().all(|candidate| !coupled.contains(&candidate.kind())));
@@ -290,7 +291,7 @@ mod tests {
     }
 
     #[test]
-    fn trials_that_are_not_there_are_refused() {
+    fn refuses_trials_that_do_not_exist() {
         let error = |plan: Plan| plan.jobs(3).unwrap_err().to_string();
         let held_out = error(Plan { held_out: vec![1, 4], ..plan() });
         assert_eq!(held_out, "expected a trial from 1 to 3 to hold out, found 4");
@@ -299,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn inducing_points_of_dynamics_and_poses_are_a_grid() {
+    fn combines_inducing_points_of_dynamics_and_poses() {
         let grid = Plan { pose_ips: vec![10, 30], models: vec![ModelKind::Vgpdm], ..plan() };
         let pairs: Vec<_> = (grid.candidates().iter())
             .map(|candidate| match candidate {

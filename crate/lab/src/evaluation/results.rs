@@ -1,5 +1,5 @@
-//! What a comparison keeps: what was compared, and what came of it, job by job. The same in a file and on the
-//! page. No I/O.
+//! The results of a comparison: its setting, and the outcome of each job. Files and the page have the same
+//! document. No I/O.
 
 use crate::evaluation::candidate_size::size;
 use crate::evaluation::job::{Finished, Job};
@@ -28,7 +28,7 @@ pub enum ResultsError {
         /// Its version.
         version: u32,
     },
-    /// Trials that cannot be compared on.
+    /// Trials that cannot be used for a comparison.
     #[error(transparent)]
     Setting(#[from] SettingError),
     /// A job for which the setting has no trials.
@@ -38,7 +38,7 @@ pub enum ResultsError {
     Job {
         /// Which result, counted from 1.
         index: usize,
-        /// Trials there are.
+        /// Number of trials.
         trials: usize,
         /// The trial held out.
         held_out: usize,
@@ -49,15 +49,15 @@ pub enum ResultsError {
     #[error("these results are of {0}")]
     Differs(String),
     /// The same job twice.
-    #[error("result {index}: the same training stands there twice, found before as result {before}")]
+    #[error("result {index}: expected each job once, found the job of result {before} again")]
     Repeated {
         /// Which result, counted from 1.
         index: usize,
-        /// Where it was before.
+        /// The earlier result, counted from 1.
         before: usize,
     },
     /// Neither an outcome nor a failure, or both.
-    #[error("result {0}: expected an outcome or the reason why there is none, found both or neither")]
+    #[error("result {0}: expected an outcome or the reason of a failure, found both or neither")]
     Ending(usize),
     /// A bound or an objective that is not finite.
     #[error("result {index}: expected {what} that is finite, found {found}")]
@@ -66,7 +66,7 @@ pub enum ResultsError {
         index: usize,
         /// Which number.
         what: &'static str,
-        /// What stands there.
+        /// The value found.
         found: f64,
     },
     /// An error, a variance or a time that is not finite, or negative.
@@ -76,7 +76,7 @@ pub enum ResultsError {
         index: usize,
         /// Which number.
         what: &'static str,
-        /// What stands there.
+        /// The value found.
         found: f64,
     },
 }
@@ -113,7 +113,7 @@ impl Results {
     /// The field "format" of a document of results.
     pub const FORMAT: &'static str = "vcgpdm-evaluation";
 
-    /// No job finished yet.
+    /// Results without a finished job.
     pub fn new(setting: Setting) -> Self {
         Self { format: Self::FORMAT.to_owned(), version: VERSION, setting, finished: Vec::new() }
     }
@@ -121,7 +121,7 @@ impl Results {
     /// Reads a document.
     ///
     /// # Errors
-    /// It is another document, or its results do not fit its setting.
+    /// The text is another document, or its results do not fit its setting.
     pub fn from_json(text: &str) -> Result<Self, ResultsError> {
         let results: Self =
             serde_json::from_str(text).map_err(|error| ResultsError::Json(error.to_string()))?;
@@ -132,41 +132,41 @@ impl Results {
     /// The document.
     ///
     /// # Errors
-    /// JSON cannot hold it.
+    /// A number is not finite.
     pub fn to_json(&self) -> Result<String, ResultsError> {
         serde_json::to_string(self).map_err(|error| ResultsError::Json(error.to_string()))
     }
 
-    /// Checks what [`Results::from_json`] checks, for whoever reads the document with another parser.
+    /// Makes the checks of [`Results::from_json`], for documents that another parser has read.
     ///
     /// # Errors
-    /// It is another document, or its results do not fit its setting.
+    /// The document is another one, or its results do not fit its setting.
     pub fn check(&self) -> Result<(), ResultsError> {
         if self.format != Self::FORMAT || self.version != VERSION {
             return Err(ResultsError::Format { format: self.format.clone(), version: self.version });
         }
         self.setting.check()?;
-        let mut places = HashMap::new();
+        let mut indices = HashMap::new();
         for (k, finished) in self.finished.iter().enumerate() {
             check_finished(finished, k + 1, self.setting.trials.len())?;
-            if let Some(before) = places.insert(&finished.job, k) {
+            if let Some(before) = indices.insert(&finished.job, k) {
                 return Err(ResultsError::Repeated { index: k + 1, before: before + 1 });
             }
         }
         Ok(())
     }
 
-    /// What was compared on what.
+    /// The trials, parts and frames of the comparison.
     pub fn setting(&self) -> &Setting {
         &self.setting
     }
 
-    /// The jobs that are finished, in the order in which they came.
+    /// The finished jobs, in the order in which they were added.
     pub fn finished(&self) -> &[Finished] {
         &self.finished
     }
 
-    /// The jobs that are finished, in the order of tables: by model, then by size, then by seed.
+    /// The finished jobs in the order of tables: by model, then by size, then by seed.
     pub fn in_order(&self) -> Vec<&Finished> {
         let mut finished: Vec<&Finished> = self.finished.iter().collect();
         finished.sort_by_key(|Finished { job, .. }| {
@@ -176,11 +176,11 @@ impl Results {
         finished
     }
 
-    /// The jobs that a plan asks for on these trials, and which of them are done: a failure may be tried
-    /// again.
+    /// The jobs of a plan on these trials, and which of them are done. A failed job is not done: it may be
+    /// tried again.
     ///
     /// # Errors
-    /// The plan asks for trials that are not there.
+    /// The plan has trials that do not exist.
     pub fn jobs(&self, plan: &Plan) -> Result<Vec<PlannedJob>, ComparisonPlanError> {
         let jobs = plan.jobs(self.setting.trials.len())?.into_iter();
         Ok(jobs.map(|job| PlannedJob { done: self.has_outcome(&job), job }).collect())
@@ -190,13 +190,13 @@ impl Results {
         self.finished.iter().find(|finished| finished.job == *job)
     }
 
-    /// Whether there is nothing left to do for a job: a failure may be tried again.
+    /// Whether a job has an outcome. A failed job has none: it may be tried again.
     pub fn has_outcome(&self, job: &Job) -> bool {
         self.find(job).is_some_and(|finished| finished.outcome.is_some())
     }
 
-    /// Whether results of both go together: they are of the same trials, parts, frame rate and first frames.
-    pub fn is_of_same_setting(&self, other: &Results) -> bool {
+    /// Whether both are of the same trials, parts, frame rate and number of first frames.
+    pub fn has_same_setting(&self, other: &Results) -> bool {
         self.setting.difference(&other.setting).is_none()
     }
 
@@ -220,38 +220,36 @@ impl Results {
         if let Some(difference) = self.setting.difference(&other.setting) {
             return Err(ResultsError::Differs(difference));
         }
-        let jobs = self.finished.iter().enumerate().map(|(place, finished)| (finished.job.clone(), place));
-        let places: HashMap<Job, usize> = jobs.collect();
+        let jobs = self.finished.iter().enumerate().map(|(index, finished)| (finished.job.clone(), index));
+        let indices: HashMap<Job, usize> = jobs.collect();
         for finished in other.finished {
-            match places.get(&finished.job).map(|place| &mut self.finished[*place]) {
+            match indices.get(&finished.job).map(|index| &mut self.finished[*index]) {
                 None => self.finished.push(finished),
-                Some(known) if known.outcome.is_none() && finished.outcome.is_some() => *known = finished,
+                Some(earlier) if earlier.outcome.is_none() && finished.outcome.is_some() => {
+                    *earlier = finished
+                }
                 Some(_) => {}
             }
         }
         Ok(())
     }
 
-    /// Keeps what came of a job, in place of what is known of the same job; only an outcome stays what it is.
+    /// Adds a finished job. A failure is replaced by a later result; an outcome is never replaced.
     ///
     /// # Errors
-    /// The job does not fit the setting, or no outcome can be such.
+    /// The job does not fit the setting, or its outcome has an impossible number.
     pub fn add(&mut self, finished: Finished) -> Result<(), ResultsError> {
         check_finished(&finished, self.finished.len() + 1, self.setting.trials.len())?;
-        self.keep(finished);
-        Ok(())
-    }
-
-    fn keep(&mut self, finished: Finished) {
-        match self.finished.iter_mut().find(|known| known.job == finished.job) {
-            Some(known) if known.outcome.is_none() => *known = finished,
+        match self.finished.iter_mut().find(|earlier| earlier.job == finished.job) {
+            Some(earlier) if earlier.outcome.is_none() => *earlier = finished,
             Some(_) => {}
             None => self.finished.push(finished),
         }
+        Ok(())
     }
 }
 
-/// Whether this can be the result number `index`, counted from 1, of a comparison on so many trials.
+/// Checks the result number `index`, counted from 1, of a comparison on `trials` trials.
 fn check_finished(finished: &Finished, index: usize, trials: usize) -> Result<(), ResultsError> {
     let Finished { job, outcome, failure, .. } = finished;
     if !job.fits(trials) {
@@ -308,14 +306,14 @@ mod tests {
         Finished::new(job(1, 1), Ok(outcome(mse, Some(-10.0), 100, 1.0)))
     }
 
-    /// What the reader says to a document with these results.
+    /// Reads a document with these results.
     fn read(finished: Vec<Finished>) -> Result<Results, ResultsError> {
         let results = Results { finished, ..Results::new(setting(2)) };
         Results::from_json(&results.to_json().unwrap())
     }
 
     #[test]
-    fn merging_keeps_what_was_known_first() {
+    fn keeps_the_first_failure_of_a_job_when_files_are_merged() {
         let mut results = Results::new(setting(2));
         results.add(failed(1, 1)).unwrap();
         let mut other = results.clone();
@@ -329,7 +327,7 @@ mod tests {
 
     /// A hundred thousand results once took minutes to read and to merge.
     #[test]
-    fn many_results_are_read_and_merged_at_once() {
+    fn reads_and_merges_many_results_in_linear_time() {
         let many: Vec<Finished> =
             (0..30_000).map(|seed| Finished::new(Job { seed, ..job(1, 1) }, Err("why".to_owned()))).collect();
         let mut results = read(many.clone()).unwrap();
@@ -340,7 +338,7 @@ mod tests {
     }
 
     #[test]
-    fn a_failure_is_replaced_and_an_outcome_stays() {
+    fn replaces_a_failure_but_never_an_outcome() {
         let mut results = Results::new(setting(2));
         results.add(failed(1, 1)).unwrap();
         assert!(!results.has_outcome(&job(1, 1)));
@@ -387,7 +385,7 @@ mod tests {
     }
 
     #[test]
-    fn planned_jobs_with_an_outcome_are_done() {
+    fn counts_only_jobs_with_an_outcome_as_done() {
         let mut results = Results::new(setting(2));
         results.add(done(0.5)).unwrap();
         results.add(failed(2, 1)).unwrap();
@@ -398,7 +396,7 @@ mod tests {
     }
 
     #[test]
-    fn tables_go_by_model_then_size_then_seed() {
+    fn orders_jobs_by_model_then_size_then_seed() {
         let mut results = Results::new(setting(2));
         let dmp = |bases: usize| Settings::DmpRhythmic(DmpSettings { bases });
         let vgpdm = |ips: usize| Settings::Vgpdm(variational(ips));
@@ -422,7 +420,7 @@ mod tests {
             assert_eq!(Results::new(setting(2)).add(failed(held_out, training_trials)), Err(error));
         }
         let error = read(vec![failed(1, 1), failed(2, 1), failed(1, 1)]).unwrap_err().to_string();
-        assert_eq!(error, "result 3: the same training stands there twice, found before as result 1");
+        assert_eq!(error, "result 3: expected each job once, found the job of result 1 again");
         let neither = Finished { failure: None, ..failed(2, 1) };
         assert_eq!(read(vec![failed(1, 1), neither]), Err(ResultsError::Ending(2)));
     }

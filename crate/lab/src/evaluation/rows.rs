@@ -1,5 +1,4 @@
-//! What came of each candidate, fold by fold, so that candidates are compared over trials that all of them
-//! have.
+//! Scores per candidate and fold. Candidates are compared over the folds that all of them have.
 
 use crate::evaluation::candidate_size::{size, without_size};
 use crate::evaluation::outcome::{Outcome, share_converged};
@@ -17,8 +16,8 @@ pub(super) struct Row<'a> {
     outcomes: BTreeMap<usize, Vec<&'a Outcome>>,
 }
 
-/// Candidates that were trained on all other trials, in the order of tables: by model, then those that differ
-/// in size alone by size. Folds are numbered on from one comparison to the next.
+/// Candidates that were trained on all other trials, in the order of tables: by model, and by size among those
+/// that differ only in size. The numbers of the folds go on from one comparison to the next.
 pub(super) fn rows<'a>(several: &[&'a Results]) -> Vec<Row<'a>> {
     let mut rows: Vec<Row> = Vec::new();
     let mut before = 0;
@@ -36,7 +35,7 @@ pub(super) fn rows<'a>(several: &[&'a Results]) -> Vec<Row<'a>> {
         }
         before += trials;
     }
-    // Of several jobs at a time, which was finished first is chance.
+    // The order in which jobs finished is random.
     let groups: Vec<Settings> = rows.iter().map(|row| without_size(row.candidate)).collect();
     rows.sort_by_cached_key(|row| {
         let (kind, alike) = (row.candidate.kind(), without_size(row.candidate));
@@ -49,12 +48,12 @@ pub(super) fn rows<'a>(several: &[&'a Results]) -> Vec<Row<'a>> {
     rows
 }
 
-/// The trials held out that all of these have.
+/// The folds that all of these rows have.
 pub(super) fn common_folds(rows: &[&Row]) -> BTreeSet<usize> {
     rows.iter().map(|row| row.folds()).reduce(|a, b| &a & &b).unwrap_or_default()
 }
 
-/// Puts together the rows that differ in their size alone, in the order in which they come.
+/// Groups of rows that differ only in size, in the order of the rows.
 pub(super) fn groups<'a, 'r: 'a>(rows: impl Iterator<Item = &'a Row<'r>>) -> Vec<Vec<&'a Row<'r>>> {
     let mut groups: Vec<(Settings, Vec<&Row>)> = Vec::new();
     for row in rows {
@@ -67,8 +66,8 @@ pub(super) fn groups<'a, 'r: 'a>(rows: impl Iterator<Item = &'a Row<'r>>) -> Vec
     groups.into_iter().map(|(_, group)| group).collect()
 }
 
-/// The settings of a kind that differ in size alone: of several such groups the one with most results, of
-/// equally many the first. `wanted` says which groups count.
+/// The rows of a kind that differ only in size: of several such groups the one with most results, among equal
+/// ones the first. `wanted` says which groups count.
 pub(super) fn settings<'a, 'r>(
     rows: &'a [Row<'r>],
     kind: ModelKind,
@@ -84,12 +83,12 @@ impl Row<'_> {
         self.outcomes.keys().copied().collect()
     }
 
-    /// How many outcomes there are.
+    /// Number of outcomes.
     pub fn runs(&self) -> usize {
         self.outcomes.values().map(Vec::len).sum()
     }
 
-    /// The mean over the seeds of each of these folds, where there is a value.
+    /// The mean over the seeds of each of these folds that has a value.
     fn means(&self, folds: &BTreeSet<usize>, value: &dyn Fn(&Outcome) -> Option<f64>) -> Vec<f64> {
         let fold = |fold: &usize| {
             let values: Vec<f64> = self.outcomes.get(fold)?.iter().filter_map(|o| value(o)).collect();
@@ -98,13 +97,13 @@ impl Row<'_> {
         folds.iter().filter_map(fold).collect()
     }
 
-    /// The mean over these folds; absent where there is no value.
+    /// The mean over these folds; absent without a value.
     fn mean(&self, folds: &BTreeSet<usize>, value: &dyn Fn(&Outcome) -> Option<f64>) -> Option<f64> {
         let means = self.means(folds, value);
         (!means.is_empty()).then(|| mean(&means))
     }
 
-    /// The means over the seeds by fold, where there is a value.
+    /// The means over the seeds by fold, for folds with a value.
     fn by_fold(
         &self,
         folds: &BTreeSet<usize>,
@@ -124,7 +123,7 @@ impl Row<'_> {
         self.mean(folds, &|o| Some(o.score.dtw_mse))
     }
 
-    /// The mean error on the trials trained on over these folds; absent where it is not known.
+    /// The mean error on the training trials over these folds; absent if unknown.
     pub fn training_mse(&self, folds: &BTreeSet<usize>) -> Option<f64> {
         self.mean(folds, &|o| o.training_mse)
     }
@@ -145,17 +144,17 @@ impl Row<'_> {
         self.mse(&BTreeSet::from([fold]))
     }
 
-    /// The errors on the trials trained on in these folds, means over seeds, where they are known.
+    /// The errors on the training trials in these folds, means over seeds, as far as known.
     pub fn training_errors(&self, folds: &BTreeSet<usize>) -> BTreeMap<usize, f64> {
         self.by_fold(folds, &|o| o.training_mse)
     }
 
-    /// The bounds of these folds, means over seeds, where there are some.
+    /// The bounds of these folds, means over seeds, as far as there are any.
     pub fn bounds(&self, folds: &BTreeSet<usize>) -> BTreeMap<usize, f64> {
         self.by_fold(folds, &|o| o.bound)
     }
 
-    /// Over all folds that it has itself; the number of candidates it stands for is known elsewhere.
+    /// The row of a table, over all its own folds. `stands_for` is the number of candidates that it represents.
     pub fn summary(&self, label: String, stands_for: usize) -> Option<ModelSummary> {
         let folds = self.folds();
         let spread = |value: &dyn Fn(&Outcome) -> Option<f64>| -> Option<Spread> {
@@ -201,7 +200,7 @@ mod tests {
     use vcgpdm::models::{DmpSettings, TmpSettings};
 
     #[test]
-    fn rows_go_by_model_and_size_whichever_was_finished_first() {
+    fn orders_rows_by_model_and_size_whichever_finished_first() {
         let vgpdm = |ips| Settings::Vgpdm(variational(ips));
         let dmp = |bases| Settings::DmpRhythmic(DmpSettings { bases });
         let tmp = |primitives, normalised_time| Settings::Tmp(TmpSettings { primitives, normalised_time });

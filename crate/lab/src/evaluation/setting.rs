@@ -1,11 +1,11 @@
-//! What all results of one comparison have in common: the trials, the parts, the frame rate.
+//! The setting of a comparison: its trials, parts and frame rate.
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 use vcgpdm::motion::Clip;
 use vcgpdm::motion::parts::PartSpec;
 
-/// A trial, by its content.
+/// A trial, identified by its content.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TrialClip {
@@ -19,7 +19,7 @@ pub struct TrialClip {
 }
 
 impl TrialClip {
-    /// Whether it is the same motion, whatever it is called.
+    /// Whether both are the same motion; the names do not count.
     fn is_same_motion(&self, other: &TrialClip) -> bool {
         (&self.sha256, self.piece) == (&other.sha256, other.piece)
     }
@@ -29,7 +29,7 @@ impl TrialClip {
     }
 }
 
-/// Why trials cannot be compared on.
+/// Why trials cannot be used for a comparison.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum SettingError {
@@ -41,7 +41,7 @@ pub enum SettingError {
         "trials {first} and {second} are the same motion ({name}): the one held out would be trained on; leave one out"
     )]
     Twice {
-        /// What the first is called.
+        /// The name of the first.
         name: String,
         /// Counted from 1.
         first: usize,
@@ -53,7 +53,7 @@ pub enum SettingError {
     Rate(f64),
 }
 
-/// What all results of a comparison have in common.
+/// The setting of all results of a comparison.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Setting {
@@ -61,18 +61,17 @@ pub struct Setting {
     pub trials: Vec<TrialClip>,
     /// How the coupled models split the body.
     pub parts: Vec<PartSpec>,
-    /// The clips were brought to about this rate.
+    /// The clips were resampled to about this rate.
     pub frames_per_second: f64,
-    /// Frames of the trial held out that a prediction starts from.
+    /// Number of first frames of the trial held out from which it is predicted.
     pub start_frames: usize,
 }
 
 impl Setting {
-    /// The clips as trials, the body split into these parts, at about this frame rate, predicted from so many
-    /// first frames.
+    /// The setting with these clips as trials.
     ///
     /// # Errors
-    /// The trials are too few, or two of them are the same motion, or the rate is not positive.
+    /// There are fewer than two trials, two of them are the same motion, or the rate is not positive.
     pub fn new(
         clips: &[Clip],
         parts: &[PartSpec],
@@ -94,7 +93,7 @@ impl Setting {
         Ok(setting)
     }
 
-    /// Checks what [`Setting::new`] checks.
+    /// Makes the checks of [`Setting::new`].
     pub(super) fn check(&self) -> Result<(), SettingError> {
         if self.trials.len() < 2 {
             return Err(SettingError::Trials(self.trials.len()));
@@ -109,16 +108,15 @@ impl Setting {
         Ok(())
     }
 
-    /// Two trials that are the same motion, counted from 1: whichever is held out, the other would be trained
-    /// on.
+    /// Two trials that are the same motion, counted from 1. If one were held out, the other would be trained on.
     fn same_motions(&self) -> Option<(usize, usize)> {
         let trials = &self.trials;
         let later = |k: usize| (k + 1..trials.len()).find(|other| trials[k].is_same_motion(&trials[*other]));
         (0..trials.len()).find_map(|k| later(k).map(|other| (k + 1, other + 1)))
     }
 
-    /// What differs in the other; absent when results of both go together. What trials and parts are called
-    /// does not count.
+    /// The first difference between the settings, as text; absent if their results can be merged. The names of
+    /// trials and parts do not count.
     pub(super) fn difference(&self, other: &Setting) -> Option<String> {
         let (trials, parts) = (&self.trials, &self.parts);
         if other.trials.len() != trials.len() {
@@ -156,13 +154,13 @@ mod tests {
     use crate::evaluation::testing::setting;
 
     #[test]
-    fn trials_are_what_they_are_not_what_they_are_called() {
+    fn names_of_trials_and_parts_do_not_count() {
         let difference = |change: &dyn Fn(&mut Setting)| {
             let mut other = setting(2);
             change(&mut other);
             setting(2).difference(&other)
         };
-        // A page calls a clip by its title, the terminal by its file.
+        // The page names a clip by its title, the terminal program by its file.
         assert_eq!(difference(&|other| other.trials[0].name = "a.bvh".to_owned()), None);
         assert_eq!(difference(&|other| other.parts[0].name = "legs".to_owned()), None);
         let differs = |change: &dyn Fn(&mut Setting), words: &str| {
@@ -188,11 +186,11 @@ mod tests {
             "predictions from another number of first frames: expected 5, found 3",
         );
         let text = serde_json::to_string(&setting(2)).unwrap();
-        assert!(!text.contains("piece"), "as in files before there were pieces: {text}");
+        assert!(!text.contains("piece"), "as in files of earlier versions: {text}");
     }
 
     #[test]
-    fn a_trial_cannot_be_held_out_and_trained_on() {
+    fn refuses_two_trials_of_the_same_motion() {
         let mut twice = setting(2);
         twice.trials.push(TrialClip { name: "again".to_owned(), ..twice.trials[1].clone() });
         let error = twice.check().unwrap_err().to_string();

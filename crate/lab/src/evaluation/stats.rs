@@ -28,7 +28,7 @@ pub fn standard_error(values: &[f64]) -> Option<f64> {
     (values.len() > 1).then(|| (squares / (n - 1.0) / n).sqrt())
 }
 
-/// Ranks from 1; values that are equal share the mean of their ranks.
+/// Ranks from 1; equal values share the mean of their ranks.
 fn ranks(values: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
@@ -44,8 +44,7 @@ fn ranks(values: &[f64]) -> Vec<f64> {
     ranks
 }
 
-/// Spearman's rank correlation of pairs; absent where one side does not vary or there are fewer than two
-/// pairs.
+/// Spearman's rank correlation of pairs; absent if one side is constant or there are fewer than two pairs.
 pub fn rank_correlation(pairs: &[(f64, f64)]) -> Option<f64> {
     let (a, b): (Vec<f64>, Vec<f64>) = pairs.iter().copied().unzip();
     let (a, b) = (ranks(&a), ranks(&b));
@@ -57,8 +56,8 @@ pub fn rank_correlation(pairs: &[(f64, f64)]) -> Option<f64> {
     (spread > 0.0).then(|| product(&a, ma, &b, mb) / spread)
 }
 
-/// The exponent k of y = c x^k: the slope of a straight line through the logarithms of positive pairs; absent
-/// where x does not vary.
+/// The exponent k of y = c x^k: the slope of a straight line through the logarithms of positive pairs; absent if
+/// x is constant.
 pub fn exponent(pairs: &[(f64, f64)]) -> Option<f64> {
     let logarithms: Vec<(f64, f64)> = pairs.iter().map(|(x, y)| (x.logarithm(), y.logarithm())).collect();
     let (x, y): (Vec<f64>, Vec<f64>) = logarithms.iter().copied().unzip();
@@ -68,14 +67,14 @@ pub fn exponent(pairs: &[(f64, f64)]) -> Option<f64> {
     (spread > 0.0).then(|| product / spread)
 }
 
-/// Where a number lies, with the probability that such an interval covers it.
+/// A confidence interval.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Interval {
-    /// From here.
+    /// The lower end.
     pub low: f64,
-    /// To here.
+    /// The upper end.
     pub high: f64,
-    /// The probability, 0.95 or a little more.
+    /// The confidence level, 0.95 or a little more.
     pub level: f64,
 }
 
@@ -86,18 +85,17 @@ impl fmt::Display for Interval {
 }
 
 impl Interval {
-    /// The same through an increasing function.
-    pub fn through(self, f: impl Fn(f64) -> f64) -> Self {
+    /// The interval of an increasing function of the number.
+    pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         Self { low: f(self.low), high: f(self.high), level: self.level }
     }
 }
 
-/// The probability that every interval here covers at least.
+/// The smallest confidence level of the intervals.
 const LEVEL: f64 = 0.95;
 
-/// An interval for the median of whatever the values were drawn from: between two of them, by the sign test,
-/// so that it supposes no distribution and one wild value cannot move it far. Absent for fewer than six
-/// values, of which no two are 95 % apart.
+/// Confidence interval of the median, between two of the values, by the sign test: it assumes no distribution,
+/// and one extreme value cannot move it far. Absent for fewer than six values, which give no interval of 95 %.
 pub fn median_interval(values: &[f64]) -> Option<Interval> {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -116,15 +114,14 @@ pub fn median_interval(values: &[f64]) -> Option<Interval> {
     found
 }
 
-/// Student's interval for the mean of normal values; absent for fewer than two.
+/// Student's confidence interval of the mean of normal values; absent for fewer than two.
 pub fn mean_interval(values: &[f64]) -> Option<Interval> {
     let reach = standard_error(values)? * student_quantile(values.len() - 1);
     let middle = mean(values);
     Some(Interval { low: middle - reach, high: middle + reach, level: LEVEL })
 }
 
-/// What a Student t of so many degrees of freedom stays within, to both sides of 0, with a probability of 95
-/// %.
+/// The number x with P(|t| < x) = 95 % for a Student t of `freedom` degrees of freedom.
 pub fn student_quantile(freedom: usize) -> f64 {
     let even = freedom.is_multiple_of(2);
     // P(|t| < x) in closed form (Abramowitz and Stegun 1964, 26.7.3 and 26.7.4).
@@ -148,45 +145,47 @@ pub fn student_quantile(freedom: usize) -> f64 {
     0.5 * (low + high)
 }
 
-/// Orders that are all tried; of more pairs so many random ones.
+/// Up to this number of pairs, all orders are tried.
 const ALL_ORDERS: usize = 7;
+/// Number of random orders for more pairs.
 const RANDOM_ORDERS: usize = 20_000;
 
-/// How likely chance alone makes a rank correlation at most as high as that of these pairs: the share of
-/// orders of the one side that do.
-pub fn chance_of_so_low(pairs: &[(f64, f64)]) -> Option<f64> {
+/// One-sided p value of a negative rank correlation, by permutation: the share of the orders of one side whose
+/// rank correlation is at most that of these pairs.
+pub fn correlation_p_value(pairs: &[(f64, f64)]) -> Option<f64> {
     let found = rank_correlation(pairs)?;
     let (a, mut b): (Vec<f64>, Vec<f64>) = pairs.iter().copied().unzip();
     let (mut low, mut all) = (0_usize, 0_usize);
-    let mut look = |b: &[f64]| {
+    let mut count = |b: &[f64]| {
         let pairs: Vec<(f64, f64)> = a.iter().copied().zip(b.iter().copied()).collect();
         all += 1;
         low += usize::from(rank_correlation(&pairs).is_some_and(|rank| rank <= found + 1e-12));
     };
     if b.len() <= ALL_ORDERS {
-        every_order(&mut b, 0, &mut look);
+        each_order(&mut b, 0, &mut count);
     } else {
         let mut rng = ChaCha8Rng::seed_from_u64(0);
-        look(&b);
+        count(&b);
         for _ in 0..RANDOM_ORDERS {
             for k in (1..b.len()).rev() {
                 let other = (rng.next_u64() % (k as u64 + 1)) as usize;
                 b.swap(k, other);
             }
-            look(&b);
+            count(&b);
         }
     }
     Some(low as f64 / all as f64)
 }
 
-fn every_order(values: &mut [f64], fixed: usize, look: &mut impl FnMut(&[f64])) {
+/// Calls `visit` with every order of the values after the first `fixed`.
+fn each_order(values: &mut [f64], fixed: usize, visit: &mut impl FnMut(&[f64])) {
     if fixed + 1 >= values.len() {
-        look(values);
+        visit(values);
         return;
     }
     for k in fixed..values.len() {
         values.swap(fixed, k);
-        every_order(values, fixed + 1, look);
+        each_order(values, fixed + 1, visit);
         values.swap(fixed, k);
     }
 }
@@ -213,7 +212,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     #[test]
-    fn by_hand() {
+    fn computes_means_medians_and_ranks_as_by_hand() {
         assert_eq!(mean(&[1.0, 2.0, 6.0]), 3.0);
         // Deviations -2, -1, 3: variance 14 / 2, divided by 3.
         assert_relative_eq!(standard_error(&[1.0, 2.0, 6.0]).unwrap(), (7.0f64 / 3.0).sqrt());
@@ -224,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn rank_correlation_sees_order_only() {
+    fn rank_correlation_depends_only_on_the_order() {
         let cubes: Vec<(f64, f64)> = (0..7).map(|k| (f64::from(k), f64::from(k).powi(3))).collect();
         assert_relative_eq!(rank_correlation(&cubes).unwrap(), 1.0);
         let falling: Vec<(f64, f64)> = cubes.iter().map(|(x, y)| (*x, -y)).collect();
@@ -235,14 +234,14 @@ mod tests {
     }
 
     #[test]
-    fn exponents_of_powers() {
+    fn finds_the_exponent_of_a_power() {
         let powers: Vec<(f64, f64)> = [1.0, 2.0, 5.0].iter().map(|x: &f64| (*x, 3.0 * x.powf(2.7))).collect();
         assert_relative_eq!(exponent(&powers).unwrap(), 2.7, epsilon = 1e-12);
         assert_eq!(exponent(&[(2.0, 1.0), (2.0, 3.0)]), None);
     }
 
     #[test]
-    fn intervals_as_in_tables() {
+    fn gives_the_intervals_of_published_tables() {
         // Two-sided 95 % points of Student's t.
         for (freedom, quantile) in [(1, 12.706), (2, 4.303), (3, 3.182), (6, 2.447), (9, 2.262), (30, 2.042)]
         {
@@ -254,31 +253,31 @@ mod tests {
         assert_eq!((found.low, found.high, found.level), (2.0, 9.0, 1.0 - 22.0 / 1024.0));
         assert_eq!(median_interval(&ten[..6]).map(|i| (i.low, i.high)), Some((1.0, 6.0)));
         assert_eq!(median_interval(&ten[..5]), None);
-        // One wild value changes nothing.
-        let wild: Vec<f64> = ten.iter().map(|v| if *v == 10.0 { 1e9 } else { *v }).collect();
-        assert_eq!(median_interval(&wild), Some(found));
+        // One extreme value changes nothing.
+        let extreme: Vec<f64> = ten.iter().map(|v| if *v == 10.0 { 1e9 } else { *v }).collect();
+        assert_eq!(median_interval(&extreme), Some(found));
         let found = mean_interval(&[1.0, 2.0, 6.0]).unwrap();
         assert_relative_eq!(found.high, 3.0 + 4.3027 * (7.0f64 / 3.0).sqrt(), epsilon = 1e-3);
     }
 
     #[test]
-    fn chance_of_a_correlation() {
+    fn computes_the_p_value_of_a_rank_correlation() {
         let falling: Vec<(f64, f64)> = (0..5).map(|k| (f64::from(k), -f64::from(k))).collect();
-        assert_relative_eq!(chance_of_so_low(&falling).unwrap(), 1.0 / 120.0);
-        // Of five pairs, -0.5 or less comes by chance in 27 of 120 orders.
+        assert_relative_eq!(correlation_p_value(&falling).unwrap(), 1.0 / 120.0);
+        // Of five pairs, 27 of 120 orders have -0.5 or less.
         let some = |b: [f64; 5]| (0..5).map(|k| (f64::from(k), b[k as usize])).collect::<Vec<_>>();
         let rank = some([4.0, 2.0, 5.0, 3.0, 1.0]);
         assert_relative_eq!(rank_correlation(&rank).unwrap(), -0.5);
-        assert_relative_eq!(chance_of_so_low(&rank).unwrap(), 27.0 / 120.0);
+        assert_relative_eq!(correlation_p_value(&rank).unwrap(), 27.0 / 120.0);
         // Many pairs: by random orders, the same every time.
         let many: Vec<(f64, f64)> = (0..12).map(|k| (f64::from(k), f64::from((k * 5) % 12))).collect();
-        let chance = chance_of_so_low(&many).unwrap();
-        assert_eq!(chance_of_so_low(&many), Some(chance));
-        assert!((0.1..1.0).contains(&chance), "{chance}");
+        let p = correlation_p_value(&many).unwrap();
+        assert_eq!(correlation_p_value(&many), Some(p));
+        assert!((0.1..1.0).contains(&p), "{p}");
     }
 
     #[test]
-    fn a_slope_with_its_interval() {
+    fn gives_an_interval_of_the_exponent() {
         let pairs = [(1.0, 1.0), (2.0, 2.2), (4.0, 3.9), (8.0, 8.1)];
         let (slope, interval) = exponent_interval(&pairs).unwrap();
         let interval = interval.unwrap();

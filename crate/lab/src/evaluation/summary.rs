@@ -1,4 +1,4 @@
-//! What a comparison says, as values: its tables and the claims of the papers.
+//! The values of a comparison: its tables, and the claims of the papers.
 
 use crate::evaluation::stats::Interval;
 use serde::Serialize;
@@ -22,45 +22,45 @@ pub struct ModelSummary {
     pub model: ModelKind,
     /// The kind with its settings.
     pub candidate: Settings,
-    /// The settings that set it apart, in a few words.
+    /// The settings that differ from other candidates, in a few words.
     pub label: String,
     /// Mean squared error after dynamic time warping, in the squared units of the columns.
     pub mse: Spread,
-    /// The median error over the folds: a single rollout that goes astray does not move it.
+    /// The median error over the folds, which a single bad rollout does not move.
     pub mse_median: f64,
-    /// The same error on the trials that were trained on, where the results hold it.
+    /// The same error on the training trials, if the results have it.
     pub training_mse: Option<Spread>,
-    /// The error of a prediction that does not move.
+    /// The error of a motionless prediction: the variance of the trial.
     pub variance: f64,
-    /// The bound on the log evidence, in nats, where the model has one.
+    /// The bound on the log evidence, in nats, if the model has one.
     pub bound: Option<Spread>,
     /// Seconds of a training.
     pub seconds: Spread,
-    /// Numbers that must be kept to roll out.
+    /// Numbers that a rollout needs.
     pub stored_numbers: Spread,
-    /// The share of trainings that ended because nothing changed any more, 0 to 1; absent for models without
-    /// iterations.
+    /// The share of trainings that ended because their objective no longer changed, 0 to 1; absent for models
+    /// without iterations.
     pub converged: Option<f64>,
-    /// The terms of the bound, means over folds, where the results hold them.
+    /// The terms of the bound, means over folds, if the results have them.
     pub terms: Option<TermMeans>,
-    /// The mean error of each part, in the order of the setting's parts, after the same time warping; empty
-    /// where the results do not hold it.
+    /// The mean error of each part, in the order of the setting's parts, after the same time warping; empty if
+    /// the results do not have it.
     pub part_errors: Vec<f64>,
     /// Number of trials held out.
     pub folds: usize,
     /// Number of trainings.
     pub runs: usize,
-    /// How many candidates it stands for: all that differ in size alone, where it is the one of them that
-    /// claims choose for most trials; else 0.
+    /// Number of candidates that it represents: all that differ only in size, if claims choose it for most
+    /// trials; else 0.
     pub stands_for: usize,
 }
 
 /// Means of the terms of a bound, in nats.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TermMeans {
-    /// Kinematics of all parts: the pose maps.
+    /// The kinematics terms of all parts: the pose maps.
     pub pose: f64,
-    /// Dynamics into all parts, initial states and entropy.
+    /// The dynamics terms of all parts, with initial states and entropy.
     pub dynamics: f64,
 }
 
@@ -81,8 +81,7 @@ pub struct BoundAndError {
 pub struct Correlation {
     /// The kind of model.
     pub model: ModelKind,
-    /// What the candidates have in common, in a few words, where the kind has several such groups; else
-    /// empty.
+    /// The settings that the candidates share, in a few words, if the kind has several such groups; else empty.
     pub label: String,
     /// Number of candidates.
     pub settings: usize,
@@ -90,16 +89,16 @@ pub struct Correlation {
     pub folds: usize,
     /// Spearman's rank correlation of bound and error.
     pub rank: f64,
-    /// How likely chance alone makes it so low: the share of all orders of the settings that do.
+    /// The one-sided p value: the share of all orders of the settings with a rank correlation at most as high.
     pub chance: f64,
     /// The candidates.
     pub points: Vec<BoundAndError>,
 }
 
-/// Frames trained on, and how long that took.
+/// Number of training frames, and time.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FramesAndTime {
-    /// Mean number of frames trained on.
+    /// Mean number of training frames.
     pub frames: f64,
     /// Mean seconds of an iteration.
     pub seconds: f64,
@@ -107,7 +106,7 @@ pub struct FramesAndTime {
     pub training_seconds: f64,
 }
 
-/// Learning time of one candidate over the frames trained on: figure 2 of the supplement of Velychko et al.
+/// Training time of one candidate over the training frames: figure 2 of the supplement of Velychko et al.
 /// (2017).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Growth {
@@ -117,33 +116,33 @@ pub struct Growth {
     pub label: String,
     /// From few to many frames.
     pub points: Vec<FramesAndTime>,
-    /// k where the time of an iteration grows as frames to the power k; absent where it cannot be told.
+    /// The exponent k, if the time of an iteration grows as frames to the power k; absent with too few points.
     pub exponent: Option<f64>,
-    /// Where k lies, 95 %, by Student's t of the slope.
+    /// The 95 % interval of k, by Student's t of the slope.
     pub interval: Option<Interval>,
-    /// The same power for a whole training, which may need more iterations of more frames; absent where it
-    /// cannot be told.
+    /// The exponent for a whole training, which may need more iterations of more frames; absent with too few
+    /// points.
     pub training_exponent: Option<f64>,
-    /// Where that lies.
+    /// The 95 % interval of this exponent.
     pub training_interval: Option<Interval>,
-    /// The share of these trainings that ended because nothing changed any more, 0 to 1; absent for models
-    /// without iterations.
+    /// The share of these trainings that ended because their objective no longer changed, 0 to 1; absent for
+    /// models without iterations.
     pub converged: Option<f64>,
 }
 
-/// Two ways to split the body in one fold: what their bounds say, and what their errors say.
+/// Bounds and errors of two splits of the body in one fold.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Evidence {
-    /// The trial held out, by its name.
+    /// The name of the trial held out.
     pub trial: String,
     /// The bound of the vCGPDM minus that of the vGPDM, in nats: the logarithm of a Bayes factor (2020,
     /// equation 2.12), as far as both bounds are tight.
     pub log_bayes_factor: f64,
-    /// The error of the vCGPDM over that of the vGPDM.
+    /// The error of the vCGPDM divided by that of the vGPDM.
     pub error_ratio: f64,
 }
 
-/// What results say about a claim.
+/// Whether results agree with a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ClaimAnswer {
@@ -151,12 +150,12 @@ pub enum ClaimAnswer {
     Yes,
     /// The whole interval contradicts it.
     No,
-    /// The interval reaches to both sides, or there are too few trials for one.
+    /// The interval has both sides, or there are too few trials for an interval.
     Undecided,
 }
 
 impl ClaimAnswer {
-    /// In a word, in sentence case of tables.
+    /// The word for tables.
     pub fn word(self) -> &'static str {
         match self {
             ClaimAnswer::Yes => "yes",
@@ -166,17 +165,17 @@ impl ClaimAnswer {
     }
 }
 
-/// What the papers say, and what these results say about it.
+/// A claim of the papers, and whether these results agree.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Claim {
-    /// The sentence of the paper; where there is none, what we ask beside it.
+    /// The sentence of the paper, or a question of ours.
     pub claim: String,
-    /// Where it stands: year and section; "not in the papers" for what we ask ourselves.
+    /// Year and section of the paper; "not in the papers" for a question of ours.
     pub place: String,
-    /// Our criterion: what it is held against.
+    /// Our criterion of agreement.
     pub criterion: String,
     /// The effect that was found, with its interval.
     pub found: String,
-    /// Whether that agrees.
+    /// Whether the effect meets the criterion.
     pub answer: ClaimAnswer,
 }

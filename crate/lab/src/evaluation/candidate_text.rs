@@ -1,4 +1,4 @@
-//! The settings of a candidate in words.
+//! The settings of a candidate as text.
 
 use vcgpdm::internals::counted;
 use vcgpdm::models::Settings;
@@ -9,13 +9,13 @@ pub(super) struct Common {
     pub latent: usize,
     pub order: usize,
     pub max_iterations: usize,
-    /// Of the models with point latents; the variational ones have no balance.
+    /// Absent for the variational models.
     pub balanced: Option<bool>,
-    /// Whether the dynamics have a linear term: said only where they have.
+    /// Whether the dynamics have a linear term. Only a linear term is named.
     pub linear: bool,
 }
 
-/// What all models with latents have in common; absent for the others.
+/// The settings that all models with latents have; absent for the others.
 pub(super) fn common(candidate: &Settings) -> Option<Common> {
     match candidate {
         Settings::Vcgpdm(s) | Settings::Vgpdm(s) => Some(Common {
@@ -36,7 +36,7 @@ pub(super) fn common(candidate: &Settings) -> Option<Common> {
     }
 }
 
-/// Its size; absent where the data are the size.
+/// The size of the candidate; absent if the data determine it.
 pub(super) fn size(candidate: &Settings) -> Option<String> {
     match candidate {
         Settings::Vcgpdm(s) | Settings::Vgpdm(s) => {
@@ -57,7 +57,7 @@ pub(super) fn size(candidate: &Settings) -> Option<String> {
     }
 }
 
-/// The kind with every setting: different for different candidates.
+/// The kind with every setting. The texts of different candidates differ.
 pub(super) fn every_setting(candidate: &Settings) -> String {
     let mut words = vec![candidate.kind().id().to_owned()];
     words.extend(size(candidate));
@@ -69,10 +69,10 @@ pub(super) fn every_setting(candidate: &Settings) -> String {
     words.join(", ")
 }
 
-/// The dynamics have a linear term.
+/// The name of a linear term of the dynamics.
 pub(super) const LINEAR: &str = "linear term";
 
-/// Whether the dynamics are balanced.
+/// The name of balanced dynamics, or of dynamics that are not balanced.
 pub(super) fn balance(balanced: bool) -> &'static str {
     if balanced { "balanced" } else { "not balanced" }
 }
