@@ -12,7 +12,7 @@ fuzz_target!(|text: &str| {
     });
     let Ok(answers) = read_answers(study, &[AnswerFile { name: "fuzzed", text }]) else { return };
     let options = AnalysisOptions { draws: 10, ..AnalysisOptions::default() };
-    if let Ok(results) = PerceptionResults::of(study, &answers, options) {
+    if let Ok(results) = PerceptionResults::new(study, &answers, options) {
         assert!(results.figures().iter().all(|figure| !figure.csv.contains("NaN") && !figure.csv.contains("inf,")));
     }
 });

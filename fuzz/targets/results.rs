@@ -6,7 +6,7 @@ use vcgpdm_lab::evaluation::{Comparison, Results};
 
 fuzz_target!(|text: &str| {
     let Ok(results) = Results::from_json(text) else { return };
-    let _ = Comparison::of(&results);
+    let _ = Comparison::new(&results);
     let written = results.to_json().expect("results that were read can be written");
     let again = Results::from_json(&written).expect("results that were written can be read");
     assert_eq!(again.finished().len(), results.finished().len());

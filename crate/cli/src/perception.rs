@@ -75,7 +75,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         seed: arguments.seed,
         attention: arguments.attention,
     };
-    let results = PerceptionResults::of(&study, &answers, options).map_err(|error| match error {
+    let results = PerceptionResults::new(&study, &answers, options).map_err(|error| match error {
         AnalysisError::Option { what, expected, found } => {
             usage(format!("--{what}: expected {expected}, found {found}"))
         }

@@ -44,7 +44,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             writeln!(text, "### {}\n", one_line(&subject.name))?;
         }
         let setting = subject.results.setting();
-        let comparison = Comparison::of(&subject.results);
+        let comparison = Comparison::new(&subject.results);
         let names: Vec<String> = comparison.parts.iter().map(|part| one_line(part)).collect();
         writeln!(
             text,
@@ -62,7 +62,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         claims(&mut text, &comparison)?;
     }
     if subjects.len() > 1 {
-        let comparison = Comparison::of_all(&different(&subjects));
+        let comparison = Comparison::of_several(&different(&subjects));
         writeln!(
             text,
             "\n### All together\n\nEvery trial counts once: of files with the same clips, the first one counts.\n"
@@ -81,11 +81,11 @@ fn numbers(subjects: &[Subject]) -> Value {
         json!({
             "name": subject.name,
             "setting": results.setting(),
-            "comparison": Comparison::of(results),
+            "comparison": Comparison::new(results),
             "failed": failed.collect::<Vec<_>>(),
         })
     };
-    let all = (subjects.len() > 1).then(|| Comparison::of_all(&different(subjects)));
+    let all = (subjects.len() > 1).then(|| Comparison::of_several(&different(subjects)));
     json!({ "subjects": subjects.iter().map(numbers).collect::<Vec<_>>(), "all_together": all })
 }
 
@@ -247,7 +247,7 @@ pub fn one_line(text: &str) -> String {
 }
 
 fn failures(text: &mut String, results: &Results) -> std::fmt::Result {
-    let labels = Labels::of(results);
+    let labels = Labels::new(results);
     for f in results.finished().iter().filter(|f| f.failure.is_some()) {
         let (job, why) = (&f.job, one_line(f.failure.as_deref().unwrap_or_default()));
         let (kind, label) = (job.candidate.kind().id(), labels.label(&job.candidate));

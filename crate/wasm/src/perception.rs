@@ -203,7 +203,7 @@ fn results(study: &Text, answers: &JsValue, options: &JsValue) -> Result<Percept
     };
     let given = files.iter().map(|file| AnswerFile { name: &file.name, text: &file.text });
     let answers = read_answers(&study, &given.collect::<Vec<_>>())?;
-    Ok(PerceptionResults::of(&study, &answers, options)?)
+    Ok(PerceptionResults::new(&study, &answers, options)?)
 }
 
 /// What answers to a study say: the same numbers as `vcgpdm perception`.

@@ -355,6 +355,6 @@ impl Results {
     /// What they say: tables, correlations, exponents, claims.
     #[wasm_bindgen(unchecked_return_type = "Comparison")]
     pub fn comparison(&self) -> Result<JsValue, VcgpdmError> {
-        to_js(&Comparison::of(&self.results))
+        to_js(&Comparison::new(&self.results))
     }
 }

@@ -32,14 +32,14 @@ pub struct Comparison {
 
 impl Comparison {
     /// The tables of these results.
-    pub fn of(results: &Results) -> Self {
-        Self::of_all(&[results])
+    pub fn new(results: &Results) -> Self {
+        Self::of_several(&[results])
     }
 
     /// The tables of several comparisons together, each with its own trials. Errors are compared trial by trial,
     /// so that errors of different people and movements are never mixed.
-    pub fn of_all(several: &[&Results]) -> Self {
-        let (rows, labels) = (rows(several), Labels::of_all(several));
+    pub fn of_several(several: &[&Results]) -> Self {
+        let (rows, labels) = (rows(several), Labels::of_several(several));
         let growth = growth(several, &labels);
         let trials = several.iter().flat_map(|results| &results.setting().trials);
         let names: Vec<&str> = trials.map(|trial| trial.name.as_str()).collect();
@@ -84,7 +84,7 @@ mod tests {
         }
         // Trained on fewer trials: no row of the table.
         jobs.push(finished(candidate(), 3, 1, 0, outcome(100.0, Some(10.0), 50, 1.0)));
-        let found = Comparison::of(&results(3, &jobs));
+        let found = Comparison::new(&results(3, &jobs));
         assert_eq!(found.models.len(), 1);
         let row = &found.models[0];
         assert_eq!((row.folds, row.runs, row.mse.count), (2, 3, 2));
@@ -121,16 +121,16 @@ mod tests {
             add(Settings::MapCgpdm(map(false)), if fold == 3 { 99.0 } else { 0.25 }, None);
             add(Settings::MapGpdm(map(true)), 0.25, None);
         }
-        let found = Comparison::of(&results(7, &jobs));
+        let found = Comparison::new(&results(7, &jobs));
         // Better than the plain GPDM, not than the balanced one; of seven trials the wild one leaves the
         // CGPDM undecided.
         assert_eq!(answer(&found, "3.2", "12 + 12 inducing points compared with MAP GPDM"), ClaimAnswer::Yes);
         assert_eq!(answer(&found, "not in the papers", "MAP GPDM, balanced"), ClaimAnswer::No);
         assert_eq!(answer(&found, "3.2", "compared with MAP CGPDM"), ClaimAnswer::Undecided);
         assert_eq!(answer(&found, "5.3", "compared with vGPDM"), ClaimAnswer::Yes);
-        // Not the best of all where one is better, or it is not known.
+        // Not the best of all if one is better, or if that is undecided.
         assert_eq!(answer(&found, "3.2", "lower in 7 of 7"), ClaimAnswer::Undecided);
-        // 0.3 is not nearly 0.2; of bounds (1, 3, 2) and errors (0.5, 0.3, 0.2) nothing can be said.
+        // 0.3 is not nearly 0.2; of bounds (1, 3, 2) and errors (0.5, 0.3, 0.2) nothing follows.
         assert_eq!(answer(&found, "5.3", "vCGPDM, the best of 3 settings"), ClaimAnswer::No);
         assert_eq!(answer(&found, "3.2", "vCGPDM: -0.50 over 3 settings"), ClaimAnswer::Undecided);
         // The bounds prefer the whole body, which predicts worse: in every trial.
@@ -157,7 +157,7 @@ mod tests {
             add(Settings::Vcgpdm(variational(12)), fold, mse);
         }
         add(Settings::Vgpdm(variational(12)), 1, 0.25);
-        let found = Comparison::of(&results(3, &jobs));
+        let found = Comparison::new(&results(3, &jobs));
         let claim = found.claims.iter().find(|c| c.place == "2018, section 5.3").unwrap();
         assert!(claim.found.contains("0.80 times in the median of 1 trial,"), "{claim:?}");
         // A single trial has no interval: nothing is decided.
@@ -172,7 +172,7 @@ mod tests {
         // Models without a common trial are not compared.
         jobs[3].job.held_out = 2;
         jobs.retain(|f| f.job.held_out != 2 || f.job.candidate.kind() == ModelKind::Vgpdm);
-        assert!(Comparison::of(&results(3, &jobs)).claims.is_empty());
+        assert!(Comparison::new(&results(3, &jobs)).claims.is_empty());
     }
 
     #[test]
@@ -196,8 +196,8 @@ mod tests {
         };
         let (a, b) = (subject(&[0.9, 0.95, 1.02, 0.92]), subject(&[0.9, 0.8, 0.97, 0.93, 0.94, 0.9]));
         let pays = |found: &Comparison| answer(found, "5.3", "compared with vGPDM");
-        assert_eq!(pays(&Comparison::of(&a)), ClaimAnswer::Undecided);
-        let both = Comparison::of_all(&[&a, &b]);
+        assert_eq!(pays(&Comparison::new(&a)), ClaimAnswer::Undecided);
+        let both = Comparison::of_several(&[&a, &b]);
         assert_eq!((pays(&both), both.models[0].folds, both.evidence.len()), (ClaimAnswer::Yes, 10, 10));
         assert!(
             both.claims
@@ -216,7 +216,7 @@ mod tests {
                     jobs.push(finished(candidate, fold, 5, 0, outcome(mse * fold as f64, None, 100, 1.0)));
                 }
             }
-            answer(&Comparison::of(&results(6, &jobs)), "2019, section 4.2", "5 bases compared with 25")
+            answer(&Comparison::new(&results(6, &jobs)), "2019, section 4.2", "5 bases compared with 25")
         };
         assert_eq!(with([3.0, 1.0, 1.5]), ClaimAnswer::Yes);
         assert_eq!(with([3.0, 1.0, 0.9]), ClaimAnswer::No);
@@ -237,7 +237,7 @@ mod tests {
         }
         add(4, 2, 0.9, 500.0);
         add(8, 2, 0.8, 600.0);
-        let found = Comparison::of(&results(3, &jobs));
+        let found = Comparison::new(&results(3, &jobs));
         let correlation = &found.correlations[0];
         assert_relative_eq!(correlation.rank, -1.0);
         assert_eq!((correlation.settings, correlation.folds), (3, 1));
@@ -251,7 +251,7 @@ mod tests {
         // A setting that has only another trial: nothing to compare.
         jobs[0].job.held_out = 3;
         jobs.retain(|f| f.job.held_out != 2);
-        let found = Comparison::of(&results(3, &jobs));
+        let found = Comparison::new(&results(3, &jobs));
         assert!(found.correlations.is_empty() && found.claims.is_empty(), "{:?}", found.claims);
     }
 
@@ -270,7 +270,7 @@ mod tests {
             add(ips, 800, 1, mse, bound);
             add(ips, 800, 2, mse, bound);
         }
-        let found = Comparison::of(&results(2, &jobs));
+        let found = Comparison::new(&results(2, &jobs));
         let groups: Vec<(&str, f64)> = found.correlations.iter().map(|c| (&c.label[..], c.rank)).collect();
         assert_eq!(
             groups.iter().map(|(label, _)| *label).collect::<Vec<_>>(),
@@ -308,7 +308,7 @@ mod tests {
         let odd = || outcome(1.0, Some(1.0), 400, 1e6);
         jobs.push(finished(Settings::Vcgpdm(variational(12)), 2, 4, 0, odd()));
         jobs.push(finished(Settings::Vcgpdm(variational(16)), 1, 4, 0, odd()));
-        let found = Comparison::of(&results(5, &jobs));
+        let found = Comparison::new(&results(5, &jobs));
         let exponents: Vec<f64> = found.growth.iter().map(|g| g.exponent.unwrap()).collect();
         assert_relative_eq!(exponents[0], 1.0, epsilon = 1e-9);
         assert_relative_eq!(exponents[1], 3.0, epsilon = 1e-9);
@@ -323,7 +323,7 @@ mod tests {
             outcome.seconds *= count as f64;
             outcome.reason = Some(EndReason::BoundSettled.to_string());
         }
-        let found = Comparison::of(&results(5, &jobs));
+        let found = Comparison::new(&results(5, &jobs));
         let vcgpdm = &found.growth[0];
         assert_relative_eq!(vcgpdm.exponent.unwrap(), 1.0, epsilon = 1e-9);
         assert_relative_eq!(vcgpdm.training_exponent.unwrap(), 2.0, epsilon = 1e-9);
@@ -351,7 +351,7 @@ mod tests {
                 jobs.push(finished(Settings::Vcgpdm(settings), fold, 6, 0, outcome));
             }
         }
-        let found = Comparison::of(&results(7, &jobs));
+        let found = Comparison::new(&results(7, &jobs));
         assert_relative_eq!(found.models[0].training_mse.as_ref().unwrap().mean, 0.9 * 1.4, epsilon = 1e-12);
         assert_eq!(answer(&found, "3.2", "1.00 over 5 settings"), ClaimAnswer::No);
         assert_eq!(answer(&found, "figure 6B", "-1.00 over 5 settings"), ClaimAnswer::Yes);
@@ -361,7 +361,7 @@ mod tests {
         for finished in &mut jobs {
             finished.outcome.as_mut().unwrap().training_mse = None;
         }
-        let found = Comparison::of(&results(7, &jobs));
+        let found = Comparison::new(&results(7, &jobs));
         assert!(found.models[0].training_mse.is_none());
         assert!(found.claims.iter().all(|claim| !claim.place.contains("6B")), "{:?}", found.claims);
     }

@@ -20,18 +20,18 @@ struct Varying {
 }
 
 impl Labels {
-    /// For all candidates of these results.
-    pub fn of(results: &Results) -> Self {
-        Self::of_all(&[results])
+    /// Names for all candidates of these results.
+    pub fn new(results: &Results) -> Self {
+        Self::of_several(&[results])
     }
 
-    /// For all candidates of several comparisons.
-    pub(super) fn of_all(several: &[&Results]) -> Self {
+    /// Names for all candidates of several comparisons.
+    pub(super) fn of_several(several: &[&Results]) -> Self {
         let finished = several.iter().flat_map(|results| results.finished());
         Self::of_candidates(finished.map(|finished| &finished.job.candidate))
     }
 
-    /// For these candidates.
+    /// Names for these candidates.
     pub fn of_candidates<'a>(candidates: impl Iterator<Item = &'a Settings>) -> Self {
         let mut first: HashMap<ModelKind, Common> = HashMap::new();
         let mut varying: HashMap<ModelKind, Varying> = HashMap::new();
@@ -100,7 +100,7 @@ mod tests {
             let job = Job { candidate: candidate.clone(), held_out: 1, training_trials: 1, seed: 0 };
             results.add(Finished::new(job, Err("a test".to_owned()))).unwrap();
         }
-        let labels = Labels::of(&results);
+        let labels = Labels::new(&results);
         candidates.iter().map(|candidate| labels.label(candidate)).collect()
     }
 

@@ -51,7 +51,7 @@ impl PerceptionResults {
     ///
     /// # Errors
     /// An option is out of its range, or nobody is left who answered a comparison.
-    pub fn of(study: &Study, answers: &[Answer], options: AnalysisOptions) -> Result<Self, AnalysisError> {
+    pub fn new(study: &Study, answers: &[Answer], options: AnalysisOptions) -> Result<Self, AnalysisError> {
         check(&options)?;
         let participants = participants(study, answers, options.attention);
         let counted = Counted::new(study, answers, &participants);
@@ -77,12 +77,12 @@ impl PerceptionResults {
             title: study.title.clone(),
             study: study.hash().unwrap_or_default(),
             options,
-            all: Confusion::of(all),
+            all: Confusion::new(all),
             regressions: regressions(&settings, &options),
             orders: orders.collect(),
             pairs: ordering.pairs,
             catch: (catch.trials > 0)
-                .then(|| Catch { confusion: Confusion::of(catch), is_half: catch.is_half() }),
+                .then(|| Catch { confusion: Confusion::new(catch), is_half: catch.is_half() }),
             needed: Needed {
                 to_tell: trials_to_tell(0.1, 0.8),
                 for_precision: trials_for_precision(0.1, 0.8),
@@ -139,7 +139,8 @@ fn regression(
     options: &AnalysisOptions,
 ) -> Option<Regression> {
     let of_kind = settings.iter().filter(|setting| model.is_none_or(|kind| kind == setting.model));
-    let rated = of_kind.filter_map(|setting| Some((score.of(setting.scores.as_ref()?)?, setting.confusion?)));
+    let rated =
+        of_kind.filter_map(|setting| Some((score.value(setting.scores.as_ref()?)?, setting.confusion?)));
     let rated: Vec<(f64, Confusion)> = rated.collect();
     let values: Vec<f64> = rated.iter().map(|(value, _)| *value).collect();
     let centre = mean(&values);
@@ -197,7 +198,7 @@ mod tests {
             .collect();
         let files: Vec<AnswerFile> = texts.iter().map(|(name, text)| AnswerFile { name, text }).collect();
         let options = AnalysisOptions { draws: 20_000, ..AnalysisOptions::default() };
-        PerceptionResults::of(&study, &read(&study, &files).unwrap(), options).unwrap()
+        PerceptionResults::new(&study, &read(&study, &files).unwrap(), options).unwrap()
     }
 
     #[test]
@@ -278,7 +279,7 @@ mod tests {
         let study = study();
         let text = answers(&study, "p", 1, true, &|_| 0.3);
         let found = read(&study, &[AnswerFile { name: "p", text: &text }]).unwrap();
-        let error = |options| PerceptionResults::of(&study, &found, options).unwrap_err().to_string();
+        let error = |options| PerceptionResults::new(&study, &found, options).unwrap_err().to_string();
         let options = AnalysisOptions::default();
         let ceiling = error(AnalysisOptions { ceiling: 0.0, ..options });
         assert_eq!(ceiling, "the ceiling: expected a number above 0, up to 1, found 0");
@@ -288,7 +289,7 @@ mod tests {
         let study = study.with_preset(Preset::P3Part1);
         let blind = answers(&study, "q", 3, false, &|_| 0.3);
         let blind = read(&study, &[AnswerFile { name: "q", text: &blind }]).unwrap();
-        assert!(PerceptionResults::of(&study, &blind, options) == Err(AnalysisError::Empty));
-        assert_eq!(PerceptionResults::of(&study, &[], options), Err(AnalysisError::Empty));
+        assert!(PerceptionResults::new(&study, &blind, options) == Err(AnalysisError::Empty));
+        assert_eq!(PerceptionResults::new(&study, &[], options), Err(AnalysisError::Empty));
     }
 }

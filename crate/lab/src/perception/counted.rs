@@ -70,7 +70,7 @@ pub(super) fn settings(counted: &Counted) -> Vec<SettingResult> {
             movements: good.len(),
             failed: generated.iter().filter(own).count() - good.len(),
             scores: mean_scores(&good),
-            confusion: (rate.trials > 0).then(|| Confusion::of(rate)),
+            confusion: (rate.trials > 0).then(|| Confusion::new(rate)),
         }
     };
     candidates.iter().map(result).collect()

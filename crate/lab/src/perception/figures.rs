@@ -76,7 +76,7 @@ impl PerceptionResults {
         let rows = rated.flat_map(|(setting, scores, confusion)| {
             ScoreKind::ALL.into_iter().filter_map(move |score| {
                 let mut row = vec![setting.model.id().to_owned(), setting.label.clone()];
-                row.extend([score.id().to_owned(), score.of(scores)?.to_string()]);
+                row.extend([score.id().to_owned(), score.value(scores)?.to_string()]);
                 row.extend(rate(confusion));
                 Some(row)
             })
@@ -157,7 +157,7 @@ fn setting(setting: &SettingResult) -> Vec<String> {
     row.extend([size.dynamics_ips, size.pose_ips, size.primitives, size.bases].map(whole));
     row.extend([setting.movements.to_string(), setting.failed.to_string()]);
     let scores = setting.scores.as_ref();
-    row.extend(ScoreKind::ALL.map(|score| number(scores.and_then(|scores| score.of(scores)))));
+    row.extend(ScoreKind::ALL.map(|score| number(scores.and_then(|scores| score.value(scores)))));
     match &setting.confusion {
         Some(confusion) => {
             row.push(confusion.hits.to_string());

@@ -110,7 +110,7 @@ impl Maker {
         outcome: &Outcome,
     ) -> Result<(), MakerError> {
         let id = format!("{}-trial-{}", name(candidate), shown.number);
-        let scores = Scores::of(outcome);
+        let scores = Scores::new(outcome);
         let generated = Generated { candidate: candidate.clone(), seed, failed: false, scores };
         let source = MovementSource::Generated(Box::new(generated));
         let of_candidate = |place: usize| match &self.stimuli[place].source {

@@ -53,8 +53,8 @@ pub struct Confusion {
 }
 
 impl Confusion {
-    /// What this rate's posterior says.
-    pub fn of(rate: Rate) -> Self {
+    /// The posterior of this rate.
+    pub fn new(rate: Rate) -> Self {
         Self {
             hits: rate.hits,
             trials: rate.trials,
@@ -182,8 +182,8 @@ impl ScoreKind {
         }
     }
 
-    /// This one of some scores.
-    pub fn of(self, scores: &MeanScores) -> Option<f64> {
+    /// This score.
+    pub fn value(self, scores: &MeanScores) -> Option<f64> {
         match self {
             ScoreKind::Mse => Some(scores.mse),
             ScoreKind::DtwMse => Some(scores.dtw_mse),

@@ -60,8 +60,8 @@ pub struct Scores {
 }
 
 impl Scores {
-    /// Those of what came of a candidate in a fold.
-    pub fn of(outcome: &Outcome) -> Self {
+    /// The scores of an outcome.
+    pub fn new(outcome: &Outcome) -> Self {
         Self {
             mse: outcome.score.mse,
             dtw_mse: outcome.score.dtw_mse,

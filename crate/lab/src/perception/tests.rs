@@ -237,7 +237,7 @@ proptest! {
         let text = damaged(&answers(&study(), "p", 1, true, &|_| 0.3), &changes);
         let options = AnalysisOptions { draws: 10, ..AnalysisOptions::default() };
         if let Ok(answers) = read_answers(&study(), &[AnswerFile { name: "damaged", text: &text }]) {
-            prop_assert!(PerceptionResults::of(&study(), &answers, options).is_ok());
+            prop_assert!(PerceptionResults::new(&study(), &answers, options).is_ok());
         }
     }
 }
