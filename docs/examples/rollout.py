@@ -1,4 +1,4 @@
-"""Rolls a vCGPDM or vGPDM out from its file alone (docs/model-format.md); needs numpy.
+"""Rolls a vCGPDM or vGPDM out from its file alone (docs/model-format.md). It needs numpy.
 
 python rollout.py MODEL.json FRAMES LATENTS.csv POSITIONS.csv [SEQUENCE]
 """
@@ -7,7 +7,7 @@ import sys
 
 import numpy as np
 
-# What turns the file's world to y up: a rotation vector for each up axis.
+# For each up axis, the rotation vector that turns the axes of the file so that y is up.
 UP = {"x": (0, 0, 0.5), "y": (0, 0, 0), "z": (-0.5, 0, 0), "-x": (0, 0, -0.5), "-y": (1, 0, 0), "-z": (0.5, 0, 0)}
 
 
@@ -20,7 +20,7 @@ def gp(z, squared_lengthscales, mean, jitter, variance=1.0):
 
 
 def latents(model, frames, sequence):
-    """Of each part [frames x Q]: the start, then the product of experts; w[source][target]."""
+    """The latents of each part [frames x Q]: the start, then the product of experts; w[source][target]."""
     order, jitter, precision = model["order"], model["jitter"], 1 / np.array(model["alpha"])
     w = precision / precision.sum(axis=0)
     experts = [[gp(e["z"], e["lambda"], e["u_mean"], jitter) for e in target["experts"]] for target in model["dynamics"]]
@@ -51,13 +51,13 @@ def rotation(vector):
 
 
 def positions(model, y):
-    """Joints [frames x J x 3] in the clip's axes and units, beginning above the origin and facing along z (with y up)."""
+    """Joints [frames x J x 3] in the clip's axes and units; the body starts above the origin and faces z (y up)."""
     pose, leg, yaw, place, out = model["pose"], model["pose"]["stage"]["height"] / 2, 0.0, np.zeros(3), []
     w, v = pose["upright"][0], np.array(pose["upright"][1:])
     upright = rotation(2 * np.arctan2(np.linalg.norm(v), w) * v / (np.linalg.norm(v) or 1.0))
     to_file = rotation(np.pi * np.array(UP[pose["stage"]["up"]])).T
     for t, (turn, forward, sideways, height, pitch, roll) in enumerate(y[:, :6]):
-        if t > 0:  # along the heading before; row 0 says nothing about a way
+        if t > 0:  # along the previous heading; row 0 has no step
             place, yaw = place + rotation((0, yaw, 0)) @ (sideways, 0, forward), yaw + turn
         place[1] = height
         turns = [to_file @ rotation((0, yaw, 0)) @ rotation((pitch, 0, 0)) @ rotation((0, 0, roll)) @ upright]

@@ -8,7 +8,7 @@ import bpy
 
 source, target = sys.argv[sys.argv.index("--") + 1 :][:2]
 bpy.ops.wm.read_factory_settings(use_empty=True)
-# glTF has seconds and no frames: this is how many frames a second are made of it. FBX names its own rate.
+# Frames a second for glTF, which has times and no frames. FBX has its own rate.
 bpy.context.scene.render.fps = 60
 if source.lower().endswith(".fbx"):
     bpy.ops.import_scene.fbx(filepath=source, automatic_bone_orientation=True)

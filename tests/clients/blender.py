@@ -1,5 +1,8 @@
-"""What Blender makes of a motion: `blender.py IN.bvh PLACES.json` writes where all bones begin in each frame, in the file's units, z up;
-`blender.py IN.bvh OUT.fbx` or `OUT.glb` saves it as another program would."""
+"""Opens a motion in Blender.
+
+`blender.py IN.bvh PLACES.json` writes the start of each bone in each frame, in the file's units, z up.
+`blender.py IN.bvh OUT.fbx` or `OUT.glb` saves the motion as another program would.
+"""
 import json
 import sys
 

@@ -1,4 +1,4 @@
-"""Holds docs/examples/rollout.py against the program: compare.py LATENTS.csv POSITIONS.csv THEIRS.csv THEIRS.bvh HEIGHT.
+"""Compares docs/examples/rollout.py with the program: compare.py LATENTS.csv POSITIONS.csv THEIRS.csv THEIRS.bvh HEIGHT.
 
 Prints how far the latents are apart, and how far the joints are, as a share of the body's height. The BVH is read here once more,
 by nobody's code but numpy's.
@@ -19,7 +19,7 @@ def about(axis, degrees):
 
 
 def joints_of(path):
-    """Places of all joints [frames x J x 3] of a BVH file whose joints have three rotation channels each."""
+    """Positions of all joints [frames x J x 3] of a BVH file whose joints have three rotation channels each."""
     words = open(path, encoding="utf-8").read().split()
     joints, stack, k, last = [], [], 0, None
     while words[k] != "MOTION":
