@@ -1,6 +1,6 @@
 // What the page may do in a browser: its own files, the wasm, pictures and downloads that it makes itself;
 // nothing inline, no other host. A meta element of the built page says it, for hosts that send no headers,
-// and our own server sends it, so that workers are held to it too.
+// and our own server sends it, so that it applies to workers too.
 export const policy = [
   "default-src 'self'",
   "script-src 'self' 'wasm-unsafe-eval'",

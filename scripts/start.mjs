@@ -1,4 +1,4 @@
-// `npm start`: installs what is missing, builds, serves the built site and prints its address.
+// `npm start`: installs missing tools, builds the site, serves it and prints its address.
 // With --dev it starts Vite's development server instead, which follows changes of the page, not of the Rust
 // code.
 import { build } from "./build.mjs";

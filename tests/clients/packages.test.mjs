@@ -240,7 +240,7 @@ describe("compilers and checkers", () => {
     assert.deepEqual(
       wasm.sort(),
       ["player/vcgpdm_bg.wasm", "web/vcgpdm_bg.wasm"],
-      "the wasm stands there once, and the smaller one",
+      "the package has the wasm once, and the smaller one",
     );
   });
 });

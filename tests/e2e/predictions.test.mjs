@@ -90,8 +90,8 @@ describe("the product of experts", () => {
     const model = Model.fromJson(readFileSync(`${dist}/first/model.json`, "utf8"));
     const frames = Number(await page.getByTestId("scrub").getAttribute("max")) + 1;
     const rollout = model.rollout({ frames, sequence: 0, alpha: ALPHA, reading: "as learned" });
-    const [said, weights] = [rollout.predictions(), rollout.weights()];
-    const row = FRAME - said.firstFrame;
+    const [predicted, weights] = [rollout.predictions(), rollout.weights()];
+    const row = FRAME - predicted.firstFrame;
     // The page asks for predictions a moment after the rollout has stopped.
     await page.waitForTimeout(1000);
     for (const plot of ["2-D", "3-D"]) {
@@ -101,13 +101,13 @@ describe("the product of experts", () => {
         assert.ok(picture, "predictions are drawn");
         const { experts, product, step } = picture;
         assert.equal(experts.length, 2);
-        const scale = product.major / Math.sqrt(said.variances(part)[row] ?? Number.NaN);
+        const scale = product.major / Math.sqrt(predicted.variances(part)[row] ?? Number.NaN);
         const sum = { x: 0, y: 0 };
         for (const [source, { x, y, major, minor }] of experts.entries()) {
           // Circles: a deviation has the same number of pixels in both directions.
           close(
             major,
-            scale * Math.sqrt(said.expertVariances(source, part)[row] ?? Number.NaN),
+            scale * Math.sqrt(predicted.expertVariances(source, part)[row] ?? Number.NaN),
             1e-6 * major,
           );
           close(minor, major, 1e-6 * major);
@@ -122,7 +122,7 @@ describe("the product of experts", () => {
         close(step[1], product.y, 0.01);
         // A plot with as many axes as the part shows the full distance of two means.
         const [one, two] = [0, 1].map((source) => [
-          ...said.expertMeans(source, part).slice(3 * row, 3 * row + 3),
+          ...predicted.expertMeans(source, part).slice(3 * row, 3 * row + 3),
         ]);
         const apart = Math.hypot(...(one ?? []).map((mean, q) => mean - (two?.[q] ?? Number.NaN)));
         const seen = Math.hypot(

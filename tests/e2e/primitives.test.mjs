@@ -176,7 +176,7 @@ describe("a library of primitives", () => {
     assert.ok(after.largest < LARGEST_STEP, `a step of ${after.largest} m`);
     await draws(page.getByTestId("walk"));
 
-    // All combinations, and what is dragged onto the body.
+    // All combinations, and a primitive dragged onto the body.
     await page.getByTestId("combination").first().click();
     assert.equal(await recorded(page), "Recorded as walk");
     await page.getByTestId("primitive-1-3").dragTo(page.getByTestId("slot-1").locator(".map-node"));
@@ -202,7 +202,7 @@ describe("a library of primitives", () => {
       { timeout: 60_000 },
     );
     const words = await page.getByTestId("fit-words").innerText();
-    // Two seconds where nothing else runs; tests run beside each other.
+    // Two seconds on an idle machine; tests run at the same time.
     assert.ok(Number(words.match(/([\d.]+) s\.$/)?.[1]) < 8, words);
     assert.notEqual(await alpha.innerText(), before, "the couplings were taken over");
     await page.getByTestId("keep-combination").click();
@@ -352,7 +352,7 @@ describe("a library of primitives", () => {
     await page.getByTestId("lesson-try").click();
     assert.equal(await page.locator(".learning-clip input:checked").count(), 10);
     assert.equal(await page.getByTestId("share-0-same").getAttribute("aria-pressed"), "true");
-    // One trial is held out here, beside what was measured.
+    // One trial is held out here, next to the measured table.
     await page.getByTestId("fold-trial").selectOption({ label: "Walk and wave, trial 2" });
     await page.getByTestId("fold-quick").check();
     await page.getByTestId("fold-start").click();

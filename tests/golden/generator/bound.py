@@ -1,7 +1,7 @@
-"""The evidence lower bound of the vCGPDM, written to be read and to be compared with, not to be fast.
+"""The evidence lower bound of the vCGPDM, written for reading and comparing, not for speed.
 
 P1 is Velychko, Knopp, Endres 2017 with its supplement (S), P2 is Velychko, Knopp, Endres 2018 with its appendices (A).
-README.md says which equation stands where and what differs from them.
+README.md lists the equations and the differences from the papers.
 
 The program in Rust takes each Gaussian process's term with its inducing outputs already integrated out. Here the inducing
 outputs stay: q(u) is a Gaussian that is written down, and the term is an expected log likelihood minus a Kullback-Leibler
@@ -41,7 +41,7 @@ def log_normal(x: Array, mean: Array, variance: Array) -> Array:
 
 
 def log_normaliser(process: Process) -> Array:
-    """The log of what makes the kernel a normal density: log Z(lambda) of P2 (A15)."""
+    """The logarithm of the factor between kernel and normal density: log Z(lambda) of P2 (A15)."""
     return 0.5 * jnp.sum(jnp.log(2 * jnp.pi * process.squared_lengthscales))
 
 
@@ -172,7 +172,7 @@ def regression_bound(q: Gaussian, *regressions: Regression) -> Array:
 
 
 class Problem(NamedTuple):
-    """What is observed, and how it is cut into sequences."""
+    """The observations, and the lengths of their sequences."""
 
     observations: list[Array]  # one [N x D] for every part, columns centred
     lengths: list[int]  # frames of every sequence; they add up to N
@@ -244,7 +244,7 @@ def bound_and_terms(params: Params, problem: Problem) -> tuple[Array, dict[str, 
     """The bound and its terms, P2 (14)."""
 
     def term(regression: Regression) -> Array:
-        # At the best q(e) the bound does not change with q(e) to first order: for the gradient, q(e) may be held still.
+        # At the best q(e) the bound does not change with q(e) to first order, so the gradient may treat q(e) as constant.
         return regression_bound(jax.lax.stop_gradient(best_gaussian(regression)), regression)
 
     terms = {name: [term(regression) for regression in group] for name, group in regressions(params, problem).items()}

@@ -1,4 +1,4 @@
-"""A golden case: a problem and a point in its parameter space as JSON, and everything that is expected of it."""
+"""A golden case as JSON: a problem, a point in its parameter space and the expected numbers."""
 
 from typing import Any
 
@@ -35,7 +35,7 @@ def problem_of(given: Json) -> bound.Problem:
 
 
 def evaluate(given: Json, rollouts: list[Json]) -> Json:
-    """What is expected of a case: `given` is its input; of `rollouts` only alpha, x0 and steps are read."""
+    """The expected numbers of a case. `given` is its input; of `rollouts` only alpha, x0 and steps count."""
     if "stored" in given:
         return evaluate_stored(given)
     return evaluate_movements(given) if "movements" in given else evaluate_plain(given, rollouts)
@@ -57,7 +57,7 @@ def latents_of(gradient: bound.Params) -> Json:
 
 
 def evaluate_stored(given: Json) -> Json:
-    """What is expected of new primitives next to stored ones: of what stays as it is there is no gradient."""
+    """The expected numbers of new primitives next to stored ones; fixed parameters have no gradient."""
     shared, params = shared_and_params(given)
     stored, jitter = given["stored"], shared.problem.jitter
     primitives = stored["primitives"]
@@ -81,7 +81,7 @@ def evaluate_stored(given: Json) -> Json:
 
 
 def evaluate_movements(given: Json) -> Json:
-    """What is expected of movements that share primitives."""
+    """The expected numbers of movements that share primitives."""
     shared, params = shared_and_params(given)
     differentiated = jax.value_and_grad(lambda params: movements.bound_and_terms(params, shared), has_aux=True)
     (value, terms), gradient = jax.jit(differentiated)(params)
@@ -111,7 +111,7 @@ def evaluate_movements(given: Json) -> Json:
 
 
 def evaluate_plain(given: Json, rollouts: list[Json]) -> Json:
-    """What is expected of the plain model."""
+    """The expected numbers of the plain model."""
     params, problem = arrays(given["params"]), problem_of(given)
     differentiated = jax.value_and_grad(lambda params: bound.bound_and_terms(params, problem), has_aux=True)
     (value, terms), gradient = jax.jit(differentiated)(params)

@@ -31,7 +31,7 @@ QUADRATURE_TOLERANCE = 1e-12
 
 
 def pairs(ours: case.Json, stored: case.Json, path: str) -> Iterator[tuple[float, float, str]]:
-    """Every stored number with ours and where it stands; what has another form fails as an infinite difference."""
+    """Each stored number with ours and its place; another structure gives an infinite difference."""
     if isinstance(stored, dict) and isinstance(ours, dict) and stored.keys() == ours.keys():
         for name in stored:
             yield from pairs(ours[name], stored[name], f"{path}.{name}")
@@ -45,10 +45,10 @@ def pairs(ours: case.Json, stored: case.Json, path: str) -> Iterator[tuple[float
 
 
 def difference(ours: case.Json, stored: case.Json, block: str) -> tuple[float, str]:
-    """The largest difference of a block, relative to its largest stored number, and where it is."""
+    """The largest difference of a block, relative to its largest stored number, and its place."""
     numbers = list(pairs(ours, stored, block))
     largest = max(abs(expected) for _, expected, _ in numbers)
-    # Comparisons with what is not a number are all false: it has to count as infinitely far away.
+    # All comparisons with NaN are false, so NaN counts as infinitely far away.
     distances = [
         (abs(computed - expected) if np.isfinite(computed - expected) else float("inf"), path)
         for computed, expected, path in numbers
@@ -58,7 +58,7 @@ def difference(ours: case.Json, stored: case.Json, block: str) -> tuple[float, s
 
 
 def without_requests(expected: case.Json) -> case.Json:
-    """What is expected, without what was only asked for: of the rollouts, latents and poses."""
+    """The expected numbers alone: of rollouts the latents and poses, without their settings."""
     if "rollouts" not in expected:
         return expected
     return {**expected, "rollouts": [{"x": rolled["x"], "y": rolled["y"]} for rolled in expected["rollouts"]]}

@@ -1,4 +1,4 @@
-"""Makes golden cases: random problems from a seed, with everything that is expected of them.
+"""Makes golden cases: random problems from a seed, with their expected numbers.
 
     python make_golden.py OUT_DIR [--case K ...] [--seed S] [--movements | --stored]
 
@@ -56,7 +56,7 @@ MOVEMENTS = [
     # One primitive in two movements of one part.
     Sharing([Part(2, 4, 4)], 4, [0], [([8], [0]), ([7], [0])], 1),
 ]
-# The same of which the first primitives are stored, as many as the number says.
+# The same with the number of first primitives that are stored.
 STORED = [
     # New arms with stored legs, in one movement.
     (Sharing([Part(2, 4, 5), Part(2, 5, 5)], 4, [0, 1], [([10, 8], [0, 1])], 2), 1),

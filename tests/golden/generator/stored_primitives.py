@@ -1,7 +1,7 @@
 """New primitives next to stored ones: what a library does when it learns a primitive of another one again under its own pose maps.
 
 The pose maps and the first primitives are stored: their q(e) stay as they are. The experts of all other primitives have the best q(e)
-for the movements, independent of the stored ones. Divergences of what is stored are constants and left out.
+for the movements, independent of the stored ones. Divergences of stored processes are constants and left out.
 
 The best q(e) is not looked up in a formula. The bound that is written down here is quadratic in the mean, column by column alike: its
 first and second derivatives at zero, taken automatically, say where it is highest, and the second one is minus the best precision.
@@ -19,14 +19,14 @@ from bound import Array, Gaussian, Params, Regression
 
 
 class Stored(NamedTuple):
-    """What stays as it is, whitened."""
+    """The fixed posteriors, whitened."""
 
     kinematics: list[Gaussian]  # of each part's pose map
     dynamics: list[Gaussian]  # into each part, the experts of the stored primitives stacked
 
 
 def roots(params: Params, primitives: int, jitter: float) -> Stored:
-    """The roots of the covariances of what is stored, in the places of their Gaussians."""
+    """The roots of the covariances of the stored processes, in the places of their Gaussians."""
     return Stored(
         [bound.root(bound.pose_process(part), jitter) for part in params["parts"]],
         [
@@ -46,7 +46,7 @@ def together(kept: Gaussian, new: Gaussian) -> Gaussian:
 
 
 def term(kept: Gaussian, new: Gaussian, regressions: list[Regression]) -> Array:
-    """What the rows are worth under both, minus the divergence of what is new."""
+    """The expected log likelihood of the rows under both, minus the divergence of the new experts."""
     q = together(kept, new)
     return sum(bound.expected_log_likelihood(q, regression) for regression in regressions) - bound.divergence(new)
 
@@ -68,7 +68,7 @@ def bound_and_terms(params: Params, kept: Stored, shared: movements.Shared) -> t
     groups = movements.regressions(params, shared)
 
     def dynamics(q: Gaussian, regressions: list[Regression]) -> Array:
-        # At the best q(e) the bound does not change with q(e) to first order: for the gradient, q(e) may be held still.
+        # At the best q(e) the bound does not change with q(e) to first order, so the gradient may treat q(e) as constant.
         return term(q, jax.lax.stop_gradient(best_with_stored(q, regressions)), regressions)
 
     terms = {
