@@ -1,12 +1,12 @@
-//! Changes one coupling of a model and measures what it does to the weights and to the swing of the arms:
+//! Changes one coupling of a model, and prints the weights and the swing of the left hand:
 //!
 //! ```sh
 //! cargo run --example train -- FOLDER
 //! cargo run --example couplings -- FOLDER
 //! ```
 //!
-//! A coupling `alpha[source][target]` is a variance: the larger it is, the less the target part listens to
-//! the source part.
+//! A coupling `alpha[source][target]` is a variance: the larger it is, the less the source part influences
+//! the target part.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
         .map_err(|error| format!("{}: {error}; run the example train first", path.display()))?;
     let model = Model::from_json(&document)?;
     let trained = model.coupled().ok_or("expected a model with couplings")?;
-    let (lower, upper) = (0, 1); // the order in which training got the parts
+    let (lower, upper) = (0, 1); // the order of the parts in the training
 
     println!("factor  weight lower to upper  weight upper to upper  swing of the left hand, cm");
     for factor in [0.1, 1.0, 10.0, 100.0] {
@@ -33,8 +33,8 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
             frames: 120,
             sequence: 0,
             alpha: Some(alpha),
-            // The experts stay as learned; Reading::ReInferred infers them again from the same data under the
-            // new couplings.
+            // The experts stay as learned. Reading::ReInferred would infer them again from the same data
+            // under the new couplings.
             reading: Reading::AsLearned,
             ..RolloutRequest::default()
         };
@@ -49,8 +49,8 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// How far the left hand swings forward and back beside the hips, in metres. `positions` are [frames x nodes
-/// x 3].
+/// The range of the left hand's forward position relative to the hips, in metres. `positions` are [frames x
+/// nodes x 3].
 fn swing(trained: Coupled, positions: &[f32]) -> Result<f32, Box<dyn Error>> {
     let skeleton = trained.body.mapping.skeleton();
     let hand = skeleton

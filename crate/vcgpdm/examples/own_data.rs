@@ -1,13 +1,12 @@
-//! Trains a model on tables of numbers, without a body and without BVH, saves it, opens it again and rolls it
-//! out:
+//! Trains a model on tables of numbers, saves it, reads it again and rolls it out:
 //!
 //! ```sh
 //! cargo run --release --example own_data -- FOLDER
 //! ```
 //!
-//! What the model needs: rows that follow each other in equal steps of time, and columns that are divided
-//! into parts. Here two made-up machines are measured; the second follows the first a little later. With
-//! files: `read_csv("trial.csv", &bytes)`, or from a terminal `vcgpdm train trial-1.csv trial-2.csv
+//! A table has rows at equal time steps, and columns that are divided into parts. Here the columns are those
+//! of two simulated machines, of which the second follows the first with a delay. Tables are read from files
+//! by `read_csv("trial.csv", &bytes)`. The same in a terminal: `vcgpdm train trial-1.csv trial-2.csv
 //! --columns --parts "leader=a,b,c;follower=d,e" --out model.json`.
 
 #![allow(clippy::disallowed_methods)]
@@ -33,7 +32,8 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     };
     let recordings = [recording(0), recording(1)];
 
-    // Which columns belong together; each then counts without its mean, in its standard deviation.
+    // The columns of each part. A data set subtracts the mean of each column and divides by its standard
+    // deviation.
     let parts = column_parts("leader=a,b,c;follower=d,e", &names)?;
     let dataset = Dataset::of_tables(&recordings, &parts, 50.0)?;
 
@@ -43,8 +43,8 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     let mut trainer = Trainer::new(&dataset, &settings.into(), 1)?;
     trainer.run();
     let model = trainer.finish()?;
-    // Two parts in step can explain each other equally well, so such weights say what the model uses, not
-    // what the cause is.
+    // Parts that move in step can explain each other equally well. So the weights say what the model uses,
+    // not which part is the cause.
     let coupled = model.coupled().ok_or("a vCGPDM has couplings")?;
     let weights = coupling_weight_matrix(coupled.alpha());
     for (i, part) in parts.iter().enumerate() {
@@ -56,7 +56,7 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
         );
     }
 
-    // A model is a document like any other; it holds what a rollout needs, and none of the recordings.
+    // The document has all that a rollout needs, and none of the recordings.
     let saved = folder.join("own-data.json");
     std::fs::write(&saved, model.to_json()?)?;
     let Document::Series(model) = Document::from_json(&std::fs::read_to_string(&saved)?)? else {
@@ -69,14 +69,14 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     let error = (&predicted - actual).column_iter().map(|column| column.norm_squared()).sum::<f64>();
     let means = actual.row_mean();
     let spread: f64 = actual.row_iter().map(|row| (row - &means).norm_squared()).sum();
-    println!("error of the rollout, as a share of the variance of the recording: {:.3}", error / spread);
+    println!("error of the rollout divided by the variance of the recording: {:.3}", error / spread);
     let path = folder.join("predicted.csv");
     std::fs::write(&path, write_csv(&names, &predicted, model.body.frame_time))?;
     println!("the model is in {}, the rollout in {}", saved.display(), path.display());
     Ok(())
 }
 
-/// What would be measured: an oscillation in the first part, and in the second what follows it.
+/// The simulated measurements: an oscillation in the first part, which the second part follows.
 fn measured(recording: usize, row: usize, column: usize) -> f64 {
     let phase = 0.25 * row as f64 + 1.5 * recording as f64;
     match column {

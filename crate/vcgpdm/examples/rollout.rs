@@ -1,4 +1,4 @@
-//! Rolls a model out into a new walk and writes it as a BVH file:
+//! Rolls out a model to a new walk and writes it as a BVH file:
 //!
 //! ```sh
 //! cargo run --example train -- FOLDER
@@ -19,16 +19,16 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     let document = std::fs::read_to_string(&path)
         .map_err(|error| format!("{}: {error}; run the example train first", path.display()))?;
 
-    // The document holds all that a rollout needs: the body, the mapping to poses, the model. No training
-    // clip is in it.
+    // The document has all that a rollout needs: the body, the mapping to poses and the model, but no
+    // training clip.
     let model = Model::from_json(&document)?;
     let trained = model.coupled().ok_or("expected a model with couplings")?;
 
-    // The mean rollout starts where the first training sequence starts, and goes on for ten seconds.
+    // The mean rollout begins at the start of the first training sequence and lasts ten seconds.
     let frames = (10.0 / trained.body.frame_time).round() as usize;
     let rollout = trained.rollout(&RolloutRequest { frames, sequence: 0, ..RolloutRequest::default() })?;
 
-    // It holds the latents of each part and the columns of all parts; the body turns the columns into poses.
+    // A rollout has the latents of each part and the columns of all parts. The body turns columns into poses.
     for (part, latents) in trained.body.layout.parts().iter().zip(&rollout.latents) {
         println!("{}: latents [{} x {}]", part.name, latents.nrows(), latents.ncols());
     }

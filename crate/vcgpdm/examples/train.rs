@@ -19,19 +19,19 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Trains and writes FOLDER/model.json.
 pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
-    // Clips of your own come from BVH files: read_bvh("walk.bvh", &std::fs::read(path)?)?.into_clip().
+    // Your own clips come from BVH files: read_bvh("walk.bvh", &std::fs::read(path)?)?.into_clip().
     let clips: Vec<Clip> = ["walk-1", "walk-2", "walk-3"].into_iter().filter_map(sample_clip).collect();
 
-    // The body is split into two parts, which get latents of their own.
+    // Split the body into two parts, each with its own latents.
     let presets = part_presets(&clips[0].skeleton);
     let split = presets.into_iter().find(|preset| preset.id == "lower-upper").ok_or("no legs were found")?;
 
-    // Each clip becomes a sequence, at 20 frames a second: a mapping from poses to columns, and the columns
-    // of each part.
+    // Each clip becomes a sequence at 20 frames a second. The data set has the mapping from poses to columns,
+    // and the columns of each part.
     let sources: Vec<Source> = clips.iter().map(Source::from).collect();
     let dataset = Dataset::new(&sources, &split.parts, 20.0)?;
 
-    // A few iterations, so that it takes seconds. The default is 250.
+    // Few iterations, so that the example takes seconds. The default is 250.
     let settings = VariationalSettings { max_iterations: 60, ..VariationalSettings::default() };
     let seed = 1;
     let mut trainer = Trainer::new(&dataset, &settings.into(), seed)?;
@@ -41,12 +41,12 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     let model = trainer.finish()?;
     let coupled = model.coupled().ok_or("a vCGPDM has couplings")?;
     let weights = coupling_weight_matrix(coupled.alpha());
-    for (target, into) in split.parts.iter().enumerate() {
-        for (source, from) in split.parts.iter().enumerate() {
+    for (target, target_part) in split.parts.iter().enumerate() {
+        for (source, source_part) in split.parts.iter().enumerate() {
             println!(
                 "the {} part drives the {} part with weight {:.2}",
-                from.name,
-                into.name,
+                source_part.name,
+                target_part.name,
                 weights[(source, target)]
             );
         }

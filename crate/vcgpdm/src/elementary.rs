@@ -1,9 +1,9 @@
 //! Elementary functions that give the same bits natively and in wasm.
 //!
-//! The standard library's come from the platform: glibc natively, another library in wasm, and they differ in
-//! the last bit. An optimisation makes a nat of it within fifty iterations.
+//! Those of the standard library come from the platform (glibc natively, another library in wasm) and differ
+//! in the last bit. After fifty iterations of training this grows to a difference of about one nat.
 
-/// The functions of the standard library that may differ between platforms, by their whole names.
+/// Replacements for the functions of the standard library whose results depend on the platform.
 pub trait Elementary: Sized {
     /// e^x.
     fn exponential(self) -> Self;

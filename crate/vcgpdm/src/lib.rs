@@ -45,24 +45,23 @@
 //! makes a new major version of this crate. Training without optimisation takes a hundred times as long:
 //! build with `--release`, or give the development profile of your program `opt-level = 1` and its packages
 //! `[profile.dev.package."*"] opt-level = 3`. Everything random follows from a seed. The symbols are those of
-//! the papers; `docs/glossary.md` in the repository sets them beside the names in the code.
+//! the papers; `docs/glossary.md` in the repository lists them with the names in the code.
 //!
-//! The examples `train`, `rollout`, `couplings` and `own_data` show the usual tasks, each in one short
-//! program.
+//! The examples `train`, `rollout`, `couplings` and `own_data` are short programs for the usual tasks.
 
-// A test may use any platform's sines.
+// Tests need not give the same bits on every platform.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
-// The other crates of this project use more of the modules than the public items need.
+// Without the feature, code that only the other crates of this project use is dead.
 #![cfg_attr(not(feature = "internals"), allow(dead_code, unused_imports))]
 
 mod elementary;
 mod encoding;
 mod json;
+mod plural;
 #[cfg(feature = "speed")]
 pub mod speed;
-mod words;
 
-// Public for the other crates of this project alone; semantic versioning does not cover the paths.
+// The feature makes these modules public for the other crates of this project.
 #[cfg(not(feature = "internals"))]
 mod document;
 #[cfg(feature = "internals")]
@@ -119,17 +118,18 @@ pub use series::{
     Columns, SeriesError, Table, parts_from_words as column_parts, read as read_csv, write as write_csv,
 };
 
-/// For the other crates of this project: semantic versioning does not cover it, and any version may change it.
+/// For the other crates of this project: semantic versioning does not cover it, and any version may change
+/// it.
 #[cfg(feature = "internals")]
 #[doc(hidden)]
 #[allow(missing_docs)]
 pub mod internals {
-    pub use crate::document::{settings_of, settings_value};
+    pub use crate::document::{read_settings, write_settings};
     pub use crate::elementary::Elementary;
     pub use crate::gp::linalg::{Factor, block_diagonal};
     pub use crate::motion::clip::sha256;
+    pub use crate::plural::counted;
     pub use crate::series::records::records;
-    pub use crate::words::counted;
 
     use crate::models::{DatasetError, SequenceInfo, TrainingError};
 
@@ -137,11 +137,11 @@ pub mod internals {
         pub use crate::json::*;
     }
 
-    /// Why these sequences cannot be trained on, with the clip's name where the reason is in one of them.
+    /// A training error that names the clip instead of the number of its sequence.
     pub fn dataset_error(reason: TrainingError, sequences: &[SequenceInfo]) -> DatasetError {
         DatasetError::from_training(reason, sequences)
     }
 }
 
-/// Matrices go in and out as this version of nalgebra has them.
+/// The version of nalgebra whose matrices are in the signatures.
 pub use nalgebra;

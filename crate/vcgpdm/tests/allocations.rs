@@ -27,7 +27,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// One test: another one at the same time would be counted too.
+/// The only test of this program, because the allocations of a second test would be counted too.
 #[test]
 fn neither_an_evaluation_nor_a_training_step_allocates() {
     let clip = samples::clip("walk-1").unwrap();

@@ -16,13 +16,13 @@ fn golden_cases_agree() {
 }
 
 #[wasm_bindgen_test]
-fn native_and_wasm_take_the_same_path() {
-    training::native_and_wasm_take_the_same_path();
+fn native_and_wasm_training_give_the_same_bounds() {
+    training::native_and_wasm_training_give_the_same_bounds();
 }
 
 #[wasm_bindgen_test]
-fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
-    training::the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared();
+fn a_model_of_sample_walks_walks_and_is_read_from_its_document() {
+    training::a_model_of_sample_walks_walks_and_is_read_from_its_document();
 }
 
 #[wasm_bindgen_test]

@@ -7,9 +7,9 @@ use crate::perception::stimulus::{Generated, MovementSource, Scores, Stimulus};
 use crate::perception::study::{Figure, Look, Study, Texts};
 use std::collections::HashSet;
 use std::ops::RangeInclusive;
-use vcgpdm::internals::json::checks::{count, tame, within};
+use vcgpdm::internals::json::checks::{bounded, count, within};
 use vcgpdm::internals::json::{Field, FieldError, Object, Value, check_heading};
-use vcgpdm::internals::settings_of;
+use vcgpdm::internals::read_settings;
 use vcgpdm::models::ModelKind;
 use vcgpdm::models::variational::BoundTerms;
 use vcgpdm::motion::landmarks::Landmarks;
@@ -170,7 +170,7 @@ fn generated(object: &mut Object) -> Result<Generated, FieldError> {
         let known: Vec<&str> = ModelKind::ALL.into_iter().map(ModelKind::id).collect();
         model.error(format!("expected one of {}", known.join(", ")))
     })?;
-    let (candidate, seed) = settings_of(object.get("settings")?, kind)?;
+    let (candidate, seed) = read_settings(object.get("settings")?, kind)?;
     let scores = scores(object.get("scores")?)?;
     Ok(Generated { candidate, seed, failed, scores })
 }
@@ -196,8 +196,8 @@ fn terms(field: Field) -> Result<BoundTerms, FieldError> {
         initial: nats(&object.get("initial")?)?,
         entropy: nats(&object.get("entropy")?)?,
     };
-    tame(&kinematics, &terms.kinematics)?;
-    tame(&dynamics, &terms.dynamics)?;
+    bounded(&kinematics, &terms.kinematics)?;
+    bounded(&dynamics, &terms.dynamics)?;
     count(&kinematics, terms.kinematics.len(), 1..=MOST_PARTS)?;
     count(&dynamics, terms.dynamics.len(), terms.kinematics.len()..=terms.kinematics.len())?;
     object.end()?;
@@ -206,7 +206,7 @@ fn terms(field: Field) -> Result<BoundTerms, FieldError> {
 
 fn nats(field: &Field) -> Result<f64, FieldError> {
     let number = field.number()?;
-    tame(field, &[number])?;
+    bounded(field, &[number])?;
     Ok(number)
 }
 

@@ -5,7 +5,7 @@ use crate::perception::error::VERSION;
 use crate::perception::stimulus::{Generated, MovementSource, Scores, Stimulus};
 use crate::perception::study::{Figure, Study, Texts};
 use vcgpdm::internals::json::Value;
-use vcgpdm::internals::settings_value;
+use vcgpdm::internals::write_settings;
 use vcgpdm::models::variational::BoundTerms;
 
 /// The whole study.
@@ -94,7 +94,7 @@ fn movement(stimulus: &Stimulus, failed: bool) -> Value {
             fields.push(("trial", Value::text(&stimulus.trial)));
             fields.push(("failed", Value::Bool(failed)));
             fields.push(("model", Value::text(candidate.kind().id())));
-            fields.push(("settings", settings_value(candidate, *seed)));
+            fields.push(("settings", write_settings(candidate, *seed)));
             fields.push(("scores", scores_value(scores)));
         }
     }

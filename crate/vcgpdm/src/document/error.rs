@@ -1,4 +1,4 @@
-//! The form of a document, and why a text or a model does not have it.
+//! Format and versions of documents, and the errors of reading and writing them.
 
 use crate::gp::NumericsError;
 use crate::json::{FieldError, HeadingError, JsonError};
@@ -7,19 +7,19 @@ use thiserror::Error;
 
 /// The field "format" of a model's or a library's document.
 pub const FORMAT: &str = "vcgpdm model";
-/// The first knows one kind of model, the variational one, and does not name it; the second says its "kind".
-/// A document is written in the earliest version that can say it. Raised whenever an older program could no
-/// longer read the document.
+/// Version 1 has no field "kind" and contains variational models alone; version 2 has other kinds too. Each
+/// document is written in the earliest version that suffices, so that older programs can read it.
 pub(super) const SECOND: usize = 2;
-/// The third also knows models of tables, "columns" in the place of "pose", libraries of primitives, and
-/// models that are combinations of these.
+/// Version 3 adds models of tables, with "columns" instead of "pose", libraries of primitives, and
+/// combinations of primitives.
 pub(super) const VERSION: usize = 3;
 /// The field "kind" of a library; that of a model is a `ModelKind`.
 pub const LIBRARY: &str = "library";
-/// More bytes than a model has that can be trained in a day, and few enough for a browser to read in seconds.
+/// Size limit: more than a model that trains for a day, and few enough bytes for a browser to read in
+/// seconds.
 pub(super) const MOST_BYTES: usize = 32 << 20;
 
-/// Why a text is not a model that can be used, or a model cannot become a text.
+/// Why a document cannot be read or written.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum DocumentError {
@@ -32,44 +32,44 @@ pub enum DocumentError {
     /// Not JSON.
     #[error("expected a model as JSON: {0}")]
     Json(JsonError),
-    /// JSON, but something else.
+    /// JSON of another format.
     #[error("expected a model with \"format\": \"{FORMAT}\", found {found}")]
     Format {
-        /// What the document says it is.
+        /// Its field "format".
         found: String,
     },
-    /// From a later program.
+    /// Written by a newer program.
     #[error(
         "expected a model of version {VERSION} or earlier, found version {found}; a newer program wrote it"
     )]
     Version {
-        /// What the document says.
+        /// Its version.
         found: usize,
     },
-    /// A library, where a model is asked for.
+    /// A library instead of a model.
     #[error(
         "expected a model, found a library of primitives: choose one of its movements, or a primitive for \
          each part"
     )]
     Library,
-    /// A model, where a library is asked for.
+    /// A model instead of a library.
     #[error("expected a library of primitives, found a {found} model")]
     NoLibrary {
         /// Its kind.
         found: &'static str,
     },
-    /// A model of another kind, where couplings and inducing points are asked for.
+    /// A model of another kind instead of a variational model.
     #[error("expected a vcgpdm or vgpdm model, found a {found} model")]
     Kind {
         /// Its kind.
         found: &'static str,
     },
-    /// A model of a body where one of tables is asked for, or the other way round.
+    /// A model of a body instead of one of tables, or the reverse.
     #[error("expected a model of {expected}, found a model of {found}")]
     Subject {
-        /// What was asked for.
+        /// The expected subject.
         expected: &'static str,
-        /// What it is about.
+        /// The subject found.
         found: &'static str,
     },
     /// A field is missing, of the wrong type or out of its range.
@@ -83,10 +83,10 @@ pub enum DocumentError {
     /// The parts do not fit the body.
     #[error("at parts: {0}")]
     Parts(#[from] PartsError),
-    /// The maps of the model cannot be solved for.
+    /// A matrix of the model cannot be factorised.
     #[error("the model cannot be used: {0}")]
     Numerics(#[from] NumericsError),
-    /// The model to be written holds NaN or an infinity.
+    /// The model to write has NaN or an infinity.
     #[error("the model cannot be written: expected finite numbers, found {0}")]
     NotFinite(f64),
 }

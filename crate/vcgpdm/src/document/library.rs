@@ -1,9 +1,8 @@
-//! From a library to the tree of its document.
+//! Writes libraries of primitives as documents.
 
 use crate::document::error::{FORMAT, LIBRARY, VERSION};
-use crate::document::write::{
-    pose_map, sequence_fields, variational_provenance, variational_settings, with_elsewhere,
-};
+use crate::document::settings::write_variational;
+use crate::document::write::{pose_map, sequence_fields, variational_provenance, with_elsewhere};
 use crate::json::Value;
 use crate::models::SequenceInfo;
 use crate::models::library::{
@@ -11,7 +10,8 @@ use crate::models::library::{
 };
 use crate::motion::pose::PoseMapping;
 
-/// Primitives name their part, and movements their primitives, by place.
+/// The document of a library. Indices say which part a primitive belongs to and which primitives a movement
+/// uses.
 pub(super) fn document(trained: &TrainedLibrary) -> Value {
     let TrainedLibrary { library, body, provenance } = trained;
     let parts = library.parts.iter().zip(&library.pose_sums).zip(body.layout.parts());
@@ -50,10 +50,10 @@ pub(super) fn document(trained: &TrainedLibrary) -> Value {
     ])
 }
 
-/// With where it comes from and what it keeps of other movements, both absent where there is nothing to say.
+/// Adds origin and excerpts of a primitive; each is absent if the primitive has none.
 fn with_origin(mut fields: Vec<(&'static str, Value)>, primitive: &Primitive) -> Value {
-    if let Some(known) = &primitive.origin {
-        fields.push(("origin", origin(known)));
+    if let Some(recorded) = &primitive.origin {
+        fields.push(("origin", origin(recorded)));
     }
     if !primitive.excerpts.is_empty() {
         fields.push(("excerpts", Value::list(&primitive.excerpts, excerpt)));
@@ -73,7 +73,7 @@ fn origin(origin: &Origin) -> Value {
     });
     Value::object([
         ("engine", Value::text(&training.engine)),
-        ("settings", variational_settings(&training.settings, training.seed)),
+        ("settings", write_variational(&training.settings, training.seed)),
         ("frames_per_second", Value::Number(training.frames_per_second)),
         ("bound", Value::Number(training.objective)),
         ("iterations", Value::whole(training.iterations)),
@@ -108,7 +108,7 @@ fn movement(movement: &LearnedMovement, sequences: &[&SequenceInfo]) -> Value {
         fields.push(("start".to_owned(), Value::list(start, Value::matrix)));
         Value::Object(fields)
     });
-    // Absent where no rows were learned from.
+    // Null if the movement was not learned from rows.
     let sums = movement.sums.as_ref().map_or(Value::Null, |sums| {
         Value::list(sums, |sums| {
             Value::object([
@@ -133,7 +133,7 @@ fn movement(movement: &LearnedMovement, sequences: &[&SequenceInfo]) -> Value {
     Value::object([
         ("name", Value::text(&movement.name)),
         ("uses", Value::wholes(&movement.uses)),
-        // Row the source, column the target.
+        // The row is the source, the column the target.
         ("alpha", Value::matrix(&movement.alpha)),
         ("sums", sums),
         ("sequences", sequences),
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn a_read_library_is_the_written_one() {
+    fn a_library_is_read_as_it_was_written() {
         let text = trained().to_json().unwrap();
         let again = TrainedLibrary::from_json(&text).unwrap();
         assert_eq!(again.library, trained().library);
@@ -186,8 +186,7 @@ mod tests {
         assert_eq!(again.to_json().unwrap(), text);
     }
 
-    /// A combination of a library is a model like others: it can be saved alone, and rolls out to the same
-    /// bits.
+    /// A combination is saved as a model of its own, which rolls out to the same bits.
     #[test]
     fn a_combination_is_a_document_of_its_own() {
         for index in 0..3 {
@@ -210,10 +209,9 @@ mod tests {
         assert!(refused(&value).contains("of all parts or of none"), "{}", refused(&value));
     }
 
-    /// A primitive alone is a library without a whole movement; it says where it comes from, and is read
-    /// again to the same bits.
+    /// A single primitive is a library without a whole movement, with the origin of the primitive.
     #[test]
-    fn a_selection_is_a_document_of_its_own() {
+    fn a_single_primitive_is_read_as_it_was_written() {
         let library = trained();
         let alone = library.select(&[1]).unwrap();
         let text = alone.to_json().unwrap();
@@ -225,47 +223,45 @@ mod tests {
         assert_eq!(origin.training, library.provenance);
         assert_eq!(origin.clips, library.body.sequences[..1]);
         assert_eq!((again.library.movements.len(), again.body.sequences.len()), (0, 0));
-        // A file of before, which says nothing of its primitives: they come from its own training.
+        // Files of earlier versions have no origin: their primitives come from the library's training.
         assert!(!library.to_json().unwrap().contains("origin"));
-        let words = |change: fn(&mut serde_json::Value)| {
+        let refusal = |change: fn(&mut serde_json::Value)| {
             let mut value: serde_json::Value = serde_json::from_str(&text).unwrap();
             change(&mut value["primitives"][0]);
             TrainedLibrary::from_json(&value.to_string()).unwrap_err().to_string()
         };
-        assert!(words(|p| p["origin"]["seed"] = json!(1)).starts_with("at primitives[0].origin"));
-        let missing = words(|p| drop(p["origin"].as_object_mut().unwrap().remove("clips")));
+        assert!(refusal(|p| p["origin"]["seed"] = json!(1)).starts_with("at primitives[0].origin"));
+        let missing = refusal(|p| drop(p["origin"].as_object_mut().unwrap().remove("clips")));
         assert!(missing.starts_with("at primitives[0].origin"), "{missing}");
-        let frames = json!({ "primitive": "walk", "frames": "dreamt", "clips": [] });
-        let dreamt = |p: &mut serde_json::Value, frames| p["origin"]["relearned"] = frames;
+        let unknown = json!({ "primitive": "walk", "frames": "dreamt", "clips": [] });
         let mut value: serde_json::Value = serde_json::from_str(&text).unwrap();
-        dreamt(&mut value["primitives"][0], frames);
+        value["primitives"][0]["origin"]["relearned"] = unknown;
         let refused = TrainedLibrary::from_json(&value.to_string()).unwrap_err().to_string();
         assert_eq!(
             refused,
             "at primitives[0].origin.relearned.frames: expected clips, remembered or generated, found a text"
         );
         assert!(
-            words(|p| p["excerpts"][0]["alpha"] = json!([1.0]))
+            refusal(|p| p["excerpts"][0]["alpha"] = json!([1.0]))
                 .contains("excerpts[0].alpha: expected 2, found 1")
         );
-        let short = words(|p| p["excerpts"][0]["starts"][0][0] = json!([[1.0, 2.0, 3.0]]));
+        let short = refusal(|p| p["excerpts"][0]["starts"][0][0] = json!([[1.0, 2.0, 3.0]]));
         assert!(short.contains("excerpts[0].starts[0][0]"), "{short}");
-        let negative = words(|p| p["excerpts"][0]["alpha"] = json!([1.0, -1.0]));
+        let negative = refusal(|p| p["excerpts"][0]["alpha"] = json!([1.0, -1.0]));
         assert!(negative.contains("excerpts[0].alpha: expected positive numbers"), "{negative}");
     }
 
     #[test]
     fn a_merge_adds_the_primitives_that_are_missing() {
         let whole = trained();
-        // Without the arms of the walk, and these alone.
+        // A library without the arms of the walk, and one with these alone.
         let mut some = whole.select(&[0, 2]).unwrap();
         let arms = whole.select(&[1]).unwrap();
         let movements = some.library.movements.clone();
         some.merge(&TrainedLibrary::from_json(&arms.to_json().unwrap()).unwrap()).unwrap();
         assert_eq!((some.library.primitives.len(), &some.library.movements), (3, &movements));
         assert_eq!(some.library.primitives[2].name, "walk");
-        // The combination is the recorded one again, couplings included, as far as a primitive alone knows
-        // them.
+        // The recorded combination exists again, with the couplings that a single primitive stores.
         let uses = some.read_uses("lower=walk+wave,upper=walk").unwrap();
         let alpha = some.library.nearest_couplings(&uses);
         assert_eq!(alpha.row(1), whole.library.movements[0].alpha.row(1));
@@ -283,7 +279,7 @@ mod tests {
         let merged = some.library.clone();
         some.merge(&arms).unwrap();
         assert_eq!(some.library, merged);
-        // A movement comes along with both of its primitives, and rows are not counted twice.
+        // A movement is added with both of its primitives; rows are not counted twice.
         let mut legs = whole.select(&[0]).unwrap();
         legs.merge(whole).unwrap();
         assert_eq!(legs.library.primitives.len(), 3);
@@ -294,7 +290,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_fit_another_library_is_refused_with_the_reason() {
+    fn primitives_that_do_not_fit_are_refused_with_the_reason() {
         use crate::models::library::{MergeError, Misfit};
         let refused = |change: &dyn Fn(&mut TrainedLibrary)| {
             let (mut host, mut other) = (trained().clone(), trained().select(&[1]).unwrap());
@@ -303,7 +299,7 @@ mod tests {
             assert_eq!(host.library, trained().library);
             (misfit.to_string(), misfit.can_be_relearned(), misfit)
         };
-        let (words, can, _) = refused(&|other| {
+        let (message, relearnable, _) = refused(&|other| {
             let map = &other.library.parts[1];
             let (r, kernel, mean) = (map.r() * 1.5, map.kernel().clone(), map.mean().clone());
             let jitter = other.library.jitter;
@@ -318,24 +314,27 @@ mod tests {
             .unwrap();
         });
         assert_eq!(
-            (words.as_str(), can),
+            (message.as_str(), relearnable),
             ("the pose maps of upper differ: they come from different trainings", true)
         );
-        let (words, can, _) = refused(&|other| other.library.order = 3);
-        assert_eq!((words.as_str(), can), ("the order of the dynamics differs: expected 2, found 3", true));
-        let (_, can, misfit) = refused(&|other| other.body.column_means[0] += 1.0);
-        assert_eq!((misfit, can), (Misfit::Centre, true));
-        let (words, can, _) = refused(&|other| {
+        let (message, relearnable, _) = refused(&|other| other.library.order = 3);
+        assert_eq!(
+            (message.as_str(), relearnable),
+            ("the order of the dynamics differs: expected 2, found 3", true)
+        );
+        let (_, relearnable, misfit) = refused(&|other| other.body.column_means[0] += 1.0);
+        assert_eq!((misfit, relearnable), (Misfit::Centre, true));
+        let (message, relearnable, _) = refused(&|other| {
             let mut parts = other.body.layout.parts().to_vec();
             parts[0].name = "legs".to_owned();
             other.body.layout = crate::motion::parts::PartsLayout::new(&parts, &other.body.mapping).unwrap();
         });
-        assert_eq!(words, "the columns differ: expected the parts lower, upper, found legs, upper");
-        assert!(!can);
+        assert_eq!(message, "the columns differ: expected the parts lower, upper, found legs, upper");
+        assert!(!relearnable);
     }
 
     #[test]
-    fn what_does_not_fit_is_refused_with_its_path() {
+    fn wrong_fields_are_refused_with_their_path() {
         type Change = fn(&mut serde_json::Value);
         let cases: [(&str, Change); 9] = [
             ("at movements[0].uses: expected a primitive of part 1", |v| {
@@ -361,34 +360,34 @@ mod tests {
         for (expected, change) in cases {
             let mut value: serde_json::Value = serde_json::from_str(&trained().to_json().unwrap()).unwrap();
             change(&mut value);
-            let words = TrainedLibrary::from_json(&value.to_string()).unwrap_err().to_string();
-            assert!(words.starts_with(expected), "{words}");
+            let message = TrainedLibrary::from_json(&value.to_string()).unwrap_err().to_string();
+            assert!(message.starts_with(expected), "{message}");
         }
     }
 
     #[test]
-    fn models_and_libraries_are_told_apart() {
+    fn models_and_libraries_are_distinguished() {
         let library = trained().to_json().unwrap();
-        let words = Model::coupled_from_json(&library).unwrap_err().to_string();
-        assert!(words.starts_with("expected a model, found a library of primitives"), "{words}");
+        let message = Model::coupled_from_json(&library).unwrap_err().to_string();
+        assert!(message.starts_with("expected a model, found a library of primitives"), "{message}");
         let model = trained().movement(0).unwrap().to_json().unwrap();
-        let words = TrainedLibrary::from_json(&model).unwrap_err().to_string();
-        assert_eq!(words, "expected a library of primitives, found a vcgpdm model");
+        let message = TrainedLibrary::from_json(&model).unwrap_err().to_string();
+        assert_eq!(message, "expected a library of primitives, found a vcgpdm model");
     }
 
     #[test]
-    fn choices_are_understood_by_primitive_and_by_movement() {
+    fn combinations_are_chosen_by_primitive_or_by_movement() {
         let library = trained();
         assert_eq!(library.read_uses("lower=walk,upper=wave").unwrap(), [0, 2]);
         assert_eq!(library.read_uses("upper=walk, lower=walk+wave").unwrap(), [0, 1]);
-        let words = |text: &str| library.read_uses(text).unwrap_err().to_string();
+        let refusal = |text: &str| library.read_uses(text).unwrap_err().to_string();
         assert_eq!(
-            words("lower=walk"),
+            refusal("lower=walk"),
             "expected PART=PRIMITIVE for each part, such as lower=walk+wave,upper=walk, found \"lower=walk\""
         );
-        assert_eq!(words("tail=walk"), "expected the part to be one of lower, upper, found \"tail\"");
+        assert_eq!(refusal("tail=walk"), "expected the part to be one of lower, upper, found \"tail\"");
         assert_eq!(
-            words("lower=walk,upper=jump"),
+            refusal("lower=walk,upper=jump"),
             "expected the primitive to be one of walk, wave, found \"jump\""
         );
     }

@@ -1,23 +1,25 @@
-//! The shared model as a versioned JSON document. No I/O.
+//! Models and libraries as versioned JSON documents. No I/O.
 //!
-//! It holds what a rollout needs and no training clip: skeleton and pose mapping, column means, parts with
-//! their pose maps, the dynamics into each part, couplings, the sums from which experts can be inferred
-//! again, start latents and provenance. A document of tables has the names and units of their columns in the
-//! place of skeleton and pose mapping ([`Document`] reads both). A document of another kind holds the same
-//! about the body, and under "model" what that kind needs to roll out; that of a library holds pose maps,
-//! primitives and movements.
+//! A document has all that a rollout needs, and no training clip. That of a variational model has the
+//! skeleton and pose mapping, column means, parts with their pose maps, the dynamics into each part,
+//! couplings, the sums from which experts can be inferred again, start latents and provenance. A model of
+//! tables has the names and units of columns instead of skeleton and pose mapping ([`Document`] reads both).
+//! A model of another kind has its own fields under "model". A library has pose maps, primitives and
+//! movements.
 
 mod error;
 mod library;
 mod read;
+mod settings;
 mod subject;
 mod write;
 
 pub use error::{DocumentError, FORMAT, LIBRARY};
+pub use settings::{read_settings, write_settings};
 
-use crate::json::{Field, FieldError, NotFinite, Value};
+use crate::json::{NotFinite, Value};
 use crate::models::library::TrainedLibrary;
-use crate::models::{Coupled, Model, ModelKind, SeriesModel, Settings};
+use crate::models::{Coupled, Model, SeriesModel};
 use error::MOST_BYTES;
 
 impl Coupled<'_> {
@@ -25,16 +27,16 @@ impl Coupled<'_> {
     ///
     /// # Errors
     ///
-    /// When it holds a number that is not finite.
+    /// [`DocumentError::NotFinite`] when the model has a number that is not finite.
     pub fn to_json(&self) -> Result<String, DocumentError> {
         text(&write::variational(*self))
     }
 
-    /// SHA-256 of that document, in lower-case hexadecimal: links and saved motions name a model by it.
+    /// SHA-256 of that document in lower-case hexadecimal. Links and saved motions name a model by it.
     ///
     /// # Errors
     ///
-    /// When it holds a number that is not finite.
+    /// [`DocumentError::NotFinite`] when the model has a number that is not finite.
     pub fn sha256(&self) -> Result<String, DocumentError> {
         Ok(crate::motion::sha256(self.to_json()?.as_bytes()))
     }
@@ -45,13 +47,13 @@ impl SeriesModel {
     ///
     /// # Errors
     ///
-    /// When it holds a number that is not finite.
+    /// [`DocumentError::NotFinite`] when the model has a number that is not finite.
     pub fn to_json(&self) -> Result<String, DocumentError> {
         text(&write::document(self))
     }
 }
 
-/// A document of any kind, of a body or of tables.
+/// A model read from a document.
 #[derive(Clone, Debug)]
 pub enum Document {
     /// A model of a body.
@@ -61,14 +63,14 @@ pub enum Document {
 }
 
 impl Document {
-    /// Reads a document of any kind; nothing but a whole and consistent model is accepted.
+    /// Reads the document of a model of any kind, and checks that it is complete and consistent.
     ///
     /// # Errors
     ///
-    /// When the text is not such a document, with the path of the field that is wrong.
+    /// A [`DocumentError`], with the path of the field that is wrong.
     pub fn from_json(text: &str) -> Result<Self, DocumentError> {
         let value = parsed(text)?;
-        Ok(match read::is_of_columns(&value) {
+        Ok(match read::has_columns(&value) {
             true => Document::Series(Box::new(read::document(&value)?)),
             false => Document::Body(Box::new(read::document(&value)?)),
         })
@@ -80,25 +82,26 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// When it holds a number that is not finite.
+    /// [`DocumentError::NotFinite`] when the model has a number that is not finite.
     pub fn to_json(&self) -> Result<String, DocumentError> {
         text(&write::document(self))
     }
 
-    /// Reads the document of a vCGPDM or vGPDM. A program that reads no other kind need not hold their code.
+    /// Reads the document of a vCGPDM or vGPDM. A program that reads no other kind does not contain the code
+    /// of the others.
     ///
     /// # Errors
     ///
-    /// When the text is not such a document, with the path of the field that is wrong.
+    /// A [`DocumentError`], with the path of the field that is wrong.
     pub fn coupled_from_json(text: &str) -> Result<Self, DocumentError> {
         read::vcgpdm_document(&parsed(text)?)
     }
 
-    /// Reads a document of any kind of model of a body; nothing but a whole and consistent model is accepted.
+    /// Reads the document of a model of a body, of any kind, and checks that it is complete and consistent.
     ///
     /// # Errors
     ///
-    /// When the text is not such a document, with the path of the field that is wrong.
+    /// A [`DocumentError`], with the path of the field that is wrong.
     pub fn from_json(text: &str) -> Result<Self, DocumentError> {
         read::document(&parsed(text)?)
     }
@@ -109,29 +112,19 @@ impl TrainedLibrary {
     ///
     /// # Errors
     ///
-    /// When it holds a number that is not finite.
+    /// [`DocumentError::NotFinite`] when the model has a number that is not finite.
     pub fn to_json(&self) -> Result<String, DocumentError> {
         text(&library::document(self))
     }
 
-    /// Reads the document of a library; nothing but a whole and consistent one is accepted.
+    /// Reads the document of a library, and checks that it is complete and consistent.
     ///
     /// # Errors
     ///
-    /// When the text is not such a document, with the path of the field that is wrong.
+    /// A [`DocumentError`], with the path of the field that is wrong.
     pub fn from_json(text: &str) -> Result<Self, DocumentError> {
         read::library_document(&parsed(text)?)
     }
-}
-
-/// Names and values of what a training was asked for, as documents hold them.
-pub fn settings_value(settings: &Settings, seed: u32) -> Value {
-    write::settings(settings, seed)
-}
-
-/// The same, read again: settings of that kind of model, and the seed.
-pub fn settings_of(field: Field, kind: ModelKind) -> Result<(Settings, u32), FieldError> {
-    read::settings(field, kind)
 }
 
 fn parsed(text: &str) -> Result<Value, DocumentError> {

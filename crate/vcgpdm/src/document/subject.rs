@@ -1,5 +1,4 @@
-//! What a document says of its columns: the pose mapping of a body, or the names and units of a table's
-//! columns.
+//! The columns in a document: the pose mapping of a body, or the names and units of a table's columns.
 
 use crate::document::error::{DocumentError, SECOND, VERSION};
 use crate::json::checks::{count, positive};
@@ -9,16 +8,16 @@ use crate::motion::parts::{PartSpec, PartsLayout};
 use crate::motion::pose::PoseMapping;
 use crate::series::{Columns, check_parts};
 
-/// More columns than a table has.
+/// Largest number of columns of a table.
 const MOST_COLUMNS: usize = 10_000;
 
-/// What a document can say of its columns.
+/// The columns of a model, as documents contain them.
 pub(super) trait Subject: ColumnMapping {
-    /// The field of the document that holds it.
+    /// The field of the document.
     const FIELD: &'static str;
-    /// The field of a part that lists what belongs to it.
+    /// The field of a part that lists its joints or columns.
     const PLACES: &'static str;
-    /// The earliest version that can say it, of a variational model and of others.
+    /// The earliest version for a variational model, and for another kind.
     const VERSIONS: [usize; 2];
 
     fn to_value(&self) -> Value;
@@ -29,7 +28,6 @@ pub(super) trait Subject: ColumnMapping {
 impl Subject for PoseMapping {
     const FIELD: &'static str = "pose";
     const PLACES: &'static str = "joints";
-    // The first version still says all there is to say of a variational model.
     const VERSIONS: [usize; 2] = [1, SECOND];
 
     fn to_value(&self) -> Value {

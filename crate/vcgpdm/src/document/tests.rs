@@ -32,7 +32,7 @@ fn refused(change: impl FnOnce(&mut Value)) -> String {
 }
 
 #[test]
-fn a_read_model_rolls_out_to_the_bit_as_the_written_one() {
+fn a_model_is_read_as_it_was_written_and_rolls_out_to_the_same_bits() {
     let model = trained();
     let again = Model::coupled_from_json(&model.to_json().unwrap()).unwrap();
     let (coupled, coupled_again) = (model.coupled().unwrap(), again.coupled().unwrap());
@@ -45,7 +45,7 @@ fn a_read_model_rolls_out_to_the_bit_as_the_written_one() {
 }
 
 #[test]
-fn its_hash_is_that_of_the_document_and_comes_back_with_it() {
+fn the_hash_of_a_model_is_that_of_its_document() {
     let hash = trained().coupled().unwrap().sha256().unwrap();
     let text = trained().to_json().unwrap();
     assert_eq!(hash, crate::motion::sha256(text.as_bytes()));
@@ -58,8 +58,8 @@ fn its_hash_is_that_of_the_document_and_comes_back_with_it() {
 }
 
 #[test]
-fn it_holds_no_training_clip() {
-    // 120 frames of 60 odd columns would be the largest thing in the file.
+fn a_document_does_not_contain_the_training_clips() {
+    // The clips would be the largest part of the file.
     let model = trained();
     let numbers = |v: &Value| -> usize {
         fn count(v: &Value) -> usize {
@@ -130,19 +130,18 @@ fn wrong_fields_are_refused_with_their_path() {
         let error = refused(change);
         assert!(error.starts_with(expected), "expected {expected:?}, found {error:?}");
     }
-    // A joint that is in no part, and a skeleton that is no tree.
+    // A joint that is in no part.
     assert!(
         refused(|v| v["parts"][0]["joints"] = json!([0]))
             .starts_with("at parts: expected each joint in one part")
     );
-    // JSON itself has no numbers that do not fit.
+    // A number beyond the range of f64.
     let huge = trained().to_json().unwrap().replacen("\"jitter\":1e-6", "\"jitter\":1e999", 1);
     assert!(Model::coupled_from_json(&huge).unwrap_err().to_string().contains("out of range"));
 }
 
-/// What a person reads about a model must be something that it could have been asked for.
 #[test]
-fn settings_that_nothing_was_trained_with_are_refused_with_their_path() {
+fn settings_that_no_training_accepts_are_refused_with_their_path() {
     let written = |settings, frames| -> Value {
         serde_json::from_str(&learned(settings, frames, 1).to_json().unwrap()).unwrap()
     };
@@ -218,7 +217,7 @@ fn a_broken_body_is_refused_with_the_path_of_the_field() {
 }
 
 #[test]
-fn unknown_and_doubled_fields_are_refused() {
+fn unknown_and_repeated_fields_are_refused() {
     assert!(
         refused(|v| v["colour"] = json!("red")).starts_with("at the top of the document: expected no field")
     );
@@ -232,13 +231,13 @@ fn unknown_and_doubled_fields_are_refused() {
 }
 
 #[test]
-fn what_is_not_finite_is_not_written() {
+fn a_model_with_nan_is_not_written() {
     let mut model = trained().clone();
     model.provenance.objective = f64::NAN;
     assert!(model.to_json().unwrap_err().to_string().ends_with("expected finite numbers, found NaN"));
 }
 
-/// A model of the sample walk in two parts, of which the first `frames` are learned in at most `steps` steps.
+/// A model of the first `frames` frames of a sample walk in two parts, trained for at most `steps` steps.
 fn learned(settings: Settings, frames: usize, steps: usize) -> Model {
     let clip = samples::clip("walk-1").unwrap().cut(0, frames).unwrap();
     let parts = &parts::presets(&clip.skeleton)[1].parts;
@@ -250,14 +249,14 @@ fn learned(settings: Settings, frames: usize, steps: usize) -> Model {
     trainer.finish().unwrap()
 }
 
-/// A MAP CGPDM, hardly trained.
+/// A MAP CGPDM after a few steps.
 fn baseline() -> Model {
     let settings = MapSettings { latent: 2, max_iterations: 10, ..MapSettings::default() };
     learned(Settings::MapCgpdm(settings), 40, 11)
 }
 
 #[test]
-fn a_baseline_rolls_out_to_the_bit_as_it_was_written() {
+fn a_baseline_is_read_as_it_was_written() {
     let model = baseline();
     let text = model.to_json().unwrap();
     let again = Model::from_json(&text).unwrap();
@@ -285,8 +284,8 @@ fn documents_without_a_kind_are_variational() {
     assert_eq!(any.coupled().unwrap().model, coupled.model);
     assert!(baseline().coupled().is_none());
     let named = |kind: &str| refused(|v| v["kind"] = json!(kind));
-    let known = "vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete, dmp-rhythmic";
-    assert_eq!(named("gplvm"), format!("at kind: expected one of {known}, found \"gplvm\""));
+    let kinds = "vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete, dmp-rhythmic";
+    assert_eq!(named("gplvm"), format!("at kind: expected one of {kinds}, found \"gplvm\""));
     assert_eq!(named("vgpdm"), "at kind: expected vcgpdm, for so many parts, found vgpdm");
 }
 
@@ -321,7 +320,7 @@ fn wrong_fields_of_a_baseline_are_refused_with_their_path() {
 }
 
 #[test]
-fn movement_primitives_come_back_as_they_were_written() {
+fn movement_primitives_are_read_as_they_were_written() {
     for settings in [
         Settings::Tmp(TmpSettings::default()),
         Settings::Tmp(TmpSettings { primitives: Some(2), ..TmpSettings::default() }),
@@ -335,7 +334,7 @@ fn movement_primitives_come_back_as_they_were_written() {
         assert_eq!((again.kind(), again.to_json().unwrap()), (kind, text.clone()));
         assert_eq!(again.provenance, model.provenance);
         assert_eq!(again.rollout(0, 50).unwrap(), model.rollout(0, 50).unwrap());
-        // Every field of a model is needed, and none but these.
+        // Every field of a model is required and checked.
         let value: Value = serde_json::from_str(&text).unwrap();
         for name in value["model"].as_object().unwrap().keys() {
             let mut broken = value.clone();

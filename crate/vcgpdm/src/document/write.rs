@@ -1,24 +1,22 @@
-//! From a model to the tree of its document.
+//! Writes models as documents.
 
 use crate::document::error::{FORMAT, VERSION};
+use crate::document::settings::{write_settings, write_variational};
 use crate::document::subject::Subject;
 use crate::json::Value;
 use crate::models::variational::{BoundTerms, Elsewhere, FittedExpert, PoseMap};
-use crate::models::{
-    Coupled, DmpSettings, FittedModel, MapSettings, Model, Provenance, SequenceInfo, Settings, TmpSettings,
-    VariationalSettings,
-};
+use crate::models::{Coupled, FittedModel, Model, Provenance, SequenceInfo};
 use crate::motion::parts::PartSpec;
 
-/// A model of any kind.
+/// The document of a model of any kind.
 pub(super) fn document<S: Subject>(trained: &Model<S>) -> Value {
     if let Some(coupled) = trained.coupled() {
         return variational(coupled);
     }
     let Model { fitted, body, provenance } = trained;
-    let settings = settings(&provenance.settings, provenance.seed);
+    let settings = write_settings(&provenance.settings, provenance.seed);
     let fields = match fitted {
-        // Written above.
+        // `coupled` above is `Some` for this kind.
         FittedModel::Vcgpdm(_) => Value::Null,
         FittedModel::Map(model) => model.to_value(),
         FittedModel::Tmp(model) => model.to_value(),
@@ -49,14 +47,15 @@ pub(super) fn document<S: Subject>(trained: &Model<S>) -> Value {
     ])
 }
 
-/// Where a sequence came from, and where it comes to rest if it does.
+/// The origin of a training sequence.
 pub(super) fn sequence_fields(info: &SequenceInfo) -> Vec<(String, Value)> {
     let mut fields = vec![
         ("clip".to_owned(), Value::text(&info.name)),
         ("sha256".to_owned(), Value::text(&info.sha256)),
         ("frames".to_owned(), Value::whole(info.frames)),
     ];
-    // Absent otherwise, so that documents of before keep their hash when they are written again.
+    // The next fields are absent if they have no value, so that files written by earlier versions keep their
+    // hash.
     if let Some(seconds) = info.rests_from {
         fields.push(("rests_from".to_owned(), Value::Number(seconds)));
     }
@@ -72,12 +71,13 @@ pub(super) fn sequence_fields(info: &SequenceInfo) -> Vec<(String, Value)> {
     fields
 }
 
-/// A variational model. A program that asks for no other need not hold the code of the others.
+/// The document of a variational model. A program that writes no other kind does not contain the code of the
+/// others.
 pub(super) fn variational<S: Subject>(coupled: Coupled<S>) -> Value {
     let Coupled { model, body, provenance } = coupled;
     let parts = model.parts.iter().zip(body.layout.parts());
     let parts = Value::list(parts, |(map, spec)| Value::object(pose_map::<S>(map, spec)));
-    // The dynamics into each part; matrices over its sources stack them in order.
+    // The dynamics into each part. Matrices over all sources stack their blocks in order.
     let dynamics = Value::list(0..model.part_count(), |i| {
         let own = [
             ("experts", Value::list(&model.experts, |row| expert(&row[i]))),
@@ -87,12 +87,11 @@ pub(super) fn variational<S: Subject>(coupled: Coupled<S>) -> Value {
         ];
         with_elsewhere(own, model.elsewhere.get(i))
     });
-    // The first version still says all there is to say about a model of a body that learned from its own rows
-    // only.
+    // Version 1 suffices for a model of a body without evidence from other data.
     let version = if model.elsewhere.is_empty() { S::VERSIONS[0] } else { VERSION };
     let sequences = Value::list(body.sequences.iter().zip(&model.starts), |(info, start)| {
         let mut fields = sequence_fields(info);
-        // The latent means of the first frames of each part.
+        // The latent means of the first frames, for each part.
         fields.push(("start".to_owned(), Value::list(start, Value::matrix)));
         Value::Object(fields)
     });
@@ -107,16 +106,16 @@ pub(super) fn variational<S: Subject>(coupled: Coupled<S>) -> Value {
         ("jitter", Value::Number(model.jitter)),
         ("parts", parts),
         ("dynamics", dynamics),
-        // Row the source, column the target.
+        // The row is the source, the column the target.
         ("alpha", Value::matrix(&model.alpha)),
         ("sequences", sequences),
         ("provenance", provenance),
     ])
 }
 
-/// How a variational model or a library was made, and the terms of its bound.
+/// The provenance of a variational model or a library, with the terms of its bound.
 pub(super) fn variational_provenance(provenance: &Provenance, bound: &BoundTerms) -> Value {
-    let settings = variational_settings(&provenance.settings, provenance.seed);
+    let settings = write_variational(&provenance.settings, provenance.seed);
     Value::object([
         ("engine", Value::text(&provenance.engine)),
         ("settings", settings),
@@ -129,7 +128,7 @@ pub(super) fn variational_provenance(provenance: &Provenance, bound: &BoundTerms
     ])
 }
 
-/// A part with its pose map.
+/// The fields of a part with its pose map.
 pub(super) fn pose_map<S: Subject>(map: &PoseMap, spec: &PartSpec) -> [(&'static str, Value); 8] {
     let [name, places] = part_fields::<S>(spec);
     [
@@ -144,7 +143,7 @@ pub(super) fn pose_map<S: Subject>(map: &PoseMap, spec: &PartSpec) -> [(&'static
     ]
 }
 
-/// With what was learned from other rows, where there were any.
+/// Adds the evidence from other data, if there is any.
 pub(super) fn with_elsewhere<const N: usize>(
     own: [(&str, Value); N],
     elsewhere: Option<&Elsewhere>,
@@ -166,55 +165,6 @@ fn expert(expert: &FittedExpert) -> Value {
         ("lambda", Value::numbers(expert.kernel().lambda.as_slice())),
         ("z", Value::matrix(expert.z())),
         ("u_mean", Value::matrix(expert.mean())),
-    ])
-}
-
-/// Names and values of what training was asked for: yes is 1, and what was left to the training is left out.
-pub(super) fn settings(settings: &Settings, seed: u32) -> Value {
-    match settings {
-        Settings::Vcgpdm(settings) | Settings::Vgpdm(settings) => variational_fields(settings, seed),
-        Settings::MapGpdm(settings) | Settings::MapCgpdm(settings) => {
-            let MapSettings { latent, order, max_iterations, balanced, linear } = settings;
-            let fields = [
-                ("balanced", Value::whole(usize::from(*balanced))),
-                ("latent", Value::whole(*latent)),
-                ("max_iterations", Value::whole(*max_iterations)),
-                ("order", Value::whole(*order)),
-                ("seed", Value::Number(seed.into())),
-            ];
-            // Absent: no linear term, as in documents before there was one.
-            let fields = fields.into_iter().map(|(name, value)| (name.to_owned(), value));
-            let linear = linear.then(|| ("linear".to_owned(), Value::whole(1)));
-            Value::Object(fields.chain(linear).collect())
-        }
-        Settings::Tmp(TmpSettings { primitives, normalised_time }) => {
-            // Absent: chosen by the bound; phases learned, as in documents before there was a choice.
-            let count = primitives.map(|count| ("primitives".to_owned(), Value::whole(count)));
-            let time = normalised_time.then(|| ("normalised_time".to_owned(), Value::whole(1)));
-            Value::Object(time.into_iter().chain(count).collect())
-        }
-        Settings::DmpDiscrete(settings) | Settings::DmpRhythmic(settings) => {
-            let DmpSettings { bases } = settings;
-            Value::object([("bases", Value::whole(*bases))])
-        }
-    }
-}
-
-/// The settings of a variational model or library. A program that writes no other kind need not hold the code of
-/// the others.
-pub(super) fn variational_settings(settings: &Settings, seed: u32) -> Value {
-    settings.variational().map_or(Value::Null, |settings| variational_fields(settings, seed))
-}
-
-fn variational_fields(settings: &VariationalSettings, seed: u32) -> Value {
-    let VariationalSettings { latent, dynamics_ips, pose_ips, order, max_iterations } = settings;
-    Value::object([
-        ("latent", Value::whole(*latent)),
-        ("dynamics_ips", Value::whole(*dynamics_ips)),
-        ("pose_ips", Value::whole(*pose_ips)),
-        ("order", Value::whole(*order)),
-        ("seed", Value::Number(seed.into())),
-        ("max_iterations", Value::whole(*max_iterations)),
     ])
 }
 

@@ -1,20 +1,19 @@
-//! Checks of a field beyond its type: ranges, shapes, signs. An error says what was expected and what was
-//! found.
+//! Checks of ranges, shapes and signs. An error says what was expected and what was found.
 
 use crate::json::field::{Field, FieldError};
 use nalgebra::DMatrix;
 use std::ops::RangeInclusive;
 
-/// The largest size of a number; sums of products of larger ones might overflow.
+/// Largest size of a number; sums of products of larger numbers could overflow.
 const LARGEST: f64 = 1e12;
 
-/// A number in a range; `expected` is the range in words.
+/// Reads a number in a range; `expected` describes the range in an error.
 pub fn within(field: Field, range: RangeInclusive<f64>, expected: &str) -> Result<f64, FieldError> {
     let number = field.number()?;
     if range.contains(&number) { Ok(number) } else { Err(field.wrong(expected)) }
 }
 
-/// Checks that `found`, the value or the length of a field, is in a range.
+/// Checks that `found`, which is the value or the length of a field, is in a range.
 pub fn count(field: &Field, found: usize, range: RangeInclusive<usize>) -> Result<usize, FieldError> {
     if range.contains(&found) {
         return Ok(found);
@@ -33,14 +32,14 @@ pub fn shape(field: &Field, matrix: &DMatrix<f64>, rows: usize, columns: usize) 
     Err(field.error(format!("expected {rows} x {columns} numbers, found {r} x {c}")))
 }
 
-/// One positive number.
+/// Reads a positive number.
 pub fn positive_number(field: Field) -> Result<f64, FieldError> {
     let number = field.number()?;
     positive(&field, &[number])?;
     Ok(number)
 }
 
-/// Checks variances or squared lengthscales.
+/// Checks that variances or squared lengthscales are positive and not too large.
 pub fn positive(field: &Field, values: &[f64]) -> Result<(), FieldError> {
     match values.iter().find(|v| !(1e-12..=LARGEST).contains(*v)) {
         None => Ok(()),
@@ -48,17 +47,17 @@ pub fn positive(field: &Field, values: &[f64]) -> Result<(), FieldError> {
     }
 }
 
-/// Checks that numbers are small enough to compute with.
-pub fn tame(field: &Field, values: &[f64]) -> Result<(), FieldError> {
+/// Checks that numbers are at most 1e12 in size.
+pub fn bounded(field: &Field, values: &[f64]) -> Result<(), FieldError> {
     match values.iter().find(|v| v.abs() > LARGEST) {
         None => Ok(()),
         Some(v) => Err(field.error(format!("expected numbers up to 1e12 in size, found {v}"))),
     }
 }
 
-/// A matrix of numbers that are small enough to compute with.
-pub fn tame_matrix(field: &Field) -> Result<DMatrix<f64>, FieldError> {
+/// Reads a matrix of numbers that are at most 1e12 in size.
+pub fn bounded_matrix(field: &Field) -> Result<DMatrix<f64>, FieldError> {
     let matrix = field.matrix()?;
-    tame(field, matrix.as_slice())?;
+    bounded(field, matrix.as_slice())?;
     Ok(matrix)
 }

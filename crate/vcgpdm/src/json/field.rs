@@ -1,4 +1,4 @@
-//! A cursor over a tree of values. It knows its path, so that an error about a wrong field names the path.
+//! A cursor over a tree of values. It stores its path, so that errors name the wrong field.
 
 use crate::json::rows::matrix_from_rows;
 use crate::json::value::Value;
@@ -6,7 +6,7 @@ use crate::json::write::digits;
 use nalgebra::DMatrix;
 use thiserror::Error;
 
-/// More items than a list of a document has that is more than numbers: each takes memory for its path.
+/// Largest number of items of a list other than of numbers: each item takes memory for its path.
 const MOST_ITEMS: usize = 100_000;
 
 /// A field is missing, unknown, of the wrong type or out of its range.
@@ -26,8 +26,8 @@ pub struct Field<'a> {
     path: String,
 }
 
-/// An object whose fields are taken one by one. [`Object::end`] refuses a field that was not taken: it is
-/// unknown.
+/// An object whose fields are taken one by one. [`Object::end`] refuses fields that were not taken, because
+/// they are unknown.
 #[derive(Debug)]
 pub struct Object<'a> {
     fields: Vec<Option<&'a (String, Value)>>,
@@ -45,12 +45,12 @@ impl<'a> Field<'a> {
         self.value
     }
 
-    /// A refusal of this field.
+    /// An error at this field.
     pub fn error(&self, message: impl Into<String>) -> FieldError {
-        FieldError { path: named(&self.path), message: message.into() }
+        FieldError { path: displayed(&self.path), message: message.into() }
     }
 
-    /// A refusal of this field: what was expected, and what the document holds instead.
+    /// An error at this field, with what was expected and what was found.
     pub fn wrong(&self, expected: &str) -> FieldError {
         let found = match self.value {
             Value::Null => "null".to_owned(),
@@ -63,7 +63,7 @@ impl<'a> Field<'a> {
         self.error(format!("expected {expected}, found {found}"))
     }
 
-    /// Its fields, to be taken one by one.
+    /// The field as an object.
     pub fn object(self) -> Result<Object<'a>, FieldError> {
         match self.value {
             Value::Object(fields) => {
@@ -73,7 +73,7 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// All its items; `read` turns each into a `T`.
+    /// The items of a list, each read by `read`.
     pub fn list<T>(
         &self,
         mut read: impl FnMut(Field<'a>) -> Result<T, FieldError>,
@@ -91,7 +91,7 @@ impl<'a> Field<'a> {
         Field { value, path: format!("{}[{k}]", self.path) }
     }
 
-    /// Its items.
+    /// The items of a list.
     pub fn items(&self) -> Result<Vec<Field<'a>>, FieldError> {
         self.list(Ok)
     }
@@ -107,7 +107,7 @@ impl<'a> Field<'a> {
     /// A whole number that is not negative.
     pub fn whole(&self) -> Result<usize, FieldError> {
         match self.value {
-            // Up to 2^53 an f64 is exact; a usize of the wasm ends before.
+            // An f64 is exact up to 2^53; a usize of wasm has 32 bits.
             Value::Number(number) if number.fract() == 0.0 && (0.0..9007199254740992.0).contains(number) => {
                 usize::try_from(*number as u64).map_err(|_| self.wrong("a smaller number"))
             }
@@ -166,19 +166,19 @@ impl<'a> Object<'a> {
     /// The field of that name.
     pub fn get(&mut self, name: &str) -> Result<Field<'a>, FieldError> {
         self.optional(name).ok_or_else(|| FieldError {
-            path: named(&self.path),
+            path: displayed(&self.path),
             message: format!("expected a field \"{name}\", found none"),
         })
     }
 
-    /// Refuses the object where a field was not taken.
+    /// An error if a field was not taken.
     pub fn end(self) -> Result<(), FieldError> {
         match self.fields.iter().flatten().next() {
             None => Ok(()),
             Some((name, _)) => {
                 let name: String = name.chars().take(60).collect();
                 let message = format!("expected no field \"{name}\", or only one");
-                Err(FieldError { path: named(&self.path), message })
+                Err(FieldError { path: displayed(&self.path), message })
             }
         }
     }
@@ -188,13 +188,13 @@ impl<'a> Object<'a> {
     }
 }
 
-/// Where serde found what is wrong, in an error's words.
+/// The path of a serde error for a message.
 pub fn place(path: &serde_path_to_error::Path) -> String {
-    // Of the root it says a dot.
-    if path.iter().next().is_none() { named("") } else { path.to_string() }
+    // serde writes the root as a dot.
+    if path.iter().next().is_none() { displayed("") } else { path.to_string() }
 }
 
-/// The path in an error's words.
-fn named(path: &str) -> String {
+/// The path for a message.
+fn displayed(path: &str) -> String {
     if path.is_empty() { "the top of the document".to_owned() } else { path.to_owned() }
 }

@@ -1,24 +1,24 @@
-//! How a document of this project begins: what it is, and in which version.
+//! The heading of a document of this project: its format and version.
 
 use crate::json::field::{FieldError, Object};
 use crate::json::value::Value;
 use crate::json::write::write;
 use std::ops::RangeInclusive;
 
-/// Why a document is not one of the asked form.
+/// Why a document does not have the expected format or version.
 #[derive(Clone, Debug, PartialEq)]
 pub enum HeadingError {
-    /// It says that it is something else, or says nothing.
+    /// Another format, or none.
     Format {
-        /// What it says, cut to 60 letters.
+        /// The format found, at most 60 characters.
         found: String,
     },
-    /// From a later program.
+    /// Written by a newer program.
     Newer {
-        /// The version that it names.
+        /// Its version.
         found: usize,
     },
-    /// The version is missing, or none that there ever was.
+    /// The version is missing or invalid.
     Field(FieldError),
 }
 
@@ -32,7 +32,7 @@ impl From<FieldError> for HeadingError {
 ///
 /// # Errors
 ///
-/// When the format is another one, or the version is not in the range.
+/// A [`HeadingError`] when the format differs, or the version is not in the range.
 pub fn check_heading(
     document: &mut Object,
     format: &str,

@@ -1,6 +1,5 @@
-//! JSON, small: a tree of values that is read and written so that every number comes back bit by bit, and a
-//! cursor over the tree that knows the path of the field it stands on. In the wasm it takes a fraction of the
-//! space of a general library.
+//! A small JSON library: a tree of values whose numbers are read and written to the same bits, and a cursor
+//! over the tree that knows the path of its field. In the wasm it is much smaller than a general library.
 
 pub mod checks;
 mod field;

@@ -1,9 +1,9 @@
-//! Text to tree, by RFC 8259.
+//! Parses JSON (RFC 8259).
 
 use crate::json::value::Value;
 use thiserror::Error;
 
-/// The deepest nesting that is read: deeper ones could use up the stack.
+/// Deepest nesting: a deeper one could overflow the stack.
 const DEEPEST: usize = 100;
 
 /// Why a text is not JSON.
@@ -20,7 +20,7 @@ pub struct JsonError {
     pub found: String,
 }
 
-/// Reads a text that holds one value.
+/// Parses a text that consists of one value.
 pub fn parse(text: &str) -> Result<Value, JsonError> {
     let mut parser = Parser::new(text);
     let value = parser.value(0)?;
@@ -30,8 +30,8 @@ pub fn parse(text: &str) -> Result<Value, JsonError> {
     }
 }
 
-/// The fields of the object that a text holds: the value of those that are strings, null for all others,
-/// which are skipped without being read.
+/// The fields of the object that a text consists of. Strings have their value; all other values are skipped
+/// and are null here.
 pub fn outline(text: &str) -> Result<Vec<(String, Value)>, JsonError> {
     let mut parser = Parser::new(text);
     if parser.peek() != Some(b'{') {
@@ -45,7 +45,7 @@ pub fn outline(text: &str) -> Result<Vec<(String, Value)>, JsonError> {
 
 struct Parser<'a> {
     text: &'a str,
-    /// The byte to be read next.
+    /// The index of the next byte.
     at: usize,
 }
 
@@ -56,7 +56,7 @@ impl<'a> Parser<'a> {
         Self { text, at }
     }
 
-    /// The next byte that is not blank, without taking it.
+    /// Skips blanks and returns the next byte, which stays the next byte.
     fn peek(&mut self) -> Option<u8> {
         while let Some(b' ' | b'\t' | b'\n' | b'\r') = self.byte() {
             self.at += 1;
@@ -142,7 +142,7 @@ impl<'a> Parser<'a> {
         self.fields(|parser| parser.value(depth + 1)).map(Value::Object)
     }
 
-    /// The names of the fields of an object, with the values that `read` makes of them.
+    /// The names of the fields of an object, with their values read by `read`.
     fn fields(
         &mut self,
         read: impl Fn(&mut Self) -> Result<Value, JsonError>,
@@ -173,7 +173,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Moves to the end of a value; only strings and brackets are looked at.
+    /// Moves to the end of a value. Only strings and brackets are checked.
     fn skip(&mut self) -> Result<Value, JsonError> {
         let mut depth = 0_usize;
         while let Some(byte) = self.byte() {
@@ -243,7 +243,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// The character that an escape after a backslash stands for.
+    /// The character of an escape sequence, behind its backslash.
     fn escaped(&mut self) -> Result<char, JsonError> {
         const EXPECTED: &str = "one of \" \\ / b f n r t u after the \\ in a string";
         let escape = self.byte();
@@ -266,7 +266,7 @@ impl<'a> Parser<'a> {
         Ok(c)
     }
 
-    /// The character of `XXXX`, or of the pair `XXXX\uXXXX` that stands for one beyond U+FFFF.
+    /// The character of `XXXX`, or of the pair `XXXX\uXXXX` for a character beyond U+FFFF.
     fn code_point(&mut self) -> Result<char, JsonError> {
         const PAIR: &str = "a second \\u escape that completes the character";
         let mut code = self.unit()?;

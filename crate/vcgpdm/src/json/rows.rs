@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 
-/// A matrix with `rows` rows of equal width, or a sentence that says which row is odd.
+/// The matrix of rows of equal width, or a message that names the wrong row.
 pub fn matrix_from_rows(rows: &[Vec<f64>]) -> Result<DMatrix<f64>, String> {
     let width = rows.first().map_or(0, Vec::len);
     for (k, row) in rows.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Against serde_json, and the sentences of the errors.
+//! Comparisons with serde_json, and error messages.
 
 use super::*;
 use proptest::prelude::*;
@@ -18,7 +18,7 @@ fn value() -> impl Strategy<Value = Value> {
     })
 }
 
-/// The same tree as serde_json has it; of fields of one name it keeps the last.
+/// The same tree from serde_json, which keeps the last of several fields with one name.
 fn from_serde(value: &serde_json::Value) -> Value {
     match value {
         serde_json::Value::Null => Value::Null,
@@ -44,7 +44,7 @@ fn sorted(value: Value) -> Value {
     }
 }
 
-/// Equal to the bit: `==` would take 0 for -0.
+/// Equality that distinguishes 0 from -0.
 fn same(a: &Value, b: &Value) -> bool {
     write(a) == write(b) && a == b
 }
@@ -67,7 +67,7 @@ proptest! {
     }
 
     #[test]
-    fn damaged_texts_are_taken_and_refused_as_by_serde_json(
+    fn damaged_texts_are_accepted_and_refused_as_by_serde_json(
         value in value(),
         at in any::<prop::sample::Index>(),
         byte in prop::sample::select(b"{}[],:\"\\0-+.eE1u tn\n\x01".to_vec()),
@@ -102,7 +102,7 @@ proptest! {
 }
 
 #[test]
-fn refusals_say_where_what_and_what_instead() {
+fn errors_say_line_column_expected_and_found() {
     let deep = "[".repeat(200_000);
     for (text, wanted) in [
         ("", "line 1, column 1: expected a value, found the end of the text"),
@@ -135,7 +135,7 @@ fn refusals_say_where_what_and_what_instead() {
 }
 
 #[test]
-fn a_byte_order_mark_is_passed_over() {
+fn a_byte_order_mark_is_skipped() {
     assert_eq!(parse("\u{feff} [1]"), parse("[1]"));
     assert!(parse("[\u{feff}1]").is_err());
 }
@@ -157,7 +157,7 @@ fn an_outline_has_the_texts_of_the_outermost_fields_alone() {
 }
 
 #[test]
-fn numbers_are_written_shortly() {
+fn numbers_are_written_with_the_fewest_digits() {
     let text = |v: f64| write(&Value::Number(v)).unwrap();
     let numbers = [0.0, -0.0, 3.0, 0.1, 1e-6, 1e16, -2.5e-300, f64::MAX, 5e-324];
     let expected = ["0", "-0", "3", "0.1", "1e-6", "1e16", "-2.5e-300", "1.7976931348623157e308", "5e-324"];

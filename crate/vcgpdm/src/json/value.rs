@@ -2,30 +2,30 @@
 
 use nalgebra::DMatrix;
 
-/// Any JSON.
+/// A JSON value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     /// `null`.
     Null,
     /// `true` or `false`.
     Bool(bool),
-    /// A number. One that was read is finite.
+    /// A number; always finite if it was read.
     Number(f64),
     /// A string.
     Text(String),
     /// An array.
     List(Vec<Value>),
-    /// An object, its fields in the order of the text.
+    /// An object with its fields in the order of the text.
     Object(Vec<(String, Value)>),
 }
 
 impl Value {
-    /// An object of named fields.
+    /// An object with these fields.
     pub fn object<const N: usize>(fields: [(&str, Value); N]) -> Value {
         Value::Object(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
     }
 
-    /// An array; `value` turns each item into a value.
+    /// An array of the values that `value` makes of the items.
     pub fn list<T>(items: impl IntoIterator<Item = T>, value: impl Fn(T) -> Value) -> Value {
         Value::List(items.into_iter().map(value).collect())
     }

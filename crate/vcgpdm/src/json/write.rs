@@ -1,14 +1,14 @@
-//! Tree to text, on one line.
+//! Writes JSON on one line.
 
 use crate::json::value::Value;
 use thiserror::Error;
 
-/// A number that JSON cannot hold: NaN or an infinity.
+/// A number that JSON cannot express: NaN or an infinity.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[error("expected finite numbers, found {0}")]
 pub struct NotFinite(pub f64);
 
-/// The text of a value. A number gets the fewest digits that are read back as the same number, bit by bit.
+/// Writes a value. A number has the fewest digits that are read as the same bits.
 pub fn write(value: &Value) -> Result<String, NotFinite> {
     let mut out = String::new();
     append(value, &mut out)?;
@@ -51,9 +51,9 @@ fn append(value: &Value, out: &mut String) -> Result<(), NotFinite> {
     Ok(())
 }
 
-/// The fewest digits that are read back as the same finite number, bit by bit.
+/// The fewest digits that are read as the same finite number.
 pub(super) fn digits(number: f64) -> String {
-    // Rust's `{:?}` is JSON already, with an exponent where plain digits would be many.
+    // Rust's `{:?}` is valid JSON, with an exponent for numbers of many digits.
     let mut text = format!("{number:?}");
     if text.ends_with(".0") {
         text.truncate(text.len() - 2);

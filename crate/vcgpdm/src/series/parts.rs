@@ -14,7 +14,7 @@ pub fn whole(columns: usize) -> Vec<PartSpec> {
 ///
 /// # Errors
 ///
-/// A [`SeriesError::Parts`] when the text is not such a list, or [`check_parts`] refuses the split.
+/// A [`SeriesError::Parts`] when the text is not such a list, or a column is in no part or in two.
 pub fn parts_from_words(words: &str, columns: &[String]) -> Result<Vec<PartSpec>, SeriesError> {
     let mut parts = Vec::new();
     for word in words.split(';').filter(|word| !word.trim().is_empty()) {
@@ -32,7 +32,7 @@ pub fn parts_from_words(words: &str, columns: &[String]) -> Result<Vec<PartSpec>
 ///
 /// # Errors
 ///
-/// A [`SeriesError::Parts`] when the text is not such a list, or [`check_parts`] refuses the split.
+/// A [`SeriesError::Parts`] when the text is not such a list, or a column is in no part or in two.
 pub fn parts_from_json(text: &str, columns: &[String]) -> Result<Vec<PartSpec>, SeriesError> {
     #[derive(Deserialize)]
     #[serde(deny_unknown_fields)]

@@ -1,20 +1,20 @@
-//! Motions as the CMU database keeps them, beside their usual conversion to BVH.
+//! Compares motions in the CMU database's own format with their usual conversion to BVH.
 //!
-//! The files are not part of the project: they lie in the folder that VCGPDM_ACCLAIM names. To a motion
-//! `01_01.amc` belong its skeleton `01.asf` and its conversion `01_01.bvh`.
+//! The files are not part of the project: VCGPDM_ACCLAIM names their folder. It has for each motion
+//! `01_01.amc` the skeleton `01.asf` and the conversion `01_01.bvh`.
 
 use std::path::PathBuf;
 use vcgpdm::motion::asf::{self, File};
 use vcgpdm::motion::bvh;
 
-/// The joints that the conversion sets at the beginning of their parent's bone instead of its end: it leaves
-/// out the thorax and the hands.
+/// The joints that the conversion puts at the start of their parent's bone instead of its end, because it
+/// omits the bones of the thorax and the hands.
 const MOVED: [&str; 7] =
     ["Neck", "LeftShoulder", "RightShoulder", "LeftFingerBase", "RightFingerBase", "LThumb", "RThumb"];
 
 #[test]
 #[ignore = "needs recordings in asf and amc: set VCGPDM_ACCLAIM"]
-fn motions_are_those_of_their_conversion_but_for_the_bones_that_it_leaves_out() {
+fn motions_equal_their_conversion_except_for_the_omitted_bones() {
     let folder = std::env::var_os("VCGPDM_ACCLAIM").expect("VCGPDM_ACCLAIM names the folder of the files");
     let folder = PathBuf::from(folder);
     let read =
@@ -35,7 +35,7 @@ fn motions_are_those_of_their_conversion_but_for_the_bones_that_it_leaves_out() 
                 joint.offset = [0.0; 3];
             }
         }
-        // The conversion has a frame at rest before the motion, which no clip keeps.
+        // `into_clip` removes the frame at rest that the conversion puts before the motion.
         let theirs = bvh::read(&motion, &read(&format!("{motion}.bvh"))).unwrap().into_clip();
         assert_eq!(ours.frames(), theirs.frames(), "{motion}");
         let mut compared = 0;

@@ -1,4 +1,4 @@
-//! A library of the sample walks: a combination that was never recorded.
+//! A library of sample walks, and combinations that were never recorded.
 
 use nalgebra::DMatrix;
 use vcgpdm::models::library::{
@@ -8,8 +8,8 @@ use vcgpdm::models::{Dataset, Reading, Source, VariationalSettings};
 use vcgpdm::motion::{Clip, parts, samples};
 
 const FRAMES: usize = 600;
-/// How far a rollout may go beyond the latents of the training.
-const ROOM: f64 = 1.5;
+/// Largest latent of a rollout, relative to the range of the latents of the training.
+const LARGEST: f64 = 1.5;
 
 fn trained(max_iterations: usize) -> TrainedLibrary {
     let clips: Vec<Clip> =
@@ -30,7 +30,7 @@ fn range(x: &DMatrix<f64>, q: usize) -> (f64, f64) {
 }
 
 #[test]
-fn legs_of_the_walk_and_arms_of_the_wave_move_on_together() {
+fn legs_of_the_walk_and_arms_of_the_wave_keep_moving_together() {
     let trained = trained(150);
     let library = &trained.library;
     let uses = trained.read_uses("lower=walk,upper=wave").unwrap();
@@ -49,7 +49,7 @@ fn legs_of_the_walk_and_arms_of_the_wave_move_on_together() {
             let (least, most) = range(x, q);
             let furthest = (least - middle).abs().max((most - middle).abs());
             assert!(
-                furthest <= ROOM * half,
+                furthest <= LARGEST * half,
                 "part {part}, latent {q}: {least} to {most}, trained {low} to {high}"
             );
             let end = x.rows(FRAMES - 100, 100).into_owned();
@@ -59,16 +59,15 @@ fn legs_of_the_walk_and_arms_of_the_wave_move_on_together() {
     }
 }
 
-/// Frames that were made before a change and are not needed any more are taken back: the walk is as if they
-/// had never been made.
+/// `rewind` removes the last frames of a walk, with the changes among them.
 #[test]
-fn a_walk_that_goes_back_goes_on_as_if_it_had_never_been_farther() {
+fn a_rewound_walk_continues_as_if_the_removed_frames_had_never_existed() {
     let trained = trained(10);
     let mut walk = LibraryWalk::new(&trained, &[0, 2]).unwrap();
     let whole = walk.clone().advance(&trained, 50).unwrap();
     walk.advance(&trained, 30).unwrap();
     let mut expected = walk.clone();
-    // In pieces, with changes among them, which are taken back with the frames.
+    // Frames in pieces with changes among them, all of which are removed.
     walk.advance(&trained, 3).unwrap();
     walk.latents.use_primitive(&trained.library, 1, 3).unwrap();
     walk.advance(&trained, 4).unwrap();
@@ -77,22 +76,22 @@ fn a_walk_that_goes_back_goes_on_as_if_it_had_never_been_farther() {
     assert_eq!(walk.latents.uses(), [0, 2]);
     let again = walk.advance(&trained, 20).unwrap();
     assert_eq!(again.positions, whole.positions[30 * whole.positions.len() / 50..]);
-    // A change acts from there on.
+    // A later change acts from this frame on.
     walk.rewind(20).unwrap();
     for walk in [&mut walk, &mut expected] {
         walk.latents.use_primitive(&trained.library, 1, 3).unwrap();
     }
     let (found, expected) = (walk.advance(&trained, 9), expected.advance(&trained, 9));
     assert_eq!(found.unwrap().positions, expected.unwrap().positions);
-    // What was changed since the last frame.
+    // Rewinding by no frame removes the changes since the last frame.
     walk.latents.use_primitive(&trained.library, 0, 1).unwrap();
     walk.rewind(0).unwrap();
     assert_eq!(walk.latents.uses(), [0, 3]);
-    // Before a walk began there is nothing, and very old frames are not kept.
-    let words = |walk: &mut LibraryWalk, frames| walk.rewind(frames).unwrap_err().to_string();
-    assert_eq!(words(&mut walk, 40), "expected frames to take back from 0 to 39, found 40");
+    // A walk cannot be rewound before its start, nor to frames that are no longer stored.
+    let refusal = |walk: &mut LibraryWalk, frames| walk.rewind(frames).unwrap_err().to_string();
+    assert_eq!(refusal(&mut walk, 40), "expected frames to take back from 0 to 39, found 40");
     walk.advance(&trained, 100).unwrap();
-    assert_eq!(words(&mut walk, 65), "expected frames to take back from 0 to 64, found 65");
+    assert_eq!(refusal(&mut walk, 65), "expected frames to take back from 0 to 64, found 65");
     walk.rewind(REWINDS).unwrap();
     assert!(walk.rewind(1).is_err());
 }

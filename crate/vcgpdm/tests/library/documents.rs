@@ -1,10 +1,10 @@
-//! Documents that an earlier program wrote are read, and written again to the letter: tests/documents/*.json.
+//! Documents from earlier versions (tests/library/documents) are read, and written with the same bytes.
 
 use vcgpdm::document::Document;
 use vcgpdm::models::Model;
 use vcgpdm::models::library::TrainedLibrary;
 
-/// Of each kind, with what tells them apart.
+/// One document of each kind, with a name.
 pub const DOCUMENTS: [(&str, &str); 9] = [
     ("vcgpdm", include_str!("documents/vcgpdm.json")),
     ("map-cgpdm", include_str!("documents/map-cgpdm.json")),
@@ -18,7 +18,7 @@ pub const DOCUMENTS: [(&str, &str); 9] = [
 ];
 
 #[test]
-fn earlier_documents_are_written_again_to_the_letter() {
+fn documents_of_earlier_versions_are_written_with_the_same_bytes() {
     for (name, text) in DOCUMENTS {
         if ["library", "primitives"].contains(&name) {
             let library = TrainedLibrary::from_json(text).unwrap();

@@ -1,4 +1,4 @@
-//! The examples that teach run and do what they say.
+//! Runs the examples and checks the files that they write.
 
 use std::path::PathBuf;
 use vcgpdm::motion::bvh;
@@ -16,7 +16,7 @@ mod rollout;
 #[path = "../../examples/train.rs"]
 mod train;
 
-/// An empty folder of this test's own.
+/// An empty folder for one test.
 fn folder(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = std::fs::remove_dir_all(&folder);
@@ -25,7 +25,7 @@ fn folder(name: &str) -> PathBuf {
 }
 
 #[test]
-fn a_model_is_trained_rolled_out_and_coupled_otherwise() {
+fn the_examples_train_rollout_and_couplings_run() {
     let folder = folder("walk");
     let error = rollout::run(&folder).unwrap_err().to_string();
     assert!(error.ends_with("run the example train first"), "{error}");
@@ -35,13 +35,13 @@ fn a_model_is_trained_rolled_out_and_coupled_otherwise() {
     let walk = bvh::read("new-walk.bvh", &text).unwrap().into_clip();
     let travelled = (walk.world_pose(199).positions[0] - walk.world_pose(0).positions[0]).norm();
     assert_eq!(walk.frames(), 200);
-    assert!(travelled > 3.0 * walk.height(), "in ten seconds it goes {travelled} cm far");
+    assert!(travelled > 3.0 * walk.height(), "the body travels {travelled} cm in ten seconds");
     couplings::run(&folder).unwrap();
 }
 
 #[test]
-fn a_model_is_trained_on_a_matrix() {
-    let folder = folder("matrix");
+fn the_example_own_data_writes_a_prediction_of_100_rows() {
+    let folder = folder("own-data");
     own_data::run(&folder).unwrap();
     let table = std::fs::read_to_string(folder.join("predicted.csv")).unwrap();
     assert_eq!(table.lines().count(), 101);

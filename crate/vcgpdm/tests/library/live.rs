@@ -1,4 +1,4 @@
-//! A live rollout of the model that walks first on the page.
+//! Live rollouts of the model that the page opens with.
 
 use crate::start_model;
 
@@ -7,7 +7,7 @@ use start_model::start_model;
 use vcgpdm::models::{LiveRollout, Push, Reading, RolloutRequest};
 
 #[test]
-fn undisturbed_it_goes_on_as_the_rollout_does() {
+fn an_undisturbed_live_rollout_equals_the_rollout() {
     let model = start_model();
     let model = model.coupled().unwrap();
     let request = RolloutRequest { frames: 60, ..RolloutRequest::default() };
@@ -24,7 +24,7 @@ fn undisturbed_it_goes_on_as_the_rollout_does() {
     }
     let begin = 20 * expected.len() / 60;
     assert_eq!(positions.len(), expected.len() - begin);
-    // More than memory holds are refused before anything is made of them.
+    // Too many frames are refused before memory is allocated.
     let error = live.clone().advance(model, &dynamics, 1_000_000_000).unwrap_err().to_string();
     assert!(error.starts_with("expected from 1 to ") && error.ends_with("found 1000000000"), "{error}");
     for (a, b) in positions.iter().zip(&expected[begin..]) {
@@ -34,7 +34,7 @@ fn undisturbed_it_goes_on_as_the_rollout_does() {
 }
 
 #[test]
-fn a_pulled_node_moves_the_way_it_is_pulled() {
+fn a_pulled_node_moves_in_the_direction_of_the_pull() {
     let model = start_model();
     let model = model.coupled().unwrap();
     let rollout = model.rollout(&RolloutRequest { frames: 40, ..RolloutRequest::default() }).unwrap();
@@ -56,7 +56,7 @@ fn a_pulled_node_moves_the_way_it_is_pulled() {
 }
 
 #[test]
-fn on_its_cycle_all_parts_are_in_step_and_a_push_leaves_it() {
+fn parts_on_the_cycle_are_in_phase_and_a_push_moves_a_part_off_it() {
     let model = start_model();
     let model = model.coupled().unwrap();
     let rollout = model.rollout(&RolloutRequest { frames: 250, ..RolloutRequest::default() }).unwrap();

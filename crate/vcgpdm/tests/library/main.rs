@@ -1,4 +1,4 @@
-//! The library from outside, as its users call it. One program: it is linked once.
+//! Tests of the library from outside. They are one program, which is linked once.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::disallowed_methods)]
 
 mod acclaim;

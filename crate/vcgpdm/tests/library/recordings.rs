@@ -1,7 +1,7 @@
-//! Every recorded clip that is there: read, written, mapped to rows of Y and back.
+//! Reads recorded clips, writes them, and maps them to rows of Y and back.
 //!
-//! The clips are not part of the project: they lie in the folder that VCGPDM_CLIPS names. Where they are,
-//! `npm test -- --only recordings` runs these tests.
+//! The clips are not part of the project: VCGPDM_CLIPS names their folder. `npm test -- --only recordings`
+//! runs these tests.
 
 use nalgebra::DMatrix;
 use std::path::PathBuf;
@@ -43,7 +43,7 @@ const ALL: [&str; 3] = ["cmu-walk", "varied", "tricky"];
 fn written_clips_read_back_the_same() {
     for (path, clip) in clips(&ALL) {
         let again = bvh::read("again.bvh", bvh::write(&clip).as_bytes()).unwrap();
-        // A root with places of its own is written without its offset, which means nothing to us.
+        // The offset of a root with position channels has no meaning and is written as zero.
         let mut skeleton = clip.skeleton.clone();
         let root = &mut skeleton.joints[0];
         if root.is_placed() {
@@ -56,7 +56,7 @@ fn written_clips_read_back_the_same() {
     }
 }
 
-/// The largest differences of node places (in body heights) and of joint rotations (radians).
+/// The largest differences of node positions (in body heights) and of joint rotations (radians).
 fn difference(a: &Clip, b: &Clip, height: f64) -> (f64, f64) {
     assert_eq!(a.frames(), b.frames());
     let (mut place, mut turn) = (0.0_f64, 0.0_f64);
@@ -74,7 +74,7 @@ fn difference(a: &Clip, b: &Clip, height: f64) -> (f64, f64) {
 
 #[test]
 #[ignore = "needs recordings: set VCGPDM_CLIPS"]
-fn rows_of_y_give_the_motion_back() {
+fn decoded_rows_of_y_equal_the_motion() {
     for (path, clip) in clips(&ALL) {
         let mapping = PoseMapping::new(&clip);
         let encoded = mapping.encode(&clip).unwrap();
@@ -97,7 +97,7 @@ fn rows_of_y_give_the_motion_back() {
 
 #[test]
 #[ignore = "needs recordings: set VCGPDM_CLIPS"]
-fn the_walks_vary_as_the_reference_says() {
+fn the_variance_of_the_walks_is_that_of_the_reference() {
     let clips = clips(&["cmu-walk"]);
     let slow: Vec<Clip> = clips.iter().map(|(_, clip)| clip.resample(30.0).unwrap()).collect();
     assert!(slow.iter().all(|clip| clip.warnings.iter().any(|warning| warning.contains("T-pose"))));
@@ -113,21 +113,21 @@ fn the_walks_vary_as_the_reference_says() {
 
 #[test]
 #[ignore = "needs recordings: set VCGPDM_CLIPS"]
-fn the_root_has_no_jumps_not_even_in_a_cartwheel() {
+fn the_root_has_no_jumps_even_in_a_cartwheel() {
     for (path, clip) in clips(&["cmu-walk", "varied"]) {
         let y = PoseMapping::new(&clip).encode(&clip).unwrap().y;
         for column in 0..6 {
             let steps =
                 y.column(column).as_slice().windows(2).map(|w| (w[1] - w[0]).abs()).fold(0.0, f64::max);
-            // A body that bends down to the ground comes near the lock at 24 frames a second.
+            // One body that bends to the ground comes near gimbal lock at 24 frames a second.
             let largest = if path.ends_with("49_06.bvh") { 0.3 } else { 0.6 };
             assert!(steps < largest, "{path}, column {column}: {steps}");
         }
     }
 }
 
-/// What the index lists of each file: path, up axis, body height where it was measured, and whether row 0 is
-/// an added T-pose.
+/// The entries of the index: path, up axis, body height if it was measured, and whether row 0 is an added
+/// T-pose.
 fn index() -> Vec<(String, String, Option<f64>, bool)> {
     let text = std::fs::read_to_string(folder().join("INDEX.tsv")).unwrap();
     let fields = text.lines().skip(1).map(|line| line.split('\t').collect::<Vec<_>>());
@@ -155,7 +155,7 @@ fn up_axes_heights_and_parts_are_found() {
             continue;
         };
         assert_eq!(up.letter(), listed_up.trim_end_matches('?'), "{path}");
-        // Listed is the extent in the motion: a body that crouches has less than its height.
+        // The index has the extent in the motion, which is smaller than the height for a crouching body.
         let least = if person && !path.contains("mocapbank") { 0.88 } else { 0.5 };
         assert!((least..1.06).contains(&(listed / height)), "{path}: {height}, listed {listed}");
     }
@@ -163,7 +163,7 @@ fn up_axes_heights_and_parts_are_found() {
 
 #[test]
 #[ignore = "needs recordings: set VCGPDM_CLIPS"]
-fn the_walks_are_of_one_body_and_others_are_not() {
+fn only_clips_of_subject_35_have_its_body() {
     let clips = clips(&["cmu-walk", "varied"]);
     let first = &clips[0].1.skeleton;
     for (path, clip) in &clips {
@@ -179,7 +179,7 @@ fn only_added_t_poses_are_dropped() {
     let index = index();
     for (path, Recording { name, skeleton, frame_time, values, .. }) in recordings(&ALL) {
         let Some((.., listed)) = index.iter().find(|(listed, ..)| *listed == path) else { continue };
-        // The rows as a motion, whatever the first one is: a file of another rate would hold them so.
+        // All rows as a clip, to resample them as a file of another rate would have them.
         let rows = Clip::new(&name, skeleton, frame_time, values);
         for fps in [1.0 / frame_time, 60.0, 30.0, 10.0] {
             let rows = rows.resample(fps).unwrap();
@@ -192,13 +192,13 @@ fn only_added_t_poses_are_dropped() {
                 rows.frames(),
                 "{path} at {fps} frames a second"
             );
-            // What is left does not look like another T-pose.
+            // The rest does not begin with another T-pose.
             assert_eq!(recording(&clip).rows_before_motion(), 0, "{path}");
         }
     }
 }
 
-/// The files of subject 7 have a row at rest before the walk, and the last of them two.
+/// The files of subject 7 have one row at rest before the walk, the last file two.
 #[test]
 #[ignore = "needs recordings: set VCGPDM_CLIPS"]
 fn every_row_before_a_walk_of_subject_7_is_dropped() {

@@ -1,5 +1,5 @@
-//! docs/model.schema.json against the reader: what the library writes is valid, and both refuse the same
-//! shapes.
+//! Compares docs/model.schema.json with the reader: written documents are valid, and both refuse the same
+//! changes of shape.
 
 use crate::documents::DOCUMENTS;
 use boon::{Compiler, SchemaIndex, Schemas};
@@ -11,13 +11,13 @@ use vcgpdm::models::{
 };
 use vcgpdm::motion::{parts, samples};
 
-/// The schema, ready to hold documents against.
-struct Checked {
+/// The compiled schema.
+struct Schema {
     schemas: Schemas,
     index: SchemaIndex,
 }
 
-impl Checked {
+impl Schema {
     fn new() -> Self {
         let text = include_str!("../../../../docs/model.schema.json");
         let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
@@ -31,7 +31,7 @@ impl Checked {
     }
 }
 
-fn readers_refusal(document: &Value) -> Option<String> {
+fn reader_refusal(document: &Value) -> Option<String> {
     let text = document.to_string();
     match document["kind"] == "library" {
         true => TrainedLibrary::from_json(&text).err().map(|error| error.to_string()),
@@ -39,7 +39,7 @@ fn readers_refusal(document: &Value) -> Option<String> {
     }
 }
 
-/// Every place of a document, as a JSON pointer; of long lists the first two items.
+/// All fields of a document as JSON pointers, and the first two items of each list.
 fn places(value: &Value, at: &str, found: &mut Vec<String>) {
     found.push(at.to_owned());
     match value {
@@ -61,8 +61,7 @@ fn same_type(a: &Value, b: &Value) -> bool {
     std::mem::discriminant(a) == std::mem::discriminant(b)
 }
 
-/// Changes at one place, and whether the shape is another one: otherwise it is only the number or the length
-/// that is.
+/// Replacements for a value, and whether each changes its shape: the others change only a number or a length.
 fn changes(value: &Value) -> Vec<(Value, bool)> {
     let others =
         [Value::Null, json!(true), json!("x"), json!(3), json!([]), json!({}), json!(-1), json!(0.5)];
@@ -79,12 +78,12 @@ fn changes(value: &Value) -> Vec<(Value, bool)> {
         more.insert("unknown".to_owned(), json!(1));
         changed.push((Value::Object(more), true));
         for name in fields.keys() {
-            let left: Map<String, Value> = fields
+            let rest: Map<String, Value> = fields
                 .iter()
                 .filter(|(other, _)| *other != name)
                 .map(|(n, v)| (n.clone(), v.clone()))
                 .collect();
-            changed.push((Value::Object(left), true));
+            changed.push((Value::Object(rest), true));
         }
     }
     changed
@@ -92,25 +91,25 @@ fn changes(value: &Value) -> Vec<(Value, bool)> {
 
 #[test]
 fn the_schema_and_the_reader_accept_and_refuse_the_same() {
-    let schema = Checked::new();
+    let schema = Schema::new();
     let (mut refused_both, mut numbers) = (0, 0);
     for (kind, text) in DOCUMENTS {
         let document: Value = serde_json::from_str(text).unwrap();
         assert_eq!(schema.refusal(&document), None, "{kind}");
-        assert_eq!(readers_refusal(&document), None, "{kind}");
+        assert_eq!(reader_refusal(&document), None, "{kind}");
         let mut found = Vec::new();
         places(&document, "", &mut found);
         for place in found {
             for (other, shape) in changes(document.pointer(&place).unwrap()) {
                 let mut changed = document.clone();
                 *changed.pointer_mut(&place).unwrap() = other.clone();
-                let (by_schema, by_reader) = (schema.refusal(&changed), readers_refusal(&changed));
-                let about = || format!("{kind} at {place} with {other}: {by_schema:?}, {by_reader:?}");
-                // Nothing that can be read is refused by the schema.
-                assert!(by_schema.is_none() || by_reader.is_some(), "{}", about());
-                // Which joint is the root is not a matter of shape.
+                let (by_schema, by_reader) = (schema.refusal(&changed), reader_refusal(&changed));
+                let message = || format!("{kind} at {place} with {other}: {by_schema:?}, {by_reader:?}");
+                // A document that the reader accepts is valid.
+                assert!(by_schema.is_none() || by_reader.is_some(), "{}", message());
+                // The schema cannot check which joint is the root.
                 if shape && !place.ends_with("/parent") {
-                    assert!(by_schema.is_some() == by_reader.is_some(), "{}", about());
+                    assert!(by_schema.is_some() == by_reader.is_some(), "{}", message());
                     refused_both += usize::from(by_schema.is_some());
                 }
                 numbers += usize::from(!shape && by_schema.is_some());
@@ -120,10 +119,9 @@ fn the_schema_and_the_reader_accept_and_refuse_the_same() {
     assert!(refused_both > 5000 && numbers > 300, "{refused_both} shapes and {numbers} numbers were refused");
 }
 
-/// The models that the page opens with, and what a training writes today.
 #[test]
-fn what_is_written_now_is_valid() {
-    let schema = Checked::new();
+fn documents_of_new_trainings_are_valid() {
+    let schema = Schema::new();
     let first = include_str!("../../../../www/first/model.json");
     assert_eq!(schema.refusal(&serde_json::from_str(first).unwrap()), None);
     let clips = ["walk-1", "walk-2"].map(|id| samples::clip(id).unwrap().cut(0, 60).unwrap());

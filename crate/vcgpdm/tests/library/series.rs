@@ -1,4 +1,4 @@
-//! Time series that are no body: trained on, written, read, rolled out.
+//! Models of tables: training, documents and rollouts.
 
 use nalgebra::DMatrix;
 use vcgpdm::document::Document;
@@ -8,7 +8,7 @@ use vcgpdm::models::{
 };
 use vcgpdm::series::{Table, parts_from_words, read, write};
 
-/// Two machines, the second of which follows the first; one column is counted in other units.
+/// Two trials of two machines, the second of which follows the first. `size` scales the second column.
 fn tables(size: f64) -> Vec<Table> {
     let names = ["x", "y", "follower"].map(str::to_owned);
     (0..2)
@@ -26,9 +26,9 @@ fn tables(size: f64) -> Vec<Table> {
         .collect()
 }
 
-fn trained(size: f64, settings: Settings, words: &str) -> SeriesModel {
+fn trained(size: f64, settings: Settings, split: &str) -> SeriesModel {
     let tables = tables(size);
-    let parts = parts_from_words(words, &tables[0].columns).unwrap();
+    let parts = parts_from_words(split, &tables[0].columns).unwrap();
     let dataset = Dataset::of_tables(&tables, &parts, 30.0).unwrap();
     let mut trainer = Trainer::new(&dataset, &settings, 1).unwrap();
     trainer.run();
@@ -37,43 +37,43 @@ fn trained(size: f64, settings: Settings, words: &str) -> SeriesModel {
 
 const SMALL: VariationalSettings =
     VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
-const TWO: &str = "machine=x,y;follower=follower";
+const TWO_PARTS: &str = "machine=x,y;follower=follower";
 
 #[test]
-fn models_of_tables_are_saved_and_opened_like_others() {
+fn models_of_tables_are_read_as_they_were_written() {
     let point = MapSettings { latent: 2, order: 2, max_iterations: 5, balanced: false, linear: false };
     let kinds = [
-        (Settings::Vcgpdm(SMALL), TWO),
+        (Settings::Vcgpdm(SMALL), TWO_PARTS),
         (Settings::Vgpdm(SMALL), "all=*"),
-        (Settings::MapCgpdm(point), TWO),
-        (Settings::Tmp(TmpSettings { primitives: Some(3), normalised_time: false }), TWO),
-        (Settings::DmpDiscrete(DmpSettings { bases: 5 }), TWO),
-        (Settings::DmpRhythmic(DmpSettings { bases: 5 }), TWO),
+        (Settings::MapCgpdm(point), TWO_PARTS),
+        (Settings::Tmp(TmpSettings { primitives: Some(3), normalised_time: false }), TWO_PARTS),
+        (Settings::DmpDiscrete(DmpSettings { bases: 5 }), TWO_PARTS),
+        (Settings::DmpRhythmic(DmpSettings { bases: 5 }), TWO_PARTS),
     ];
-    for (settings, words) in kinds {
+    for (settings, split) in kinds {
         let id = settings.kind().id();
-        let model = trained(1.0, settings, words);
+        let model = trained(1.0, settings, split);
         let text = model.to_json().unwrap();
         let Document::Series(again) = Document::from_json(&text).unwrap() else { panic!("{id}: of a body") };
         assert_eq!(again.to_json().unwrap(), text, "{id}");
-        let (one, other) = (model.rollout(1, 50).unwrap(), again.rollout(1, 50).unwrap());
-        assert_eq!(one.shape(), (50, 3), "{id}");
-        assert!((&one - &other).abs().max() < 1e-9, "{id}");
+        let (rollout, rollout_again) = (model.rollout(1, 50).unwrap(), again.rollout(1, 50).unwrap());
+        assert_eq!(rollout.shape(), (50, 3), "{id}");
+        assert!((&rollout - &rollout_again).abs().max() < 1e-9, "{id}");
         assert!(
-            (9.0..11.0).contains(&one[(0, 0)]) && (4.0..6.0).contains(&one[(0, 2)]),
+            (9.0..11.0).contains(&rollout[(0, 0)]) && (4.0..6.0).contains(&rollout[(0, 2)]),
             "{id}: {}",
-            one.row(0)
+            rollout.row(0)
         );
         let refused = Model::from_json(&text).unwrap_err().to_string();
         assert_eq!(refused, "expected a model of a body, found a model of tables", "{id}");
     }
 }
 
-/// A power of two is exact: nothing is rounded otherwise on the way.
+/// The factor is a power of two, so that it changes no rounding.
 #[test]
-fn a_column_counts_by_its_spread_and_not_by_its_unit() {
-    let rolled = |size: f64| trained(size, Settings::Vcgpdm(SMALL), TWO).rollout(0, 40).unwrap();
-    let (large, small) = (rolled(1.0), rolled(1024.0));
+fn scaling_a_column_scales_its_rollout_and_changes_no_other_column() {
+    let rollout = |size: f64| trained(size, Settings::Vcgpdm(SMALL), TWO_PARTS).rollout(0, 40).unwrap();
+    let (large, small) = (rollout(1.0), rollout(1024.0));
     for row in 0..40 {
         assert!((1024.0 * large[(row, 1)] - small[(row, 1)]).abs() < 1e-9, "row {row}");
         assert!((large[(row, 2)] - small[(row, 2)]).abs() < 1e-12, "row {row}");
@@ -82,7 +82,7 @@ fn a_column_counts_by_its_spread_and_not_by_its_unit() {
 
 #[test]
 fn couplings_of_tables_can_be_changed() {
-    let model = trained(1.0, Settings::Vcgpdm(SMALL), TWO);
+    let model = trained(1.0, Settings::Vcgpdm(SMALL), TWO_PARTS);
     let model = model.coupled().unwrap();
     let request = |alpha| vcgpdm::models::RolloutRequest { frames: 30, alpha, ..Default::default() };
     let learned = model.rollout(&request(None)).unwrap();
@@ -93,8 +93,8 @@ fn couplings_of_tables_can_be_changed() {
 }
 
 #[test]
-fn documents_of_tables_that_are_odd_are_refused() {
-    let text = trained(1.0, Settings::DmpDiscrete(DmpSettings { bases: 5 }), TWO).to_json().unwrap();
+fn wrong_documents_of_tables_are_refused() {
+    let text = trained(1.0, Settings::DmpDiscrete(DmpSettings { bases: 5 }), TWO_PARTS).to_json().unwrap();
     let refusal = |from: &str, to: &str| {
         assert!(text.contains(from), "{from} in {text}");
         Document::from_json(&text.replacen(from, to, 1)).err().unwrap().to_string()

@@ -1,11 +1,10 @@
-//! The T-pose that some files put before a motion is looked for once, when a recording becomes a clip, and
-//! never again.
+//! A T-pose before the motion is removed when a recording becomes a clip, and only then.
 
 use nalgebra::DMatrix;
 use vcgpdm::models::{Dataset, Source};
 use vcgpdm::motion::{Clip, Recording, bvh, parts, samples};
 
-/// The frames that training sees of a clip at its own rate.
+/// The number of frames in a data set of a clip at its own rate.
 fn frames_trained_on(clip: &Clip) -> usize {
     let whole = &parts::presets(&clip.skeleton)[0].parts;
     let sources = [Source { clip, first_frames: None }];
@@ -13,9 +12,9 @@ fn frames_trained_on(clip: &Clip) -> usize {
 }
 
 #[test]
-fn a_file_loses_its_t_pose_exactly_once() {
+fn the_t_pose_of_a_file_is_removed_once() {
     let walk = samples::clip("walk-1").unwrap();
-    // As in conversions of the CMU recordings: the body at rest, all angles zero, at the place where the walk
+    // As in conversions of the CMU recordings: a row with all angles zero at the position where the walk
     // begins.
     let mut values = walk.values.clone().insert_row(0, 0.0);
     for column in 0..3 {
@@ -27,15 +26,15 @@ fn a_file_loses_its_t_pose_exactly_once() {
 
     let clip = recording.into_clip();
     assert_eq!(clip.values, walk.values);
-    let told = clip.warnings.iter().filter(|warning| warning.contains("T-pose")).count();
-    assert_eq!((told, clip.piece), (1, None));
+    let warnings = clip.warnings.iter().filter(|warning| warning.contains("T-pose")).count();
+    assert_eq!((warnings, clip.piece), (1, None));
     assert_eq!(frames_trained_on(&clip), walk.frames());
 }
 
 #[test]
 fn a_cut_that_begins_at_a_jerk_keeps_its_first_frame() {
     let walk = samples::clip("walk-1").unwrap();
-    // Up to frame 30 the arms and legs are held elsewhere: from there to frame 31 everything leaps.
+    // Up to frame 30 arms and legs have other angles, so the pose jumps from frame 30 to 31.
     let values = DMatrix::from_fn(walk.frames(), walk.values.ncols(), |frame, column| {
         walk.values[(frame, column)] + if frame <= 30 && column >= 6 { 40.0 } else { 0.0 }
     });
@@ -43,7 +42,7 @@ fn a_cut_that_begins_at_a_jerk_keeps_its_first_frame() {
     assert_eq!(clip.frames(), walk.frames());
 
     let cut = clip.cut(30, clip.frames()).unwrap();
-    // Alone, as a file, its first frame would pass for a T-pose.
+    // As a separate file, its first frame would count as a T-pose.
     let alone = Recording::new("cut.bvh", cut.skeleton.clone(), cut.frame_time, cut.values.clone());
     assert_eq!(alone.rows_before_motion(), 1);
     assert_eq!(cut.piece, Some((30, clip.frames())));

@@ -1,16 +1,16 @@
-//! Training on the project's own clips, natively; crate/wasm/tests runs the same in wasm.
+//! Trainings on the project's own clips, natively. crate/wasm/tests runs the same tests in wasm.
 
 #[path = "../shared/training.rs"]
 mod cases;
 
 #[test]
-fn native_and_wasm_take_the_same_path() {
-    cases::native_and_wasm_take_the_same_path();
+fn native_and_wasm_training_give_the_same_bounds() {
+    cases::native_and_wasm_training_give_the_same_bounds();
 }
 
 #[test]
-fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
-    cases::the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared();
+fn a_model_of_sample_walks_walks_and_is_read_from_its_document() {
+    cases::a_model_of_sample_walks_walks_and_is_read_from_its_document();
 }
 
 #[test]

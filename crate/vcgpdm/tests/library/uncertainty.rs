@@ -1,5 +1,4 @@
-//! Sampled futures and moment matching are two answers to one question, on the model that walks first on the
-//! page.
+//! Compares moment matching with sampled futures, on the model that the page opens with.
 
 use crate::start_model;
 
@@ -7,7 +6,7 @@ use start_model::start_model;
 use vcgpdm::models::RolloutRequest;
 
 #[test]
-fn moments_are_those_of_many_futures_as_long_as_a_gaussian_can_say_it() {
+fn moments_agree_with_those_of_sampled_futures_for_the_first_frames() {
     let model = start_model();
     let model = model.coupled().unwrap();
     let request = RolloutRequest { frames: 60, ..RolloutRequest::default() };
@@ -23,20 +22,23 @@ fn moments_are_those_of_many_futures_as_long_as_a_gaussian_can_say_it() {
                 let values: Vec<f64> = futures.iter().map(|future| future[part][(t, q)]).collect();
                 let mean = values.iter().sum::<f64>() / count;
                 let variance = values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (count - 1.0);
-                let (known_mean, known) = (means[(t, q)], moments.covariances[part][t][(q, q)]);
-                let (shift, ratio) = ((mean - known_mean).abs() / known.sqrt(), (variance / known).sqrt());
+                let (matched_mean, matched_variance) = (means[(t, q)], moments.covariances[part][t][(q, q)]);
+                let (shift, ratio) = (
+                    (mean - matched_mean).abs() / matched_variance.sqrt(),
+                    (variance / matched_variance).sqrt(),
+                );
                 let found = format!("part {part}, frame {t}, dimension {q}: {shift}, {ratio}");
-                // Two frames are exact, so that only chance is left: four standard errors.
+                // Moment matching is exact for two frames: the tolerance is four standard errors.
                 if t < 4 {
                     assert!(shift < 4.0 / count.sqrt(), "{found}");
                     assert!((ratio * ratio - 1.0).abs() < 4.0 * (2.0 / count).sqrt(), "{found}");
                 }
-                // Then the phases of the futures part along the bent cycle, and a Gaussian says ever less:
-                // docs/uncertainty.md.
+                // Later the futures differ in phase along a curved cycle, which a Gaussian describes less and
+                // less well: docs/uncertainty.md.
                 if t < 15 {
                     assert!(shift < 0.25 && (0.8..1.25).contains(&ratio), "{found}");
                 }
-                assert!(known_mean.is_finite() && known > 0.0, "{found}");
+                assert!(matched_mean.is_finite() && matched_variance > 0.0, "{found}");
             }
         }
     }

@@ -1,4 +1,4 @@
-//! The model that walks first on the page.
+//! The model that the page opens with.
 
 use vcgpdm::models::Model;
 

@@ -1,5 +1,5 @@
-//! Training on the project's own clips, natively and in wasm: the same numbers, a rollout that walks, a model
-//! that can be shared.
+//! Trainings on the project's own clips with the same numbers natively and in wasm, and their rollouts and
+//! documents.
 
 use nalgebra::DMatrix;
 use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
@@ -24,14 +24,14 @@ fn trainer(dataset: &Dataset, max_iterations: usize) -> Trainer {
     Trainer::new(dataset, &settings.into(), 3).unwrap()
 }
 
-/// Standard deviation of the latents over some frames, all dimensions together.
+/// Standard deviation of latents over frames, all dimensions together.
 fn spread(x: &DMatrix<f64>) -> f64 {
     x.row_variance().sum().sqrt()
 }
 
-/// The reference numbers are this test's own, printed by a native run: what they guard is that native and
-/// wasm agree. A difference in the last bit of a sine was once a difference of 0.1 % after fifty iterations.
-pub fn native_and_wasm_take_the_same_path() {
+/// The reference numbers come from a native run of this test, so the test checks that native and wasm agree.
+/// A difference in the last bit of a sine once grew to 0.1 % after fifty iterations.
+pub fn native_and_wasm_training_give_the_same_bounds() {
     let dataset = dataset();
     let mut trainer = trainer(&dataset, 160);
     let start = trainer.progress().best;
@@ -48,7 +48,7 @@ pub fn native_and_wasm_take_the_same_path() {
 const START: f64 = 33311.327883799226;
 const AFTER_FIFTY: f64 = 58046.38162256442;
 
-pub fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
+pub fn a_model_of_sample_walks_walks_and_is_read_from_its_document() {
     let dataset = dataset();
     let mut trainer = trainer(&dataset, 300);
     trainer.run();
@@ -59,7 +59,10 @@ pub fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
     for (part, path) in rollout.latents.iter().enumerate() {
         let learned = trainer.latents(part).unwrap();
         let (end, learned) = (spread(&path.rows(240, 60).into_owned()), spread(&learned));
-        assert!(end > 0.3 * learned, "the rollout stands still: {end} beside {learned}");
+        assert!(
+            end > 0.3 * learned,
+            "the rollout stands still: its latents vary by {end}, those of the training by {learned}"
+        );
     }
 
     let again = Model::coupled_from_json(&model.to_json().unwrap()).unwrap();
@@ -70,13 +73,13 @@ pub fn the_sample_walk_trains_to_a_model_that_walks_and_can_be_shared() {
     assert_eq!(read.frames(), 300);
     let hips = |frame: usize| read.world_pose(frame).positions[0];
     let travelled = (hips(299) - hips(0)).norm() / read.height();
-    assert!(travelled > 3.0, "ten seconds of walking lead {travelled} body heights away");
+    assert!(travelled > 3.0, "the body travels {travelled} body heights in ten seconds");
 }
 
 const SMALL: VariationalSettings =
     VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 5 };
 
-/// The walks of these names, ten frames a second.
+/// The walks with these ids at ten frames a second.
 fn walks(names: &[&str], split: &str) -> Dataset {
     let clips: Vec<_> = names.iter().map(|id| samples::clip(id).unwrap()).collect();
     let parts = parts::presets(&clips[0].skeleton).into_iter().find(|p| p.id == split).unwrap().parts;
@@ -84,7 +87,7 @@ fn walks(names: &[&str], split: &str) -> Dataset {
     Dataset::new(&sources, &parts, 10.0).unwrap()
 }
 
-/// Size of two seconds of a model's rollout, without its mean.
+/// The norm of two seconds of a model's rollout minus its mean.
 fn size<S: ColumnMapping>(model: &Model<S>) -> f64 {
     let y = model.rollout(0, 20).unwrap();
     assert_eq!(y.nrows(), 20);
@@ -92,11 +95,11 @@ fn size<S: ColumnMapping>(model: &Model<S>) -> f64 {
     DMatrix::from_fn(y.nrows(), y.ncols(), |row, column| y[(row, column)] - mean[column]).norm()
 }
 
-/// These numbers too are a native run's. A few iterations keep a difference in a last digit small, so that
-/// another order of a sum needs no new numbers.
-fn is_near(what: &str, found: [f64; 2], expected: [f64; 2]) {
+/// The reference numbers come from a native run. A few iterations amplify a difference in a last digit only
+/// little, so another order of a sum needs no new numbers.
+fn assert_near(case: &str, found: [f64; 2], expected: [f64; 2]) {
     for (found, expected) in found.into_iter().zip(expected) {
-        assert!((found - expected).abs() <= 1e-7 * expected.abs(), "{what}: {found:?} is not {expected:?}");
+        assert!((found - expected).abs() <= 1e-7 * expected.abs(), "{case}: {found:?} is not {expected:?}");
     }
 }
 
@@ -117,7 +120,7 @@ pub fn each_kind_of_model_trains_and_rolls_out() {
         let objective = trainer.run().best;
         let model = trainer.finish().unwrap();
         assert_eq!(model.kind(), settings.kind());
-        is_near(settings.kind().id(), [objective, size(&model)], expected);
+        assert_near(settings.kind().id(), [objective, size(&model)], expected);
     }
 }
 
@@ -130,7 +133,7 @@ pub fn a_library_of_primitives_trains_and_rolls_out() {
     let trained = trainer.finish().unwrap();
     let uses = trained.read_uses("lower=walk,upper=wave").unwrap();
     let model = trained.combination(&uses, &trained.library.nearest_couplings(&uses)).unwrap();
-    is_near("library", [trainer.progress().best, size(&model)], [7481.470350939628, 2.6787161816575877]);
+    assert_near("library", [trainer.progress().best, size(&model)], [7481.470350939628, 2.6787161816575877]);
 }
 
 pub fn a_table_trains_and_rolls_out() {
@@ -144,7 +147,7 @@ pub fn a_table_trains_and_rolls_out() {
     let dataset = Dataset::of_tables(&[table], &parts, 30.0).unwrap();
     let mut trainer = Trainer::new(&dataset, &Settings::Vcgpdm(SMALL), 1).unwrap();
     let objective = trainer.run().best;
-    is_near(
+    assert_near(
         "table",
         [objective, size(&trainer.finish().unwrap())],
         [-204.84407612706713, 1.0337255318358685],

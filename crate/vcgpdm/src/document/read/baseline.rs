@@ -1,10 +1,10 @@
-//! The document of a model that only rolls out, as it was learned.
+//! Reads a model that is not variational.
 
 use crate::document::error::DocumentError;
 use crate::document::read::head::{
     Head, MOST_PARTS, MOST_SEQUENCES, frames_per_second, note, part_spec, sequence_info,
 };
-use crate::document::read::settings::baseline_settings;
+use crate::document::settings::read_baseline;
 use crate::document::subject::Subject;
 use crate::json::checks::count;
 use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
@@ -12,7 +12,7 @@ use crate::models::map::MapModel;
 use crate::models::tmp::Tmp;
 use crate::models::{FittedModel, Model, ModelKind, Provenance};
 
-/// What is left of a baseline's document after the body.
+/// Reads the rest of the document behind its head.
 pub(super) fn baseline<S: Subject>(mut head: Head<S>) -> Result<Model<S>, DocumentError> {
     let parts = head.document.get("parts")?;
     let specs = parts.list(|part| {
@@ -46,12 +46,12 @@ pub(super) fn baseline<S: Subject>(mut head: Head<S>) -> Result<Model<S>, Docume
         ModelKind::DmpRhythmic => {
             FittedModel::DmpRhythmic(Box::new(DmpRhythmic::from_field(field, &columns, count)?))
         }
-        // They have a document of their own.
+        // These kinds are read in vcgpdm.rs.
         ModelKind::Vcgpdm | ModelKind::Vgpdm => return Err(field.error("expected a baseline").into()),
     };
     let mut object = head.document.get("provenance")?.object()?;
     let engine = object.get("engine")?.text()?.to_owned();
-    let (settings, seed) = baseline_settings(object.get("settings")?, head.kind)?;
+    let (settings, seed) = read_baseline(object.get("settings")?, head.kind)?;
     let provenance = Provenance {
         engine,
         settings,

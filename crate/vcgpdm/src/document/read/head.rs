@@ -1,22 +1,22 @@
-//! What the documents of all kinds of models have.
+//! Reads the fields that documents of all kinds have.
 
 use crate::document::error::{DocumentError, FORMAT, LIBRARY, VERSION};
 use crate::document::subject::Subject;
-use crate::json::checks::{count, tame, within};
+use crate::json::checks::{bounded, count, within};
 use crate::json::{Field, FieldError, Object, Value, check_heading};
 use crate::models::{Body, ModelKind, SequenceInfo};
 use crate::motion::parts::{PartSpec, PartsLayout};
 
-/// More parts than a body has.
+/// Largest number of parts.
 pub(super) const MOST_PARTS: usize = 64;
-/// More sequences than a training has.
+/// Largest number of training sequences.
 pub(super) const MOST_SEQUENCES: usize = 10_000;
 
-/// What all kinds of documents have, and the rest.
+/// The fields that all kinds of documents have, and the object with the other fields.
 pub(super) struct Head<'a, S> {
     pub(super) document: Object<'a>,
-    /// The field that names the kind.
-    named: Option<Field<'a>>,
+    /// The field that names the kind; `None` in version 1.
+    kind_field: Option<Field<'a>>,
     pub(super) kind: ModelKind,
     pub(super) mapping: S,
     column_means: Vec<f64>,
@@ -24,24 +24,24 @@ pub(super) struct Head<'a, S> {
 }
 
 impl<S> Head<'_, S> {
-    /// The body, once the model is known to be of the kind that the document names.
+    /// The body, for a model of the kind `found`, which must be the kind that the document names.
     pub(super) fn body(
         self,
         found: ModelKind,
         layout: PartsLayout,
         sequences: Vec<SequenceInfo>,
     ) -> Result<Body<S>, DocumentError> {
-        if let Some(field) = &self.named
+        if let Some(field) = &self.kind_field
             && found != self.kind
         {
             let message = format!("expected {}, for so many parts, found {}", found.id(), self.kind.id());
             return Err(field.error(message).into());
         }
-        self.whole(layout, sequences)
+        self.finish(layout, sequences)
     }
 
-    /// The body, once nothing else is left in the document.
-    pub(super) fn whole(
+    /// The body. Refuses a document with other fields.
+    pub(super) fn finish(
         self,
         layout: PartsLayout,
         sequences: Vec<SequenceInfo>,
@@ -52,49 +52,49 @@ impl<S> Head<'_, S> {
     }
 }
 
-/// What a document is asked to be.
+/// What the caller expects.
 #[derive(Clone, Copy)]
-pub(super) enum Wanted {
+pub(super) enum Expected {
     Model,
     Library,
 }
 
-pub(super) fn head<S: Subject>(value: &Value, wanted: Wanted) -> Result<Head<'_, S>, DocumentError> {
+pub(super) fn head<S: Subject>(value: &Value, expected: Expected) -> Result<Head<'_, S>, DocumentError> {
     let mut document = Field::root(value).object()?;
     check_heading(&mut document, FORMAT, 1..=VERSION)?;
-    // The first version had no other kind and did not name it.
-    let named = document.optional("kind");
-    let library = matches!(named.as_ref().map(Field::value), Some(Value::Text(id)) if id == LIBRARY);
-    let kind = named.as_ref().filter(|_| !library).map_or(Ok(ModelKind::Vcgpdm), kind)?;
-    match wanted {
-        Wanted::Model if library => return Err(DocumentError::Library),
-        Wanted::Library if !library => return Err(DocumentError::NoLibrary { found: kind.id() }),
-        Wanted::Model | Wanted::Library => {}
+    // A document without this field is a variational model.
+    let kind_field = document.optional("kind");
+    let library = matches!(kind_field.as_ref().map(Field::value), Some(Value::Text(id)) if id == LIBRARY);
+    let kind = kind_field.as_ref().filter(|_| !library).map_or(Ok(ModelKind::Vcgpdm), kind)?;
+    match expected {
+        Expected::Model if library => return Err(DocumentError::Library),
+        Expected::Library if !library => return Err(DocumentError::NoLibrary { found: kind.id() }),
+        Expected::Model | Expected::Library => {}
     }
     let other = if S::FIELD == "pose" { "columns" } else { "pose" };
     if document.optional(other).is_some() {
-        let word = |field: &str| if field == "pose" { "a body" } else { "tables" };
-        return Err(DocumentError::Subject { expected: word(S::FIELD), found: word(other) });
+        let subject = |field: &str| if field == "pose" { "a body" } else { "tables" };
+        return Err(DocumentError::Subject { expected: subject(S::FIELD), found: subject(other) });
     }
     let mapping = S::from_field(document.get(S::FIELD)?)?;
     let frame_time = within(document.get("frame_time")?, 1e-5..=10.0, "seconds from 0.00001 to 10")?;
     let means = document.get("column_means")?;
     let column_means = means.numbers()?;
     count(&means, column_means.len(), mapping.column_count()..=mapping.column_count())?;
-    tame(&means, &column_means)?;
-    Ok(Head { document, named, kind, mapping, column_means, frame_time })
+    bounded(&means, &column_means)?;
+    Ok(Head { document, kind_field, kind, mapping, column_means, frame_time })
 }
 
 fn kind(field: &Field) -> Result<ModelKind, FieldError> {
     let id = field.text()?;
     ModelKind::from_id(id).ok_or_else(|| {
-        let known: Vec<&str> = ModelKind::ALL.into_iter().map(ModelKind::id).collect();
+        let ids: Vec<&str> = ModelKind::ALL.into_iter().map(ModelKind::id).collect();
         let found: String = id.chars().take(60).collect();
-        field.error(format!("expected one of {}, found {found:?}", known.join(", ")))
+        field.error(format!("expected one of {}, found {found:?}", ids.join(", ")))
     })
 }
 
-/// The name and the joints, or columns, of a part.
+/// Reads the name and the joints, or columns, of a part.
 pub(super) fn part_spec<S: Subject>(part: &mut Object) -> Result<PartSpec, FieldError> {
     Ok(PartSpec {
         name: part.get("name")?.text()?.to_owned(),
@@ -102,7 +102,7 @@ pub(super) fn part_spec<S: Subject>(part: &mut Object) -> Result<PartSpec, Field
     })
 }
 
-/// Where a training sequence came from.
+/// Reads the origin of a training sequence.
 pub(super) fn sequence_info(sequence: &mut Object) -> Result<SequenceInfo, FieldError> {
     Ok(SequenceInfo {
         name: sequence.get("clip")?.text()?.to_owned(),
@@ -127,7 +127,7 @@ pub(super) fn sequence_info(sequence: &mut Object) -> Result<SequenceInfo, Field
     })
 }
 
-/// The first frame of the file that was used, and the one after the last.
+/// Reads the first frame of a piece and the one after its last.
 fn piece_of_file(field: &Field) -> Result<(usize, usize), FieldError> {
     match field.list(|frame| frame.whole())?[..] {
         [first, end] if first < end => Ok((first, end)),
@@ -135,7 +135,7 @@ fn piece_of_file(field: &Field) -> Result<(usize, usize), FieldError> {
     }
 }
 
-/// What a person wants to say about the model.
+/// Reads the user's note on the model.
 pub(super) fn note(object: &mut Object) -> Result<Option<String>, FieldError> {
     match object.optional("note") {
         Some(note) if *note.value() != Value::Null => Ok(Some(note.text()?.to_owned())),
@@ -143,7 +143,7 @@ pub(super) fn note(object: &mut Object) -> Result<Option<String>, FieldError> {
     }
 }
 
-/// The frame rate that the clips were asked to be brought to.
+/// Reads the frame rate that the training asked for.
 pub(super) fn frames_per_second(object: &mut Object) -> Result<f64, FieldError> {
     within(object.get("frames_per_second")?, 0.1..=10_000.0, "frames a second from 0.1 to 10000")
 }

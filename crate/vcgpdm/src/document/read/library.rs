@@ -1,29 +1,28 @@
-//! The document of a library of primitives.
+//! Reads a library of primitives.
 
 use crate::document::error::DocumentError;
 use crate::document::read::head::{Head, MOST_PARTS, MOST_SEQUENCES, sequence_info};
-use crate::document::read::settings::MOST_ORDER;
 use crate::document::read::vcgpdm::{elsewhere, expert, part, provenance, sequence, start, training};
-use crate::json::checks::{count, positive, shape, tame_matrix, within};
+use crate::json::checks::{bounded_matrix, count, positive, shape, within};
 use crate::json::{Field, FieldError, Object, Value};
-use crate::models::SequenceInfo;
 use crate::models::data::sequences::MOST_FRAMES;
 use crate::models::library::{
     CouplingsFrom, Excerpt, FramesFrom, LearnedMovement, Library, LibraryExpert, Origin, Primitive,
     Relearned, TrainedLibrary,
 };
 use crate::models::variational::{DynamicsSums, Elsewhere};
+use crate::models::{MOST_DIMENSIONS, SequenceInfo};
 use crate::motion::parts::PartsLayout;
 use crate::motion::pose::PoseMapping;
 use nalgebra::DMatrix;
 
-/// More primitives, or movements, than anybody collects.
+/// Largest number of primitives, movements or excerpts.
 const MOST: usize = 1000;
 
-/// What is left of a library's document after the body.
+/// Reads the rest of the document behind its head.
 pub(super) fn library(mut head: Head<PoseMapping>) -> Result<TrainedLibrary, DocumentError> {
     let order = head.document.get("order")?;
-    let order = count(&order, order.whole()?, 1..=MOST_ORDER)?;
+    let order = count(&order, order.whole()?, 1..=MOST_DIMENSIONS)?;
     let jitter = within(head.document.get("jitter")?, 0.0..=1.0, "a number from 0 to 1")?;
     let field = head.document.get("parts")?;
     let items = field.items()?;
@@ -33,7 +32,7 @@ pub(super) fn library(mut head: Head<PoseMapping>) -> Result<TrainedLibrary, Doc
         let mut object = item.object()?;
         let (spec, map) = part::<PoseMapping>(&mut object)?;
         let field = object.get("sum_psi2")?;
-        let psi2 = tame_matrix(&field)?;
+        let psi2 = bounded_matrix(&field)?;
         shape(&field, &psi2, map.r.nrows(), map.r.nrows())?;
         object.end()?;
         specs.push(spec);
@@ -81,7 +80,7 @@ pub(super) fn library(mut head: Head<PoseMapping>) -> Result<TrainedLibrary, Doc
     }
     count(&field, sequences.len(), 0..=MOST_SEQUENCES)?;
     let (provenance, terms) = provenance(head.document.get("provenance")?, m)?;
-    let body = head.whole(layout, sequences)?;
+    let body = head.finish(layout, sequences)?;
     let parts = maps.into_iter().map(|map| map.solved(jitter)).collect::<Result<_, _>>()?;
     let library = Library { order, jitter, parts, pose_sums, primitives, movements, terms };
     Ok(TrainedLibrary { library, body, provenance })
@@ -101,13 +100,13 @@ fn primitive(field: Field, latent: &[usize], order: usize, jitter: f64) -> Resul
         let read = expert(&mut object, order * latent[part], *q)?;
         let points = read.z.nrows();
         let field = object.get("u_covariance")?;
-        let covariance = tame_matrix(&field)?;
+        let covariance = bounded_matrix(&field)?;
         shape(&field, &covariance, points, points)?;
         let elsewhere: Option<Elsewhere> = elsewhere(&mut object, points, *q)?;
         object.end()?;
         experts.push(LibraryExpert { fitted: read.solved(jitter)?, covariance, elsewhere });
     }
-    // Absent: from the training of the library; with nothing kept of other movements.
+    // Absent: the primitive comes from the library's training, and has no excerpts of other movements.
     let origin = object.optional("origin").filter(is_there).map(origin).transpose()?.map(Box::new);
     let excerpts = match object.optional("excerpts").filter(is_there) {
         Some(field) => {
@@ -211,7 +210,7 @@ fn sums(field: Field, points: usize, q: usize) -> Result<DynamicsSums, FieldErro
     let mut object = field.object()?;
     let mut matrix = |name: &str, width: usize| -> Result<DMatrix<f64>, FieldError> {
         let field = object.get(name)?;
-        let matrix = tame_matrix(&field)?;
+        let matrix = bounded_matrix(&field)?;
         shape(&field, &matrix, points, width)?;
         Ok(matrix)
     };

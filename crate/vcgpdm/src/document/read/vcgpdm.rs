@@ -1,24 +1,26 @@
-//! The document of a vCGPDM or vGPDM.
+//! Reads a vCGPDM or vGPDM.
 
 use crate::document::error::DocumentError;
 use crate::document::read::head::{
     Head, MOST_PARTS, MOST_SEQUENCES, frames_per_second, note, part_spec, sequence_info,
 };
-use crate::document::read::settings::{MOST_IPS, MOST_LATENT, MOST_ORDER, variational_settings};
+use crate::document::settings::read_variational;
 use crate::document::subject::Subject;
 use crate::gp::{Kernel, NumericsError};
-use crate::json::checks::{count, positive, positive_number, shape, tame_matrix, within};
+use crate::json::checks::{bounded_matrix, count, positive, positive_number, shape, within};
 use crate::json::{Field, FieldError, Object};
 use crate::models::variational::{BoundTerms, DynamicsSums, Elsewhere, FittedExpert, PoseMap, Vcgpdm};
-use crate::models::{FittedModel, Model, ModelKind, Provenance, SequenceInfo, Settings};
+use crate::models::{
+    FittedModel, MOST_DIMENSIONS, MOST_INDUCING, Model, ModelKind, Provenance, SequenceInfo, Settings,
+};
 use crate::motion::parts::PartSpec;
 use nalgebra::{DMatrix, DVector};
 use std::ops::RangeInclusive;
 
-/// What is left of a variational model's document after the body.
+/// Reads the rest of the document behind its head.
 pub(super) fn vcgpdm<S: Subject>(mut head: Head<S>) -> Result<Model<S>, DocumentError> {
     let order = head.document.get("order")?;
-    let order = count(&order, order.whole()?, 1..=MOST_ORDER)?;
+    let order = count(&order, order.whole()?, 1..=MOST_DIMENSIONS)?;
     let jitter = within(head.document.get("jitter")?, 0.0..=1.0, "a number from 0 to 1")?;
 
     let parts = head.document.get("parts")?;
@@ -78,7 +80,7 @@ pub(super) fn vcgpdm<S: Subject>(mut head: Head<S>) -> Result<Model<S>, Document
     Ok(Model { fitted: FittedModel::Vcgpdm(Box::new(model)), body, provenance })
 }
 
-/// Reads an object that holds nothing else.
+/// Reads an object, all of whose fields `read` takes.
 fn only<T>(read: impl Fn(&mut Object) -> Result<T, FieldError>) -> impl Fn(Field) -> Result<T, FieldError> {
     move |field| {
         let mut object = field.object()?;
@@ -88,7 +90,7 @@ fn only<T>(read: impl Fn(&mut Object) -> Result<T, FieldError>) -> impl Fn(Field
     }
 }
 
-/// A part's pose map as it stands in the document.
+/// The fields of a pose map.
 pub(super) struct PoseFields {
     pub(super) r: DMatrix<f64>,
     kernel: Kernel,
@@ -104,29 +106,29 @@ impl PoseFields {
     }
 }
 
-/// A part with its pose map; what else the object holds is left.
+/// Reads a part with its pose map. Other fields of the object stay.
 pub(super) fn part<S: Subject>(part: &mut Object) -> Result<(PartSpec, PoseFields), FieldError> {
     let spec = part_spec::<S>(part)?;
     let field = part.get("lambda")?;
     let lambda = field.numbers()?;
-    let q = count(&field, lambda.len(), 1..=MOST_LATENT)?;
+    let q = count(&field, lambda.len(), 1..=MOST_DIMENSIONS)?;
     positive(&field, &lambda)?;
     let variance = positive_number(part.get("variance")?)?;
     let beta = positive_number(part.get("beta")?)?;
     let field = part.get("r")?;
-    let r = tame_matrix(&field)?;
-    let l = count(&field, r.nrows(), 1..=MOST_IPS)?;
+    let r = bounded_matrix(&field)?;
+    let l = count(&field, r.nrows(), 1..=MOST_INDUCING)?;
     shape(&field, &r, l, q)?;
-    // Its shape is known when the parts are known to fit the body.
-    let mean = tame_matrix(&part.get("v_mean")?)?;
+    // The caller checks its shape once the layout of the parts exists.
+    let mean = bounded_matrix(&part.get("v_mean")?)?;
     let field = part.get("v_covariance")?;
-    let covariance = tame_matrix(&field)?;
+    let covariance = bounded_matrix(&field)?;
     shape(&field, &covariance, l, l)?;
     let kernel = Kernel { lambda: DVector::from_vec(lambda), variance };
     Ok((spec, PoseFields { r, kernel, beta, mean, covariance }))
 }
 
-/// An expert as it stands in the document.
+/// The fields of an expert.
 pub(super) struct ExpertFields {
     pub(super) z: DMatrix<f64>,
     kernel: Kernel,
@@ -139,7 +141,7 @@ impl ExpertFields {
     }
 }
 
-/// The dynamics into one part; matrices over its sources stack them in order.
+/// The dynamics into one part. Matrices over all sources stack their blocks in order.
 struct Target {
     experts: Vec<ExpertFields>,
     covariance: DMatrix<f64>,
@@ -147,7 +149,7 @@ struct Target {
     elsewhere: Option<Elsewhere>,
 }
 
-/// `latent`: dimensions of each source; `q`: of the target.
+/// `latent` are the dimensions of the sources, `q` is that of the target.
 fn target(field: Field, latent: &[usize], q: usize, order: usize) -> Result<Target, FieldError> {
     let mut target = field.object()?;
     let field = target.get("experts")?;
@@ -160,7 +162,7 @@ fn target(field: Field, latent: &[usize], q: usize, order: usize) -> Result<Targ
     let total = experts.iter().map(|expert| expert.z.nrows()).sum();
     let mut matrix = |name: &str, width: usize| {
         let field = target.get(name)?;
-        let matrix = tame_matrix(&field)?;
+        let matrix = bounded_matrix(&field)?;
         shape(&field, &matrix, total, width)?;
         Ok::<_, FieldError>(matrix)
     };
@@ -171,38 +173,39 @@ fn target(field: Field, latent: &[usize], q: usize, order: usize) -> Result<Targ
     Ok(Target { experts, covariance, sums, elsewhere })
 }
 
-/// What `total` inducing outputs of `q` columns have learned from other rows, where there were any.
+/// Reads the evidence from other data about `total` inducing outputs of `q` columns, if there is any.
 pub(super) fn elsewhere(
     object: &mut Object,
     total: usize,
     q: usize,
 ) -> Result<Option<Elsewhere>, FieldError> {
     let Some(field) = object.optional("other_precision") else { return Ok(None) };
-    let precision = tame_matrix(&field)?;
+    let precision = bounded_matrix(&field)?;
     shape(&field, &precision, total, total)?;
     let field = object.get("other_b")?;
-    let b = tame_matrix(&field)?;
+    let b = bounded_matrix(&field)?;
     shape(&field, &b, total, q)?;
     Ok(Some(Elsewhere { precision, b }))
 }
 
-/// `dims`: of the source's history; `q`: of the target. What else the object holds is left.
+/// Reads an expert; `dims` is the dimension of the source's history, `q` that of the target. Other fields of
+/// the object stay.
 pub(super) fn expert(expert: &mut Object, dims: usize, q: usize) -> Result<ExpertFields, FieldError> {
     let field = expert.get("lambda")?;
     let lambda = field.numbers()?;
     count(&field, lambda.len(), dims..=dims)?;
     positive(&field, &lambda)?;
     let field = expert.get("z")?;
-    let z = tame_matrix(&field)?;
-    let k = count(&field, z.nrows(), 1..=MOST_IPS)?;
+    let z = bounded_matrix(&field)?;
+    let k = count(&field, z.nrows(), 1..=MOST_INDUCING)?;
     shape(&field, &z, k, dims)?;
     let field = expert.get("u_mean")?;
-    let mean = tame_matrix(&field)?;
+    let mean = bounded_matrix(&field)?;
     shape(&field, &mean, k, q)?;
     Ok(ExpertFields { z, kernel: Kernel { lambda: DVector::from_vec(lambda), variance: 1.0 }, mean })
 }
 
-/// A training sequence with the latent means of the first frames of each part, or of all.
+/// Reads a training sequence with the latent means of its first frames, or of all frames, for each part.
 pub(super) fn sequence(
     field: Field,
     latent: &[usize],
@@ -226,7 +229,7 @@ pub(super) fn start(
     count(&field, items.len(), latent.len()..=latent.len())?;
     let mut start: Vec<DMatrix<f64>> = Vec::with_capacity(latent.len());
     for (item, q) in items.iter().zip(latent) {
-        let latents = tame_matrix(item)?;
+        let latents = bounded_matrix(item)?;
         let rows = latents.nrows().clamp(*frames.start(), *frames.end());
         shape(item, &latents, start.first().map_or(rows, DMatrix::nrows), *q)?;
         start.push(latents);
@@ -234,7 +237,7 @@ pub(super) fn start(
     Ok(start)
 }
 
-/// How a variational model of `m` parts was made, and the terms of its bound.
+/// Reads the provenance of a variational model of `m` parts, with the terms of its bound.
 pub(super) fn provenance(field: Field, m: usize) -> Result<(Provenance, BoundTerms), FieldError> {
     let mut object = field.object()?;
     let provenance = training(&mut object)?;
@@ -243,10 +246,10 @@ pub(super) fn provenance(field: Field, m: usize) -> Result<(Provenance, BoundTer
     Ok((provenance, terms))
 }
 
-/// How a training was done, as far as documents say it of every one.
+/// Reads the fields of a provenance that all documents of variational models have.
 pub(super) fn training(object: &mut Object) -> Result<Provenance, FieldError> {
     let engine = object.get("engine")?.text()?.to_owned();
-    let (settings, seed) = variational_settings(object.get("settings")?)?;
+    let (settings, seed) = read_variational(object.get("settings")?)?;
     Ok(Provenance {
         engine,
         settings: Settings::Vcgpdm(settings),
@@ -261,13 +264,13 @@ pub(super) fn training(object: &mut Object) -> Result<Provenance, FieldError> {
 
 fn terms(field: Field, m: usize) -> Result<BoundTerms, FieldError> {
     let mut object = field.object()?;
-    let mut for_each_part = |name: &str| {
+    let mut part_numbers = |name: &str| {
         let field = object.get(name)?;
         let numbers = field.numbers()?;
         count(&field, numbers.len(), m..=m)?;
         Ok::<_, FieldError>(numbers)
     };
-    let (kinematics, dynamics) = (for_each_part("kinematics")?, for_each_part("dynamics")?);
+    let (kinematics, dynamics) = (part_numbers("kinematics")?, part_numbers("dynamics")?);
     let terms = BoundTerms {
         kinematics,
         dynamics,

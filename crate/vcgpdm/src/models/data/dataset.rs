@@ -8,7 +8,7 @@ use crate::motion::measures::rests_from;
 use crate::motion::parts::{PartSpec, PartsError, PartsLayout};
 use crate::motion::pose::{PoseError, PoseMapping, RootStart};
 use crate::motion::{BodyMismatch, Clip, ClipError};
-use crate::words::counted;
+use crate::plural::counted;
 use nalgebra::DMatrix;
 use thiserror::Error;
 

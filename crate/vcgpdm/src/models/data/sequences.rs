@@ -1,7 +1,7 @@
 //! Sequences in a stack of frames, and histories that never cross from one sequence into another.
 
 use crate::gp::Gaussians;
-use crate::words::counted;
+use crate::plural::counted;
 use nalgebra::DMatrix;
 use std::ops::Range;
 use thiserror::Error;

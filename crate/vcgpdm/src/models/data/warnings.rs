@@ -1,7 +1,7 @@
 //! Warnings about a data set from which a model learns less than its user expects.
 
 use crate::models::data::sequence_info::SequenceInfo;
-use crate::words::counted;
+use crate::plural::counted;
 use nalgebra::DMatrix;
 
 /// A column changes when its largest and smallest value differ by more than this share of its size.

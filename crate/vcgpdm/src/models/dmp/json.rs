@@ -1,6 +1,6 @@
 //! Reads and writes dynamic movement primitives as JSON.
 
-use crate::json::checks::{count, positive, positive_number, shape, tame_matrix};
+use crate::json::checks::{bounded_matrix, count, positive, positive_number, shape};
 use crate::json::{Field, FieldError, Value};
 use crate::models::dmp::SpringStart;
 use crate::models::dmp::discrete::{DiscreteStart, DmpDiscrete};
@@ -46,7 +46,7 @@ impl DmpDiscrete {
         count(&field, widths.len(), bases..=bases)?;
         positive(&field, &widths)?;
         let field = object.get("weights")?;
-        let weights = tame_matrix(&field)?;
+        let weights = bounded_matrix(&field)?;
         shape(&field, &weights, bases, d)?;
         let field = object.get("scaled")?;
         let scaled = field.list(|item| item.boolean())?;
@@ -93,7 +93,7 @@ impl DmpRhythmic {
         let centre = vector(&object.get("centre")?, d)?;
         let concentration = positive_number(object.get("concentration")?)?;
         let field = object.get("weights")?;
-        let weights = tame_matrix(&field)?;
+        let weights = bounded_matrix(&field)?;
         let bases = count(&field, weights.nrows(), 1..=MOST_BASES)?;
         shape(&field, &weights, bases, d)?;
         let field = object.get("starts")?;

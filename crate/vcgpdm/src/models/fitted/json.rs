@@ -1,6 +1,6 @@
 //! JSON of what temporal and dynamic movement primitives share.
 
-use crate::json::checks::{count, positive_number, tame};
+use crate::json::checks::{bounded, count, positive_number};
 use crate::json::{Field, FieldError, Value};
 use crate::models::data::phase::PhaseMap;
 use nalgebra::DVector;
@@ -14,7 +14,7 @@ pub fn column_count(columns: &[usize]) -> usize {
 pub fn vector(field: &Field, length: usize) -> Result<DVector<f64>, FieldError> {
     let numbers = field.numbers()?;
     count(field, numbers.len(), length..=length)?;
-    tame(field, &numbers)?;
+    bounded(field, &numbers)?;
     Ok(DVector::from_vec(numbers))
 }
 
@@ -27,7 +27,7 @@ pub fn phase_map_value(map: &PhaseMap) -> Value {
 pub fn phase_map(field: Field) -> Result<PhaseMap, FieldError> {
     let mut object = field.object()?;
     let start = object.get("start")?;
-    tame(&start, &[start.number()?])?;
+    bounded(&start, &[start.number()?])?;
     let map = PhaseMap { start: start.number()?, rate: positive_number(object.get("rate")?)? };
     object.end()?;
     Ok(map)

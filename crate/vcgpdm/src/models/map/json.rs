@@ -4,7 +4,7 @@
 //! the training movements can be computed from it.
 
 use crate::gp::Kernel;
-use crate::json::checks::{count, positive, positive_number, shape, tame_matrix};
+use crate::json::checks::{bounded_matrix, count, positive, positive_number, shape};
 use crate::json::{Field, FieldError, Value};
 use crate::models::data::sequences::Sequences;
 use crate::models::map::model::{MapModel, MapPoseMap};
@@ -123,7 +123,7 @@ fn lambda(field: &Field, dims: usize) -> Result<DVector<f64>, FieldError> {
 }
 
 fn matrix(field: &Field, rows: usize, columns: usize) -> Result<DMatrix<f64>, FieldError> {
-    let matrix = tame_matrix(field)?;
+    let matrix = bounded_matrix(field)?;
     shape(field, &matrix, rows, columns)?;
     Ok(matrix)
 }

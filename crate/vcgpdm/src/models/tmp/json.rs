@@ -1,6 +1,6 @@
 //! Reads and writes temporal movement primitives as JSON.
 
-use crate::json::checks::{count, positive, positive_number, shape, tame_matrix};
+use crate::json::checks::{bounded_matrix, count, positive, positive_number, shape};
 use crate::json::{Field, FieldError, Value};
 use crate::models::data::phase::PhaseAxis;
 use crate::models::fitted::json::{column_count, phase_map, phase_map_value, vector};
@@ -57,11 +57,11 @@ impl Tmp {
         let r = count(&field, field.numbers()?.len(), 1..=MOST_INDUCING)?;
         let inducing = vector(&field, r)?.as_slice().to_vec();
         let field = object.get("coefficients")?;
-        let coefficients = tame_matrix(&field)?;
+        let coefficients = bounded_matrix(&field)?;
         let q = count(&field, coefficients.ncols(), 1..=MOST_PRIMITIVES)?;
         shape(&field, &coefficients, r, q)?;
         let matrix = |field: Field, rows: usize| -> Result<DMatrix<f64>, FieldError> {
-            let matrix = tame_matrix(&field)?;
+            let matrix = bounded_matrix(&field)?;
             shape(&field, &matrix, rows, q)?;
             Ok(matrix)
         };

@@ -4,7 +4,7 @@ use crate::gp::NumericsError;
 use crate::models::data::sequences::{SequencesError, too_few_for_order};
 use crate::models::library::{CombinationError, PlanError};
 use crate::models::variational::RepertoireError;
-use crate::words::counted;
+use crate::plural::counted;
 use thiserror::Error;
 
 /// Why a training could not start.

@@ -2,7 +2,7 @@
 
 use crate::gp::NumericsError;
 use crate::models::variational::BoundTerms;
-use crate::words::counted;
+use crate::plural::counted;
 use serde::Serialize;
 use std::fmt;
 

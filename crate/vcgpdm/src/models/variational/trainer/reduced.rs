@@ -2,7 +2,7 @@
 
 use crate::models::training::settings::VariationalSettings;
 use crate::models::variational::repertoire::Repertoire;
-use crate::words::counted;
+use crate::plural::counted;
 use nalgebra::DMatrix;
 
 /// The settings with no more inducing points than there are rows to begin with, and what a visitor should
