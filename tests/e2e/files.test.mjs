@@ -1,11 +1,13 @@
 // Files and links: what is saved is what is on the stage, and a link says which model it is about.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, it } from "node:test";
 import { AnimationMixer, PropertyBinding, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { dist } from "../../scripts/site.mjs";
+import { bvh } from "./clips.mjs";
 import { drop, oneVisitor, openSite, ready, readyVisitor, saved } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
@@ -138,6 +140,29 @@ describe("the first model", () => {
     await field.press("Enter");
     assert.equal(await field.inputValue(), "5000");
     await page.getByText("At most 5,000.").waitFor();
+  });
+});
+
+describe("a folder from the visitor's disk", () => {
+  it("gives the clips in it and in the folders below", async () => {
+    const folder = mkdtempSync(join(tmpdir(), "vcgpdm-folder-"));
+    mkdirSync(join(folder, "inner"));
+    writeFileSync(join(folder, "first.bvh"), bvh());
+    writeFileSync(join(folder, "inner", "second.bvh"), bvh());
+    writeFileSync(join(folder, "notes.txt"), "no clip");
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    // Only the browser's own protocol drops a real folder.
+    const session = await page.context().newCDPSession(page);
+    const data = { items: [], files: [folder], dragOperationsMask: 1 };
+    for (const type of /** @type {const} */ (["dragEnter", "dragOver", "drop"]))
+      await session.send("Input.dispatchDragEvent", { type, x: 640, y: 400, data });
+    for (const name of ["first", "second"])
+      await page.getByTestId("own-clips").getByText(name, { exact: true }).waitFor();
+    assert.equal(await page.getByTestId("notice").count(), 0);
+    assert.deepEqual(problems, []);
+    await leave();
+    rmSync(folder, { recursive: true });
   });
 });
 

@@ -38,20 +38,25 @@ async function otherTab(/** @type {Page} */ page) {
 const offers = async (/** @type {Page} */ page) =>
   (await page.getByTestId("earlier-visit").allInnerTexts()).map((text) => text.replace(/^.*?: |\..*$/gs, ""));
 
-/** The keys in the browser's database. */
-const records = (/** @type {Page} */ page) =>
-  page.evaluate(async () => {
-    const database = await new Promise((resolve) => {
-      const opening = indexedDB.open("vcgpdm");
-      opening.onsuccess = () => resolve(opening.result);
-    });
-    const keys = await new Promise((resolve) => {
-      const reading = database.transaction("records").objectStore("records").getAllKeys();
-      reading.onsuccess = () => resolve(reading.result);
-    });
-    database.close();
-    return /** @type {any[]} */ (keys);
-  });
+/** The keys in one of the browser's databases. */
+const keysIn = (/** @type {Page} */ page, /** @type {string} */ name, /** @type {string} */ store) =>
+  page.evaluate(
+    async ([name = "", store = ""]) => {
+      const database = await new Promise((resolve) => {
+        const opening = indexedDB.open(name);
+        opening.onsuccess = () => resolve(opening.result);
+      });
+      const keys = await new Promise((resolve) => {
+        const reading = database.transaction(store).objectStore(store).getAllKeys();
+        reading.onsuccess = () => resolve(reading.result);
+      });
+      database.close();
+      return /** @type {any[]} */ (keys);
+    },
+    [name, store],
+  );
+
+const records = (/** @type {Page} */ page) => keysIn(page, "vcgpdm", "records");
 
 /** Puts records into the browser's database. */
 const put = (/** @type {Page} */ page, /** @type {[key: any, value: any][]} */ entries) =>
@@ -123,6 +128,29 @@ describe("two tabs that end together", () => {
     await ready(a);
     await a.getByTestId("earlier-visit").nth(1).waitFor();
     assert.deepEqual((await offers(a)).sort(), ["2 clips", "a clip"]);
+    await leave();
+  });
+});
+
+describe("Forget everything", () => {
+  it("removes the answers of participants, but not of one who answers in another tab", async () => {
+    const { page: a, leave } = await site.visit({ settings: "view=perception" });
+    const participants = () => keysIn(a, "vcgpdm answers", "participations");
+    const begin = async (/** @type {Page} */ page) => {
+      await page.getByTestId("begin").and(page.locator(":enabled")).click();
+      await page.locator("dialog[open]").waitFor();
+    };
+    await begin(a);
+    const [first] = await participants();
+    await a.getByTestId("run-leave").click();
+    await begin(a);
+    const [active] = (await participants()).filter((key) => key !== first);
+    const b = await otherTab(a);
+    await b.getByTestId("forget").click();
+    await b.getByTestId("confirm-yes").click();
+    await b.getByTestId("notice").filter({ hasText: "keeps nothing" }).waitFor();
+    assert.deepEqual(await participants(), [active]);
+    assert.equal((await keysIn(a, "vcgpdm answers", "studies")).length, 1);
     await leave();
   });
 });

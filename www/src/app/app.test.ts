@@ -28,6 +28,16 @@ beforeEach(() => begin());
 const start = (text: string | null = modelText(1)) =>
   app.start(() => Promise.resolve(started(engine, trainers)), Promise.resolve(text));
 const file = (name: string, text: string) => new File([text], name);
+/** Begins a training with a first model. Returns a function that ends the training. */
+async function train() {
+  const over = app.training.start();
+  await settled();
+  trainers.trainings.at(-1)?.report(2, -5, modelText(5));
+  return async () => {
+    trainers.trainings.at(-1)?.end({ cancelled: false, reason: null });
+    await over;
+  };
+}
 const titles = () => app.notices.all.map(({ title }) => title);
 
 describe("the start of the page", () => {
@@ -121,13 +131,6 @@ describe("files", () => {
 
 describe("a model on the stage", () => {
   const seed = () => app.model.model?.info.provenance.settings.seed;
-  const trained = async () => {
-    const over = app.training.start();
-    await settled();
-    trainers.trainings.at(-1)?.report(2, -5, modelText(5));
-    trainers.trainings.at(-1)?.end({ cancelled: false, reason: null });
-    await over;
-  };
   beforeEach(async () => {
     visitor.arrives("keep");
     await start();
@@ -135,7 +138,7 @@ describe("a model on the stage", () => {
 
   it("from a file or of a training is replaced unasked: the file and the list still have it", async () => {
     await openModel(app, modelText(9));
-    await trained();
+    await (await train())();
     await openModel(app, modelText(9));
     await app.training.choose(app.training.runs[0] ?? expect.fail());
     await settled();
@@ -158,7 +161,7 @@ describe("a model on the stage", () => {
   });
 
   it("whose training was removed from the list is not replaced unasked either", async () => {
-    await trained();
+    await (await train())();
     app.training.clear();
     expect(await openModel(app, modelText(9))).toBe(false);
     expect(visitor.asked).toHaveLength(1);
@@ -186,15 +189,6 @@ it("leaving the page loses only work that the browser does not store", async () 
 
 describe("an earlier visit", () => {
   const earlier = { ...nothing, model: modelText(9), unsaved: { model: true, results: false } };
-  const train = async () => {
-    const over = app.training.start();
-    await settled();
-    trainers.trainings.at(-1)?.report(2, -5, modelText(5));
-    return async () => {
-      trainers.trainings.at(-1)?.end({ cancelled: false, reason: null });
-      await over;
-    };
-  };
   beforeEach(async () => {
     visitor.arrives("keep");
     await start();
