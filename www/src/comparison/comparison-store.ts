@@ -56,7 +56,7 @@ export interface Look {
 interface Asked {
   request: ComparisonRequest;
   /** The comparison that would continue. */
-  known: ComparisonEntry | null;
+  stored: ComparisonEntry | null;
   /** The results at the time of this request. */
   text: string | null;
 }
@@ -146,17 +146,17 @@ export class ComparisonStore extends Store {
     return this.#look;
   }
 
-  /** Null until it is known. */
+  /** Null before the program has answered. */
   get outlook(): Outlook | null {
     if (!this.#planned) return null;
     const { asked, planned } = this.#planned;
-    const known = planned.goesOn ? asked.known : null;
+    const stored = planned.goesOn ? asked.stored : null;
     const numbersOfTrials = new Set(planned.jobs.map(({ job }) => job.trainingTrials)).size;
-    const open = openJobs(planned.jobs, known?.predictions ?? new Map());
+    const open = openJobs(planned.jobs, stored?.predictions ?? new Map());
     return {
       asked: planned.jobs.length,
       open: open.length,
-      goesOn: this.#shown === null || this.#shown.given || this.#shown === known,
+      goesOn: this.#shown === null || this.#shown.given || this.#shown === stored,
       growth: numbersOfTrials >= NUMBERS_OF_TRIALS,
       cost: costOf(open, planned, this.#width),
     };
@@ -295,8 +295,8 @@ export class ComparisonStore extends Store {
     const request = comparisonRequest(this.#clips, this.#settings.values);
     if (!request) return null;
     const opened = this.#shown?.request === null ? this.#shown : null;
-    const known = this.#entries.get(request.key) ?? opened;
-    return { request, known, text: known?.results.text ?? null };
+    const stored = this.#entries.get(request.key) ?? opened;
+    return { request, stored, text: stored?.results.text ?? null };
   }
 
   #ask(): void {
@@ -326,17 +326,17 @@ export class ComparisonStore extends Store {
   }
 
   /** The comparisons that would be neither shown nor stored any more. */
-  #lostTo({ request, known }: Asked, { goesOn }: PlannedComparison): ComparisonEntry[] {
+  #lostTo({ request, stored }: Asked, { goesOn }: PlannedComparison): ComparisonEntry[] {
     const others = [...this.#entries.values()].filter((entry) => entry.request?.key !== request.key);
     const oldest = others.slice(0, Math.max(0, others.length + 1 - MOST_ENTRIES));
     const shown = this.#shown;
-    return shown?.request === null && !(goesOn && known === shown) ? [...oldest, shown] : oldest;
+    return shown?.request === null && !(goesOn && stored === shown) ? [...oldest, shown] : oldest;
   }
 
   /** Shows the requested comparison: the stored one, one with the results of an opened file, or a new one. */
-  #takeUp({ request, known }: Asked, { results, goesOn }: PlannedComparison): ComparisonEntry {
-    const own = goesOn && known?.request?.key === request.key ? known : null;
-    const entry = own ?? newEntry(request, results, (goesOn && known?.onDisk) || "");
+  #takeUp({ request, stored }: Asked, { results, goesOn }: PlannedComparison): ComparisonEntry {
+    const own = goesOn && stored?.request?.key === request.key ? stored : null;
+    const entry = own ?? newEntry(request, results, (goesOn && stored?.onDisk) || "");
     entry.results = results;
     this.#shown = entry;
     this.#entries.delete(request.key);
@@ -410,7 +410,7 @@ function plan(worker: WholeCalls, { request, text }: Asked): Promise<PlannedComp
 
 function isSame(a: Asked, b: Asked): boolean {
   const words = ({ request: { key, plan } }: Asked) => JSON.stringify([key, plan]);
-  return a.known === b.known && a.text === b.text && words(a) === words(b);
+  return a.stored === b.stored && a.text === b.text && words(a) === words(b);
 }
 
 /** Whether the library itself refuses, and not the worker or the network. */

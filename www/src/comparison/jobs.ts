@@ -81,8 +81,8 @@ export function secondsLeft(jobs: readonly JobProgress[], workers: number): numb
   /** Seconds for a unit of work, from jobs of the same model or else from all. */
   const rate = ({ job }: JobProgress) => {
     const same = begun.filter((other) => other.job.candidate.model === job.candidate.model);
-    const known = same.length > 0 ? same : begun;
-    return sum(known, (progress) => progress.elapsed / shareOf(progress)) / sum(known, weight);
+    const examples = same.length > 0 ? same : begun;
+    return sum(examples, (progress) => progress.elapsed / shareOf(progress)) / sum(examples, weight);
   };
   const rests = jobs
     .filter((progress) => !isOver(progress) && progress.state !== "cancelled")

@@ -39,12 +39,12 @@ export function foldsOf({ results, predictions }: ReadonlyEntry): number[] {
 /** The predictions of a trial by models trained on all other trials, in the order of the tables. */
 export function predictionsOf({ results, predictions }: ReadonlyEntry, fold: number): Prediction[] {
   const { finished, comparison } = results;
-  return finished.flatMap((known) => {
-    const { id, job } = known;
+  return finished.flatMap((entry) => {
+    const { id, job } = entry;
     const predicted = predictions.get(id);
     if (job.heldOut !== fold || !predicted) return [];
     const key = `${textOf(job.candidate)} ${job.seed}`;
-    return [{ key, finished: known, predicted, label: labelOf(job, finished, comparison.models) }];
+    return [{ key, finished: entry, predicted, label: labelOf(job, finished, comparison.models) }];
   });
 }
 

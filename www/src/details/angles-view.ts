@@ -143,10 +143,10 @@ export class AnglesView extends View {
     const joints = [...new Set(this.channels.map(({ joint }) => joint))];
     return joints.map(
       (joint) => html`<optgroup label=${joint}>
-        ${this.channels.flatMap((of) =>
-          of.joint === joint
+        ${this.channels.flatMap((channel) =>
+          channel.joint === joint
             ? [
-                html`<option value=${of.column} ?selected=${of.column === selected}>${joint} ${of.channel}</option>`,
+                html`<option value=${channel.column} ?selected=${channel.column === selected}>${joint} ${channel.channel}</option>`,
               ]
             : [],
         )}</optgroup>`,

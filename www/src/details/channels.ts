@@ -19,7 +19,11 @@ export interface Recorded {
 /** The channels of a body, in the order of a file's columns. */
 export function channelsOf(joints: readonly JointInfo[]): Channel[] {
   const all = joints.flatMap(({ name, channels }) => channels.map((channel) => ({ joint: name, channel })));
-  return all.map((of, column) => ({ ...of, column, isAngle: of.channel.endsWith("rotation") }));
+  return all.map((channel, column) => ({
+    ...channel,
+    column,
+    isAngle: channel.channel.endsWith("rotation"),
+  }));
 }
 
 export function readMotion(bvh: string): Recorded {

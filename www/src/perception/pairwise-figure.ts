@@ -42,9 +42,9 @@ export class PairwiseFigure extends FigureElement<PerceptionResults> {
   }
 
   #row({ best, pairs }: PerceptionResults, i: number) {
-    const one = best[i];
-    if (!one) return html``;
-    const { model, label, confusion } = one;
+    const setting = best[i];
+    if (!setting) return html``;
+    const { model, label, confusion } = setting;
     const { hits, trials, mean, deviation, aboveHalf } = confusion;
     return html`
       <tr style=${inColour(model)}>

@@ -113,6 +113,6 @@ export function panels(all: readonly Panel[], space: number, type: number, acros
   const width = Math.floor(Math.min(440, (space - (columns - 1) * GAP) / columns));
   return html`
     <div class="panels" style=${styled({ "grid-template-columns": `repeat(${columns}, minmax(0, ${width}px))`, gap: `18px ${GAP}px` })}>
-      ${all.map((one) => panel(one, width, type))}
+      ${all.map((content) => panel(content, width, type))}
     </div>`;
 }

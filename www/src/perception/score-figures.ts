@@ -131,7 +131,7 @@ export class AllModelsFigure extends FigureElement<PerceptionResults> {
     }));
     const regression = regressionOf(results, null, "mse");
     const names = modelsOf(settings);
-    const one: Panel = {
+    const panel: Panel = {
       heading: html`<small>All models${regression ? html`, <b>${evidenceWords(regression)}</b>` : ""}</small>`,
       words: `Confusion rate over test MSE of ${points.length} settings of ${names.length} models`,
       x: { title: "Test MSE, log scale", kind: "log", reach: [] },
@@ -142,7 +142,7 @@ export class AllModelsFigure extends FigureElement<PerceptionResults> {
     };
     return html`
       <div class="with-key">
-        ${panels([one], Math.min(this.width, 640), this.type, 1)}
+        ${panels([panel], Math.min(this.width, 640), this.type, 1)}
         <ul class="model-key">${names.map(
           (model) =>
             html`<li style=${inColour(model)}><svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${modelMark(model, 7, 7, 4.6)}</svg> ${modelStyle(model).name}</li>`,

@@ -9,9 +9,9 @@ const mean = (values: readonly number[]) =>
 /** The probability that the simulated participant takes each stimulus for the natural one; at most 0.5. */
 export function confusionOf({ stimuli }: StudyInfo): number[] {
   const errors = stimuli.map(({ scores }) => Math.log(scores?.mse ?? NaN));
-  const known = errors.filter(Number.isFinite);
-  const middle = mean(known);
-  const spread = Math.sqrt(mean(known.map((error) => (error - middle) ** 2))) || 1;
+  const finite = errors.filter(Number.isFinite);
+  const middle = mean(finite);
+  const spread = Math.sqrt(mean(finite.map((error) => (error - middle) ** 2))) || 1;
   return errors.map((error) =>
     Number.isFinite(error) ? 0.5 / (1 + Math.exp((error - middle) / spread)) : 0.5,
   );

@@ -104,12 +104,12 @@ export class SessionStore extends Store {
     const before = new Map(this.#left.map((offer) => [offer.visit, offer]));
     const left: Offer[] = [];
     for (const visit of new Set([...before.keys(), ...stored])) {
-      const known = before.get(visit);
+      const offered = before.get(visit);
       if (visit === this.#name || this.#broughtBack.has(visit)) continue;
       if (held.includes(visit)) {
-        if (known) left.push({ ...known, taken: true });
+        if (offered) left.push({ ...offered, taken: true });
       } else if (stored.includes(visit)) {
-        left.push({ ...(known ?? (await this.#read(visit))), taken: false });
+        left.push({ ...(offered ?? (await this.#read(visit))), taken: false });
       }
     }
     const isEmpty = ({ contents, whole }: Offer) => contents === "" && whole;

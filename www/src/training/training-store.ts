@@ -265,16 +265,16 @@ export class TrainingStore extends Store {
    * can continue. `chosen`: the place of the run whose model goes on the stage; -1: none.
    */
   async takeUp(runs: readonly Run[], chosen: number): Promise<void> {
-    const known = runs.map((run): Run => {
+    const added = runs.map((run): Run => {
       this.#lastId += 1;
       const over = isOver(run)
         ? run
         : { ...run, state: "cancelled" as const, ending: LEFT, open: run.steps.length > 0 };
       return { ...over, id: this.#lastId, catchingUp: false };
     });
-    this.#runs = [...known, ...this.#runs];
+    this.#runs = [...added, ...this.#runs];
     this.changed();
-    const run = known[chosen];
+    const run = added[chosen];
     if (run?.model && !this.busy) await this.#staging.stage(run, { couplings: "visitor", clip: true });
     if (run && !this.busy) this.#look(run);
   }
@@ -346,15 +346,15 @@ export class TrainingStore extends Store {
     work: (send: Send) => Promise<TrainingOutcome>,
   ): Promise<void> {
     const before = run.elapsed;
-    const anew = run.catchingUp;
-    const known = run.steps.at(-1)?.iteration ?? 0;
+    const trainsAgain = run.catchingUp;
+    const reached = run.steps.at(-1)?.iteration ?? 0;
     const report: Report<TrainedModel> = ({ steps, elapsed, found, notices = [] }) => {
       if (run.state !== "running") return false;
       for (const notice of notices) this.#warn(notice);
       // The iterations of the earlier course come out the same again.
-      run.steps.push(...steps.filter(({ iteration }) => iteration > known));
-      run.catchingUp &&= (steps.at(-1)?.iteration ?? 0) < known;
-      run.elapsed = anew ? Math.max(before, elapsed) : before + elapsed;
+      run.steps.push(...steps.filter(({ iteration }) => iteration > reached));
+      run.catchingUp &&= (steps.at(-1)?.iteration ?? 0) < reached;
+      run.elapsed = trainsAgain ? Math.max(before, elapsed) : before + elapsed;
       if (found && !run.catchingUp) run.model = found;
       this.changedSoon();
       return this.#follow(run);

@@ -60,13 +60,13 @@ export function endingOfRuns(runs: readonly Run[], best: Run | null): { words: s
     .map((state) => `${count(state)} ${state}`);
   const soFar = count("cancelled") > 0 ? " so far" : "";
   const shown = best
-    ? ` The best${soFar}, seed ${best.settings.seed}, is on the stage${whyShown(best, runs)}.`
+    ? ` The best${soFar}, seed ${best.settings.seed}, is on the stage${reasonToShow(best, runs)}.`
     : "";
   return { words: `${counts.join(", ")}.${shown}`, failed: false };
 }
 
 /** Why this run is on the stage although another has a higher bound. */
-function whyShown(best: Run, runs: readonly Run[]): string {
+function reasonToShow(best: Run, runs: readonly Run[]): string {
   const higher = runs.find(
     (run) => run.model !== null && run.state !== "failed" && bestBound(run) > bestBound(best),
   );

@@ -10,7 +10,7 @@ interface NumberInput {
   limits: { min: number; max: number; step: number };
   value: number;
   disabled: boolean;
-  /** Takes the number over, and answers what it has become within the limits. */
+  /** Takes the number and returns it within the limits. */
   change(value: number): number;
 }
 
@@ -22,7 +22,7 @@ export interface NumberField extends Omit<NumberInput, "id"> {
   hint: string;
 }
 
-/** What to say of a value that became another one; empty where it was taken as it is. */
+/** The limit that changed a value; empty when the value is within the limits. */
 export function limitWords(asked: number, { min, max }: NumberInput["limits"]): string {
   if (asked > max) return `At most ${grouped(max)}.`;
   return asked < min ? `At least ${grouped(min)}.` : "";
