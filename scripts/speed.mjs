@@ -1,5 +1,5 @@
-// `npm run speed -- [CASE.json] [CLIP.bvh ...] [--peer "COMMAND"]`: one bound with its gradient, a training
-// and a rollout, side by side: native, wasm in Node, wasm in Chromium, and another program that prints
+// `npm run speed -- [CASE.json] [CLIP.bvh ...] [--peer "COMMAND"]`: times of one bound with its gradient, of a
+// training and of a rollout: native, wasm in Node, wasm in Chromium, and another program that prints
 // {"median_ms": ...}. One thread each.
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
@@ -22,7 +22,7 @@ function json(/** @type {string} */ program, /** @type {string[]} */ ...args) {
   return JSON.parse(text.split("\n").at(-1) ?? "null");
 }
 
-/** A starting point on the project's own walks, where no case is given. */
+/** A starting point on the project's own walks, for a command without a case. */
 async function ownCase() {
   const file = join(folder, "case.json");
   const walks = [1, 2, 3, 4].map((k) => `sample:walk-${k}`);
@@ -75,17 +75,7 @@ await main(async () => {
   });
   await installTools();
   await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
-  await run(
-    "cargo",
-    "build",
-    "--release",
-    "--package",
-    "vcgpdm-lab",
-    "--features",
-    "speed",
-    "--example",
-    "speed",
-  );
+  await run("cargo", "build", "--release", "--package", "vcgpdm-lab", "--example", "speed");
   await buildVariant(folder, ["speed"]);
   mkdirSync(folder, { recursive: true });
   copyFileSync(at("scripts/speed/measure.js"), join(folder, "measure.js"));
@@ -133,12 +123,4 @@ await main(async () => {
     ];
     console.log(`| ${name} | ${cells.join(" | ")} |`);
   }
-  const native = sides.native?.[0]?.evaluation ?? {};
-  const million = (/** @type {string} */ key) => (native[key] ?? NaN) / 1e6;
-  const exponentials = (1e3 * million("exponentials")) / million("exponentials_per_second");
-  const products = (1e3 * million("multiply_adds")) / million("multiply_adds_per_second");
-  console.log(`
-One bound with its gradient is ${million("exponentials").toFixed(3)} million exponentials and ${million("multiply_adds").toFixed(2)} million multiplications with an addition.
-With operands at hand this machine does ${million("exponentials_per_second").toFixed(0)} and ${million("multiply_adds_per_second").toFixed(0)} million a second, natively, in its widest registers:
-${exponentials.toFixed(2)} ms + ${products.toFixed(2)} ms, ${((100 * (exponentials + products)) / (native.median_ms ?? NaN)).toFixed(0)} % of the native time.`);
 });

@@ -1,4 +1,4 @@
-// The same measurements as crate/vcgpdm/examples/speed.rs, of the wasm package; runs in Node and in a browser.
+// The measurements of crate/lab/examples/speed.rs with the wasm package; runs in Node and in a browser.
 
 /**
  * Median milliseconds of one bound with its gradient.
@@ -9,7 +9,7 @@ export function evaluation(wasm, text) {
   const found = wasm.Case.fromJson(text);
   const times = [];
   let bound = NaN;
-  // The first ones are not counted: the engine compiles a function again once it is used much.
+  // The first ones are not counted: the engine compiles a function again when it is called often.
   for (let i = 0; i < 400; i++) {
     const start = performance.now();
     bound = found.boundWithGradient();
@@ -23,7 +23,7 @@ export function evaluation(wasm, text) {
 /**
  * Seconds of a training on lower and upper body, and until 99.9 % of its bound.
  * @param {any} wasm
- * @param {[string, string][]} files names and texts of BVH files; none: the bundled walks
+ * @param {[string, string][]} files names and texts of BVH files; without any, the bundled walks
  */
 export function training(wasm, files) {
   const { Clip, Trainer, TrainingSet } = wasm;

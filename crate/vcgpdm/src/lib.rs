@@ -58,8 +58,6 @@ mod elementary;
 mod encoding;
 mod json;
 mod plural;
-#[cfg(feature = "speed")]
-pub mod speed;
 
 // The feature makes these modules public for the other crates of this project.
 #[cfg(not(feature = "internals"))]
