@@ -3,7 +3,8 @@
 
 use vcgpdm::internals::Elementary;
 
-/// Largest absolute value of a weight: where a score separates all answers, the best weight would be infinite.
+/// Largest absolute value of a weight: where a score separates all answers, the best weight would be
+/// infinite.
 const LARGEST: f64 = 30.0;
 /// A search ends when no weight changes by more than this, and usually within 20 iterations.
 const SMALLEST_STEP: f64 = 1e-13;
@@ -47,8 +48,8 @@ impl Curve {
         best.map_or(starts[0], |(curve, _)| curve)
     }
 
-    /// Fisher scoring from this curve: a curve of the highest likelihood nearby, and its log likelihood. A step
-    /// that lowers the likelihood is damped.
+    /// Fisher scoring from this curve: a curve of the highest likelihood nearby, and its log likelihood. A
+    /// step that lowers the likelihood is damped.
     fn rise(mut self, points: &[Point]) -> (Self, f64) {
         let mut value = self.log_likelihood(points);
         let mut damping = LEAST_DAMPING;
@@ -70,7 +71,8 @@ impl Curve {
         (self, value)
     }
 
-    /// The curve after one damped step of Fisher scoring. A weight at its limit whose step would cross it stays.
+    /// The curve after one damped step of Fisher scoring. A weight at its limit whose step would cross it
+    /// stays.
     fn step(&self, points: &[Point], damping: f64) -> Self {
         let [a, b, c] = self.information(points);
         let [a, c] = [a, c].map(|diagonal| diagonal * (1.0 + damping) + LEAST_INFORMATION);

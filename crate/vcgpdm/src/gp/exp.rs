@@ -1,16 +1,21 @@
-//! An exponential that works on lanes, the same in native and wasm.
+//! An exponential that gives the same bits natively and in wasm, for single numbers and for lanes.
 
-use crate::gp::lanes::{Narrow, Quad};
+use crate::gp::lanes::{Lanes, Simd, splat};
+use fearless_simd::prelude::*;
+use fearless_simd::u64x8;
+use std::f64::consts::LOG2_E;
+use std::ops::{Add, Mul, Sub};
 
-// ln 2 in two parts: n * LN2_HI is exact for every n that can occur.
+// ln 2 in two parts: n * LN2_HI is exact for every n in the range.
 const LN2_HI: f64 = f64::from_bits(0x3fe6_2e42_fee0_0000);
 const LN2_LO: f64 = f64::from_bits(0x3dea_39ef_3579_3c76);
-/// Adding it rounds to a whole number and leaves that number, and the bias of an exponent, in the low bits.
+/// Adding this rounds to a whole number; the low bits of the sum are this number plus the bias of an
+/// exponent.
 const ROUND: f64 = 6_755_399_441_055_744.0 + 1023.0; // 1.5 * 2^52 + 1023
-/// e^-708 is near the smallest normal number; smaller exponents count as this one.
+/// e^-708 is near the smallest normal number; smaller arguments are replaced by -708.
 const LOWEST: f64 = -708.0;
 const HIGHEST: f64 = 709.0;
-/// The polynomial of degree 11 whose largest relative distance from e^r over |r| <= ln 2 / 2 is least:
+/// Coefficients of the polynomial of degree 11 with the smallest relative error for e^r over |r| <= ln 2 / 2,
 /// 3.1e-18 (Remez).
 const SERIES: [f64; 12] = [
     1.0,
@@ -31,25 +36,42 @@ const SERIES: [f64; 12] = [
 /// stays NaN.
 #[inline]
 pub fn exp(x: f64) -> f64 {
-    let x = if x > HIGHEST { HIGHEST } else { x };
-    if x.is_nan() { x } else { exp_below(Narrow::splat(x)).to_array()[0] }
+    if x.is_nan() {
+        return x;
+    }
+    let (power, shifted) = power_and_exponent(x.clamp(LOWEST, HIGHEST), |value| value);
+    power * f64::from_bits(shifted.to_bits() << 52)
 }
 
-/// [`exp`] of four numbers that are at most 709 and not NaN.
-///
-/// Branch-free and made of plain multiplications and additions, so that native and wasm agree to the bit: 2^n
-/// e^r with n = round(x / ln 2), and a polynomial for e^r, its even and odd powers apart.
+/// [`exp`] of numbers that are at most 709 and not NaN.
 #[inline(always)]
-pub fn exp_below<Q: Quad>(x: Q) -> Q {
-    let c = |k: usize| Q::splat(SERIES[k]);
-    let x = x.at_least(LOWEST);
-    let shifted = x * Q::splat(std::f64::consts::LOG2_E) + Q::splat(ROUND);
-    let n = shifted - Q::splat(ROUND);
-    let r = (x - n * Q::splat(LN2_HI)) - n * Q::splat(LN2_LO);
+pub fn exp_lanes<S: Simd>(x: Lanes<S>) -> Lanes<S> {
+    let simd = x.simd;
+    let lowest = splat(simd, LOWEST);
+    // Faster in wasm than `max`, which has to treat NaN.
+    let x = lowest.simd_lt(x).select(x, lowest);
+    let (power, shifted) = power_and_exponent(x, |value| splat(simd, value));
+    let scale: Lanes<S> = (shifted.bitcast::<u64x8<S>>() << 52).bitcast();
+    power * scale
+}
+
+/// With n = round(x / ln 2) and r = x - n ln 2: e^r, and a number whose lowest bits are the exponent of 2^n.
+///
+/// Without branches, and only additions and multiplications, so that all platforms agree to the last bit. The
+/// even and the odd powers of the polynomial are summed separately, which shortens the chain of operations.
+#[inline(always)]
+fn power_and_exponent<V>(x: V, splat: impl Fn(f64) -> V) -> (V, V)
+where
+    V: Copy + Add<Output = V> + Sub<Output = V> + Mul<Output = V>,
+{
+    let c = |k: usize| splat(SERIES[k]);
+    let shifted = x * splat(LOG2_E) + splat(ROUND);
+    let n = shifted - splat(ROUND);
+    let r = (x - n * splat(LN2_HI)) - n * splat(LN2_LO);
     let r2 = r * r;
     let even = ((((c(10) * r2 + c(8)) * r2 + c(6)) * r2 + c(4)) * r2 + c(2)) * r2 + c(0);
     let odd = ((((c(11) * r2 + c(9)) * r2 + c(7)) * r2 + c(5)) * r2 + c(3)) * r2 + c(1);
-    (odd * r + even) * shifted.shifted()
+    (odd * r + even, shifted)
 }
 
 #[cfg(test)]
@@ -66,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn the_ends_are_tame() {
+    fn stays_finite_outside_its_range() {
         assert_eq!(exp(0.0), 1.0);
         assert!(exp(-1e9) < 1e-300);
         assert!(exp(1e9).is_finite());

@@ -2,17 +2,14 @@
 
 use crate::gp::gaussians::Gaussians;
 use crate::gp::kernel::{Kernel, KernelAdjoint};
-#[cfg(test)]
-use crate::gp::lanes::Narrow;
-use crate::gp::lanes::{LANES, Quad, Stored, in_widest_registers};
+use crate::gp::lanes::{LANES, Level, Simd, Stored, dispatch};
 use crate::gp::psi::block::{BLOCK, Block, PullBack};
 use nalgebra::DMatrix;
 
-/// Most numbers that the forward pass keeps of psi2's summands for the adjoint (32 MB); beyond, they are
-/// computed again.
-const MOST_KEPT: usize = 4 << 20;
+/// Upper limit for the cached terms of psi2 (32 MB); above it the backward pass computes them again.
+const MOST_CACHED: usize = 4 << 20;
 
-/// The psi statistics of K inducing inputs, with the memory to compute them again and again.
+/// The psi statistics at K inducing inputs, with the memory to compute them again.
 pub struct PsiStatistics {
     /// Sum over rows of psi0.
     pub psi0: f64,
@@ -22,12 +19,12 @@ pub struct PsiStatistics {
     pub psi2: DMatrix<f64>,
     /// - sum_q (z_aq - z_bq)^2 / (4 lambda_q) of every pair b <= a.
     spread: Vec<f64>,
-    room: Box<dyn Room>,
+    passes: Box<dyn Passes>,
 }
 
-/// Memory for a block of rows, in the registers that this processor has.
-trait Room: Send + Sync {
-    /// psi1 and psi2 of all rows.
+/// Both passes over all rows, for one level of instructions.
+trait Passes: Send + Sync {
+    /// Computes psi1 and psi2.
     fn forward(
         &mut self,
         arguments: (&Gaussians, &DMatrix<f64>, &Kernel),
@@ -37,7 +34,7 @@ trait Room: Send + Sync {
         workspace: &mut PairWorkspace,
     );
 
-    /// The adjoints that depend on the rows.
+    /// Adds the adjoints that depend on the rows.
     fn backward(
         &mut self,
         arguments: (&Gaussians, &Kernel),
@@ -49,27 +46,28 @@ trait Room: Send + Sync {
     );
 }
 
-struct BlockRoom<Q: Quad> {
-    block: Block<Q>,
-    pull: PullBack<Q>,
+/// Scratch memory for a block of rows.
+struct BlockBuffers<S: Simd> {
+    block: Block<S>,
+    pull: PullBack<S>,
 }
 
-/// Memory for psi2's summands. Several [`PsiStatistics`] can use it one after the other, but from
-/// [`PsiStatistics::compute`] to the [`PsiStatistics::pull_back`] that belongs to it, it must stay as it is.
+/// Memory for the terms of psi2. Several [`PsiStatistics`] can use it in turn, but not between
+/// [`PsiStatistics::compute`] and its [`PsiStatistics::pull_back`].
 #[derive(Default)]
 pub struct PairWorkspace {
-    /// Chunk of rows after chunk, pair after pair.
+    /// The terms, a chunk of rows after the other, and in each chunk pair after pair.
     values: Vec<Stored>,
-    /// Whether it holds the summands of all rows, not only those of the last block.
+    /// Whether the terms of all rows are stored, not only those of the last block.
     whole: bool,
 }
 
-/// Whether an adjoint will follow.
+/// What the statistics are computed for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
-    /// Only the values are wanted.
+    /// Only for their values.
     Value,
-    /// [`PsiStatistics::pull_back`] will be called.
+    /// For a gradient: [`PsiStatistics::pull_back`] follows.
     Gradient,
 }
 
@@ -86,19 +84,18 @@ pub struct PsiAdjoint<'a> {
 impl PsiStatistics {
     /// For N = `rows` inputs and K = `ips` inducing inputs of P = `dims` dimensions.
     pub fn new(rows: usize, ips: usize, dims: usize) -> Self {
+        Self::with_level(Level::new(), rows, ips, dims)
+    }
+
+    /// [`new`](Self::new) for one level of instructions; all levels give the same bits.
+    pub(super) fn with_level(level: Level, rows: usize, ips: usize, dims: usize) -> Self {
         Self {
             psi0: 0.0,
             psi1: DMatrix::zeros(rows, ips),
             psi2: DMatrix::zeros(ips, ips),
             spread: vec![0.0; ips * (ips + 1) / 2],
-            room: in_widest_registers!(Q => Box::new(BlockRoom::<Q>::new(ips, dims))),
+            passes: dispatch!(level, simd => passes(simd, ips, dims)),
         }
-    }
-
-    /// As [`PsiStatistics::new`], with the registers that every machine has.
-    #[cfg(test)]
-    pub(super) fn in_narrow_registers(rows: usize, ips: usize, dims: usize) -> Self {
-        Self { room: Box::new(BlockRoom::<Narrow>::new(ips, dims)), ..Self::new(rows, ips, dims) }
     }
 
     /// Computes psi0, psi1 and psi2 of the inputs `x` [N x P] at the inducing inputs `z` [K x P].
@@ -118,11 +115,11 @@ impl PsiStatistics {
                 *spread = -0.25 * (0..z.ncols()).map(square).sum::<f64>();
             }
         }
-        workspace.whole = purpose == Purpose::Gradient && (rows + LANES) * pairs <= MOST_KEPT;
+        workspace.whole = purpose == Purpose::Gradient && (rows + LANES) * pairs <= MOST_CACHED;
         let chunks = if workspace.whole { rows.div_ceil(LANES) } else { BLOCK / LANES };
         workspace.values.resize(chunks * pairs, Stored::default());
         self.psi0 = rows as f64 * kernel.variance;
-        self.room.forward((x, z, kernel), &self.spread, &mut self.psi1, &mut self.psi2, workspace);
+        self.passes.forward((x, z, kernel), &self.spread, &mut self.psi1, &mut self.psi2, workspace);
     }
 
     /// The backward pass of [`compute`](Self::compute): from dF with respect to the statistics to dF with
@@ -137,9 +134,8 @@ impl PsiStatistics {
     ) {
         into_kernel.variance += x.mean.nrows() as f64 * adjoint.psi0;
         let statistics = (&self.psi1, self.spread.as_slice());
-        self.room.backward((x, kernel), statistics, adjoint, workspace, into_x, into_kernel);
-        // The parts that do not depend on the row: psi1 and psi2 carry sigma^2 and sigma^4, and the pairs'
-        // own distance.
+        self.passes.backward((x, kernel), statistics, adjoint, workspace, into_x, into_kernel);
+        // The factors that do not depend on the row: sigma^2 and sigma^4, and the distance of a pair.
         let psi1_total = adjoint.psi1.dot(&self.psi1);
         let psi2_total = adjoint.psi2.dot(&self.psi2);
         into_kernel.variance += (psi1_total + 2.0 * psi2_total) / kernel.variance;
@@ -159,13 +155,11 @@ impl PsiStatistics {
     }
 }
 
-impl<Q: Quad> BlockRoom<Q> {
-    fn new(ips: usize, dims: usize) -> Self {
-        Self { block: Block::new(ips, dims), pull: PullBack::new(ips, dims) }
-    }
+fn passes<S: Simd>(simd: S, ips: usize, dims: usize) -> Box<dyn Passes> {
+    Box::new(BlockBuffers { block: Block::new(simd, ips, dims), pull: PullBack::new(simd, ips, dims) })
 }
 
-impl<Q: Quad> Room for BlockRoom<Q> {
+impl<S: Simd> Passes for BlockBuffers<S> {
     fn forward(
         &mut self,
         (x, z, kernel): (&Gaussians, &DMatrix<f64>, &Kernel),
@@ -217,7 +211,7 @@ impl<Q: Quad> Room for BlockRoom<Q> {
 }
 
 impl PairWorkspace {
-    /// The values of the block that begins at row `start`.
+    /// The terms of the block that begins at row `start`.
     fn block_mut(&mut self, start: usize, pairs: usize) -> &mut [Stored] {
         let from = if self.whole { start / LANES * pairs } else { 0 };
         let end = self.values.len().min(from + BLOCK / LANES * pairs);

@@ -1,6 +1,7 @@
-//! The statistics against integrals, and their adjoints against differences.
+//! The statistics compared with integrals, and their adjoints with differences.
 
 use super::*;
+use crate::gp::lanes::{Level, levels};
 use crate::gp::{Gaussians, Kernel, KernelAdjoint};
 use approx::assert_relative_eq;
 use nalgebra::DMatrix;
@@ -115,7 +116,7 @@ proptest! {
             let (s, _) = psi_statistics(x, z, kernel, Purpose::Value);
             0.7 * s.psi0 + s.psi1.dot(&g1) + s.psi2.dot(&g2)
         };
-        // Summands that are kept and summands that are computed again give the same.
+        // Cached terms and terms that are computed again give the same adjoint.
         let purpose = if keep { Purpose::Gradient } else { Purpose::Value };
         let (mut statistics, mut workspace) = psi_statistics(&x, &z, &kernel, purpose);
         let mut dx = Gaussians::zeros(rows, dims);
@@ -156,7 +157,7 @@ proptest! {
     }
 
     #[test]
-    fn a_row_moved_far_away_counts_for_nothing(shift in 50.0f64..500.0) {
+    fn a_row_far_away_adds_nothing(shift in 50.0f64..500.0) {
         let (mut x, z, kernel) = example(3, 4, 2, 0.1);
         let (near, _) = psi_statistics(&Gaussians { mean: x.mean.rows(0, 2).into_owned(), variance: x.variance.rows(0, 2).into_owned() }, &z, &kernel, Purpose::Value);
         x.mean[(2, 0)] += shift;
@@ -166,7 +167,7 @@ proptest! {
 }
 
 #[test]
-fn dimensions_can_be_one() {
+fn one_row_in_one_dimension_agrees_with_the_formula() {
     let x = Gaussians { mean: DMatrix::from_element(1, 1, 0.2), variance: DMatrix::from_element(1, 1, 0.5) };
     let kernel = Kernel { lambda: dvector![2.0], variance: 1.0 };
     let (s, _) = psi_statistics(&x, &DMatrix::from_element(1, 1, 1.2), &kernel, Purpose::Value);
@@ -174,24 +175,27 @@ fn dimensions_can_be_one() {
     assert_relative_eq!(s.psi2[(0, 0)], (2.0f64 / 3.0).sqrt() * (-1.0f64 / 3.0).exp(), epsilon = 1e-14);
 }
 
-/// A model is the same whichever registers it was trained in.
+/// A model does not depend on the processor that trained it.
 #[test]
-fn wide_registers_compute_the_same_bits() {
+fn every_level_of_instructions_computes_the_same_bits() {
     for (rows, ips, dims) in [(150, 5, 3), (67, 4, 6), (9, 3, 1)] {
         let (x, z, kernel) = example(rows, ips, dims, 0.7);
-        let bits = |mut psi: PsiStatistics| -> Vec<u64> {
-            let mut room = PairWorkspace::default();
-            psi.compute(&x, &z, &kernel, Purpose::Gradient, &mut room);
+        let bits = |level: Level| -> Vec<u64> {
+            let mut psi = PsiStatistics::with_level(level, rows, ips, dims);
+            let mut workspace = PairWorkspace::default();
+            psi.compute(&x, &z, &kernel, Purpose::Gradient, &mut workspace);
             let (psi1, psi2) = (psi.psi1.clone(), psi.psi2.clone());
             let adjoint = PsiAdjoint { psi0: 0.3, psi1: &psi1, psi2: &psi2 };
-            let mut into_x = Gaussians { mean: x.mean.map(|_| 0.0), variance: x.variance.map(|_| 0.0) };
+            let mut into_x = Gaussians::zeros(rows, dims);
             let mut into = KernelAdjoint::zeros(ips, dims);
-            psi.pull_back((&x, &z, &kernel), &adjoint, &mut room, &mut into_x, &mut into);
+            psi.pull_back((&x, &z, &kernel), &adjoint, &mut workspace, &mut into_x, &mut into);
             let all = [&psi1, &psi2, &into_x.mean, &into_x.variance, &into.z];
             let values = all.iter().flat_map(|m| m.iter()).chain(into.lambda.iter()).chain([&into.variance]);
             values.map(|value| value.to_bits()).collect()
         };
-        let narrow = bits(PsiStatistics::in_narrow_registers(rows, ips, dims));
-        assert_eq!(bits(PsiStatistics::new(rows, ips, dims)), narrow);
+        let expected = bits(Level::new());
+        for level in levels() {
+            assert_eq!(bits(level), expected, "{level:?}");
+        }
     }
 }

@@ -98,8 +98,8 @@ pub trait Parameters: Clone {
         });
     }
 
-    /// Writes the gradient with respect to the flat vector into `flat`; `self` is the gradient with respect to
-    /// the natural parameters `at`.
+    /// Writes the gradient with respect to the flat vector into `flat`; `self` is the gradient with respect
+    /// to the natural parameters `at`.
     fn flat_gradient_into(&self, at: &Self, flat: &mut Vec<f64>) {
         flat.clear();
         self.visit(&mut |_, gradient| flat.extend_from_slice(gradient));

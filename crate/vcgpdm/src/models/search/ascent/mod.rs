@@ -1,5 +1,5 @@
-//! The search for the parameters of the largest objective: phase after phase with different free parameters, one
-//! iteration of the optimiser at a time. The best point is stored.
+//! The search for the parameters of the largest objective: phase after phase with different free parameters,
+//! one iteration of the optimiser at a time. The best point is stored.
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::counting_jittered;
@@ -256,8 +256,8 @@ impl<T: Target> Ascent<T> {
         optimizer
     }
 
-    /// Allows `iterations` more iterations. A search that used all its iterations goes on with the pairs of its
-    /// optimiser, as if all had been allowed from the start. A search that has settled stays settled.
+    /// Allows `iterations` more iterations. A search that used all its iterations goes on with the pairs of
+    /// its optimiser, as if all had been allowed from the start. A search that has settled stays settled.
     pub fn extend(&mut self, iterations: usize) {
         self.max_iterations = self.max_iterations.saturating_add(iterations);
         if self.reason == Some(SearchEnd::Iterations) {
