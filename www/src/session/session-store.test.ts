@@ -78,7 +78,7 @@ describe("the next visit", () => {
     await browser.leave("a", { clips: [clip("walk")], runs, chosen, fragment: "latent=2", results: "{}" });
     const { visit, store } = await browser.open("b");
     expect(offered(store)).toEqual(["a: a clip, 2 trainings and a comparison"]);
-    expect(visit.taken).toBe(null);
+    expect([visit.taken, browser.database.filesRead]).toEqual([null, []]);
     await store.bringBack(first(store));
     expect(visit.taken?.runs.map(({ id, steps }) => [id, steps.length])).toEqual([
       [3, 2],
@@ -238,8 +238,8 @@ describe("records that cannot be read", () => {
     browser.database.records.set("junk", new Map([["about", "x"]]));
     browser.database.records.set("more junk", new Map());
     const read = browser.database.read.bind(browser.database);
-    browser.database.read = (visit) =>
-      visit === "more junk" ? Promise.reject(new Error("damaged")) : read(visit);
+    browser.database.read = (visit, withFiles) =>
+      visit === "more junk" ? Promise.reject(new Error("damaged")) : read(visit, withFiles);
     await browser.leave("a", { model: "{}" });
     const { store } = await browser.open("b");
     expect([offered(store), store.unreadable]).toEqual([["a: a model"], 2]);

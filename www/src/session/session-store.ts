@@ -120,7 +120,7 @@ export class SessionStore extends Store {
 
   async #read(visit: string): Promise<Offer> {
     try {
-      const { at, contents, whole } = recover(await this.#database.read(visit));
+      const { at, contents, whole } = recover(await this.#database.read(visit, false));
       return { visit, at, contents, whole, taken: false };
     } catch {
       return { visit, at: null, contents: "", whole: false, taken: false };
@@ -179,7 +179,7 @@ export class SessionStore extends Store {
     if (!release) return this.#markTaken(visit);
     try {
       this.#locks.announce();
-      const { contents, holdings, whole } = recover(await this.#database.read(visit));
+      const { contents, holdings, whole } = recover(await this.#database.read(visit, true));
       if (contents === "") {
         this.#drop(visit);
         throw new Error("Another tab has brought it back or removed it.");

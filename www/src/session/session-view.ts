@@ -3,6 +3,8 @@ import { html, nothing } from "lit";
 import { View } from "../ui/view";
 import type { Offer, SessionStore } from "./session-store";
 
+/** The number of visits that are always visible. */
+const NEWEST = 3;
 const WHEN = new Intl.DateTimeFormat("en", { dateStyle: "long", timeStyle: "short" });
 
 export class SessionView extends View {
@@ -15,8 +17,14 @@ export class SessionView extends View {
   protected override render() {
     const { session } = this;
     const { offers, unreadable, busy } = session;
+    const [newest, older] = [offers.slice(0, NEWEST), offers.slice(NEWEST)];
     return html`
-      ${offers.map((offer) => this.#offer(offer))}
+      ${newest.map((offer) => this.#offer(offer))}
+      ${
+        older.length === 0
+          ? nothing
+          : html`<details class="banner"><summary>Earlier visits: ${older.length} more</summary>${older.map((offer) => this.#offer(offer))}</details>`
+      }
       ${
         unreadable === 0
           ? nothing

@@ -4,8 +4,8 @@ import { openDB } from "idb";
 export interface VisitDatabase {
   /** The names of the stored visits. */
   visits(): Promise<string[]>;
-  /** The records of a visit, by their names. */
-  read(visit: string): Promise<Map<string, unknown>>;
+  /** The records of a visit, by their names; those of files are empty without `withFiles`. */
+  read(visit: string, withFiles: boolean): Promise<Map<string, unknown>>;
   /** Writes all records or none; those that are undefined are removed. Fails when the storage is full. */
   write(visit: string, records: ReadonlyMap<string, unknown>): Promise<void>;
   forget(visit: string): Promise<void>;
@@ -35,19 +35,16 @@ export async function browserDatabase(): Promise<VisitDatabase> {
       const keys = await database.getAllKeys(RECORDS);
       return [...new Set(keys.flatMap((key) => nameOf(key)?.[0] ?? []))];
     },
-    async read(visit) {
-      const reading = database.transaction(RECORDS);
-      const [keys, values] = await Promise.all([
-        reading.store.getAllKeys(allOf(visit)),
-        reading.store.getAll(allOf(visit)) as Promise<unknown[]>,
-      ]);
-      const records = new Map<string, unknown>();
-      for (const [i, key] of keys.entries()) {
-        const [, name] = nameOf(key) ?? [];
-        const value = values[i];
-        if (name !== undefined) records.set(name, value instanceof ArrayBuffer ? new Blob([value]) : value);
-      }
-      return records;
+    async read(visit, withFiles) {
+      const { store } = database.transaction(RECORDS);
+      const names = (await store.getAllKeys(allOf(visit))).flatMap((key) => nameOf(key)?.[1] ?? []);
+      const records = names.map(async (name): Promise<[string, unknown]> => {
+        // Files fill the memory.
+        if (name.startsWith("file ") && !withFiles) return [name, new Blob()];
+        const value: unknown = await store.get([visit, name]);
+        return [name, value instanceof ArrayBuffer ? new Blob([value]) : value];
+      });
+      return new Map(await Promise.all(records));
     },
     async write(visit, records) {
       // WebKit stores no blob in a private window.

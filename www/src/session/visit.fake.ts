@@ -8,12 +8,18 @@ export class FakeDatabase implements VisitDatabase {
   /** Why the browser stores nothing now. */
   problem: unknown = null;
   written: string[] = [];
+  /** The visits whose files were read. */
+  filesRead: string[] = [];
 
   async visits() {
     return [...this.records.keys()];
   }
-  async read(visit: string) {
-    return new Map(this.records.get(visit));
+  async read(visit: string, withFiles: boolean) {
+    if (withFiles) this.filesRead.push(visit);
+    const records = new Map(this.records.get(visit));
+    if (!withFiles)
+      for (const [name, value] of records) if (value instanceof Blob) records.set(name, new Blob());
+    return records;
   }
   async write(visit: string, changes: ReadonlyMap<string, unknown>) {
     if (this.problem !== null) throw this.problem;
