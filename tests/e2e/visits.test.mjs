@@ -148,7 +148,7 @@ describe("Forget everything", () => {
     const b = await otherTab(a);
     await b.getByTestId("forget").click();
     await b.getByTestId("confirm-yes").click();
-    await b.getByTestId("notice").filter({ hasText: "keeps nothing" }).waitFor();
+    await b.getByTestId("notice").filter({ hasText: "keeps nothing" }).first().waitFor();
     assert.deepEqual(await participants(), [active]);
     assert.equal((await keysIn(a, "vcgpdm answers", "studies")).length, 1);
     await leave();
