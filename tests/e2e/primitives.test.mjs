@@ -422,9 +422,14 @@ describe("a library of primitives", () => {
     await recolour(page, "dark");
     const dark = await lightness(picture);
     assert.ok(dark > 0.05 && dark < 0.2, `dark as the page around it, with lines to be seen: ${dark}`);
-    const table = page.getByRole("region", { name: "A library beside models of one movement", exact: true });
+    const table = page.getByRole("region", {
+      name: "A library compared with models of one movement",
+      exact: true,
+    });
     assert.match(await table.innerText(), /DTW MSE × 1,000.*−1\.045 \(−2\.594 to \+0\.504\)/s);
-    const cost = page.getByRole("region", { name: "What a library costs beside models of one movement" });
+    const cost = page.getByRole("region", {
+      name: "The cost of a library compared with models of one movement",
+    });
     assert.match(await cost.innerText(), /2,424\s+2,740/);
     assert.deepEqual(problems, []);
     await leave();

@@ -178,15 +178,11 @@ export class CouplingsStore {
 
 /** The couplings that differ from the learned ones. */
 export function changedFrom(learned: Couplings, alpha: Couplings): ChangedCouplings {
-  const all = alpha.flatMap((row, source) =>
-    row.map((value, target) => ({
-      name: pair(source, target),
-      value,
-      before: learned[source]?.[target] ?? 1,
-    })),
-  );
-  const changed = all.filter(({ value, before }) => !isClose(value, before));
-  return Object.fromEntries(changed.map(({ name, value }) => [name, value]));
+  const changed: ChangedCouplings = {};
+  for (const [source, row] of alpha.entries())
+    for (const [target, value] of row.entries())
+      if (!isClose(value, learned[source]?.[target] ?? 1)) changed[pair(source, target)] = value;
+  return changed;
 }
 
 function inMemory(): CouplingsPlace {

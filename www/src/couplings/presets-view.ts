@@ -45,7 +45,7 @@ export class PresetsView extends View {
     ];
     return html`
       <p class="measured" role="status" data-testid="measured" data-current=${isCurrent ? "yes" : "no"}>
-        <span><pg-term of="measured" text="Measured"></pg-term>, beside as learned:</span>
+        <span><pg-term of="measured" text="Measured"></pg-term>, compared with as learned:</span>
         ${parts.map(
           ({ part, words }) => html`
           <span class="limbs" data-testid="measured-${part}" style=${partStyle(partColour(part))}><i class="swatch"></i>${names[part]} ${words}</span>`,

@@ -44,9 +44,9 @@ export class LessonView extends View {
         predicted as well as by a model of its own. Their answer: equal within the standard errors.</p>
       <p class="hint">The same with the ten made trials of this project: one is held out, all others are trained on. Errors after time warping, times 1,000, with
         standard errors. Measured once, by <code>npm run lab -- modularity</code>; below, one trial can be held out in your browser.</p>
-      ${table(LESSON_TABLES.modular, "A library beside models of one movement", ERRORS)}
+      ${table(LESSON_TABLES.modular, "A library compared with models of one movement", ERRORS)}
       <p>The intervals of the differences hold 0: which is better stays open on ten made trials.</p>
-      ${table(LESSON_TABLES.modular, "What a library costs beside models of one movement", COSTS)}
+      ${table(LESSON_TABLES.modular, "The cost of a library compared with models of one movement", COSTS)}
       <pg-fold .fold=${this.fold}></pg-fold>
       <figure class="lesson-paths">
         <img src=${paths} width="840" height="444" loading="lazy" alt="Latent paths of the lower and the upper body, of walking and of walking with waving" />
