@@ -1,4 +1,4 @@
-// Models side by side: compared on the page, cancelled, looked at, saved and opened again.
+// A comparison of models on the page: carried out, cancelled, shown, saved and opened again.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, describe, it } from "node:test";
@@ -20,18 +20,18 @@ before(async () => {
 });
 after(() => site?.close());
 
-/** Waits until a comparison is over, and answers its last words. */
+/** Waits for the end of a comparison and returns its last sentence. */
 async function over(/** @type {import("playwright-core").Page} */ page) {
   await page.getByTestId("compare").waitFor({ timeout: 120_000 });
   return page.getByTestId("compare-progress").innerText();
 }
 
-/** Waits until the words beside the button say this. */
+/** Waits for this status next to the button. */
 async function says(/** @type {import("playwright-core").Page} */ page, /** @type {RegExp} */ words) {
   await page.getByTestId("compare-progress").filter({ hasText: words }).waitFor({ timeout: 30_000 });
 }
 
-/** Leaves so many trials ticked. */
+/** Leaves this number of trials ticked. */
 async function tick(/** @type {import("playwright-core").Page} */ page, /** @type {number} */ count) {
   await page.locator(".trials summary").click();
   const boxes = page.locator(".trials input");
@@ -39,7 +39,7 @@ async function tick(/** @type {import("playwright-core").Page} */ page, /** @typ
 }
 
 describe("a comparison of models", () => {
-  it("is loaded only when it is asked for", async () => {
+  it("is loaded at its first use", async () => {
     sent = [];
     const { page, problems, leave } = await site.visit({ moving: true, seen: true });
     await ready(page);
@@ -56,7 +56,7 @@ describe("a comparison of models", () => {
     await leave();
   });
 
-  it("holds each trial out in turn, shows tables and figures, and files say the same", async () => {
+  it("holds out each trial in turn and shows tables and figures, which files repeat", async () => {
     const { page, problems, leave } = await site.visit({ settings: SMALL, cores: 2 });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
     await tick(page, 3);
@@ -76,7 +76,7 @@ describe("a comparison of models", () => {
     );
     assert.equal(new Set(results.finished.map((/** @type {any} */ f) => f.job.held_out)).size, 3);
 
-    // Again: nothing is computed twice.
+    // Nothing is computed twice.
     await page.getByTestId("compare").click();
     assert.match(await over(page), /finished before/);
 
@@ -98,8 +98,7 @@ describe("a comparison of models", () => {
       .setInputFiles({ name: "x.json", mimeType: "application/json", buffer: Buffer.from("{}") });
     await other.page.getByText("expected the results of an evaluation").waitFor();
     assert.equal(await there.innerText(), await table.innerText(), "what was open stays");
-    // With the same trials and settings it goes on: only the first trial's models are trained, for their
-    // motions.
+    // With the same trials and settings only the first trial's models are trained, for their motions.
     await other.page.evaluate((hash) => {
       location.hash = hash;
     }, SMALL);
@@ -113,7 +112,7 @@ describe("a comparison of models", () => {
     await leave();
   });
 
-  it("opens on the results of ten recorded walks, of all models, until there are others", async () => {
+  it("opens with the results of all models on ten recorded walks, until there are others", async () => {
     const settings = "view=compare&models=dmp-rhythmic&bases=10&fps=15&heldout=1";
     const { page, problems, leave } = await site.visit({ settings, cores: 2 });
     await page.getByTestId("given").getByText("ten recorded walks").waitFor({ timeout: 30_000 });
@@ -135,7 +134,7 @@ describe("a comparison of models", () => {
       .getByText(/exponent \d/)
       .first()
       .waitFor();
-    // One size of each model stands for the others, until all are asked for.
+    // One size of each model represents the others, until the visitor asks for all.
     const sizes = await table.locator("tbody tr").count();
     assert.ok(sizes >= 7 && sizes <= 12, `${sizes} rows`);
     await table
@@ -156,7 +155,7 @@ describe("a comparison of models", () => {
     assert.deepEqual(await barriers(page), []);
     await page.setViewportSize({ width: 390, height: 844 });
     assert.deepEqual(await barriers(page), [], "on a telephone");
-    // The answer stands beside the claim, and neither is cut off.
+    // The answer is next to the claim, and neither is cut off.
     const claim = page.locator("comparison-claims tbody tr").first();
     const [said, holds] = [
       await claim.locator("th").boundingBox(),
@@ -172,7 +171,7 @@ describe("a comparison of models", () => {
     assert.match(await over(page), /1 of 1 trainings done/);
     assert.equal(await page.getByTestId("given").count(), 0);
     assert.equal(await table.getByText("vCGPDM", { exact: true }).count(), 0);
-    // There again when they are asked for, as any results: what was compared here is asked about.
+    // These results come back at a press; the page asks about the comparison that was made here.
     await page.getByTestId("open-walks").click();
     await page.getByTestId("unsaved-discard").click();
     await table.getByText("vCGPDM", { exact: true }).first().waitFor();
@@ -215,7 +214,7 @@ describe("a comparison of models", () => {
     await leave();
   });
 
-  it("keeps what was found under other settings, and the stage moves after each comparison", async () => {
+  it("keeps results under other settings, and the stage moves after each comparison", async () => {
     const settings = "view=compare&models=vgpdm,dmp-rhythmic&ips=5&fps=15&latent=2&steps=5&heldout=1";
     const { page, problems, leave } = await site.visit({ settings, cores: 2, moving: true });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
@@ -250,7 +249,7 @@ describe("a comparison of models", () => {
     await tick(page, 4);
     await page.getByTestId("compare").click();
     assert.match(await over(page), /11 of 11 trainings done/);
-    /** What each figure's CSV begins with. */
+    /** The beginning of each figure's CSV. */
     const figures = {
       "Distance from the real trial": /^trial,time \(s\),"vCGPDM, 4 \+ 4 inducing points \(cm\)"/,
       "Error, bound, time and size of each model": /^model,settings,/,
@@ -285,12 +284,12 @@ describe("a comparison of models", () => {
     await leave();
   });
 
-  it("can be cancelled, keeps what is finished, and goes on from there", async () => {
+  it("can be cancelled, keeps finished trainings, and continues from there", async () => {
     const settings = "view=compare&models=dmp-rhythmic,map-cgpdm&fps=15&steps=5000";
     const { page, problems, leave } = await site.visit({ settings, cores: 1 });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
     await tick(page, 2);
-    // The quick model first, alone.
+    // Only the quick model first.
     await page.getByTestId("model-map-cgpdm").uncheck();
     await page.getByTestId("compare").click();
     assert.match(await over(page), /2 of 2 trainings done/);
@@ -304,7 +303,7 @@ describe("a comparison of models", () => {
       results.finished.map((/** @type {any} */ f) => f.job.candidate.model),
       ["dmp-rhythmic", "dmp-rhythmic"],
     );
-    // A quicker one instead: what was finished is not done again.
+    // A quicker model instead: finished trainings are not repeated.
     await page.getByTestId("model-map-cgpdm").uncheck();
     await page.getByTestId("model-dmp-discrete").check();
     await says(page, /2 trainings, 2 finished before/);

@@ -1,4 +1,4 @@
-// Files and links: what is saved is what is on the stage, and a link says which model it is about.
+// Files and links: saved files have the motion on the stage, and a link names its model.
 import assert from "node:assert/strict";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -17,10 +17,7 @@ before(async () => {
 });
 after(() => site?.close());
 
-/**
- * How far, in metres, joints that three's loader shows are at most from where the table has them, in some
- * frames.
- */
+/** The largest distance in metres between joints in three's loader and in the table, in some frames. */
 async function farthest(
   /** @type {Buffer} */ glb,
   /** @type {string[]} */ header,
@@ -52,7 +49,7 @@ const frames = (/** @type {string} */ bvh) => Number(/^Frames: (\d+)$/m.exec(bvh
 describe("the first model", () => {
   const visitor = oneVisitor(() => readyVisitor(site.visit()));
 
-  it("is saved; so is the clip on the stage, as it is trimmed: the same joints as GLB and as table", async () => {
+  it("is saved, and so is a trimmed clip, with the same joints in GLB and table", async () => {
     const { page } = visitor;
     const same = async (/** @type {number} */ count) => {
       const glb = await saved(page, "save-glb");
@@ -84,7 +81,7 @@ describe("the first model", () => {
     assert.deepEqual(await saved(page, "save-motion"), model);
   });
 
-  it("has files with names that tell variants apart, and an account and a table that belong to them", async () => {
+  it("has files with different names for variants, and an account and a table that match", async () => {
     const { page } = visitor;
     const learned = await saved(page, "save-motion");
     const document = await saved(page, "save-model");
@@ -111,7 +108,7 @@ describe("the first model", () => {
     assert.equal(frames((await saved(page, "save-motion")).text), 150);
   });
 
-  it("has sliders that are stronger to the right and up, weakest at Home and strongest at End", async () => {
+  it("has sliders that strengthen to the right and up, with the weakest at Home and the strongest at End", async () => {
     const { page } = visitor;
     const slider = page.getByTestId("coupling-1-1");
     const alpha = async () => Number(await page.getByTestId("alpha-1-1").innerText());
@@ -132,7 +129,7 @@ describe("the first model", () => {
     assert.equal(await alpha(), 0.001);
   });
 
-  it("is trained with numbers within their limits, and a field says so", async () => {
+  it("is trained with numbers within their limits, which the field names", async () => {
     const { page } = visitor;
     await page.locator("pg-training .advanced summary").click();
     const field = page.getByTestId("setting-maxIterations");
@@ -192,12 +189,12 @@ describe("a JSON file whose keys are sorted", () => {
 });
 
 describe("a link", () => {
-  it("to another model's couplings leaves this one as it is, and says so", async () => {
+  it("to another model's couplings leaves this model as it is, with a notice", async () => {
     const { page, leave } = await site.visit({ settings: "model=00000000&alpha=0.1:50" });
     await ready(page);
     assert.match(await page.getByTestId("foreign-link").innerText(), /another model \(00000000\)/);
     assert.notEqual(Number(await page.getByTestId("alpha-0-1").innerText()), 50);
-    // It waits in the address too: a reload once lost it.
+    // The address keeps these couplings: a reload once lost them.
     await page.getByTestId("setting-latent").fill("2");
     await page.getByTestId("setting-latent").press("Enter");
     await page.waitForURL(/latent=2/);

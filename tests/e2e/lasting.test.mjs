@@ -1,4 +1,4 @@
-// What the page outlives.
+// Workers that die.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { openSite, ready, saved } from "./site.mjs";
@@ -11,7 +11,7 @@ before(async () => {
 after(() => site?.close());
 
 describe("the worker that shows the model", () => {
-  it("is started again when it ends without a word, and holds what it held", async () => {
+  it("is started again when it dies silently, with the same clips and model", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
     const model = await saved(page, "save-model");
@@ -29,7 +29,7 @@ describe("the worker that shows the model", () => {
     await page.getByTestId("coupling-0-1").fill("2.5");
     await page.waitForTimeout(500);
     assert.notEqual((await saved(page, "save-motion")).text, motion.text);
-    // The clips are there too.
+    // The worker has the clips too.
     await page.locator(".made summary").click();
     await page
       .getByRole("button", { name: /^Show / })
@@ -42,7 +42,7 @@ describe("the worker that shows the model", () => {
 });
 
 describe("a worker that trains", () => {
-  it("is missed when it ends without a word, and the other trainings end as they should", async () => {
+  it("fails its training when it dies silently, and the other trainings finish", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "trainings=2&iterations=400&fps=60",
       cores: 2,

@@ -1,4 +1,4 @@
-// The first seconds: nothing fails, a figure moves at once, and a visit stays small.
+// The first seconds: no error, a moving figure at once, and a small visit.
 import assert from "node:assert/strict";
 import { after, before, beforeEach, describe, it } from "node:test";
 import { budget } from "../../scripts/budget.mjs";
@@ -13,7 +13,7 @@ let site;
 before(async () => {
   site = await openSite({
     before: (path) => (path.endsWith(".wasm") ? wasm : undefined),
-    // The whole program comes when the page has nothing else to do.
+    // The page loads the whole program when it is idle.
     onSend: (path, bytes) => {
       if (!path.includes("/on-demand/")) sent += bytes;
     },
@@ -37,7 +37,7 @@ describe("a first visit", () => {
     await leave();
   });
 
-  it("shows a moving figure before the wasm is there, and goes on with the model's when it is", async () => {
+  it("shows a moving figure before the wasm has arrived, and then that of the model", async () => {
     let release = () => {};
     wasm = new Promise((resolve) => {
       release = resolve;
@@ -58,7 +58,7 @@ describe("a first visit", () => {
     await leave();
   });
 
-  it("says so when the wasm cannot be had, and the figure keeps walking", async () => {
+  it("says when the wasm cannot be loaded, and the figure keeps walking", async () => {
     const { page, leave } = await site.visit({ moving: true, seen: true, without: "**/*.wasm" });
     await page.waitForSelector("html[data-engine=failed]");
     await page.getByRole("alert").first().waitFor();
@@ -66,7 +66,7 @@ describe("a first visit", () => {
     await leave();
   });
 
-  it("starts paused for those who want less motion", async () => {
+  it("starts paused for visitors who want less motion", async () => {
     const { page, leave } = await site.visit();
     await ready(page);
     await page.getByRole("button", { name: "Play" }).waitFor();
@@ -99,7 +99,7 @@ describe("in a frame whose sandbox lacks allow-same-origin", () => {
     await leave();
   });
 
-  it("shows the stored walk where its host allows that, and says what is missing for the model", async () => {
+  it("shows the stored walk if its host allows that, and says what the model needs", async () => {
     const { frame, leave } = await framed(true);
     await frame.getByText("frame whose sandbox lacks allow-same-origin").waitFor();
     await frame.locator("canvas").first().waitFor();

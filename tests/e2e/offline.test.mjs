@@ -1,5 +1,5 @@
-// Without a network: what was visited once works, every view and worker of it; and a new version waits until
-// it is asked for.
+// Without a network: every view and worker works after the first visit. A new version waits until the visitor
+// asks for it.
 import assert from "node:assert/strict";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -22,7 +22,7 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** Waits until the service worker serves this page: it has kept all files by then. */
+/** Waits until the service worker serves this page; all files are stored by then. */
 const kept = (/** @type {import("playwright-core").Page} */ page) =>
   page.waitForFunction(() => navigator.serviceWorker.controller?.state === "activated", null, {
     timeout: 60_000,
@@ -41,7 +41,7 @@ describe("after the first visit", () => {
     await page.reload();
     await ready(page);
 
-    // Live first: the model that a training brings to the stage ends a live motion.
+    // The live motion comes first: the model of a training ends it.
     await page.getByTestId("live-on").click();
     await page.getByTestId("live").waitFor();
     await page.getByTestId("train").click();
@@ -63,7 +63,7 @@ describe("after the first visit", () => {
     await leave();
   });
 
-  it("a new version waits until it is asked for", async () => {
+  it("a new version waits until the visitor asks for it", async () => {
     const { page, problems, leave } = await site.visit({ serviceWorkers: "allow", idle: true });
     await ready(page);
     await kept(page);

@@ -1,5 +1,5 @@
-// The graphics Turing test: a simulated participant, a closed tab, keys and taps, the times of a trial, and
-// what the answers say.
+// The graphics Turing test: a simulated participant, a closed tab, keys and taps, the times of a trial, and the
+// analysis.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -50,7 +50,7 @@ async function open(/** @type {Page} */ page, /** @type {string} */ study) {
   await page.getByTestId("begin").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
 }
 
-/** Past consent and instructions. */
+/** Passes consent and instructions. */
 async function goOn(/** @type {Page} */ page, /** @type {string[]} */ ...names) {
   for (const name of names) {
     await page.getByTestId(`page-${name}`).waitFor({ timeout: 30_000 });
@@ -61,7 +61,7 @@ async function goOn(/** @type {Page} */ page, /** @type {string[]} */ ...names) 
 const phase = (/** @type {Page} */ page, /** @type {string} */ name) =>
   page.locator(`[data-testid=pair-trial][data-phase=${name}]`).waitFor({ timeout: 30_000 });
 
-/** So many trials are answered. */
+/** Waits until this number of trials is answered. */
 const answered = (/** @type {Page} */ page, /** @type {number} */ count) =>
   page
     .getByTestId("run-progress")
@@ -79,9 +79,7 @@ function rowsOf(/** @type {string} */ csv) {
   return rows.map((row) => Object.fromEntries(head.map((name, i) => [name, row[i] ?? ""])));
 }
 
-/**
- * What a figure is saved as. Chromium drops the eleventh download of a second; no visitor asks for that many.
- */
+/** The saved file of a figure. Chromium drops the eleventh download within a second. */
 async function savedFigure(
   /** @type {Page} */ page,
   /** @type {"CSV" | "PNG"} */ kind,
@@ -107,7 +105,7 @@ async function figure(/** @type {Page} */ page, /** @type {string} */ heading) {
 describe("a study", () => {
   const visitor = oneVisitor(() => visit({ hasTouch: true, seen: true }));
 
-  it("takes answers during the movement where the study says so, by a tap too", async () => {
+  it("takes answers during the movement if the study says so, also by a tap", async () => {
     const study = studyWith({ seconds: 3 }, { answer_during_movement: true });
     const { page } = visitor;
     await open(page, study);
@@ -148,7 +146,7 @@ describe("a study", () => {
     await page.getByTestId("run").waitFor({ state: "hidden" });
   });
 
-  it("saves what participants read, the look and the marks with the study", async () => {
+  it("saves its texts, its look and its attention checks", async () => {
     const { page } = visitor;
     await page.getByText("What participants read").click();
     await page.getByTestId("text-question").fill("Which one?");
@@ -157,11 +155,11 @@ describe("a study", () => {
     await page.getByText("Movements that check attention").click();
     const mark = page.locator(".movement-marks input:not(:checked)").first();
     const id = (await mark.getAttribute("data-testid"))?.replace("failed-", "");
-    // First a look at it.
+    // The visitor looks at the movement first.
     await page.getByTestId(`look-${id}`).click();
     const look = page.getByTestId("look");
     await look.getByRole("heading", { name: id ?? "" }).waitFor({ timeout: 30_000 });
-    // Twice, not equally far apart: what repeats itself looks the same after its period.
+    // Two different pauses: a periodic movement looks the same after its period.
     const canvas = look.locator("canvas");
     await draws(canvas);
     assert.ok((await changes(canvas, 1000)) || (await changes(canvas, 700)), "it moves");
@@ -180,7 +178,7 @@ describe("a study", () => {
     await page.getByTestId("study-words").getByText("60 trials").waitFor();
   });
 
-  it("refuses what is no study and what are no answers, and keeps what was open", async () => {
+  it("refuses files that are no study or no answers, and stays open", async () => {
     const { page } = visitor;
     const words = await page.getByTestId("study-words").innerText();
     await open(page, "{}");
@@ -194,7 +192,7 @@ describe("a study", () => {
 });
 
 describe("the graphics Turing test", () => {
-  it("is loaded only when it is asked for, from the page's own folder", async () => {
+  it("is loaded at its first use, from the page's own folder", async () => {
     sent = [];
     const { page, problems, leave } = await site.visit();
     await page.waitForSelector("html[data-engine=ready]", { timeout: 30_000 });
@@ -208,7 +206,7 @@ describe("the graphics Turing test", () => {
     await leave();
   });
 
-  it("runs with a simulated participant who closes the tab half way and goes on", async () => {
+  it("runs with a simulated participant who closes the tab half way and continues", async () => {
     const study = studyWith(SHORT, { comparisons: 12, attention_checks: 4, catch_trials: 2 });
     const { page: first, problems, leave } = await visit({}, study);
     const whole = (await saved(first, "save-study")).text;
@@ -255,7 +253,7 @@ describe("the graphics Turing test", () => {
       rows.map(({ kind, response }) => [kind, response]),
     );
 
-    // The plan, and what the answers say, are those of the package in Node.
+    // The trials and the analysis equal those of the package in Node.
     const node = Study.fromJson(whole);
     const { stimuli } = node.info;
     assert.deepEqual(
@@ -285,7 +283,7 @@ describe("the graphics Turing test", () => {
     assert.equal(await page.getByTestId("analysed").count(), 1);
     assert.deepEqual(await barriers(page), []);
 
-    // The same from its file, beside that of another participant, in JSON, who did not look when it mattered.
+    // The same from its file, with that of another participant in JSON who fails the attention checks.
     const wrong = (/** @type {Record<string, string>} */ row) =>
       row.natural_side === "left" ? "right" : "left";
     const careless = rows.map((row) => ({
@@ -307,13 +305,13 @@ describe("the graphics Turing test", () => {
     await leave();
   });
 
-  it("shows both movements at once for 3.5 seconds, and says so in the data", async (test) => {
+  it("shows both movements at once for 3.5 seconds, with the measured times in the data", async (test) => {
     const { page, problems, leave } = await visit({ viewport: { width: 900, height: 600 }, seen: true });
     await page.getByTestId("begin").click();
     await goOn(page, "consent", "instructions");
     for (const key of ["ArrowLeft", "ArrowRight"]) {
       await phase(page, "movement");
-      // Too early: nobody has asked yet.
+      // Too early: the question has not appeared yet.
       await page.keyboard.press(key === "ArrowLeft" ? "ArrowRight" : "ArrowLeft");
       await phase(page, "question");
       await page.keyboard.press(key);
@@ -336,7 +334,7 @@ describe("the graphics Turing test", () => {
       assert.ok(Number(trial.rt) >= Number(lasted) - 1);
       return { apart: Number(apart) / Number(frame), late: Math.abs(Number(lasted) - 3500) / Number(frame) };
     });
-    // The middle one of three: a machine that others use too stands still for once.
+    // The median of three trials: a shared machine may pause once.
     const middle = (/** @type {number[]} */ values) => values.sort((a, b) => a - b)[1] ?? NaN;
     assert.ok(middle(off.map(({ apart }) => apart)) <= 1, "they start within a frame of each other");
     assert.ok(middle(off.map(({ late }) => late)) <= 2, "they last 3.5 s within two frames");
@@ -346,7 +344,7 @@ describe("the graphics Turing test", () => {
 
   it("draws every figure of the papers, and saves each as numbers and as a picture", async () => {
     const { page, problems, leave } = await visit();
-    // Somebody who is taken in by every second movement, and looks.
+    // A participant who takes every second movement for natural and passes the attention checks.
     const study = Study.fromJson(bundled);
     const { stimuli, hash } = study.info;
     const id = (/** @type {number} */ place) => stimuli[place]?.id;
@@ -367,7 +365,7 @@ describe("the graphics Turing test", () => {
     );
     await drop(page, { "all.json": JSON.stringify(rows) });
     await page.getByTestId("analysed").nth(3).waitFor({ timeout: 60_000, state: "attached" });
-    /** What each figure's CSV has a column for. */
+    /** A column of each figure's CSV. */
     const figures = {
       "The best of each model": "P(rate > 0.5)",
       "All models over the test error": "confusion rate",
@@ -414,7 +412,7 @@ describe("the graphics Turing test", () => {
     await leave();
   });
 
-  it("forgets one participant, or everything, when it is told to", async () => {
+  it("forgets one participant, or everything, when the visitor says so", async () => {
     const { page, problems, leave } = await visit({}, studyWith(SHORT));
     page.on("dialog", (dialog) => void dialog.accept());
     for (const name of ["anna", "bert"]) {
@@ -429,13 +427,14 @@ describe("the graphics Turing test", () => {
     const anna = page.getByTestId("participant").filter({ hasText: "anna" });
     assert.equal(await anna.count(), 1);
     await page.getByRole("button", { name: "Forget anna" }).click();
-    // The row goes when the disk has forgotten: a page that is left before that may still know her.
+    // The row disappears when the database has removed it.
     await anna.waitFor({ state: "detached" });
     await page.reload();
     const rows = page.getByTestId("participant");
     await rows.waitFor({ timeout: 30_000 });
     assert.match(await rows.innerText(), /bert.*1 of/s);
     await page.getByTestId("forget").click({ timeout: 30_000 });
+    await page.getByTestId("confirm-yes").click();
     await rows.waitFor({ state: "detached" });
     await page.reload();
     await page.getByText("Nobody has answered on this machine yet").waitFor({ timeout: 30_000 });

@@ -1,5 +1,4 @@
-// Several trainings at once: a worker each, a table of them, the best on the stage; and what a cancel or a
-// crash leaves.
+// Several trainings at once: a worker for each, their table, the best on the stage, a cancel and a crash.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
@@ -14,14 +13,14 @@ before(async () => {
 });
 after(() => site?.close());
 
-/** A visit on a machine of so many cores, as far as the page can tell. */
+/** A visit on a machine with this number of cores, as the page sees it. */
 async function visit(/** @type {number} */ cores, /** @type {string} */ settings, options = {}) {
   const visit = await site.visit({ settings, cores, ...options });
   await ready(visit.page);
   return visit;
 }
 
-/** Notes how many trainings ever run at once. */
+/** Records the most trainings that ever run at once. */
 async function watchRunning(/** @type {Page} */ page) {
   await page.evaluate(() => {
     Object.assign(window, { mostRunning: 0 });
@@ -37,7 +36,7 @@ const trainIsBack = (/** @type {Page} */ page) => page.getByTestId("train").wait
 const provenance = async (/** @type {Page} */ page) =>
   Model.fromJson((await saved(page, "save-model")).text).info().provenance;
 
-/** The table as a visitor reads it. */
+/** The texts of the table. */
 async function table(/** @type {Page} */ page) {
   return page.getByTestId("run").evaluateAll((rows) =>
     rows.map((row) => ({
@@ -52,10 +51,7 @@ async function table(/** @type {Page} */ page) {
   );
 }
 
-/**
- * Waits until the row of this seed is marked, and answers with the seed of the model that the page then
- * saves.
- */
+/** Waits until the row of this seed is marked, and returns the seed of the model that the page then saves. */
 async function seedShown(/** @type {Page} */ page, /** @type {number} */ seed) {
   await page.waitForFunction(
     (seed) => document.querySelector("[data-testid=run].chosen th")?.textContent?.trim() === String(seed),
@@ -65,7 +61,7 @@ async function seedShown(/** @type {Page} */ page, /** @type {number} */ seed) {
 }
 
 describe("several trainings", () => {
-  it("run on a worker each, and the best is on the stage; another is there at a click", async () => {
+  it("run on their own workers, and the best is on the stage; a click shows another", async () => {
     const { page, problems, leave } = await visit(3, "trainings=3&seed=5&iterations=60&fps=15");
     const before = page.workers().length;
     const most = await watchRunning(page);
@@ -95,7 +91,7 @@ describe("several trainings", () => {
       rows.map(({ best }) => best),
       bounds.map((_, i) => i === highest),
     );
-    // One that keeps moving is preferred to higher bounds.
+    // The page prefers a model that keeps moving to higher bounds.
     const moving = bounds.filter((_, i) => rows[i]?.cells.includes("done"));
     const at = moving.length > 0 ? bounds.indexOf(Math.max(...moving)) : highest;
     assert.deepEqual(
@@ -109,7 +105,7 @@ describe("several trainings", () => {
     const other = (at + 1) % 3;
     await page.getByTestId("run").nth(other).click();
     assert.equal(await seedShown(page, 5 + other), 5 + other);
-    // By keyboard: the arrow keys go from one to the next.
+    // The arrow keys go to the next one.
     await page.getByTestId("run").nth(other).getByRole("radio").focus();
     await page.keyboard.press("ArrowDown");
     const next = (other + 1) % 3;
@@ -132,7 +128,7 @@ describe("several trainings", () => {
     await leave();
   });
 
-  it("keep what is done, and the best so far of the rest, when they are cancelled", async () => {
+  it("keep finished and best models when they are cancelled", async () => {
     const { page, problems, leave } = await visit(2, "trainings=4&iterations=400&fps=30");
     await page.getByTestId("train").click();
     await page.locator("[data-testid=run][data-state=done]").first().waitFor({ timeout: 90_000 });
@@ -159,7 +155,7 @@ describe("several trainings", () => {
     await leave();
   });
 
-  it("go on when the worker of one of them dies, and nothing else is lost", async () => {
+  it("continue when the worker of one of them dies", async () => {
     const { page, leave } = await visit(2, "trainings=3&iterations=400&fps=30");
     /** @type {import("playwright-core").Worker[]} */
     const workers = [];
@@ -184,14 +180,14 @@ describe("several trainings", () => {
     await leave();
   });
 
-  it("run side by side under different settings", async () => {
+  it("run side by side with different settings", async () => {
     const { page, problems, leave } = await visit(2, "trainings=1&iterations=4000&fps=60");
     const most = await watchRunning(page);
     await page.getByTestId("train").click();
     await page.getByTestId("setting-dynamicsIps").fill("8");
     await page.getByTestId("setting-dynamicsIps").press("Enter");
     await page.getByTestId("add").click();
-    // Both have come to something: without a bound there is no best.
+    // Both have a bound, so that there is a best.
     await page.waitForFunction(() => {
       const { runs } = /** @type {any} */ (document.querySelector("pg-training")).training;
       return runs.length === 2 && runs.every((/** @type {any} */ run) => run.steps.length > 0);
@@ -199,7 +195,7 @@ describe("several trainings", () => {
     await page.getByTestId("cancel").click();
     await trainIsBack(page);
     assert.equal(await most(), 2);
-    // The best is known once the models of both have arrived.
+    // The page knows the best when both models have arrived.
     await page.waitForFunction(() => document.querySelector("[data-testid=run] .best") !== null);
     const rows = await table(page);
     assert.deepEqual(
@@ -222,7 +218,7 @@ describe("several trainings", () => {
     await leave();
   });
 
-  it("let the sliders answer meanwhile", async () => {
+  it("do not block the sliders", async () => {
     const { page, problems, leave } = await visit(2, `trainings=2&${LONG}`);
     await page.getByTestId("train").click();
     await page.waitForFunction(
@@ -245,7 +241,7 @@ describe("several trainings", () => {
 });
 
 describe("the table of trainings", () => {
-  it("keeps a training under other settings beside the first, tells what differs, and can be cleared", async () => {
+  it("keeps trainings with different settings, shows the differences, and can be cleared", async () => {
     const { page, problems, leave } = await visit(2, "trainings=1&iterations=10&fps=15");
     await page.getByTestId("train").click();
     await page.locator("[data-testid=run][data-state=done]").waitFor({ timeout: 90_000 });

@@ -1,5 +1,4 @@
-// A page that is left in the middle of something: the next visit brings back what it held, when it is asked
-// for.
+// A page that is closed during a training: the next visit can bring back its work.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { bvh } from "./clips.mjs";
@@ -15,7 +14,7 @@ before(async () => {
 });
 after(() => site?.close());
 
-/** What the trainings of the page have come to. */
+/** The trainings of the page. */
 const runs = (/** @type {Page} */ page) =>
   page.locator("pg-training").evaluate((view) =>
     /** @type {any} */ (view).training.runs.map((/** @type {any} */ run) => ({
@@ -26,7 +25,7 @@ const runs = (/** @type {Page} */ page) =>
     })),
   );
 
-/** Enough for a page to be left on the way. */
+/** Enough to close the page during the training. */
 const ITERATIONS = 400;
 const SETTINGS = `trainings=1&iterations=${ITERATIONS}&fps=30&dynamics=16&poses=16`;
 
@@ -37,7 +36,7 @@ async function trained(/** @type {Page} */ page) {
 }
 
 describe("a page that is closed in the middle of a training", () => {
-  it("has clips and training again at a press, and ends in the same model as one that was never left", async () => {
+  it("has its clips and training again at a press, and ends in the same model as one that was never closed", async () => {
     const { page, problems, leave } = await site.visit({ settings: SETTINGS });
     await ready(page);
     await drop(page, { "mine.bvh": bvh() });
@@ -49,14 +48,14 @@ describe("a page that is closed in the middle of a training", () => {
     assert.equal(whole.iterations, ITERATIONS);
     await page.locator("pg-training").evaluate((view) => /** @type {any} */ (view).training.clear());
 
-    // The same again, and the page is left on the way. The model on the stage is in no list any more.
+    // The same again, and the page is closed during it. The model on the stage is in no list any more.
     await page.getByTestId("train").click();
     await page.getByTestId("unsaved-discard").click();
     await page.waitForFunction(() => {
       const { training } = /** @type {any} */ (document.querySelector("pg-training"));
-      const isOnTheWay = training.runs[0]?.steps.length > 10;
-      if (isOnTheWay) training.cancel();
-      return isOnTheWay;
+      const isUnderWay = training.runs[0]?.steps.length > 10;
+      if (isUnderWay) training.cancel();
+      return isUnderWay;
     });
     await page.getByTestId("continue").waitFor();
     const [stopped] = await runs(page);
@@ -76,14 +75,14 @@ describe("a page that is closed in the middle of a training", () => {
     const ended = await trained(page);
     assert.equal(ended.iterations, ITERATIONS);
     assert.equal(ended.bound, whole.bound);
-    // The seconds that it took are not the same.
+    // Only the seconds differ.
     const bare = (/** @type {string} */ text) => text.replace(/"seconds":[^,}]*/g, "");
     assert.equal(bare(ended.text), bare(whole.text));
     assert.deepEqual(problems, []);
     await leave();
   });
 
-  it("is forgotten when that is asked for", async () => {
+  it("is forgotten when the visitor says so", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
     await drop(page, { "mine.bvh": bvh() });

@@ -1,4 +1,4 @@
-// Train, cancel, own files, save and open: what a visitor does with their own data.
+// Train, cancel, open own files, save and open models.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { Clip, Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
@@ -19,7 +19,7 @@ const trained = async (/** @type {Page} */ page) =>
   Model.fromJson((await saved(page, "save-model")).text).info();
 const provenance = async (/** @type {Page} */ page) => (await trained(page)).provenance;
 
-/** Notes every iteration that the page ever shows; a short training may be over before one can look. */
+/** Records every iteration that the page shows, because a short training may end before a test can look. */
 async function watchIterations(/** @type {Page} */ page) {
   await page.evaluate(() => {
     const seen = /** @type {Set<number>} */ (new Set());
@@ -59,7 +59,7 @@ describe("training", () => {
     await leave();
   });
 
-  it("does not block the page, and keeps the best so far when it is cancelled", async () => {
+  it("does not block the page, and keeps its best model when it is cancelled", async () => {
     const { page, problems, leave } = await site.visit({
       moving: true,
       seen: true,
@@ -86,7 +86,7 @@ describe("training", () => {
 describe("after training", () => {
   const POOR = "trainings=1&seed=1&iterations=10&fps=15&latent=1&dynamics=2&poses=2";
 
-  it("says that a model stands still, and trains anew with more points", async () => {
+  it("says that a model stands still, and trains again with more points", async () => {
     const { page, problems, leave } = await site.visit({ settings: POOR });
     await ready(page);
     const health = page.getByTestId("health");
@@ -106,7 +106,7 @@ describe("after training", () => {
     await leave();
   });
 
-  it("goes on where it stopped, for as many iterations again", async () => {
+  it("continues where it stopped, for as many iterations again", async () => {
     const { page, problems, leave } = await site.visit({ settings: POOR });
     await ready(page);
     await page.getByTestId("train").click();
@@ -114,7 +114,7 @@ describe("after training", () => {
     const first = await provenance(page);
     const more = page.getByTestId("continue");
     assert.equal(await more.textContent(), "Continue, 10 more");
-    // Beside both buttons the words once had room for one of them a line.
+    // The status next to both buttons once had one word in each line.
     const room = await page.getByTestId("progress").evaluate((words) => words.getBoundingClientRect().width);
     assert.ok(room > 140, `${room} pixels for the words about the training`);
     await more.click();
@@ -151,7 +151,7 @@ describe("after training", () => {
 });
 
 describe("own files", () => {
-  it("trains on the frames of a dropped clip that were chosen", async () => {
+  it("trains on the chosen frames of a dropped clip", async () => {
     const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=10&fps=15" });
     await ready(page);
     const text = bvh();
@@ -175,10 +175,10 @@ describe("own files", () => {
     await leave();
   });
 
-  it("keeps what is unfolded with its clip, and a number of its cut until there is another", async () => {
+  it("keeps open rows with their clips, and the numbers of a cut", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
-    // A notice each, of a row too few.
+    // A notice for each clip with a missing row.
     const [one, other] = [bvh(0), bvh(1)].map((text) => text.replace("Frames: 60", "Frames: 61"));
     await drop(page, { "one.bvh": one ?? "", "other.bvh": other ?? "" });
     const row = (/** @type {string} */ name) =>
@@ -202,7 +202,7 @@ describe("own files", () => {
       await field.blur();
       assert.equal(await field.inputValue(), holds);
     }
-    // Ten frames stay: the handle goes back as often as it goes too far.
+    // Ten frames remain: the handle goes back each time.
     await page.getByRole("button", { name: "Show other" }).click();
     for (const frame of ["55", "58"]) {
       await page.getByTestId("trim-first").fill(frame);
@@ -212,7 +212,7 @@ describe("own files", () => {
     await leave();
   });
 
-  it("says in which line a dropped file is wrong, and loses nothing", async () => {
+  it("names the wrong line of a dropped file, and loses nothing", async () => {
     const { page, problems, leave } = await site.visit({ settings: "alpha=0.1:50" });
     await ready(page);
     const [model, motion] = [await saved(page, "save-model"), await saved(page, "save-motion")];
@@ -236,7 +236,7 @@ describe("own files", () => {
     await leave();
   });
 
-  it("opens a model that was saved: it moves as it did", async () => {
+  it("opens a saved model, which moves as before", async () => {
     const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=8&fps=15" });
     await ready(page);
     const [first, firstMotion] = [await saved(page, "save-model"), await saved(page, "save-motion")];
