@@ -1,5 +1,5 @@
-// The graphics Turing test: a simulated participant, a closed tab, keys and taps, the times of a trial, and the
-// analysis.
+// The graphics Turing test: a simulated participant, a closed tab, keys and taps, the times of a trial, and
+// the analysis.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
