@@ -15,7 +15,7 @@ use vcgpdm::models::{Body, with_bones_of};
 use vcgpdm::motion::Clip;
 use vcgpdm::motion::pose::RootStart;
 use vcgpdm_lab::evaluation::{Fold, Job, Outcome, Results, TrialClip};
-use vcgpdm_lab::perception::{Look, Maker, Preset, Shown, Study, TrialKind};
+use vcgpdm_lab::perception::{Look, Maker, Preset, Study, StudyMovement, TrialKind};
 
 /// Make a study of perceived naturalness: which of two movements, a natural and a generated one, is the more
 /// natural?
@@ -175,22 +175,28 @@ fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> 
         let trial = &setting.trials[number - 1].name;
         let body = fold.body();
         let positions = body.positions(fold.actual())?;
-        let shown = Shown { number: *number, trial, positions: &positions, frame_time: body.frame_time };
-        maker.natural(&shown, true)?;
+        let movement =
+            StudyMovement { number: *number, trial, positions: &positions, frame_time: body.frame_time };
+        maker.natural(&movement, true)?;
     }
     for (k, clip) in unseen.iter().enumerate() {
         let positions = unseen_positions(body, clip, &clips[0])?;
-        let shown =
-            Shown { number: k + 1, trial: &clip.name, positions: &positions, frame_time: body.frame_time };
-        maker.natural(&shown, false)?;
+        let movement = StudyMovement {
+            number: k + 1,
+            trial: &clip.name,
+            positions: &positions,
+            frame_time: body.frame_time,
+        };
+        maker.natural(&movement, false)?;
     }
     for (job, prediction) in predictions(&best, &folds, arguments)? {
         let Some(fold) = folds.get(&job.held_out) else { continue };
         let body = fold.body();
         let (positions, outcome) = prediction;
         let trial = &setting.trials[job.held_out - 1].name;
-        let shown = Shown { number: job.held_out, trial, positions: &positions, frame_time: body.frame_time };
-        maker.generated(&shown, &job.candidate, job.seed, &outcome)?;
+        let movement =
+            StudyMovement { number: job.held_out, trial, positions: &positions, frame_time: body.frame_time };
+        maker.generated(&movement, &job.candidate, job.seed, &outcome)?;
     }
     let title = arguments.title.clone().unwrap_or_else(|| "Which movement is more natural?".to_owned());
     let look = Look::Figure;

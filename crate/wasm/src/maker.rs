@@ -8,7 +8,7 @@ use crate::study::{Study, look, preset};
 use serde::Deserialize;
 use vcgpdm::models::Settings;
 use vcgpdm_lab::evaluation::{Outcome, START_FRAMES};
-use vcgpdm_lab::perception::{Maker, Shown};
+use vcgpdm_lab::perception::{Maker, StudyMovement};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -62,7 +62,7 @@ impl StudyMaker {
         seen: bool,
     ) -> Result<(), VcgpdmError> {
         let MadeMovement { trial, name, frame_time } = from_js(ErrorCode::Study, "the movement", &movement)?;
-        let shown = Shown { number: trial, trial: &name, positions, frame_time };
+        let shown = StudyMovement { number: trial, trial: &name, positions, frame_time };
         Ok(self.maker.natural(&shown, seen)?)
     }
 
@@ -81,7 +81,7 @@ impl StudyMaker {
         let candidate: Settings = from_js(ErrorCode::Study, "the candidate", &candidate)?;
         let outcome: Outcome = from_js(ErrorCode::Study, "the outcome", &outcome)?;
         let seed = seed.get(ErrorCode::Study, "the seed")?;
-        let shown = Shown { number: trial, trial: &name, positions, frame_time };
+        let shown = StudyMovement { number: trial, trial: &name, positions, frame_time };
         Ok(self.maker.generated(&shown, &candidate, seed, &outcome)?)
     }
 

@@ -1,9 +1,9 @@
-//! From answers to what they say about the models and their scores.
+//! Analysis of answers: rates of the models, and their prediction from scores.
 
 use crate::evaluation::stats::mean;
 use crate::perception::answers::Answer;
 use crate::perception::beta::Rate;
-use crate::perception::counted::{Counted, settings};
+use crate::perception::counts::{Counted, settings};
 use crate::perception::ordering::ordering;
 use crate::perception::participants::participants;
 use crate::perception::power::{trials_for_precision, trials_to_tell};
@@ -18,11 +18,11 @@ use crate::perception::validation::log_bayes_factor;
 use thiserror::Error;
 use vcgpdm::models::ModelKind;
 
-/// Fewer settings make no curve.
+/// Fewest settings of a curve.
 const FEWEST_SETTINGS: usize = 3;
-/// Points of a drawn curve.
+/// Number of points of a drawn curve.
 const CURVE: usize = 61;
-/// Orders that are less likely are not listed.
+/// Orders with a smaller probability are not listed.
 const UNLIKELY: f64 = 1e-3;
 
 /// Why answers cannot be analysed.
@@ -32,25 +32,23 @@ pub enum AnalysisError {
     /// An option out of its range.
     #[error("the {what}: expected {expected}, found {found}")]
     Option {
-        /// Which one.
+        /// The option.
         what: &'static str,
         /// Its range.
         expected: &'static str,
-        /// What was asked for.
+        /// The value found.
         found: f64,
     },
-    /// Nobody is left.
-    #[error(
-        "expected an answered comparison of a participant who saw through the attention checks, found none"
-    )]
+    /// No participant is left.
+    #[error("expected an answered comparison of a participant who passed the attention checks, found none")]
     Empty,
 }
 
 impl PerceptionResults {
-    /// What these answers to the study say.
+    /// The results of these answers to the study.
     ///
     /// # Errors
-    /// An option is out of its range, or nobody is left who answered a comparison.
+    /// An option is out of its range, or no participant is left who answered a comparison.
     pub fn new(study: &Study, answers: &[Answer], options: AnalysisOptions) -> Result<Self, AnalysisError> {
         check(&options)?;
         let participants = participants(study, answers, options.attention);
@@ -109,14 +107,14 @@ fn check(options: &AnalysisOptions) -> Result<(), AnalysisError> {
     Ok(())
 }
 
-/// The setting of each kind whose rate is the highest.
+/// The setting of each kind with the highest rate.
 fn best(settings: &[SettingResult]) -> Vec<Best> {
     let of_kind = |kind: ModelKind| {
         let rated = settings.iter().enumerate().filter(|(_, setting)| setting.model == kind);
         let rated = rated.filter_map(|(place, setting)| Some((place, setting, setting.confusion?)));
         let (setting, result, confusion) = rated.max_by(|a, b| {
             let order = a.2.mean.total_cmp(&b.2.mean).then(a.2.trials.cmp(&b.2.trials));
-            // Of equal ones the first.
+            // The first of equal ones.
             order.then(b.0.cmp(&a.0))
         })?;
         Some(Best { model: kind, setting, label: result.label.clone(), confusion })
@@ -130,8 +128,8 @@ fn regressions(settings: &[SettingResult], options: &AnalysisOptions) -> Vec<Reg
     pairs.filter_map(|(kind, score)| regression(settings, kind, score, options)).collect()
 }
 
-/// How a score predicts the rates of a kind's settings; absent where too few have it, or it is the same for
-/// all.
+/// The prediction of the rates of a kind's settings from a score; absent if too few settings have the score, or
+/// if it is the same for all.
 fn regression(
     settings: &[SettingResult],
     model: Option<ModelKind>,
@@ -186,7 +184,7 @@ mod tests {
     use crate::perception::stimulus::Generated;
     use crate::perception::testing::{answers, study};
 
-    /// What some participants' answers say: `blind` of them do not look.
+    /// The results of some participants, of which `blind` do not look.
     fn results(count: u32, blind: u32, rate: &dyn Fn(&Generated) -> f64) -> PerceptionResults {
         let study = study().with_preset(Preset::P3Part1);
         let texts: Vec<(String, String)> = (0..count)
@@ -202,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn observers_who_follow_a_score_are_found_out() {
+    fn finds_the_score_that_observers_follow() {
         // Of the standardised test MSE of all settings.
         let mse: Vec<f64> = (0..9).map(|k| 0.2 * (f64::from(k) + 1.5)).collect();
         let centre = mean(&mse);
@@ -222,7 +220,7 @@ mod tests {
         assert_eq!(found.all.trials, 4 * 620);
         assert_eq!(found.settings.len(), 9);
         assert_eq!(found.settings.iter().map(|s| s.confusion.unwrap().trials).sum::<usize>(), 4 * 620);
-        // The failed one is none of its setting's movements.
+        // A failed movement does not count for its setting.
         assert!(found.settings.iter().all(|s| s.movements == 2));
         assert_eq!(found.settings.iter().map(|s| s.failed).sum::<usize>(), 1);
         let of_all = |score: ScoreKind| {
@@ -236,7 +234,7 @@ mod tests {
         }
         assert!(all.log_bayes_factor.unwrap() > 5.0, "{all:?}");
         assert_eq!((all.curve.len(), all.curve[0].0), (CURVE, mse[0]));
-        // Of three settings or more of a kind; of two there is no curve.
+        // A curve needs three settings of a kind.
         let kinds: Vec<_> =
             found.regressions.iter().filter(|r| r.score == ScoreKind::Pose).map(|r| r.model).collect();
         assert_eq!(kinds, [Some(ModelKind::Vgpdm), None]);
@@ -254,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn scores_that_say_nothing_have_no_weight() {
+    fn gives_scores_without_information_no_weight() {
         let found = results(4, 0, &|_| 0.3);
         for r in &found.regressions {
             let factor = r.log_bayes_factor.unwrap();
@@ -275,7 +273,7 @@ mod tests {
     }
 
     #[test]
-    fn nobody_left_and_odd_options_are_refused() {
+    fn refuses_answers_without_participants_and_odd_options() {
         let study = study();
         let text = answers(&study, "p", 1, true, &|_| 0.3);
         let found = read(&study, &[AnswerFile { name: "p", text: &text }]).unwrap();

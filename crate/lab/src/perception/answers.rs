@@ -1,44 +1,44 @@
-//! What participants answered: the files that jsPsych writes, with our columns.
+//! Answers of participants: files that jsPsych writes, with our columns.
 
 use crate::perception::csv::{CsvError, rows};
 use crate::perception::study::Study;
 use crate::perception::trials::{NaturalSide, TrialKind};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use thiserror::Error;
 use vcgpdm::internals::json::{Field, FieldError, JsonError, Value, parse};
 
-/// More bytes than thousands of trials have.
+/// Largest file; thousands of trials are smaller.
 const MOST_BYTES: usize = 64 << 20;
 
 /// A file of answers.
 #[derive(Clone, Copy, Debug)]
 pub struct AnswerFile<'a> {
-    /// What it is called.
+    /// The name of the file.
     pub name: &'a str,
-    /// What it holds: CSV or JSON.
+    /// Its text: CSV or JSON.
     pub text: &'a str,
 }
 
 /// One answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
-    /// Who answered.
+    /// The participant.
     pub participant: String,
     /// The number of the trial in the file.
     pub trial_index: usize,
-    /// What it is for.
+    /// The kind of trial.
     pub kind: TrialKind,
-    /// The place of the stimulus on the left.
+    /// The index of the stimulus on the left.
     pub left: usize,
-    /// The place of the stimulus on the right.
+    /// The index of the stimulus on the right.
     pub right: usize,
-    /// Whether the left one was found the more natural; absent without an answer.
+    /// Whether the participant chose the left movement; absent without an answer.
     pub chose_left: Option<bool>,
-    /// From the start of the movements to the answer, in milliseconds; absent where it is not known.
+    /// From the start of the movements to the answer, in milliseconds; absent if unknown.
     pub rt: Option<f64>,
-    /// How long after each other the movements started, in milliseconds; absent where it is not known.
+    /// Time between the starts of the two movements, in milliseconds; absent if unknown.
     pub started_apart_ms: Option<f64>,
-    /// How long they lasted, in milliseconds; absent where it is not known.
+    /// Duration of the movements, in milliseconds; absent if unknown.
     pub lasted_ms: Option<f64>,
 }
 
@@ -48,57 +48,57 @@ pub struct Answer {
 pub struct AnswersError {
     /// The file.
     pub file: String,
-    /// What is wrong.
+    /// The reason.
     pub reason: AnswersReason,
 }
 
-/// What is wrong with answers.
+/// The reason why answers cannot be read.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum AnswersReason {
-    /// Larger than any file of answers.
+    /// The file is too large.
     #[error("expected at most {} megabytes, found {found} bytes", MOST_BYTES >> 20)]
     Size {
         /// Bytes found.
         found: usize,
     },
-    /// No table.
+    /// The text is not a table.
     #[error(transparent)]
     Csv(CsvError),
-    /// Not JSON.
+    /// The text is not JSON.
     #[error(transparent)]
     Json(JsonError),
-    /// JSON, but no list of answers.
+    /// The JSON is not a list of answers.
     #[error(transparent)]
     Field(FieldError),
     /// A column is missing.
     #[error("expected a column \"{0}\", found none")]
     Column(&'static str),
-    /// A value that cannot be.
+    /// A value is impossible.
     #[error("{place}, {column}: expected {expected}, found {found:?}")]
     Value {
-        /// Where: a line or an answer.
+        /// The line or the answer.
         place: String,
         /// The column.
         column: &'static str,
-        /// What was expected.
+        /// The expectation.
         expected: String,
-        /// What was found.
+        /// The value found.
         found: String,
     },
-    /// The same trial of the same participant again.
+    /// A trial of a participant comes twice.
     #[error(
         "{place}: expected every trial of a participant once, found trial {trial} of {participant:?} twice"
     )]
     Twice {
-        /// Where the second stands.
+        /// The line or the answer of the second.
         place: String,
         /// The trial's number.
         trial: usize,
-        /// Who.
+        /// The participant.
         participant: String,
     },
-    /// No answer at all.
+    /// The file has no answer.
     #[error("expected answers to comparisons, found none")]
     Empty,
 }
@@ -106,7 +106,7 @@ pub enum AnswersReason {
 /// The answers of several files.
 ///
 /// # Errors
-/// A file is no table or list of answers, or its answers are not to this study.
+/// A file is neither a table nor a list of answers, or its answers are of another study.
 pub fn read(study: &Study, files: &[AnswerFile]) -> Result<Vec<Answer>, AnswersError> {
     let hash = study.hash().unwrap_or_default();
     let reader = Reader {
@@ -115,7 +115,7 @@ pub fn read(study: &Study, files: &[AnswerFile]) -> Result<Vec<Answer>, AnswersE
         places: study.stimuli.iter().enumerate().map(|(k, stimulus)| (stimulus.id.as_str(), k)).collect(),
     };
     let mut answers: Vec<Answer> = Vec::new();
-    let mut known: HashMap<(String, usize), ()> = HashMap::new();
+    let mut seen: HashSet<(String, usize)> = HashSet::new();
     for file in files {
         let about = |reason| AnswersError { file: file.name.to_owned(), reason };
         let found = reader.file(file).map_err(about)?;
@@ -124,7 +124,7 @@ pub fn read(study: &Study, files: &[AnswerFile]) -> Result<Vec<Answer>, AnswersE
         }
         for (place, answer) in found {
             let Answer { participant, trial_index: trial, .. } = &answer;
-            if known.insert((participant.clone(), *trial), ()).is_some() {
+            if !seen.insert((participant.clone(), *trial)) {
                 let (trial, participant) = (*trial, participant.clone());
                 return Err(about(AnswersReason::Twice { place, trial, participant }));
             }
@@ -140,14 +140,14 @@ struct Reader<'a> {
     places: HashMap<&'a str, usize>,
 }
 
-/// One row of a table or list: the texts of its fields by name.
+/// The fields of one row of a table, or of one item of a list, by name.
 struct Fields<'a> {
     place: String,
     get: &'a dyn Fn(&str) -> Option<String>,
 }
 
 impl Fields<'_> {
-    /// The text of that field; absent where there is none, or nothing in it.
+    /// The text of a field; absent if there is no such field, or if it is empty.
     fn text(&self, name: &str) -> Option<String> {
         (self.get)(name).map(|text| text.trim().to_owned()).filter(|text| !text.is_empty() && text != "null")
     }
@@ -157,7 +157,7 @@ impl Fields<'_> {
         AnswersReason::Value { place: self.place.clone(), column, expected: expected.to_owned(), found }
     }
 
-    /// A number from 0, where there is one.
+    /// A number from 0; absent if the field is empty.
     fn number(&self, column: &'static str) -> Result<Option<f64>, AnswersReason> {
         let Some(text) = self.text(column) else { return Ok(None) };
         match text.parse::<f64>() {
@@ -225,7 +225,7 @@ impl Reader<'_> {
         Ok(answers)
     }
 
-    /// The answer of a row; none where it is no trial of the study, but a page of instructions or a pause.
+    /// The answer of a row; none for rows of instructions and pauses.
     fn answer(&self, file: &str, fields: &Fields) -> Result<Option<Answer>, AnswersReason> {
         let Some(kind) = fields.text("kind") else { return Ok(None) };
         let Some(kind) = TrialKind::from_id(&kind) else {
@@ -266,15 +266,15 @@ impl Reader<'_> {
         }))
     }
 
-    /// A stimulus by its id, or by its place in the study.
+    /// The index of a stimulus, from its id or its index in the study.
     fn stimulus(&self, fields: &Fields, column: &'static str) -> Result<usize, AnswersReason> {
         let text = fields.text(column);
         let by_id = text.as_deref().and_then(|id| self.places.get(id).copied());
-        let by_place = || text.as_deref()?.parse().ok().filter(|place| *place < self.study.stimuli.len());
-        by_id.or_else(by_place).ok_or_else(|| fields.wrong(column, "a movement of the study", text.clone()))
+        let by_index = || text.as_deref()?.parse().ok().filter(|index| *index < self.study.stimuli.len());
+        by_id.or_else(by_index).ok_or_else(|| fields.wrong(column, "a movement of the study", text.clone()))
     }
 
-    /// Whether the movements are those of such a trial, on the sides that the row says.
+    /// Checks that a trial of this kind can have these movements, and the side of the natural one.
     fn check_kind(
         &self,
         fields: &Fields,
@@ -289,7 +289,7 @@ impl Reader<'_> {
             (TrialKind::Comparison | TrialKind::Attention, [None, Some(_)]) => NaturalSide::Right,
             _ => {
                 let expected = match kind {
-                    TrialKind::Catch => "two natural movements, of which one was kept",
+                    TrialKind::Catch => "two natural movements, of which one is unseen",
                     _ => "a natural and a generated movement",
                 };
                 let ids = [left, right].map(|k| self.study.stimuli[k].id.as_str()).join(" and ");
@@ -324,7 +324,7 @@ mod tests {
         answers(&study(), "p1", 4, true, &|_| 0.4)
     }
 
-    /// What the reader says to a CSV with this in the place of that, once.
+    /// The error after the first `from` in the CSV is replaced.
     fn refused(from: &str, to: &str) -> String {
         let text = csv();
         assert!(text.contains(from), "{from}");
@@ -332,7 +332,7 @@ mod tests {
     }
 
     #[test]
-    fn what_jspsych_writes_is_read() {
+    fn reads_files_of_jspsych() {
         let found = read_text(&csv()).unwrap();
         assert_eq!(found.len(), 60);
         let trials = study().trials(4);
@@ -341,7 +341,7 @@ mod tests {
             assert_eq!((answer.participant.as_str(), answer.rt), ("p1", Some(4100.5)));
             assert!(answer.chose_left.is_some());
         }
-        // The same as JSON, as it is and as a document, with places instead of ids.
+        // The same as JSON, as a list and as a document, with indices instead of ids.
         let rows: Vec<serde_json::Value> = found
             .iter()
             .map(|a| {
@@ -371,7 +371,7 @@ mod tests {
     }
 
     #[test]
-    fn no_answer_is_none() {
+    fn reads_trials_without_an_answer() {
         let text = csv();
         let (header, rows) = text.split_once("\r\n").unwrap();
         let rows = rows.replace("\"left\"", "\"null\"").replace("\"right\"", "\"\"");
@@ -382,7 +382,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_named_with_its_line() {
+    fn names_the_line_of_an_error() {
         let title = study().title;
         let hash = study().hash().unwrap();
         assert!(read_text(&csv().replace(&hash, &title)).is_ok());
@@ -395,7 +395,7 @@ mod tests {
         assert!(kind.contains("kind: expected comparison, attention or catch, found \"test\""), "{kind}");
         let kind = refused("\"comparison\"", "\"catch\"");
         assert!(
-            kind.contains("kind: expected two natural movements, of which one was kept, found \""),
+            kind.contains("kind: expected two natural movements, of which one is unseen, found \""),
             "{kind}"
         );
         let index = refused("\"side-by-side\",\"1\"", "\"side-by-side\",\"x\"");

@@ -1,4 +1,4 @@
-//! What so many answers of so many say about a rate: exact sums over binomial terms.
+//! The posterior of a rate: exact sums over binomial terms.
 
 use serde::Serialize;
 use vcgpdm::internals::Elementary;
@@ -6,14 +6,14 @@ use vcgpdm::internals::Elementary;
 /// The posterior of a rate after `hits` of `trials`, from a uniform prior: beta(1 + hits, 1 + trials - hits).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Rate {
-    /// How often it happened.
+    /// Number of hits.
     pub hits: usize,
-    /// Of so many.
+    /// Number of trials.
     pub trials: usize,
 }
 
 impl Rate {
-    /// After `hits`, at most `trials`, of `trials`.
+    /// The rate of `hits`, at most `trials`, in `trials`.
     pub fn new(hits: usize, trials: usize) -> Self {
         Self { hits: hits.min(trials), trials }
     }
@@ -37,11 +37,11 @@ impl Rate {
 
     /// The posterior probability that the rate is below `x`.
     pub fn below(self, x: f64) -> f64 {
-        // As often as one more trial than there were has more hits, were the rate x.
+        // P(rate < x) is the probability of more than `hits` hits in one more trial at the rate x.
         1.0 - at_most(self.hits, self.trials + 1, x)
     }
 
-    /// The value below which the rate lies with this posterior probability.
+    /// The value that exceeds the rate with this posterior probability.
     pub fn quantile(self, probability: f64) -> f64 {
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..50 {
@@ -51,24 +51,24 @@ impl Rate {
         0.5 * (low + high)
     }
 
-    /// The probability that the rate is exactly one half, when that was as likely before as any other rate,
-    /// all of which were equally likely.
+    /// The posterior probability that the rate is exactly one half. The prior gives one half the probability 1/2,
+    /// and the other rates a uniform density.
     pub fn is_half(self) -> f64 {
         let half = terms(self.trials, 0.5).get(self.hits).copied().unwrap_or(0.0);
-        // Any number of hits is equally likely where the rate is uniform.
+        // With a uniform rate, all numbers of hits are equally likely.
         let other = 1.0 / (self.trials as f64 + 1.0);
         half / (half + other)
     }
 }
 
-/// The probability of every number of hits in `trials` at that rate.
+/// The probability of each number of hits in `trials` at this rate.
 pub(super) fn terms(trials: usize, rate: f64) -> Vec<f64> {
     if rate <= 0.0 || rate >= 1.0 {
         let sure = if rate <= 0.0 { 0 } else { trials };
         return (0..=trials).map(|hits| f64::from(u8::from(hits == sure))).collect();
     }
     let odds = (rate / (1.0 - rate)).logarithm();
-    // As logarithms: the first is too small for a number where there are many trials.
+    // Logarithms: with many trials the first probability is too small for an f64.
     let mut term = trials as f64 * (1.0 - rate).logarithm();
     let mut all = Vec::with_capacity(trials + 1);
     for hits in 0..=trials {
@@ -78,7 +78,7 @@ pub(super) fn terms(trials: usize, rate: f64) -> Vec<f64> {
     all
 }
 
-/// The probability of at most so many hits in `trials` at that rate.
+/// The probability of at most `hits` hits in `trials` at this rate.
 fn at_most(hits: usize, trials: usize, rate: f64) -> f64 {
     terms(trials, rate).iter().take(hits + 1).sum::<f64>().min(1.0)
 }
@@ -89,14 +89,14 @@ mod tests {
     use approx::assert_relative_eq;
 
     #[test]
-    fn by_hand() {
+    fn computes_the_posterior_as_by_hand() {
         let rate = Rate::new(1, 2);
         // beta(2, 2): mean 1/2, variance 1/20, density 6 x (1 - x).
         assert_relative_eq!(rate.mean(), 0.5);
         assert_relative_eq!(rate.deviation(), 0.05_f64.sqrt());
         assert_relative_eq!(rate.below(0.25), 3.0 / 16.0 - 2.0 / 64.0, epsilon = 1e-12);
         assert_relative_eq!(rate.quantile(0.5), 0.5, epsilon = 1e-9);
-        // Half the coins show one head in two; one in three numbers of heads is it.
+        // Two coins show one head with probability 1/2; a uniform rate with 1/3.
         assert_relative_eq!(rate.is_half(), 0.5 / (0.5 + 1.0 / 3.0), epsilon = 1e-12);
         assert_relative_eq!(at_most(1, 3, 0.5), 0.5, epsilon = 1e-12);
         assert_eq!((at_most(0, 3, 0.0), at_most(2, 3, 1.0)), (1.0, 0.0));
@@ -104,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn many_trials_neither_overflow_nor_vanish() {
+    fn many_trials_neither_overflow_nor_underflow() {
         let rate = Rate::new(50_000, 100_000);
         assert_relative_eq!(rate.below(0.5), 0.5, epsilon = 1e-6);
         assert_relative_eq!(rate.below(rate.quantile(0.975)), 0.975, epsilon = 1e-9);
@@ -113,7 +113,7 @@ mod tests {
 
     /// Knopp et al. (2019), section 4.1.
     #[test]
-    fn the_papers_catch_trials() {
+    fn gives_the_result_of_the_papers_catch_trials() {
         assert!((Rate::new(72, 162).is_half() - 0.79).abs() < 0.005, "{}", Rate::new(72, 162).is_half());
     }
 }

@@ -1,24 +1,23 @@
-//! How many trials of which kind a participant is shown.
+//! The numbers of trials of a participant.
 
-/// How many trials of which kind a participant is shown, and in how many blocks.
+/// The numbers of trials of a participant, by kind, and of blocks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Design {
-    /// Blocks of about equally many trials, with pauses between.
+    /// Number of blocks of about equal length, with pauses between them.
     pub blocks: usize,
-    /// Trials of a generated beside a natural movement, spread over the settings of the models as evenly as
-    /// can be.
+    /// Trials of a generated and a natural movement, spread over the settings of the models as evenly as
+    /// possible.
     pub comparisons: usize,
-    /// Trials of an obviously failed movement beside a natural one; none where the study has no failed
-    /// movement.
+    /// Trials of an obviously failed and a natural movement; none if the study has no failed movement.
     pub attention_checks: usize,
-    /// Trials of a natural movement that no model was trained on beside one that was, in the last quarter;
-    /// none where the study has none.
+    /// Trials of two natural movements, of which only one was used for training, in the last quarter; none if
+    /// the study has no unseen movement.
     pub catch_trials: usize,
     /// The shortest pause between blocks, in seconds.
     pub pause_seconds: usize,
-    /// Whether an answer is taken while the movements go on, which ends the trial.
+    /// Whether participants can answer during the movements, which ends the trial.
     pub answer_during_movement: bool,
-    /// With the participant's, the seed of everything random.
+    /// Together with the participant's seed, the seed of everything random.
     pub seed: u32,
 }
 
@@ -49,12 +48,12 @@ impl Preset {
         }
     }
 
-    /// The preset of that name.
+    /// The preset of this name.
     pub fn from_id(id: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|preset| preset.id() == id)
     }
 
-    /// Its trials.
+    /// Its numbers of trials.
     pub fn design(self, seed: u32) -> Design {
         let (blocks, comparisons, attention_checks, catch_trials, pause_seconds) = match self {
             Preset::Class => (1, 52, 4, 4, 0),
@@ -74,7 +73,7 @@ impl Preset {
         }
     }
 
-    /// Seconds of the movements, and of the cross before them.
+    /// Seconds of the movements, and of the cross before each trial.
     pub fn seconds(self) -> (f64, f64) {
         match self {
             Preset::P2 => (1.8, 1.0),
@@ -88,7 +87,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn presets_have_the_trials_of_the_papers() {
+    fn gives_the_numbers_of_trials_of_the_papers() {
         let total = |preset: Preset| {
             let design = preset.design(0);
             assert_eq!(Preset::from_id(preset.id()), Some(preset));

@@ -3,14 +3,14 @@
 use crate::perception::error::{MOST_BYTES, StudyError};
 use crate::perception::read;
 use crate::perception::study::Study;
-use crate::perception::write::{document, shown};
+use crate::perception::write::{content, document};
 use vcgpdm::internals::json::{NotFinite, Value, parse, write};
 
 impl Study {
-    /// Reads a document; nothing but a whole and consistent study is accepted.
+    /// Reads a document. Every field is checked.
     ///
     /// # Errors
-    /// The text is not such a document, with the path of the field that is wrong.
+    /// The text is not a study. The error names the path of the wrong field.
     pub fn from_json(text: &str) -> Result<Self, StudyError> {
         if text.len() > MOST_BYTES {
             return Err(StudyError::Size { found: text.len() });
@@ -21,18 +21,18 @@ impl Study {
     /// The study as a JSON document.
     ///
     /// # Errors
-    /// It holds a number that is not finite.
+    /// A number is not finite.
     pub fn to_json(&self) -> Result<String, StudyError> {
         text(&document(self))
     }
 
-    /// SHA-256 of what is shown, in lower-case hexadecimal: of the figure and the movements, their models and
-    /// scores, not of the design, the texts and the marks of failures. Answers name the study by it.
+    /// SHA-256 of the figure and the movements with their models and scores, in lower-case hexadecimal; not of the
+    /// design, the texts and the marks of failures. Answers name the study by this hash.
     ///
     /// # Errors
-    /// It holds a number that is not finite.
+    /// A number is not finite.
     pub fn hash(&self) -> Result<String, StudyError> {
-        Ok(vcgpdm::internals::sha256(text(&shown(self))?.as_bytes()))
+        Ok(vcgpdm::internals::sha256(text(&content(self))?.as_bytes()))
     }
 }
 

@@ -1,4 +1,4 @@
-//! Random choices that are the same on every machine.
+//! Random choices, the same on every machine.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -11,13 +11,13 @@ impl Draw {
         Self(ChaCha8Rng::seed_from_u64((u64::from(first) << 32) | u64::from(second)))
     }
 
-    /// A whole number from 0 up to, but not including, `end`; 0 where that is 0.
+    /// A whole number from 0 to `end` - 1; 0 if `end` is 0.
     pub fn below(&mut self, end: usize) -> usize {
-        // The share of too few bits is far below any count of trials: 2^32 of 2^64.
+        // The numbers differ in probability by at most 2^-32, which no experiment can notice.
         ((u128::from(self.0.next_u64()) * end as u128) >> 64) as usize
     }
 
-    /// Every order equally likely.
+    /// Shuffles the items; every order has the same probability.
     pub fn shuffle<T>(&mut self, items: &mut [T]) {
         for end in (1..items.len()).rev() {
             let other = self.below(end + 1);
@@ -25,17 +25,16 @@ impl Draw {
         }
     }
 
-    /// `count` items: each once in random order, then each once again, and so on; none where there are no
-    /// items.
-    pub fn dealt<T: Copy>(&mut self, items: &[T], count: usize) -> Vec<T> {
-        let mut dealt = Vec::with_capacity(count);
-        while dealt.len() < count && !items.is_empty() {
+    /// `count` items: all in random order, then all again in another random order, and so on.
+    pub fn deal<T: Copy>(&mut self, items: &[T], count: usize) -> Vec<T> {
+        let mut result = Vec::with_capacity(count);
+        while result.len() < count && !items.is_empty() {
             let mut deck = items.to_vec();
             self.shuffle(&mut deck);
-            deck.truncate(count - dealt.len());
-            dealt.extend(deck);
+            deck.truncate(count - result.len());
+            result.extend(deck);
         }
-        dealt
+        result
     }
 }
 
@@ -44,16 +43,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn decks_are_dealt_evenly_and_the_same_from_the_same_seed() {
-        let dealt = Draw::new(1, 2).dealt(&[10, 11, 12], 8);
-        assert_eq!(dealt, Draw::new(1, 2).dealt(&[10, 11, 12], 8));
-        assert_ne!(dealt, Draw::new(1, 3).dealt(&[10, 11, 12], 8));
+    fn deals_items_evenly_and_the_same_from_the_same_seed() {
+        let dealt = Draw::new(1, 2).deal(&[10, 11, 12], 8);
+        assert_eq!(dealt, Draw::new(1, 2).deal(&[10, 11, 12], 8));
+        assert_ne!(dealt, Draw::new(1, 3).deal(&[10, 11, 12], 8));
         for round in dealt.chunks_exact(3) {
             let mut round = round.to_vec();
             round.sort_unstable();
             assert_eq!(round, [10, 11, 12]);
         }
-        assert!(Draw::new(0, 0).dealt::<usize>(&[], 5).is_empty());
+        assert!(Draw::new(0, 0).deal::<usize>(&[], 5).is_empty());
         let mut counts = [0; 5];
         let mut draw = Draw::new(7, 7);
         (0..10_000).for_each(|_| counts[draw.below(5)] += 1);

@@ -5,34 +5,34 @@ use vcgpdm::internals::json::{FieldError, HeadingError, JsonError};
 
 /// The field "format" of a study's document.
 pub(super) const FORMAT: &str = "vcgpdm study";
-/// Raised whenever an older program could no longer read the document.
+/// The version of the document. It is raised when older programs cannot read the document any more.
 pub(super) const VERSION: usize = 1;
-/// More bytes than thousands of movements at 60 frames a second.
+/// Largest document; thousands of movements at 60 frames a second are smaller.
 pub(super) const MOST_BYTES: usize = 64 << 20;
 
 /// Why a text is not a study, or a study cannot be shown.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum StudyError {
-    /// Larger than any study.
+    /// The document is too large.
     #[error("expected a study of at most {} megabytes, found {found} bytes", MOST_BYTES >> 20)]
     Size {
         /// Bytes found.
         found: usize,
     },
-    /// Not JSON.
+    /// The text is not JSON.
     #[error("expected a study as JSON: {0}")]
     Json(JsonError),
-    /// JSON, but something else.
+    /// The JSON is another document.
     #[error("expected a study with \"format\": \"{FORMAT}\", found {found}")]
     Format {
-        /// What the document says it is.
+        /// The format of the document.
         found: String,
     },
-    /// From a later program.
+    /// A newer version wrote the document.
     #[error("expected a study of version {VERSION}, found version {found}; a newer program wrote it")]
     Version {
-        /// What the document says.
+        /// The version of the document.
         found: usize,
     },
     /// A field is missing, of the wrong type or out of its range.
@@ -40,13 +40,13 @@ pub enum StudyError {
     Field {
         /// The field's path.
         path: String,
-        /// What was expected and found.
+        /// The expectation, and the value found.
         message: String,
     },
     /// A number that JSON cannot hold.
     #[error("the study cannot be written: expected finite numbers, found {0}")]
     NotFinite(f64),
-    /// There is no such movement.
+    /// There is no movement of this id.
     #[error("expected a movement of the study, found {0}")]
     Stimulus(String),
 }

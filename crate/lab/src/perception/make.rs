@@ -1,4 +1,4 @@
-//! A study from movements: natural ones, and what models made of the trials held out.
+//! Makes a study of natural movements and of predictions of models.
 
 use crate::evaluation::Outcome;
 use crate::perception::design::Preset;
@@ -13,33 +13,33 @@ use vcgpdm::motion::Skeleton;
 use vcgpdm::motion::landmarks::Landmarks;
 use vcgpdm::motion::stage::STAGE_HEIGHT;
 
-/// Metres of the whole numbers in which places are kept: a quarter of a pixel of a figure 400 pixels high.
+/// Unit of the stored positions in metres: a quarter of a pixel of a figure 400 pixels high.
 const UNIT: f64 = 0.001;
-/// Evaluations of at least so many frames a second become studies of 60, others of 30.
+/// From this number of frames a second on, a study has 60 frames a second, otherwise 30.
 const FAST: f64 = 45.0;
 
 /// Why a movement cannot be part of a study.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[error("{id}: {reason}")]
 pub struct MakerError {
-    /// What the movement would be called.
+    /// The id of the movement.
     pub id: String,
-    /// What is wrong with it.
+    /// The reason.
     pub reason: MakerReason,
 }
 
-/// What is wrong with a movement.
+/// The reason why a movement cannot be part of a study.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum MakerReason {
     /// It cannot be shown.
     #[error(transparent)]
     Staging(#[from] StagingError),
-    /// It cannot be kept.
+    /// It cannot be stored.
     #[error(transparent)]
     Movement(#[from] MovementError),
-    /// Its places are of another body.
-    #[error("expected places of {expected} nodes in every frame, found {found} numbers")]
+    /// Its positions are of another body.
+    #[error("expected positions of {expected} nodes in every frame, found {found} numbers")]
     Nodes {
         /// Nodes of the body.
         expected: usize,
@@ -48,20 +48,20 @@ pub enum MakerReason {
     },
 }
 
-/// A recorded movement of its own, or the trial that a model predicted.
+/// A recorded movement, or the prediction of a trial.
 #[derive(Clone, Copy, Debug)]
-pub struct Shown<'a> {
+pub struct StudyMovement<'a> {
     /// The number of the trial, counted from 1.
     pub number: usize,
-    /// What it is called.
+    /// The name of the trial.
     pub trial: &'a str,
-    /// Places [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
+    /// Positions [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
     pub positions: &'a [f32],
     /// Seconds from one frame to the next.
     pub frame_time: f64,
 }
 
-/// A study that is being made.
+/// Collects the movements of a study.
 #[derive(Clone, Debug)]
 pub struct Maker {
     skeleton: Skeleton,
@@ -72,39 +72,39 @@ pub struct Maker {
     made: Vec<Made>,
 }
 
-/// A generated stimulus, by its place: what decides whether another seed takes it.
+/// A generated stimulus with the outcome that decides whether another seed replaces it.
 #[derive(Clone, Debug)]
 struct Made {
-    place: usize,
+    index: usize,
     trial: usize,
     outcome: Outcome,
 }
 
 impl Maker {
-    /// Of movements of this body, each so many seconds long, after the `skipped` first frames that
-    /// predictions start from. `frames_per_second` are those of the movements: the study has 30 or 60.
+    /// A study of movements of this body, of `seconds` seconds each, without the `skipped` first frames from which
+    /// predictions start. `frames_per_second` are those of the movements; the study has 30 or 60.
     pub fn new(skeleton: &Skeleton, seconds: f64, frames_per_second: f64, skipped: usize) -> Self {
         let rate = if frames_per_second < FAST { 30 } else { 60 };
         Self { skeleton: skeleton.clone(), seconds, rate, skipped, stimuli: Vec::new(), made: Vec::new() }
     }
 
-    /// Adds a recorded movement: one that is shown all along, or one that is kept for catch trials.
+    /// Adds a recorded movement: for all trials (`seen`), or for catch trials only.
     ///
     /// # Errors
     /// It is too short, not finite, or of another body.
-    pub fn natural(&mut self, shown: &Shown, seen: bool) -> Result<(), MakerError> {
+    pub fn natural(&mut self, shown: &StudyMovement, seen: bool) -> Result<(), MakerError> {
         let id = format!("{}-{}", if seen { "trial" } else { "unseen" }, shown.number);
         self.add(id, shown, MovementSource::Natural { seen })
     }
 
-    /// Adds what a model made of the trial that was held out. Of several seeds of a candidate the
+    /// Adds the prediction of the trial that was held out. Of several seeds of a candidate the
     /// [best](Outcome::is_better_seed) stays.
     ///
     /// # Errors
     /// It is too short, not finite, or of another body.
     pub fn generated(
         &mut self,
-        shown: &Shown,
+        shown: &StudyMovement,
         candidate: &Settings,
         seed: u32,
         outcome: &Outcome,
@@ -113,28 +113,28 @@ impl Maker {
         let scores = Scores::new(outcome);
         let generated = Generated { candidate: candidate.clone(), seed, failed: false, scores };
         let source = MovementSource::Generated(Box::new(generated));
-        let of_candidate = |place: usize| match &self.stimuli[place].source {
+        let of_candidate = |index: usize| match &self.stimuli[index].source {
             MovementSource::Generated(made) => made.candidate == *candidate,
             MovementSource::Natural { .. } => false,
         };
-        let same = |made: &Made| made.trial == shown.number && of_candidate(made.place);
-        let Some(known) = self.made.iter().position(same) else {
+        let same = |made: &Made| made.trial == shown.number && of_candidate(made.index);
+        let Some(earlier) = self.made.iter().position(same) else {
             self.add(id, shown, source)?;
-            let place = self.stimuli.len() - 1;
-            self.made.push(Made { place, trial: shown.number, outcome: outcome.clone() });
+            let index = self.stimuli.len() - 1;
+            self.made.push(Made { index, trial: shown.number, outcome: outcome.clone() });
             return Ok(());
         };
         let (movement, speed) = self.movement(shown).map_err(|reason| MakerError { id, reason })?;
-        let known = &mut self.made[known];
-        if outcome.is_better_seed(&known.outcome) {
-            known.outcome = outcome.clone();
-            let stimulus = &mut self.stimuli[known.place];
+        let earlier = &mut self.made[earlier];
+        if outcome.is_better_seed(&earlier.outcome) {
+            earlier.outcome = outcome.clone();
+            let stimulus = &mut self.stimuli[earlier.index];
             (stimulus.source, stimulus.movement, stimulus.speed) = (source, movement, speed);
         }
         Ok(())
     }
 
-    fn add(&mut self, id: String, shown: &Shown, source: MovementSource) -> Result<(), MakerError> {
+    fn add(&mut self, id: String, shown: &StudyMovement, source: MovementSource) -> Result<(), MakerError> {
         let (movement, speed) =
             self.movement(shown).map_err(|reason| MakerError { id: id.clone(), reason })?;
         let taken = |id: &str| self.stimuli.iter().any(|stimulus| stimulus.id == id);
@@ -145,13 +145,13 @@ impl Maker {
         Ok(())
     }
 
-    fn movement(&self, shown: &Shown) -> Result<(FigureMovement, f64), MakerReason> {
+    fn movement(&self, shown: &StudyMovement) -> Result<(FigureMovement, f64), MakerReason> {
         let nodes = self.skeleton.node_count();
         let found = shown.positions.len();
         if found == 0 || nodes == 0 || !found.is_multiple_of(3 * nodes) {
             return Err(MakerReason::Nodes { expected: nodes, found });
         }
-        let Shown { positions, frame_time, .. } = *shown;
+        let StudyMovement { positions, frame_time, .. } = *shown;
         let staged = staged(&self.skeleton, positions, frame_time, self.skipped, self.seconds, self.rate)?;
         Ok((FigureMovement::new(&staged.positions, nodes, UNIT)?, staged.speed))
     }
@@ -159,7 +159,7 @@ impl Maker {
     /// The study.
     ///
     /// # Errors
-    /// There is no natural movement that is shown all along, or no generated one.
+    /// There is no natural movement for all trials, or no generated one.
     pub fn study(self, title: &str, preset: Preset, look: Look, seed: u32) -> Result<Study, StudyError> {
         let nodes = self.skeleton.figure();
         let name = |place: usize| {
@@ -185,13 +185,13 @@ impl Maker {
             unit: UNIT,
             stimuli: self.stimuli,
         };
-        // What cannot be read would be found out in front of participants.
+        // A study that cannot be read must not reach participants.
         let study = study.with_preset(preset);
         Study::from_json(&study.to_json()?)
     }
 }
 
-/// A candidate's kind and size, as part of an id.
+/// Kind and size of a candidate, as part of an id.
 fn name(candidate: &Settings) -> String {
     let size = match candidate {
         Settings::Vcgpdm(s) | Settings::Vgpdm(s) => format!("-{}-{}", s.dynamics_ips, s.pose_ips),
@@ -213,11 +213,11 @@ mod tests {
     }
 
     #[test]
-    fn movements_become_a_study() {
+    fn makes_a_study_of_movements() {
         let clips = ["walk-1", "walk-2"].map(|id| samples::clip(id).unwrap().resample(30.0).unwrap());
         let mut maker = Maker::new(&clips[0].skeleton, 3.5, 30.0, 5);
         let places = clips.each_ref().map(|clip| clip.stage_positions());
-        let shown = |k: usize| Shown {
+        let shown = |k: usize| StudyMovement {
             number: k + 1,
             trial: "a walk",
             positions: &places[k],
@@ -227,15 +227,15 @@ mod tests {
         maker.natural(&shown(1), false).unwrap();
         let tmp = Settings::Tmp(TmpSettings { primitives: Some(4), normalised_time: false });
         let time = Settings::Tmp(TmpSettings { primitives: Some(4), normalised_time: true });
-        // Of several seeds the one of the highest objective, wherever it comes.
+        // The seed of the highest objective stays, in whatever order they come.
         for (seed, objective) in [(3, 1.0), (4, 7.0), (5, 6.0)] {
             maker.generated(&shown(0), &tmp, seed, &outcome(objective)).unwrap();
         }
         maker.generated(&shown(0), &time, 0, &outcome(0.0)).unwrap();
-        let few = Shown { positions: &places[0][1..], ..shown(0) };
+        let few = StudyMovement { positions: &places[0][1..], ..shown(0) };
         let error = maker.natural(&few, true).unwrap_err().to_string();
-        assert!(error.starts_with("trial-1: expected places of "), "{error}");
-        let short = Shown { positions: &places[0][..places[0].len() / 2], ..shown(0) };
+        assert!(error.starts_with("trial-1: expected positions of "), "{error}");
+        let short = StudyMovement { positions: &places[0][..places[0].len() / 2], ..shown(0) };
         let error = maker.generated(&short, &tmp, 0, &outcome(9.0)).unwrap_err().to_string();
         assert_eq!(error, "tmp-4-trial-1: expected a movement of at least 3.50 seconds, found 2.10");
         let study = maker.study("Walks", Preset::Class, Look::Figure, 1).unwrap();

@@ -1,14 +1,14 @@
-//! The graphics Turing test (Velychko et al. 2018, section 5.4; Knopp et al. 2019): can people tell a model's
-//! movement from a natural one, and do the models' scores know?
+//! The graphics Turing test (Velychko et al. 2018, section 5.4; Knopp et al. 2019): can people distinguish the
+//! movement of a model from a natural one, and do the scores of the models predict this?
 //!
-//! A [`Study`] holds the movements and the design of an experiment, [`Study::trials`] is what one participant
-//! is shown, [`read_answers`] reads what participants answered, and [`PerceptionResults`] is what that says:
-//! rates, curves over the models' scores, orders of the models.
+//! A [`Study`] holds the movements and the design of an experiment, [`Study::trials`] are the trials of one
+//! participant, [`read_answers`] reads answers, and [`PerceptionResults`] are the results: rates, curves over the
+//! scores of the models, orders of the models.
 
 mod analysis;
 mod answers;
 mod beta;
-mod counted;
+mod counts;
 mod csv;
 mod design;
 mod document;
@@ -42,7 +42,7 @@ pub use csv::CsvError;
 pub use design::{Design, Preset};
 pub use error::StudyError;
 pub use figures::FigureTable;
-pub use make::{Maker, MakerError, MakerReason, Shown};
+pub use make::{Maker, MakerError, MakerReason, StudyMovement};
 pub use movement::{FigureMovement, MovementError};
 pub use paper::{PaperCheck, paper_checks};
 pub use power::{trials_for_precision, trials_to_tell};

@@ -1,39 +1,39 @@
-//! A movement as a short text: places of nodes over time, as whole numbers of a unit.
+//! A movement as a short text: the positions of nodes over time, as whole numbers of a unit.
 //!
-//! For each node and axis the first place, the first step, and then how much each step differs from the one
-//! before: small numbers, where a movement is smooth. They stand one after the other in base 64 with variable
-//! length, as in source maps: six bits a letter of `A-Za-z0-9+/`, of which the highest says that more follow;
-//! the lowest bit of a number is its sign.
+//! Each node and axis has its first position, its first step, and then the difference of each step from the one
+//! before: small numbers if the movement is smooth. The numbers are in base 64 with variable length, as in source
+//! maps: six bits for each letter of `A-Za-z0-9+/`, of which the highest says that more follow; the lowest bit of
+//! a number is its sign.
 
 use thiserror::Error;
 
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-/// Bits of a letter that hold the number, and the one that says that more follow.
+/// Bits of a letter for the number, and the bit that says that more follow.
 const BITS: u32 = 5;
 const MORE: u64 = 1 << BITS;
-/// The largest size of a place, in units.
+/// The largest coordinate, in units.
 const FARTHEST: i64 = 10_000_000;
 
-/// Why there is no such movement.
+/// Why a text or positions are not a movement.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum MovementError {
-    /// The text ends early, goes on, or holds what is no letter of the code.
-    #[error("expected the places of {frames} frames of {nodes} nodes, found {found}")]
+    /// The text is too short, too long, or has a wrong letter.
+    #[error("expected the positions of {frames} frames of {nodes} nodes, found {found}")]
     Text {
         /// Frames expected.
         frames: usize,
         /// Nodes expected.
         nodes: usize,
-        /// What is wrong.
+        /// The text found instead.
         found: String,
     },
-    /// A place that is not finite, or too far away.
-    #[error("expected places up to {FARTHEST} units away, found one of {0}")]
+    /// A position is not finite, or too far away.
+    #[error("expected positions up to {FARTHEST} units away, found one of {0}")]
     Far(f64),
 }
 
-/// The places of a figure's nodes over time.
+/// The positions of a figure's nodes over time.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FigureMovement {
     frames: usize,
@@ -42,10 +42,10 @@ pub struct FigureMovement {
 }
 
 impl FigureMovement {
-    /// Of places [frames x nodes x 3] in metres, rounded to whole numbers of `unit` metres.
+    /// From positions [frames x nodes x 3] in metres, rounded to whole numbers of `unit` metres.
     ///
     /// # Errors
-    /// A place is not finite or too far away.
+    /// A position is not finite or too far away.
     pub fn new(positions: &[f32], nodes: usize, unit: f64) -> Result<Self, MovementError> {
         let columns = 3 * nodes.max(1);
         let frames = positions.len() / columns;
@@ -60,38 +60,38 @@ impl FigureMovement {
                 let units = units.round() as i64;
                 let now = units - place;
                 append(now - step, &mut text);
-                // The first number is a place, not a step.
+                // The first number is a position, not a step.
                 (place, step) = (units, if frame == 0 { 0 } else { now });
             }
         }
         Ok(Self { frames, nodes, text })
     }
 
-    /// From its text.
+    /// From a text.
     ///
     /// # Errors
-    /// The text holds something else than the places of so many frames and nodes.
+    /// The text is not of the positions of `frames` frames and `nodes` nodes.
     pub fn from_text(text: &str, frames: usize, nodes: usize) -> Result<Self, MovementError> {
         let movement = Self { frames, nodes, text: text.to_owned() };
         movement.read(|_, _| {})?;
         Ok(movement)
     }
 
-    /// Its text.
+    /// The text.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// How many frames there are.
+    /// Number of frames.
     pub fn frames(&self) -> usize {
         self.frames
     }
 
-    /// The places of the first `frames` frames [frames x nodes x 3], in metres.
+    /// The positions of the first `frames` frames [frames x nodes x 3], in metres.
     pub fn positions(&self, frames: usize, unit: f64) -> Vec<f32> {
         let frames = frames.min(self.frames);
         let mut positions = vec![0.0; frames * self.nodes * 3];
-        // What was read once is read again: there is no error.
+        // The text was read before, so there is no error.
         let _ = self.read(|at, units| {
             if let Some(place) = positions.get_mut(at) {
                 *place = (units as f64 * unit) as f32;
@@ -100,7 +100,7 @@ impl FigureMovement {
         positions
     }
 
-    /// Calls `take(place in [frames x nodes x 3], units)` for every number.
+    /// Calls `take(index in [frames x nodes x 3], units)` for every number.
     fn read(&self, mut take: impl FnMut(usize, i64)) -> Result<(), MovementError> {
         let Self { frames, nodes, text } = self;
         let wrong = |found: String| MovementError::Text { frames: *frames, nodes: *nodes, found };
@@ -139,7 +139,7 @@ fn append(number: i64, text: &mut String) {
     }
 }
 
-/// The next number, or what stands in its place.
+/// The next number, or the text found instead.
 fn number(letters: &mut std::str::Bytes) -> Result<i64, String> {
     let (mut number, mut shift) = (0_u64, 0);
     loop {
@@ -172,7 +172,7 @@ mod tests {
     use vcgpdm::motion::samples;
 
     #[test]
-    fn a_walk_is_short_and_comes_back_within_half_a_unit() {
+    fn stores_a_walk_in_a_short_text_within_half_a_unit() {
         let clip = samples::clip("walk-1").unwrap().resample(30.0).unwrap();
         let places = clip.stage_positions();
         let nodes = clip.skeleton.node_count();
@@ -188,24 +188,24 @@ mod tests {
     }
 
     #[test]
-    fn other_texts_are_refused() {
+    fn refuses_wrong_texts() {
         let error = |text: &str, frames| FigureMovement::from_text(text, frames, 1).unwrap_err().to_string();
         assert!(FigureMovement::from_text("AAAAAA", 2, 1).is_ok());
-        let begin = "expected the places of 2 frames of 1 nodes, found ";
+        let begin = "expected the positions of 2 frames of 1 nodes, found ";
         assert_eq!(error("AAAAA", 2), format!("{begin}the end of the text"));
         assert_eq!(error("AAAAAAB", 2), format!("{begin}1 letters more"));
         assert_eq!(error("AAé", 2), format!("{begin}the byte 195, which is no letter of the code"));
         assert_eq!(error("/////////", 2), format!("{begin}a number that is too large"));
         assert!(FigureMovement::new(&[f32::NAN; 3], 1, 0.001).is_err());
         assert!(FigureMovement::new(&[1e9; 3], 1, 0.001).is_err());
-        // Steps that add up to what no figure reaches.
+        // The steps add up to an impossible position.
         let far = format!("A{}", "+///f".repeat(200));
         assert!(FigureMovement::from_text(&far, 201, 1).is_err());
     }
 
     proptest! {
         #[test]
-        fn any_places_come_back(places in prop::collection::vec(-9_000_000_i32..9_000_000, 0..12)) {
+        fn any_positions_come_back(places in prop::collection::vec(-9_000_000_i32..9_000_000, 0..12)) {
             let metres: Vec<f32> = places.iter().flat_map(|p| [*p as f32 * 0.5, 0.0, 1.0]).collect();
             let movement = FigureMovement::new(&metres, 1, 0.5).unwrap();
             prop_assert_eq!(movement.positions(places.len(), 0.5), metres);

@@ -1,4 +1,4 @@
-//! Which of several rates is the highest, the second, and so on: random draws from their posteriors.
+//! The order of several rates, from random draws of their posteriors.
 
 use crate::perception::beta::Rate;
 use rand_chacha::ChaCha8Rng;
@@ -6,16 +6,16 @@ use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Beta, Distribution};
 use std::collections::HashMap;
 
-/// What draws from the posteriors say about the order of rates.
+/// Probabilities of the orders of rates.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Ordering {
-    /// Orders, the highest rate first, and how often each was drawn: the likeliest first.
+    /// Orders with the highest rate first, each with its share of the draws; the most frequent order first.
     pub orders: Vec<(Vec<usize>, f64)>,
-    /// `pairs[a][b]`: how often rate a was above rate b; one half beside itself.
+    /// `pairs[a][b]`: the share of the draws with rate a above rate b; 1/2 for a = b.
     pub pairs: Vec<Vec<f64>>,
 }
 
-/// The order of these rates in so many draws.
+/// The orders of these rates in `draws` draws.
 pub(super) fn ordering(rates: &[Rate], draws: usize, seed: u32) -> Ordering {
     let posteriors: Option<Vec<Beta<f64>>> = rates
         .iter()
@@ -24,7 +24,7 @@ pub(super) fn ordering(rates: &[Rate], draws: usize, seed: u32) -> Ordering {
             Beta::new(a, b).ok()
         })
         .collect();
-    // Both parameters are at least 1: there always is such a distribution.
+    // Both parameters are at least 1, so the distributions exist.
     let posteriors = posteriors.unwrap_or_default();
     let count = posteriors.len();
     let mut random = ChaCha8Rng::seed_from_u64(seed.into());
@@ -53,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn equal_rates_come_in_every_order_and_others_in_theirs() {
+    fn gives_equal_rates_all_orders_and_clear_rates_one() {
         let equal = ordering(&[Rate::new(5, 20); 3], 60_000, 1);
         assert_eq!(equal.orders.len(), 6);
         assert!(equal.orders.iter().all(|(_, share)| (share - 1.0 / 6.0).abs() < 0.006), "{equal:?}");
@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn pairs_are_as_by_hand() {
+    fn gives_the_probability_of_a_pair_as_by_hand() {
         // beta(2, 1) above beta(1, 1): the integral of 2 x times x is 2/3.
         let pairs = ordering(&[Rate::new(1, 1), Rate::new(0, 0)], 100_000, 2).pairs;
         assert!(

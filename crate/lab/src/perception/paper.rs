@@ -1,5 +1,5 @@
-//! The experiment of Knopp et al. (2019), as far as it can be computed again: from the counts that its
-//! printed rates and errors imply.
+//! The results of Knopp et al. (2019), as far as they follow from the counts that the printed rates and errors
+//! imply.
 
 use crate::perception::beta::Rate;
 use crate::perception::ordering::{Ordering, ordering};
@@ -18,20 +18,20 @@ pub const BEST: [(&str, usize, usize); 6] = [
 /// Catch trials in which the unknown movement was taken for the natural one, of all.
 pub const CATCH: (usize, usize) = (72, 162);
 
-/// A number of the paper beside ours.
+/// A number of the paper, and the computed one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PaperCheck {
-    /// What is computed.
+    /// The name of the number.
     pub what: String,
-    /// What the paper prints.
+    /// The number in the paper.
     pub printed: String,
-    /// What follows from the counts.
+    /// The number that follows from the counts.
     pub computed: f64,
-    /// Digits after the point that are worth showing.
+    /// Number of decimals to print.
     pub digits: usize,
 }
 
-/// Every number of the paper that follows from these counts, with so many draws for the orders.
+/// All numbers of the paper that follow from these counts. `draws` draws give the orders.
 pub fn paper_checks(draws: usize, seed: u32) -> Vec<PaperCheck> {
     let rates = BEST.map(|(_, hits, trials)| Rate::new(hits, trials));
     let printed = [
@@ -84,9 +84,9 @@ mod tests {
 
     /// The paper's numbers, from its counts.
     #[test]
-    fn the_papers_results_come_out() {
+    fn gives_the_results_of_the_paper() {
         let checks = paper_checks(400_000, 1);
-        let of = |words: &str| {
+        let computed = |words: &str| {
             checks.iter().find(|check| check.what.contains(words)).map(|check| check.computed).unwrap()
         };
         for (name, rate) in [
@@ -97,15 +97,15 @@ mod tests {
             ("MAP CGPDM", 0.11),
             ("MAP GPDM", 0.0),
         ] {
-            let found = of(&format!("{name}, "));
+            let found = computed(&format!("{name}, "));
             assert!((found - rate).abs() < 0.006, "{name}: {found}");
         }
-        assert!((of("the likeliest order") - 0.37).abs() < 0.01);
-        assert!((of("P(TMP > vGPDM)") - 0.88).abs() < 0.005);
-        assert!((of("P(vGPDM > vCGPDM)") - 0.86).abs() < 0.005);
-        assert!((of("P(p = 0.5)") - 0.79).abs() < 0.005);
-        // The paper says about 0.99; its rate and error leave less doubt.
-        assert!(of("P(TMP > 0.5)") > 0.999);
-        assert_eq!(of("exact one-sided test"), 158.0);
+        assert!((computed("the likeliest order") - 0.37).abs() < 0.01);
+        assert!((computed("P(TMP > vGPDM)") - 0.88).abs() < 0.005);
+        assert!((computed("P(vGPDM > vCGPDM)") - 0.86).abs() < 0.005);
+        assert!((computed("P(p = 0.5)") - 0.79).abs() < 0.005);
+        // The paper says about 0.99; more follows from its rate and error.
+        assert!(computed("P(TMP > 0.5)") > 0.999);
+        assert_eq!(computed("exact one-sided test"), 158.0);
     }
 }

@@ -1,4 +1,4 @@
-//! Who answered, and who paid attention.
+//! The participants, and whether they paid attention.
 
 use crate::evaluation::stats::median;
 use crate::perception::answers::Answer;
@@ -6,7 +6,7 @@ use crate::perception::results::Participant;
 use crate::perception::study::Study;
 use crate::perception::trials::TrialKind;
 
-/// Everybody who answered, in the order of their first answers.
+/// All participants, in the order of their first answers.
 pub(super) fn participants(study: &Study, answers: &[Answer], attention: f64) -> Vec<Participant> {
     let mut names: Vec<&str> = Vec::new();
     for answer in answers {
@@ -20,14 +20,14 @@ pub(super) fn participants(study: &Study, answers: &[Answer], attention: f64) ->
 fn participant(study: &Study, answers: &[Answer], name: &str, attention: f64) -> Participant {
     let own: Vec<&Answer> = answers.iter().filter(|answer| answer.participant == name).collect();
     let answered: Vec<&&Answer> = own.iter().filter(|answer| answer.chose_left.is_some()).collect();
-    let of = |kind: TrialKind| answered.iter().filter(move |answer| answer.kind == kind);
-    let checks = of(TrialKind::Attention).count();
-    let hits = of(TrialKind::Attention).filter(|answer| !took_generated(study, answer)).count();
+    let of_kind = |kind: TrialKind| answered.iter().filter(move |answer| answer.kind == kind);
+    let checks = of_kind(TrialKind::Attention).count();
+    let hits = of_kind(TrialKind::Attention).filter(|answer| !took_generated(study, answer)).count();
     let left = answered.iter().filter(|answer| answer.chose_left == Some(true)).count();
     let times: Vec<f64> = answered.iter().filter_map(|answer| answer.rt).collect();
     Participant {
         name: name.to_owned(),
-        comparisons: of(TrialKind::Comparison).count(),
+        comparisons: of_kind(TrialKind::Comparison).count(),
         unanswered: own.len() - answered.len(),
         attention_checks: checks,
         attention_hits: hits,
@@ -38,7 +38,7 @@ fn participant(study: &Study, answers: &[Answer], name: &str, attention: f64) ->
     }
 }
 
-/// Whether the generated movement, or that kept for catch trials, was taken for the more natural one.
+/// Whether the generated movement, or in a catch trial the unseen one, was taken for the more natural one.
 pub(super) fn took_generated(study: &Study, answer: &Answer) -> bool {
     let chosen = if answer.chose_left == Some(true) { answer.left } else { answer.right };
     answer.chose_left.is_some() && study.stimuli[chosen].natural() != Some(true)

@@ -1,4 +1,4 @@
-//! From the tree of a document to a study: every field is checked where it is read.
+//! Reads a study from a JSON tree. Every field is checked.
 
 use crate::perception::design::Design;
 use crate::perception::error::{StudyError, VERSION};
@@ -19,7 +19,7 @@ const MOST_NODES: usize = 500;
 const MOST_FRAMES: usize = 2_400;
 const MOST_TRIALS: usize = 10_000;
 const MOST_PARTS: usize = 100;
-/// Letters of a title or name, of an id, and of a text to read.
+/// Most letters of a title or name, of an id, and of a text to read.
 const TITLE: usize = 200;
 const ID: usize = 100;
 const TEXT: usize = 20_000;
@@ -167,8 +167,8 @@ fn generated(object: &mut Object) -> Result<Generated, FieldError> {
     let failed = object.get("failed")?.boolean()?;
     let model = object.get("model")?;
     let kind = ModelKind::from_id(model.text()?).ok_or_else(|| {
-        let known: Vec<&str> = ModelKind::ALL.into_iter().map(ModelKind::id).collect();
-        model.error(format!("expected one of {}", known.join(", ")))
+        let ids: Vec<&str> = ModelKind::ALL.into_iter().map(ModelKind::id).collect();
+        model.error(format!("expected one of {}", ids.join(", ")))
     })?;
     let (candidate, seed) = read_settings(object.get("settings")?, kind)?;
     let scores = scores(object.get("scores")?)?;
@@ -214,7 +214,7 @@ fn whole(field: Field, range: RangeInclusive<usize>) -> Result<usize, FieldError
     count(&field, field.whole()?, range)
 }
 
-/// A text of at most so many letters.
+/// A text of at most `most` letters.
 fn short(field: &Field, most: usize) -> Result<String, FieldError> {
     let text = field.text()?;
     match text.chars().count() {

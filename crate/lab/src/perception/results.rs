@@ -1,11 +1,11 @@
-//! What answers say, as values: with everything that tables and figures show.
+//! The results of a study, as values for tables and figures.
 
 use crate::perception::beta::Rate;
 use serde::Serialize;
 use std::ops::RangeInclusive;
 use vcgpdm::models::{ENGINE, ModelKind, Settings};
 
-/// How answers are analysed.
+/// Options of the analysis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct AnalysisOptions {
     /// The ceiling c of the logistic regression, above 0 up to 1.
@@ -16,14 +16,14 @@ pub struct AnalysisOptions {
     pub draws: usize,
     /// The seed of blocks and draws.
     pub seed: u32,
-    /// Participants below this share of attention checks are left out.
+    /// Participants who pass less than this share of the attention checks are left out.
     pub attention: f64,
 }
 
 impl AnalysisOptions {
-    /// Blocks that there can be.
+    /// Range of the number of blocks.
     pub const FOLDS: RangeInclusive<usize> = 2..=1000;
-    /// Draws that there can be.
+    /// Range of the number of draws.
     pub const DRAWS: RangeInclusive<usize> = 1..=10_000_000;
 }
 
@@ -33,20 +33,20 @@ impl Default for AnalysisOptions {
     }
 }
 
-/// How often something happened, and what that says about its rate: beta(1 + hits, 1 + trials - hits).
+/// Hits of trials, and the posterior of their rate: beta(1 + hits, 1 + trials - hits).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Confusion {
     /// How often the movement was taken for the natural one.
     pub hits: usize,
-    /// How often it was shown and an answer given.
+    /// Number of its trials with an answer.
     pub trials: usize,
     /// The posterior's mean.
     pub mean: f64,
     /// The posterior's standard deviation.
     pub deviation: f64,
-    /// Below this with a posterior probability of 2.5 %.
+    /// The rate is below this value with a posterior probability of 2.5 %.
     pub low: f64,
-    /// Above this with a posterior probability of 2.5 %.
+    /// The rate is above this value with a posterior probability of 2.5 %.
     pub high: f64,
     /// The posterior probability that the rate is above one half.
     pub above_half: f64,
@@ -70,7 +70,7 @@ impl Confusion {
 /// A participant.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Participant {
-    /// What the answers call them.
+    /// The name in the answers.
     pub name: String,
     /// Answered comparisons.
     pub comparisons: usize,
@@ -78,34 +78,34 @@ pub struct Participant {
     pub unanswered: usize,
     /// Answered attention checks.
     pub attention_checks: usize,
-    /// How many of these were seen through.
+    /// Number of attention checks that the participant passed.
     pub attention_hits: usize,
-    /// Whether they are left out, for too few of these.
+    /// Whether the participant is left out, for too few passed checks.
     pub excluded: bool,
     /// The share of answers "left"; absent without answers.
     pub left: Option<f64>,
-    /// The median time to an answer, in milliseconds, where it is known.
+    /// The median time to an answer, in milliseconds, if known.
     pub median_rt: Option<f64>,
-    /// How long after each other movements started at the most, in milliseconds, where it is known.
+    /// The largest time between the starts of two movements, in milliseconds, if known.
     pub started_apart_ms: Option<f64>,
 }
 
-/// What the scores of a setting's movements are on average.
+/// Mean scores of the movements of a setting.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct MeanScores {
     /// Mean squared error on the trial held out.
     pub mse: f64,
     /// The same after dynamic time warping.
     pub dtw_mse: f64,
-    /// The bound, where the model has one, in nats.
+    /// The bound in nats, if the model has one.
     pub bound: Option<f64>,
-    /// Its part about dynamics.
+    /// The dynamics terms of the bound.
     pub dynamics: Option<f64>,
-    /// Its part about poses.
+    /// The pose terms of the bound.
     pub pose: Option<f64>,
 }
 
-/// How large a model is; what a kind does not have is absent.
+/// Size of a model; numbers that the kind does not have are absent.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Size {
     /// Inducing points of every dynamics map.
@@ -125,21 +125,21 @@ pub struct SettingResult {
     pub model: ModelKind,
     /// The kind with its settings.
     pub candidate: Settings,
-    /// The settings that set it apart, in a few words.
+    /// The settings that differ from other candidates, in a few words.
     pub label: String,
-    /// How large it is.
+    /// The size.
     pub size: Size,
-    /// How many movements it made that have not failed.
+    /// Number of its movements that have not failed.
     pub movements: usize,
-    /// How many failed: where all did, the setting is an attention check and has no rate.
+    /// Number of its failed movements. If all failed, the setting is an attention check and has no rate.
     pub failed: usize,
-    /// Means over the movements that have not failed; absent where all did.
+    /// Means over the movements that have not failed; absent if all failed.
     pub scores: Option<MeanScores>,
-    /// How often they were taken for the natural one; absent without an answer.
+    /// How often its movements were taken for the natural one; absent without an answer.
     pub confusion: Option<Confusion>,
 }
 
-/// What the rate is predicted from.
+/// A score that predicts the rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ScoreKind {
@@ -149,14 +149,14 @@ pub enum ScoreKind {
     DtwMse,
     /// The bound.
     Bound,
-    /// Its part about dynamics.
+    /// The dynamics terms of the bound.
     Dynamics,
-    /// Its part about poses.
+    /// The pose terms of the bound.
     Pose,
 }
 
 impl ScoreKind {
-    /// All of them.
+    /// All scores.
     pub const ALL: [ScoreKind; 5] =
         [ScoreKind::Mse, ScoreKind::DtwMse, ScoreKind::Bound, ScoreKind::Dynamics, ScoreKind::Pose];
 
@@ -194,16 +194,16 @@ impl ScoreKind {
     }
 }
 
-/// How a score predicts the rate: p = ceiling / (1 + exp(w0 + w1 (score - centre) / scale)).
+/// Prediction of the rate from a score: p = ceiling / (1 + exp(w0 + w1 (score - centre) / scale)).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Regression {
     /// The kind of model; absent: all together.
     pub model: Option<ModelKind>,
-    /// What the rate is predicted from.
+    /// A score that predicts the rate.
     pub score: ScoreKind,
-    /// How many settings have the score and answers.
+    /// Number of settings with the score and answers.
     pub settings: usize,
-    /// Their answers.
+    /// Number of their answers.
     pub trials: usize,
     /// The mean of the score over the settings.
     pub centre: f64,
@@ -213,14 +213,14 @@ pub struct Regression {
     pub ceiling: f64,
     /// The weights w0 and w1.
     pub weights: [f64; 2],
-    /// Their standard errors; absent where the answers do not tell both.
+    /// Standard errors of the weights; absent if the answers do not determine both.
     pub errors: Option<[f64; 2]>,
-    /// The logarithm of the Bayes factor beside a constant, a block: the mean over the blocks left out;
-    /// absent with fewer answers than blocks.
+    /// The logarithm of the Bayes factor of the curve and a constant for one block: the mean over the blocks left
+    /// out; absent with fewer answers than blocks.
     pub log_bayes_factor: Option<f64>,
     /// Its standard error over the blocks.
     pub log_bayes_factor_error: Option<f64>,
-    /// Blocks left out in turn.
+    /// Number of blocks, left out in turn.
     pub folds: usize,
     /// Scores and the rates that the curve predicts, from the lowest to the highest score.
     pub curve: Vec<(f64, f64)>,
@@ -231,7 +231,7 @@ pub struct Regression {
 pub struct Best {
     /// The kind of model.
     pub model: ModelKind,
-    /// Its place among the settings.
+    /// Its index among the settings.
     pub setting: usize,
     /// Its settings, in a few words.
     pub label: String,
@@ -248,26 +248,26 @@ pub struct Order {
     pub probability: f64,
 }
 
-/// What the catch trials say.
+/// Result of the catch trials.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Catch {
-    /// How often the movement that was not seen before was taken for the more natural one.
+    /// How often the unseen movement was taken for the more natural one.
     pub confusion: Confusion,
-    /// The probability that this rate is one half, when that was as likely before as any other rate: nobody
-    /// knows the seen ones by heart.
+    /// The posterior probability that this rate is one half: participants do not recognise the seen movements.
     pub is_half: f64,
 }
 
-/// How many trials a setting needs.
+/// Number of trials that a setting needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Needed {
-    /// For the exact test to tell a rate 0.1 away from one half, with a power of 0.8, as Knopp et al. (2019).
+    /// For the exact test to detect a rate that is 0.1 away from one half, with a power of 0.8, as Knopp et al.
+    /// (2019).
     pub to_tell: Option<usize>,
     /// For a rate of one half to lie in [0.45, 0.55] with a posterior probability of 0.8.
     pub for_precision: Option<usize>,
 }
 
-/// What all answers to a study say.
+/// The results of all answers to a study.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PerceptionResults {
     /// "vcgpdm perception".
@@ -276,36 +276,36 @@ pub struct PerceptionResults {
     pub version: usize,
     /// The program and its version.
     pub engine: &'static str,
-    /// What the study is called.
+    /// The title of the study.
     pub title: String,
-    /// What was shown: the study's hash.
+    /// The hash of the study.
     pub study: String,
-    /// How the answers were analysed.
+    /// The options of the analysis.
     pub options: AnalysisOptions,
-    /// Everybody who answered.
+    /// All participants.
     pub participants: Vec<Participant>,
-    /// Of all comparisons that count.
+    /// The rate of all comparisons that count.
     pub all: Confusion,
-    /// In the order of tables.
+    /// All settings, in the order of tables.
     pub settings: Vec<SettingResult>,
-    /// For every kind of model, and all together, from every score that at least three settings have.
+    /// Predictions for every kind of model, and for all together, from every score of at least three settings.
     pub regressions: Vec<Regression>,
-    /// Of every kind of model with answers.
+    /// The best setting of every kind of model with answers.
     pub best: Vec<Best>,
-    /// Of the best settings: the likeliest first, down to one in a thousand.
+    /// Orders of the best settings, the likeliest first, with a probability of at least 0.001.
     pub orders: Vec<Order>,
     /// `pairs[a][b]`: the probability that best setting a has a higher rate than best setting b.
     pub pairs: Vec<Vec<f64>>,
-    /// Absent without catch trials.
+    /// The result of the catch trials, if there are any.
     pub catch: Option<Catch>,
-    /// How many trials a setting needs.
+    /// Number of trials that a setting needs.
     pub needed: Needed,
 }
 
 impl PerceptionResults {
-    /// What a document of results says that it is.
+    /// The field "format" of a document of results.
     pub const FORMAT: &'static str = "vcgpdm perception";
-    /// Raised whenever an older program could no longer read the document.
+    /// The version of the document. It is raised when older programs cannot read the document any more.
     pub const VERSION: usize = 1;
     /// The program and its version.
     pub const ENGINE: &'static str = ENGINE;

@@ -1,14 +1,15 @@
-//! A movement as it is shown: on its way along z, feet on the ground, above the origin, at the study's frame
-//! rate.
+//! Prepares a movement for a study: along z, with the feet on the ground, above the origin, at the frame rate of
+//! the study.
 
 use nalgebra::Vector3;
 use thiserror::Error;
 use vcgpdm::motion::Skeleton;
 use vcgpdm::motion::landmarks::facing;
 
-/// A body that goes less far than this in a second goes nowhere: it is turned to where it faces. In metres.
+/// Speed in metres a second below which a body stands. A standing body is turned to its facing direction.
 const STANDS: f64 = 0.2;
-/// In one of so many frames the lowest node may be below the ground: a single bad frame lifts no figure.
+/// In one of this number of frames the lowest node may be below the ground, so that a bad frame does not lift the
+/// figure.
 const LOWEST: usize = 10;
 
 /// Why a movement cannot be shown.
@@ -23,23 +24,23 @@ pub enum StagingError {
         /// Seconds of the movement.
         found: f64,
     },
-    /// Its places are not finite.
-    #[error("expected finite places, found others")]
+    /// Its positions are not finite.
+    #[error("expected finite positions, found others")]
     NotFinite,
 }
 
-/// A movement as it is shown.
+/// A movement that is prepared for a study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Staged {
-    /// Places [frames x nodes x 3], y up, in metres.
+    /// Positions [frames x nodes x 3], y up, in metres.
     pub positions: Vec<f32>,
-    /// How fast it went before it was centred, in metres a second.
+    /// The speed before the movement was centred, in metres a second.
     pub speed: f64,
 }
 
-/// The `seconds` of a movement that follow its first `skipped` frames, or, where it is too short for that,
-/// its last ones: at `rate` frames a second, on its way along z. A camera goes along with it at a constant
-/// speed, so that it stays above the origin and keeps its own ups and downs.
+/// The `seconds` of a movement after its first `skipped` frames, or its last `seconds` if it is too short, at
+/// `rate` frames a second and along z. The camera moves with the body at a constant speed: the body stays above
+/// the origin and keeps its vertical movement.
 ///
 /// `positions` [frames x nodes x 3] are metres on a stage with y up, `frame_time` seconds a frame.
 ///
@@ -68,7 +69,7 @@ pub fn staged(
     let mut places = Vec::with_capacity(frames * width);
     for frame in 0..frames {
         let at = ((begin + frame as f64 / rate as f64) / frame_time).clamp(0.0, (given - 1) as f64);
-        // Rounding makes no whole frame a mixture.
+        // Rounding errors must not mix two frames.
         let at = if (at - at.round()).abs() < 1e-6 { at.round() } else { at };
         let (before, share) = (at.floor() as usize, at.fract());
         let after = (before + 1).min(given - 1);
@@ -96,8 +97,8 @@ pub fn staged(
     Ok(Staged { positions: staged, speed })
 }
 
-/// The mean place of the root, and its velocity by the straight line nearest to its way in least squares;
-/// both level.
+/// The mean position of the root, and its velocity: the slope of a straight line through its path by least
+/// squares; both horizontal.
 fn way(places: &[f64], width: usize, rate: usize) -> (Vector3<f64>, Vector3<f64>) {
     let roots: Vec<Vector3<f64>> =
         places.chunks_exact(width).map(|frame| Vector3::new(frame[0], 0.0, frame[2])).collect();
@@ -112,7 +113,7 @@ fn way(places: &[f64], width: usize, rate: usize) -> (Vector3<f64>, Vector3<f64>
     (middle, if square > 0.0 { product / square } else { Vector3::zeros() })
 }
 
-/// The height of the ground: what the lowest node of a frame is not below, in nine frames of ten.
+/// The height of the ground: in nine of ten frames no node is lower.
 fn ground(places: &[f64], width: usize) -> f64 {
     let lowest = |frame: &[f64]| frame.chunks_exact(3).map(|place| place[1]).fold(f64::INFINITY, f64::min);
     let mut lows: Vec<f64> = places.chunks_exact(width).map(lowest).collect();
@@ -135,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn a_walk_goes_along_z_on_the_spot_whatever_way_it_went() {
+    fn turns_a_walk_along_z_and_keeps_it_above_the_origin() {
         let clip = walk();
         let (places, nodes) = (clip.stage_positions(), clip.skeleton.node_count());
         let first = staged(&clip.skeleton, &places, clip.frame_time, 5, 3.5, 30).unwrap();
@@ -145,11 +146,11 @@ mod tests {
             let root = root(&first, nodes, frame);
             assert!(root.x.abs() < 0.1 && root.z.abs() < 0.1 && (0.7..1.1).contains(&root.y), "{root}");
         }
-        // On the spot, the way it faces is the way it went.
+        // The body faces its direction of walking.
         assert!(facing(&clip.skeleton, &first.positions).unwrap().z > 0.98);
         let low = first.positions.chunks_exact(3).map(|place| place[1]).fold(f32::INFINITY, f32::min);
         assert!((-0.03..=0.0).contains(&low), "{low}");
-        // The same walk somewhere else, in another direction.
+        // The same walk at another position, in another direction.
         let (sine, cosine) = 2.0_f32.sin_cos();
         let turned: Vec<f32> = places
             .chunks_exact(3)
@@ -162,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn a_walk_of_another_rate_keeps_its_pace() {
+    fn keeps_the_speed_at_another_frame_rate() {
         let clip = walk();
         let fast = staged(&clip.skeleton, &clip.stage_positions(), clip.frame_time, 5, 3.5, 60).unwrap();
         let slow = staged(&clip.skeleton, &clip.stage_positions(), clip.frame_time, 5, 3.5, 30).unwrap();
@@ -178,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn a_short_movement_ends_with_its_end_or_is_refused() {
+    fn takes_the_end_of_a_short_movement_or_refuses_it() {
         let clip = walk();
         let places = clip.stage_positions();
         let seconds = clip.frames() as f64 * clip.frame_time;
@@ -192,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn who_stands_faces_z() {
+    fn turns_a_standing_body_to_face_z() {
         let clip = walk();
         let first: Vec<f32> = clip.stage_positions()[..3 * clip.skeleton.node_count()].repeat(60);
         let still = staged(&clip.skeleton, &first, clip.frame_time, 0, 1.5, 30).unwrap();

@@ -1,61 +1,60 @@
-//! One movement that is shown, and what is known of it.
+//! One movement of a study, and its source.
 
 use crate::evaluation::Outcome;
 use crate::perception::movement::FigureMovement;
 use vcgpdm::models::Settings;
 use vcgpdm::models::variational::BoundTerms;
 
-/// A movement that is shown.
+/// A movement of a study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stimulus {
-    /// Tells it from all others: letters, digits, dots and dashes, a letter first.
+    /// Its unique name: letters, digits, dots and dashes, a letter first.
     pub id: String,
     /// The trial that was recorded, or that was held out and predicted.
     pub trial: String,
-    /// Where it comes from.
+    /// The source of the movement.
     pub source: MovementSource,
-    /// How fast the figure went through the world before it was centred, in metres a second.
+    /// The speed of the figure before it was centred, in metres a second.
     pub speed: f64,
-    /// The places of the figure's nodes.
+    /// The positions of the figure's nodes.
     pub movement: FigureMovement,
 }
 
-/// Where a movement comes from.
+/// The source of a movement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MovementSource {
     /// It was recorded.
     Natural {
-        /// Whether it is one of those that are shown all along, on which models were trained; else it is kept
-        /// for catch trials.
+        /// Whether it is in all trials, and models were trained on it; otherwise it is for catch trials only.
         seen: bool,
     },
     /// A model made it.
     Generated(Box<Generated>),
 }
 
-/// What is known of a generated movement.
+/// The model of a generated movement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Generated {
     /// The model with its settings.
     pub candidate: Settings,
     /// The seed of its training.
     pub seed: u32,
-    /// Whether somebody has marked it as an obvious failure: it checks attention and counts for nothing else.
+    /// Whether it is marked as an obvious failure, which only checks the attention.
     pub failed: bool,
-    /// How good the model is.
+    /// The scores of the model.
     pub scores: Scores,
 }
 
-/// How good a model is at the trial held out, and what its bound says.
+/// Errors of a model on the trial held out, and its bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scores {
     /// Mean squared error on the trial held out, frame by frame.
     pub mse: f64,
     /// The same after dynamic time warping.
     pub dtw_mse: f64,
-    /// The bound on the log evidence, in nats, where the model has one.
+    /// The bound on the log evidence, in nats, if the model has one.
     pub bound: Option<f64>,
-    /// Its terms, where it has such.
+    /// The terms of the bound, if the model has them.
     pub terms: Option<BoundTerms>,
 }
 
@@ -83,7 +82,7 @@ impl Scores {
 }
 
 impl Stimulus {
-    /// What is known of it, where a model made it.
+    /// The model, if a model made the movement.
     pub fn generated(&self) -> Option<&Generated> {
         match &self.source {
             MovementSource::Generated(generated) => Some(generated),
@@ -91,7 +90,7 @@ impl Stimulus {
         }
     }
 
-    /// Whether it is natural, and, if so, one of those that are shown all along.
+    /// For a natural movement, whether it is in all trials; absent for a generated one.
     pub fn natural(&self) -> Option<bool> {
         match self.source {
             MovementSource::Natural { seen } => Some(seen),
@@ -99,7 +98,7 @@ impl Stimulus {
         }
     }
 
-    /// Marks it as an obvious failure or not; a natural one is none.
+    /// Marks a generated movement as an obvious failure or not.
     pub(super) fn mark(&mut self, failed: bool) {
         if let MovementSource::Generated(generated) = &mut self.source {
             generated.failed = failed;

@@ -1,4 +1,4 @@
-//! A study: movements, who made them, and how they are shown.
+//! A study: its movements, their sources, and how they are displayed.
 
 use crate::perception::design::{Design, Preset};
 use crate::perception::error::{FORMAT, StudyError};
@@ -11,7 +11,7 @@ use vcgpdm::motion::landmarks::Landmarks;
 pub enum Look {
     /// A grey figure.
     Figure,
-    /// Point lights: a dot at each of some joints, nothing between them (Johansson 1973).
+    /// Point lights: dots at some joints without lines (Johansson 1973).
     Points,
 }
 
@@ -24,24 +24,24 @@ impl Look {
         }
     }
 
-    /// The look of that name.
+    /// The look of this name.
     pub fn from_id(id: &str) -> Option<Self> {
         [Look::Figure, Look::Points].into_iter().find(|look| look.id() == id)
     }
 }
 
-/// What a participant reads: plain text, with an empty line between paragraphs.
+/// Texts for the participant: plain text, with an empty line between paragraphs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Texts {
-    /// What taking part means.
+    /// Consent to take part.
     pub consent: String,
-    /// What there is to do.
+    /// Instructions.
     pub instructions: String,
     /// The question of every trial.
     pub question: String,
-    /// Between two blocks.
+    /// Text between two blocks.
     pub pause: String,
-    /// After the last trial.
+    /// Text after the last trial.
     pub end: String,
 }
 
@@ -73,36 +73,36 @@ impl Default for Texts {
 pub struct Figure {
     /// The name of each node; joints first, then the ends of the last bones.
     pub names: Vec<String>,
-    /// The parent of each node, which stands before it; none for the root.
+    /// The parent of each node, with a smaller index; none for the root.
     pub parents: Vec<Option<usize>>,
-    /// How many of the nodes are joints.
+    /// Number of nodes that are joints.
     pub joints: usize,
-    /// The nodes that a picture needs by name.
+    /// Nodes with a special role in the picture.
     pub landmarks: Landmarks,
 }
 
-/// A study: movements, who made them, and how they are shown.
+/// A study: its movements, their sources, and how they are displayed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Study {
-    /// What it is called.
+    /// The title.
     pub title: String,
     /// How the figures are drawn.
     pub look: Look,
     /// Frames a second of all movements.
     pub frames_per_second: usize,
-    /// Seconds of each movement that are shown.
+    /// Seconds of each movement.
     pub seconds: f64,
-    /// Seconds of the cross before it.
+    /// Seconds of the cross before each trial.
     pub cross_seconds: f64,
-    /// What a participant reads.
+    /// Texts for the participant.
     pub texts: Texts,
-    /// How many trials of which kind there are.
+    /// The numbers of trials.
     pub design: Design,
     /// The figure that moves.
     pub figure: Figure,
     /// Height of the figure, in metres.
     pub height: f64,
-    /// Metres of the whole numbers in which places are kept.
+    /// Unit of the stored positions, in metres.
     pub unit: f64,
     /// The movements.
     pub stimuli: Vec<Stimulus>,
@@ -112,33 +112,33 @@ impl Study {
     /// The field "format" of a study's document.
     pub const FORMAT: &'static str = FORMAT;
 
-    /// Seconds that movements can be shown.
+    /// Range of the seconds of movements.
     pub const SECONDS: RangeInclusive<f64> = 0.1..=60.0;
 
-    /// Frames that are shown of each movement.
+    /// Number of frames of each movement in a trial.
     pub fn frames(&self) -> usize {
         (self.seconds * self.frames_per_second as f64).round() as usize
     }
 
-    /// The longest movement in seconds that all stimuli hold; infinity without any.
+    /// The seconds of the shortest stimulus; infinity without any.
     pub fn longest(&self) -> f64 {
         let frames = self.stimuli.iter().map(|stimulus| stimulus.movement.frames()).min();
         frames.map_or(f64::INFINITY, |frames| frames as f64 / self.frames_per_second as f64)
     }
 
-    /// The places of a movement's nodes as they are shown [frames x nodes x 3]: y up, in metres, the ground
-    /// at y = 0, the figure above the origin and on its way along z.
+    /// The positions of a movement's nodes in a trial [frames x nodes x 3]: y up, in metres, the ground at y = 0,
+    /// the figure above the origin and moving along z.
     pub fn positions(&self, stimulus: usize) -> Option<Vec<f32>> {
         self.stimuli.get(stimulus).map(|stimulus| stimulus.movement.positions(self.frames(), self.unit))
     }
 
-    /// The place of the stimulus of that id.
+    /// The index of the stimulus of this id.
     pub fn find(&self, id: &str) -> Option<usize> {
         self.stimuli.iter().position(|stimulus| stimulus.id == id)
     }
 
     /// The same movements with the trials and times of a preset. Movements that are shorter than the preset's
-    /// are shown whole.
+    /// are displayed whole.
     pub fn with_preset(mut self, preset: Preset) -> Self {
         let (seconds, cross) = preset.seconds();
         (self.seconds, self.cross_seconds) = (seconds.min(self.longest()), cross);
@@ -146,10 +146,10 @@ impl Study {
         self
     }
 
-    /// The same movements, of which those of these ids, and no others, are marked as obvious failures.
+    /// The same movements with exactly those of these ids marked as obvious failures.
     ///
     /// # Errors
-    /// There is no generated movement of such an id.
+    /// There is no generated movement of one of these ids.
     pub fn with_failed(mut self, ids: &[String]) -> Result<Self, StudyError> {
         let generated = |id: &&String| self.find(id).is_some_and(|k| self.stimuli[k].generated().is_some());
         if let Some(id) = ids.iter().find(|id| !generated(id)) {

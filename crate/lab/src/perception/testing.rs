@@ -1,4 +1,4 @@
-//! A small study for tests: sways from side to side.
+//! A small study for tests: bodies that sway from side to side.
 
 use crate::perception::design::Preset;
 use crate::perception::movement::FigureMovement;
@@ -20,7 +20,7 @@ fn movement(width: f32) -> FigureMovement {
     FigureMovement::new(&places.collect::<Vec<_>>(), 2, 0.001).unwrap()
 }
 
-/// Its candidates, each with movements of two trials held out.
+/// The candidates of the study, each with predictions of two trials.
 pub fn candidates() -> Vec<Settings> {
     let ips = |dynamics_ips, pose_ips| VariationalSettings {
         dynamics_ips,
@@ -41,7 +41,7 @@ pub fn candidates() -> Vec<Settings> {
     ]
 }
 
-/// Four natural movements of which one is kept, and two of each candidate; one more that has failed.
+/// Four natural movements, one of them unseen, two movements of each candidate, and a failed one.
 pub fn study() -> Study {
     let natural = |k: usize| Stimulus {
         id: format!("natural-{k}"),
@@ -105,8 +105,8 @@ pub fn study() -> Study {
     }
 }
 
-/// The answers of a participant, as jsPsych writes them: `rate` is how often a movement is taken for the
-/// natural one; who does not look answers at random.
+/// The answers of a participant, as jsPsych writes them. `rate` is how often a movement is taken for the natural
+/// one. A participant who does not look answers at random.
 pub fn answers(
     study: &Study,
     name: &str,

@@ -1,4 +1,4 @@
-//! Documents of studies, and what participants are shown.
+//! Tests of the documents of studies and of the trials of participants.
 
 use super::*;
 use crate::perception::testing::{answers, study};
@@ -10,7 +10,7 @@ fn document() -> Value {
     serde_json::from_str(&study().to_json().unwrap()).unwrap()
 }
 
-/// What the reader says to the document with another value at that place.
+/// The error of the reader after a value of the document is changed.
 fn refused(pointer: &str, value: Value) -> String {
     let mut document = document();
     *document.pointer_mut(pointer).unwrap() = value;
@@ -18,7 +18,7 @@ fn refused(pointer: &str, value: Value) -> String {
 }
 
 #[test]
-fn a_study_comes_back_bit_by_bit() {
+fn reads_what_it_has_written_to_the_bit() {
     let text = study().to_json().unwrap();
     let again = Study::from_json(&text).unwrap();
     assert!(again == study());
@@ -26,7 +26,7 @@ fn a_study_comes_back_bit_by_bit() {
 }
 
 #[test]
-fn the_hash_is_of_what_is_shown() {
+fn hashes_only_the_figure_and_the_movements() {
     let hash = study().hash().unwrap();
     let mut other = study().with_preset(Preset::P3Part1);
     other.texts.end = "bye".to_owned();
@@ -40,7 +40,7 @@ fn the_hash_is_of_what_is_shown() {
 }
 
 #[test]
-fn wrong_documents_are_refused_with_the_path() {
+fn names_the_path_of_a_wrong_field() {
     for (pointer, value, words) in [
         ("/format", json!("vcgpdm model"), "expected a study with \"format\": \"vcgpdm study\", found"),
         ("/version", json!(2), "expected a study of version 1, found version 2; a newer program wrote it"),
@@ -104,7 +104,7 @@ fn wrong_documents_are_refused_with_the_path() {
 }
 
 #[test]
-fn every_field_is_needed_and_no_other_is_taken() {
+fn needs_every_field_and_refuses_others() {
     fn objects(value: &Value, at: String, found: &mut Vec<String>) {
         match value {
             Value::Object(fields) => {
@@ -140,7 +140,7 @@ fn every_field_is_needed_and_no_other_is_taken() {
 }
 
 #[test]
-fn a_participant_is_shown_what_the_design_says() {
+fn draws_the_trials_of_the_design() {
     let mut study = study();
     study.design = Preset::P3Part1.design(1);
     let trials = study.trials(42);
@@ -186,14 +186,14 @@ fn a_participant_is_shown_what_the_design_says() {
     assert!(settings.values().all(|count| [68, 69].contains(count)), "{settings:?}");
     assert!(movements.values().all(|count| [34, 35].contains(count)), "{movements:?}");
     assert!((315..=322).contains(&lefts), "{lefts}");
-    // One attention check in each of seventeen stretches.
+    // One attention check in each of seventeen equal sections.
     let checks: Vec<usize> =
         (0..trials.len()).filter(|&k| trials[k].kind == TrialKind::Attention).map(|k| k * 17 / 643).collect();
     assert!(checks.iter().enumerate().all(|(k, stretch)| k.abs_diff(*stretch) <= 1), "{checks:?}");
 }
 
 #[test]
-fn what_a_study_does_not_have_is_not_shown() {
+fn draws_no_checks_without_failed_or_unseen_movements() {
     let mut few = study();
     few.stimuli.retain(|stimulus| !stimulus.failed() && stimulus.natural() != Some(false));
     let trials = few.trials(0);
@@ -202,7 +202,7 @@ fn what_a_study_does_not_have_is_not_shown() {
 }
 
 #[test]
-fn a_preset_shows_short_movements_whole() {
+fn a_preset_displays_short_movements_whole() {
     let study = study().with_preset(Preset::P2);
     assert_eq!((study.seconds, study.cross_seconds, study.frames()), (1.2, 1.0, 36));
     assert_eq!(study.positions(0).unwrap().len(), 36 * 2 * 3);
@@ -210,7 +210,7 @@ fn a_preset_shows_short_movements_whole() {
     assert!(Study::from_json(&study.to_json().unwrap()).is_ok());
 }
 
-/// A text in which some letters are others.
+/// A text with some letters changed.
 fn damaged(text: &str, changes: &[(usize, char)]) -> String {
     let mut letters: Vec<char> = text.chars().collect();
     let count = letters.len();

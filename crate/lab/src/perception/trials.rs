@@ -1,18 +1,17 @@
-//! What one participant is shown: the same for the same seeds, on every machine.
+//! The trials of one participant: the same for the same seeds, on every machine.
 
 use crate::perception::draw::Draw;
 use crate::perception::study::Study;
 use vcgpdm::models::Settings;
 
-/// What a trial is for.
+/// The kind of a trial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TrialKind {
-    /// A generated movement beside a natural one.
+    /// A generated and a natural movement.
     Comparison,
-    /// An obviously failed one beside a natural one: who looks sees it.
+    /// An obviously failed and a natural movement: a test of attention.
     Attention,
-    /// A natural movement that was not shown before beside one that was: who only knows the natural ones by
-    /// heart is found out.
+    /// An unseen and a seen natural movement: participants who only recognise the seen ones choose those.
     Catch,
 }
 
@@ -26,7 +25,7 @@ impl TrialKind {
         }
     }
 
-    /// The kind of that name.
+    /// The kind of this name.
     pub fn from_id(id: &str) -> Option<Self> {
         [TrialKind::Comparison, TrialKind::Attention, TrialKind::Catch]
             .into_iter()
@@ -34,14 +33,14 @@ impl TrialKind {
     }
 }
 
-/// On which side the natural movement is.
+/// The side of the natural movement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NaturalSide {
-    /// On the left.
+    /// Left.
     Left,
-    /// On the right.
+    /// Right.
     Right,
-    /// On both.
+    /// Both movements are natural.
     None,
 }
 
@@ -61,19 +60,19 @@ impl NaturalSide {
 pub struct StudyTrial {
     /// The block, counted from 0.
     pub block: usize,
-    /// What it is for.
+    /// The kind.
     pub kind: TrialKind,
-    /// The place of the stimulus on the left.
+    /// The index of the stimulus on the left.
     pub left: usize,
-    /// The place of the stimulus on the right.
+    /// The index of the stimulus on the right.
     pub right: usize,
-    /// On which side the natural movement is.
+    /// The side of the natural movement.
     pub natural_side: NaturalSide,
-    /// The way that both figures go, in whole degrees: 0 is towards the observer, 90 to the observer's right.
+    /// The direction of both figures in whole degrees: 0 is towards the observer, 90 to the observer's right.
     pub heading_degrees: usize,
 }
 
-/// A trial before sides are chosen: `first` is the generated, or else the unseen, movement.
+/// A trial without sides: `first` is the generated movement, or in a catch trial the unseen one.
 struct Pair {
     kind: TrialKind,
     first: usize,
@@ -92,15 +91,15 @@ impl Study {
         let failed = places(&|k| self.stimuli[k].failed());
 
         let shown = self.comparisons(&mut draw);
-        let checks = draw.dealt(&failed, self.design.attention_checks);
-        let catches = draw.dealt(&unseen, self.design.catch_trials);
-        let mut naturals = draw.dealt(&seen, shown.len() + checks.len() + catches.len()).into_iter();
+        let checks = draw.deal(&failed, self.design.attention_checks);
+        let catches = draw.deal(&unseen, self.design.catch_trials);
+        let mut naturals = draw.deal(&seen, shown.len() + checks.len() + catches.len()).into_iter();
         let mut pair = |kind, first| naturals.next().map(|natural| Pair { kind, first, natural });
 
         let mut pairs: Vec<Pair> =
             shown.into_iter().filter_map(|first| pair(TrialKind::Comparison, first)).collect();
         draw.shuffle(&mut pairs);
-        // One check in each of equally long stretches, so that they tell of the whole time.
+        // One check in each of several equal sections, so that they cover the whole time.
         let stretches = checks.len();
         for (k, first) in checks.into_iter().enumerate() {
             let (begin, end) = (k * pairs.len() / stretches, (k + 1) * pairs.len() / stretches);
@@ -120,8 +119,8 @@ impl Study {
         self.sides(pairs, &mut draw)
     }
 
-    /// The generated movements that are compared: settings are shown equally often, as far as the number of
-    /// trials allows, and so are the movements of a setting.
+    /// The generated movements of the comparisons. Settings come equally often, as far as the number of trials
+    /// allows, and so do the movements of a setting.
     fn comparisons(&self, draw: &mut Draw) -> Vec<usize> {
         let mut settings: Vec<(&Settings, Vec<usize>)> = Vec::new();
         for (k, stimulus) in self.stimuli.iter().enumerate() {
@@ -135,14 +134,14 @@ impl Study {
         }
         let order: Vec<usize> = (0..settings.len()).collect();
         let mut times = vec![0; settings.len()];
-        draw.dealt(&order, self.design.comparisons).into_iter().for_each(|setting| times[setting] += 1);
-        settings.iter().zip(times).flat_map(|((_, movements), times)| draw.dealt(movements, times)).collect()
+        draw.deal(&order, self.design.comparisons).into_iter().for_each(|setting| times[setting] += 1);
+        settings.iter().zip(times).flat_map(|((_, movements), times)| draw.deal(movements, times)).collect()
     }
 
-    /// Sides, half of the natural ones on the left, directions and blocks.
+    /// Chooses sides (half of the natural movements on the left), directions and blocks.
     fn sides(&self, pairs: Vec<Pair>, draw: &mut Draw) -> Vec<StudyTrial> {
         let (count, blocks) = (pairs.len(), self.design.blocks.max(1));
-        let lefts = draw.dealt(&[true, false], count);
+        let lefts = draw.deal(&[true, false], count);
         let trials = pairs.into_iter().zip(lefts).enumerate();
         trials
             .map(|(k, (Pair { kind, first, natural }, left))| StudyTrial {

@@ -1,4 +1,4 @@
-//! Whether a score predicts answers better than a constant does: n-fold cross-validation (Knopp et al. 2019,
+//! Whether a score predicts answers better than a constant: n-fold cross-validation (Knopp et al. 2019,
 //! section 3.3).
 
 use crate::evaluation::stats::{mean, standard_error};
@@ -6,22 +6,22 @@ use crate::perception::draw::Draw;
 use crate::perception::regression::{Curve, Point};
 use vcgpdm::internals::Elementary;
 
-/// A constant is no surer than that.
-const SUREST: f64 = 1e-6;
+/// Smallest probability of an answer by a constant.
+const SMALLEST: f64 = 1e-6;
 
-/// The logarithm of the Bayes factor of a score beside a constant.
+/// The logarithm of the Bayes factor of a score and a constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct LogBayesFactor {
-    /// The mean over the blocks left out of the log likelihood by the curve minus that by the constant.
+    /// Log likelihood by the curve minus that by the constant: the mean over the blocks left out.
     pub mean: f64,
     /// Its standard error over the blocks.
     pub error: f64,
-    /// How many blocks.
+    /// Number of blocks.
     pub folds: usize,
 }
 
-/// Splits all answers at random into blocks, fits curve and constant without each, and asks which expected
-/// the answers of the block more. Absent with fewer answers than blocks.
+/// Splits all answers at random into blocks, fits curve and constant without each block, and compares their
+/// likelihoods of the block. Absent with fewer answers than blocks.
 pub(super) fn log_bayes_factor(
     points: &[Point],
     ceiling: f64,
@@ -44,7 +44,7 @@ pub(super) fn log_bayes_factor(
     Some(LogBayesFactor { mean, error, folds })
 }
 
-/// Of each point the answers of each block.
+/// The answers of each block to each point.
 fn blocks(points: &[Point], folds: usize, seed: u32) -> Option<Vec<Vec<Point>>> {
     let mut answers: Vec<(usize, bool)> = Vec::new();
     for (place, point) in points.iter().enumerate() {
@@ -66,13 +66,13 @@ fn blocks(points: &[Point], folds: usize, seed: u32) -> Option<Vec<Vec<Point>>> 
     Some(blocks)
 }
 
-/// The log likelihood of some answers by the share of hits in others.
+/// The log likelihood of answers by the share of hits in other answers.
 fn constant(others: &[Point], answers: &[Point]) -> f64 {
     let sum = |points: &[Point]| {
         points.iter().fold((0.0, 0.0), |(hits, trials), point| (hits + point.hits, trials + point.trials))
     };
     let (hits, trials) = sum(others);
-    let rate = (hits / f64::max(trials, 1.0)).clamp(SUREST, 1.0 - SUREST);
+    let rate = (hits / f64::max(trials, 1.0)).clamp(SMALLEST, 1.0 - SMALLEST);
     let (hits, trials) = sum(answers);
     hits * rate.logarithm() + (trials - hits) * (1.0 - rate).logarithm()
 }
@@ -95,11 +95,11 @@ mod tests {
     }
 
     #[test]
-    fn a_score_that_tells_is_told_from_one_that_does_not() {
+    fn distinguishes_a_score_with_information_from_noise() {
         let truth = Curve { ceiling: 0.5, weights: [0.0, 1.5] };
         for seed in 0..5 {
-            let told = simulated(|score| truth.rate(score), seed);
-            let found = log_bayes_factor(&told, 0.5, 10, 1).unwrap();
+            let informative = simulated(|score| truth.rate(score), seed);
+            let found = log_bayes_factor(&informative, 0.5, 10, 1).unwrap();
             assert!(found.mean > 5.0 && found.mean > 4.0 * found.error, "{found:?}");
             // The score is noise: near 0, a little below, as the curve learns what is none.
             let noise = simulated(|_| 0.3, seed);
@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn blocks_hold_all_answers_once() {
+    fn puts_each_answer_into_one_block() {
         let points = simulated(|_| 0.3, 1);
         let blocks = blocks(&points, 7, 3).unwrap();
         for (k, point) in points.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! From a study to the tree of its document.
+//! Writes a study as a JSON tree.
 
 use crate::perception::design::Design;
 use crate::perception::error::VERSION;
@@ -56,8 +56,8 @@ pub(super) fn document(study: &Study) -> Value {
     ])
 }
 
-/// What is shown: all but design, texts and marks.
-pub(super) fn shown(study: &Study) -> Value {
+/// The figure and the movements, without design, texts and marks.
+pub(super) fn content(study: &Study) -> Value {
     Value::object([
         ("frames_per_second", Value::whole(study.frames_per_second)),
         ("metres_per_unit", Value::Number(study.unit)),

@@ -1,4 +1,4 @@
-//! How often the movements of each setting were taken for the natural one, beside what their scores are.
+//! How often the movements of each setting were taken for the natural one, and their scores.
 
 use crate::evaluation::Labels;
 use crate::evaluation::stats::mean;
@@ -11,7 +11,7 @@ use crate::perception::study::Study;
 use crate::perception::trials::TrialKind;
 use vcgpdm::models::{ModelKind, Settings};
 
-/// The answers that count: those of participants who paid attention.
+/// The answers of participants who paid attention.
 pub(super) struct Counted<'a> {
     study: &'a Study,
     answers: Vec<&'a Answer>,
@@ -26,8 +26,8 @@ impl<'a> Counted<'a> {
         Self { study, answers: answers.iter().filter(counts).collect() }
     }
 
-    /// How often the generated, or else the unseen, movement was taken for the more natural one in these
-    /// trials.
+    /// How often the generated movement, or in catch trials the unseen one, was taken for the more natural one in
+    /// the wanted trials.
     pub fn rate(&self, wanted: impl Fn(&Answer) -> bool) -> Rate {
         let trials: Vec<&&Answer> = self.answers.iter().filter(|answer| wanted(answer)).collect();
         let hits = trials.iter().filter(|answer| took_generated(self.study, answer)).count();
@@ -89,7 +89,7 @@ fn size(candidate: &Settings) -> Size {
     }
 }
 
-/// Means over movements; of a score that some lack, none.
+/// Means over movements; a score is absent if a movement lacks it.
 fn mean_scores(movements: &[&&Generated]) -> Option<MeanScores> {
     let over = |value: &dyn Fn(&Generated) -> Option<f64>| -> Option<f64> {
         let values: Option<Vec<f64>> = movements.iter().map(|generated| value(generated)).collect();
