@@ -16,7 +16,7 @@ after(() => site?.close());
 
 /**
  * The largest step of a node from one frame to the next, in metres. A waving hand moves 0.3 m; without the
- * seam, exchanged arms would move 1.1 m or more.
+ * transition, exchanged arms would move 1.1 m or more.
  */
 const LARGEST_STEP = 0.4;
 
