@@ -113,7 +113,7 @@ pub use motion::samples::{SampleInfo, clip as sample_clip, list as sample_clips}
 pub use motion::skeleton::{Channel, FigureNode, Joint, LocalPose, Skeleton, SkeletonError, WorldPose};
 pub use motion::{BodyMismatch, Clip, ClipError, Recording};
 pub use series::{
-    Columns, SeriesError, Table, parts_from_words as column_parts, read as read_csv, write as write_csv,
+    Columns, SeriesError, Table, parse_parts as column_parts, read as read_csv, write as write_csv,
 };
 
 /// For the other crates of this project: semantic versioning does not cover it, and any version may change

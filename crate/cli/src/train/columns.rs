@@ -7,7 +7,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use vcgpdm::models::Dataset;
 use vcgpdm::motion::parts::PartSpec;
-use vcgpdm::series::{Columns, SeriesError, Table, parts_from_json, parts_from_words, read, whole};
+use vcgpdm::series::{Columns, SeriesError, Table, parse_parts, parts_from_json, read, whole};
 
 /// The tables as a data set. `split` is the value of `--parts`; `rate` is the number of rows a second of files
 /// without times.
@@ -33,5 +33,5 @@ fn parts(text: &str, columns: &[String]) -> Result<Vec<PartSpec>, Box<dyn Error>
         return parts_from_json(&files::read_text(path)?, columns)
             .map_err(|error| files::with_path(path, &error));
     }
-    parts_from_words(text, columns).map_err(|error: SeriesError| usage(format!("--parts {text}: {error}")))
+    parse_parts(text, columns).map_err(|error: SeriesError| usage(format!("--parts {text}: {error}")))
 }

@@ -286,7 +286,7 @@ fn documents_without_a_kind_are_variational() {
     let named = |kind: &str| refused(|v| v["kind"] = json!(kind));
     let kinds = "vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete, dmp-rhythmic";
     assert_eq!(named("gplvm"), format!("at kind: expected one of {kinds}, found \"gplvm\""));
-    assert_eq!(named("vgpdm"), "at kind: expected vcgpdm, for so many parts, found vgpdm");
+    assert_eq!(named("vgpdm"), "at kind: expected vcgpdm for 2 parts, found vgpdm");
 }
 
 #[test]
@@ -294,7 +294,7 @@ fn wrong_fields_of_a_baseline_are_refused_with_their_path() {
     type Change = fn(&mut Value);
     let document: Value = serde_json::from_str(&baseline().to_json().unwrap()).unwrap();
     let cases: [(&str, Change); 10] = [
-        ("at kind: expected map-cgpdm, for so many parts, found map-gpdm", |v| v["kind"] = json!("map-gpdm")),
+        ("at kind: expected map-cgpdm for 2 parts, found map-gpdm", |v| v["kind"] = json!("map-gpdm")),
         ("at model.order: expected from 1 to 100, found 0", |v| v["model"]["order"] = json!(0)),
         ("at model: sequence 0 has ", |v| v["model"]["order"] = json!(100)),
         ("at model.parts[0].latents: expected ", |v| v["sequences"][0]["frames"] = json!(39)),

@@ -157,7 +157,7 @@ impl<'a> Field<'a> {
 }
 
 impl<'a> Object<'a> {
-    /// The field of that name, `None` when there is none.
+    /// The field of that name, or `None`.
     pub fn optional(&mut self, name: &str) -> Option<Field<'a>> {
         let field = self.fields.iter_mut().find(|field| field.is_some_and(|(found, _)| found == name))?;
         field.take().map(|(_, value)| Field { value, path: self.path_of(name) })

@@ -106,11 +106,11 @@ impl<'a> Parser<'a> {
             Some(b'"') => Ok(Value::Text(self.string()?)),
             Some(b'-' | b'0'..=b'9') => self.number(),
             _ => {
-                let words =
+                let literals =
                     [("null", Value::Null), ("true", Value::Bool(true)), ("false", Value::Bool(false))];
-                for (word, value) in words {
-                    if self.text.as_bytes()[self.at..].starts_with(word.as_bytes()) {
-                        self.at += word.len();
+                for (literal, value) in literals {
+                    if self.text.as_bytes()[self.at..].starts_with(literal.as_bytes()) {
+                        self.at += literal.len();
                         return Ok(value);
                     }
                 }

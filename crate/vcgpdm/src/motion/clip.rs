@@ -309,7 +309,7 @@ mod tests {
             for t in 0..other.frames() {
                 let at = t as f64 / fps / frame_time;
                 assert_abs_diff_eq!(other.values[(t, 0)], at, epsilon = 1e-9);
-                let wanted = rotation::about(1, (7.0 * at).to_radians());
+                let wanted = rotation::about_axis(1, (7.0 * at).to_radians());
                 assert!(rotation::angle_between(&other.local_pose(t).rotations[0], &wanted) < 1e-9, "{t}");
             }
         }

@@ -30,7 +30,7 @@ const SPINE_WORDS: [&str; 9] =
 
 /// The limb and the side that a name contains; `None` for the trunk and for names without limb or side.
 pub(crate) fn limb_of(name: &str) -> Option<(Limb, Side)> {
-    let (side, rest) = side_of(&words(name))?;
+    let (side, rest) = side_of(&split_words(name))?;
     let contains = |list: &[&str]| rest.iter().any(|word| list.iter().any(|part| word.contains(part)));
     if contains(&LEG_WORDS) {
         Some((Limb::Leg, side))
@@ -44,17 +44,17 @@ pub(crate) fn limb_of(name: &str) -> Option<(Limb, Side)> {
 /// Whether the name contains "head". Callers also check the joint's region, because a hand may hold a
 /// "headlight".
 pub(crate) fn looks_like_head(name: &str) -> bool {
-    words(name).iter().any(|word| word.contains("head"))
+    split_words(name).iter().any(|word| word.contains("head"))
 }
 
 /// Whether the name is that of the back or chest.
 pub(crate) fn looks_like_spine(name: &str) -> bool {
-    words(name).iter().any(|word| SPINE_WORDS.iter().any(|part| word.contains(part)))
+    split_words(name).iter().any(|word| SPINE_WORDS.iter().any(|part| word.contains(part)))
 }
 
 /// The words of a name in lower case: split at separators, digits and changes of case (`mixamorig:LeftUpLeg`
 /// gives mixamorig, left, up, leg).
-fn words(name: &str) -> Vec<String> {
+fn split_words(name: &str) -> Vec<String> {
     let letters: Vec<char> = name.chars().collect();
     let mut words: Vec<String> = Vec::new();
     let mut word = String::new();

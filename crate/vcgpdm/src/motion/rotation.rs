@@ -44,7 +44,7 @@ pub fn angle_between(a: &UnitQuaternion<f64>, b: &UnitQuaternion<f64>) -> f64 {
 }
 
 /// The rotation by an angle in radians about one axis (0, 1, 2 for x, y, z).
-pub fn about(axis: usize, angle: f64) -> UnitQuaternion<f64> {
+pub fn about_axis(axis: usize, angle: f64) -> UnitQuaternion<f64> {
     let (sine, cosine) = (0.5 * angle).sine_cosine();
     let mut vector = Vector3::zeros();
     vector[axis] = sine;
@@ -72,7 +72,7 @@ pub fn euler_near(q: &UnitQuaternion<f64>, axes: [usize; 3], previous: [f64; 3])
     let (sine, cosine) = (-sign * m[(j, k)], m[(k, k)]);
     let a = if sine.hypotenuse(cosine) < 1e-12 { previous[0] } else { sine.arctangent(cosine) };
     // b and c are computed after removing R_i(a), so c corrects an inaccurate a and the product is exact.
-    let rest = about(i, -a).to_rotation_matrix() * m;
+    let rest = about_axis(i, -a).to_rotation_matrix() * m;
     let b = (sign * rest[(i, k)]).arctangent(rest[(k, k)]);
     let c = (sign * rest[(j, i)]).arctangent(rest[(j, j)]);
     let near = |angles: [f64; 3]| -> [f64; 3] { std::array::from_fn(|n| angle_near(angles[n], previous[n])) };
@@ -91,7 +91,7 @@ pub fn angles_near(q: &UnitQuaternion<f64>, axes: &[usize], previous: &[f64]) ->
             let m = q.to_rotation_matrix();
             // In R_i(a) R_j(b) the direction of axis j depends on a alone.
             let a = (sign * m[(k, j)]).arctangent(m[(j, j)]);
-            let rest = about(i, -a).to_rotation_matrix() * m;
+            let rest = about_axis(i, -a).to_rotation_matrix() * m;
             let b = (sign * rest[(i, k)]).arctangent(rest[(k, k)]);
             [angle_near(a, previous[0]), angle_near(b, previous[1]), 0.0]
         }
@@ -112,7 +112,9 @@ mod tests {
     use proptest::prelude::*;
 
     fn product(axes: &[usize], angles: &[f64]) -> UnitQuaternion<f64> {
-        axes.iter().zip(angles).fold(UnitQuaternion::identity(), |q, (&axis, &angle)| q * about(axis, angle))
+        axes.iter()
+            .zip(angles)
+            .fold(UnitQuaternion::identity(), |q, (&axis, &angle)| q * about_axis(axis, angle))
     }
 
     fn orders() -> [[usize; 3]; 6] {
@@ -123,7 +125,7 @@ mod tests {
     fn exp_turns_as_the_right_hand_rule_says() {
         let turned = exp(&Vector3::new(0.0, 0.0, PI / 2.0)) * Vector3::x();
         assert_abs_diff_eq!(turned, Vector3::y(), epsilon = 1e-15);
-        assert_abs_diff_eq!(about(2, PI / 2.0) * Vector3::x(), Vector3::y(), epsilon = 1e-15);
+        assert_abs_diff_eq!(about_axis(2, PI / 2.0) * Vector3::x(), Vector3::y(), epsilon = 1e-15);
     }
 
     #[test]
@@ -190,7 +192,7 @@ mod tests {
                 let found = angles_near(&q, &[i, j], &[a, b]);
                 prop_assert!((found[0] - a).abs() < 1e-12 && (found[1] - b).abs() < 1e-12);
             }
-            let found = angles_near(&about(1, a), &[1], &[a]);
+            let found = angles_near(&about_axis(1, a), &[1], &[a]);
             prop_assert!((found[0] - a).abs() < 1e-12);
         }
     }

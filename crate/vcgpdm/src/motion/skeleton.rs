@@ -259,7 +259,7 @@ impl Skeleton {
                 let value = values[(frame, column)];
                 column += 1;
                 if channel.is_rotation() {
-                    rotation *= rotation::about(channel.axis(), value.to_radians());
+                    rotation *= rotation::about_axis(channel.axis(), value.to_radians());
                 } else {
                     position[channel.axis()] = value;
                 }

@@ -69,12 +69,12 @@ impl UpAxis {
     /// The rotation from the file's world to one with y up.
     pub fn to_y_up(self) -> UnitQuaternion<f64> {
         match self {
-            UpAxis::X => rotation::about(2, FRAC_PI_2),
+            UpAxis::X => rotation::about_axis(2, FRAC_PI_2),
             UpAxis::Y => UnitQuaternion::identity(),
-            UpAxis::Z => rotation::about(0, -FRAC_PI_2),
-            UpAxis::MinusX => rotation::about(2, -FRAC_PI_2),
-            UpAxis::MinusY => rotation::about(0, PI),
-            UpAxis::MinusZ => rotation::about(0, FRAC_PI_2),
+            UpAxis::Z => rotation::about_axis(0, -FRAC_PI_2),
+            UpAxis::MinusX => rotation::about_axis(2, -FRAC_PI_2),
+            UpAxis::MinusY => rotation::about_axis(0, PI),
+            UpAxis::MinusZ => rotation::about_axis(0, FRAC_PI_2),
         }
     }
 }
@@ -283,7 +283,7 @@ mod tests {
 
     #[test]
     fn a_body_lying_on_the_ground_does_not_turn_the_world() {
-        let mut clip = in_other_world(&clips()[0], rotation::about(0, FRAC_PI_2));
+        let mut clip = in_other_world(&clips()[0], rotation::about_axis(0, FRAC_PI_2));
         // Somewhere on the ground of a world with y up, on its front.
         let stage = clip.stage();
         let columns = clip.skeleton.joints[0]

@@ -105,7 +105,7 @@ pub fn read(file: &str, bytes: &[u8]) -> Result<Table, SeriesError> {
     let used: Vec<usize> =
         (0..names.len()).filter(|&k| Some(k) != time && lower_case(&names[k]) != "frame").collect();
     if used.is_empty() {
-        return Err(error_at(line, "expected a column of numbers beside the times, found none"));
+        return Err(error_at(line, "expected a column of numbers other than times, found none"));
     }
     let values = DMatrix::from_fn(rows.len(), used.len(), |row, column| rows[row][used[column]]);
     let columns = used.iter().map(|&k| names[k].clone()).collect();

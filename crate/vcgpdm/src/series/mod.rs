@@ -1,6 +1,6 @@
 //! Time series other than motions of a body: tables of numbers from CSV, and the parts of their columns.
 //!
-//! [`read`] reads a [`Table`] from a file. [`parts_from_words`] and [`parts_from_json`] split its columns
+//! [`read`] reads a [`Table`] from a file. [`parse_parts`] and [`parts_from_json`] split its columns
 //! into parts. A model is trained on a [`Dataset`](crate::models::Dataset) of tables as on one of clips.
 
 mod columns;
@@ -15,5 +15,5 @@ mod tests;
 pub use columns::Columns;
 pub use csv::{read, write};
 pub use error::SeriesError;
-pub use parts::{check_parts, parts_from_json, parts_from_words, whole};
+pub use parts::{check_parts, parse_parts, parts_from_json, whole};
 pub use table::Table;

@@ -15,11 +15,11 @@ pub fn whole(columns: usize) -> Vec<PartSpec> {
 /// # Errors
 ///
 /// A [`SeriesError::Parts`] when the text is not such a list, or a column is in no part or in two.
-pub fn parts_from_words(words: &str, columns: &[String]) -> Result<Vec<PartSpec>, SeriesError> {
+pub fn parse_parts(text: &str, columns: &[String]) -> Result<Vec<PartSpec>, SeriesError> {
     let mut parts = Vec::new();
-    for word in words.split(';').filter(|word| !word.trim().is_empty()) {
-        let (name, list) = word.split_once('=').ok_or_else(|| {
-            SeriesError::Parts(format!("expected parts such as \"arm=x,y;leg=z\", found {word:?}"))
+    for part in text.split(';').filter(|part| !part.trim().is_empty()) {
+        let (name, list) = part.split_once('=').ok_or_else(|| {
+            SeriesError::Parts(format!("expected parts such as \"arm=x,y;leg=z\", found {part:?}"))
         })?;
         let named: Vec<&str> = list.split(',').map(str::trim).collect();
         parts.push(PartSpec { name: name.trim().to_owned(), joints: places(name.trim(), &named, columns)? });

@@ -50,7 +50,7 @@ fn errors_name_file_line_and_column() {
             "time,y\n\n0,1\n1,2\n\n3,3\n4,4\n",
             "line 4, column 1 (time): expected seconds that grow by as much",
         ),
-        ("time\n0\n1\n", "line 1: expected a column of numbers beside the times"),
+        ("time\n0\n1\n", "line 1: expected a column of numbers other than times"),
         ("x,\"y\n1,2\n", "line 1: expected a closing quote"),
     ] {
         assert!(refusal(text).starts_with(&format!("trial.csv, {expected}")), "{}", refusal(text));
@@ -75,11 +75,11 @@ fn columns_are_put_into_the_order_of_the_first_table() {
 #[test]
 fn parts_are_named_by_their_columns() {
     let columns = ["arm_x", "arm_y", "leg"].map(str::to_owned);
-    let parts = parts_from_words("arm=arm_*;leg=leg", &columns).unwrap();
+    let parts = parse_parts("arm=arm_*;leg=leg", &columns).unwrap();
     assert_eq!((&parts[0].joints[..], &parts[1].joints[..]), (&[0, 1][..], &[2][..]));
     let json = r#"[{"name": "arm", "columns": ["arm_x", "arm_y"]}, {"name": "leg", "columns": ["leg"]}]"#;
     assert_eq!(parts_from_json(json, &columns).unwrap(), parts);
-    for (words, expected) in [
+    for (split, expected) in [
         ("arm", "expected parts such as"),
         ("arm=hip;leg=leg", "part \"arm\": expected some of the columns arm_x, arm_y, leg, found \"hip\""),
         ("arm=arm_x;leg=leg", "found no part for arm_y"),
@@ -87,8 +87,8 @@ fn parts_are_named_by_their_columns() {
         ("a=arm_*;a=leg", "part 2: expected a name of its own"),
         ("", "expected at least one part"),
     ] {
-        let error = parts_from_words(words, &columns).unwrap_err().to_string();
-        assert!(error.contains(expected), "{words}: {error}");
+        let error = parse_parts(split, &columns).unwrap_err().to_string();
+        assert!(error.contains(expected), "{split}: {error}");
     }
 }
 

@@ -6,7 +6,7 @@ use vcgpdm::models::{
     Dataset, DmpSettings, MapSettings, Model, SeriesModel, Settings, TmpSettings, Trainer,
     VariationalSettings,
 };
-use vcgpdm::series::{Table, parts_from_words, read, write};
+use vcgpdm::series::{Table, parse_parts, read, write};
 
 /// Two trials of two machines, the second of which follows the first. `size` scales the second column.
 fn tables(size: f64) -> Vec<Table> {
@@ -28,7 +28,7 @@ fn tables(size: f64) -> Vec<Table> {
 
 fn trained(size: f64, settings: Settings, split: &str) -> SeriesModel {
     let tables = tables(size);
-    let parts = parts_from_words(split, &tables[0].columns).unwrap();
+    let parts = parse_parts(split, &tables[0].columns).unwrap();
     let dataset = Dataset::of_tables(&tables, &parts, 30.0).unwrap();
     let mut trainer = Trainer::new(&dataset, &settings, 1).unwrap();
     trainer.run();

@@ -8,7 +8,7 @@ use vcgpdm::models::{
     Trainer, VariationalSettings,
 };
 use vcgpdm::motion::{bvh, parts, samples};
-use vcgpdm::series::{Table, parts_from_words, read, write};
+use vcgpdm::series::{Table, parse_parts, read, write};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
 
@@ -143,7 +143,7 @@ pub fn a_table_trains_and_rolls_out() {
     });
     let text = write(&["leader", "follower"].map(str::to_owned), &values, 0.02);
     let table: Table = read("table.csv", text.as_bytes()).unwrap();
-    let parts = parts_from_words("leader=leader;follower=follower", &table.columns).unwrap();
+    let parts = parse_parts("leader=leader;follower=follower", &table.columns).unwrap();
     let dataset = Dataset::of_tables(&[table], &parts, 30.0).unwrap();
     let mut trainer = Trainer::new(&dataset, &Settings::Vcgpdm(SMALL), 1).unwrap();
     let objective = trainer.run().best;

@@ -6,6 +6,7 @@ use crate::json::checks::{bounded, count, within};
 use crate::json::{Field, FieldError, Object, Value, check_heading};
 use crate::models::{Body, ModelKind, SequenceInfo};
 use crate::motion::parts::{PartSpec, PartsLayout};
+use crate::plural::counted;
 
 /// Largest number of parts.
 pub(super) const MOST_PARTS: usize = 64;
@@ -34,7 +35,8 @@ impl<S> Head<'_, S> {
         if let Some(field) = &self.kind_field
             && found != self.kind
         {
-            let message = format!("expected {}, for so many parts, found {}", found.id(), self.kind.id());
+            let parts = counted(layout.parts().len(), "part");
+            let message = format!("expected {} for {parts}, found {}", found.id(), self.kind.id());
             return Err(field.error(message).into());
         }
         self.finish(layout, sequences)

@@ -213,13 +213,13 @@ pub(super) fn sequence(
 ) -> Result<(SequenceInfo, Vec<DMatrix<f64>>), FieldError> {
     let mut sequence = field.object()?;
     let info = sequence_info(&mut sequence)?;
-    // The first frames at least; all of them where the file keeps them.
+    // At least the first frames; some documents have all frames.
     let start = start(sequence.get("start")?, latent, order..=info.frames.max(order))?;
     sequence.end()?;
     Ok((info, start))
 }
 
-/// The latent means of so many frames, the same number of each part.
+/// Reads the latent means of a number of frames in the range `frames`, the same number for each part.
 pub(super) fn start(
     field: Field,
     latent: &[usize],

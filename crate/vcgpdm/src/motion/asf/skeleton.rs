@@ -80,7 +80,7 @@ pub(super) struct AsfBody {
 
 /// The product of rotations about fixed axes, the first applied first.
 pub(super) fn turned(order: impl Iterator<Item = (usize, f64)>) -> UnitQuaternion<f64> {
-    order.fold(UnitQuaternion::identity(), |turn, (axis, angle)| rotation::about(axis, angle) * turn)
+    order.fold(UnitQuaternion::identity(), |turn, (axis, angle)| rotation::about_axis(axis, angle) * turn)
 }
 
 /// A bone of the file.

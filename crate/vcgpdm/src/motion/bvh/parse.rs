@@ -9,7 +9,7 @@ use crate::motion::recording::Recording;
 use crate::motion::skeleton::Skeleton;
 use nalgebra::DMatrix;
 
-/// Reads a BVH file. `name` is used in messages and kept as the recording's name.
+/// Reads a BVH file. `name` is used in messages and becomes the recording's name.
 ///
 /// It accepts any hierarchy with one root, any channel order, the line ends CR, LF and CR LF, keywords in any
 /// case, UTF-16, a byte order mark, Latin-1 names, and row counts that are slightly wrong.
@@ -89,7 +89,7 @@ fn warn_of_names(skeleton: &Skeleton, warnings: &mut Vec<String>) {
     }
     if !repeated.is_empty() {
         warnings.push(format!(
-            "{joints} joints share their names with others ({}): joints are told apart by their place",
+            "{joints} joints share their names with others ({}): joints are identified by their index",
             listed(&repeated)
         ));
     }

@@ -76,9 +76,11 @@ impl PoseMapping {
         if moving.is_empty() {
             return Vec::new();
         }
-        let shown = moving.iter().take(3).map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
+        let names = moving.iter().take(3).map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
         let more = if moving.len() > 3 { format!(" and {} more", moving.len() - 3) } else { String::new() };
-        vec![format!("joints that move in their parent's frame are kept at their mean place: {shown}{more}")]
+        vec![format!(
+            "joints that move in their parent's frame are kept at their mean position: {names}{more}"
+        )]
     }
 }
 

@@ -53,7 +53,7 @@ impl RootPose {
     /// `R_y(yaw) R_x(pitch) R_z(roll)`.
     pub(super) fn orientation(&self) -> UnitQuaternion<f64> {
         let [yaw, pitch, roll] = self.angles;
-        rotation::about(1, yaw) * rotation::about(0, pitch) * rotation::about(2, roll)
+        rotation::about_axis(1, yaw) * rotation::about_axis(0, pitch) * rotation::about_axis(2, roll)
     }
 }
 
@@ -90,7 +90,7 @@ pub(super) fn rows(poses: &[RootPose]) -> Vec<[f64; 6]> {
     let mut rows: Vec<[f64; 6]> = (poses.iter().enumerate())
         .map(|(t, now)| {
             let before = &poses[t.saturating_sub(1)];
-            let step = rotation::about(1, -before.angles[0]) * (now.place - before.place);
+            let step = rotation::about_axis(1, -before.angles[0]) * (now.place - before.place);
             let yaw_rate = rotation::wrapped(now.angles[0] - before.angles[0]);
             [yaw_rate, step.z, step.x, now.place.y, now.angles[1], now.angles[2]]
         })
@@ -107,7 +107,7 @@ fn integrate(row: &[f64; 6], before: Option<&RootPose>, start: &RootPose) -> Roo
     let (yaw, mut place) = match before {
         None => (start.angles[0], start.place),
         Some(before) => {
-            let step = rotation::about(1, before.angles[0]) * Vector3::new(sideways, 0.0, forward);
+            let step = rotation::about_axis(1, before.angles[0]) * Vector3::new(sideways, 0.0, forward);
             (before.angles[0] + yaw_rate, before.place + step)
         }
     };
@@ -199,7 +199,9 @@ mod tests {
     #[test]
     fn the_angles_of_a_somersault_have_no_jumps() {
         let turning = (0..200).map(|t| {
-            rotation::about(1, 2.0) * rotation::about(0, 0.05 * f64::from(t)) * rotation::about(2, 0.01)
+            rotation::about_axis(1, 2.0)
+                * rotation::about_axis(0, 0.05 * f64::from(t))
+                * rotation::about_axis(2, 0.01)
         });
         let angles = continuous_angles(turning);
         for pair in angles.windows(2) {

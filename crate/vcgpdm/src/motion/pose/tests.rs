@@ -108,7 +108,7 @@ fn rows_do_not_depend_on_position_and_heading() {
     let mapping = PoseMapping::new(&clip);
     let y = mapping.encode(&clip).unwrap().y;
     for yaw in [0.7, 2.9, -2.0] {
-        let other = in_other_world(&clip, rotation::about(1, yaw), Vector3::new(30.0, 0.0, -7.0));
+        let other = in_other_world(&clip, rotation::about_axis(1, yaw), Vector3::new(30.0, 0.0, -7.0));
         let encoded = mapping.encode(&other).unwrap();
         assert_abs_diff_eq!(encoded.y, y, epsilon = 1e-9);
         assert_abs_diff_eq!(rotation::wrapped(encoded.start.yaw - yaw), 0.0, epsilon = 0.1);
@@ -119,7 +119,8 @@ fn rows_do_not_depend_on_position_and_heading() {
 fn rows_do_not_depend_on_the_axes_of_the_world() {
     let clip = walker();
     let y = PoseMapping::new(&clip).encode(&clip).unwrap().y;
-    for (turn, up) in [(rotation::about(0, 0.5), UpAxis::Z), (rotation::about(2, -0.5), UpAxis::X)] {
+    for (turn, up) in [(rotation::about_axis(0, 0.5), UpAxis::Z), (rotation::about_axis(2, -0.5), UpAxis::X)]
+    {
         // Quarter turns.
         let turn = turn.powf(std::f64::consts::PI);
         let other = in_other_world(&clip, turn, Vector3::zeros());

@@ -244,17 +244,17 @@ impl Ground {
 
 /// The rotation about x by an angle in degrees.
 fn x(degrees: f64) -> UnitQuaternion<f64> {
-    rotation::about(0, degrees.to_radians())
+    rotation::about_axis(0, degrees.to_radians())
 }
 
 /// The rotation about y by an angle in degrees.
 fn y(degrees: f64) -> UnitQuaternion<f64> {
-    rotation::about(1, degrees.to_radians())
+    rotation::about_axis(1, degrees.to_radians())
 }
 
 /// The rotation about z by an angle in degrees.
 fn z(degrees: f64) -> UnitQuaternion<f64> {
-    rotation::about(2, degrees.to_radians())
+    rotation::about_axis(2, degrees.to_radians())
 }
 
 /// Half the way of a rotation.
