@@ -85,7 +85,14 @@ describe("after the first visit", () => {
     await page.reload();
     assert.ok(!(await page.title()).startsWith("New: "), "after a reload too");
     await ready(page);
+    await page.getByTestId("train").click();
+    await page.getByTestId("cancel").waitFor();
     await page.getByTestId("new-version").click({ timeout: 60_000 });
+    assert.match(await page.getByTestId("confirm").innerText(), /ends what runs here: a training/);
+    await page.getByTestId("confirm-no").click();
+    assert.ok(await page.getByTestId("cancel").isVisible(), "the training continues");
+    await page.getByTestId("new-version").click();
+    await page.getByTestId("confirm-yes").click();
     await page.waitForFunction(() => document.title.startsWith("New: "));
     await ready(page);
     assert.equal(await page.getByTestId("new-version").count(), 0);
