@@ -23,7 +23,7 @@ after(async () => {
 });
 
 /** Waits until the service worker serves this page; all files are stored by then. */
-const kept = (/** @type {import("playwright-core").Page} */ page) =>
+const servedOffline = (/** @type {import("playwright-core").Page} */ page) =>
   page.waitForFunction(() => navigator.serviceWorker.controller?.state === "activated", null, {
     timeout: 60_000,
   });
@@ -36,7 +36,7 @@ describe("after the first visit", () => {
       settings: `trainings=1&${LONG}`,
     });
     await ready(page);
-    await kept(page);
+    await servedOffline(page);
     await page.context().setOffline(true);
     await page.reload();
     await ready(page);
@@ -64,9 +64,13 @@ describe("after the first visit", () => {
   });
 
   it("a new version waits until the visitor asks for it", async () => {
-    const { page, problems, leave } = await site.visit({ serviceWorkers: "allow", idle: true });
+    const { page, problems, leave } = await site.visit({
+      serviceWorkers: "allow",
+      idle: true,
+      settings: LONG,
+    });
     await ready(page);
-    await kept(page);
+    await servedOffline(page);
 
     const service = join(folder, "service.js");
     const index = join(folder, "index.html");
