@@ -1,4 +1,4 @@
-// The page begins: the stores, the views, the first motion, and the engine behind them.
+// Starts the page: the stores, the views, the first motion and the engine.
 import "./ui/base.css";
 import "./ui/controls.css";
 import "./app/layout.css";
@@ -50,7 +50,7 @@ addEventListener("hashchange", () => app.followAddress());
 addEventListener("beforeunload", (event) => wouldLose(app) && event.preventDefault());
 
 const start = () => app.start(startEngine, fetchStartModel());
-// What could not be loaded may be there now.
+// A load that failed may work now.
 addEventListener("online", () => void (app.engine.state === "failed" && start()));
 void start().then(() => {
   // A browser that stores nothing is no reason for a notice to a visitor with nothing to store.
@@ -74,6 +74,6 @@ fetchStartMotion().then(
     if (motion && !app.stage.content) app.stage.showModel(motion);
   },
   () => {
-    // Only the head start is lost: the model rolls out its own motion as soon as it is there.
+    // The stored motion is missing; the model rolls out its own when it has arrived.
   },
 );

@@ -47,7 +47,7 @@ export class App {
     return comparison;
   });
 
-  /** Stores what this visit holds from now on. */
+  /** Stores this visit in the browser from now on. */
   readonly session = new Lazy(async () => {
     const [{ openSession }, { visitOf }] = await Promise.all([
       import("../session/session"),
@@ -78,13 +78,13 @@ export class App {
   });
 
   readonly perception = new Lazy(async () => {
-    const [{ PerceptionStore }, { studyOfThePage }, shelf] = await Promise.all([
+    const [{ PerceptionStore }, { studyOfThePage }, database] = await Promise.all([
       import("../perception/perception-store"),
       import("../perception/study-of-the-page"),
       // The experiment works also in a browser that stores nothing.
       this.#answers.get().catch(() => null),
     ]);
-    return new PerceptionStore(wholeWorkers(), shelf, studyOfThePage);
+    return new PerceptionStore(wholeWorkers(), database, studyOfThePage);
   });
 
   readonly analysis = new Lazy(async () => {
@@ -94,7 +94,7 @@ export class App {
 
   readonly #answers = new Lazy(async () => (await import("../session/answer-database")).answerDatabase());
 
-  /** Keeps what this visit holds, where the browser can, and loads the page again. */
+  /** Stores this visit if the browser can, and loads the page again. */
   async reload(): Promise<void> {
     await this.session.get().then(
       (session) => session.keepNow(),

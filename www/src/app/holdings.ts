@@ -1,4 +1,4 @@
-// What the page holds that a session stores, and how a later visit takes it up.
+// The work on the page that a session stores, and how a later visit takes it up.
 import type { ClipsStore } from "../clips/clips-store";
 import type { ComparisonStore } from "../comparison/comparison-store";
 import type { ModelStore } from "../couplings/model-store";

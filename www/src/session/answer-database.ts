@@ -32,14 +32,14 @@ async function underWay(): Promise<string[]> {
   return held.flatMap(({ name }) => (name?.startsWith(LOCK_PREFIX) ? [name.slice(LOCK_PREFIX.length)] : []));
 }
 
-/** Fails where the browser stores nothing. */
+/** Fails when the browser stores nothing. */
 export async function answerDatabase(): Promise<AnswerDatabase & { forgetAll(): Promise<void> }> {
   const database = await openDB("vcgpdm answers", 1, {
     upgrade(fresh) {
       for (const store of [PARTICIPATIONS, ROWS]) fresh.createObjectStore(store);
       fresh.createObjectStore(STUDIES, { autoIncrement: true });
     },
-    // Another tab wants to change the database: this one lets go, and keeps no more.
+    // Another tab wants to change the database: this tab closes its connection and stores nothing more.
     blocking: (_, __, event) => (event.target as IDBDatabase).close(),
   });
   const participations = async () =>

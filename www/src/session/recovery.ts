@@ -1,5 +1,5 @@
-// What can be brought back from the records of an earlier visit. Records may be junk, half written or of
-// another version of the page: each piece is checked, and those that cannot be read are left out.
+// Reads the records of an earlier visit. Records may be junk, half written or of another version of the page,
+// so each piece is checked and left out when it cannot be read.
 import type { Run } from "../training/runs";
 import { type Check, has, isBoolean, isListOf, isNullOr, isNumber, isOneOf, isText } from "./checks";
 import { contentsOf, type Holdings, type StoredLibrary } from "./records";
@@ -123,7 +123,7 @@ export function recover(records: ReadonlyMap<string, unknown>): Recovered {
     chosen: runs.find(({ id }) => id === chosen) ?? null,
     model: optional<string>("model", isText),
     results: optional<string>("results", isText),
-    // Earlier versions did not write this: nobody knows whether the model and the results were on a disk.
+    // Earlier versions did not write this, so that the model and the results may be on no disk.
     unsaved:
       "unsaved" in about
         ? field("unsaved", has({ model: isBoolean, results: isBoolean }), { model: true, results: true })

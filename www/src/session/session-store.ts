@@ -1,5 +1,4 @@
-// What a visit holds is stored in this browser while the visit lasts. A later visit can bring it back, when
-// the visitor asks for it.
+// Stores the work of a visit in the browser. A later visit can bring it back when the visitor asks for it.
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import { type Holdings, RecordWriter } from "./records";
@@ -9,10 +8,12 @@ import type { VisitDatabase } from "./visit-database";
 /** Milliseconds between two writes: a crash loses no more. */
 const BETWEEN_WRITES = 4000;
 
-/** What the session needs of the page. */
+/** The page as the session sees it. */
 export interface Visit {
   holdings(): Holdings;
-  /** Takes up what can be taken up, and returns what could not, in words. Fails before it has begun. */
+  /**
+   * Takes up all pieces that it can, and returns a sentence for each other one. A refusal fails before that.
+   */
   takeUp(holdings: Holdings): Promise<string[]>;
   showError(title: string, text: string): void;
 }
@@ -159,7 +160,7 @@ export class SessionStore extends Store {
     }
   }
 
-  /** Takes up what an earlier visit held. It stays stored until this visit has stored all of it. */
+  /** Takes up an earlier visit, which stays stored until this visit has stored all of it. */
   async bringBack(offer: Offer): Promise<void> {
     if (this.#busy) return;
     this.#busy = true;

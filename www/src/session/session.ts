@@ -4,7 +4,7 @@ import { browserDatabase } from "./visit-database";
 import { browserLocks } from "./visit-locks";
 import "./session-view";
 
-/** Fails where the browser stores nothing. */
+/** Fails when the browser stores nothing. */
 export async function openSession(visit: Visit): Promise<SessionStore> {
   const session = new SessionStore(visit, await browserDatabase(), browserLocks());
   await session.begin();

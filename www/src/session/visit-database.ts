@@ -27,7 +27,7 @@ function nameOf(key: IDBValidKey): [visit: string, name: string] | null {
 export async function browserDatabase(): Promise<VisitDatabase> {
   const database = await openDB("vcgpdm", 1, {
     upgrade: (fresh) => void fresh.createObjectStore(RECORDS),
-    // Another tab wants to change the database: this one lets go, and keeps no more.
+    // Another tab wants to change the database: this tab closes its connection and stores nothing more.
     blocking: (_, __, event) => (event.target as IDBDatabase).close(),
   });
   return {

@@ -1,5 +1,5 @@
-// What the words of the field mean, in two sentences each. `glossary` is where docs/glossary.md says the same
-// for those who read the code: a name there, or a symbol.
+// The terms of the field, each with an explanation of two sentences. `glossary`: the entry of
+// docs/glossary.md for readers of the code, a name or a symbol.
 
 export interface TermText {
   title: string;
