@@ -26,8 +26,8 @@ pub enum DocumentKind {
 }
 
 impl DocumentKind {
-    /// Reads only the names of the outermost fields and their texts, wherever these stand, so a document that
-    /// is damaged further inside has a kind as well.
+    /// Reads only the names and texts of the outermost fields, in any order. A document that is damaged further
+    /// inside has a kind too.
     pub fn from_json(text: &str) -> Self {
         if text.trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n']).starts_with('[') {
             return Self::List;
@@ -54,7 +54,7 @@ mod tests {
     use super::DocumentKind::{self, *};
 
     #[test]
-    fn a_document_is_known_wherever_its_keys_stand() {
+    fn finds_the_kind_whatever_the_order_of_the_keys() {
         for (file, kind) in [
             ("crate/vcgpdm/tests/library/documents/vcgpdm.json", Model),
             ("crate/vcgpdm/tests/library/documents/tmp.json", Model),
@@ -75,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn other_texts_are_lists_or_unknown() {
+    fn calls_other_texts_lists_or_unknown() {
         for (text, kind) in [
             ("\u{feff}\n [{\"trial_type\": 1}]", List),
             ("", Unknown),

@@ -1,6 +1,6 @@
-//! Leave-one-trial-out cross-validation (Velychko et al. 2018, section 5.3): train on all trials but one, and
-//! on the first frames of the one held out as a sequence of its own; roll out from those for the length of
-//! the trial; score.
+//! Leave-one-trial-out cross-validation (Velychko et al. 2018, section 5.3): train on all trials but one, and on
+//! the first frames of the trial held out as one more sequence; roll out from these frames for the length of the
+//! trial; score.
 
 use crate::evaluation::dtw::{ScoreError, dtw_mse, score_and_columns};
 use crate::evaluation::outcome::Outcome;
@@ -18,30 +18,29 @@ use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::pose::PoseError;
 use vcgpdm::motion::{Clip, ClipError};
 
-/// Frames of the trial held out that a prediction starts from, unless another number is asked for. Velychko
-/// et al. (2018) have 2.
+/// Default number of first frames from which a trial is predicted. Velychko et al. (2018) have 2.
 pub const START_FRAMES: usize = 5;
 
 /// Why a model could not be evaluated.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum EvaluationError {
-    /// There is no such trial.
+    /// The trial does not exist.
     #[error(
         "expected a trial from 1 to {count} to hold out, and at least 2 trials, found trial {found} of {count}"
     )]
     Trial {
-        /// Trials there are.
+        /// Number of trials.
         count: usize,
-        /// The one asked for, counted from 1.
+        /// The trial found, counted from 1.
         found: usize,
     },
-    /// There are not so many trials to train on.
+    /// There are fewer trials to train on.
     #[error("expected from 1 to {most} trials to train on, found {found}")]
     TrainingTrials {
-        /// Trials besides the one held out.
+        /// Number of the trials that are not held out.
         most: usize,
-        /// The number asked for.
+        /// The number found.
         found: usize,
     },
     /// A coupled model has nothing to couple.
@@ -53,10 +52,10 @@ pub enum EvaluationError {
     /// The trials cannot be used together.
     #[error(transparent)]
     Dataset(#[from] DatasetError),
-    /// The trial held out cannot be brought to the frame rate.
+    /// The trial held out cannot be resampled to the frame rate.
     #[error(transparent)]
     Clip(#[from] ClipError),
-    /// The trial held out cannot be turned into rows.
+    /// The trial held out cannot be converted to columns.
     #[error(transparent)]
     Pose(#[from] PoseError),
     /// The trained model could not be fitted.
@@ -71,15 +70,15 @@ pub enum EvaluationError {
     /// A movement of a library could not be made.
     #[error(transparent)]
     Combination(#[from] CombinationError),
-    /// A number that is not finite, though the predicted columns are.
+    /// A number of the outcome is not finite, though the predicted columns are.
     #[error("the prediction is not finite: {what} is {found}")]
     NotFinite {
         /// Which number of the outcome.
         what: &'static str,
-        /// What it is.
+        /// The number found.
         found: f64,
     },
-    /// A time that no training can take.
+    /// The time of a training is impossible.
     #[error("expected the seconds of the training, from 0, found {0}")]
     Seconds(f64),
     /// The prediction could not be scored.
@@ -87,7 +86,7 @@ pub enum EvaluationError {
     Score(#[from] ScoreError),
 }
 
-/// One trial held out: what is trained on, and what is to be predicted.
+/// One trial held out: the training data, and the trial to predict.
 #[derive(Clone, Debug)]
 pub struct Fold {
     body: Body,
@@ -101,7 +100,7 @@ impl Fold {
     /// `training_trials` of the others.
     ///
     /// # Errors
-    /// There are not so many trials, or they cannot be trained on together at this frame rate.
+    /// The trial does not exist, or the trials cannot be trained on together at this frame rate.
     pub fn new(
         trials: &[Clip],
         held_out: usize,
@@ -132,12 +131,12 @@ impl Fold {
         Ok(Self { body: Body::new(&dataset), movements, actual })
     }
 
-    /// What a model of this fold is trained on; its last sequence is the beginning of the trial held out.
+    /// The training data; the last sequence has the first frames of the trial held out.
     pub fn movements(&self) -> &Movements {
         &self.movements
     }
 
-    /// What turns the columns into poses.
+    /// Converts columns to poses.
     pub fn body(&self) -> &Body {
         &self.body
     }
@@ -155,7 +154,7 @@ impl Fold {
         self.generate(model, self.movements.sequences.len() - 1, self.actual.nrows())
     }
 
-    /// All columns [frames x D] that the model makes from the beginning of a sequence.
+    /// All columns [frames x D] of a rollout from the beginning of a sequence.
     fn generate(
         &self,
         model: &FittedModel,
@@ -175,8 +174,7 @@ impl Fold {
         Ok(self.body.columns(&parts.collect::<Vec<_>>()))
     }
 
-    /// The mean error of the model on the trials that it was trained on; absent where one of them cannot be
-    /// scored.
+    /// The mean error of the model on the training trials; absent if one of them cannot be scored.
     fn training_mse(&self, model: &FittedModel) -> Option<f64> {
         let mut begin = 0;
         let mut errors = Vec::new();
@@ -192,11 +190,10 @@ impl Fold {
         Some(mean(&errors)).filter(|error| error.is_finite())
     }
 
-    /// A training of a candidate in this fold, ready to begin.
+    /// The training of a candidate in this fold, before its first step.
     ///
     /// # Errors
-    /// The candidate cannot be trained on these trials; the error names the clip where the reason is in one
-    /// of them.
+    /// The candidate cannot be trained on these trials; the error names the clip if one of them is the reason.
     pub fn learner(&self, candidate: &Settings, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
         let kind = candidate.kind();
         if kind.is_coupled() && self.movements.y.len() == 1 {
@@ -206,8 +203,8 @@ impl Fold {
         Ok(learner.map_err(|reason| dataset_error(reason, &self.body.sequences))?)
     }
 
-    /// Trains a candidate and scores its prediction. `watch` is told of every step and may end the training
-    /// by saying false: then there is no outcome. `seconds` is a clock.
+    /// Trains a candidate and scores its prediction. `watch` is called after every step; if it returns false, the
+    /// training ends without an outcome. `seconds` is a clock.
     ///
     /// # Errors
     /// The candidate cannot be trained, or its prediction cannot be scored.
@@ -232,7 +229,7 @@ impl Fold {
         self.outcome(&model, &learner.progress(), trained).map(Some)
     }
 
-    /// How well a model predicts the trial held out; its training ended like this and took so many seconds.
+    /// The outcome of a model whose training ended with this progress after `seconds` seconds.
     ///
     /// # Errors
     /// The prediction cannot be made or scored, or a number of the outcome is not finite.
@@ -264,8 +261,7 @@ impl Fold {
             reason: training.reason.as_ref().map(ToString::to_string),
             training_mse: self.training_mse(model),
         };
-        // A file of results could not hold such numbers. Squares may overflow where the predicted columns do
-        // not.
+        // JSON cannot store such numbers. Squares can overflow though the predicted columns are finite.
         for (what, found) in [
             ("its mean squared error after time warping", Some(outcome.score.dtw_mse)),
             ("its mean squared error", Some(outcome.score.mse)),
@@ -292,13 +288,13 @@ mod tests {
     }
 
     #[test]
-    fn every_model_predicts_a_walk() {
+    fn predicts_a_walk_with_every_model() {
         predict_from(START_FRAMES);
     }
 
-    /// As in Velychko et al. (2018): a history, and no transition.
+    /// As in Velychko et al. (2018): two frames are a history without a transition.
     #[test]
-    fn every_model_predicts_a_walk_from_two_frames() {
+    fn predicts_a_walk_from_two_frames_with_every_model() {
         predict_from(2);
     }
 
@@ -333,9 +329,9 @@ mod tests {
                 outcome.terms.as_ref().map(|terms| terms.total()),
                 outcome.bound.filter(|_| candidate.is_random())
             );
-            // Those that were trained on are known better.
+            // The errors on training trials are smaller.
             assert!(outcome.training_mse.unwrap() < score.variance, "{candidate:?}: {outcome:?}");
-            // The parts have all columns between them.
+            // Together the parts have all columns.
             let widths = fold.movements().y.iter().map(|y| y.ncols() as f64);
             let sum: f64 = outcome.part_errors.iter().zip(widths).map(|(error, width)| error * width).sum();
             let mean = sum / fold.actual().ncols() as f64;
@@ -350,9 +346,9 @@ mod tests {
         }
     }
 
-    /// With other motions in the frames to be predicted, a fold trains on the same numbers.
+    /// If the frames to be predicted change, the training data stay the same.
     #[test]
-    fn the_trial_held_out_is_not_trained_on() {
+    fn does_not_train_on_the_trial_held_out() {
         let mut trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fps = 1.0 / trials[1].frame_time;
@@ -371,7 +367,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stopped_training_has_no_outcome() {
+    fn has_no_outcome_after_a_stopped_training() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
@@ -380,7 +376,7 @@ mod tests {
     }
 
     #[test]
-    fn a_coupled_model_of_one_part_is_not_evaluated() {
+    fn refuses_a_coupled_model_of_one_part() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
@@ -390,7 +386,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_held_out_is_refused() {
+    fn refuses_trials_that_do_not_exist() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let error = Fold::new(&trials, 4, 2, parts, 20.0, START_FRAMES).unwrap_err().to_string();
@@ -404,23 +400,23 @@ mod tests {
         assert_eq!(error, "expected from 1 to 2 trials to train on, found 3");
     }
 
-    /// Predicts that all columns stay where no body is.
-    fn astray(fold: &Fold, place: f64) -> FittedModel {
+    /// A model that predicts `value` in all columns.
+    fn constant_model(fold: &Fold, value: f64) -> FittedModel {
         let settings = Settings::DmpRhythmic(DmpSettings { bases: 5 });
         let FittedModel::DmpRhythmic(mut model) = fold.learner(&settings, 0).unwrap().model().unwrap() else {
             panic!("another kind of model");
         };
         model.weights.fill(0.0);
-        model.centre.fill(place);
+        model.centre.fill(value);
         for start in &mut model.starts {
-            start.spring.position.fill(place);
+            start.spring.position.fill(value);
             start.spring.velocity.fill(0.0);
         }
         FittedModel::DmpRhythmic(model)
     }
 
     #[test]
-    fn no_outcome_holds_a_number_that_is_not_finite() {
+    fn refuses_outcomes_with_numbers_that_are_not_finite() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
@@ -438,7 +434,7 @@ mod tests {
                 setbacks: Setbacks::default(),
                 fraction: 1.0,
             };
-            fold.outcome(&astray(&fold, to), &training, seconds).map_err(|error| error.to_string())
+            fold.outcome(&constant_model(&fold, to), &training, seconds).map_err(|error| error.to_string())
         };
         assert!(outcome(1.0, 0.0, 1.0).is_ok());
         let far = outcome(1e200, 0.0, 1.0).unwrap_err();

@@ -1,6 +1,5 @@
-//! Trials cut to whole cycles of a movement that repeats itself, all from the same place in the cycle: what a
-//! movement towards a goal can be learned from (Velychko et al. 2019, section 3.2: every trial holds three
-//! gait cycles).
+//! Cuts trials of a periodic movement to whole cycles from the same phase, so that models of goal-directed
+//! movements can learn it (Velychko et al. 2019, section 3.2: every trial has three gait cycles).
 
 use nalgebra::DMatrix;
 use thiserror::Error;
@@ -8,37 +7,34 @@ use vcgpdm::models::{Alignment, Dataset, DatasetError, PhaseAxis, PhaseMap, Sour
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::{Clip, ClipError};
 
-/// Places in the cycle where cuts may begin.
-const PLACES: usize = 32;
+/// Number of phases of the cycle where cuts can begin.
+const PHASES: usize = 32;
 
 /// Why trials cannot be cut to whole cycles.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum CyclesError {
-    /// They cannot be used together.
+    /// The trials cannot be used together.
     #[error(transparent)]
     Dataset(#[from] DatasetError),
-    /// A cut that is not there.
+    /// A trial cannot be cut.
     #[error(transparent)]
     Clip(#[from] ClipError),
-    /// Nothing repeats.
-    #[error("expected a movement that repeats itself, to be cut to whole cycles; found none in these trials")]
+    /// The movement is not periodic.
+    #[error("expected a periodic movement to cut to whole cycles, found none in these trials")]
     NoCycle,
-    /// A trial without a whole cycle.
-    #[error(
-        "expected a whole cycle in every trial, from the same place in the cycle; found none in trial {trial}"
-    )]
+    /// A trial has no whole cycle.
+    #[error("expected a whole cycle in every trial, from the same phase; found none in trial {trial}")]
     Short {
         /// Counted from 1.
         trial: usize,
     },
 }
 
-/// The trials cut to equally many whole cycles, as many as all have, and that number.
+/// The trials cut to the same number of whole cycles, as many as all have, and this number.
 ///
 /// # Errors
-/// The trials cannot be used together at this frame rate, do not repeat themselves, or one is shorter than a
-/// cycle.
+/// The trials cannot be used together at this frame rate, are not periodic, or one is shorter than a cycle.
 pub fn whole_cycles(trials: &[Clip], frames_per_second: f64) -> Result<(Vec<Clip>, usize), CyclesError> {
     let whole: Vec<Source> = trials.iter().map(|clip| Source { clip, first_frames: None }).collect();
     let joints = trials.first().map_or(0, |clip| clip.skeleton.joints.len());
@@ -63,7 +59,7 @@ pub fn whole_cycles(trials: &[Clip], frames_per_second: f64) -> Result<(Vec<Clip
         let counts = counts(place);
         (counts.iter().min().copied().unwrap_or(0), counts.iter().sum::<usize>())
     };
-    let places = || (0..PLACES).map(|k| k as f64 / PLACES as f64);
+    let places = || (0..PHASES).map(|k| k as f64 / PHASES as f64);
     let place = places().rev().max_by_key(|place| worth(*place)).unwrap_or(0.0);
     let count = worth(place).0;
     if count == 0 {

@@ -4,18 +4,17 @@ use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// Of one column, for a step that advances one of the two motions alone (Sakoe and Chiba's penalty against
-/// warping).
+/// Penalty for each column of a step that advances only one of the two motions (Sakoe and Chiba).
 const PENALTY_PER_COLUMN: f64 = 1e-4;
 
-/// How far a prediction is from a whole trial, in the squared units of the columns.
+/// The error of a prediction of a whole trial, in the squared units of the columns.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Score {
     /// Mean squared difference along the warping path.
     pub dtw_mse: f64,
     /// Mean squared difference, frame by frame over the common length.
     pub mse: f64,
-    /// Mean over the columns of the trial's variance: what a motionless prediction scores.
+    /// Mean of the columns' variances in the trial: the error of a motionless prediction.
     pub variance: f64,
 }
 
@@ -23,7 +22,7 @@ pub struct Score {
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum ScoreError {
-    /// A motion without frames or columns.
+    /// A motion has no frames or no columns.
     #[error(
         "expected at least one frame and one column in the {which} motion, found {frames} frames of {columns} columns"
     )]
@@ -35,7 +34,7 @@ pub enum ScoreError {
         /// Columns found.
         columns: usize,
     },
-    /// Motions of different bodies or poses.
+    /// The motions are of different bodies or poses.
     #[error("expected {expected} columns in the predicted motion, as in the actual one, found {found}")]
     Columns {
         /// Columns of the actual motion.
@@ -43,7 +42,7 @@ pub enum ScoreError {
         /// Columns of the predicted motion.
         found: usize,
     },
-    /// A value that is no number.
+    /// A value is not finite.
     #[error("expected finite numbers, found {value} in the {which} motion, frame {frame}, column {column}")]
     NotFinite {
         /// "predicted" or "actual".
@@ -52,10 +51,10 @@ pub enum ScoreError {
         frame: usize,
         /// The column, counted from 0.
         column: usize,
-        /// What stands there.
+        /// The value found.
         value: f64,
     },
-    /// More cells than can be meant.
+    /// The motions are too long.
     #[error("expected motions of at most {MAX_CELLS} pairs of frames, found {predicted} x {actual} frames")]
     TooLong {
         /// Frames of the predicted motion.
@@ -65,14 +64,14 @@ pub enum ScoreError {
     },
 }
 
-/// Pairs of frames that are compared at most: ten minutes against ten minutes at 30 frames a second.
+/// Most pairs of frames: ten minutes against ten minutes at 30 frames a second.
 const MAX_CELLS: usize = 324_000_000;
 
 /// The score of a predicted motion [T_1 x D] against the actual one [T_2 x D].
 ///
 /// Velychko et al. (2018, section 5.3) compare a rollout, started with the first frames of a held-out trial,
 /// with the whole trial: the mean squared error of the kinematics after dynamic time warping, because a
-/// slight difference in phase would otherwise hide everything else. In detail:
+/// small difference in phase would otherwise dominate the error. In detail:
 ///
 /// 1. Each motion is centred by its own column means (over all its frames).
 /// 2. The path is a minimum of the sum over its cells of `|p_i - a_j|^2 / s^2`, where `s^2` is the sum of all
@@ -83,8 +82,8 @@ const MAX_CELLS: usize = 324_000_000;
 ///    squared. The penalty chooses the path and is no part of the score.
 ///
 /// `mse` is the same without alignment over the first min(T_1, T_2) frames (centred as before). A prediction
-/// that stands still is 0 after centring and, when it is as long as the trial, has an `mse` equal to
-/// `variance` (1/T_2, not 1/(T_2 - 1)). For an actual motion that stands still itself, `s` is 1.
+/// that stands still is 0 after centring; if it is as long as the trial, its `mse` equals `variance` (1/T_2, not
+/// 1/(T_2 - 1)). If the actual motion stands still, `s` is 1.
 ///
 /// Takes O(T_1 T_2 D) operations, one byte for each pair of frames and two rows of costs.
 ///
@@ -99,12 +98,12 @@ const MAX_CELLS: usize = 324_000_000;
 /// ```
 ///
 /// # Errors
-/// A motion is empty, too long or not finite, or both have other columns.
+/// A motion is empty, too long or not finite, or the motions have different numbers of columns.
 pub fn dtw_mse(predicted: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<Score, ScoreError> {
     Ok(score_and_columns(predicted, actual)?.0)
 }
 
-/// The same, and what each column has of `dtw_mse`: their mean is `dtw_mse` `[D]`.
+/// The score, and the error of each column `[D]`, whose mean is `dtw_mse`.
 pub(super) fn score_and_columns(
     predicted: &DMatrix<f64>,
     actual: &DMatrix<f64>,
@@ -242,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn identical_motions_score_nothing() {
+    fn identical_motions_have_no_error() {
         let motion = wave(80, 0.0);
         let score = dtw_mse(&motion, &motion).unwrap();
         assert_eq!((score.dtw_mse, score.mse), (0.0, 0.0));
@@ -252,14 +251,14 @@ mod tests {
     }
 
     #[test]
-    fn a_late_copy_is_aligned() {
+    fn aligns_a_late_copy() {
         let score = dtw_mse(&wave(200, 6.0), &wave(200, 0.0)).unwrap();
         assert!(score.mse > 0.5 * score.variance, "{score:?}");
         assert!(score.dtw_mse < 0.06 * score.variance, "{score:?}");
     }
 
     #[test]
-    fn a_motionless_prediction_scores_the_variance() {
+    fn the_error_of_a_motionless_prediction_is_the_variance() {
         let actual = wave(90, 0.0);
         let score = dtw_mse(&DMatrix::from_element(90, 3, 7.5), &actual).unwrap();
         assert_relative_eq!(score.mse, score.variance, max_relative = 1e-12);
@@ -270,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn a_case_worked_by_hand() {
+    fn scores_small_motions_as_by_hand() {
         // Centred: (-1, 0, 1) and (-1, -1, 2). Sum of squares of the actual motion: 6. Penalty: 1e-4.
         // Cells |p - a|^2: 0 0 9 / 1 1 4 / 4 4 1. The diagonal costs (0 + 1 + 1) / 6; going (0,0) (0,1) (1,2)
         // (2,2) costs (0 + 0 + 4 + 1) / 6 + 2e-4; (0,0) (0,1) (1,1) (2,2) costs (0 + 0 + 1 + 1) / 6 + 2e-4:
@@ -297,7 +296,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_compared_is_refused_in_words() {
+    fn refuses_motions_that_cannot_be_compared() {
         let says = |a: &DMatrix<f64>, b: &DMatrix<f64>| dtw_mse(a, b).unwrap_err().to_string();
         assert_eq!(
             says(&wave(5, 0.0), &DMatrix::zeros(5, 2)),

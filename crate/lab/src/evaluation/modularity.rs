@@ -1,5 +1,5 @@
 //! The modularity test (Velychko et al. 2018, section 5.5 and figure 7): are movements that share a primitive
-//! predicted as well as by models of their own?
+//! predicted as well as by separate models?
 
 use crate::evaluation::cross_validation::EvaluationError;
 use crate::evaluation::dtw::{Score, score_and_columns};
@@ -25,29 +25,28 @@ pub struct MovementTrials {
 pub struct LibraryFold {
     dataset: Dataset,
     plan: LibraryPlan,
-    /// The movement of the trial held out, and where its first frames stand among the movement's sequences.
+    /// The movement of the trial held out, and the index of its first frames among the movement's sequences.
     movement: usize,
     sequence: usize,
     /// All columns of the trial held out [T x D].
     actual: DMatrix<f64>,
 }
 
-/// How well a movement of a library predicts the trial held out.
+/// The outcome of a library in a fold.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LibraryOutcome {
-    /// How far the prediction is from the trial.
+    /// The error of the prediction.
     pub score: Score,
     /// The bound of the library, in nats.
     pub bound: f64,
-    /// Numbers that must be kept to roll out all its movements, each from one sequence.
+    /// Numbers that rollouts of all its movements need, each from one sequence.
     pub stored_numbers: usize,
-    /// Frames trained on.
+    /// Number of training frames.
     pub frames: usize,
 }
 
 impl LibraryOutcome {
-    /// Whether the library of this seed stands for its fold rather than that of another seed: its bound is
-    /// higher.
+    /// Whether this seed represents its fold better than another seed: its bound is higher.
     pub fn is_better_seed(&self, other: &LibraryOutcome) -> bool {
         self.bound > other.bound
     }
@@ -58,7 +57,7 @@ impl LibraryFold {
     /// first `start_frames`. The parts named in `shared` use the same primitive in all movements.
     ///
     /// # Errors
-    /// There is no such trial, or the trials cannot be trained on together.
+    /// The trial does not exist, or the trials cannot be trained on together.
     pub fn new(
         movements: &[MovementTrials],
         (movement, held_out): (usize, usize),
@@ -73,14 +72,14 @@ impl LibraryFold {
             return Err(EvaluationError::Trial { count, found: held_out });
         };
         let (mut sources, mut planned) = (Vec::new(), Vec::new());
-        for (m, of) in movements.iter().enumerate() {
+        for (m, own) in movements.iter().enumerate() {
             let before = sources.len();
-            let kept = of.trials.iter().enumerate().filter(|(k, _)| m != movement || *k != place);
-            sources.extend(kept.map(|(_, clip)| Source { clip, first_frames: None }));
+            let training = own.trials.iter().enumerate().filter(|(k, _)| m != movement || *k != place);
+            sources.extend(training.map(|(_, clip)| Source { clip, first_frames: None }));
             if m == movement {
-                sources.push(Source { clip: &of.trials[place], first_frames: Some(start_frames) });
+                sources.push(Source { clip: &own.trials[place], first_frames: Some(start_frames) });
             }
-            planned.push(PlannedMovement { name: of.name.clone(), sequences: sources.len() - before });
+            planned.push(PlannedMovement { name: own.name.clone(), sequences: sources.len() - before });
         }
         let sequence = planned[movement].sequences - 1;
         let shared = parts.iter().map(|part| shared.contains(&part.name)).collect();
@@ -91,7 +90,7 @@ impl LibraryFold {
         Ok(Self { dataset, plan, movement, sequence, actual })
     }
 
-    /// A training of the library, ready to begin.
+    /// The training of the library, before its first step.
     ///
     /// # Errors
     /// A setting is out of its range, or a trial is too short.
@@ -103,7 +102,7 @@ impl LibraryFold {
         Ok(LibraryTrainer::new(&self.dataset, &self.plan, settings, seed)?)
     }
 
-    /// How well the library predicts the trial held out.
+    /// The outcome of the library in this fold.
     ///
     /// # Errors
     /// The prediction cannot be made or scored.

@@ -1,5 +1,4 @@
-//! The modularity test on the sample trials: what docs/modularity.md measures, and the page does for one
-//! trial.
+//! The modularity test on the sample trials: docs/modularity.md has all trials, the page computes one.
 
 use crate::evaluation::cross_validation::{EvaluationError, START_FRAMES};
 use crate::evaluation::modularity::{LibraryFold, LibraryOutcome, MovementTrials};
@@ -9,18 +8,17 @@ use vcgpdm::models::library::{LibraryTrainer, TrainedLibrary};
 use vcgpdm::motion::parts::{PartSpec, presets};
 use vcgpdm::motion::samples;
 
-/// The movements: what they are called here, and in the list of samples.
+/// The movements: their names here, and in the list of samples.
 const MOVEMENTS: [(&str, &str); 2] = [("walk", "walk"), ("wave", "walk and wave")];
-/// The preset of the body, and of its parts those that have one primitive for all movements.
+/// The preset of the body, and the parts with one primitive for all movements.
 const PRESET: &str = "lower-upper";
 const SHARED: [&str; 1] = ["lower"];
-/// Of these the one of the highest bound is taken, as somebody would choose who does not know the trial held
-/// out.
+/// The seed with the highest bound is taken, a choice without the trial held out.
 const SEEDS: [u32; 2] = [1, 2];
 /// The sample trials have very little noise, and need more iterations than recordings.
 const ITERATIONS: usize = 600;
 
-/// Movements of which some parts use the same primitive, beside models of each movement alone (Velychko et
+/// Movements of which some parts use the same primitive, compared with models of each movement alone (Velychko et
 /// al. 2018, section 5.5 and figure 7).
 #[derive(Clone, Debug)]
 pub struct ModularityTest {
@@ -30,15 +28,15 @@ pub struct ModularityTest {
     pub parts: Vec<PartSpec>,
     /// The names of the parts that have one primitive for all movements.
     pub shared: Vec<String>,
-    /// The clips are brought to about this rate.
+    /// The clips are resampled to about this rate.
     pub frames_per_second: f64,
-    /// Of each training.
+    /// Settings of each training.
     pub settings: VariationalSettings,
-    /// The seeds that are tried.
+    /// Seeds of the trainings.
     pub seeds: Vec<u32>,
 }
 
-/// What is trained in a fold.
+/// The model of a fold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Trained {
     /// A library of all movements.
@@ -48,17 +46,16 @@ pub enum Trained {
 }
 
 impl ModularityTest {
-    /// The test on the samples of walking and of walking with waving: Q = 3, 25 pose inducing points a part,
-    /// 16 dynamics inducing points an expert. Empty of parts where no sample has them, which no fold can be
-    /// made of.
+    /// The test on the samples of walking and of walking with waving: Q = 3, 25 pose inducing points for each part,
+    /// 16 dynamics inducing points for each expert.
     pub fn on_samples() -> Self {
         let trials = |movement: &str| {
-            let of = samples::list().into_iter().filter(|sample| sample.movement == movement);
-            of.filter_map(|sample| samples::clip(sample.id)).collect::<Vec<_>>()
+            let own = samples::list().into_iter().filter(|sample| sample.movement == movement);
+            own.filter_map(|sample| samples::clip(sample.id)).collect::<Vec<_>>()
         };
         let movements: Vec<_> = MOVEMENTS
             .iter()
-            .map(|(name, of)| MovementTrials { name: (*name).to_owned(), trials: trials(of) })
+            .map(|(name, movement)| MovementTrials { name: (*name).to_owned(), trials: trials(movement) })
             .collect();
         let first = movements.first().and_then(|movement| movement.trials.first());
         let presets = first.map(|clip| presets(&clip.skeleton)).unwrap_or_default();
@@ -79,21 +76,20 @@ impl ModularityTest {
         }
     }
 
-    /// Where a sample stands: its movement, counted from 0, and its trial, counted from 1; `None` where the
-    /// test does not have it.
+    /// The movement of a sample, counted from 0, and its trial, counted from 1; `None` for other samples.
     pub fn place_of(sample: &str) -> Option<(usize, usize)> {
         let samples = samples::list();
         MOVEMENTS.iter().enumerate().find_map(|(m, (_, movement))| {
-            let mut of = samples.iter().filter(|info| info.movement == *movement);
-            of.position(|info| info.id == sample).map(|trial| (m, trial + 1))
+            let mut own = samples.iter().filter(|info| info.movement == *movement);
+            own.position(|info| info.id == sample).map(|trial| (m, trial + 1))
         })
     }
 
-    /// The training of a fold, ready to begin: the trial, counted from 1, of the movement, counted from 0, is
-    /// held out.
+    /// The training of a fold before its first step. The trial, counted from 1, of the movement, counted from 0,
+    /// is held out.
     ///
     /// # Errors
-    /// There is no such trial, or the trials cannot be trained on.
+    /// The trial does not exist, or the trials cannot be trained on.
     pub fn training(
         &self,
         (movement, trial): (usize, usize),
@@ -113,19 +109,20 @@ impl ModularityTest {
     }
 }
 
-/// The training of one fold, one step at a time: with each seed in turn; that of the highest bound is kept.
+/// The training of one fold, one step at a time, with one seed after the other. The model with the highest bound
+/// stays.
 pub struct FoldTraining {
     fold: LibraryFold,
     settings: VariationalSettings,
     seeds: Vec<u32>,
-    /// Seeds that are over.
+    /// Number of finished seeds.
     over: usize,
     trainer: LibraryTrainer,
     best: Option<(LibraryOutcome, TrainedLibrary)>,
 }
 
 impl FoldTraining {
-    /// Ready to train on a fold; without a seed, with seed 1.
+    /// The training before its first step. Without a seed it has seed 1.
     ///
     /// # Errors
     /// A setting is out of its range, or a trial is too short.
@@ -141,8 +138,8 @@ impl FoldTraining {
         Ok(Self { fold, settings, seeds, over: 0, trainer, best: None })
     }
 
-    /// One iteration of the optimiser. How far all seeds are together: iterations and their share; the bound
-    /// is that of the seed at work. After the end it does nothing.
+    /// Makes one iteration of the optimiser. The progress is that of all seeds together; its bound is that of the
+    /// current seed. After the end it does nothing.
     ///
     /// # Errors
     /// A model cannot be fitted, rolled out or scored, or the training with the next seed cannot begin.
@@ -167,7 +164,7 @@ impl FoldTraining {
         Ok(self.progress(at, progress))
     }
 
-    /// How far all seeds are when the one of this place is so far.
+    /// The progress of all seeds, given the progress of the seed with index `at`.
     fn progress(&self, at: usize, progress: Progress) -> Progress {
         let (count, most) = (self.seeds.len(), progress.max_iterations);
         let fraction = if progress.done { 1.0 } else { progress.fraction };
@@ -180,13 +177,12 @@ impl FoldTraining {
         }
     }
 
-    /// How many seeds there are.
+    /// Number of seeds.
     pub fn seeds(&self) -> usize {
         self.seeds.len()
     }
 
-    /// How well the best of the seeds that are over predicts the trial held out, and its library; `None`
-    /// before there is one.
+    /// The outcome and the library of the best finished seed; `None` before the first has finished.
     pub fn best(&self) -> Option<&(LibraryOutcome, TrainedLibrary)> {
         self.best.as_ref()
     }
@@ -208,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn it_has_the_sample_trials() {
+    fn has_the_sample_trials() {
         let test = ModularityTest::on_samples();
         let trials: Vec<_> = test.movements.iter().map(|m| (m.name.as_str(), m.trials.len())).collect();
         assert_eq!(trials, [("walk", 6), ("wave", 4)]);
@@ -226,7 +222,7 @@ mod tests {
     /// A library of one movement is the plain model: trained, rolled out and scored as in all other
     /// comparisons.
     #[test]
-    fn alone_it_is_the_plain_model() {
+    fn trains_the_plain_model_of_one_movement() {
         let test = test(12);
         let mut training = test.training((1, 2), Trained::Alone).unwrap();
         let mut fractions = vec![0.0];
@@ -253,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn together_it_knows_the_trials_of_all_movements() {
+    fn trains_one_library_of_all_movements() {
         let mut training = test(3).training((0, 1), Trained::Together).unwrap();
         assert!(training.best().is_none());
         while !training.step().unwrap().done {}

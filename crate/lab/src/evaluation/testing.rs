@@ -9,7 +9,7 @@ use crate::evaluation::setting::{Setting, TrialClip};
 use vcgpdm::models::{MapSettings, Settings, VariationalSettings};
 use vcgpdm::motion::parts::PartSpec;
 
-/// So many walks of a body with one named part.
+/// A setting of `trials` walks of a body with one named part.
 pub fn setting(trials: usize) -> Setting {
     let trial =
         |k: usize| TrialClip { name: format!("walk {k}"), sha256: format!("sha of {k}"), piece: None };
@@ -59,7 +59,7 @@ pub fn finished(
     Finished::new(Job { candidate, held_out, training_trials, seed }, Ok(outcome))
 }
 
-/// Results on so many walks.
+/// Results on `trials` walks.
 pub fn results(trials: usize, finished: &[Finished]) -> Results {
     let mut results = Results::new(setting(trials));
     for finished in finished {

@@ -9,28 +9,28 @@ use vcgpdm::models::{RolloutError, SequencesError};
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum CaseError {
-    /// Not JSON of the expected form.
+    /// The text is not JSON of the expected form.
     #[error("at {path}: {message}")]
     Form {
         /// The field's path.
         path: String,
-        /// What was expected and found.
+        /// The expectation, and the value found.
         message: String,
     },
-    /// Shapes that do not fit each other.
+    /// Shapes do not fit each other.
     #[error("at {path}: expected {expected}, found {found}")]
     Shape {
         /// The field's path.
         path: String,
-        /// What would fit.
+        /// The shape expected.
         expected: String,
-        /// What stands there.
+        /// The shape found.
         found: String,
     },
-    /// Lengths that cannot be used.
+    /// Lengths cannot be used.
     #[error(transparent)]
     Sequences(#[from] SequencesError),
-    /// Movements and primitives that do not fit each other.
+    /// Movements and primitives do not fit each other.
     #[error(transparent)]
     Repertoire(#[from] RepertoireError),
     /// The bound could not be computed.

@@ -1,4 +1,4 @@
-//! The inputs of golden cases: of the plain model, and of movements that share primitives.
+//! The inputs of golden cases: of plain models, and of movements that share primitives.
 
 use crate::golden::error::CaseError;
 use crate::golden::rows;
@@ -18,7 +18,7 @@ struct Document<I> {
     expected: Expected,
 }
 
-/// The rollouts asked for.
+/// The rollouts of a case.
 #[derive(Default, Deserialize)]
 struct Expected {
     #[serde(default)]
@@ -81,17 +81,17 @@ struct MovementJson {
     uses: Vec<usize>,
 }
 
-/// How a case is written.
+/// The form of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum CaseSort {
     Plain,
-    /// As movements, be it one.
+    /// One or more movements.
     Movements,
-    /// As movements under pose maps and so many first primitives that are stored.
+    /// Movements with stored pose maps and this number of stored first primitives.
     Beside(usize),
 }
 
-/// A problem and a point in its parameter space, as read.
+/// Data and parameters of a case.
 pub(super) struct Input {
     pub params: Params,
     pub objective: Objective,
@@ -106,7 +106,7 @@ fn parse<I: DeserializeOwned>(text: &str) -> Result<Document<I>, CaseError> {
 }
 
 impl Input {
-    /// Reads a golden file of either sort, or the `input` of one alone.
+    /// Reads a golden file of any form, or only its `input`.
     pub fn from_json(text: &str) -> Result<Self, CaseError> {
         if parse::<Sort>(text)?.input.movements.is_some() {
             return Self::of_movements(parse(text)?);
@@ -161,7 +161,7 @@ fn given(parts: Vec<PartJson>, experts: Vec<Vec<ExpertJson>>, alpha: Vec<DMatrix
     Params { parts: parts.into_iter().map(Into::into).collect(), experts: experts.collect(), alpha }
 }
 
-/// What the fields are called in messages.
+/// Names of the fields in messages.
 struct Names {
     experts: &'static str,
     alpha: &'static str,
@@ -179,7 +179,7 @@ fn positive(path: String, values: &[f64]) -> Result<(), CaseError> {
     }
 }
 
-/// Shapes fit each other, and variances are positive.
+/// Checks that shapes fit each other and variances are positive.
 fn check(
     params: &Params,
     y: &[DMatrix<f64>],

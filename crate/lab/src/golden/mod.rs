@@ -1,18 +1,17 @@
-//! Golden cases: a problem and a point in its parameter space as one JSON object, in natural parameters, so
-//! that another implementation of the bound can be compared number by number or can start from the same
-//! place.
+//! Golden cases: data and parameters as one JSON object, in natural parameters, so that another implementation of
+//! the bound can be compared number by number or can start from the same point.
 //!
 //! `input.params.parts[i]` (mu, s, r, kin_lambda, kin_var, beta), `input.params.dyn[j][i]` (z, lambda, var: j
 //! predicts i), `input.params.alpha[j][i]`, `input.y[i]` (centred), `input.lengths`, `input.order`,
 //! `input.jitter` (absent: 0).
 //!
-//! Of movements that share primitives: `input.movements[m]` (lengths, uses: the primitive of each part)
+//! For movements that share primitives: `input.movements[m]` (lengths, uses: the primitive of each part)
 //! instead of the lengths, `input.params.primitives[a]` (part, dyn\[i\]) instead of `dyn`, and
 //! `input.params.alpha[m][j][i]`; the frames of all movements are stacked.
 //!
-//! Of new primitives beside stored ones: movements with `input.stored`, the number of first `primitives` that
-//! stay as they are, and the inducing outputs of the pose maps (`kin[i]`) and of these primitives' experts
-//! about each part, stacked (`dyn[i]`): mean and cov.
+//! For new primitives next to stored ones: movements with `input.stored`, the number of first `primitives` that
+//! stay unchanged, and mean and cov of the inducing outputs of the pose maps (`kin[i]`) and of the stored
+//! primitives' experts about each part, stacked (`dyn[i]`).
 
 mod error;
 mod input;
@@ -33,19 +32,19 @@ use vcgpdm::models::MOST_FRAMES;
 use vcgpdm::models::variational::{BoundTerms, Objective, Params, Vcgpdm};
 use vcgpdm::models::{Parameters, Reading};
 
-/// A problem, a point in its parameter space, and the rollouts asked for.
+/// Data, parameters, and the rollouts to make.
 #[derive(Clone, Debug)]
 pub struct Case {
     /// The parameters.
     pub params: Params,
-    /// What the bound is computed on.
+    /// The bound with its data.
     pub objective: Objective,
     rollouts: Vec<RolloutJson>,
     sort: CaseSort,
 }
 
 impl Case {
-    /// Reads a golden file, or the `input` of one alone.
+    /// Reads a golden file, or only its `input`.
     ///
     /// # Errors
     ///
@@ -55,8 +54,7 @@ impl Case {
         Ok(Self { params, objective, rollouts, sort })
     }
 
-    /// Writes a problem of a plain model and a point in its parameter space as a golden file with an `input`
-    /// only.
+    /// Writes data and parameters of a plain model as a golden file that only has an `input`.
     ///
     /// # Errors
     ///
@@ -75,15 +73,14 @@ impl Case {
         serde_json::to_string(&serde_json::json!({ "input": input }))
     }
 
-    /// Bound, terms, gradient, optimal posteriors; of a plain model the rollouts asked for, of movements the
-    /// bound under their own best inducing outputs and its gradient with respect to latents and couplings.
-    /// Beside stored primitives only the bound, its terms and the gradient with respect to what is not
+    /// Bound, terms, gradient and optimal posteriors. A plain model also has rollouts; movements have the bound
+    /// with their optimal inducing outputs fixed, and its gradient with respect to latents and couplings. With
+    /// stored primitives there are only the bound, its terms, and the gradient with respect to all that is not
     /// stored.
     ///
     /// # Errors
     ///
-    /// When the bound is not finite, a covariance cannot be factorised, or a rollout that is asked for cannot
-    /// be made.
+    /// When the bound is not finite, a covariance cannot be factorised, or a rollout cannot be made.
     pub fn evaluate(&self) -> Result<CaseResult, CaseError> {
         let (terms, gradient) = self.bound(&self.objective)?;
         let (gradient, further) = match self.sort {
@@ -113,7 +110,7 @@ impl Case {
 
     fn bound(&self, objective: &Objective) -> Result<(BoundTerms, Params), CaseError> {
         let (terms, gradient) = objective.terms_and_gradient(&self.params)?;
-        // Numbers near the ends of what an f64 holds may give a finite bound whose gradient is not.
+        // Numbers near the limits of f64 can give a finite bound with a gradient that is not finite.
         let mut finite = true;
         gradient.visit(&mut |_, values| finite &= values.iter().all(|v| v.is_finite()));
         if finite {
@@ -168,7 +165,7 @@ mod tests {
     const THREE_PARTS: &str = include_str!("../../../../tests/golden/case-3.json");
 
     #[test]
-    fn a_written_start_reads_back() {
+    fn reads_a_start_that_was_written() {
         let (params, objective) = problem(THREE_PARTS);
         let case = Case::from_json(&Case::write(&params, &objective).unwrap()).unwrap();
         assert_eq!(case.params, params);
@@ -177,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn wrong_shapes_are_refused_with_their_path() {
+    fn names_the_path_of_a_wrong_shape() {
         let (params, objective) = problem(TWO_PARTS);
         let text = Case::write(&params, &objective).unwrap();
         let mut value: serde_json::Value = serde_json::from_str(&text).unwrap();
@@ -190,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn stored_outputs_that_do_not_fit_are_refused_with_their_path() {
+    fn names_the_path_of_stored_outputs_that_do_not_fit() {
         let text = include_str!("../../../../tests/golden/stored-0.json");
         let refused = |place: &str, to: serde_json::Value| {
             let mut value: serde_json::Value = serde_json::from_str(text).unwrap();
@@ -210,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn what_would_not_fit_the_memory_or_has_no_columns_is_refused() {
+    fn refuses_cases_that_are_too_large_or_have_no_columns() {
         let (params, objective) = problem(TWO_PARTS);
         let mut value: serde_json::Value =
             serde_json::from_str(&Case::write(&params, &objective).unwrap()).unwrap();

@@ -1,4 +1,4 @@
-//! The shapes of the JSON of golden cases, and the way from them to parameters and back.
+//! The JSON of golden cases, and its conversion to parameters and back.
 
 use crate::golden::error::CaseError;
 use crate::golden::rows;
@@ -32,7 +32,7 @@ pub(super) struct ExpertJson {
     var: f64,
 }
 
-/// One matrix for the plain model, one for each movement otherwise.
+/// One matrix for a plain model, otherwise one for each movement.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 enum AlphaJson {
@@ -54,7 +54,7 @@ pub(super) struct ParamsJson {
 #[serde(untagged)]
 pub(super) enum GradientJson {
     Whole(ParamsJson),
-    /// Of what is not stored: latents, couplings and the experts of new primitives.
+    /// With respect to latents, couplings and the experts of new primitives.
     Beside {
         #[serde(flatten)]
         given: GivenGradientJson,
@@ -64,7 +64,7 @@ pub(super) enum GradientJson {
 }
 
 impl GradientJson {
-    /// Where so many first primitives are stored.
+    /// The gradient if this number of first primitives is stored.
     pub fn beside(gradient: &Params, stored: usize) -> Self {
         let experts = gradient.experts.iter().skip(stored);
         let experts = experts.map(|row| row.iter().map(ExpertJson::from).collect()).collect();
@@ -72,7 +72,7 @@ impl GradientJson {
     }
 }
 
-/// What a gradient under stored inducing outputs has: of latents and couplings.
+/// The gradient with stored inducing outputs: with respect to latents and couplings.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct GivenGradientJson {
     parts: Vec<LatentsJson>,
@@ -113,7 +113,7 @@ pub(super) struct PosteriorsJson {
     pub dynamics: Vec<PosteriorJson>,
 }
 
-/// Everything that is expected of a case: serialises in the golden files' own shape.
+/// All numbers of a case, in the form of golden files.
 #[derive(Clone, Debug, Serialize)]
 pub struct CaseResult {
     pub(super) elbo: f64,
@@ -128,14 +128,14 @@ pub struct CaseResult {
     pub median_ms: Option<f64>,
 }
 
-/// What is asked of one sort of cases only.
+/// Numbers of only one form of cases.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub(super) enum Further {
     Plain {
         rollouts: Vec<RolloutJson>,
     },
-    /// The bound of the same movements under their own best inducing outputs, kept.
+    /// The bound of the same movements with their optimal inducing outputs fixed.
     Movements {
         elbo_given: f64,
         gradient_given: GivenGradientJson,
@@ -207,12 +207,12 @@ impl ParamsJson {
         Self { parts: params.parts.iter().map(PartJson::from).collect(), experts: experts.collect(), alpha }
     }
 
-    /// With one matrix alpha, that of the only movement.
+    /// The parameters with one matrix alpha, that of the only movement.
     pub fn plain(params: &Params) -> Self {
         Self::new(params, AlphaJson::Plain(params.alpha.first().cloned().unwrap_or_default()))
     }
 
-    /// With one matrix alpha for each movement.
+    /// The parameters with one matrix alpha for each movement.
     pub fn of_movements(params: &Params) -> Self {
         Self::new(params, AlphaJson::Movements(alpha_rows(params)))
     }

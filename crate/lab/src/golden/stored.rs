@@ -1,4 +1,4 @@
-//! Inducing outputs that stay as they are, as golden cases write them.
+//! Stored inducing outputs in golden cases.
 
 use crate::golden::error::CaseError;
 use crate::golden::rows;
@@ -9,7 +9,7 @@ use vcgpdm::gp::stored_outputs::StoredOutputs;
 use vcgpdm::internals::{Factor, block_diagonal};
 use vcgpdm::models::variational::{Params, StoredMaps};
 
-/// The pose maps and the first primitives of the case: those after them are new.
+/// Inducing outputs of the pose maps and of the first primitives; later primitives are new.
 #[derive(Deserialize)]
 pub(super) struct StoredJson {
     primitives: usize,
@@ -28,7 +28,7 @@ struct OutputsJson {
 }
 
 impl OutputsJson {
-    /// Under the covariance `k` of the inducing outputs.
+    /// The outputs with the prior covariance `k`.
     fn outputs(&self, k: &DMatrix<f64>, columns: usize, path: &str) -> Result<StoredOutputs, CaseError> {
         let points = k.nrows();
         shape(format!("{path}.mean"), (points, columns), self.mean.shape())?;
@@ -41,12 +41,12 @@ impl OutputsJson {
 }
 
 impl StoredJson {
-    /// How many primitives are stored.
+    /// Number of stored primitives.
     pub(super) fn primitives(&self) -> usize {
         self.primitives
     }
 
-    /// The outputs of maps with these parameters.
+    /// The outputs of the maps with these parameters.
     pub(super) fn maps(
         &self,
         params: &Params,

@@ -1,4 +1,4 @@
-//! Learned latents beside the true ones. Latents can only be found up to a change of coordinates.
+//! Comparison of learned and true latents. Latents can only be found up to a change of coordinates.
 
 use nalgebra::DMatrix;
 use vcgpdm::gp::NumericsError;
@@ -9,7 +9,7 @@ use vcgpdm::internals::Factor;
 pub struct LatentAlignment {
     /// The learned latents after the map [N x Q_true].
     pub latents: DMatrix<f64>,
-    /// Share of the true latents' variance that they explain, at most 1.
+    /// Share of the variance of the true latents that the learned ones explain, at most 1.
     pub explained: f64,
 }
 
@@ -35,7 +35,7 @@ pub fn align(learned: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<LatentAlig
     Ok(LatentAlignment { latents, explained })
 }
 
-/// Subtracts from each column its mean; returns the means.
+/// Subtracts its mean from each column, and returns the means.
 pub(super) fn centre(x: &mut DMatrix<f64>) -> Vec<f64> {
     let frames = x.nrows().max(1) as f64;
     let subtract_mean = |column: &mut [f64]| {
@@ -52,7 +52,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     #[test]
-    fn an_affine_change_of_coordinates_is_undone() {
+    fn undoes_an_affine_change_of_coordinates() {
         let actual = DMatrix::from_fn(40, 2, |t, q| (t as f64 * 0.37 + 2.0 * q as f64).sin());
         let turn = DMatrix::from_row_slice(2, 3, &[0.5, -2.0, 0.3, 1.0, 0.7, -0.2]);
         let learned = (&actual * turn).add_scalar(3.0).columns(0, 2).into_owned();
@@ -62,7 +62,7 @@ mod tests {
     }
 
     #[test]
-    fn latents_that_do_not_move_explain_nothing() {
+    fn constant_latents_explain_nothing() {
         let actual = DMatrix::from_fn(10, 2, |t, q| (t + q) as f64);
         let aligned = align(&DMatrix::from_element(10, 2, 1.0), &actual).unwrap();
         assert!(aligned.latents.iter().all(|v| v.is_finite()));

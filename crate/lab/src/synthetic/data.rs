@@ -1,4 +1,4 @@
-//! The data: two systems with a known truth, and what is observed of them.
+//! The data: two systems with a known coupling, and their observations.
 
 use crate::evaluation::dtw_mse;
 use crate::synthetic::alignment::centre;
@@ -19,16 +19,16 @@ pub(super) const FRAMES: usize = 300;
 pub(super) const COLUMNS: usize = 10;
 /// The share of g^1 in the second part, in the paper; the rest is g^2.
 pub const DRIVE: f64 = 0.1;
-/// Frames before the first observed one, in which the start is forgotten.
+/// Frames before the first observed one, after which the start has no influence.
 const LEAD: usize = 100;
-/// Frames of one turn of each part, in the evidence for the draws.
+/// Frames of one cycle of each part, in the evidence for the draws.
 const PERIODS: [f64; 2] = [19.0, 11.0];
-/// Standard deviation of that evidence: it lets the draws differ.
+/// Standard deviation of the evidence, so that draws differ.
 const LOOSENESS: f64 = 0.05;
-/// A part whose standard deviation (both dimensions together) is smaller than this is at rest. On the unit
-/// circle it is 1.
+/// A part is at rest if its standard deviation (both dimensions together) is smaller than this. On the unit
+/// circle the deviation is 1.
 const REST: f64 = 0.3;
-/// The most draws: one in which a part is at rest is drawn again.
+/// Most draws: a draw with a part at rest is repeated.
 const DRAWS: usize = 20;
 /// Lengthscale of g^1 and g^2.
 const DYNAMICS_LENGTHSCALE: f64 = 1.0;
@@ -37,14 +37,14 @@ const POSE_LENGTHSCALE: f64 = 1.5;
 /// Variance of the noise of the observations; the variance of their signal is 1.
 pub const NOISE_VARIANCE: f64 = 0.01;
 
-/// Data of two coupled systems, and the truth about them.
+/// Data of two coupled systems, with the true latents.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Synthetic {
     /// The true latents of each part [N x 2].
     pub latents: Vec<DMatrix<f64>>,
     /// The centred observations of each part [N x 10].
     pub y: Vec<DMatrix<f64>>,
-    /// The share of g^1 in the second part.
+    /// The share of g^1 in the second part, 0 to 1.
     pub drive: f64,
 }
 
@@ -68,8 +68,7 @@ pub enum SyntheticError {
 
 impl Synthetic {
     /// Draws the functions, the movement and the observations; all follow from the seed. `drive` is the share
-    /// of g^1 in the second part, 0 to 1: [`DRIVE`] in the paper, 0 for two parts that have nothing to do
-    /// with each other.
+    /// of g^1 in the second part, 0 to 1: [`DRIVE`] in the paper, 0 for two independent parts.
     ///
     /// # Errors
     ///
@@ -98,8 +97,8 @@ impl Synthetic {
         Ok(Self { latents, y, drive })
     }
 
-    /// What the experiment is trained with: two latent dimensions, ten inducing points and second order, as
-    /// in the paper, and iterations enough for the bound to settle.
+    /// The settings of the experiment: two latent dimensions, ten inducing points and second order, as in the
+    /// paper, and enough iterations for the bound to converge.
     pub fn settings() -> VariationalSettings {
         VariationalSettings { latent: 2, order: 2, dynamics_ips: 10, pose_ips: 10, max_iterations: 1500 }
     }
@@ -117,9 +116,8 @@ impl Synthetic {
         VariationalTrainer::new(self.y.clone(), vec![FRAMES], settings, seed)
     }
 
-    /// The mean squared error of a model's rollout over all frames, after dynamic time warping of each part
-    /// on to its data; the mean over the parts. Each part is warped on its own, because it has a rhythm of
-    /// its own.
+    /// The mean squared error of a model's rollout over all frames, after dynamic time warping; the mean over the
+    /// parts. Each part is warped alone, because it has its own rhythm.
     ///
     /// # Errors
     ///
@@ -127,7 +125,7 @@ impl Synthetic {
     pub fn mse(&self, model: &Vcgpdm) -> Result<f64, SyntheticError> {
         let mut sum = 0.0;
         for (rolled_out, y) in model.rollout(0, FRAMES)?.iter().zip(&self.y) {
-            // The shapes always agree, so the only possible reason is a number that is not finite.
+            // The shapes agree, so the only possible reason is a number that is not finite.
             let score = dtw_mse(rolled_out, y);
             sum += score.map_err(|_| NumericsError::NotFinite { what: "rollout" })?.dtw_mse;
         }
@@ -135,7 +133,7 @@ impl Synthetic {
     }
 }
 
-/// Transitions on two rings around the origin, each by the same angle and half the way to the unit circle.
+/// Transitions from two rings around the origin, by one angle and half the distance to the unit circle.
 fn turn(angle: f64) -> Evidence {
     const AROUND: usize = 8;
     let (sin, cos) = angle.sine_cosine();
@@ -152,14 +150,14 @@ fn turn(angle: f64) -> Evidence {
     Evidence { inputs, values, noise_variance: LOOSENESS * LOOSENESS }
 }
 
-/// The standard deviation, all dimensions together.
+/// The standard deviation of all dimensions together.
 fn spread(x: &DMatrix<f64>) -> f64 {
     let mut centred = x.clone();
     centre(&mut centred);
     (centred.norm_squared() / x.nrows() as f64).sqrt()
 }
 
-/// Latents of freshly drawn g^1 and g^2: equations (18) and (19).
+/// Latents of new draws of g^1 and g^2: equations (18) and (19).
 fn moving(drive: f64, random: &mut ChaCha8Rng) -> Result<Vec<DMatrix<f64>>, NumericsError> {
     let mut dynamics = Vec::new();
     for period in PERIODS {

@@ -1,4 +1,4 @@
-//! The experiment while it runs: the data, a training on them, and what the training has found so far.
+//! The experiment: the data, a training on them, and the findings of the training so far.
 
 use crate::synthetic::alignment::{LatentAlignment, align};
 use crate::synthetic::data::{Synthetic, SyntheticError};
@@ -9,7 +9,7 @@ use vcgpdm::gp::NumericsError;
 use vcgpdm::models::variational::{Params, VariationalTrainer};
 use vcgpdm::models::{Progress, VariationalSettings, coupling_weight_matrix};
 
-/// How well a model explains the data.
+/// The fit of a model to the data.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Fit {
     /// The bound, in nats.
@@ -18,22 +18,22 @@ pub struct Fit {
     pub mse: f64,
 }
 
-/// What training has found so far, at its best bound.
+/// The findings of a training at its best bound so far.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Findings {
     /// Coupling variances `alpha[source][target]` [2 x 2].
     pub alpha: DMatrix<f64>,
-    /// The weights that they give `[source][target]`; those into each part sum to 1.
+    /// Weights of these variances `[source][target]`; the weights into each part sum to 1.
     pub weights: DMatrix<f64>,
-    /// What they say about who drives whom.
+    /// The verdict of these variances about the couplings.
     pub verdict: Verdict,
-    /// The learned latents of each part, beside the true ones.
+    /// The learned latents of each part in the coordinates of the true ones.
     pub learned: Vec<LatentAlignment>,
-    /// How well the model explains the data.
+    /// The fit of the model to the data.
     pub fit: Fit,
 }
 
-/// A training on synthetic data, one step at a time, beside the truth.
+/// A training on synthetic data, one step at a time.
 pub struct Experiment {
     data: Synthetic,
     trainer: VariationalTrainer,
@@ -41,7 +41,7 @@ pub struct Experiment {
 }
 
 impl Experiment {
-    /// A training on the data, ready to begin.
+    /// A training on the data before its first step.
     ///
     /// # Errors
     ///
@@ -52,12 +52,12 @@ impl Experiment {
         Ok(Self { data, trainer, start })
     }
 
-    /// The data, and the truth about them.
+    /// The data with the true latents.
     pub fn data(&self) -> &Synthetic {
         &self.data
     }
 
-    /// How well the starting point explains the data.
+    /// The fit of the starting point to the data.
     pub fn start(&self) -> Fit {
         self.start
     }
@@ -67,12 +67,12 @@ impl Experiment {
         self.trainer.step()
     }
 
-    /// How far training is.
+    /// The progress of the training.
     pub fn progress(&self) -> Progress {
         self.trainer.progress()
     }
 
-    /// What training has found so far. It may be called at any time.
+    /// The findings so far, at any time.
     ///
     /// # Errors
     ///

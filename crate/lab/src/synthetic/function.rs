@@ -1,4 +1,4 @@
-//! Functions drawn from a Gaussian process, which can be evaluated anywhere.
+//! Functions drawn from a Gaussian process, which can be evaluated at any input.
 
 use nalgebra::{DMatrix, DVector};
 use rand_chacha::ChaCha8Rng;
@@ -6,7 +6,7 @@ use rand_distr::{Distribution, StandardNormal};
 use vcgpdm::gp::{Kernel, NumericsError};
 use vcgpdm::internals::Factor;
 
-/// Added to the diagonal of the covariance of the supporting points.
+/// Jitter on the diagonal of the covariance of the supporting points.
 const JITTER: f64 = 1e-6;
 
 /// Noisy values of a function [N x C] at inputs [N x P], on which a draw is conditioned.
@@ -24,9 +24,8 @@ pub(super) struct DrawnFunction {
 }
 
 impl DrawnFunction {
-    /// Draws `outputs` functions from the prior. They are exact at the `points` [K x P] and the conditional
-    /// mean of these elsewhere, so the points should lie closer than a lengthscale wherever the functions are
-    /// used.
+    /// Draws `outputs` functions from the prior. They are exact at the `points` [K x P] and their conditional mean
+    /// at other inputs, so the distance of the points should be less than a lengthscale.
     pub fn prior(
         kernel: Kernel,
         points: DMatrix<f64>,
@@ -40,8 +39,8 @@ impl DrawnFunction {
         Ok(Self { kernel, points, coefficients })
     }
 
-    /// Turns a draw from the prior into one from the posterior: the error of the draw at the evidence is
-    /// interpolated and subtracted (Matheron's rule).
+    /// Makes a draw from the prior one from the posterior: interpolates the error of the draw at the evidence, and
+    /// subtracts it (Matheron's rule).
     pub fn given(self, evidence: &Evidence, random: &mut ChaCha8Rng) -> Result<Self, NumericsError> {
         let Evidence { inputs, values, noise_variance } = evidence;
         let mut correction = values - self.at(inputs);
@@ -102,7 +101,7 @@ mod tests {
     fn draws_have_the_covariance_of_the_kernel() {
         let mut random = ChaCha8Rng::seed_from_u64(5);
         let draw = DrawnFunction::prior(rbf(1.0), grid(7, 2.4), 4000, &mut random).unwrap();
-        // Away from the supporting points, which are 0.8 apart.
+        // Between the supporting points, which are 0.8 apart.
         let x = DMatrix::from_row_slice(2, 2, &[0.3, -0.4, 1.0, 0.5]);
         let f = draw.at(&x);
         let found = &f * f.transpose() / 4000.0;
@@ -110,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn a_draw_passes_through_its_evidence() {
+    fn draws_pass_through_their_evidence() {
         let mut random = ChaCha8Rng::seed_from_u64(1);
         let evidence = Evidence {
             inputs: DMatrix::from_row_slice(2, 2, &[0.1, 0.2, -1.3, 0.7]),

@@ -1,14 +1,14 @@
 //! The synthetic experiment of Velychko et al. (2018, section 5.1, figure 3): two coupled systems, one of
-//! which drives the other weakly. Does training find out which?
+//! which drives the other weakly. Does a training find out which?
 //!
 //! x^1_t = g^1(x^1_{t-1}) (18), x^2_t = 0.1 g^1(x^1_{t-1}) + 0.9 g^2(x^2_{t-1}) (19), 300 frames, both of
 //! dimension 2; each part is seen through 10 functions of its latents. All functions are drawn from GPs with
 //! an RBF kernel.
 //!
-//! The paper does not give its lengthscales, starts and noise, nor what it did with draws that come to rest.
-//! Here g^1 and g^2 are draws that are conditioned on a few noisy transitions around the origin, each at its
-//! own rate, so that the movement goes on and the parts do not fall into step: in step, the phase of each
-//! part gives that of the other, and the data do not say which drives which.
+//! The paper does not give its lengthscales, starts and noise, nor how it treats draws that come to rest. Here g^1
+//! and g^2 are draws that are conditioned on a few noisy transitions around the origin, each at its own rate. So
+//! the movement goes on, and the parts do not synchronise: in synchrony, the phase of each part determines that of
+//! the other, and the data do not show which part drives which.
 //!
 //! ```
 //! use vcgpdm::models::VariationalSettings;

@@ -1,4 +1,4 @@
-//! The data, the training and the verdict.
+//! Tests of the data, the training and the verdict.
 
 use super::data::{COLUMNS, FRAMES};
 use super::*;
@@ -6,13 +6,13 @@ use nalgebra::DMatrix;
 use vcgpdm::models::VariationalSettings;
 
 #[test]
-fn both_parts_move_and_all_follows_from_the_seed() {
+fn both_parts_move_and_depend_only_on_the_seed() {
     for seed in 0..20 {
         let data = Synthetic::draw(seed, DRIVE).unwrap();
         assert_eq!(data.latents.len(), 2);
         for (x, y) in data.latents.iter().zip(&data.y) {
             assert_eq!((x.shape(), y.shape()), ((FRAMES, 2), (FRAMES, COLUMNS)));
-            // Not only at first: the last third moves as well.
+            // The last third moves too.
             assert!(x.rows(200, 100).row_variance().sum() >= 0.05, "a part rests with seed {seed}");
             assert!(y.row_mean().amax() < 1e-12);
         }
@@ -22,14 +22,14 @@ fn both_parts_move_and_all_follows_from_the_seed() {
 }
 
 #[test]
-fn the_first_part_does_not_hear_the_second_but_the_second_hears_the_first() {
+fn the_first_part_influences_the_second_but_not_the_reverse() {
     let (alone, driven) = (Synthetic::draw(0, 0.0).unwrap(), Synthetic::draw(0, DRIVE).unwrap());
     assert_eq!(alone.latents[0], driven.latents[0]);
     assert!((&alone.latents[1] - &driven.latents[1]).amax() > 0.05);
 }
 
 #[test]
-fn a_share_is_from_0_to_1() {
+fn refuses_a_share_outside_0_to_1() {
     for drive in [-0.1, 1.5, f64::NAN] {
         let error = Synthetic::draw(0, drive).unwrap_err().to_string();
         assert_eq!(

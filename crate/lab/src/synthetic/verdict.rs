@@ -1,20 +1,20 @@
-//! What learned couplings say about who drives whom, and whether it is true.
+//! The verdict of learned couplings about which part drives which, and whether it is true.
 
 use nalgebra::DMatrix;
 
-/// alpha^{21} is "much larger" than alpha^{11} where it is at least so many times as large.
+/// alpha^{21} is "much larger" than alpha^{11} if it is at least this many times as large.
 pub const MUCH: f64 = 10.0;
 /// When the first part drives the second, alpha^{12} is within this factor of alpha^{22}, larger or smaller.
 pub const ALIKE: f64 = 4.0;
 
-/// What coupling variances `alpha[source][target]` say about who drives whom.
+/// The verdict of coupling variances `alpha[source][target]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
-    /// alpha^{21} / alpha^{11}: how many times weaker the second part drives the first than the first itself
-    /// does.
+    /// alpha^{21} / alpha^{11}: how many times weaker the second part drives the first than the first drives
+    /// itself.
     pub back: f64,
-    /// alpha^{12} / alpha^{22}: how many times weaker the first part drives the second than the second itself
-    /// does.
+    /// alpha^{12} / alpha^{22}: how many times weaker the first part drives the second than the second drives
+    /// itself.
     pub forth: f64,
 }
 
@@ -24,18 +24,18 @@ impl Verdict {
         Self { back: alpha[(1, 0)] / alpha[(0, 0)], forth: alpha[(0, 1)] / alpha[(1, 1)] }
     }
 
-    /// Whether it says that the second part does not drive the first.
+    /// Whether the verdict is that the second part does not drive the first.
     pub fn back_is_right(&self) -> bool {
         self.back >= MUCH
     }
 
-    /// Whether it says that the first part drives the second if, and only if, the share `drive` of it is not
+    /// Whether the verdict about the first part driving the second is true: it drives if its share `drive` is not
     /// 0.
     pub fn forth_is_right(&self, drive: f64) -> bool {
         if drive > 0.0 { (1.0 / ALIKE..=ALIKE).contains(&self.forth) } else { self.forth >= MUCH }
     }
 
-    /// Whether it says the truth about both.
+    /// Whether both verdicts are true.
     pub fn right(&self, drive: f64) -> bool {
         self.back_is_right() && self.forth_is_right(drive)
     }
