@@ -198,7 +198,7 @@ describe("sliders and dividers", () => {
 });
 
 describe("a link to couplings", () => {
-  it("shows the weights of the motion", async () => {
+  it("restores the couplings, and shows the weights of the motion", async () => {
     const { page, leave } = await site.visit({ settings: "alpha=0.1:0.05,1.0:0.02" });
     await ready(page);
     await measured(page);
@@ -214,6 +214,10 @@ describe("a link to couplings", () => {
           `${source} to ${target}`,
         );
       }
+    assert.equal(Number(await page.getByTestId("alpha-0-1").innerText()), 0.05);
+    const linked = await saved(page, "save-motion");
+    await page.keyboard.press("0");
+    assert.notEqual((await saved(page, "save-motion")).text, linked.text);
     await leave();
   });
 });
