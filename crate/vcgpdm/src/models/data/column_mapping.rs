@@ -16,7 +16,7 @@ pub trait ColumnMapping: Clone + Debug {
     /// The unit of a column: predictions of the model are multiplied by it.
     fn unit(&self, column: usize) -> f64;
 
-    /// The most frames of a rollout that can be shown, written and held in memory.
+    /// The most frames of a rollout that can be shown, written and stored in memory.
     fn most_frames(&self) -> usize;
 }
 

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// alpha_z and beta_z = alpha_z / 4 of Ijspeert et al. (2013): critically damped.
 pub const ALPHA_Z: f64 = 25.0;
-pub const BETA_Z: f64 = ALPHA_Z / 4.0;
+const BETA_Z: f64 = ALPHA_Z / 4.0;
 /// Ridge of the regression, relative to the mean energy of a basis: large enough to solve, too small to smooth.
 const RIDGE: f64 = 1e-6;
 /// The largest step of the integration as a share of tau; the time constant of the spring is tau / 12.5.

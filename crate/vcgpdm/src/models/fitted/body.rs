@@ -40,7 +40,7 @@ impl<S: ColumnMapping> Body<S> {
     }
 
     /// Checks that a rollout of `frames` frames, with `width` latent dimensions in all, can be written as BVH,
-    /// read again and held in memory.
+    /// read again and stored in memory.
     ///
     /// # Errors
     ///

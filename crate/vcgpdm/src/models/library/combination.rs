@@ -66,7 +66,7 @@ impl Library {
     /// When it does not.
     pub(super) fn check_primitive(&self, part: usize, primitive: usize) -> Result<(), CombinationError> {
         match self.primitives.get(primitive) {
-            Some(known) if known.part == part => Ok(()),
+            Some(found) if found.part == part => Ok(()),
             _ => Err(CombinationError::Primitive { part, found: primitive }),
         }
     }

@@ -124,8 +124,8 @@ impl LatentWalk {
         let unknown = CombinationError::Movement { count: library.movements.len(), found: movement };
         let movement = library.movements.get(movement).ok_or(unknown)?;
         let within = |what: &'static str, count: usize, found: usize| {
-            let (highest, asked) = (count.saturating_sub(1) as f64, found as f64);
-            let error = WalkError::Range { what, lowest: 0.0, highest, found: asked };
+            let highest = count.saturating_sub(1) as f64;
+            let error = WalkError::Range { what, lowest: 0.0, highest, found: found as f64 };
             if found < count { Ok(()) } else { Err(error) }
         };
         within("a sequence of the movement", movement.starts.len(), sequence)?;

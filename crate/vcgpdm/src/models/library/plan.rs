@@ -15,7 +15,7 @@ pub enum PlanError {
     #[error("expected a name of its own for each movement, found {0:?} twice")]
     Twice(String),
     /// The plan does not say of each part whether its primitive is shared.
-    #[error("expected same or own for each of {expected} parts, found {found}")]
+    #[error("expected shared or not for each of {expected} parts, found {found}")]
     Parts {
         /// Number of parts.
         expected: usize,
@@ -141,8 +141,8 @@ mod tests {
         assert_eq!(names, [(0, "walk+wave"), (1, "walk"), (1, "wave")]);
         assert_eq!(plan.uses(), [(2, vec![0, 1]), (2, vec![0, 2])]);
         assert!(plan.check(2).is_ok());
-        let words = plan.check(3).unwrap_err().to_string();
-        assert_eq!(words, "expected same or own for each of 3 parts, found 2");
+        let message = plan.check(3).unwrap_err().to_string();
+        assert_eq!(message, "expected shared or not for each of 3 parts, found 2");
     }
 
     #[test]

@@ -156,13 +156,13 @@ fn a_fit_learns_couplings_and_keeps_the_primitives() {
     for (found, y) in model.observations(&latents).iter().zip(&y) {
         assert!((found - y).amax() < 0.3, "{}", (found - y).amax());
     }
-    let words = |uses: &[usize], y: Vec<DMatrix<f64>>| {
+    let message = |uses: &[usize], y: Vec<DMatrix<f64>>| {
         fit_of(&library, uses, y, vec![30], 10).err().unwrap().to_string()
     };
-    assert_eq!(words(&[0, 0], y.clone()), "expected a primitive of part 1, found primitive 0");
-    assert_eq!(words(&[0], y.clone()), "expected a primitive for each of 2 parts, found 1");
+    assert_eq!(message(&[0, 0], y.clone()), "expected a primitive of part 1, found primitive 0");
+    assert_eq!(message(&[0], y.clone()), "expected a primitive for each of 2 parts, found 1");
     let narrow = vec![y[0].clone(), y[1].columns(0, 2).into_owned()];
-    assert_eq!(words(&[0, 1], narrow), "part 1 has 2 columns, expected 3");
+    assert_eq!(message(&[0, 1], narrow), "part 1 has 2 columns, expected 3");
 }
 
 #[test]
@@ -189,10 +189,13 @@ fn a_walk_at_tempo_one_is_the_rollout_and_continues_when_a_part_changes() {
     let mut other = LatentWalk::new(&library, &[0, 1]).unwrap();
     other.replace_primitive(1, 2);
     assert_relative_eq!(mixed.advance(&library, 5)[1], other.advance(&library, 5)[1], epsilon = 1e-12);
-    let words = |result: Result<(), WalkError>| result.unwrap_err().to_string();
-    assert_eq!(words(walk.set_tempo(0, 3.0)), "expected a tempo from 0.25 to 2, found 3");
-    assert_eq!(words(walk.mix(&library, 0, 1, 0.5, 0)), "expected a primitive of part 0, found primitive 1");
-    assert_eq!(words(walk.mix(&library, 1, 1, f64::NAN, 0)), "expected a share from 0 to 1, found NaN");
+    let message = |result: Result<(), WalkError>| result.unwrap_err().to_string();
+    assert_eq!(message(walk.set_tempo(0, 3.0)), "expected a tempo from 0.25 to 2, found 3");
+    assert_eq!(
+        message(walk.mix(&library, 0, 1, 0.5, 0)),
+        "expected a primitive of part 0, found primitive 1"
+    );
+    assert_eq!(message(walk.mix(&library, 1, 1, f64::NAN, 0)), "expected a share from 0 to 1, found NaN");
 }
 
 /// A mix changes by the same step in every frame, however many frames are asked for at once. On a slow
@@ -289,9 +292,9 @@ fn a_selection_keeps_what_its_primitives_learned() {
             assert_relative_eq!(k * &inverse * &evidence.b, *before.fitted.mean(), epsilon = 1e-6);
         }
     }
-    let words = |chosen: &[usize]| library.select(chosen).unwrap_err().to_string();
-    assert_eq!(words(&[]), "expected primitives from 0 to 2, one or more, found none");
-    assert_eq!(words(&[0, 3]), "expected primitives from 0 to 2, one or more, found 3");
+    let message = |chosen: &[usize]| library.select(chosen).unwrap_err().to_string();
+    assert_eq!(message(&[]), "expected primitives from 0 to 2, one or more, found none");
+    assert_eq!(message(&[0, 3]), "expected primitives from 0 to 2, one or more, found 3");
 }
 
 /// A primitive without its movement still has couplings and start latents.
@@ -322,11 +325,11 @@ fn a_walk_begins_at_any_frame_of_any_sequence() {
     let walk = LatentWalk::from_sequence(&library, &[0, 1], (1, 0, 5)).unwrap();
     let legs = library.movements[1].starts[0][0].rows(5, 2).into_owned();
     assert_eq!(DMatrix::from_row_slice(2, 2, &walk.history(0)), legs);
-    let words = |place| LatentWalk::from_sequence(&library, &[0, 1], place).unwrap_err().to_string();
-    assert_eq!(words((2, 0, 0)), "expected a movement from 0 to 1, found 2");
-    assert_eq!(words((1, 1, 0)), "expected a sequence of the movement from 0 to 0, found 1");
+    let message = |place| LatentWalk::from_sequence(&library, &[0, 1], place).unwrap_err().to_string();
+    assert_eq!(message((2, 0, 0)), "expected a movement from 0 to 1, found 2");
+    assert_eq!(message((1, 1, 0)), "expected a sequence of the movement from 0 to 0, found 1");
     assert_eq!(
-        words((1, 0, 44)),
+        message((1, 0, 44)),
         "expected a frame of the sequence with a whole history from 0 to 43, found 44"
     );
 }

@@ -56,12 +56,12 @@ pub enum LibraryError {
         found: String,
     },
     /// There is no part or primitive of this name.
-    #[error("expected {what} to be one of {known}, found {found:?}")]
+    #[error("expected {what} to be one of {names}, found {found:?}")]
     Unknown {
         /// "the part" or "the primitive".
         what: &'static str,
         /// The names that exist.
-        known: String,
+        names: String,
         /// The text found.
         found: String,
     },
@@ -155,12 +155,14 @@ impl TrainedLibrary {
         let choice = |choice: &str| {
             let (part, name) = choice.split_once('=').ok_or_else(|| self.choice_error(choice))?;
             let (part, name) = (part.trim(), name.trim());
-            let place = parts.iter().position(|known| *known == part).ok_or_else(|| {
-                LibraryError::Unknown { what: "the part", known: parts.join(", "), found: shortened(part) }
+            let place = parts.iter().position(|name| *name == part).ok_or_else(|| LibraryError::Unknown {
+                what: "the part",
+                names: parts.join(", "),
+                found: shortened(part),
             })?;
             self.primitive(place, name).ok_or_else(|| LibraryError::Unknown {
                 what: "the primitive",
-                known: self.names(place),
+                names: self.names(place),
                 found: shortened(name),
             })
         };

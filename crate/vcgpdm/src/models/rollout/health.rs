@@ -86,8 +86,8 @@ impl Coupled<'_> {
         if let Some(from) = still_from(self.body.mapping.skeleton(), positions, frame_time) {
             let recorded = self.body.sequences.get(request.sequence).and_then(|info| info.rests_from);
             // The rollout may start at a later frame of the recording.
-            let begun = request.frame as f64 * frame_time;
-            let rests = recorded.is_some_and(|rest| begun + from >= rest - EARLY);
+            let start = request.frame as f64 * frame_time;
+            let rests = recorded.is_some_and(|rest| start + from >= rest - EARLY);
             return Ok(if rests { Health::RestsAsRecorded { from } } else { Health::StandsStill { from } });
         }
         let familiarity = self.model.familiarity(latents)?;

@@ -52,11 +52,7 @@ impl PhaseKernel {
     }
 
     /// A kernel with these inducing phases.
-    pub fn with_inducing(
-        axis: PhaseAxis,
-        lengthscale: f64,
-        inducing: Vec<f64>,
-    ) -> Result<Self, NumericsError> {
+    fn with_inducing(axis: PhaseAxis, lengthscale: f64, inducing: Vec<f64>) -> Result<Self, NumericsError> {
         let n = inducing.len();
         let k = DMatrix::from_fn(n, n, |a, b| {
             covariance(axis, lengthscale, inducing[a] - inducing[b]) + if a == b { JITTER } else { 0.0 }

@@ -56,8 +56,8 @@ pub struct TmpLearner {
     columns: Vec<usize>,
     /// Whether phases are learned; false: they are normalised time, and all trials have the same weights.
     learns_phases: bool,
-    /// The number of primitives asked for; `None`: the number with the highest bound.
-    asked: Option<usize>,
+    /// The requested number of primitives; `None`: the number with the highest bound.
+    requested: Option<usize>,
     limits: Limits,
     /// The current number of primitives.
     count: usize,
@@ -78,7 +78,7 @@ pub struct TmpLearner {
 }
 
 impl TmpLearner {
-    /// A training before its first sweep, with aligned trials and one primitive or the number asked for.
+    /// A training before its first sweep, with aligned trials and one primitive or the requested number.
     ///
     /// # Errors
     ///
@@ -92,8 +92,8 @@ impl TmpLearner {
         settings: &TmpSettings,
         limits: Limits,
     ) -> Result<Self, TrainingError> {
-        let asked = settings.primitives;
-        in_range("the number of primitives", asked.unwrap_or(1), MOST_PRIMITIVES)?;
+        let requested = settings.primitives;
+        in_range("the number of primitives", requested.unwrap_or(1), MOST_PRIMITIVES)?;
         let (all, columns) = split_trials(movements)?;
         let mut order: Vec<usize> = (0..all.len()).collect();
         order.sort_by_key(|&s| !all[s].whole);
@@ -101,7 +101,7 @@ impl TmpLearner {
         let learns_phases = !settings.normalised_time;
         let alignment =
             if learns_phases { Alignment::new(&trials, None) } else { Alignment::normalised_time(&trials) };
-        let count = asked.unwrap_or(1);
+        let count = requested.unwrap_or(1);
         // A part has one noise variance, like beta of the vCGPDM. With a variance for each column, the bound of
         // a column that hardly moves would grow without limit, and the bounds could not be compared.
         let groups: Vec<usize> = columns.iter().copied().filter(|&width| width > 0).collect();
@@ -113,7 +113,7 @@ impl TmpLearner {
             order,
             columns,
             learns_phases,
-            asked,
+            requested,
             limits,
             count,
             current,
@@ -165,7 +165,7 @@ impl TmpLearner {
         }
         self.record_bound();
         let best = self.best.as_ref().map_or(self.count, |(_, p)| p.primitives());
-        if self.asked.is_some() {
+        if self.requested.is_some() {
             self.reason = Some(if small { EndReason::BoundSettled } else { EndReason::Iterations });
         } else if let Some(end) = self.end.take() {
             self.reason = Some(end);
@@ -198,7 +198,7 @@ impl TmpLearner {
 
     /// Whether the search for the number of primitives goes on. After it, the best number is trained to the end.
     fn is_searching(&self) -> bool {
-        self.asked.is_none() && self.end.is_none()
+        self.requested.is_none() && self.end.is_none()
     }
 
     /// Resets the sweeps, and the steps that shrink in them.
@@ -249,7 +249,7 @@ impl Learner for TmpLearner {
     }
 
     fn progress(&self) -> Progress {
-        let most = if self.asked.is_some() { 0 } else { self.numbers_to_try() * SEARCH_SWEEPS };
+        let most = if self.requested.is_some() { 0 } else { self.numbers_to_try() * SEARCH_SWEEPS };
         let most = most + self.limits.max_sweeps;
         let best = match &self.best {
             Some((best, _)) if !self.is_best() => *best,

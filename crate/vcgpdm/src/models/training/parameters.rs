@@ -1,9 +1,9 @@
-//! The flat vector that an optimiser sees of named parameters, and the boxes in which they are held.
+//! Named parameters as a flat vector for an optimiser, and the boxes of their values.
 
 use crate::elementary::Elementary;
 use crate::gp::exp::exp;
 
-/// The blocks of parameters that a schedule can free or hold.
+/// Groups of parameters that a schedule can free or fix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
     /// mu and S, or point latents.
@@ -16,11 +16,11 @@ pub enum Group {
     InducingInputs,
 }
 
-/// One kind of parameter: its group, whether it is positive (the optimiser then sees its logarithm), the box
-/// it is held in and the unit in which the optimiser counts it.
+/// A kind of parameter: its group, whether it is positive (its flat entry is then a logarithm), the box of its
+/// values and the unit of its flat entry.
 #[derive(Clone, Copy, Debug)]
 pub struct Kind {
-    /// Its block.
+    /// Its group.
     pub group: Group,
     positive: bool,
     lowest: f64,
@@ -49,17 +49,17 @@ impl Kind {
 
 /// The largest coupling variance that training can reach.
 pub const LARGEST_COUPLING: f64 = 10.0;
-/// The smallest variance S that training can reach. A tenth to a half of a trained model's stand here:
-/// smaller ones would raise the bound, and some models would then predict worse or stand still
+/// The smallest variance S that training can reach. In a trained model, a tenth to a half of all S have this
+/// value. Smaller ones would raise the bound, but some models would then predict worse or stand still
 /// (docs/training.md).
 pub const SMALLEST_S: f64 = 1e-3;
 
-// The boxes keep the search away from numbers at which a covariance is no longer one. A good model stays
-// inside them, but for S and for lengthscales, which are largest where a map is straight.
+// The boxes exclude values at which a covariance is not positive definite. A good model is inside them, except
+// for S and for lengthscales, which are largest where a map is linear.
 //
-// A search gets on well when a step of one unit changes the objective about as much in whatever direction it
-// goes. Where S is best, log S has the curvature 1/2 and mu the curvature 1/S, some hundreds, so that log S
-// wants a far larger unit; log beta has N D / 2, some ten thousands, and wants a smaller one.
+// A search is fast when a step of one unit changes the objective by a similar amount in all directions. At the
+// best S, log S has the curvature 1/2 and mu the curvature 1/S, some hundreds, so log S has a far larger unit.
+// log beta has the curvature N D / 2, some ten thousands, and so a smaller unit.
 pub(crate) const MU: Kind = free(Group::Latents, 10.0);
 pub(crate) const S: Kind = positive(Group::Latents, SMALLEST_S, 2.0).in_units_of(20.0);
 pub(crate) const IPS: Kind = free(Group::InducingInputs, 10.0);
@@ -73,11 +73,11 @@ pub trait Parameters: Clone {
     /// Calls `f` with every block of values and its kind, in the order of the flat vector.
     fn visit<'a>(&'a self, f: &mut dyn FnMut(Kind, &'a [f64]));
 
-    /// The same, to change the values.
+    /// The same with values that can be changed.
     fn visit_mut(&mut self, f: &mut dyn FnMut(Kind, &mut [f64]));
 
-    /// The flat vector: logarithms of the positive parameters, the others as they are, all held inside their
-    /// boxes and counted in the units of their kinds.
+    /// The flat vector: logarithms of the positive parameters and the values of the others, inside their boxes
+    /// and in the units of their kinds.
     fn to_flat(&self) -> Vec<f64> {
         let mut flat = Vec::new();
         self.visit(&mut |kind, values| {
@@ -86,13 +86,13 @@ pub trait Parameters: Clone {
         flat
     }
 
-    /// Takes the values of a flat vector of the same shape.
+    /// Sets the values from a flat vector of the same shape.
     fn set_flat(&mut self, flat: &[f64]) {
         let mut rest = flat.iter();
         self.visit_mut(&mut |kind, values| {
             for (value, flat) in values.iter_mut().zip(&mut rest) {
                 let counted = kind.unit * flat;
-                // Through the box once more, because the exponential of a logarithm can round past its end.
+                // Clamped again, because the exponential of a logarithm can round past the end of the box.
                 *value = if kind.positive { exp(counted) } else { counted }.clamp(kind.lowest, kind.highest);
             }
         });

@@ -61,7 +61,7 @@ pub struct Progress {
     pub fraction: f64,
 }
 
-/// A phase of a variational training, displayed in plain words.
+/// A phase of a variational training, displayed in plain message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum TrainingPhase {
@@ -80,7 +80,7 @@ impl fmt::Display for TrainingPhase {
     }
 }
 
-/// Why a training ended, displayed in plain words in the terminal and in results files.
+/// Why a training ended, displayed in plain message in the terminal and in results files.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum EndReason {
@@ -141,7 +141,7 @@ mod tests {
     fn displays_reasons_setbacks_and_phases() {
         let error = NumericsError::NotFinite { what: "bound" };
         let failed = |primitives| EndReason::Failed { primitives, error: error.clone() };
-        for (reason, words) in [
+        for (reason, message) in [
             (EndReason::BoundSettled, "the bound no longer rises".to_owned()),
             (EndReason::DensitySettled, "the density no longer rises".to_owned()),
             (EndReason::Iterations, "all iterations used".to_owned()),
@@ -154,7 +154,7 @@ mod tests {
             (failed(Some(3)), format!("stopped with 3 primitives: {error}")),
             (failed(None), format!("stopped: {error}")),
         ] {
-            assert_eq!(reason.to_string(), words);
+            assert_eq!(reason.to_string(), message);
         }
         let setbacks = Setbacks { jittered: 3, turned_back: 1 };
         assert_eq!(

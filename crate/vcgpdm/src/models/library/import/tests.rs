@@ -74,11 +74,11 @@ fn an_import_adds_a_primitive_and_keeps_the_host_unchanged() {
         assert_eq!((relearned.primitive.as_str(), relearned.frames), ("walk", frames.source()));
         assert_eq!(relearned.clips, donor().body.sequences);
         assert_eq!(origin.training.objective, trainer.progress().best);
-        // What is kept of the rows gives the outputs again.
+        // The stored evidence gives the mean of the outputs.
         for expert in &new.experts {
-            let known = expert.elsewhere.as_ref().unwrap();
-            let a = expert.fitted.k() + &known.precision;
-            let mean = expert.fitted.k() * a.try_inverse().unwrap() * &known.b;
+            let evidence = expert.elsewhere.as_ref().unwrap();
+            let a = expert.fitted.k() + &evidence.precision;
+            let mean = expert.fitted.k() * a.try_inverse().unwrap() * &evidence.b;
             approx::assert_relative_eq!(mean, *expert.fitted.mean(), epsilon = 1e-5);
         }
         let again = TrainedLibrary::from_json(&library.to_json().unwrap()).unwrap();
@@ -112,24 +112,24 @@ fn a_movement_of_new_primitives_alone_keeps_its_rows() {
 
 #[test]
 fn refuses_imports_without_frames_or_companions() {
-    let words = |donor: &TrainedLibrary, frames: ImportFrames, companions: Vec<Option<usize>>| {
+    let message = |donor: &TrainedLibrary, frames: ImportFrames, companions: Vec<Option<usize>>| {
         let request = ImportRequest { companions, ..request(host(), donor) };
         ImportTrainer::new(host(), donor, frames, &request).err().unwrap().to_string()
     };
     let legs = donor().select(&[0]).unwrap();
     let no_frames = "the file keeps no movement to learn its primitives again from: expected clips";
-    assert_eq!(words(&legs, ImportFrames::Generated, vec![Some(0), Some(1)]), no_frames);
-    assert_eq!(words(&legs, ImportFrames::Clips(&[]), vec![Some(0), Some(1)]), no_frames);
+    assert_eq!(message(&legs, ImportFrames::Generated, vec![Some(0), Some(1)]), no_frames);
+    assert_eq!(message(&legs, ImportFrames::Clips(&[]), vec![Some(0), Some(1)]), no_frames);
     assert!(
-        words(&legs, ImportFrames::Remembered, vec![Some(0), None])
+        message(&legs, ImportFrames::Remembered, vec![Some(0), None])
             .starts_with("expected a primitive of upper")
     );
     assert_eq!(
-        words(&legs, ImportFrames::Remembered, vec![Some(0), Some(0)]),
+        message(&legs, ImportFrames::Remembered, vec![Some(0), Some(0)]),
         "expected a primitive of part 1, found primitive 0"
     );
     assert_eq!(
-        words(&legs, ImportFrames::Remembered, vec![]),
+        message(&legs, ImportFrames::Remembered, vec![]),
         "expected a primitive for each of 2 parts, found 0"
     );
     // A donor that stores only the first frames.
@@ -137,5 +137,5 @@ fn refuses_imports_without_frames_or_companions() {
     for start in short.library.primitives[0].excerpts.iter_mut().flat_map(|excerpt| &mut excerpt.starts) {
         *start = start.iter().map(|x| x.rows(0, 2).into_owned()).collect();
     }
-    assert_eq!(words(&short, ImportFrames::Remembered, vec![Some(0), Some(1)]), no_frames);
+    assert_eq!(message(&short, ImportFrames::Remembered, vec![Some(0), Some(1)]), no_frames);
 }
