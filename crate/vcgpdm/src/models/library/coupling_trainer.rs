@@ -1,6 +1,5 @@
 //! New couplings for stored primitives: everything else stays as it was learned.
 
-use crate::gp::linalg::stacked;
 use crate::models::data::dataset::DatasetError;
 use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::library::{
@@ -44,10 +43,8 @@ impl CouplingTrainer {
         clips: &[EncodedClip],
         max_iterations: usize,
     ) -> Result<Self, LibraryError> {
-        let sequences: Vec<SequenceInfo> = clips.iter().map(|clip| clip.info.clone()).collect();
+        let (y, sequences) = library.library.stack_clips(clips.iter());
         let lengths = sequences.iter().map(|info| info.frames).collect();
-        let parts = 0..library.library.part_count();
-        let y = parts.map(|part| stacked(clips.iter().map(|clip| &clip.y[part]))).collect();
         let trainer = fit_of(&library.library, uses, y, lengths, max_iterations)
             .map_err(|reason| DatasetError::from_training(reason, &sequences))?;
         Ok(Self { trainer, library: library.clone(), uses: uses.to_vec(), sequences })

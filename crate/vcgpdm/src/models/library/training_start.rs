@@ -4,15 +4,27 @@
 //! [`CouplingTrainer`]: crate::models::library::CouplingTrainer
 //! [`ImportTrainer`]: crate::models::library::ImportTrainer
 
+use crate::gp::linalg::stacked;
 use crate::gp::stored_outputs::StoredOutputs;
 use crate::gp::{Gaussians, NumericsError};
+use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::data::sequences::Sequences;
-use crate::models::library::Library;
+use crate::models::library::{EncodedClip, Library};
 use crate::models::training::settings::VariationalSettings;
 use crate::models::variational::{Expert, PartParams, PoseMap, StoredMaps, first_variance};
 use nalgebra::DMatrix;
 
 impl Library {
+    /// The columns of each part [N x D_i] of these clips, stacked, and the sequences.
+    pub(super) fn stack_clips<'a>(
+        &self,
+        clips: impl Iterator<Item = &'a EncodedClip> + Clone,
+    ) -> (Vec<DMatrix<f64>>, Vec<SequenceInfo>) {
+        let parts = 0..self.part_count();
+        let y = parts.map(|part| stacked(clips.clone().map(|clip| &clip.y[part]))).collect();
+        (y, clips.map(|clip| clip.info.clone()).collect())
+    }
+
     /// The inducing outputs of the pose maps and of these primitives, stacked in this order, as fixed outputs
     /// of the training.
     pub(super) fn fixed_outputs(&self, uses: &[usize]) -> Result<StoredMaps, NumericsError> {

@@ -1,18 +1,18 @@
 //! Trainings of imports.
 
 use crate::gp::NumericsError;
-use crate::gp::linalg::{Factor, block_diagonal, stacked, symmetric};
+use crate::gp::linalg::{Factor, block_diagonal, symmetric};
 use crate::models::data::dataset::DatasetError;
 use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::fitted::provenance::Provenance;
 use crate::models::library::coupling_trainer::MOST_ITERATIONS;
-use crate::models::library::import::frames::{clip_movement, stored_movements};
+use crate::models::library::import::frames::{DonorMovement, clip_movement, stored_movements};
 use crate::models::library::import::request::{ImportError, ImportFrames, ImportRequest, ImportedMovement};
 use crate::models::library::import::start::starting_trainer;
 use crate::models::library::information::Information;
 use crate::models::library::{
-    CombinationError, CouplingsFrom, EncodedClip, LearnedMovement, LibraryExpert, Origin, Primitive,
-    Relearned, TrainedLibrary,
+    CombinationError, CouplingsFrom, LearnedMovement, LibraryExpert, Origin, Primitive, Relearned,
+    TrainedLibrary,
 };
 use crate::models::training::error::in_range;
 use crate::models::training::progress::Progress;
@@ -56,33 +56,23 @@ impl ImportTrainer {
         host.check_body(donor)?;
         check_companions(host, &request.companions)?;
         in_range("the number of iterations", request.max_iterations, MOST_ITERATIONS)?;
-        let shown = match frames {
+        let donor_movements = match frames {
             ImportFrames::Clips(clips) => vec![clip_movement(donor, clips)?],
             ImportFrames::Remembered | ImportFrames::Generated => {
                 stored_movements(host, donor, frames.source())?
             }
         };
-        let has_frames = |a: usize| shown.iter().any(|movement| movement.uses.contains(&Some(a)));
+        let has_frames = |a: usize| donor_movements.iter().any(|movement| movement.uses.contains(&Some(a)));
         if !(0..donor.library.primitives.len()).all(has_frames) {
             return Err(ImportError::NoFrames);
         }
-        let mut companions: Vec<usize> = Vec::new();
-        for movement in &shown {
-            for (part, companion) in request.companions.iter().enumerate() {
-                if movement.uses[part].is_none() {
-                    let part = || host.body.layout.parts()[part].name.clone();
-                    companions.push(companion.ok_or_else(|| ImportError::NoCompanion { part: part() })?);
-                }
-            }
-        }
-        companions.sort_unstable();
-        companions.dedup();
+        let companions = used_companions(host, &donor_movements, &request.companions)?;
         let place = |(own, companion): (&Option<usize>, &Option<usize>)| match own {
             Some(a) => companions.len() + a,
             None => companions.iter().position(|a| Some(a) == companion.as_ref()).unwrap_or_default(),
         };
         let mut movements: Vec<ImportedMovement> = Vec::new();
-        for movement in &shown {
+        for movement in &donor_movements {
             let first = movements.last().map_or(0, |before| before.sequences.end);
             let uses = movement.uses.iter().zip(&request.companions).map(place).collect();
             movements.push(ImportedMovement {
@@ -91,11 +81,8 @@ impl ImportTrainer {
                 uses,
             });
         }
-        let clips: Vec<&EncodedClip> = shown.iter().flat_map(|movement| &movement.clips).collect();
-        let y = (0..host.library.part_count())
-            .map(|part| stacked(clips.iter().map(|clip| &clip.y[part])))
-            .collect();
-        let sequences: Vec<SequenceInfo> = clips.iter().map(|clip| clip.info.clone()).collect();
+        let clips = donor_movements.iter().flat_map(|movement| &movement.clips);
+        let (y, sequences) = host.library.stack_clips(clips);
         let lengths = sequences.iter().map(|info| info.frames).collect();
         let trainer = starting_trainer(host, donor, &companions, &movements, y, lengths, request);
         let trainer = trainer.map_err(|error| match error {
@@ -240,6 +227,26 @@ impl ImportTrainer {
             relearned: Some(self.new_primitives[place].relearned.clone()),
         }
     }
+}
+
+/// The companions that the movements need, each once.
+fn used_companions(
+    host: &TrainedLibrary,
+    movements: &[DonorMovement],
+    companions: &[Option<usize>],
+) -> Result<Vec<usize>, ImportError> {
+    let mut used = Vec::new();
+    for movement in movements {
+        for (part, companion) in companions.iter().enumerate() {
+            if movement.uses[part].is_none() {
+                let part = || host.body.layout.parts()[part].name.clone();
+                used.push(companion.ok_or_else(|| ImportError::NoCompanion { part: part() })?);
+            }
+        }
+    }
+    used.sort_unstable();
+    used.dedup();
+    Ok(used)
 }
 
 /// Checks that the companion of each part is one of its primitives.
