@@ -88,7 +88,7 @@ pub mod series;
 
 pub use document::{Document, DocumentError};
 pub use gp::NumericsError;
-pub use json::{FieldError, HeadingError, JsonError};
+pub use json::JsonError;
 pub use models::library::{
     CombinationError, CouplingTrainer, CouplingsFrom, EncodedClip, ImportError, ImportFrames, ImportRequest,
     ImportTrainer, Leader, LearnedMovement, Library, LibraryError, LibraryPlan, LibraryTrainer, LibraryWalk,

@@ -111,6 +111,7 @@ pub struct Skeleton {
 
 /// One node of the drawn figure: a joint or an end site.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct FigureNode {
     /// The index of the joint; for an end site, of the joint whose bone ends there.
     pub joint: usize,

@@ -10,6 +10,7 @@ pub const REWINDS: usize = 64;
 
 /// The next frames of a walk.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct WalkFrames {
     /// The latent path of each part [frames x Q_i].
     pub latents: Vec<DMatrix<f64>>,

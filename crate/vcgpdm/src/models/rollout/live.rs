@@ -24,6 +24,7 @@ pub struct LiveRollout {
 
 /// The next frames of a live rollout.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct LiveFrames {
     /// The latent path of each part [frames x Q_i].
     pub latents: Vec<DMatrix<f64>>,

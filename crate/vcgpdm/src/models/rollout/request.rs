@@ -75,6 +75,7 @@ pub struct Push {
 
 /// A rollout of a model with couplings.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Rollout {
     /// The latent path of each part [frames x Q_i].
     pub latents: Vec<DMatrix<f64>>,

@@ -17,6 +17,7 @@ const OPTIMISER_VECTORS: f64 = 60.0;
 
 /// Estimated cost of a training on one core, right to a factor of about two.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct TrainingCost {
     /// Seconds of one evaluation of the bound, or the density, with its gradient.
     pub evaluation_seconds: f64,

@@ -8,6 +8,7 @@ use std::fmt;
 
 /// Numerical problems from which a training recovered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct Setbacks {
     /// Factorisations of a covariance that failed and were repeated with jitter on the diagonal.
     pub jittered: usize,

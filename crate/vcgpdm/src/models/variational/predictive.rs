@@ -12,6 +12,7 @@ use nalgebra::DMatrix;
 
 /// A Gaussian about the next latents of a part, with the same variance in all dimensions.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Prediction {
     /// Its mean `[Q_i]`.
     pub mean: Vec<f64>,
@@ -21,6 +22,7 @@ pub struct Prediction {
 
 /// What is predicted about the next latents of one part.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct PartPredictions {
     /// What each source says alone `[M]`: the mean of f^{ji}, and alpha^{ji} plus its own variance.
     pub experts: Vec<Prediction>,

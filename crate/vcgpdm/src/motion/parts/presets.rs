@@ -8,6 +8,7 @@ use serde::Serialize;
 
 /// A usual way to split a body.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct PartsPreset {
     /// "whole", "lower-upper", "body-arms" or "legs-trunk-arms".
     pub id: String,

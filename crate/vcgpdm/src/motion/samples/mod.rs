@@ -13,6 +13,7 @@ use walker::Arms;
 
 /// A clip that this project makes itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct SampleInfo {
     /// The id by which [`clip`] finds it.
     pub id: &'static str,
