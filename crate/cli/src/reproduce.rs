@@ -110,7 +110,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 /// Whether the model contains information from data sets that are not its own: a model of a library of several
 /// movements. A library of one movement gives the same model as a plain training.
 fn is_combination(model: &FittedModel) -> bool {
-    matches!(model, FittedModel::Vcgpdm(model) if !model.elsewhere.is_empty())
+    matches!(model, FittedModel::Vcgpdm(model) if !model.external.is_empty())
 }
 
 /// The clip of a sequence, with the bones of the training.

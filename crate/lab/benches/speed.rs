@@ -1,6 +1,5 @@
-//! How long the things take that people wait for, on the project's own walks, Q = 3. `npm run lab -- scaling`
-//! goes on to 16,000 frames and measures memory; `npm run speed` compares native, wasm and another
-//! implementation.
+//! Times of the bound and of rollouts on the project's own walks, with three latent dimensions. `npm run lab
+//! -- scaling` also measures memory, with up to 16,000 frames; `npm run speed` compares native and wasm.
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
@@ -29,14 +28,14 @@ fn trained(y: Vec<DMatrix<f64>>, lengths: Vec<usize>, ips: usize) -> Variational
     trainer
 }
 
-/// The walks of both parts, one after the other so many times.
+/// The walks of both parts, repeated `times` times.
 fn repeated(dataset: &Dataset, times: usize) -> (Vec<DMatrix<f64>>, Vec<usize>) {
     let repeat =
         |y: &DMatrix<f64>| DMatrix::from_fn(y.nrows() * times, y.ncols(), |t, d| y[(t % y.nrows(), d)]);
     (dataset.y.iter().map(repeat).collect(), dataset.lengths().repeat(times))
 }
 
-/// The columns of both parts in so many groups.
+/// The columns of both parts, divided into `parts` groups.
 fn split(dataset: &Dataset, parts: usize) -> Vec<DMatrix<f64>> {
     let columns: Vec<_> = dataset.y.iter().flat_map(|y| y.column_iter()).collect();
     let place = |i: usize| i * columns.len() / parts;
@@ -61,7 +60,7 @@ fn bound(criterion: &mut Criterion) {
     for parts in 1..=5 {
         add(BenchmarkId::new("parts", parts), &trained(split(&dataset, parts), dataset.lengths(), 12));
     }
-    for ips in [8, 16, 40] {
+    for ips in [8, 16, 20, 30, 40] {
         add(BenchmarkId::new("inducing points", ips), &trained(dataset.y.clone(), dataset.lengths(), ips));
     }
     group.finish();
@@ -78,7 +77,7 @@ fn rollout(criterion: &mut Criterion) {
     group.bench_function("300 frames with figure positions", |bench| {
         bench.iter(|| model.positions(&model.rollout(black_box(&request)).unwrap()).unwrap());
     });
-    // What a walk of alpha asks for: other couplings at every step.
+    // The request of a moved slider: other couplings.
     let mut alpha = model.model.alpha.clone();
     alpha[(0, 1)] *= 2.0;
     for (id, reading) in [("as learned", Reading::AsLearned), ("re-inferred", Reading::ReInferred)] {

@@ -2,7 +2,7 @@
 
 use crate::document::error::{FORMAT, LIBRARY, VERSION};
 use crate::document::settings::write_variational;
-use crate::document::write::{pose_map, sequence_fields, variational_provenance, with_elsewhere};
+use crate::document::write::{pose_map, sequence_fields, variational_provenance, with_external_evidence};
 use crate::json::Value;
 use crate::models::SequenceInfo;
 use crate::models::library::{
@@ -99,7 +99,7 @@ fn expert(expert: &LibraryExpert) -> Value {
         ("u_mean", Value::matrix(expert.fitted.mean())),
         ("u_covariance", Value::matrix(&expert.covariance)),
     ];
-    with_elsewhere(own, expert.elsewhere.as_ref())
+    with_external_evidence(own, expert.external.as_ref())
 }
 
 fn movement(movement: &LearnedMovement, sequences: &[&SequenceInfo]) -> Value {

@@ -4,7 +4,7 @@ use crate::document::error::{FORMAT, VERSION};
 use crate::document::settings::{write_settings, write_variational};
 use crate::document::subject::Subject;
 use crate::json::Value;
-use crate::models::variational::{BoundTerms, Elsewhere, FittedExpert, PoseMap};
+use crate::models::variational::{BoundTerms, ExternalEvidence, FittedExpert, PoseMap};
 use crate::models::{Coupled, FittedModel, Model, Provenance, SequenceInfo};
 use crate::motion::parts::PartSpec;
 
@@ -85,10 +85,10 @@ pub(super) fn variational<S: Subject>(coupled: Coupled<S>) -> Value {
             ("sum_psi2", Value::matrix(&model.sums[i].psi2)),
             ("sum_psi1_mu", Value::matrix(&model.sums[i].psi1_mu)),
         ];
-        with_elsewhere(own, model.elsewhere.get(i))
+        with_external_evidence(own, model.external.get(i))
     });
     // Version 1 suffices for a model of a body without evidence from other data.
-    let version = if model.elsewhere.is_empty() { S::VERSIONS[0] } else { VERSION };
+    let version = if model.external.is_empty() { S::VERSIONS[0] } else { VERSION };
     let sequences = Value::list(body.sequences.iter().zip(&model.starts), |(info, start)| {
         let mut fields = sequence_fields(info);
         // The latent means of the first frames, for each part.
@@ -144,13 +144,13 @@ pub(super) fn pose_map<S: Subject>(map: &PoseMap, spec: &PartSpec) -> [(&'static
 }
 
 /// Adds the evidence from other data, if there is any.
-pub(super) fn with_elsewhere<const N: usize>(
+pub(super) fn with_external_evidence<const N: usize>(
     own: [(&str, Value); N],
-    elsewhere: Option<&Elsewhere>,
+    external: Option<&ExternalEvidence>,
 ) -> Value {
     let own = own.into_iter().map(|(name, value)| (name.to_owned(), value));
-    let others = elsewhere.map(|elsewhere| {
-        [("other_precision", &elsewhere.precision), ("other_b", &elsewhere.b)]
+    let others = external.map(|external| {
+        [("other_precision", &external.precision), ("other_b", &external.b)]
             .map(|(name, matrix)| (name.to_owned(), Value::matrix(matrix)))
     });
     Value::Object(own.chain(others.into_iter().flatten()).collect())

@@ -1,4 +1,4 @@
-//! The collapsed sparse bound of one Gaussian process, with its adjoints. Knows no kernel.
+//! The collapsed sparse bound of one Gaussian process, with its adjoint. It depends on no kernel.
 //!
 //! Titsias (2009) and Titsias and Lawrence (2010) for one process that explains R rows of C target columns
 //! with noise variance n; for one expert, equation (A35) of Velychko et al. (2018), with the trace term of
@@ -7,8 +7,8 @@
 //! F = - R C/2 log(2 pi n) - c2 / (2n) + C/2 ( log|K| - log|A| ) + tr( b^T A^-1 b ) / (2 n^2) - C gap / (2n)
 //!
 //! with A = K + Psi2 / n, gap = psi0 - tr(K^-1 Psi2) and c2 the sum of the expected squares of all targets.
-//! Everything is computed in the coordinates in which K = L L^T is the identity: A = L ( I + B / n ) L^T with
-//! B = L^-1 Psi2 L^-T, which is well conditioned whatever K is.
+//! All is computed in the coordinates in which K = L L^T is the identity: A = L ( I + B / n ) L^T with
+//! B = L^-1 Psi2 L^-T. I + B / n is well conditioned for every K.
 //!
 //! ```
 //! use nalgebra::{DMatrix, dvector};
@@ -37,7 +37,7 @@
 //! };
 //! let mut workspace = BoundWorkspace::new(5, 1);
 //! let bound = gp.bound(&mut workspace)?;
-//! // Without noise the data are explained worse: the bound is a lower bound on their log density.
+//! // With too little noise the model explains the data worse.
 //! assert!(bound > SparseGp { noise: 1e-4, ..gp }.bound(&mut workspace)?);
 //! # Ok::<(), vcgpdm::gp::NumericsError>(())
 //! ```
@@ -48,7 +48,7 @@ use crate::gp::tall::add_tr_product;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
-/// What the bound of one Gaussian process depends on: K inducing points, R rows, C target columns.
+/// The arguments of the bound of one Gaussian process: K inducing points, R rows, C target columns.
 #[derive(Clone, Copy, Debug)]
 pub struct SparseGp<'a> {
     /// Covariance of the inducing outputs, K [K x K].
@@ -107,8 +107,7 @@ pub struct InducingPosterior {
     pub covariance: DMatrix<f64>,
 }
 
-/// Memory for the bound of one Gaussian process and its adjoint, so that computing them again allocates
-/// nothing.
+/// Memory for the bound of one Gaussian process and its adjoint: computing them again allocates nothing.
 #[derive(Debug)]
 pub struct BoundWorkspace {
     k: Factor,
@@ -147,7 +146,7 @@ impl BoundWorkspace {
         }
     }
 
-    /// The adjoint that [`SparseGp::bound_and_adjoint`] computed last.
+    /// The adjoint of the last [`SparseGp::bound_and_adjoint`].
     pub fn adjoint(&self) -> &BoundAdjoint {
         &self.adjoint
     }
@@ -184,7 +183,7 @@ impl SparseGp<'_> {
         Ok(bound)
     }
 
-    /// The bound, in nats, and its adjoint, which stays in the workspace: [`BoundWorkspace::adjoint`].
+    /// The bound, in nats. Its adjoint is then [`BoundWorkspace::adjoint`].
     ///
     /// # Errors
     ///
@@ -222,7 +221,7 @@ impl SparseGp<'_> {
         Ok(bound)
     }
 
-    /// The best posterior of the inducing outputs (Velychko et al. 2018, A36), without ever forming K^-1.
+    /// The best posterior of the inducing outputs (Velychko et al. 2018, A36), without K^-1.
     ///
     /// # Errors
     ///
@@ -244,8 +243,8 @@ mod tests {
     use approx::assert_relative_eq;
 
     #[test]
-    fn value_is_the_formula_as_written() {
-        let e = Example::of(4);
+    fn bound_agrees_with_the_formula() {
+        let e = Example::new(4);
         let gp = e.gp();
         let a = &e.k + &e.psi2 / gp.noise;
         let inverse = a.clone().try_inverse().unwrap();
@@ -262,13 +261,13 @@ mod tests {
 
     #[test]
     fn adjoint_agrees_with_differences() {
-        let e = Example::of(4);
+        let e = Example::new(4);
         let mut workspace = BoundWorkspace::new(4, 3);
         e.gp().bound_and_adjoint(&mut workspace).unwrap();
         let adjoint = workspace.adjoint();
         let h = 1e-6;
         let difference = |change: &dyn Fn(&mut Example, f64)| {
-            let (mut up, mut down) = (Example::of(4), Example::of(4));
+            let (mut up, mut down) = (Example::new(4), Example::new(4));
             change(&mut up, h);
             change(&mut down, -h);
             let bound = |e: &Example| e.gp().bound(&mut BoundWorkspace::new(4, 3)).unwrap();
@@ -297,8 +296,8 @@ mod tests {
     }
 
     #[test]
-    fn posterior_is_the_formula_as_written() {
-        let e = Example::of(4);
+    fn posterior_agrees_with_the_formula() {
+        let e = Example::new(4);
         let posterior = e.gp().posterior().unwrap();
         let inverse = (&e.k + &e.psi2 / 0.3).try_inverse().unwrap();
         assert_relative_eq!(posterior.mean, &e.k * &inverse * &e.b / 0.3, epsilon = 1e-10);

@@ -1,8 +1,8 @@
-//! Inputs that are known up to a Gaussian.
+//! Uncertain inputs with Gaussian distributions.
 
 use nalgebra::DMatrix;
 
-/// Independent Gaussians, one for each row and dimension: what is known of N uncertain inputs of P
+/// Independent Gaussians, one for each row and dimension: the distribution of N uncertain inputs of P
 /// dimensions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gaussians {
@@ -13,7 +13,7 @@ pub struct Gaussians {
 }
 
 impl Gaussians {
-    /// All entries zero, for `rows` inputs of `dims` dimensions: a place to add adjoints to.
+    /// All entries zero, for `rows` inputs of `dims` dimensions; adjoints are added to them.
     pub fn zeros(rows: usize, dims: usize) -> Self {
         Self { mean: DMatrix::zeros(rows, dims), variance: DMatrix::zeros(rows, dims) }
     }

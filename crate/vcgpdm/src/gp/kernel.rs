@@ -24,8 +24,8 @@ use nalgebra::{DMatrix, DVector};
 pub struct Kernel {
     /// Squared lengthscales, one per input dimension `[P]`.
     pub lambda: DVector<f64>,
-    /// Signal variance sigma^2. It is 1 for every dynamics kernel: otherwise an expert of a larger scale with
-    /// a smaller weight would be the same model, and the couplings would mean nothing.
+    /// Signal variance sigma^2. It is 1 for every dynamics kernel: otherwise a larger scale of an expert
+    /// with a smaller weight would be the same model, and the couplings would have no meaning.
     pub variance: f64,
 }
 
@@ -38,10 +38,10 @@ impl Kernel {
         k
     }
 
-    /// [`inducing_covariance`](Self::inducing_covariance) into a matrix that exists already, `k` [K x K].
+    /// Writes the [`inducing_covariance`](Self::inducing_covariance) into `k` [K x K].
     pub fn inducing_covariance_into(&self, z: &DMatrix<f64>, jitter: f64, k: &mut DMatrix<f64>) {
         let n = z.nrows();
-        // Column by column below the diagonal, so that the inner loops run over numbers that lie together.
+        // Column by column below the diagonal: the inner loops then read contiguous memory.
         for b in 0..n {
             let column = &mut k.as_mut_slice()[b * n + b + 1..(b + 1) * n];
             column.fill(0.0);
@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn inducing_covariance_is_the_cross_covariance_with_itself() {
+    fn inducing_covariance_agrees_with_the_cross_covariance() {
         let (kernel, z) = example();
         assert_relative_eq!(
             kernel.inducing_covariance(&z, 0.0),
@@ -213,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn adjoint_at_many_points_is_the_adjoint() {
+    fn both_adjoints_agree() {
         let (kernel, z) = example();
         let g = DMatrix::from_row_slice(3, 3, &[0.3, -0.2, 0.7, -0.2, 1.1, 0.4, 0.7, 0.4, -0.5]);
         let k = kernel.inducing_covariance(&z, 0.0);

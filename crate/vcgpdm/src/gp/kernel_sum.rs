@@ -1,25 +1,25 @@
-//! A weighted sum of kernels, ready to be evaluated often.
+//! A weighted sum of kernels, prepared for many evaluations.
 
 use crate::gp::Kernel;
 use crate::gp::exp::exp;
 use nalgebra::DMatrix;
 
-/// f(x) = sum_a k(x, z_a) c_a, and where asked for a linear function more, where the inputs z are [K x P] and
-/// the coefficients c [K x C]: the form of every mean prediction of a Gaussian process.
+/// f(x) = sum_a k(x, z_a) c_a, with inputs z [K x P] and coefficients c [K x C], plus a linear function if
+/// one is added: the form of every mean prediction of a Gaussian process.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KernelSum {
-    /// Inputs z divided by the lengthscales, one after the other [K x P].
+    /// Inputs z divided by the lengthscales, row after row [K x P].
     scaled: Vec<f64>,
     inverse_lengthscales: Vec<f64>,
-    /// Coefficients times the signal variance, one input after the other [K x C].
+    /// Coefficients times the signal variance, row after row [K x C].
     coefficients: Vec<f64>,
     outputs: usize,
-    /// The linear function, one input dimension after the other [P x C]; empty without one.
+    /// The linear function, row after row [P x C]; empty without one.
     slope: Vec<f64>,
 }
 
 impl KernelSum {
-    /// Inputs `z` [K x P], `coefficients` [K x C].
+    /// The sum over inputs `z` [K x P] with `coefficients` [K x C].
     pub fn new(z: &DMatrix<f64>, kernel: &Kernel, coefficients: &DMatrix<f64>) -> Self {
         let inverse_lengthscales: Vec<f64> = kernel.lambda.iter().map(|l| 1.0 / l.sqrt()).collect();
         let mut scaled = Vec::with_capacity(z.len());
@@ -39,13 +39,13 @@ impl KernelSum {
         }
     }
 
-    /// The sum and the linear function x -> `slope`^T x, `slope` [P x C].
+    /// This sum plus the linear function x -> `slope`^T x, `slope` [P x C].
     pub fn with_slope(mut self, slope: &DMatrix<f64>) -> Self {
         self.slope = slope.transpose().as_slice().to_vec();
         self
     }
 
-    /// The sum times a `weight`.
+    /// This sum times a `weight`.
     pub fn weighted(&self, weight: f64) -> Self {
         let mut sum = self.clone();
         sum.coefficients.iter_mut().chain(&mut sum.slope).for_each(|c| *c *= weight);
@@ -100,7 +100,7 @@ mod tests {
     use nalgebra::dvector;
 
     #[test]
-    fn it_is_the_cross_covariance_times_the_coefficients() {
+    fn agrees_with_the_cross_covariance_times_the_coefficients() {
         let kernel = Kernel { lambda: dvector![0.7, 2.0], variance: 1.6 };
         let z = DMatrix::from_fn(4, 2, |a, p| ((3 * a + p) as f64).sin());
         let c = DMatrix::from_fn(4, 3, |a, q| ((a + 5 * q) as f64).cos());

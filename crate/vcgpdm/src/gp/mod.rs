@@ -1,10 +1,9 @@
 //! Gaussian processes with inducing points: the kernel, the psi statistics, the collapsed bound, and the
-//! linear algebra under them. Nothing here knows of motion.
+//! linear algebra under them.
 //!
 //! Symbols: P input dimensions, K inducing inputs z [K x P], N inputs (rows), C target columns. The glossary
-//! of the project (`docs/glossary.md`) sets them beside the symbols of the papers.
+//! of the project (`docs/glossary.md`) compares them with the symbols of the papers.
 
-pub mod beside;
 pub mod bound;
 pub(crate) mod exp;
 mod gaussians;
@@ -14,6 +13,7 @@ pub(crate) mod lanes;
 pub(crate) mod linalg;
 pub mod moments;
 pub mod outputs;
+pub mod partially_fixed;
 pub mod psi;
 pub mod stored_outputs;
 pub(crate) mod tall;

@@ -1,6 +1,6 @@
-//! Expected kernels where the inputs are known up to a Gaussian with a full covariance: the psi statistics of
-//! Velychko et al. 2018, appendix B, for inputs whose dimensions vary together. For inputs of independent
-//! dimensions [`psi`](crate::gp::psi) is the same, and faster.
+//! Expected kernels of Gaussian inputs with a full covariance: the psi statistics of
+//! Velychko et al. 2018, appendix B, for inputs of dependent dimensions. For independent dimensions
+//! [`psi`](crate::gp::psi) computes the same, and faster.
 
 use crate::elementary::Elementary;
 use crate::gp::linalg::Factor;
@@ -16,7 +16,7 @@ pub struct Basis<'a> {
     pub kernel: &'a Kernel,
 }
 
-/// What a kernel and an uncertain input x ~ N(m, V) have in common.
+/// Expectations of a kernel under an uncertain input x ~ N(m, V).
 #[derive(Clone, Debug)]
 pub struct ExpectedKernels {
     /// `E[k(x, z_a)]` `[K]`.
@@ -52,8 +52,8 @@ pub fn expected_kernels(
 }
 
 /// `E[k(x, z_a) k'(x', z'_b)]` [K x K'] of two kernels whose inputs are jointly Gaussian, with means `[P]`
-/// and `[P']` and the covariance `joint` [(P + P') x (P + P')] of both. The two inputs may be the same one:
-/// then all four blocks are alike.
+/// and `[P']` and the covariance `joint` [(P + P') x (P + P')] of both. If both are the same input, all four
+/// blocks are equal.
 ///
 /// With y = (x, x'), its covariance V and W = diag(Lambda, Lambda'), the product of the kernels is a Gaussian
 /// in y: sigma^2 sigma'^2 |W|^(1/2) |V + W|^(-1/2) exp( -1/2 d^T (V + W)^-1 d ), d = (z_a, z'_b) - `E[y]`.
@@ -66,26 +66,27 @@ pub fn expected_products(
     second: (Basis, &DVector<f64>),
     joint: &DMatrix<f64>,
 ) -> Result<DMatrix<f64>, NumericsError> {
-    let ((one, one_mean), (two, two_mean)) = (first, second);
-    let p = one.z.ncols();
+    let ((basis, mean), (other, other_mean)) = (first, second);
+    let p = basis.z.ncols();
     let mut spread = joint.clone();
-    add_diagonal(&mut spread, 0, &one.kernel.lambda);
-    add_diagonal(&mut spread, p, &two.kernel.lambda);
+    add_diagonal(&mut spread, 0, &basis.kernel.lambda);
+    add_diagonal(&mut spread, p, &other.kernel.lambda);
     let factor = Factor::new(&spread, "covariance of the uncertain latents")?;
-    // L^-1 d = L^-1 (z_a - m, 0) + L^-1 (0, z'_b - m'): the quadratic form of a pair is a dot product of two
-    // parts.
+    // L^-1 d = L^-1 (z_a - m, 0) + L^-1 (0, z'_b - m'): the quadratic form of a pair needs one dot
+    // product.
     let whitened = |distances: DMatrix<f64>, at: usize| {
         let mut tall = DMatrix::zeros(spread.nrows(), distances.ncols());
         tall.rows_mut(at, distances.nrows()).copy_from(&distances);
         factor.solve_lower_mut(&mut tall);
         tall
     };
-    let (a, b) = (whitened(distances(one.z, one_mean), 0), whitened(distances(two.z, two_mean), p));
+    let (a, b) = (whitened(distances(basis.z, mean), 0), whitened(distances(other.z, other_mean), p));
     let squares = |m: &DMatrix<f64>| m.column_iter().map(|column| column.norm_squared()).collect::<Vec<_>>();
     let (a2, b2) = (squares(&a), squares(&b));
-    let log_w = log_product(one.kernel) + log_product(two.kernel);
-    let scale =
-        one.kernel.variance * two.kernel.variance * (0.5 * (log_w - factor.log_determinant())).exponential();
+    let log_w = log_product(basis.kernel) + log_product(other.kernel);
+    let scale = basis.kernel.variance
+        * other.kernel.variance
+        * (0.5 * (log_w - factor.log_determinant())).exponential();
     let product = |i: usize, j: usize| {
         let both = a.column(i).dot(&b.column(j));
         scale * (-0.5 * (a2[i] + b2[j]) - both).exponential()
@@ -125,14 +126,14 @@ mod tests {
         (kernel, z, other, DMatrix::from_row_slice(2, 1, &[0.5, -0.7]))
     }
 
-    /// A covariance of three inputs: two of the first kernel, one of the second.
+    /// The covariance of three inputs: two of the first kernel, one of the second.
     fn joint() -> DMatrix<f64> {
         let a = DMatrix::from_row_slice(3, 3, &[0.5, 0.1, -0.2, 0.0, 0.4, 0.3, 0.0, 0.0, 0.6]);
         &a * a.transpose()
     }
 
     #[test]
-    fn they_are_the_averages_over_many_draws() {
+    fn expectations_agree_with_averages_of_draws() {
         let (kernel, z, other, z2) = example();
         let (first, second) = (Basis { z: &z, kernel: &kernel }, Basis { z: &z2, kernel: &other });
         let (mean, mean2, joint) = (dvector![0.2, -0.1], dvector![0.4], joint());
@@ -164,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn of_independent_dimensions_they_are_the_psi_statistics() {
+    fn independent_dimensions_give_the_psi_statistics() {
         let (kernel, z, ..) = example();
         let basis = Basis { z: &z, kernel: &kernel };
         let (mean, variance) = (dvector![0.3, -0.5], dvector![0.2, 0.05]);
@@ -172,7 +173,7 @@ mod tests {
         let joint = DMatrix::from_fn(4, 4, |r, c| v[(r % 2, c % 2)]);
         let psi1 = expected_kernels(basis, &mean, &v).unwrap().psi1;
         let psi2 = expected_products((basis, &mean), (basis, &mean), &joint).unwrap();
-        // (A10) and (A11) of Velychko et al. 2018, written out.
+        // Equations (A10) and (A11) of Velychko et al. 2018.
         for a in 0..3 {
             let (mut scale, mut form) = (1.0, 0.0);
             for q in 0..2 {
@@ -195,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn a_certain_input_has_the_kernel_itself() {
+    fn a_certain_input_gives_the_kernel_itself() {
         let (kernel, z, other, z2) = example();
         let (mean, mean2) = (dvector![0.2, -0.1], dvector![0.4]);
         let (first, second) = (Basis { z: &z, kernel: &kernel }, Basis { z: &z2, kernel: &other });

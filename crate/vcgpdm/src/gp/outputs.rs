@@ -1,29 +1,28 @@
-//! The inducing outputs of a process: at their optimum, so that they drop out of the bound, or as they were
-//! learned before.
+//! The inducing outputs of a process: optimal ones, which drop out of the bound, or stored ones.
 
-use crate::gp::beside::BesideStored;
 use crate::gp::bound::{BoundAdjoint, BoundWorkspace, SparseGp};
 use crate::gp::linalg::NumericsError;
+use crate::gp::partially_fixed::PartiallyFixed;
 use crate::gp::stored_outputs::StoredOutputs;
 
-/// Where the inducing outputs of a process come from, with the room for its bound.
+/// The source of the inducing outputs of a process, with memory for its bound.
 pub enum Outputs {
-    /// Those that explain the rows best: the collapsed bound.
+    /// The optimal ones for the rows: the collapsed bound.
     Best(Box<BoundWorkspace>),
-    /// Those of a stored process, which stay as they are.
+    /// Those of a stored process, which are fixed.
     Stored(Box<StoredOutputs>),
-    /// Those of a stored process and, after them in the stack, the best ones of new processes.
-    Beside(Box<BesideStored>),
+    /// The fixed ones of a stored process and, after them in the stack, the optimal ones of new processes.
+    PartiallyFixed(Box<PartiallyFixed>),
 }
 
 impl Outputs {
-    /// Room for a stack of so many `points` with so many `columns`: of the best ones, but for the first ones
-    /// of the stack where those are `stored`.
+    /// For a stack of K = `points` inducing points and C = `columns` target columns. The first outputs of the
+    /// stack are those of `stored`, if there is any; all others are optimal.
     pub fn new(stored: Option<&StoredOutputs>, points: usize, columns: usize) -> Self {
         match stored {
             None => Self::Best(Box::new(BoundWorkspace::new(points, columns))),
             Some(stored) if stored.points() < points => {
-                Self::Beside(Box::new(BesideStored::new(stored.clone(), points, columns)))
+                Self::PartiallyFixed(Box::new(PartiallyFixed::new(stored.clone(), points, columns)))
             }
             Some(stored) => Self::Stored(Box::new(stored.clone())),
         }
@@ -34,25 +33,25 @@ impl Outputs {
         match self {
             Self::Best(workspace) => gp.bound(workspace),
             Self::Stored(stored) => Ok(stored.bound(gp)),
-            Self::Beside(beside) => beside.bound(gp),
+            Self::PartiallyFixed(stack) => stack.bound(gp),
         }
     }
 
-    /// The bound, in nats, and its adjoint, which stays here.
+    /// The bound, in nats. Its adjoint is then [`adjoint`](Self::adjoint).
     pub fn bound_and_adjoint(&mut self, gp: &SparseGp<'_>) -> Result<f64, NumericsError> {
         match self {
             Self::Best(workspace) => gp.bound_and_adjoint(workspace),
             Self::Stored(stored) => Ok(stored.bound_and_adjoint(gp)),
-            Self::Beside(beside) => beside.bound_and_adjoint(gp),
+            Self::PartiallyFixed(stack) => stack.bound_and_adjoint(gp),
         }
     }
 
-    /// The adjoint computed last.
+    /// The adjoint of the last [`bound_and_adjoint`](Self::bound_and_adjoint).
     pub fn adjoint(&self) -> &BoundAdjoint {
         match self {
             Self::Best(workspace) => workspace.adjoint(),
             Self::Stored(stored) => stored.adjoint(),
-            Self::Beside(beside) => beside.adjoint(),
+            Self::PartiallyFixed(stack) => stack.adjoint(),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Inducing outputs of a process as they were learned before.
+//! Stored inducing outputs of a process.
 
 use crate::elementary::Elementary;
 use crate::gp::bound::{BoundAdjoint, SparseGp};
@@ -6,7 +6,7 @@ use crate::gp::linalg::{Factor, NumericsError};
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
-/// Inducing outputs N(m, S) in each of C columns that were learned from other rows and stay as they are.
+/// Inducing outputs N(m, S) in each of C columns that were learned from other rows and are fixed.
 ///
 /// The expected log density of R new rows under them, with the symbols of [`crate::gp::bound`], is
 ///
@@ -14,8 +14,8 @@ use std::f64::consts::TAU;
 ///
 /// H = C ( K^-1 - K^-1 S K^-1 ) - K^-1 m m^T K^-1.
 ///
-/// Constants of the stored outputs themselves are left out: where they are the best ones for these very rows,
-/// G is larger than the collapsed bound by KL( N(m, S) || N(0, K) ).
+/// Constants of the stored outputs are left out: if these are optimal for the same rows, G is larger than the
+/// collapsed bound by KL( N(m, S) || N(0, K) ).
 #[derive(Clone, Debug)]
 pub struct StoredOutputs {
     /// K^-1 m [K x C].
@@ -27,8 +27,8 @@ pub struct StoredOutputs {
 
 impl StoredOutputs {
     /// Outputs with the `coefficients` K^-1 m [K x C] under the covariance `k` of the inducing outputs, and A
-    /// = K + Psi2 / n of the rows that they were learned from, so that K^-1 S K^-1 = A^-1: inverting that is
-    /// more exact than multiplying S by K^-1 twice.
+    /// = K + Psi2 / n of the rows that they were learned from. K^-1 S K^-1 = A^-1: the inverse of A is more
+    /// exact than two products with K^-1.
     ///
     /// # Errors
     ///
@@ -44,14 +44,14 @@ impl StoredOutputs {
             Ok::<_, NumericsError>(inverse)
         };
         let columns = coefficients.ncols() as f64;
-        let known = inverse(k, "covariance of the inducing points")?
+        let information = inverse(k, "covariance of the inducing points")?
             - inverse(a, "covariance of the data at the inducing points")?;
-        let certainty = known * columns - &coefficients * coefficients.transpose();
+        let certainty = information * columns - &coefficients * coefficients.transpose();
         let (points, columns) = coefficients.shape();
         Ok(Self { coefficients, certainty, adjoint: BoundAdjoint::zeros(points, columns) })
     }
 
-    /// The outputs that explain the rows of `gp` best.
+    /// The optimal outputs for the rows of `gp`.
     ///
     /// # Errors
     ///
@@ -72,7 +72,7 @@ impl StoredOutputs {
         &self.coefficients
     }
 
-    /// The adjoint computed last.
+    /// The adjoint of the last [`bound_and_adjoint`](Self::bound_and_adjoint).
     pub(super) fn adjoint(&self) -> &BoundAdjoint {
         &self.adjoint
     }
@@ -90,7 +90,7 @@ impl StoredOutputs {
         -0.5 * numbers * (TAU * gp.noise).logarithm() - 0.5 * self.misfit(gp) / gp.noise
     }
 
-    /// G and its adjoint. What does not move has no adjoint: that of K stays 0.
+    /// G, in nats, and its adjoint. K is fixed: its adjoint is 0.
     pub(super) fn bound_and_adjoint(&mut self, gp: &SparseGp<'_>) -> f64 {
         let (numbers, n) = (gp.rows as f64 * gp.b.ncols() as f64, gp.noise);
         self.adjoint.noise = -0.5 * numbers / n + 0.5 * self.misfit(gp) / (n * n);
@@ -109,14 +109,14 @@ mod tests {
     use crate::gp::testing::{Example, scalars_agree};
     use approx::assert_relative_eq;
 
-    /// The best outputs for the rows of the example.
+    /// The optimal outputs for the rows of the example.
     fn stored(e: &Example) -> StoredOutputs {
         StoredOutputs::best(&e.gp()).unwrap()
     }
 
     #[test]
-    fn the_best_outputs_stored_miss_the_collapsed_bound_by_their_divergence() {
-        let e = Example::of(4);
+    fn optimal_outputs_differ_from_the_collapsed_bound_by_their_divergence() {
+        let e = Example::new(4);
         let collapsed = e.gp().bound(&mut BoundWorkspace::new(4, 3)).unwrap();
         let best = e.gp().posterior().unwrap();
         let inverse = e.k.clone().try_inverse().unwrap();
@@ -129,13 +129,13 @@ mod tests {
 
     #[test]
     fn adjoint_agrees_with_differences() {
-        let e = Example::of(4);
+        let e = Example::new(4);
         let mut stored = stored(&e);
         let value = stored.bound_and_adjoint(&e.gp());
         assert_eq!(value, stored.bound(&e.gp()));
         let difference = |change: &dyn Fn(&mut Example, f64)| {
             let bound = |h: f64| {
-                let mut moved = Example::of(4);
+                let mut moved = Example::new(4);
                 change(&mut moved, h);
                 stored.bound(&moved.gp())
             };

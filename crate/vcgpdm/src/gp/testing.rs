@@ -17,8 +17,8 @@ pub struct Example {
 }
 
 impl Example {
-    /// With so many inducing points.
-    pub fn of(points: usize) -> Self {
+    /// A process with this number of inducing `points`.
+    pub fn new(points: usize) -> Self {
         let root = DMatrix::from_fn(points, points, |i, j| ((3 * i + 5 * j) as f64).sin());
         let phi = DMatrix::from_fn(ROWS, points, |i, j| ((2 * i + 3 * j) as f64).cos());
         Self {
@@ -35,7 +35,7 @@ impl Example {
     }
 }
 
-/// Holds the adjoints of the scalars against central differences of a bound when an example is changed.
+/// Compares the adjoints of the scalars with central differences of a bound of changed examples.
 pub fn scalars_agree<F>(adjoint: &BoundAdjoint, mut difference: F)
 where
     F: FnMut(&dyn Fn(&mut Example, f64)) -> f64,

@@ -2,7 +2,7 @@
 
 use crate::document::error::DocumentError;
 use crate::document::read::head::{Head, MOST_PARTS, MOST_SEQUENCES, sequence_info};
-use crate::document::read::vcgpdm::{elsewhere, expert, part, provenance, sequence, start, training};
+use crate::document::read::vcgpdm::{expert, external_evidence, part, provenance, sequence, start, training};
 use crate::json::checks::{bounded_matrix, count, positive, shape, within};
 use crate::json::{Field, FieldError, Object, Value};
 use crate::models::data::sequences::MOST_FRAMES;
@@ -10,7 +10,7 @@ use crate::models::library::{
     CouplingsFrom, Excerpt, FramesFrom, LearnedMovement, Library, LibraryExpert, Origin, Primitive,
     Relearned, TrainedLibrary,
 };
-use crate::models::variational::{DynamicsSums, Elsewhere};
+use crate::models::variational::{DynamicsSums, ExternalEvidence};
 use crate::models::{MOST_DIMENSIONS, SequenceInfo};
 use crate::motion::parts::PartsLayout;
 use crate::motion::pose::PoseMapping;
@@ -102,9 +102,9 @@ fn primitive(field: Field, latent: &[usize], order: usize, jitter: f64) -> Resul
         let field = object.get("u_covariance")?;
         let covariance = bounded_matrix(&field)?;
         shape(&field, &covariance, points, points)?;
-        let elsewhere: Option<Elsewhere> = elsewhere(&mut object, points, *q)?;
+        let external: Option<ExternalEvidence> = external_evidence(&mut object, points, *q)?;
         object.end()?;
-        experts.push(LibraryExpert { fitted: read.solved(jitter)?, covariance, elsewhere });
+        experts.push(LibraryExpert { fitted: read.solved(jitter)?, covariance, external });
     }
     // Absent: the primitive comes from the library's training, and has no excerpts of other movements.
     let origin = object.optional("origin").filter(is_there).map(origin).transpose()?.map(Box::new);

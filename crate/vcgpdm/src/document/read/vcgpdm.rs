@@ -9,7 +9,7 @@ use crate::document::subject::Subject;
 use crate::gp::{Kernel, NumericsError};
 use crate::json::checks::{bounded_matrix, count, positive, positive_number, shape, within};
 use crate::json::{Field, FieldError, Object};
-use crate::models::variational::{BoundTerms, DynamicsSums, Elsewhere, FittedExpert, PoseMap, Vcgpdm};
+use crate::models::variational::{BoundTerms, DynamicsSums, ExternalEvidence, FittedExpert, PoseMap, Vcgpdm};
 use crate::models::{
     FittedModel, MOST_DIMENSIONS, MOST_INDUCING, Model, ModelKind, Provenance, SequenceInfo, Settings,
 };
@@ -40,7 +40,7 @@ pub(super) fn vcgpdm<S: Subject>(mut head: Head<S>) -> Result<Model<S>, Document
     for (item, q) in items.into_iter().zip(&latent) {
         targets.push(target(item, &latent, *q, order)?);
     }
-    if targets.iter().any(|target| target.elsewhere.is_some() != targets[0].elsewhere.is_some()) {
+    if targets.iter().any(|target| target.external.is_some() != targets[0].external.is_some()) {
         let message = "expected other_precision and other_b in the dynamics of all parts or of none";
         return Err(dynamics.error(message).into());
     }
@@ -66,17 +66,17 @@ pub(super) fn vcgpdm<S: Subject>(mut head: Head<S>) -> Result<Model<S>, Document
     }
     let mut experts = vec![Vec::with_capacity(m); m];
     let (mut dynamics_covariance, mut sums) = (Vec::with_capacity(m), Vec::with_capacity(m));
-    let mut elsewhere = Vec::new();
+    let mut external = Vec::new();
     for target in targets {
         for (row, expert) in experts.iter_mut().zip(target.experts) {
             row.push(expert.solved(jitter)?);
         }
         dynamics_covariance.push(target.covariance);
         sums.push(target.sums);
-        elsewhere.extend(target.elsewhere);
+        external.extend(target.external);
     }
     let model =
-        Vcgpdm { order, jitter, parts, experts, dynamics_covariance, sums, elsewhere, alpha, starts, terms };
+        Vcgpdm { order, jitter, parts, experts, dynamics_covariance, sums, external, alpha, starts, terms };
     Ok(Model { fitted: FittedModel::Vcgpdm(Box::new(model)), body, provenance })
 }
 
@@ -146,7 +146,7 @@ struct Target {
     experts: Vec<ExpertFields>,
     covariance: DMatrix<f64>,
     sums: DynamicsSums,
-    elsewhere: Option<Elsewhere>,
+    external: Option<ExternalEvidence>,
 }
 
 /// `latent` are the dimensions of the sources, `q` is that of the target.
@@ -168,24 +168,24 @@ fn target(field: Field, latent: &[usize], q: usize, order: usize) -> Result<Targ
     };
     let covariance = matrix("u_covariance", total)?;
     let sums = DynamicsSums { psi2: matrix("sum_psi2", total)?, psi1_mu: matrix("sum_psi1_mu", q)? };
-    let elsewhere = elsewhere(&mut target, total, q)?;
+    let external = external_evidence(&mut target, total, q)?;
     target.end()?;
-    Ok(Target { experts, covariance, sums, elsewhere })
+    Ok(Target { experts, covariance, sums, external })
 }
 
 /// Reads the evidence from other data about `total` inducing outputs of `q` columns, if there is any.
-pub(super) fn elsewhere(
+pub(super) fn external_evidence(
     object: &mut Object,
     total: usize,
     q: usize,
-) -> Result<Option<Elsewhere>, FieldError> {
+) -> Result<Option<ExternalEvidence>, FieldError> {
     let Some(field) = object.optional("other_precision") else { return Ok(None) };
     let precision = bounded_matrix(&field)?;
     shape(&field, &precision, total, total)?;
     let field = object.get("other_b")?;
     let b = bounded_matrix(&field)?;
     shape(&field, &b, total, q)?;
-    Ok(Some(Elsewhere { precision, b }))
+    Ok(Some(ExternalEvidence { precision, b }))
 }
 
 /// Reads an expert; `dims` is the dimension of the source's history, `q` that of the target. Other fields of

@@ -1,18 +1,18 @@
-//! Cholesky factor and inverse of large matrices by halves, so that nearly all of the work is products of
-//! matrices.
+//! Cholesky factor and inverse of large matrices by recursion on their halves: nearly all work is then in
+//! products of matrices.
 
 use nalgebra::{Cholesky, DMatrix, DMatrixView, DMatrixViewMut, Dyn};
 
-/// Up to this size, halving costs more than it saves.
+/// Largest size that is not divided: below it, recursion costs more than it saves.
 const LEAF: usize = 64;
 
-/// The Cholesky factor of a symmetric `matrix` [n x n], when it is positive definite.
+/// The Cholesky factor of a symmetric `matrix` [n x n], if it is positive definite.
 pub fn factorise(mut matrix: DMatrix<f64>) -> Option<Cholesky<f64, Dyn>> {
     cholesky(&mut matrix.as_view_mut()).then(|| Cholesky::pack_dirty(matrix))
 }
 
-/// Replaces the lower triangle of a symmetric `a` [n x n] by its Cholesky factor; the rest is left as it is.
-/// False when `a` is not positive definite.
+/// Replaces the lower triangle of a symmetric `a` [n x n] by its Cholesky factor; the rest is unchanged.
+/// False if `a` is not positive definite.
 fn cholesky(a: &mut DMatrixViewMut<f64>) -> bool {
     let n = a.nrows();
     if n <= LEAF {
@@ -22,7 +22,7 @@ fn cholesky(a: &mut DMatrixViewMut<f64>) -> bool {
     if !cholesky(&mut a.view_mut((0, 0), (h, h))) {
         return false;
     }
-    // L21 = A21 L11^-T, kept transposed: its rows are then columns, which lie together in memory.
+    // L21 = A21 L11^-T, stored transposed: its rows are then contiguous in memory.
     let mut transposed = a.view((h, 0), (n - h, h)).transpose();
     solve_lower(&a.view((0, 0), (h, h)), &mut transposed.as_view_mut());
     let below = transposed.transpose();
@@ -41,7 +41,7 @@ fn cholesky_of_leaf(a: &mut DMatrixViewMut<f64>) -> bool {
             column.rows_mut(j, n - j).axpy(factor, &before.rows(j, n - j), 1.0);
         }
         let diagonal = a[(j, j)];
-        // NaN is no positive number either.
+        // NaN compares false and so is refused too.
         if !(diagonal > 0.0 && diagonal.is_finite()) {
             return false;
         }
@@ -56,7 +56,7 @@ fn cholesky_of_leaf(a: &mut DMatrixViewMut<f64>) -> bool {
 pub fn solve_lower(l: &DMatrixView<f64>, b: &mut DMatrixViewMut<f64>) {
     let (n, m) = b.shape();
     if n <= LEAF {
-        // A Cholesky factor has a positive diagonal, so the substitution cannot meet a zero.
+        // The diagonal of a Cholesky factor is positive: there is no division by zero.
         l.solve_lower_triangular_unchecked_mut(b);
         return;
     }
@@ -110,7 +110,7 @@ fn gram(w: &DMatrixView<f64>, out: &mut DMatrixViewMut<f64>) {
 }
 
 /// Adds `factor` times the product `a` [n x k] `b` [k x n], which is symmetric, to the lower triangle of
-/// `out` [n x n]; above the diagonal, some of it.
+/// `out` [n x n]; above the diagonal, to some entries.
 fn add_product(factor: f64, a: &DMatrixView<f64>, b: &DMatrixView<f64>, out: &mut DMatrixViewMut<f64>) {
     let (n, k) = a.shape();
     if n <= LEAF {
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn factor_and_inverse_of_all_sizes() {
+    fn factorises_and_inverts_all_sizes() {
         for n in [1, 2, LEAF, LEAF + 1, 2 * LEAF + 1, 301] {
             let a = covariance(n);
             let mut l = a.clone();
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_positive_definite_is_told_wherever_it_shows() {
+    fn refuses_a_matrix_that_is_not_positive_definite() {
         for bad in [0, LEAF, 299] {
             for value in [-1.0, f64::NAN] {
                 let mut a = covariance(300);

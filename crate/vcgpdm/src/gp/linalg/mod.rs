@@ -1,4 +1,4 @@
-//! Cholesky factors of covariances: the jitter ladder, solves, log-determinants.
+//! Cholesky factors of covariances, with jitter where a covariance is singular: solves, log-determinants.
 
 mod blocked;
 
@@ -7,14 +7,14 @@ use nalgebra::{Cholesky, DMatrix, Dyn};
 use std::cell::Cell;
 use thiserror::Error;
 
-/// Why a covariance could not be factorised, or a result not be used.
+/// Why a covariance could not be factorised, or a result cannot be used.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum NumericsError {
     /// The matrix holds NaN or an infinity.
     #[error("the {what} has a value that is not a finite number")]
     NotFinite {
-        /// Which matrix it is, in the words of the model.
+        /// The name of the matrix in the model.
         what: &'static str,
     },
     /// The matrix is not positive definite, even with the largest jitter on its diagonal.
@@ -22,7 +22,7 @@ pub enum NumericsError {
         "the {what} ({size} x {size}) is not positive definite, even with jitter {jitter:e} on its diagonal"
     )]
     NotPositiveDefinite {
-        /// Which matrix it is, in the words of the model.
+        /// The name of the matrix in the model.
         what: &'static str,
         /// Its number of rows.
         size: usize,
@@ -31,23 +31,22 @@ pub enum NumericsError {
     },
 }
 
-/// The first jitter, relative to the mean of the diagonal; each further one is 10 times as large.
-const FIRST_RUNG: f64 = 1e-6;
-const RUNGS: usize = 10;
+/// The first jitter, relative to the mean of the diagonal; each next one is 10 times as large.
+const FIRST_JITTER: f64 = 1e-6;
+const MOST_JITTERS: usize = 10;
 
 thread_local! {
     static JITTERED: Cell<usize> = const { Cell::new(0) };
 }
 
-/// Does some work, and counts the factorisations in it that needed jitter: they are made deep inside of sums,
-/// most of them for a moment.
+/// Runs `work` and counts the factorisations in it that needed jitter.
 pub fn counting_jittered<T>(work: impl FnOnce() -> T) -> (T, usize) {
     let before = JITTERED.get();
     let done = work();
     (done, JITTERED.get() - before)
 }
 
-/// Counts factorisations that needed jitter, where they were made by another thread that works for this one.
+/// Adds the factorisations of another thread that needed jitter to the count of this thread.
 #[cfg(feature = "threads")]
 pub fn add_jittered(count: usize) {
     JITTERED.set(JITTERED.get() + count);
@@ -60,8 +59,8 @@ pub struct Factor {
 }
 
 impl Factor {
-    /// Factorises `matrix` [n x n]. Only after a failure is jitter added: 1e-6 of the mean diagonal, times 10
-    /// up to 10 times.
+    /// Factorises `matrix` [n x n]. After a failure jitter is added to the diagonal, in up to 10 steps: 1e-6
+    /// of the mean of the diagonal, then 10 times as much at each step.
     pub fn new(matrix: &DMatrix<f64>, what: &'static str) -> Result<Self, NumericsError> {
         let mut factor = Self::default();
         factor.refactor(matrix, what)?;
@@ -75,8 +74,8 @@ impl Factor {
         Ok(factor)
     }
 
-    /// Becomes the factor of `matrix`, as [`new`](Self::new). Allocates nothing when the size stays and no
-    /// jitter is needed.
+    /// Replaces this factor by that of `matrix`, as [`new`](Self::new). Allocates nothing if the size is the
+    /// same and no jitter is needed.
     pub fn refactor(&mut self, matrix: &DMatrix<f64>, what: &'static str) -> Result<(), NumericsError> {
         self.refactor_by(Cholesky::new, matrix, what)
     }
@@ -103,8 +102,8 @@ impl Factor {
         JITTERED.set(JITTERED.get() + 1);
         let size = matrix.nrows();
         let mean_diagonal = matrix.trace().abs() / size.max(1) as f64;
-        let mut jitter = FIRST_RUNG * mean_diagonal.max(f64::MIN_POSITIVE);
-        for _ in 0..RUNGS {
+        let mut jitter = FIRST_JITTER * mean_diagonal.max(f64::MIN_POSITIVE);
+        for _ in 0..MOST_JITTERS {
             let mut shifted = matrix.clone();
             for k in 0..size {
                 shifted[(k, k)] += jitter;
@@ -141,7 +140,7 @@ impl Factor {
 
     /// `x` becomes L^-1 x.
     pub fn solve_lower_mut(&self, x: &mut DMatrix<f64>) {
-        // A Cholesky factor has a positive diagonal, so the substitution cannot meet a zero.
+        // The diagonal of a Cholesky factor is positive: there is no division by zero.
         self.cholesky.l_dirty().solve_lower_triangular_unchecked_mut(x);
     }
 
@@ -180,7 +179,7 @@ impl Factor {
         x
     }
 
-    /// matrix^-1, quickly for hundreds of rows too.
+    /// matrix^-1, also fast for hundreds of rows.
     pub fn inverse(&self) -> DMatrix<f64> {
         blocked::inverse(self.cholesky.l_dirty())
     }
@@ -200,7 +199,7 @@ impl Default for Factor {
     }
 }
 
-/// `m` becomes (m + m^T) / 2, which takes the rounding out of a matrix that is symmetric by construction.
+/// `m` becomes (m + m^T) / 2, which removes rounding errors from a matrix that is symmetric by construction.
 pub fn symmetrise(m: &mut DMatrix<f64>) {
     for a in 0..m.nrows() {
         for b in 0..a {
@@ -217,7 +216,7 @@ pub fn symmetric(mut m: DMatrix<f64>) -> DMatrix<f64> {
     m
 }
 
-/// Square matrices along the diagonal of a larger one, which is 0 elsewhere.
+/// A matrix with these square blocks on its diagonal and 0 in all other places.
 pub fn block_diagonal<'a>(blocks: impl IntoIterator<Item = &'a DMatrix<f64>>) -> DMatrix<f64> {
     let blocks: Vec<_> = blocks.into_iter().collect();
     let height = blocks.iter().map(|block| block.nrows()).sum();
@@ -230,7 +229,7 @@ pub fn block_diagonal<'a>(blocks: impl IntoIterator<Item = &'a DMatrix<f64>>) ->
     all
 }
 
-/// Matrices of equal width, one below the other; of none, a matrix without rows and columns.
+/// Matrices of equal width, one below the other; without any, a matrix without rows and columns.
 pub fn stacked<'a>(blocks: impl IntoIterator<Item = &'a DMatrix<f64>>) -> DMatrix<f64> {
     let blocks: Vec<_> = blocks.into_iter().collect();
     let width = blocks.first().map_or(0, |block| block.ncols());
@@ -265,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn whitening_and_unwhitening_are_congruences() {
+    fn whitening_and_unwhitening_agree_with_products() {
         let k = covariance();
         let f = Factor::new(&k, "test").unwrap();
         let mut white = k.clone();
@@ -276,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn a_singular_covariance_climbs_the_ladder() {
+    fn a_singular_covariance_gets_jitter() {
         let k = DMatrix::from_element(4, 4, 1.0);
         let (factor, jittered) = counting_jittered(|| Factor::new(&k, "test").unwrap());
         assert!(factor.log_determinant().is_finite());
@@ -293,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn an_indefinite_matrix_is_an_error_that_names_it() {
+    fn refuses_an_indefinite_matrix_and_names_it() {
         let k = DMatrix::from_diagonal(&nalgebra::dvector![1.0, -1.0]);
         let error = Factor::new(&k, "covariance of the inducing points").unwrap_err().to_string();
         assert!(error.contains("covariance of the inducing points (2 x 2)"), "{error}");

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::gp::lanes::{Level, levels};
+use crate::gp::linalg::symmetric;
 use crate::gp::{Gaussians, Kernel, KernelAdjoint};
 use approx::assert_relative_eq;
 use nalgebra::DMatrix;
@@ -107,17 +108,17 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
     #[test]
     fn adjoints_agree_with_differences(
-        rows in 1usize..140, ips in 1usize..6, dims in 1usize..8, seed in 0.0f64..10.0, keep in any::<bool>(),
+        rows in 1usize..140, ips in 1usize..6, dims in 1usize..8, seed in 0.0f64..10.0, cached in any::<bool>(),
     ) {
         let (x, z, kernel) = example(rows, ips, dims, seed);
         let g1 = DMatrix::from_fn(rows, ips, |t, a| ((t * 5 + a * 3) as f64).sin());
-        let g2 = crate::gp::linalg::symmetric(DMatrix::from_fn(ips, ips, |a, b| ((a * 7 + b) as f64 + seed).cos()));
+        let g2 = symmetric(DMatrix::from_fn(ips, ips, |a, b| ((a * 7 + b) as f64 + seed).cos()));
         let f = |x: &Gaussians, z: &DMatrix<f64>, kernel: &Kernel| {
             let (s, _) = psi_statistics(x, z, kernel, Purpose::Value);
             0.7 * s.psi0 + s.psi1.dot(&g1) + s.psi2.dot(&g2)
         };
         // Cached terms and terms that are computed again give the same adjoint.
-        let purpose = if keep { Purpose::Gradient } else { Purpose::Value };
+        let purpose = if cached { Purpose::Gradient } else { Purpose::Value };
         let (mut statistics, mut workspace) = psi_statistics(&x, &z, &kernel, purpose);
         let mut dx = Gaussians::zeros(rows, dims);
         let mut dk = KernelAdjoint::zeros(ips, dims);
@@ -159,7 +160,8 @@ proptest! {
     #[test]
     fn a_row_far_away_adds_nothing(shift in 50.0f64..500.0) {
         let (mut x, z, kernel) = example(3, 4, 2, 0.1);
-        let (near, _) = psi_statistics(&Gaussians { mean: x.mean.rows(0, 2).into_owned(), variance: x.variance.rows(0, 2).into_owned() }, &z, &kernel, Purpose::Value);
+        let (mean, variance) = (x.mean.rows(0, 2).into_owned(), x.variance.rows(0, 2).into_owned());
+        let (near, _) = psi_statistics(&Gaussians { mean, variance }, &z, &kernel, Purpose::Value);
         x.mean[(2, 0)] += shift;
         let (all, _) = psi_statistics(&x, &z, &kernel, Purpose::Value);
         prop_assert!((all.psi2 - near.psi2).amax() < 1e-12);

@@ -7,7 +7,7 @@ use crate::models::library::combination_error::CombinationError;
 use crate::models::library::information::Information;
 use crate::models::library::{LearnedMovement, Library};
 use crate::models::rollout::couplings::{check_couplings, coupling_weights};
-use crate::models::variational::{DynamicsSums, Elsewhere, FittedExpert, Vcgpdm};
+use crate::models::variational::{DynamicsSums, ExternalEvidence, FittedExpert, Vcgpdm};
 use nalgebra::DMatrix;
 
 impl Library {
@@ -93,17 +93,17 @@ impl Library {
             experts,
             dynamics_covariance: Vec::with_capacity(m),
             sums,
-            elsewhere: Vec::new(),
+            external: Vec::new(),
             alpha: alpha.clone(),
             starts,
             terms: self.terms.clone(),
         };
         let others = self.movements.iter().any(|other| other.sums.is_some() && !is_same(other, own));
-        if others || self.primitives.iter().any(|p| p.experts.iter().any(|e| e.elsewhere.is_some())) {
+        if others || self.primitives.iter().any(|p| p.experts.iter().any(|e| e.external.is_some())) {
             for i in 0..m {
                 let Information { precision, b } =
                     self.information(i, uses, &|movement| is_same(movement, own))?;
-                model.elsewhere.push(Elsewhere { precision, b });
+                model.external.push(ExternalEvidence { precision, b });
             }
         }
         for i in 0..m {
@@ -157,11 +157,11 @@ impl Library {
         let offsets = self.offsets(i);
         let mut all = Information::zeros(offsets[offsets.len() - 1], self.parts[i].r().ncols());
         for (primitive, at) in self.primitives.iter().zip(&offsets) {
-            if let Some(elsewhere) = &primitive.experts[i].elsewhere {
-                let mut block = all.precision.view_mut((*at, *at), elsewhere.precision.shape());
-                block += &elsewhere.precision;
-                let mut rows = all.b.rows_mut(*at, elsewhere.b.nrows());
-                rows += &elsewhere.b;
+            if let Some(external) = &primitive.experts[i].external {
+                let mut block = all.precision.view_mut((*at, *at), external.precision.shape());
+                block += &external.precision;
+                let mut rows = all.b.rows_mut(*at, external.b.nrows());
+                rows += &external.b;
             }
         }
         for movement in self.movements.iter().filter(|movement| !is_left_out(movement)) {

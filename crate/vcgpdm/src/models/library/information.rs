@@ -3,7 +3,7 @@
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, symmetric};
 use crate::models::rollout::couplings::coupling_weights;
-use crate::models::variational::{DynamicsSums, Elsewhere, stack_offsets};
+use crate::models::variational::{DynamicsSums, ExternalEvidence, stack_offsets};
 use nalgebra::DMatrix;
 use std::ops::Range;
 
@@ -78,10 +78,10 @@ impl Information {
     }
 
     /// As an expert stores it; `None` where all entries are 0.
-    pub fn nonzero(self) -> Option<Elsewhere> {
+    pub fn nonzero(self) -> Option<ExternalEvidence> {
         let Self { precision, b } = self;
         let is_zero = precision.iter().chain(&b).all(|v| *v == 0.0);
-        (!is_zero).then_some(Elsewhere { precision, b })
+        (!is_zero).then_some(ExternalEvidence { precision, b })
     }
 }
 

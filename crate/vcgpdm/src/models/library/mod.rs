@@ -29,7 +29,7 @@ mod training_start;
 use crate::gp::NumericsError;
 use crate::gp::linalg::symmetric;
 use crate::models::variational::{
-    BoundTerms, DynamicsSums, Elsewhere, FittedExpert, FittedMaps, Objective, Params, PoseMap,
+    BoundTerms, DynamicsSums, ExternalEvidence, FittedExpert, FittedMaps, Objective, Params, PoseMap,
     expert_offsets, stack_offsets,
 };
 use nalgebra::DMatrix;
@@ -54,7 +54,7 @@ pub struct LibraryExpert {
     /// Covariance of every column of its inducing outputs [K x K].
     pub covariance: DMatrix<f64>,
     /// Evidence from rows that are not in a movement of the library; `None`: no such rows.
-    pub elsewhere: Option<Elsewhere>,
+    pub external: Option<ExternalEvidence>,
 }
 
 /// A primitive: the predictions of one part about all parts.
@@ -152,7 +152,7 @@ impl Library {
                 let (at, points) = (offsets[i][a], fitted.z().nrows());
                 let covariance = &posteriors.dynamics[i].covariance;
                 let covariance = symmetric(covariance.view((at, at), (points, points)).into_owned());
-                LibraryExpert { fitted, covariance, elsewhere: None }
+                LibraryExpert { fitted, covariance, external: None }
             });
             let (name, part, experts) = (planned.name, planned.part, experts.collect());
             Primitive { name, part, experts, origin: None, excerpts: Vec::new() }

@@ -17,7 +17,7 @@ impl Library {
     /// The `chosen` primitives with the pose maps of all parts, and the movements that use only chosen
     /// primitives.
     ///
-    /// What a primitive learned from other movements stays in `LibraryExpert::elsewhere`, with all other
+    /// What a primitive learned from other movements stays in `LibraryExpert::external`, with all other
     /// primitives integrated out, and the primitive gets an `Excerpt` of each of these movements.
     ///
     /// # Errors
@@ -41,8 +41,8 @@ impl Library {
             let before = &self.primitives[a];
             let mut experts = Vec::with_capacity(before.experts.len());
             for (i, expert) in before.experts.iter().enumerate() {
-                let elsewhere = self.information(i, &[a], &whole)?.nonzero();
-                experts.push(LibraryExpert { elsewhere, ..expert.clone() });
+                let external = self.information(i, &[a], &whole)?.nonzero();
+                experts.push(LibraryExpert { external, ..expert.clone() });
             }
             let others = self.movements.iter().filter(|movement| !whole(movement));
             let using = others.filter(|movement| movement.uses[before.part] == a);

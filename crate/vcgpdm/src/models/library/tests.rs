@@ -101,7 +101,7 @@ fn a_library_of_one_movement_is_the_plain_model() {
     }
     let (library, plain) =
         (library_of(&library, &plan).unwrap().movement(0).unwrap(), plain.model().unwrap());
-    assert!(library.elsewhere.is_empty());
+    assert!(library.external.is_empty());
     assert_eq!(library.experts, plain.experts);
     assert_eq!((library.sums, library.alpha, library.starts), (plain.sums, plain.alpha, plain.starts));
 }
@@ -271,10 +271,10 @@ fn a_selection_keeps_what_its_primitives_learned() {
     assert_eq!(some.movements.iter().map(|m| m.name.as_str()).collect::<Vec<_>>(), ["walk"]);
     assert_eq!(some.primitives[0].excerpts[0].movement, "wave");
     assert_eq!(some.primitives[0].excerpts[0].starts, library.movements[1].starts);
-    assert!(some.primitives[1].excerpts.is_empty() && some.primitives[1].experts[0].elsewhere.is_none());
+    assert!(some.primitives[1].excerpts.is_empty() && some.primitives[1].experts[0].external.is_none());
     let (before, after) = (library.movement(0).unwrap(), some.movement(0).unwrap());
     assert_eq!((&before.experts, &before.sums), (&after.experts, &after.sums));
-    for (a, b) in before.elsewhere.iter().zip(&after.elsewhere) {
+    for (a, b) in before.external.iter().zip(&after.external) {
         assert_relative_eq!(a.precision, b.precision, epsilon = 1e-9, max_relative = 1e-9);
         assert_relative_eq!(a.b, b.b, epsilon = 1e-9, max_relative = 1e-9);
     }
@@ -286,7 +286,7 @@ fn a_selection_keeps_what_its_primitives_learned() {
         assert_eq!(primitive.excerpts.len(), if a == 0 { 2 } else { 1 });
         for (expert, before) in primitive.experts.iter().zip(&before.experts) {
             let k = expert.fitted.k();
-            let evidence = expert.elsewhere.as_ref().unwrap();
+            let evidence = expert.external.as_ref().unwrap();
             let inverse = (k + &evidence.precision).try_inverse().unwrap();
             assert_relative_eq!(k * &inverse * k, before.covariance, epsilon = 1e-6);
             assert_relative_eq!(k * &inverse * &evidence.b, *before.fitted.mean(), epsilon = 1e-6);

@@ -1,11 +1,12 @@
-//! The learned cycle: where on it a part stands, and how far from it.
+//! The learned cycle: the phase of a part on it, and its distance from it.
 
 use crate::models::rollout::request::{RolloutError, RolloutRequest};
 use crate::models::variational::model::Vcgpdm;
 use crate::motion::{RHYTHMIC, period};
 use nalgebra::DMatrix;
 
-/// Frames in which the learned rollout settles, and so many more in which its period is looked for.
+/// Frames in which the learned rollout settles; its period is measured in the same number of frames after
+/// them.
 const SETTLING: usize = 300;
 
 /// One period of the rollout as learned: the same frame of it for all parts, so that parts in step have the
@@ -18,12 +19,12 @@ pub struct Cycle {
     radii: Vec<f64>,
 }
 
-/// Where a part stands.
+/// The place of a part near the cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CyclePlace {
-    /// Turns, 0 to 1: where on the cycle its nearest point lies.
+    /// The nearest point of the cycle, in turns, 0 to 1.
     pub phase: f64,
-    /// How far that point is, in radii of the part's cycle.
+    /// The distance of this point, in radii of the part's cycle.
     pub distance: f64,
 }
 
@@ -51,7 +52,7 @@ impl Vcgpdm {
 }
 
 impl Cycle {
-    /// The last `period` frames of a settled path; absent when it stands still.
+    /// The last `period` frames of a settled path; `None` when a part does not move.
     fn new(path: &[DMatrix<f64>], order: usize, period: f64) -> Option<Self> {
         let count = period.round() as usize;
         let first = path.first()?.nrows().checked_sub(count)?;
@@ -68,8 +69,8 @@ impl Cycle {
         radii.iter().all(|radius| *radius > 1e-3).then_some(Self { states, radii })
     }
 
-    /// Where a part with this `history` `[p Q_i]`, oldest first, stands; absent for a part that it does not
-    /// have.
+    /// The place of a part with this `history` `[p Q_i]`, oldest frame first; `None` for a part that does not
+    /// exist.
     pub fn place(&self, part: usize, history: &[f64]) -> Option<CyclePlace> {
         let (states, radius) = (self.states.get(part)?, self.radii.get(part)?);
         let count = states.nrows();
@@ -130,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn what_stands_still_has_no_cycle() {
+    fn a_motionless_path_has_no_cycle() {
         assert!(Cycle::new(&[DMatrix::from_element(90, 2, 0.3)], 2, 30.0).is_none());
     }
 }

@@ -1,4 +1,4 @@
-//! Rollouts that are disturbed on their way: couplings that are cut for a while, parts that are pushed.
+//! Disturbed rollouts: couplings that are cut for some frames, parts that are pushed.
 
 use crate::models::rollout::couplings::{Reading, check_couplings};
 use crate::models::rollout::latent_dynamics::LatentDynamics;
@@ -7,16 +7,16 @@ use crate::models::rollout::request::{Push, RolloutError, RolloutRequest};
 use crate::models::variational::model::Vcgpdm;
 use nalgebra::DMatrix;
 
-/// The coupling variance of a source that says nothing, far from where 1 / alpha overflows.
+/// The coupling variance of a source without weight; 1 / alpha does not overflow.
 const SILENT: f64 = 1e90;
 
 impl Vcgpdm {
-    /// The mean dynamics with these couplings `(source, target)` cut, the others as in `alpha` [M x M]: what
-    /// they still listen to shares the weight of what was cut.
+    /// The mean dynamics with these couplings `(source, target)` cut and the others as in `alpha` [M x M]:
+    /// the remaining sources share the weight of the cut ones.
     ///
     /// # Errors
     ///
-    /// As [`Vcgpdm::dynamics`], and when a part is missing or would listen to nothing at all.
+    /// As [`Vcgpdm::dynamics`], and when a part does not exist or would have no source.
     pub fn dynamics_without(
         &self,
         cuts: &[(usize, usize)],
@@ -29,8 +29,8 @@ impl Vcgpdm {
         for &cut in cuts {
             alpha[cut] = SILENT;
         }
-        let deaf = |target: &usize| alpha.column(*target).iter().all(|alpha| *alpha == SILENT);
-        if let Some(target) = (0..alpha.ncols()).find(deaf) {
+        let without_source = |target: &usize| alpha.column(*target).iter().all(|alpha| *alpha == SILENT);
+        if let Some(target) = (0..alpha.ncols()).find(without_source) {
             return Err(RolloutError::CutOff { target });
         }
         self.dynamics(&alpha, reading)
@@ -47,7 +47,7 @@ impl Vcgpdm {
     /// # Errors
     ///
     /// When the couplings, cuts or pushes do not fit the model, a cut or a push has no frame in which it
-    /// could be felt, or there is no such sequence.
+    /// acts, or there is no such sequence.
     pub fn path(&self, request: &RolloutRequest) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         let alpha = request.alpha_or(&self.alpha);
         let frames = request.frames.max(self.order);
@@ -71,7 +71,7 @@ impl Vcgpdm {
         let changes: Vec<usize> = changes.chain(request.pushes.iter().map(|push| push.frame)).collect();
         let mut seen = paths.clone();
         while seen.frames() < frames {
-            // Up to the next change nothing but the dynamics acts.
+            // Until the next change only the dynamics act.
             let from = seen.frames();
             let to = changes.iter().copied().filter(|frame| *frame > from).fold(frames, usize::min);
             for push in request.pushes.iter().filter(|push| push.frame == from) {
@@ -80,7 +80,7 @@ impl Vcgpdm {
             let active = request.cuts.iter().filter(|cut| (cut.from..cut.to).contains(&from));
             let active: Vec<_> = active.map(|cut| (cut.source, cut.target)).collect();
             self.dynamics_without(&active, alpha, request.reading)?.extend(&mut paths, to);
-            // A push moves the history as the dynamics see it, not what has been seen.
+            // A push changes the history of the dynamics, not the frames already shown.
             seen.follow(&paths);
         }
         Ok(seen.matrices(0..request.frames))
@@ -88,7 +88,7 @@ impl Vcgpdm {
 }
 
 impl Push {
-    /// Checks that it fits parts of these `latent` dimensions.
+    /// Checks that the push fits parts of these `latent` dimensions.
     ///
     /// # Errors
     ///
@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn without_disturbances_it_is_the_path_of_the_dynamics() {
+    fn without_disturbances_the_path_is_that_of_the_dynamics() {
         let model = fitted(3);
         let expected =
             model.dynamics(&model.alpha, Reading::AsLearned).unwrap().path(&model.start(0, 0).unwrap(), 15);
@@ -132,8 +132,7 @@ mod tests {
         let learned = model.path(&request(12)).unwrap();
         assert_eq!(path[1].rows(0, 5), learned[1].rows(0, 5));
         assert_ne!(path[1].row(5), learned[1].row(5));
-        // The frames in between follow the dynamics of those that are left, those after it the learned ones
-        // again.
+        // During the cut the dynamics are those of the other sources, after it the learned ones.
         let go_on = |dynamics: &LatentDynamics, from: usize, to: usize| {
             let start: Vec<_> = path.iter().map(|x| x.rows(from - 2, 2).into_owned()).collect();
             dynamics.path(&start, to - from + 2).unwrap()[1].rows(2, to - from).into_owned()
@@ -145,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn a_push_is_felt_from_its_frame_on() {
+    fn a_push_acts_from_its_frame_on() {
         let model = fitted(1);
         let push = Push { part: 0, frame: 4, by: vec![0.5, -0.25], ahead: 1.0 };
         let path = model.path(&RolloutRequest { pushes: vec![push], ..request(8) }).unwrap();
@@ -156,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_fit_is_refused_in_words() {
+    fn refuses_disturbances_that_do_not_fit() {
         let model = fitted(1);
         let refused = |request: RolloutRequest| model.path(&request).unwrap_err().to_string();
         let cut = |source, target| Cut { source, target, from: 3, to: 4 };

@@ -1,4 +1,4 @@
-//! How near latents are to what the model was trained on.
+//! The distance of latents from those of the training.
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::Factor;
@@ -7,9 +7,9 @@ use crate::models::variational::model::Vcgpdm;
 use nalgebra::DMatrix;
 
 impl Vcgpdm {
-    /// For each part and each row of its latents [frames x Q_i] the share of the prior variance of its pose
-    /// map that the inducing points explain there, k(x, r) K_rr^-1 k(r, x) / sigma^2: near 1 where the model
-    /// was trained, near 0 far away, where every prediction is the mean pose.
+    /// For each part and each row of its latents [frames x Q_i], the share of the prior variance of its pose
+    /// map that the inducing points explain, k(x, r) K_rr^-1 k(r, x) / sigma^2: near 1 close to the training,
+    /// near 0 far away, where every prediction is the mean pose.
     ///
     /// # Errors
     ///
@@ -36,7 +36,7 @@ mod tests {
     use nalgebra::DMatrix;
 
     #[test]
-    fn inducing_points_are_familiar_and_far_away_nothing_is() {
+    fn inducing_points_are_familiar_and_distant_latents_are_not() {
         let model = fitted(2);
         let at = |far: f64| -> Vec<DMatrix<f64>> {
             model.parts.iter().map(|part| part.r().add_scalar(far)).collect()

@@ -1,4 +1,4 @@
-//! The latents that training starts with: slow ones, as large as what they explain.
+//! The first latents of a training: slow ones, scaled by their share of the data.
 
 use crate::elementary::Elementary;
 use crate::models::data::sequences::Sequences;
@@ -6,15 +6,14 @@ use crate::models::training::latents::{STAND_IN, principal_components};
 use nalgebra::DMatrix;
 use rand_chacha::ChaCha8Rng;
 
-/// Rows that are farther away than so many standard deviations do not count.
+/// The Gaussian is cut off at this number of standard deviations.
 const REACH: f64 = 4.0;
 
 /// The first `count` principal components [N x count] of the columns `y` [N x D], smoothed along time. The
-/// first has unit variance; the variance of each other is smaller as its share in the smoothed columns is.
+/// first has unit variance; the others are smaller in proportion to their share in the columns.
 ///
-/// The dynamics ask for latents that the next frame can be predicted from. What changes fast, or differs from
-/// frame to frame without a rule, misleads a training that begins with it: some seeds then end in a lower
-/// bound (docs/training.md).
+/// Dynamics need latents from which the next frame can be predicted. Fast or noisy components mislead a
+/// training: some seeds then end in a lower bound (docs/training.md).
 pub(super) fn first_latents(
     y: &DMatrix<f64>,
     sequences: &Sequences,
@@ -26,16 +25,15 @@ pub(super) fn first_latents(
     let spread: Vec<f64> = x.column_iter().map(|x| y.tr_mul(&x).norm()).collect();
     for (mut x, own) in x.column_iter_mut().zip(&spread) {
         let deviation = x.norm() / (x.len() as f64).sqrt();
-        // What stands in for a component that the columns do not have is as small already.
+        // The noise in place of a missing component is small already.
         let smallest = STAND_IN / deviation.max(STAND_IN);
         x *= (own / spread[0].max(f64::MIN_POSITIVE)).clamp(smallest, 1.0);
     }
     x
 }
 
-/// The averages of the rows around each row of `x` [N x D], of its own sequence, with the weights of a
-/// Gaussian as wide as the movement's
-/// [`pace`]: what is slow for one movement is fast for another.
+/// Averages of neighbouring rows of `x` [N x D] in the same sequence, with the weights of a Gaussian. Its
+/// standard deviation is the [`pace`] of the movement: what is slow for one movement is fast for another.
 fn smoothed(x: &DMatrix<f64>, sequences: &Sequences) -> DMatrix<f64> {
     let width = pace(x, sequences);
     let reach = (REACH * width).ceil() as usize;
@@ -59,8 +57,8 @@ fn smoothed(x: &DMatrix<f64>, sequences: &Sequences) -> DMatrix<f64> {
     averages
 }
 
-/// In how many frames the centred columns `x` [N x D] change as much as they vary; of a wave, one radian. 0
-/// where nothing moves.
+/// Number of frames in which the centred columns `x` [N x D] change by their standard deviation; for a wave,
+/// one radian. 0 for motionless columns.
 fn pace(x: &DMatrix<f64>, sequences: &Sequences) -> f64 {
     let steps = sequences.lagged(x, 0) - sequences.lagged(x, 1);
     let variance = |x: &DMatrix<f64>| x.norm_squared() / x.nrows().max(1) as f64;
@@ -83,8 +81,7 @@ mod tests {
     fn slow_columns_come_before_fast_ones() {
         let slow = |t: usize| (t as f64 * 0.05).sin();
         let fast = |t: usize| if t % 4 < 2 { 1.0 } else { -1.0 };
-        // The fast column varies more than each of the slow ones, and is no principal component of what is
-        // smoothed.
+        // The fast column varies more than each slow one, but is no principal component after smoothing.
         let y =
             DMatrix::from_fn(
                 252,
@@ -106,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn latents_are_as_large_as_what_they_explain() {
+    fn latents_are_scaled_by_their_share() {
         let y = DMatrix::from_fn(126, 2, |t, d| {
             if d == 0 { 4.0 * (t as f64 * 0.1).sin() } else { (t as f64 * 0.1).cos() }
         });
@@ -114,12 +111,12 @@ mod tests {
         let deviation = |q: usize| x.column(q).norm() / (x.nrows() as f64).sqrt();
         assert_relative_eq!(deviation(0), 1.0, epsilon = 1e-9);
         assert_relative_eq!(deviation(1), 0.25, epsilon = 0.02);
-        // There is no third component: noise stands in for it, and stays.
+        // There is no third component: noise takes its place, and is not scaled.
         assert_relative_eq!(deviation(2), STAND_IN, epsilon = 0.05);
     }
 
     #[test]
-    fn sequences_are_smoothed_each_for_itself() {
+    fn smooths_each_sequence_separately() {
         let sequences = Sequences::new(vec![20, 15], 2).unwrap();
         let apart = DMatrix::from_fn(35, 1, |t, _| if t < 20 { -1.0 } else { 2.0 });
         assert_relative_eq!(smoothed(&apart, &sequences), apart, epsilon = 1e-12);

@@ -1,5 +1,4 @@
-//! Sampled rollouts: at every frame the next latents are drawn from what the experts predict, with their
-//! variances.
+//! Sampled rollouts: at every frame the next latents are drawn from the predictions of the experts.
 
 use crate::models::rollout::latent_paths::LatentPaths;
 use crate::models::rollout::request::RolloutError;
@@ -27,9 +26,9 @@ impl PredictiveDynamics {
         let mut paths = LatentPaths::new(start, self.order, &self.latent)?;
         while paths.frames() < frames {
             let mut next = Vec::with_capacity(self.targets.len());
-            for said in self.next(&paths) {
-                let deviation = said.product.variance.sqrt();
-                let mut x = said.product.mean;
+            for predictions in self.next(&paths) {
+                let deviation = predictions.product.variance.sqrt();
+                let mut x = predictions.product.mean;
                 for x in &mut x {
                     let noise: f64 = StandardNormal.sample(&mut rng);
                     *x += deviation * noise;
@@ -48,7 +47,7 @@ mod tests {
     use crate::models::variational::testing::fitted;
 
     #[test]
-    fn a_seed_says_which_future() {
+    fn a_seed_determines_the_future() {
         let model = fitted(1);
         let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
         let start = &model.start(0, 0).unwrap();

@@ -1,4 +1,4 @@
-//! The inducing points of a fitted model: where they are, and for which latents each speaks.
+//! The inducing points of a fitted model, and their weight for latents.
 
 use crate::gp::Kernel;
 use crate::models::variational::maps::{FittedExpert, PoseMap};
@@ -56,7 +56,7 @@ impl Vcgpdm {
         self.experts.get(source).ok_or_else(|| part(source))?.get(target).ok_or_else(|| part(target))
     }
 
-    /// How much the pose inducing point `index` of a part says about each latent point [frames x Q, row after
+    /// The weight of the pose inducing point `index` of a part for each latent point [frames x Q, row after
     /// row]: the kernel over its variance, k(x, r) / sigma^2, 0 to 1.
     ///
     /// # Errors
@@ -72,9 +72,9 @@ impl Vcgpdm {
         kernel_weights(map.kernel(), map.r(), index, latents, map.r().ncols(), 0)
     }
 
-    /// How much the dynamics inducing point `index` of an expert says about each frame of the source's latent
-    /// path
-    /// [frames x Q, row after row]: k(history, z), 0 to 1; 0 for the first frames, which have no history.
+    /// The weight of the dynamics inducing point `index` of an expert for each frame of the source's latent
+    /// path [frames x Q, row after row]: k(history, z), 0 to 1; 0 for the first frames, which have no
+    /// history.
     ///
     /// # Errors
     ///
@@ -92,8 +92,8 @@ impl Vcgpdm {
     }
 }
 
-/// k(window, z_index) / sigma^2 for the window that each of the rows of `columns` latents sees: itself for a
-/// `lag` of 0, else so many rows before it.
+/// k(window, z_index) / sigma^2 for the window of each row of `columns` latents: the row itself for a `lag`
+/// of 0, otherwise the `lag` rows before it.
 fn kernel_weights(
     kernel: &Kernel,
     z: &DMatrix<f64>,
@@ -125,7 +125,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     #[test]
-    fn a_point_speaks_fully_for_itself() {
+    fn a_point_has_weight_one_for_itself() {
         let model = fitted(1);
         let r = model.parts[0].r();
         let latents: Vec<f64> = r.row(1).iter().chain(r.row(0).iter()).copied().collect();
@@ -133,7 +133,7 @@ mod tests {
         assert_relative_eq!(weights[0], 1.0, epsilon = 1e-12);
         assert!(weights[1] < 1.0);
 
-        // A dynamics point speaks for the frame after the history that it is.
+        // A dynamics point has weight for the frame after its history.
         let z = model.experts[0][1].z();
         let history: Vec<f64> = z.row(2).iter().copied().collect();
         let columns = z.ncols() / model.order;
@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_there_is_refused_in_words() {
+    fn refuses_parts_and_points_that_do_not_exist() {
         let model = fitted(1);
         let words = |refused: Result<Vec<f64>, InducingError>| refused.unwrap_err().to_string();
         assert_eq!(words(model.pose_ip_weights(2, 0, &[])), "expected a part from 0 to 1, found 2");

@@ -1,4 +1,4 @@
-//! The vCGPDM and, of one part, the vGPDM among the other models.
+//! Training of the vCGPDM and, with one part, of the vGPDM through the interface of all models.
 
 use crate::gp::NumericsError;
 use crate::models::data::movements::Movements;
@@ -16,7 +16,7 @@ pub struct VariationalLearner {
 }
 
 impl VariationalLearner {
-    /// Ready to train. A sequence that is not whole is a short one like any other.
+    /// Ready to train. A sequence that is not whole is treated as a short sequence.
     ///
     /// # Errors
     ///

@@ -87,7 +87,7 @@ impl PoseMap {
         Ok(Factor::new(&k, "covariance of the pose inducing points")?.solve(&self.mean))
     }
 
-    /// How many numbers must be kept to predict with the map: inducing inputs, posterior means, kernel.
+    /// Count of numbers needed for a prediction with the map: inducing inputs, posterior means, kernel.
     pub(in crate::models) fn stored_numbers(&self) -> usize {
         self.r.len() + self.mean.len() + self.kernel.lambda.len() + 1
     }
@@ -98,8 +98,8 @@ impl PoseMap {
     }
 }
 
-/// One expert f^{ji}, what part j predicts about part i, with the posterior mean of its inducing outputs u:
-/// f(x) = `k(x, z) K_zz^-1 E[u]`.
+/// The expert f^{ji}, the prediction of part j about part i, with the posterior mean of its inducing outputs
+/// u: f(x) = `k(x, z) K_zz^-1 E[u]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedExpert {
     z: DMatrix<f64>,
@@ -145,7 +145,7 @@ impl FittedExpert {
         &self.mean
     }
 
-    /// How many numbers must be kept to predict with the expert: inducing inputs, posterior means, kernel.
+    /// Count of numbers needed for a prediction with the expert: inducing inputs, posterior means, kernel.
     pub(in crate::models) fn stored_numbers(&self) -> usize {
         self.z.len() + self.mean.len() + self.kernel.lambda.len()
     }
@@ -189,8 +189,7 @@ impl FittedMaps {
     }
 }
 
-/// Where each primitive's expert about part `i` begins in what is stacked over all primitives; last the
-/// height of the stack.
+/// The places where the experts about part `i` start in the stack of all primitives, then its height.
 pub(in crate::models) fn expert_offsets(params: &Params, i: usize) -> Vec<usize> {
     stack_offsets(params.experts.iter().map(|row| row[i].z.nrows()))
 }

@@ -29,7 +29,7 @@ pub use inducing::InducingError;
 pub use learner::VariationalLearner;
 pub use maps::{FittedExpert, PoseMap};
 pub(in crate::models) use maps::{FittedMaps, expert_offsets};
-pub use model::{Elsewhere, Vcgpdm};
+pub use model::{ExternalEvidence, Vcgpdm};
 pub use moments::LatentMoments;
 pub use params::{Expert, Params, PartParams};
 pub use predictive::{PartPredictions, Prediction, PredictiveDynamics};

@@ -1,4 +1,4 @@
-//! The fitted model: what a rollout, a plot or a file needs. Holds no training data.
+//! The fitted model, for rollouts, plots and files, without its training data.
 
 use crate::gp::linalg::Factor;
 use crate::gp::{KernelSum, NumericsError};
@@ -11,13 +11,13 @@ use crate::models::variational::maps::{FittedExpert, FittedMaps, PoseMap};
 use crate::models::variational::params::Params;
 use nalgebra::DMatrix;
 
-/// What experts about one target have learned from rows that the model's own sums do not hold, such as those
-/// of other movements that use the same primitives. The sources are stacked in order.
+/// Information that the experts about one target have from other data sets, such as other movements with the
+/// same primitives. The sources are stacked in order.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Elsewhere {
-    /// What these rows add to the precision A - K of the inducing outputs [sum K x sum K].
+pub struct ExternalEvidence {
+    /// Term of the precision A - K of the inducing outputs [sum K x sum K].
     pub precision: DMatrix<f64>,
-    /// What they add to b / n [sum K x Q_i].
+    /// Term of b / n [sum K x Q_i].
     pub b: DMatrix<f64>,
 }
 
@@ -27,7 +27,7 @@ pub(in crate::models) struct Inferred {
     pub(in crate::models) factor: Factor,
     /// K^-1 `E[u]` = A^-1 b / n [sum K x Q_i].
     pub(super) coefficients: DMatrix<f64>,
-    /// Where each source begins in the stack; last its height.
+    /// The place where each source starts in the stack, then its height.
     pub(super) offsets: Vec<usize>,
 }
 
@@ -46,12 +46,12 @@ pub struct Vcgpdm {
     pub dynamics_covariance: Vec<DMatrix<f64>>,
     /// The sums from which the experts into each target can be inferred again under other couplings `[M]`.
     pub sums: Vec<DynamicsSums>,
-    /// What the experts into each target have learned from other rows `[M]`; none where there were no others.
-    pub elsewhere: Vec<Elsewhere>,
+    /// Information of the experts into each target from other data sets `[M]`; empty without any.
+    pub external: Vec<ExternalEvidence>,
     /// Learned coupling variances [M x M], row the source, column the target.
     pub alpha: DMatrix<f64>,
     /// The latent means of the first frames of every training sequence, p or more: `starts[sequence][part]`
-    /// [T x Q_i]. After a training they are there for all frames; older files keep p.
+    /// [T x Q_i]. A training stores all frames; older files have p.
     pub starts: Vec<Vec<DMatrix<f64>>>,
     /// The terms of the bound that training reached, in nats.
     pub terms: BoundTerms,
@@ -76,7 +76,7 @@ impl Vcgpdm {
             starts: starts.collect(),
             dynamics_covariance: posteriors.dynamics.into_iter().map(|u| u.covariance).collect(),
             sums: posteriors.sums.into_iter().next().unwrap_or_default(),
-            elsewhere: Vec::new(),
+            external: Vec::new(),
             alpha: params.alpha.first().cloned().unwrap_or_default(),
             terms,
         })
@@ -105,8 +105,8 @@ impl Vcgpdm {
     /// From how many frames of a training sequence, counted from 0, a rollout can start; 0 where there is no
     /// such sequence.
     pub fn start_frames(&self, sequence: usize) -> usize {
-        let kept = self.starts.get(sequence).and_then(|start| start.first()).map_or(0, DMatrix::nrows);
-        (kept + 1).saturating_sub(self.order)
+        let stored = self.starts.get(sequence).and_then(|start| start.first()).map_or(0, DMatrix::nrows);
+        (stored + 1).saturating_sub(self.order)
     }
 
     /// The latent means of p frames of a training sequence from `frame` on, both counted from 0: [p x Q_i] of
@@ -114,16 +114,16 @@ impl Vcgpdm {
     ///
     /// # Errors
     ///
-    /// When there is no such sequence, or the model does not keep these frames.
+    /// When there is no such sequence, or the model does not have these frames.
     pub fn start(&self, sequence: usize, frame: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-        let Some(kept) = self.starts.get(sequence) else {
+        let Some(stored) = self.starts.get(sequence) else {
             return Err(RolloutError::Sequence { count: self.starts.len(), found: sequence });
         };
         let frames = self.start_frames(sequence);
         if frame >= frames {
             return Err(RolloutError::StartFrame { most: frames.saturating_sub(1), found: frame });
         }
-        Ok(kept.iter().map(|x| x.rows(frame, self.order).into_owned()).collect())
+        Ok(stored.iter().map(|x| x.rows(frame, self.order).into_owned()).collect())
     }
 
     /// The mean dynamics under the couplings `alpha` [M x M], row the source, column the target. As learned,
@@ -187,14 +187,14 @@ impl Vcgpdm {
             let mut block = a.view_mut((*offset, *offset), k.shape());
             block += k;
         }
-        let elsewhere = self.elsewhere.get(i);
-        if let Some(elsewhere) = elsewhere {
-            a += &elsewhere.precision;
+        let external = self.external.get(i);
+        if let Some(external) = external {
+            a += &external.precision;
         }
         let factor = Factor::new(&a, "covariance of the data at the dynamics inducing points")?;
         let mut coefficients = factor.solve(&b) / noise;
-        if let Some(elsewhere) = elsewhere {
-            coefficients += factor.solve(&elsewhere.b);
+        if let Some(external) = external {
+            coefficients += factor.solve(&external.b);
         }
         Ok(Inferred { factor, coefficients, offsets })
     }
@@ -216,7 +216,7 @@ impl Vcgpdm {
         Ok(self.observations(&dynamics.path(&self.start(sequence, 0)?, frames)?))
     }
 
-    /// How many numbers must be kept to roll out from one sequence: inducing inputs, posterior means and
+    /// Count of numbers needed for a rollout from one sequence: inducing inputs, posterior means and
     /// kernels of all maps, couplings, and one start.
     pub fn stored_numbers(&self) -> usize {
         let poses = self.parts.iter().map(PoseMap::stored_numbers);
@@ -246,8 +246,8 @@ mod tests {
         }
         let mut other = model.alpha.clone();
         other[(1, 0)] *= 5.0;
-        let (kept, inferred) = (path(&other, Reading::AsLearned), path(&other, Reading::ReInferred));
-        assert!((&kept[0] - &inferred[0]).amax() > 1e-6);
+        let (learned, inferred) = (path(&other, Reading::AsLearned), path(&other, Reading::ReInferred));
+        assert!((&learned[0] - &inferred[0]).amax() > 1e-6);
     }
 
     #[test]
@@ -268,7 +268,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rollout_starts_from_any_frame_whose_latents_are_kept() {
+    fn a_rollout_starts_from_any_stored_frame() {
         let (params, objective) = random_case(1);
         let model = fitted(1);
         let ranges: Vec<_> = objective.sequences().ranges().collect();
@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn bad_requests_are_refused_in_words() {
+    fn refuses_bad_requests() {
         let model = fitted(1);
         let mut alpha = model.alpha.clone();
         alpha[(0, 1)] = -1.0;

@@ -1,4 +1,4 @@
-//! Moment matching: what is known of the latents in every frame of a rollout, as a Gaussian with a full
+//! Moment matching: the distribution of the latents in every frame of a rollout, as a Gaussian with a full
 //! covariance over all parts (Velychko et al. 2018, appendix B).
 
 use crate::gp::NumericsError;
@@ -25,9 +25,9 @@ struct Belief {
 }
 
 impl PredictiveDynamics {
-    /// The moments of the latents from a certain `start` [p x Q_i] of each part on. Every step is exact for a
-    /// Gaussian history; what comes out of it is taken as a Gaussian with the same mean and covariance. Cost
-    /// per frame: all pairs of dynamics inducing points of all experts.
+    /// The moments of the latents from a certain `start` [p x Q_i] of each part on. A step is exact for a
+    /// Gaussian history; its result is replaced by a Gaussian with the same mean and covariance. The cost of
+    /// a frame grows with the pairs of dynamics inducing points of all experts.
     ///
     /// # Errors
     ///
@@ -58,28 +58,28 @@ impl PredictiveDynamics {
         Ok(LatentMoments { means, covariances })
     }
 
-    /// One frame on: the Gaussian about the history of the next frame.
+    /// The Gaussian about the history of the next frame.
     fn step(&self, belief: &Belief) -> Result<Belief, NumericsError> {
         let (m, width) = (self.latent.len(), self.latent.iter().sum::<usize>());
         let size = belief.mean.len();
-        // The history and behind it the next latents of all parts.
+        // The history, then the next latents of all parts.
         let mut mean = belief.mean.clone().resize_vertically(size + width, 0.0);
         let mut covariance = belief.covariance.clone().resize(size + width, size + width, 0.0);
         let next: Vec<usize> = (0..m).map(|i| size + self.latent[..i].iter().sum::<usize>()).collect();
         for (i, target) in self.targets.iter().enumerate() {
             for (j, expert) in target.experts.iter().enumerate() {
                 let inputs = self.inputs(j);
-                let spread = picked(&belief.covariance, &inputs.clone().collect::<Vec<_>>());
+                let spread = select(&belief.covariance, &inputs.clone().collect::<Vec<_>>());
                 let input = belief.mean.rows(inputs.start, inputs.len()).into_owned();
                 let expected = expected_kernels(expert.basis(), &input, &spread)?;
                 for q in 0..self.latent[i] {
                     // psi1 times K^-1 E[u]; along the pulls this is the slope of the expert.
-                    let mut said = expert.coefficients.column(q).component_mul(&expected.psi1);
-                    said *= target.weights[j];
+                    let mut terms = expert.coefficients.column(q).component_mul(&expected.psi1);
+                    terms *= target.weights[j];
                     let column = next[i] + q;
-                    mean[column] += said.sum();
+                    mean[column] += terms.sum();
                     for (slope, row) in expected.pulls.row_iter().zip(inputs.clone()) {
-                        let slope: f64 = slope.iter().zip(said.iter()).map(|(a, b)| a * b).sum();
+                        let slope: f64 = slope.iter().zip(terms.iter()).map(|(a, b)| a * b).sum();
                         for h in 0..size {
                             covariance[(h, column)] += belief.covariance[(h, row)] * slope;
                         }
@@ -97,43 +97,43 @@ impl PredictiveDynamics {
             }
         }
         covariance.fill_lower_triangle_with_upper_triangle();
-        // Rounding can leave a variance just below zero.
+        // Rounding can make a variance negative.
         for k in size..size + width {
             covariance[(k, k)] = covariance[(k, k)].max(0.0);
         }
-        // The oldest frame of each part leaves, the next one joins.
-        let mut kept = Vec::with_capacity(size);
+        // The next frame of each part replaces its oldest one.
+        let mut places = Vec::with_capacity(size);
         for (i, &q) in self.latent.iter().enumerate() {
             let inputs = self.inputs(i);
-            kept.extend(inputs.start + q..inputs.end);
-            kept.extend(next[i]..next[i] + q);
+            places.extend(inputs.start + q..inputs.end);
+            places.extend(next[i]..next[i] + q);
         }
-        let mean = DVector::from_fn(size, |k, _| mean[kept[k]]);
-        Ok(Belief { mean, covariance: picked(&covariance, &kept) })
+        let mean = DVector::from_fn(size, |k, _| mean[places[k]]);
+        Ok(Belief { mean, covariance: select(&covariance, &places) })
     }
 
     /// `E[x x'^T]` [Q_i x Q_i'] of the next latents of the parts i and i'.
     fn second_moment(&self, belief: &Belief, i: usize, other: usize) -> Result<DMatrix<f64>, NumericsError> {
-        let (one, two) = (&self.targets[i], &self.targets[other]);
+        let (target, other_target) = (&self.targets[i], &self.targets[other]);
         let mut second = DMatrix::zeros(self.latent[i], self.latent[other]);
         // The variance of the functions, and of the noise around them, is the part's own.
-        let mut variance = one.noise + one.weights.iter().map(|w| w * w).sum::<f64>();
-        for (j, a) in one.experts.iter().enumerate() {
-            for (l, b) in two.experts.iter().enumerate() {
+        let mut variance = target.noise + target.weights.iter().map(|w| w * w).sum::<f64>();
+        for (j, a) in target.experts.iter().enumerate() {
+            for (l, b) in other_target.experts.iter().enumerate() {
                 let places: Vec<usize> = self.inputs(j).chain(self.inputs(l)).collect();
                 let mean =
                     |part| belief.mean.rows(self.inputs(part).start, self.inputs(part).len()).into_owned();
                 let (first, last) = ((a.basis(), &mean(j)), (b.basis(), &mean(l)));
-                let mut products = expected_products(first, last, &picked(&belief.covariance, &places))?;
-                products *= one.weights[j] * two.weights[l];
+                let mut products = expected_products(first, last, &select(&belief.covariance, &places))?;
+                products *= target.weights[j] * other_target.weights[l];
                 for (q, r) in (0..self.latent[i]).flat_map(|q| (0..self.latent[other]).map(move |r| (q, r))) {
-                    let (says, too) = (a.coefficients.column(q), b.coefficients.column(r));
-                    let columns = products.column_iter().zip(too.iter());
-                    second[(q, r)] += columns.map(|(column, b)| b * column.dot(&says)).sum::<f64>();
+                    let (a, b) = (a.coefficients.column(q), b.coefficients.column(r));
+                    let columns = products.column_iter().zip(b.iter());
+                    second[(q, r)] += columns.map(|(column, b)| b * column.dot(&a)).sum::<f64>();
                 }
                 if i == other {
-                    let place = (one.offsets[j], one.offsets[l]);
-                    variance -= one.certainty.view(place, products.shape()).dot(&products);
+                    let place = (target.offsets[j], target.offsets[l]);
+                    variance -= target.certainty.view(place, products.shape()).dot(&products);
                 }
             }
         }
@@ -145,7 +145,7 @@ impl PredictiveDynamics {
         Ok(second)
     }
 
-    /// Where the history of a part lies among those of all parts.
+    /// The place of the history of a part among those of all parts.
     fn inputs(&self, part: usize) -> Range<usize> {
         let begin = self.latent[..part].iter().sum::<usize>() * self.order;
         begin..begin + self.latent[part] * self.order
@@ -153,7 +153,7 @@ impl PredictiveDynamics {
 }
 
 /// The rows and columns of a symmetric matrix at these places.
-fn picked(matrix: &DMatrix<f64>, places: &[usize]) -> DMatrix<f64> {
+fn select(matrix: &DMatrix<f64>, places: &[usize]) -> DMatrix<f64> {
     DMatrix::from_fn(places.len(), places.len(), |row, column| matrix[(places[row], places[column])])
 }
 
@@ -170,9 +170,9 @@ mod tests {
     use crate::models::variational::testing::fitted;
     use approx::assert_relative_eq;
 
-    /// Holds the moments against the means and variances of `draws` sampled futures: means within `shift`
-    /// deviations, deviations within a factor 1 + `factor`, and four standard errors of chance more.
-    fn hold(seed: u64, frames: usize, draws: u64, (shift, factor): (f64, f64)) {
+    /// Compares the moments with the means and variances of `draws` sampled futures: means within `shift`
+    /// standard deviations, standard deviations within a factor 1 + `factor`, both plus four standard errors.
+    fn assert_moments_agree(seed: u64, frames: usize, draws: u64, (shift, factor): (f64, f64)) {
         let model = fitted(seed);
         let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
         let start = &model.start(0, 0).unwrap();
@@ -185,9 +185,9 @@ mod tests {
                     let values: Vec<f64> = futures.iter().map(|future| future[part][(t, q)]).collect();
                     let mean = values.iter().sum::<f64>() / count;
                     let variance = values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / count;
-                    let known = moments.covariances[part][t][(q, q)];
-                    let apart = (mean - means[(t, q)]).abs() / known.sqrt();
-                    let ratio = (variance / known).sqrt();
+                    let expected = moments.covariances[part][t][(q, q)];
+                    let apart = (mean - means[(t, q)]).abs() / expected.sqrt();
+                    let ratio = (variance / expected).sqrt();
                     let found = format!("model {seed}, part {part}, frame {t}, {q}: {apart} {ratio}");
                     assert!(apart < shift + 4.0 / count.sqrt(), "{found}");
                     assert!((ratio - 1.0).abs() < factor + 4.0 * (0.5 / count).sqrt(), "{found}");
@@ -197,33 +197,33 @@ mod tests {
     }
 
     #[test]
-    fn two_steps_on_they_are_those_of_many_futures() {
+    fn agree_with_many_futures_after_two_steps() {
         for seed in [1, 2, 3] {
             let frames = fitted(seed).order + 2;
-            hold(seed, frames, 20_000, (0.0, 0.0));
+            assert_moments_agree(seed, frames, 20_000, (0.0, 0.0));
         }
     }
 
     #[test]
-    fn where_a_gaussian_can_say_it_they_are_those_of_many_futures_for_sixty_frames() {
+    fn agree_with_many_futures_for_sixty_frames_of_a_nearly_gaussian_model() {
         for seed in [1, 2, 3] {
-            hold(seed, 60, 2000, (0.03, 0.03));
+            assert_moments_agree(seed, 60, 2000, (0.03, 0.03));
         }
     }
 
     #[test]
-    fn one_step_on_they_are_the_prediction() {
+    fn agree_with_the_prediction_after_one_step() {
         let model = fitted(3);
         let dynamics = model.predictive_dynamics(&model.alpha, Reading::ReInferred).unwrap();
         let start = &model.start(1, 0).unwrap();
         let t = model.order;
         let moments = dynamics.moments(start, t + 1).unwrap();
-        for (part, said) in dynamics.predict(start, t).unwrap().iter().enumerate() {
-            let mean = DVector::from_row_slice(&said.product.mean);
+        for (part, predictions) in dynamics.predict(start, t).unwrap().iter().enumerate() {
+            let mean = DVector::from_row_slice(&predictions.product.mean);
             assert_relative_eq!(moments.means[part].row(t).transpose(), mean, epsilon = 1e-9);
             for q in 0..mean.len() {
                 let variance = moments.covariances[part][t][(q, q)];
-                assert_relative_eq!(variance, said.product.variance, epsilon = 1e-8);
+                assert_relative_eq!(variance, predictions.product.variance, epsilon = 1e-8);
             }
             assert!(moments.covariances[part][t - 1].iter().all(|v| *v == 0.0));
         }

@@ -30,13 +30,13 @@ pub struct Expert {
 
 /// All parameters of a vCGPDM, in natural units (variances are variances, lengthscales are squared).
 ///
-/// The same type holds a gradient, entry by entry.
+/// A gradient has the same type, entry by entry.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Params {
-    /// One for each of the M parts.
+    /// The parameters of each part `[M]`.
     pub parts: Vec<PartParams>,
     /// Experts by primitive and target: `experts[a][i]` is the prediction of primitive a about part i. In the
-    /// plain model, each part has one primitive, and `experts[j][i]` is j's prediction about i.
+    /// plain model each part has one primitive, and `experts[j][i]` is j's prediction about i.
     pub experts: Vec<Vec<Expert>>,
     /// Coupling variances alpha of each movement [M x M], row the source, column the target; the plain model
     /// has one movement.
@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn values_outside_their_box_are_held_at_its_edge() {
+    fn values_outside_their_box_move_to_its_edge() {
         let (mut params, ..) = random_case(0);
         params.alpha[0][(0, 0)] = 1e9;
         params.parts[0].latents.mean[(0, 0)] = -50.0;

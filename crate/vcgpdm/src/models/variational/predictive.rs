@@ -1,5 +1,5 @@
-//! What each expert predicts with its own uncertainty, and what the product of experts makes of it (Velychko
-//! et al. 2018, equations 1 and 2).
+//! The prediction of each expert with its uncertainty, and the product of experts (Velychko et al. 2018,
+//! equations 1 and 2).
 
 use crate::gp::exp::exp;
 use crate::gp::linalg::Factor;
@@ -20,18 +20,18 @@ pub struct Prediction {
     pub variance: f64,
 }
 
-/// What is predicted about the next latents of one part.
+/// Predictions about the next latents of one part.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct PartPredictions {
-    /// What each source says alone `[M]`: the mean of f^{ji}, and alpha^{ji} plus its own variance.
+    /// The prediction of each source alone `[M]`: the mean of f^{ji}, and alpha^{ji} plus its own variance.
     pub experts: Vec<Prediction>,
     /// Their product under the couplings: mean sum_j w_{ji} f^{ji}, and alpha^i plus the variance of that
     /// sum.
     pub product: Prediction,
 }
 
-/// One expert as the predictions need it.
+/// One expert, prepared for predictions.
 #[derive(Clone, Debug)]
 pub(super) struct ExpertFunction {
     /// Inducing inputs [K x pQ_j].
@@ -51,15 +51,14 @@ pub(super) struct TargetDynamics {
     /// w_{ji} of each source `[M]`.
     pub(super) weights: Vec<f64>,
     pub(super) experts: Vec<ExpertFunction>,
-    /// K^-1 - K^-1 cov(u) K^-1, K blockwise [sum K x sum K]: what observing the inducing outputs takes away
-    /// from a variance of 1.
+    /// K^-1 - K^-1 cov(u) K^-1, K blockwise [sum K x sum K]: the reduction of a variance of 1 by
+    /// observed inducing outputs.
     pub(super) certainty: DMatrix<f64>,
-    /// Where each source begins in the stack; last its height.
+    /// The place where each source starts in the stack, then its height.
     pub(super) offsets: Vec<usize>,
 }
 
-/// The dynamics of all parts under given couplings as distributions: what
-/// `LatentDynamics` is for their means.
+/// The dynamics of all parts under given couplings as distributions; `LatentDynamics` has only their means.
 #[derive(Clone, Debug)]
 pub struct PredictiveDynamics {
     pub(super) order: usize,
@@ -107,7 +106,7 @@ impl Vcgpdm {
         let mut certainty = k;
         factor.inverse_into(&mut certainty);
         // cov(u) = K A^-1 K, so K^-1 - K^-1 cov(u) K^-1 = K^-1 - A^-1. As learned, A is that of the learned
-        // couplings; from the sums it is more exact than from a covariance that was written with few digits.
+        // couplings; from the sums it is more exact than from a covariance with few digits in a file.
         let inferred = match reading {
             Reading::AsLearned => {
                 factor.solve_mut(&mut stacked);
@@ -134,12 +133,12 @@ impl Vcgpdm {
 }
 
 impl TargetDynamics {
-    /// What is predicted from the histories `[p Q_j]` of all parts.
+    /// Predictions from the histories `[p Q_j]` of all parts.
     fn predict<'a>(&self, history: &dyn Fn(usize) -> &'a [f64]) -> PartPredictions {
         let latent = self.experts.first().map_or(0, |expert| expert.coefficients.ncols());
         let mut product = Prediction { mean: vec![0.0; latent], variance: self.noise };
         let mut experts = Vec::with_capacity(self.experts.len());
-        // k(x^j, z) of all sources, weighted: the stack that the certainty is about.
+        // k(x^j, z) of all sources, weighted and stacked.
         let mut stack = Vec::with_capacity(self.certainty.nrows());
         let mut prior = 0.0;
         for (j, expert) in self.experts.iter().enumerate() {
@@ -179,7 +178,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 impl PredictiveDynamics {
-    /// What is predicted about each part in frame `t` of a latent path of all parts [frames x Q_i]; `t` is at
+    /// Predictions about each part in frame `t` of a latent path of all parts [frames x Q_i]; `t` is at
     /// least p.
     ///
     /// # Errors
@@ -196,7 +195,7 @@ impl PredictiveDynamics {
         Ok(self.next(&LatentPaths::new(&histories, p, &self.latent)?))
     }
 
-    /// What is predicted about each part in the frame after the last of `paths`.
+    /// Predictions about each part in the frame after the last one of `paths`.
     pub(super) fn next(&self, paths: &LatentPaths) -> Vec<PartPredictions> {
         let history = |part: usize| paths.history(part);
         self.targets.iter().map(|target| target.predict(&history)).collect()
@@ -220,10 +219,10 @@ mod tests {
                 model.dynamics(&alpha, reading).unwrap().path(&model.start(1, 0).unwrap(), 12).unwrap();
             let dynamics = model.predictive_dynamics(&alpha, reading).unwrap();
             for t in model.order..12 {
-                for (part, said) in dynamics.predict(&path, t).unwrap().iter().enumerate() {
+                for (part, predictions) in dynamics.predict(&path, t).unwrap().iter().enumerate() {
                     let taken = path[part].row(t).transpose();
                     assert_relative_eq!(
-                        DVector::from_row_slice(&said.product.mean),
+                        DVector::from_row_slice(&predictions.product.mean),
                         taken,
                         epsilon = 1e-9,
                         max_relative = 1e-8
@@ -234,30 +233,30 @@ mod tests {
     }
 
     #[test]
-    fn the_product_is_what_the_weights_make_of_the_experts() {
+    fn the_product_is_the_weighted_sum_of_the_experts() {
         let model = fitted(1);
         let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
         let start = &model.start(0, 0).unwrap();
-        for (i, said) in dynamics.predict(start, model.order).unwrap().iter().enumerate() {
+        for (i, predictions) in dynamics.predict(start, model.order).unwrap().iter().enumerate() {
             let (noise, weights) = coupling_weights(model.alpha.column(i).as_slice());
-            for q in 0..said.product.mean.len() {
-                let sum: f64 = said.experts.iter().zip(&weights).map(|(e, w)| w * e.mean[q]).sum();
-                assert_relative_eq!(said.product.mean[q], sum, epsilon = 1e-12);
+            for q in 0..predictions.product.mean.len() {
+                let sum: f64 = predictions.experts.iter().zip(&weights).map(|(e, w)| w * e.mean[q]).sum();
+                assert_relative_eq!(predictions.product.mean[q], sum, epsilon = 1e-12);
             }
-            assert!(said.product.variance >= noise);
-            for (expert, alpha) in said.experts.iter().zip(model.alpha.column(i).iter()) {
+            assert!(predictions.product.variance >= noise);
+            for (expert, alpha) in predictions.experts.iter().zip(model.alpha.column(i).iter()) {
                 assert!(expert.variance >= *alpha && expert.variance <= alpha + 1.0 + 1e-9);
             }
         }
     }
 
     #[test]
-    fn far_from_all_inducing_points_an_expert_knows_only_its_prior() {
+    fn far_from_all_inducing_points_an_expert_predicts_its_prior() {
         let model = fitted(1);
         let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
         let far: Vec<_> = model.start(0, 0).unwrap().iter().map(|x| x.map(|_| 1e3)).collect();
-        for (i, said) in dynamics.predict(&far, model.order).unwrap().iter().enumerate() {
-            for (j, expert) in said.experts.iter().enumerate() {
+        for (i, predictions) in dynamics.predict(&far, model.order).unwrap().iter().enumerate() {
+            for (j, expert) in predictions.experts.iter().enumerate() {
                 assert_relative_eq!(expert.variance, model.alpha[(j, i)] + 1.0, epsilon = 1e-12);
                 assert!(expert.mean.iter().all(|x| x.abs() < 1e-12));
             }
@@ -268,10 +267,10 @@ mod tests {
     fn re_inferred_under_the_learned_couplings_the_variances_are_as_learned() {
         let model = fitted(3);
         let start = &model.start(0, 0).unwrap();
-        let said = |reading| {
+        let predictions = |reading| {
             model.predictive_dynamics(&model.alpha, reading).unwrap().predict(start, model.order).unwrap()
         };
-        for (a, b) in said(Reading::AsLearned).iter().zip(&said(Reading::ReInferred)) {
+        for (a, b) in predictions(Reading::AsLearned).iter().zip(&predictions(Reading::ReInferred)) {
             assert_relative_eq!(a.product.variance, b.product.variance, epsilon = 1e-8);
             for (a, b) in a.experts.iter().zip(&b.experts) {
                 assert_relative_eq!(a.variance, b.variance, epsilon = 1e-8);
@@ -280,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn they_are_those_of_the_covariance_that_the_document_keeps() {
+    fn certainties_agree_with_the_stored_covariance() {
         let model = fitted(1);
         let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
         for (target, dynamics) in dynamics.targets.iter().enumerate() {
@@ -291,13 +290,13 @@ mod tests {
                 k.view_mut((at, at), block.shape()).copy_from(block);
             }
             let covariance = &k - &k * &dynamics.certainty * &k;
-            let kept = &model.dynamics_covariance[target];
-            assert_relative_eq!(&covariance, kept, epsilon = 1e-8, max_relative = 1e-6);
+            let stored = &model.dynamics_covariance[target];
+            assert_relative_eq!(&covariance, stored, epsilon = 1e-8, max_relative = 1e-6);
         }
     }
 
     #[test]
-    fn a_frame_without_a_history_is_refused() {
+    fn refuses_a_frame_without_a_history() {
         let model = fitted(1);
         let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
         let start = &model.start(0, 0).unwrap();

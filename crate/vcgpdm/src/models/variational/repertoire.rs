@@ -1,8 +1,8 @@
-//! Which movements there are, and which primitive each part uses in them (Velychko et al. 2018, section 5.5).
+//! Movements and the primitives that their parts use (Velychko et al. 2018, section 5.5).
 //!
-//! A primitive belongs to one part and holds what that part predicts about every part. A movement is a set of
-//! sequences that uses one primitive of each part, under couplings of its own. The plain model is one
-//! movement of one primitive for each part.
+//! A primitive belongs to one part and consists of its experts about every part. A movement is a set of
+//! sequences that uses one primitive of each part and has its own couplings. The plain model has one movement
+//! and one primitive for each part.
 
 use crate::models::data::sequences::Sequences;
 use thiserror::Error;
@@ -56,7 +56,7 @@ pub enum RepertoireError {
     },
 }
 
-/// One movement: where its sequences lie, and which primitive each part uses.
+/// One movement: the place of its sequences, and the primitive of each part.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Movement {
     sequences: Sequences,
@@ -64,7 +64,7 @@ pub struct Movement {
 }
 
 impl Movement {
-    /// Its sequences, where they lie in the stack of all frames.
+    /// The sequences, with their places in the stack of all frames.
     pub fn sequences(&self) -> &Sequences {
         &self.sequences
     }
@@ -90,9 +90,8 @@ impl Repertoire {
         Self { sequences, primitives: (0..parts).collect(), movements: vec![movement] }
     }
 
-    /// Primitives of M = `parts` parts, of which `primitives` says to which part each belongs, and movements:
-    /// how many of the `sequences` each has, one movement after the other, and which primitive each part uses
-    /// in it.
+    /// Primitives of M = `parts` parts: `primitives` are the parts to which they belong. Each movement has a
+    /// number of `sequences`, one movement after the other, and the primitive of each part.
     ///
     /// # Errors
     ///
@@ -139,7 +138,7 @@ impl Repertoire {
         &self.sequences
     }
 
-    /// To which part each primitive belongs.
+    /// The part to which each primitive belongs.
     pub fn primitives(&self) -> &[usize] {
         &self.primitives
     }
@@ -170,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_fit_is_refused_in_words() {
+    fn refuses_movements_that_do_not_fit() {
         let words = |primitives: &[usize], movements: &[(usize, &[usize])]| {
             let movements = movements.iter().map(|(count, uses)| (*count, uses.to_vec())).collect();
             Repertoire::new(sequences(), 2, primitives.to_vec(), movements).unwrap_err().to_string()

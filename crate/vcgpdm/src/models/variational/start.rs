@@ -1,5 +1,5 @@
-//! Where the training of a variational model starts: slow latents, pose maps that are nearly linear in them,
-//! inducing inputs from a random subset of the latents.
+//! The starting point of a variational training: slow latents, nearly linear pose maps, and inducing inputs
+//! from a random subset of the latents.
 
 use crate::gp::linalg::stacked;
 use crate::gp::{Gaussians, Kernel};
@@ -18,15 +18,15 @@ use rand_distr::{Distribution, StandardNormal, StandardUniform};
 /// The variances S as a part of the mean absolute step of the latents.
 const STEP_SHARE: f64 = 0.2;
 /// The squared lengthscales of a pose map that is nearly linear where its latents are, which have unit
-/// variance. Trained pose maps are: theirs are mostly between 5 and 100. From 3 one seed of 120 ended in a
-/// low bound; from 1 and 10 one and two of 40 (docs/training.md): little tells them apart.
+/// variance. Those of trained pose maps are mostly between 5 and 100. With 3 one seed of 120 ended in a low
+/// bound; with 1 and 10 one and two of 40, nearly the same (docs/training.md).
 const NEARLY_LINEAR: f64 = 3.0;
 
 /// The starting point on the centred observations `y` [N x D_i] of each part.
 ///
-/// The order of the random draws is part of what a seed stands for: the latents of all parts, then the pose
-/// inducing inputs of all parts, then the dynamics inducing inputs, source by source and for each source
-/// target by target.
+/// The order of the random draws must not change, so that a seed gives the same start: the latents of all
+/// parts, then the pose inducing inputs of all parts, then the dynamics inducing inputs, source by source and
+/// for each source target by target.
 pub fn starting_point(
     y: &[DMatrix<f64>],
     sequences: &Sequences,
@@ -36,7 +36,7 @@ pub fn starting_point(
     starting_point_of(y, &Repertoire::plain(sequences.clone(), y.len()), settings, seed)
 }
 
-/// As [`starting_point`], for movements that may share primitives. The dynamics inducing inputs of a
+/// [`starting_point`] for movements that may share primitives. The dynamics inducing inputs of a
 /// primitive are histories of the movements that use it; a primitive that none uses sees all.
 pub(super) fn starting_point_of(
     y: &[DMatrix<f64>],
@@ -68,8 +68,8 @@ pub(super) fn starting_point_of(
     Params { parts, experts, alpha: vec![starting_couplings(y.len()); repertoire.movements().len()] }
 }
 
-/// The experts of a primitive, about each part one, with so many inducing inputs each: histories of the
-/// latents `x` [N x Q] of its part in the movements that use it.
+/// The experts of a primitive, one about each part, with `counts` inducing inputs: histories of the latents
+/// `x` [N x Q] of its part in the movements that use it.
 pub fn starting_experts(
     primitive: usize,
     repertoire: &Repertoire,
@@ -116,7 +116,7 @@ fn mean_absolute_step(x: &DMatrix<f64>, sequences: &Sequences) -> f64 {
     steps.abs().sum() / steps.len().max(1) as f64
 }
 
-/// `count` different rows of `x` in random order; when it has fewer, rows repeat with a little noise, because
+/// `count` different rows of `x` in random order. If `x` has fewer, rows repeat with a little noise, because
 /// two equal inducing inputs would make their covariance singular.
 fn random_subset(x: &DMatrix<f64>, count: usize, rng: &mut ChaCha8Rng) -> DMatrix<f64> {
     let n = x.nrows();
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn the_start_is_seeded() {
+    fn the_same_seed_gives_the_same_start() {
         let (y, sequences) = wave();
         let start = starting_point(&[y.clone(), y.clone()], &sequences, &settings(), 4);
         assert_eq!(start, starting_point(&[y.clone(), y.clone()], &sequences, &settings(), 4));

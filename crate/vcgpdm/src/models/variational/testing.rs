@@ -57,7 +57,7 @@ pub fn random_case(seed: u64) -> (Params, Objective) {
     (Params { parts, experts, alpha: vec![alpha] }, objective)
 }
 
-/// The model fitted to the random problem of that seed.
+/// The model fitted to the random problem of this seed.
 pub fn fitted(seed: u64) -> Vcgpdm {
     let (params, objective) = random_case(seed);
     let terms = objective.terms(&params).unwrap();

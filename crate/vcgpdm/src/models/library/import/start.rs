@@ -55,6 +55,6 @@ pub(super) fn starting_trainer(
     let objective = Objective::of_movements(y, repertoire, library.jitter).under(outputs);
     let phases = schedule(request.max_iterations);
     let mut trainer = VariationalTrainer::from_start(objective, start, phases, &settings, request.seed)?;
-    trainer.hold(&fixed);
+    trainer.fix_parameters(&fixed);
     Ok(trainer)
 }

@@ -76,7 +76,7 @@ fn an_import_adds_a_primitive_and_keeps_the_host_unchanged() {
         assert_eq!(origin.training.objective, trainer.progress().best);
         // The stored evidence gives the mean of the outputs.
         for expert in &new.experts {
-            let evidence = expert.elsewhere.as_ref().unwrap();
+            let evidence = expert.external.as_ref().unwrap();
             let a = expert.fitted.k() + &evidence.precision;
             let mean = expert.fitted.k() * a.try_inverse().unwrap() * &evidence.b;
             approx::assert_relative_eq!(mean, *expert.fitted.mean(), epsilon = 1e-5);
@@ -96,7 +96,7 @@ fn a_movement_of_new_primitives_alone_keeps_its_rows() {
     let movement = &library.library.movements[1];
     assert_eq!(movement.uses, [2, 3]);
     assert!(movement.sums.is_some());
-    assert!(library.library.primitives[2].experts.iter().all(|expert| expert.elsewhere.is_none()));
+    assert!(library.library.primitives[2].experts.iter().all(|expert| expert.external.is_none()));
     // Experts inferred again from the rows are those that were learned.
     let model = library.movement(1).unwrap();
     let model = model.coupled().unwrap().model;

@@ -154,18 +154,18 @@ impl ImportTrainer {
             let latent = best.parts[i].latents.mean.ncols();
             // From all rows, and from those that are in no movement of the new library.
             let height = offsets[offsets.len() - 1];
-            let (mut all, mut elsewhere) =
+            let (mut all, mut external) =
                 (Information::zeros(height, latent), Information::zeros(height, latent));
             for ((movement, alpha), sums) in self.movements.iter().zip(&best.alpha).zip(&sums) {
                 let places: Vec<_> = movement.uses.iter().map(|a| offsets[*a]..offsets[*a + 1]).collect();
                 all.add(&sums[i], alpha.column(i).as_slice(), &places);
                 if !whole(movement) {
-                    elsewhere.add(&sums[i], alpha.column(i).as_slice(), &places);
+                    external.add(&sums[i], alpha.column(i).as_slice(), &places);
                 }
             }
             let fixed = self.host.library.fixed_dynamics_outputs(i, &self.companions)?;
             let fixed = fixed.coefficients();
-            let (all, elsewhere) = (all.given_first(fixed), elsewhere.given_first(fixed));
+            let (all, external) = (all.given_first(fixed), external.given_first(fixed));
             let jitter = self.host.library.jitter;
             let new = best.experts[self.companions.len()..].iter().map(|row| &row[i]);
             let blocks: Vec<_> = new.clone().map(|e| e.kernel.inducing_covariance(&e.z, jitter)).collect();
@@ -184,7 +184,7 @@ impl ImportTrainer {
                 into.push(LibraryExpert {
                     fitted: FittedExpert::new(expert.z.clone(), expert.kernel.clone(), mean, jitter)?,
                     covariance: symmetric(covariance.view((at, at), (points, points)).into_owned()),
-                    elsewhere: elsewhere.marginal(&used, &others, || k.clone())?.nonzero(),
+                    external: external.marginal(&used, &others, || k.clone())?.nonzero(),
                 });
             }
         }

@@ -2,7 +2,7 @@ use super::*;
 use crate::models::training::parameters::{BETA, Kind, MU};
 use crate::models::training::progress::Setbacks;
 
-/// Two free parameters and a positive one.
+/// Two unbounded parameters and a positive one.
 #[derive(Clone)]
 struct Three {
     free: Vec<f64>,
@@ -21,8 +21,8 @@ impl Parameters for Three {
     }
 }
 
-/// Minus Rosenbrock's function of the free parameters and minus the square of how far the positive one is
-/// from 1/2; some evaluations, counted from 0, fail.
+/// Minus Rosenbrock's function of the free parameters, minus (p - 1/2)^2 for the positive parameter p. The
+/// evaluations `fails`, counted from 0, fail.
 struct Valley {
     fails: std::ops::Range<usize>,
     computed: usize,
@@ -71,7 +71,7 @@ fn end(mut search: Ascent<Valley>) -> (Three, Option<SearchEnd>) {
 }
 
 #[test]
-fn the_optimum_is_found_in_the_parameters_own_units() {
+fn finds_the_maximum() {
     let (best, reason) = end(search(0..0));
     assert!((best.free[0] - 1.0).abs() < 1e-4 && (best.free[1] - 1.0).abs() < 1e-4, "{:?}", best.free);
     assert!((best.positive[0] - 0.5).abs() < 1e-4, "{:?}", best.positive);
@@ -79,7 +79,7 @@ fn the_optimum_is_found_in_the_parameters_own_units() {
 }
 
 #[test]
-fn points_that_cannot_be_computed_are_turned_back_from() {
+fn turns_back_from_points_that_fail() {
     let mut ascent = search(12..21);
     while ascent.reason().is_none() {
         ascent.step();
@@ -88,6 +88,6 @@ fn points_that_cannot_be_computed_are_turned_back_from() {
     let best = search.best_parameters();
     assert!((best.free[0] - 1.0).abs() < 1e-4, "{:?}", best.free);
     assert_eq!(ascent.reason(), Some(SearchEnd::Settled));
-    // The first of all evaluations was made before the search.
+    // The search itself makes no evaluation at its start.
     assert_eq!(search.setbacks, Setbacks { jittered: 0, turned_back: 9 });
 }

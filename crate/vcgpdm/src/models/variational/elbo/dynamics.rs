@@ -1,14 +1,13 @@
-//! The dynamics into one part: the bound of all primitives' experts about it, stacked, over the rows of all
-//! movements.
+//! The dynamics into one part: the bound of the stacked experts of all primitives about it, over the rows of
+//! all movements.
 //!
-//! The inducing outputs of an expert are one set of random numbers, seen through the rows of every movement
-//! that uses it. Movements differ in their noise alpha^i, so their statistics are pooled in units of the
-//! noise n of the first one: with shares n / n_m,
+//! All movements that use an expert share its inducing outputs. Movements differ in their noise alpha^i, so
+//! their statistics are pooled in units of the noise n of the first movement: with shares n / n_m,
 //!
 //! F = F( n, sum_m (n / n_m) (Psi2_m, b_m, psi0_m, c2_m) ) - C/2 sum_m R_m log(n_m / n)
 //!
-//! is the collapsed bound of A = K + sum_m Psi2_m / n_m. An expert that no movement uses adds exactly
-//! nothing.
+//! is the collapsed bound of A = K + sum_m Psi2_m / n_m. An expert that no movement uses adds
+//! exactly 0.
 
 use crate::elementary::Elementary;
 use crate::gp::bound::{InducingPosterior, SparseGp};
@@ -16,21 +15,21 @@ use crate::gp::outputs::Outputs;
 use crate::gp::psi::{PairWorkspace, Purpose};
 use crate::gp::stored_outputs::StoredOutputs;
 use crate::gp::{Gaussians, NumericsError};
-use crate::models::variational::elbo::expert_room::ExpertRoom;
+use crate::models::variational::elbo::expert_covariance::ExpertCovariance;
 use crate::models::variational::elbo::objective::Objective;
 use crate::models::variational::elbo::rows::MovementRows;
 #[cfg(feature = "threads")]
-use crate::models::variational::elbo::rows::SourceRoom;
+use crate::models::variational::elbo::rows::SourceStatistics;
 use crate::models::variational::elbo::sums::{DynamicsSums, stack_offsets};
 use crate::models::variational::params::Params;
 use nalgebra::DMatrix;
 
-/// What the bound of the dynamics into one target is made of, with the room for it and its adjoints.
+/// The statistics of the dynamics into one target, with memory for their bound and adjoints.
 pub struct Dynamics {
     target: usize,
-    /// Where each primitive's expert starts in the stack.
+    /// The place in the stack where the expert of each primitive starts.
     offsets: Vec<usize>,
-    experts: Vec<ExpertRoom>,
+    experts: Vec<ExpertCovariance>,
     movements: Vec<MovementRows>,
     k: DMatrix<f64>,
     psi2: DMatrix<f64>,
@@ -40,22 +39,22 @@ pub struct Dynamics {
     outputs: Outputs,
 }
 
-/// What a source part says about the target in the rows of all movements, to be pulled back beside those of
-/// other parts.
+/// The experts and rows of one source part for one target in all movements; different source parts can be
+/// pulled back at the same time.
 #[cfg(feature = "threads")]
 pub struct SourceRows<'a> {
     target: usize,
     /// The experts of the part's primitives, by primitive.
-    experts: Vec<(usize, &'a mut ExpertRoom)>,
-    /// Of each movement.
-    rows: Vec<(&'a mut SourceRoom, &'a mut PairWorkspace)>,
+    experts: Vec<(usize, &'a mut ExpertCovariance)>,
+    /// One for each movement.
+    rows: Vec<(&'a mut SourceStatistics, &'a mut PairWorkspace)>,
 }
 
 impl Dynamics {
     pub fn new(objective: &Objective, params: &Params, target: usize) -> Self {
         let latent = params.parts[target].latents.mean.ncols();
         let shapes = || params.experts.iter().map(|row| row[target].z.shape());
-        let experts = shapes().map(|(ips, dims)| ExpertRoom::new(ips, dims));
+        let experts = shapes().map(|(ips, dims)| ExpertCovariance::new(ips, dims));
         let offsets = stack_offsets(shapes().map(|(ips, _)| ips));
         let total = offsets[offsets.len() - 1];
         let movements = 0..objective.repertoire.movements().len();
@@ -74,27 +73,28 @@ impl Dynamics {
         }
     }
 
-    /// n, the noise that the others are counted in.
+    /// n, the unit of the noises of all movements.
     fn noise(&self) -> f64 {
         self.movements.first().map_or(1.0, |rows| rows.noise)
     }
 
-    /// The statistics of all movements, pooled. `histories` and `rooms` hold one for each movement and part.
+    /// Computes the statistics of all movements and pools them. `histories` and `workspaces` have one entry
+    /// for each movement and part.
     pub fn compute(
         &mut self,
         objective: &Objective,
         params: &Params,
         histories: &[Vec<Gaussians>],
         purpose: Purpose,
-        rooms: &mut [Vec<PairWorkspace>],
+        workspaces: &mut [Vec<PairWorkspace>],
     ) {
-        for ((room, row), at) in self.experts.iter_mut().zip(&params.experts).zip(&self.offsets) {
+        for ((covariance, row), at) in self.experts.iter_mut().zip(&params.experts).zip(&self.offsets) {
             let expert = &row[self.target];
-            expert.kernel.inducing_covariance_into(&expert.z, objective.jitter, &mut room.k);
-            self.k.view_mut((*at, *at), room.k.shape()).copy_from(&room.k);
+            expert.kernel.inducing_covariance_into(&expert.z, objective.jitter, &mut covariance.k);
+            self.k.view_mut((*at, *at), covariance.k.shape()).copy_from(&covariance.k);
         }
-        for ((rows, histories), rooms) in self.movements.iter_mut().zip(histories).zip(rooms) {
-            rows.compute(objective, params, histories, purpose, rooms);
+        for ((rows, histories), workspaces) in self.movements.iter_mut().zip(histories).zip(workspaces) {
+            rows.compute(objective, params, histories, purpose, workspaces);
         }
         self.psi2.fill(0.0);
         self.b.fill(0.0);
@@ -108,7 +108,7 @@ impl Dynamics {
         }
     }
 
-    /// The pooled process, and the place where its bound is computed, apart.
+    /// The pooled process and its inducing outputs, borrowed separately.
     fn gp(&mut self) -> (SparseGp<'_>, &mut Outputs) {
         let gp = SparseGp {
             noise: self.noise(),
@@ -140,26 +140,26 @@ impl Dynamics {
         self.gp().0.posterior()
     }
 
-    /// The best inducing outputs of the stacked experts, to be kept.
+    /// The optimal inducing outputs of the stacked experts, to be stored.
     pub fn stored(&mut self) -> Result<StoredOutputs, NumericsError> {
         StoredOutputs::best(&self.gp().0)
     }
 
-    /// What q(u) is computed from, movement by movement.
+    /// The sums of each movement from which q(u) is computed.
     pub fn into_sums(self) -> impl Iterator<Item = DynamicsSums> {
         self.movements.into_iter().map(|rows| rows.sums)
     }
 
-    /// The bound, in nats; what its gradient is made of stays here for [`pull_back`](Self::pull_back) and
-    /// [`add_gradient`](Self::add_gradient).
+    /// The bound, in nats. [`pull_back`](Self::pull_back) and [`add_gradient`](Self::add_gradient) then add
+    /// its gradient.
     pub fn adjoint(&mut self, objective: &Objective, params: &Params) -> Result<f64, NumericsError> {
         let (gp, outputs) = self.gp();
         let bound = outputs.bound_and_adjoint(&gp)? + self.other_noises();
         let (noise, columns) = (self.noise(), self.b.ncols() as f64);
         let Self { target, offsets, experts, movements, outputs, .. } = self;
         let adjoint = outputs.adjoint();
-        for ((room, row), at) in experts.iter_mut().zip(&params.experts).zip(offsets.iter()) {
-            let ExpertRoom { k, k_adjoint, kernel_adjoint } = room;
+        for ((covariance, row), at) in experts.iter_mut().zip(&params.experts).zip(offsets.iter()) {
+            let ExpertCovariance { k, k_adjoint, kernel_adjoint } = covariance;
             let expert = &row[*target];
             k_adjoint.copy_from(&adjoint.k.view((*at, *at), k.shape()));
             kernel_adjoint.set_zero();
@@ -171,11 +171,11 @@ impl Dynamics {
                 kernel_adjoint,
             );
         }
-        // The first noise counts for its own rows, and as the unit of all others.
+        // The first noise is that of its own rows, and the unit of all others.
         let mut first_noise = adjoint.noise;
         for rows in movements.iter().skip(1) {
-            let lost = 0.5 * columns * rows.count() as f64 / noise;
-            first_noise += rows.share_adjoint(adjoint) / rows.noise + lost;
+            let unit_adjoint = 0.5 * columns * rows.count() as f64 / noise;
+            first_noise += rows.share_adjoint(adjoint) / rows.noise + unit_adjoint;
         }
         for (m, rows) in movements.iter_mut().enumerate() {
             let share = noise / rows.noise;
@@ -190,66 +190,68 @@ impl Dynamics {
         Ok(bound)
     }
 
-    /// Adds the gradient with respect to the histories of all movements and parts to `into`; that with
-    /// respect to the experts stays here. `rooms` are as [`compute`](Self::compute) left them.
+    /// Adds the gradient with respect to the histories of all movements and parts to `into`. That with
+    /// respect to the experts is added by [`add_gradient`](Self::add_gradient). `workspaces` are those of
+    /// [`compute`](Self::compute).
     pub fn pull_back(
         &mut self,
         params: &Params,
         histories: &[Vec<Gaussians>],
-        rooms: &mut [Vec<PairWorkspace>],
+        workspaces: &mut [Vec<PairWorkspace>],
         into: &mut [Vec<Gaussians>],
     ) {
-        let places = histories.iter().zip(rooms).zip(into);
-        for (rows, ((histories, rooms), into)) in self.movements.iter_mut().zip(places) {
-            for (((source, histories), room), into) in rows.sources_mut().zip(histories).zip(rooms).zip(into)
+        let places = histories.iter().zip(workspaces).zip(into);
+        for (rows, ((histories, workspaces), into)) in self.movements.iter_mut().zip(places) {
+            for (((source, histories), workspace), into) in
+                rows.sources_mut().zip(histories).zip(workspaces).zip(into)
             {
                 let expert = &params.experts[source.primitive][self.target];
                 let kernel = &mut self.experts[source.primitive].kernel_adjoint;
-                source.pull_back(histories, expert, room, into, kernel);
+                source.pull_back(histories, expert, workspace, into, kernel);
             }
         }
     }
 
-    /// The parts as sources, each of which [`SourceRows::pull_back`] pulls back as
-    /// [`pull_back`](Self::pull_back) does all.
+    /// The source parts, each with its own [`SourceRows::pull_back`]; together they do the same as
+    /// [`pull_back`](Self::pull_back).
     #[cfg(feature = "threads")]
     pub fn by_source<'a>(
         &'a mut self,
         objective: &Objective,
-        rooms: &'a mut [Vec<PairWorkspace>],
+        workspaces: &'a mut [Vec<PairWorkspace>],
     ) -> Vec<SourceRows<'a>> {
         let target = self.target;
-        let parts = rooms.first().map_or(0, Vec::len);
+        let parts = workspaces.first().map_or(0, Vec::len);
         let empty = |_| SourceRows { target, experts: Vec::new(), rows: Vec::new() };
         let mut sources: Vec<SourceRows> = (0..parts).map(empty).collect();
         let primitives = objective.repertoire.primitives().iter().zip(&mut self.experts);
-        for (primitive, (part, room)) in primitives.enumerate() {
-            sources[*part].experts.push((primitive, room));
+        for (primitive, (part, covariance)) in primitives.enumerate() {
+            sources[*part].experts.push((primitive, covariance));
         }
-        for (rows, rooms) in self.movements.iter_mut().zip(rooms) {
-            for ((source, room), into) in rows.sources_mut().zip(rooms).zip(&mut sources) {
-                into.rows.push((source, room));
+        for (rows, workspaces) in self.movements.iter_mut().zip(workspaces) {
+            for ((source, workspace), into) in rows.sources_mut().zip(workspaces).zip(&mut sources) {
+                into.rows.push((source, workspace));
             }
         }
         sources
     }
 
-    /// Adds what is left of the gradient: with respect to experts, targets and couplings.
+    /// Adds the rest of the gradient: with respect to experts, targets and couplings.
     pub fn add_gradient(&self, objective: &Objective, params: &Params, gradient: &mut Params) {
         for rows in &self.movements {
             rows.add_gradient(objective, params, gradient);
         }
-        for (room, row) in self.experts.iter().zip(&mut gradient.experts) {
+        for (covariance, row) in self.experts.iter().zip(&mut gradient.experts) {
             let into = &mut row[self.target];
-            room.kernel_adjoint.add_to(&mut into.z, &mut into.kernel);
+            covariance.kernel_adjoint.add_to(&mut into.z, &mut into.kernel);
         }
     }
 }
 
 #[cfg(feature = "threads")]
 impl SourceRows<'_> {
-    /// Adds the gradient with respect to the histories of this part in all movements to `into`; that with
-    /// respect to the experts stays where it is kept.
+    /// Adds the gradient with respect to the histories of this part in all movements to `into`, and stores
+    /// that with respect to its experts.
     pub fn pull_back(
         &mut self,
         params: &Params,
@@ -257,11 +259,11 @@ impl SourceRows<'_> {
         histories: &[Vec<Gaussians>],
         into: &mut [&mut Gaussians],
     ) {
-        for (((source, room), histories), into) in self.rows.iter_mut().zip(histories).zip(into) {
+        for (((source, workspace), histories), into) in self.rows.iter_mut().zip(histories).zip(into) {
             let expert = &params.experts[source.primitive][self.target];
             let own = self.experts.iter_mut().find(|(primitive, _)| *primitive == source.primitive);
-            if let Some((_, ExpertRoom { kernel_adjoint, .. })) = own {
-                source.pull_back(&histories[part], expert, room, into, kernel_adjoint);
+            if let Some((_, ExpertCovariance { kernel_adjoint, .. })) = own {
+                source.pull_back(&histories[part], expert, workspace, into, kernel_adjoint);
             }
         }
     }

@@ -11,7 +11,7 @@ use crate::models::variational::elbo::objective::Objective;
 use crate::models::variational::params::{Params, PartParams};
 use nalgebra::DMatrix;
 
-/// What the bound of a part's pose map is made of, with the room for it and its adjoints.
+/// The statistics of the pose map of one part, with memory for its bound and adjoints.
 pub struct Kinematics {
     k: DMatrix<f64>,
     statistics: PsiStatistics,
@@ -40,23 +40,23 @@ impl Kinematics {
         }
     }
 
-    /// The statistics of part i.
+    /// Computes the statistics of part i.
     pub fn compute(
         &mut self,
         objective: &Objective,
         params: &Params,
         i: usize,
         purpose: Purpose,
-        room: &mut PairWorkspace,
+        workspace: &mut PairWorkspace,
     ) {
         let part = &params.parts[i];
         part.kernel.inducing_covariance_into(&part.r, objective.jitter, &mut self.k);
-        self.statistics.compute(&part.latents, &part.r, &part.kernel, purpose, room);
+        self.statistics.compute(&part.latents, &part.r, &part.kernel, purpose, workspace);
         self.b.fill(0.0);
         add_tr_product(&self.statistics.psi1, &objective.y[i], &mut self.b);
     }
 
-    /// The process, and the place where its bound is computed, apart.
+    /// The process and its inducing outputs, borrowed separately.
     fn gp(&mut self, objective: &Objective, params: &Params, i: usize) -> (SparseGp<'_>, &mut Outputs) {
         let gp = SparseGp {
             k: &self.k,
@@ -91,7 +91,7 @@ impl Kinematics {
         self.statistics.psi2
     }
 
-    /// The best inducing outputs of the pose map, to be kept.
+    /// The optimal inducing outputs of the pose map, to be stored.
     pub fn stored(
         &mut self,
         objective: &Objective,
@@ -101,7 +101,7 @@ impl Kinematics {
         StoredOutputs::best(&self.gp(objective, params, i).0)
     }
 
-    /// The bound, in nats; what its gradient is made of stays here for [`pull_back`](Self::pull_back).
+    /// The bound, in nats. [`pull_back`](Self::pull_back) then adds its gradient.
     pub fn adjoint(
         &mut self,
         objective: &Objective,
@@ -120,14 +120,14 @@ impl Kinematics {
         Ok(bound)
     }
 
-    /// Adds the gradient of the bound to `into`, that of the `part`; `room` is as [`compute`](Self::compute)
-    /// left it.
-    pub fn pull_back(&mut self, part: &PartParams, room: &mut PairWorkspace, into: &mut PartParams) {
+    /// Adds the gradient of the bound to `into`, that of the `part`; `workspace` is as
+    /// [`compute`](Self::compute) left it.
+    pub fn pull_back(&mut self, part: &PartParams, workspace: &mut PairWorkspace, into: &mut PartParams) {
         let (adjoint, kernel) = (self.outputs.adjoint(), &mut self.kernel_adjoint);
         into.beta += adjoint.noise;
         let psi = PsiAdjoint { psi0: adjoint.psi0, psi1: &self.psi1_adjoint, psi2: &adjoint.psi2 };
         let inputs = (&part.latents, &part.r, &part.kernel);
-        self.statistics.pull_back(inputs, &psi, room, &mut into.latents, kernel);
+        self.statistics.pull_back(inputs, &psi, workspace, &mut into.latents, kernel);
         kernel.add_to(&mut into.r, &mut into.kernel);
     }
 }

@@ -1,17 +1,17 @@
 //! The evidence lower bound of the vCGPDM and its gradient (Velychko et al. 2018, appendix C).
 //!
 //! ELBO = sum_i kinematics_i + sum_i dynamics_i + initial + entropy. Each GP term is the collapsed bound of
-//! [`crate::gp::bound`] fed with the statistics of [`crate::gp::psi`]; the gradient is the same path walked
-//! backwards.
+//! [`crate::gp::bound`] fed with the statistics of [`crate::gp::psi`]; the gradient is the backward pass
+//! through both.
 
 mod dynamics;
-mod expert_room;
-#[cfg(feature = "threads")]
-mod in_threads;
+mod expert_covariance;
 mod kinematics;
 mod objective;
 mod rows;
 mod sums;
+#[cfg(feature = "threads")]
+mod threads;
 
 use crate::elementary::Elementary;
 use crate::gp::bound::InducingPosterior;
@@ -54,57 +54,57 @@ pub struct Posteriors {
     pub kinematics: Vec<InducingPosterior>,
     /// q(u) into each target, the experts of all primitives stacked in order `[M]`.
     pub dynamics: Vec<InducingPosterior>,
-    /// What q(u) was computed from, `sums[movement][target]`, the movement's own primitives stacked in order
-    /// of their parts.
+    /// The sums from which q(u) was computed, `sums[movement][target]`, the primitives of the movement
+    /// stacked in the order of their parts.
     pub sums: Vec<Vec<DynamicsSums>>,
     /// Sum over rows of psi2 of each pose map [L_i x L_i] `[M]`, from which q(v) was computed.
     pub pose_sums: Vec<DMatrix<f64>>,
 }
 
-/// Room for the bound and its gradient, to be used again and again: an evaluation then allocates nothing.
+/// Memory for the bound and its gradient: an evaluation allocates nothing.
 pub struct Workspace {
     terms: BoundTerms,
     gradient: Params,
-    /// Of each movement and part.
+    /// The histories of each movement and part.
     histories: Vec<Vec<Gaussians>>,
     histories_adjoint: Vec<Vec<Gaussians>>,
     kinematics: Vec<Kinematics>,
     dynamics: Vec<Dynamics>,
-    /// Those of one part, one after the other; for several threads those of each.
-    rooms: Vec<PairRooms>,
+    /// One for all parts in turn; with several threads one for each part.
+    workspaces: Vec<PairWorkspaces>,
     #[cfg(feature = "threads")]
     threads: usize,
 }
 
-/// Room for psi2's summands of one part's maps.
-struct PairRooms {
+/// Memory for the terms of psi2 of the maps of one part.
+struct PairWorkspaces {
     pose: PairWorkspace,
-    /// Of each movement and source.
+    /// One for each movement and source.
     dynamics: Vec<Vec<PairWorkspace>>,
 }
 
-impl PairRooms {
+impl PairWorkspaces {
     fn new(movements: usize, sources: usize) -> Self {
-        let of_movement = || (0..sources).map(|_| PairWorkspace::default()).collect();
-        Self { pose: PairWorkspace::default(), dynamics: (0..movements).map(|_| of_movement()).collect() }
+        let for_sources = || (0..sources).map(|_| PairWorkspace::default()).collect();
+        Self { pose: PairWorkspace::default(), dynamics: (0..movements).map(|_| for_sources()).collect() }
     }
 }
 
 impl Workspace {
-    /// The terms of the bound that was computed last.
+    /// The terms of the last bound.
     pub fn terms(&self) -> &BoundTerms {
         &self.terms
     }
 
-    /// The gradient that was computed last, with respect to the natural parameters. Entries for the signal
-    /// variances of the dynamics kernels are given, though those are held at 1.
+    /// The last gradient, with respect to the natural parameters. It has entries for the signal variances of
+    /// the dynamics kernels, though these are fixed at 1.
     pub fn gradient(&self) -> &Params {
         &self.gradient
     }
 }
 
 impl Objective {
-    /// Room to compute the bound for parameters of the shapes of `params`.
+    /// Memory for the bound of parameters with the shapes of `params`.
     pub fn workspace(&self, params: &Params) -> Workspace {
         let movements = || self.repertoire.movements().iter();
         let histories = |rows: usize| {
@@ -125,31 +125,32 @@ impl Objective {
             histories_adjoint: histories(),
             kinematics: (0..m).map(|i| Kinematics::new(self, params, i)).collect(),
             dynamics: (0..m).map(|i| Dynamics::new(self, params, i)).collect(),
-            rooms: vec![PairRooms::new(movements().len(), m)],
+            workspaces: vec![PairWorkspaces::new(movements().len(), m)],
             #[cfg(feature = "threads")]
             threads: 1,
         }
     }
 
-    /// Computes the terms of the bound at `params`; they stay in the workspace.
+    /// Computes the terms of the bound at `params`, then [`Workspace::terms`].
     ///
     /// # Errors
     ///
     /// When a covariance cannot be factorised, or the bound is not finite.
     pub fn compute(&self, params: &Params, workspace: &mut Workspace) -> Result<(), NumericsError> {
-        let Workspace { terms, histories, kinematics, dynamics, rooms, .. } = workspace;
-        let PairRooms { pose: pose_room, dynamics: rooms } = &mut rooms[0];
+        let Workspace { terms, histories, kinematics, dynamics, workspaces, .. } = workspace;
+        let PairWorkspaces { pose: pose_workspace, dynamics: workspaces } = &mut workspaces[0];
         self.begin(params, histories, terms);
         for (i, (kinematics, dynamics)) in kinematics.iter_mut().zip(dynamics).enumerate() {
-            kinematics.compute(self, params, i, Purpose::Value, pose_room);
+            kinematics.compute(self, params, i, Purpose::Value, pose_workspace);
             terms.kinematics[i] = kinematics.bound(self, params, i)?;
-            dynamics.compute(self, params, histories, Purpose::Value, rooms);
+            dynamics.compute(self, params, histories, Purpose::Value, workspaces);
             terms.dynamics[i] = dynamics.bound()?;
         }
         finite(terms)
     }
 
-    /// Computes the terms of the bound at `params` and the gradient of their sum; they stay in the workspace.
+    /// Computes the terms of the bound at `params` and the gradient of their sum, then [`Workspace::terms`]
+    /// and [`Workspace::gradient`].
     ///
     /// # Errors
     ///
@@ -173,22 +174,24 @@ impl Objective {
         finite(terms)
     }
 
-    /// The terms of all maps; their gradient is added, but that with respect to the histories stays apart.
+    /// Computes the terms of all maps and adds their gradient; that with respect to the histories is
+    /// separate.
     fn add_maps(&self, params: &Params, workspace: &mut Workspace) -> Result<(), NumericsError> {
         #[cfg(feature = "threads")]
         if workspace.threads > 1 {
             return self.add_maps_in_threads(params, workspace);
         }
-        let Workspace { terms, gradient, histories, histories_adjoint, kinematics, dynamics, rooms, .. } =
-            workspace;
-        let PairRooms { pose: pose_room, dynamics: rooms } = &mut rooms[0];
+        let Workspace {
+            terms, gradient, histories, histories_adjoint, kinematics, dynamics, workspaces, ..
+        } = workspace;
+        let PairWorkspaces { pose: pose_workspace, dynamics: workspaces } = &mut workspaces[0];
         for (i, (kinematics, dynamics)) in kinematics.iter_mut().zip(dynamics).enumerate() {
-            kinematics.compute(self, params, i, Purpose::Gradient, pose_room);
+            kinematics.compute(self, params, i, Purpose::Gradient, pose_workspace);
             terms.kinematics[i] = kinematics.adjoint(self, params, i)?;
-            kinematics.pull_back(&params.parts[i], pose_room, &mut gradient.parts[i]);
-            dynamics.compute(self, params, histories, Purpose::Gradient, rooms);
+            kinematics.pull_back(&params.parts[i], pose_workspace, &mut gradient.parts[i]);
+            dynamics.compute(self, params, histories, Purpose::Gradient, workspaces);
             terms.dynamics[i] = dynamics.adjoint(self, params)?;
-            dynamics.pull_back(params, histories, rooms, histories_adjoint);
+            dynamics.pull_back(params, histories, workspaces, histories_adjoint);
             dynamics.add_gradient(self, params, gradient);
         }
         Ok(())
@@ -222,9 +225,9 @@ impl Objective {
     ///
     /// When a covariance cannot be factorised.
     pub fn posteriors(&self, params: &Params) -> Result<Posteriors, NumericsError> {
-        let Workspace { mut terms, mut histories, kinematics, dynamics, mut rooms, .. } =
+        let Workspace { mut terms, mut histories, kinematics, dynamics, mut workspaces, .. } =
             self.workspace(params);
-        let PairRooms { pose: pose_room, dynamics: rooms } = &mut rooms[0];
+        let PairWorkspaces { pose: pose_workspace, dynamics: workspaces } = &mut workspaces[0];
         let movements = self.repertoire.movements().len();
         self.begin(params, &mut histories, &mut terms);
         let mut out = Posteriors {
@@ -234,40 +237,40 @@ impl Objective {
             pose_sums: Vec::new(),
         };
         for (i, (mut kinematics, mut dynamics)) in kinematics.into_iter().zip(dynamics).enumerate() {
-            kinematics.compute(self, params, i, Purpose::Value, pose_room);
+            kinematics.compute(self, params, i, Purpose::Value, pose_workspace);
             out.kinematics.push(kinematics.posterior(self, params, i)?);
             out.pose_sums.push(kinematics.into_psi2());
-            dynamics.compute(self, params, &histories, Purpose::Value, rooms);
+            dynamics.compute(self, params, &histories, Purpose::Value, workspaces);
             out.dynamics.push(dynamics.posterior()?);
-            for (of_movement, sums) in out.sums.iter_mut().zip(dynamics.into_sums()) {
-                of_movement.push(sums);
+            for (movement_sums, sums) in out.sums.iter_mut().zip(dynamics.into_sums()) {
+                movement_sums.push(sums);
             }
         }
         Ok(out)
     }
 
-    /// The best inducing outputs of all maps at `params`, to be kept for other movements: see
+    /// The optimal inducing outputs of all maps at `params`, for the bound of other movements: see
     /// [`under`](Self::under).
     ///
     /// # Errors
     ///
     /// When a covariance cannot be factorised.
     pub fn stored(&self, params: &Params) -> Result<StoredMaps, NumericsError> {
-        let Workspace { mut terms, mut histories, kinematics, dynamics, mut rooms, .. } =
+        let Workspace { mut terms, mut histories, kinematics, dynamics, mut workspaces, .. } =
             self.workspace(params);
-        let PairRooms { pose: pose_room, dynamics: rooms } = &mut rooms[0];
+        let PairWorkspaces { pose: pose_workspace, dynamics: workspaces } = &mut workspaces[0];
         self.begin(params, &mut histories, &mut terms);
         let mut out = StoredMaps { kinematics: Vec::new(), dynamics: Vec::new() };
         for (i, (mut kinematics, mut dynamics)) in kinematics.into_iter().zip(dynamics).enumerate() {
-            kinematics.compute(self, params, i, Purpose::Value, pose_room);
+            kinematics.compute(self, params, i, Purpose::Value, pose_workspace);
             out.kinematics.push(kinematics.stored(self, params, i)?);
-            dynamics.compute(self, params, &histories, Purpose::Value, rooms);
+            dynamics.compute(self, params, &histories, Purpose::Value, workspaces);
             out.dynamics.push(dynamics.stored()?);
         }
         Ok(out)
     }
 
-    /// The histories, and the terms that need no GP: the prior of the initial states and the entropy.
+    /// Computes the histories and the terms without a GP: the prior of the initial states and the entropy.
     fn begin(&self, params: &Params, histories: &mut [Vec<Gaussians>], terms: &mut BoundTerms) {
         for (movement, histories) in self.repertoire.movements().iter().zip(histories) {
             for (part, histories) in params.parts.iter().zip(histories) {
@@ -287,7 +290,7 @@ impl Objective {
         }
     }
 
-    /// Adds the gradient of the terms that need no GP.
+    /// Adds the gradient of the terms without a GP.
     fn free_gradient(&self, params: &Params, gradient: &mut Params) {
         for (part, into) in params.parts.iter().zip(&mut gradient.parts) {
             let Gaussians { mean, variance } = &part.latents;
@@ -303,8 +306,8 @@ impl Objective {
     }
 }
 
-/// The sum of the logarithms of positive numbers: one logarithm for eight of them, where their product is a
-/// normal number.
+/// The sum of the logarithms of positive numbers. Eight numbers need one logarithm, that of their product, if
+/// this is a normal number.
 fn sum_of_logarithms(values: &DMatrix<f64>) -> f64 {
     let logarithm = |chunk: &[f64]| {
         let product: f64 = chunk.iter().product();

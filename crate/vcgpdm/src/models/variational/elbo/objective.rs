@@ -1,4 +1,4 @@
-//! What the bound is computed on.
+//! The data of the bound.
 
 use crate::gp::outputs::Outputs;
 use crate::gp::stored_outputs::StoredOutputs;
@@ -6,17 +6,17 @@ use crate::models::data::sequences::Sequences;
 use crate::models::variational::repertoire::Repertoire;
 use nalgebra::DMatrix;
 
-/// The inducing outputs of maps as they were learned before, for a bound in which they stay so.
+/// Stored inducing outputs of maps, for a bound in which they are fixed.
 #[derive(Clone, Debug)]
 pub struct StoredMaps {
     /// v of each part's pose map `[M]`.
     pub kinematics: Vec<StoredOutputs>,
-    /// u into each part, the experts of the first primitives stacked in order `[M]`; those of primitives
-    /// after them are not stored.
+    /// u into each part, the experts of the first primitives stacked in order `[M]`; those of the other
+    /// primitives are not stored.
     pub dynamics: Vec<StoredOutputs>,
 }
 
-/// What the bound is computed on: centred observations, and how they divide into sequences and movements.
+/// The data of the bound: centred observations, and their division into sequences and movements.
 #[derive(Clone, Debug)]
 pub struct Objective {
     pub(super) y: Vec<DMatrix<f64>>,
@@ -28,8 +28,8 @@ pub struct Objective {
 
 impl Objective {
     /// `y[i]` are the centred observations of part i [N x D_i]; `jitter` times its signal variance is added
-    /// to the diagonal of every inducing covariance. The matrices must have as many rows as the sequences
-    /// have frames.
+    /// to the diagonal of every inducing covariance. The matrices must have one row for each frame
+    /// of the sequences.
     pub fn new(y: Vec<DMatrix<f64>>, sequences: Sequences, jitter: f64) -> Self {
         let repertoire = Repertoire::plain(sequences, y.len());
         Self::of_movements(y, repertoire, jitter)
@@ -42,15 +42,13 @@ impl Objective {
         Self { y, second_moments, repertoire, jitter, stored: None }
     }
 
-    /// The same for maps whose inducing outputs are stored and stay as they are: the bound of new movements,
-    /// of which only latents and couplings are to be learned, and new primitives where there are more than
-    /// those that are stored.
+    /// The bound under fixed `stored` inducing outputs: that of new movements of stored primitives, of which
+    /// only latents and couplings are learned. Primitives that are not stored are learned too.
     pub fn under(self, stored: StoredMaps) -> Self {
         Self { stored: Some(stored), ..self }
     }
 
-    /// Room for the bound of one map with (points, columns) inducing outputs: the best ones, or those that
-    /// are stored.
+    /// Memory for the bound of one map with (points, columns) inducing outputs: stored or optimal ones.
     pub(super) fn outputs<'a>(
         &'a self,
         which: impl Fn(&'a StoredMaps) -> &'a StoredOutputs,

@@ -1,5 +1,5 @@
-//! What the rows of one movement say about the dynamics into one part, stacked over the sources and weighted
-//! by the couplings.
+//! The rows of one movement as data of the dynamics into one part: statistics of all sources, stacked and
+//! weighted by the couplings.
 
 use crate::gp::Gaussians;
 use crate::gp::bound::BoundAdjoint;
@@ -12,8 +12,8 @@ use crate::models::variational::elbo::sums::{DynamicsSums, stack_offsets};
 use crate::models::variational::params::{Expert, Params};
 use nalgebra::DMatrix;
 
-/// What belongs to one source: a part with the primitive that it uses.
-pub struct SourceRoom {
+/// The statistics of one source, a part with its primitive, and their adjoints.
+pub struct SourceStatistics {
     pub primitive: usize,
     statistics: PsiStatistics,
     /// dF/dpsi0.
@@ -25,12 +25,11 @@ pub struct SourceRoom {
     /// dF/db, weighted, and its transpose [K x Q], [Q x K].
     b: DMatrix<f64>,
     b_transposed: DMatrix<f64>,
-    /// With every source: a block off the diagonal of the stack [K_source x K].
+    /// For every source, a block off the diagonal of the stack [K_source x K].
     cross: Vec<DMatrix<f64>>,
 }
 
-/// The rows of one movement as data of the dynamics into one target, with the room for them and their
-/// adjoints.
+/// The rows of one movement as data of the dynamics into one target, with memory for statistics and adjoints.
 pub struct MovementRows {
     movement: usize,
     target: usize,
@@ -39,13 +38,13 @@ pub struct MovementRows {
     weights: Vec<f64>,
     /// dF/dw.
     weights_adjoint: Vec<f64>,
-    /// dF/dalpha^i apart from the weights.
+    /// dF/dalpha^i for fixed weights.
     noise_adjoint: f64,
-    /// Where each source starts in the stack of the movement's own sources.
+    /// The place where each source starts in the stack of this movement.
     offsets: Vec<usize>,
-    /// Where each source starts in the stack of all primitives.
+    /// The place where each source starts in the stack of all primitives.
     places: Vec<usize>,
-    sources: Vec<SourceRoom>,
+    sources: Vec<SourceStatistics>,
     target_mean: DMatrix<f64>,
     target_variance: DMatrix<f64>,
     /// c2.
@@ -59,7 +58,7 @@ pub struct MovementRows {
 }
 
 impl MovementRows {
-    /// `places` says where each primitive starts in the stack of all.
+    /// `places` are the places where the primitives start in the stack of all.
     pub fn new(
         objective: &Objective,
         params: &Params,
@@ -73,7 +72,7 @@ impl MovementRows {
         let experts = || in_use.uses().iter().map(|a| &params.experts[*a][target].z);
         let sources = in_use.uses().iter().zip(experts()).map(|(primitive, z)| {
             let (ips, dims) = z.shape();
-            SourceRoom {
+            SourceStatistics {
                 primitive: *primitive,
                 psi0_adjoint: 0.0,
                 statistics: PsiStatistics::new(rows, ips, dims),
@@ -112,14 +111,15 @@ impl MovementRows {
         self.target_mean.nrows()
     }
 
-    /// The statistics of all sources, stacked and weighted. `histories` and `rooms` hold one for each part.
+    /// Computes the statistics of all sources, stacks and weights them. `histories` and `workspaces` have one
+    /// entry for each part.
     pub fn compute(
         &mut self,
         objective: &Objective,
         params: &Params,
         histories: &[Gaussians],
         purpose: Purpose,
-        rooms: &mut [PairWorkspace],
+        workspaces: &mut [PairWorkspace],
     ) {
         let i = self.target;
         let movement = &objective.repertoire.movements()[self.movement];
@@ -133,7 +133,7 @@ impl MovementRows {
         for (j, primitive) in movement.uses().iter().enumerate() {
             let (before, rest) = self.sources.split_at_mut(j);
             let (source, expert) = (&mut rest[0], &params.experts[*primitive][i]);
-            source.statistics.compute(&histories[j], &expert.z, &expert.kernel, purpose, &mut rooms[j]);
+            source.statistics.compute(&histories[j], &expert.z, &expert.kernel, purpose, &mut workspaces[j]);
             let (at, shape) = (self.offsets[j], source.statistics.psi2.shape());
             self.sums.psi2.view_mut((at, at), shape).copy_from(&source.statistics.psi2);
             for (l, other) in before.iter().enumerate() {
@@ -169,7 +169,7 @@ impl MovementRows {
         }
     }
 
-    /// dF with respect to the share that these rows have in what is pooled, from the adjoint of the pool.
+    /// dF with respect to the share of these rows in the pooled statistics, from the adjoint of the pool.
     pub fn share_adjoint(&self, adjoint: &BoundAdjoint) -> f64 {
         let mut sum = adjoint.psi0 * self.psi0 + adjoint.second_moment * self.second_moment;
         for (j, place) in self.places.iter().enumerate() {
@@ -184,8 +184,8 @@ impl MovementRows {
         sum
     }
 
-    /// What the gradient of what the rows have a `share` in is made of, from the adjoint of the pool;
-    /// `noise_adjoint` is dF/dalpha^i apart from the weights. After [`compute`](Self::compute).
+    /// Computes the adjoints of these rows, whose share in the pool is `share`, from the `adjoint` of the
+    /// pool. `noise_adjoint` is dF/dalpha^i for fixed weights. After [`compute`](Self::compute).
     pub fn adjoint(&mut self, adjoint: &BoundAdjoint, share: f64, noise_adjoint: f64) {
         self.noise_adjoint = noise_adjoint;
         for j in 0..self.sources.len() {
@@ -213,7 +213,7 @@ impl MovementRows {
             source.psi2_adjoint.zip_apply(&own, |out, v| *out = share * w * w * v);
             self.weights_adjoint[j] = share * weight_adjoint;
         }
-        // From here on the targets hold their adjoint: every source has used them.
+        // All sources have used the targets: their memory now stores the adjoint.
         let second_moment = share * adjoint.second_moment;
         self.target_mean *= 2.0 * second_moment;
         for source in &self.sources {
@@ -223,7 +223,7 @@ impl MovementRows {
     }
 
     /// The sources in the order of their parts, to pull their adjoints back.
-    pub fn sources_mut(&mut self) -> impl Iterator<Item = &mut SourceRoom> {
+    pub fn sources_mut(&mut self) -> impl Iterator<Item = &mut SourceStatistics> {
         self.sources.iter_mut()
     }
 
@@ -245,18 +245,18 @@ impl MovementRows {
     }
 }
 
-impl SourceRoom {
+impl SourceStatistics {
     /// Adds the gradient with respect to the histories to `into` and with respect to the expert to `kernel`.
-    /// After [`MovementRows::adjoint`], with the room of [`MovementRows::compute`].
+    /// After [`MovementRows::adjoint`], with the `workspace` of [`MovementRows::compute`].
     pub fn pull_back(
         &mut self,
         histories: &Gaussians,
         expert: &Expert,
-        room: &mut PairWorkspace,
+        workspace: &mut PairWorkspace,
         into: &mut Gaussians,
         kernel: &mut KernelAdjoint,
     ) {
         let psi = PsiAdjoint { psi0: self.psi0_adjoint, psi1: &self.psi1_adjoint, psi2: &self.psi2_adjoint };
-        self.statistics.pull_back((histories, &expert.z, &expert.kernel), &psi, room, into, kernel);
+        self.statistics.pull_back((histories, &expert.z, &expert.kernel), &psi, workspace, into, kernel);
     }
 }

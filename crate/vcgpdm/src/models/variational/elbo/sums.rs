@@ -24,7 +24,7 @@ pub fn stack_offsets(sizes: impl Iterator<Item = usize>) -> Vec<usize> {
 }
 
 impl DynamicsSums {
-    /// Sums of no rows, of a stack of this `height` about Q_i = `latent` dimensions.
+    /// Sums of no rows, for a stack of this `height` and Q_i = `latent` dimensions.
     pub fn zeros(height: usize, latent: usize) -> Self {
         Self { psi2: DMatrix::zeros(height, height), psi1_mu: DMatrix::zeros(height, latent) }
     }
@@ -37,7 +37,7 @@ impl DynamicsSums {
         out
     }
 
-    /// As [`weighted`](Self::weighted), into matrices that are there.
+    /// Writes [`weighted`](Self::weighted) into existing matrices.
     pub(super) fn weighted_into(
         &self,
         weights: &[f64],

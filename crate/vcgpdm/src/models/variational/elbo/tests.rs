@@ -33,9 +33,8 @@ fn gradient_agrees_with_differences_in_every_block() {
 }
 
 #[test]
-fn an_expert_switched_off_leaves_the_others_alone() {
-    // With a huge alpha the second part's prediction about the first has no weight, so its inducing inputs do
-    // not matter.
+fn an_expert_without_weight_does_not_change_the_bound() {
+    // With a very large alpha the prediction of the second part about the first has no weight.
     let (mut params, objective) = random_case(1);
     params.alpha[0][(1, 0)] = 1e12;
     let before = objective.terms(&params).unwrap();

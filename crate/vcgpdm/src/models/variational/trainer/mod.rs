@@ -1,7 +1,6 @@
-//! Training one step at a time, with progress, so that it can be shown, and stopped at any time with the best
-//! kept.
+//! Training one step at a time, with progress. It can be stopped after any step; the best point is stored.
 
-mod reduced;
+mod reduction;
 
 use crate::gp::NumericsError;
 use crate::models::data::column_mapping::ColumnMapping;
@@ -21,7 +20,7 @@ use crate::models::variational::model::Vcgpdm;
 use crate::models::variational::params::Params;
 use crate::models::variational::repertoire::Repertoire;
 use crate::models::variational::start::starting_point_of;
-use crate::models::variational::trainer::reduced::reduced;
+use crate::models::variational::trainer::reduction::reduce_settings;
 use nalgebra::DMatrix;
 
 /// Added to the diagonal of every inducing covariance, times its signal variance.
@@ -29,7 +28,7 @@ const JITTER: f64 = 1e-6;
 /// Iterations before everything is optimised together, at most.
 const BLOCK_ITERATIONS: usize = 25;
 
-/// The bound and the room in which it is computed.
+/// The bound with the memory for computing it.
 struct Bound {
     objective: Objective,
     workspace: Workspace,
@@ -66,7 +65,7 @@ pub struct VariationalTrainer {
 
 impl VariationalTrainer {
     /// Ready to train on the centred observations `y` [N x D_i] of each part, stacked as the `lengths` of the
-    /// sequences say. The `seed` is that of everything random.
+    /// sequences say. `seed` determines everything random.
     ///
     /// # Errors
     ///
@@ -111,11 +110,11 @@ impl VariationalTrainer {
         settings: &VariationalSettings,
         seed: u32,
     ) -> Result<Self, TrainingError> {
-        let (allowed, notices) = reduced(settings, &repertoire, &y);
+        let (allowed, notices) = reduce_settings(settings, &repertoire, &y);
         let params = starting_point_of(&y, &repertoire, &allowed, seed);
         let phases = schedule(settings.max_iterations);
         let objective = Objective::of_movements(y, repertoire, JITTER);
-        // The settings stay as they were asked for: with the same data they are reduced to the same.
+        // The settings are stored as requested: the same data reduce them again in the same way.
         Ok(Self { notices, ..Self::from_start(objective, params, phases, settings, seed)? })
     }
 
@@ -132,7 +131,7 @@ impl VariationalTrainer {
         settings: &VariationalSettings,
         seed: u32,
     ) -> Result<Self, TrainingError> {
-        // Otherwise the document of the model could not be read again.
+        // A document with other settings could not be read.
         check_settings(settings)?;
         if phases.is_empty() {
             return Err(TrainingError::NoPhases);
@@ -146,16 +145,16 @@ impl VariationalTrainer {
         Ok(Self { ascent, settings: settings.clone(), seed, notices: Vec::new() })
     }
 
-    /// Before the first step: holds, in every phase, the parameters whose entries in `held` are not 0, such
-    /// as those of maps that were learned before. `held` has the shapes of the starting point.
-    pub(in crate::models) fn hold(&mut self, held: &Params) {
+    /// Before the first step: fixes, in every phase, the parameters whose entries in `fixed` are not 0, such
+    /// as those of stored maps. `fixed` has the shapes of the starting point.
+    pub(in crate::models) fn fix_parameters(&mut self, fixed: &Params) {
         let mut entries = Vec::new();
-        held.visit(&mut |_, values| entries.extend(values.iter().map(|v| *v != 0.0)));
+        fixed.visit(&mut |_, values| entries.extend(values.iter().map(|v| *v != 0.0)));
         self.ascent.fix(entries);
     }
 
-    /// Computes bound and direction in so many threads from now on. The outcome is the same to the bit; it
-    /// takes more memory, and pays where there are thousands of frames or many inducing points.
+    /// Computes bound and direction in `threads` threads from now on. The result is the same to the last bit.
+    /// It takes more memory, and is faster with thousands of frames or many inducing points.
     #[cfg(feature = "threads")]
     pub fn use_threads(&mut self, threads: usize) {
         self.ascent.target_mut().workspace.use_threads(threads);
@@ -168,16 +167,16 @@ impl VariationalTrainer {
         self.progress()
     }
 
-    /// Allows so many more iterations, during training or after all are used: training goes on where it
-    /// stopped, with what the optimiser remembers. Where the first block of the `schedule` is as long for
-    /// the sum as for the first number, the outcome is, bit by bit, that of a training that was asked for the
-    /// sum. A bound that no longer rises stays where it is.
+    /// Allows `iterations` more iterations, during training or after its end: training goes on where it
+    /// stopped, with the pairs of the optimiser. The result is, to the last bit, that of a training with the
+    /// sum of both numbers, if the first phase of the `schedule` has the same length for both. A bound that
+    /// has settled does not change.
     pub fn extend(&mut self, iterations: usize) {
         self.ascent.extend(iterations);
         self.settings.max_iterations = self.ascent.max_iterations();
     }
 
-    /// How far training is.
+    /// The progress so far.
     pub fn progress(&self) -> Progress {
         let (ascent, search) = (&self.ascent, self.ascent.search());
         Progress {
@@ -198,22 +197,22 @@ impl VariationalTrainer {
         }
     }
 
-    /// What training was asked to do.
+    /// The settings of this training.
     pub fn settings(&self) -> &VariationalSettings {
         &self.settings
     }
 
-    /// What was asked for and is more than the data allow, in sentences without a full stop: it was reduced.
+    /// Settings that the data do not allow and that were reduced, as sentences without a full stop.
     pub fn notices(&self) -> &[String] {
         &self.notices
     }
 
-    /// The seed of everything random.
+    /// The seed, which determines everything random.
     pub fn seed(&self) -> u32 {
         self.seed
     }
 
-    /// How the best so far was made; `frames_per_second` is the rate that the data set was asked for.
+    /// The provenance of the best point so far; `frames_per_second` is the requested rate of the data set.
     pub fn provenance(&self, frames_per_second: f64) -> Provenance {
         let progress = self.progress();
         Provenance {
@@ -238,7 +237,7 @@ impl VariationalTrainer {
         self.ascent.search().best_parameters()
     }
 
-    /// What the bound is computed on.
+    /// The bound as a function of parameters.
     pub fn objective(&self) -> Objective {
         self.ascent.search().target.objective.clone()
     }
@@ -268,7 +267,7 @@ impl VariationalTrainer {
     }
 }
 
-/// What is optimised in a phase of the `schedule`.
+/// The name of a phase of the `schedule`.
 fn training_phase(phase: &Phase) -> TrainingPhase {
     if phase.groups.contains(&Group::Latents) {
         TrainingPhase::Everything
@@ -283,11 +282,10 @@ fn check_settings(settings: &VariationalSettings) -> Result<(), TrainingError> {
     in_range("the number of pose inducing points", settings.pose_ips, MOST_INDUCING)
 }
 
-/// First what the latents are explained with, while they stay at their principal components; then everything
-/// together.
+/// Two phases: first couplings, kernels and inducing points, with fixed latents; then everything.
 ///
-/// Without the first block more seeds end in a low bound on subject 7 (docs/training.md); with the authors'
-/// further blocks (latents alone, kernels alone, inducing points alone) all end lower, for many more
+/// Without the first phase more seeds end in a low bound on subject 7 (docs/training.md). With the authors'
+/// further phases (latents alone, kernels alone, inducing points alone) all end lower, after many more
 /// evaluations.
 pub fn schedule(max_iterations: usize) -> Vec<Phase> {
     use Group::{Couplings, InducingInputs, Kernels, Latents};

@@ -41,7 +41,7 @@ fn training_raises_the_bound_and_the_rollout_keeps_moving() {
     {
         let spread = |x: &DMatrix<f64>| x.row_variance().sum().sqrt();
         let (end, learned) = (spread(&path.rows(240, 60).into_owned()), spread(&part.latents.mean));
-        assert!(end > 0.3 * learned, "the rollout stands still: {end} beside {learned}");
+        assert!(end > 0.3 * learned, "the rollout stands still: {end}, learned {learned}");
     }
 }
 
@@ -59,7 +59,7 @@ fn the_same_seed_gives_the_same_training() {
 }
 
 #[test]
-fn stopping_early_keeps_the_best_so_far() {
+fn an_early_stop_gives_the_best_point_so_far() {
     let mut trainer = VariationalTrainer::new(loops(60), vec![60], &settings(), 1).unwrap();
     for _ in 0..12 {
         trainer.step();
@@ -71,7 +71,7 @@ fn stopping_early_keeps_the_best_so_far() {
 }
 
 #[test]
-fn no_iterations_leave_the_starting_point() {
+fn without_iterations_the_starting_point_remains() {
     let none = VariationalSettings { max_iterations: 0, ..settings() };
     let mut trainer = VariationalTrainer::new(loops(60), vec![60], &none, 1).unwrap();
     let start = trainer.progress().best;
@@ -81,7 +81,7 @@ fn no_iterations_leave_the_starting_point() {
 }
 
 #[test]
-fn bad_settings_are_refused_in_words() {
+fn refuses_bad_settings() {
     let wrong = |settings, lengths: Vec<usize>| {
         VariationalTrainer::new(loops(60), lengths, &settings, 1).err().unwrap().to_string()
     };
@@ -89,10 +89,10 @@ fn bad_settings_are_refused_in_words() {
     assert_eq!(wrong(zero, vec![60]), "the latent dimension must be from 1 to 100, found 0");
     let trainer = VariationalTrainer::new(loops(60), vec![60], &settings(), 1).unwrap();
     let none = VariationalSettings { pose_ips: 0, ..settings() };
-    let elsewhere =
+    let wrong_sequences =
         VariationalTrainer::from_start(trainer.objective(), trainer.best(), schedule(10), &none, 1);
     assert_eq!(
-        elsewhere.err().unwrap().to_string(),
+        wrong_sequences.err().unwrap().to_string(),
         "the number of pose inducing points must be from 1 to 1000, found 0"
     );
     assert_eq!(wrong(settings(), vec![59, 1]), "sequence 1 has 1 frame; dynamics of order 2 need at least 3");
@@ -115,11 +115,11 @@ fn a_motionless_part_trains_without_nan() {
 }
 
 #[test]
-fn going_on_is_training_longer_from_the_beginning() {
+fn an_extended_training_agrees_with_a_longer_one() {
     let from = |iterations: usize| {
         let settings = VariationalSettings { max_iterations: iterations, ..settings() };
         let trainer = VariationalTrainer::new(loops(60), vec![60], &settings, 1).unwrap();
-        // The first block is as long for both.
+        // The first phase has the same length for both.
         VariationalTrainer::from_start(trainer.objective(), trainer.best(), schedule(60), &settings, 1)
             .unwrap()
     };
@@ -143,7 +143,7 @@ fn going_on_is_training_longer_from_the_beginning() {
 }
 
 #[test]
-fn a_settled_training_does_not_go_on() {
+fn a_settled_training_is_not_extended() {
     let mut trainer = VariationalTrainer::new(loops(60), vec![60], &settings(), 1).unwrap();
     trainer.extend(5000);
     while !trainer.step().done {}

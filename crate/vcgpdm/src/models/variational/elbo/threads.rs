@@ -1,15 +1,15 @@
 //! The maps of all parts, in several threads.
 //!
-//! Whatever is summed is summed in the same order as by one thread, so that a model is the same to the bit.
-//! So there are two rounds: first every map on its own, then the gradient with respect to the histories, part
-//! by part, each from all that the part predicts.
+//! All sums have the same order as in one thread, so that a model is the same to the last bit. Therefore
+//! there are two rounds: first every map by itself, then, part by part, the gradient with respect to the
+//! histories, from all experts of the part.
 
 use crate::gp::linalg::{add_jittered, counting_jittered};
 use crate::gp::psi::Purpose;
 use crate::gp::{Gaussians, NumericsError};
 use crate::models::variational::elbo::dynamics::SourceRows;
 use crate::models::variational::elbo::objective::Objective;
-use crate::models::variational::elbo::{PairRooms, Workspace};
+use crate::models::variational::elbo::{PairWorkspaces, Workspace};
 use crate::models::variational::params::Params;
 use std::panic::resume_unwind;
 use std::sync::{Mutex, PoisonError};
@@ -18,18 +18,18 @@ use std::thread;
 type Task<'a> = Box<dyn FnOnce() -> Result<(), NumericsError> + Send + 'a>;
 
 impl Workspace {
-    /// Computes gradients in so many threads from now on, and to the same bits. Each part has memory of its
-    /// own for it.
+    /// Computes gradients in `threads` threads from now on, with separate memory for each part. The result is
+    /// the same to the last bit.
     pub fn use_threads(&mut self, threads: usize) {
         self.threads = threads.max(1);
         let (movements, parts) = (self.histories.len(), self.kinematics.len());
-        let rooms = if threads > 1 { parts } else { 1 };
-        self.rooms.resize_with(rooms, || PairRooms::new(movements, parts));
+        let workspaces = if threads > 1 { parts } else { 1 };
+        self.workspaces.resize_with(workspaces, || PairWorkspaces::new(movements, parts));
     }
 }
 
 impl Objective {
-    /// As [`add_maps`](Self::add_maps) in one thread.
+    /// [`add_maps`](Self::add_maps) in several threads.
     pub(super) fn add_maps_in_threads(
         &self,
         params: &Params,
@@ -45,15 +45,15 @@ impl Objective {
 
     /// The first round: each map with its adjoint.
     fn adjoints(&self, params: &Params, workspace: &mut Workspace) -> Result<(), NumericsError> {
-        let Workspace { terms, histories, kinematics, dynamics, rooms, threads, .. } = workspace;
+        let Workspace { terms, histories, kinematics, dynamics, workspaces, threads, .. } = workspace;
         let histories = &*histories;
         let (mut tasks, mut poses): (Vec<Task>, Vec<Task>) = (Vec::new(), Vec::new());
         let terms = terms.kinematics.iter_mut().zip(&mut terms.dynamics);
-        let maps = kinematics.iter_mut().zip(dynamics).zip(rooms).zip(terms);
-        for (i, (((kinematics, dynamics), rooms), (pose_term, term))) in maps.enumerate() {
-            let PairRooms { pose, dynamics: rooms } = rooms;
+        let maps = kinematics.iter_mut().zip(dynamics).zip(workspaces).zip(terms);
+        for (i, (((kinematics, dynamics), workspaces), (pose_term, term))) in maps.enumerate() {
+            let PairWorkspaces { pose, dynamics: workspaces } = workspaces;
             tasks.push(Box::new(move || {
-                dynamics.compute(self, params, histories, Purpose::Gradient, rooms);
+                dynamics.compute(self, params, histories, Purpose::Gradient, workspaces);
                 *term = dynamics.adjoint(self, params)?;
                 Ok(())
             }));
@@ -63,36 +63,43 @@ impl Objective {
                 Ok(())
             }));
         }
-        // The largest first: the threads then end at about the same time.
+        // The largest tasks first: the threads then end at about the same time.
         tasks.append(&mut poses);
         run(*threads, tasks)
     }
 
-    /// The second round: each part's latents through its pose map, and its histories through all that it
-    /// predicts.
+    /// The second round: adjoints of the latents of each part through its pose map, and of its histories
+    /// through all its experts.
     fn pull_back(&self, params: &Params, workspace: &mut Workspace) -> Result<(), NumericsError> {
         let Workspace {
-            gradient, histories, histories_adjoint, kinematics, dynamics, rooms, threads, ..
+            gradient,
+            histories,
+            histories_adjoint,
+            kinematics,
+            dynamics,
+            workspaces,
+            threads,
+            ..
         } = workspace;
         let histories = &*histories;
         let parts = kinematics.len();
         let mut sources: Vec<Vec<SourceRows>> = (0..parts).map(|_| Vec::new()).collect();
         let mut into: Vec<Vec<&mut Gaussians>> = (0..parts).map(|_| Vec::new()).collect();
-        for of_movement in histories_adjoint {
-            for (into, adjoint) in into.iter_mut().zip(of_movement) {
+        for movement_adjoints in histories_adjoint {
+            for (into, adjoint) in into.iter_mut().zip(movement_adjoints) {
                 into.push(adjoint);
             }
         }
         let mut poses: Vec<Task> = Vec::new();
-        let maps = kinematics.iter_mut().zip(dynamics).zip(rooms);
+        let maps = kinematics.iter_mut().zip(dynamics).zip(workspaces);
         let latents = params.parts.iter().zip(&mut gradient.parts);
-        for (((kinematics, dynamics), rooms), (part, into)) in maps.zip(latents) {
-            let PairRooms { pose, dynamics: rooms } = rooms;
+        for (((kinematics, dynamics), workspaces), (part, into)) in maps.zip(latents) {
+            let PairWorkspaces { pose, dynamics: workspaces } = workspaces;
             poses.push(Box::new(move || {
                 kinematics.pull_back(part, pose, into);
                 Ok(())
             }));
-            for (sources, source) in sources.iter_mut().zip(dynamics.by_source(self, rooms)) {
+            for (sources, source) in sources.iter_mut().zip(dynamics.by_source(self, workspaces)) {
                 sources.push(source);
             }
         }
@@ -110,8 +117,8 @@ impl Objective {
     }
 }
 
-/// Does all tasks in so many threads, of which this is one: each takes the first that is left. The error is
-/// that of the first task that has one.
+/// Runs the tasks on `threads` threads, this one included; each thread takes the next task. Returns the error
+/// of the first task that has one.
 fn run(threads: usize, tasks: Vec<Task>) -> Result<(), NumericsError> {
     let threads = threads.min(tasks.len());
     let left = Mutex::new(tasks.into_iter().enumerate());
@@ -119,7 +126,7 @@ fn run(threads: usize, tasks: Vec<Task>) -> Result<(), NumericsError> {
         let mut failed: Vec<(usize, NumericsError)> = Vec::new();
         let ((), jittered) = counting_jittered(|| {
             loop {
-                // A statement of its own: the others need not wait for the task.
+                // A separate statement releases the lock before the task runs.
                 let next = left.lock().unwrap_or_else(PoisonError::into_inner).next();
                 let Some((place, task)) = next else { break };
                 failed.extend(task().err().map(|reason| (place, reason)));
@@ -147,7 +154,7 @@ mod tests {
     use crate::models::variational::repertoire::Repertoire;
     use crate::models::variational::testing::random_case;
 
-    /// Two movements of the first part's primitive, each with one of its own of the second part.
+    /// Two movements that share the primitive of the first part and have different ones of the second part.
     fn shared_case() -> (Params, Objective) {
         let (mut params, plain) = random_case(1);
         let movements = vec![(1, vec![0, 1]), (1, vec![0, 2])];
@@ -159,37 +166,36 @@ mod tests {
         (params, Objective::of_movements(plain.observations().to_vec(), repertoire, 0.0))
     }
 
-    /// Models of one, two and three parts, and of two movements that share a primitive, in fewer and in more
-    /// threads than there are maps.
+    /// Models of one, two and three parts and of two movements with a common primitive, in fewer and in more
+    /// threads than maps.
     #[test]
     fn threads_compute_the_same_bits() {
         let bits = |params: &Params| params.to_flat().iter().map(|v| v.to_bits()).collect::<Vec<_>>();
         let shared = shared_case();
         for (params, objective) in (0..4).map(random_case).chain([shared]) {
-            let mut one = objective.workspace(&params);
-            objective.compute_with_gradient(&params, &mut one).unwrap();
+            let mut single = objective.workspace(&params);
+            objective.compute_with_gradient(&params, &mut single).unwrap();
             for threads in [2, 3, 9] {
                 let mut many = objective.workspace(&params);
                 many.use_threads(threads);
                 for _ in 0..2 {
                     objective.compute_with_gradient(&params, &mut many).unwrap();
-                    assert_eq!(many.terms(), one.terms());
-                    assert!(bits(many.gradient()) == bits(one.gradient()), "{threads} threads");
+                    assert_eq!(many.terms(), single.terms());
+                    assert!(bits(many.gradient()) == bits(single.gradient()), "{threads} threads");
                 }
             }
         }
     }
 
-    /// What fails in a thread is told, and what was mended there is counted.
     #[test]
-    fn threads_tell_of_failures_and_jitter() {
+    fn reports_failures_and_jitter_of_other_threads() {
         let (mut params, objective) = random_case(1);
         let evaluate = |params: &Params, threads: usize| {
             let mut workspace = objective.workspace(params);
             workspace.use_threads(threads);
             counting_jittered(|| objective.compute_with_gradient(params, &mut workspace))
         };
-        // Two inducing points at one place: the covariance is singular.
+        // Two equal inducing points: the covariance is singular.
         for expert in params.experts.iter_mut().flatten() {
             let first = expert.z.row(0).into_owned();
             expert.z.set_row(1, &first);

@@ -1,13 +1,13 @@
-//! Settings that the data allow: what is more than that is reduced, and said.
+//! Reduces settings that the data do not allow.
 
 use crate::models::training::settings::VariationalSettings;
 use crate::models::variational::repertoire::Repertoire;
 use crate::plural::counted;
 use nalgebra::DMatrix;
 
-/// The settings with no more inducing points than there are rows to begin with, and what a visitor should
-/// know of them, in sentences without a full stop.
-pub(super) fn reduced(
+/// The settings with at most one inducing point for each row at the start, and a notice of each reduction, as
+/// a sentence without a full stop.
+pub(super) fn reduce_settings(
     settings: &VariationalSettings,
     repertoire: &Repertoire,
     y: &[DMatrix<f64>],
@@ -23,7 +23,7 @@ pub(super) fn reduced(
         let in_use = repertoire.movements().iter().filter(|movement| movement.uses().contains(&primitive));
         in_use.map(|movement| movement.sequences().transitions()).sum::<usize>()
     });
-    // A primitive that no movement uses begins with the histories of all.
+    // A primitive that no movement uses starts with the histories of all.
     let rows = rows.filter(|rows| *rows > 0).min().unwrap_or(frames);
     if settings.dynamics_ips > rows {
         let there = format!("{} with a history", counted(rows, "frame"));
@@ -50,7 +50,7 @@ mod tests {
     use super::*;
     use crate::models::data::sequences::Sequences;
 
-    fn of(
+    fn reduce(
         lengths: &[usize],
         columns: usize,
         asked: (usize, usize, usize),
@@ -60,19 +60,19 @@ mod tests {
             VariationalSettings { latent, dynamics_ips, pose_ips, ..VariationalSettings::default() };
         let sequences = Sequences::new(lengths.to_vec(), settings.order).unwrap();
         let y = [DMatrix::zeros(sequences.frames(), columns), DMatrix::zeros(sequences.frames(), 9)];
-        reduced(&settings, &Repertoire::plain(sequences, 2), &y)
+        reduce_settings(&settings, &Repertoire::plain(sequences, 2), &y)
     }
 
     #[test]
-    fn what_the_data_allow_stays() {
-        let (settings, notices) = of(&[8, 8], 3, (3, 12, 16));
+    fn leaves_settings_that_the_data_allow() {
+        let (settings, notices) = reduce(&[8, 8], 3, (3, 12, 16));
         assert_eq!((settings.dynamics_ips, settings.pose_ips), (12, 16));
         assert_eq!(notices, [""; 0]);
     }
 
     #[test]
-    fn more_than_that_is_reduced_and_said() {
-        let (settings, notices) = of(&[8, 8], 1, (3, 13, 17));
+    fn reduces_other_settings_with_notices() {
+        let (settings, notices) = reduce(&[8, 8], 1, (3, 13, 17));
         assert_eq!((settings.latent, settings.dynamics_ips, settings.pose_ips), (3, 12, 16));
         assert_eq!(
             notices,

@@ -1,22 +1,22 @@
-//! New processes beside stored ones: the inducing outputs of the first processes of a stack stay as they were
-//! learned, those of the others are the best ones for the rows.
+//! The bound of a stack of processes of which some inducing outputs are fixed: those of the first processes
+//! are stored ones, all others are optimal for the rows.
 
 use crate::gp::bound::{BoundAdjoint, BoundWorkspace, SparseGp};
 use crate::gp::linalg::NumericsError;
 use crate::gp::stored_outputs::StoredOutputs;
 use nalgebra::DMatrix;
 
-/// The bound of a stack of which the first block h is stored, N(m, S), and the other block f is collapsed,
-/// with the room for it.
+/// The bound of a stack of two blocks, with memory for it: the outputs of block h are fixed, N(m, S), block f
+/// is collapsed.
 ///
-/// Under q(u_h) = N(m, S) the rows tell the others only what the stored ones leave over, b' = b_f - Psi2_fh
-/// K_hh^-1 m. With A = K_ff + Psi2_ff / n, and the symbols of [`crate::gp::bound`], the best q(u_f) gives
+/// Block f explains what q(u_h) = N(m, S) leaves of the rows, b' = b_f - Psi2_fh K_hh^-1 m. With A = K_ff +
+/// Psi2_ff / n, and the symbols of [`crate::gp::bound`], the optimal q(u_f) gives
 ///
 /// F = G_h + C/2 ( log|K_ff| - log|A| ) + tr( b'^T A^-1 b' ) / (2 n^2) + C tr( K_ff^-1 Psi2_ff ) / (2n),
 ///
 /// where G_h is the bound of the stored block with all of psi0, c2 and the rows ([`StoredOutputs`]); the rest
 /// is the collapsed bound of block f for b' with none of them.
-pub struct BesideStored {
+pub struct PartiallyFixed {
     stored: StoredOutputs,
     free: BoundWorkspace,
     /// Blocks of K, Psi2 and b.
@@ -38,8 +38,8 @@ impl Blocks {
         Self { k: square(), psi2: square(), b: DMatrix::zeros(points, columns) }
     }
 
-    /// Takes the block of the stack that starts at `at`.
-    fn take(&mut self, gp: &SparseGp<'_>, at: usize) {
+    /// Copies the block of the stack that starts at `at`.
+    fn copy_from(&mut self, gp: &SparseGp<'_>, at: usize) {
         let points = self.b.nrows();
         self.k.copy_from(&gp.k.view((at, at), (points, points)));
         self.psi2.copy_from(&gp.psi2.view((at, at), (points, points)));
@@ -51,8 +51,9 @@ impl Blocks {
     }
 }
 
-impl BesideStored {
-    /// For a stack of so many `points` with C = `columns` target columns, of which the first are stored.
+impl PartiallyFixed {
+    /// For a stack of `points` inducing points with C = `columns` target columns, of which the first are
+    /// stored.
     pub fn new(stored: StoredOutputs, points: usize, columns: usize) -> Self {
         let first = stored.points();
         let others = points.saturating_sub(first);
@@ -65,16 +66,16 @@ impl BesideStored {
         }
     }
 
-    /// What was computed last.
+    /// The adjoint of the last [`bound_and_adjoint`](Self::bound_and_adjoint).
     pub fn adjoint(&self) -> &BoundAdjoint {
         &self.adjoint
     }
 
-    /// Takes the blocks apart, with b' in the place of b_f.
+    /// Copies both blocks, with b' in place of b_f.
     fn divide(&mut self, gp: &SparseGp<'_>) {
         let first = self.stored.points();
-        self.stored_blocks.take(gp, 0);
-        self.free_blocks.take(gp, first);
+        self.stored_blocks.copy_from(gp, 0);
+        self.free_blocks.copy_from(gp, first);
         let cross = gp.psi2.view((first, 0), (self.free_blocks.b.nrows(), first));
         self.free_blocks.b.gemm(-1.0, &cross, self.stored.coefficients(), 1.0);
     }
@@ -87,29 +88,29 @@ impl BesideStored {
         Ok(stored.bound(&stored_blocks.gp(gp)) + rest.bound(free)?)
     }
 
-    /// The bound, in nats, and its adjoint, which stays here.
+    /// The bound, in nats. Its adjoint is then [`adjoint`](Self::adjoint).
     pub fn bound_and_adjoint(&mut self, gp: &SparseGp<'_>) -> Result<f64, NumericsError> {
         self.divide(gp);
         let Self { stored, free, stored_blocks, free_blocks, adjoint } = self;
         let rest = SparseGp { rows: 0, psi0: 0.0, second_moment: 0.0, ..free_blocks.gp(gp) };
         let bound = stored.bound_and_adjoint(&stored_blocks.gp(gp)) + rest.bound_and_adjoint(free)?;
-        let (kept, found) = (stored.adjoint(), free.adjoint());
-        let (first, others) = (kept.b.nrows(), found.b.nrows());
-        adjoint.k.view_mut((first, first), (others, others)).copy_from(&found.k);
-        adjoint.psi2.view_mut((0, 0), (first, first)).copy_from(&kept.psi2);
-        adjoint.psi2.view_mut((first, first), (others, others)).copy_from(&found.psi2);
-        adjoint.b.rows_mut(0, first).copy_from(&kept.b);
-        adjoint.b.rows_mut(first, others).copy_from(&found.b);
-        // The block between them stands twice in the stack: half of what b' makes of it belongs to each.
+        let (stored_adjoint, free_adjoint) = (stored.adjoint(), free.adjoint());
+        let (first, others) = (stored_adjoint.b.nrows(), free_adjoint.b.nrows());
+        adjoint.k.view_mut((first, first), (others, others)).copy_from(&free_adjoint.k);
+        adjoint.psi2.view_mut((0, 0), (first, first)).copy_from(&stored_adjoint.psi2);
+        adjoint.psi2.view_mut((first, first), (others, others)).copy_from(&free_adjoint.psi2);
+        adjoint.b.rows_mut(0, first).copy_from(&stored_adjoint.b);
+        adjoint.b.rows_mut(first, others).copy_from(&free_adjoint.b);
+        // Psi2_fh is in the stack twice, as itself and transposed: each copy gets half of its adjoint.
         for h in 0..first {
             for f in 0..others {
-                let moved: f64 = found.b.row(f).dot(&stored.coefficients().row(h));
-                adjoint.psi2[(first + f, h)] = -0.5 * moved;
-                adjoint.psi2[(h, first + f)] = -0.5 * moved;
+                let product: f64 = free_adjoint.b.row(f).dot(&stored.coefficients().row(h));
+                adjoint.psi2[(first + f, h)] = -0.5 * product;
+                adjoint.psi2[(h, first + f)] = -0.5 * product;
             }
         }
-        (adjoint.psi0, adjoint.second_moment) = (kept.psi0, kept.second_moment);
-        adjoint.noise = kept.noise + found.noise;
+        (adjoint.psi0, adjoint.second_moment) = (stored_adjoint.psi0, stored_adjoint.second_moment);
+        adjoint.noise = stored_adjoint.noise + free_adjoint.noise;
         Ok(bound)
     }
 }
@@ -123,8 +124,8 @@ mod tests {
     /// Six inducing points, of which the first `FIRST` are stored.
     const FIRST: usize = 2;
 
-    /// What is between both blocks is nothing.
-    fn divided(m: &mut DMatrix<f64>) {
+    /// Sets the entries between both blocks to zero.
+    fn separate(m: &mut DMatrix<f64>) {
         for h in 0..FIRST {
             for f in FIRST..6 {
                 (m[(h, f)], m[(f, h)]) = (0.0, 0.0);
@@ -132,18 +133,18 @@ mod tests {
         }
     }
 
-    /// Processes of their own.
+    /// Two independent processes.
     fn example() -> Example {
-        let mut e = Example::of(6);
-        divided(&mut e.k);
+        let mut e = Example::new(6);
+        separate(&mut e.k);
         e
     }
 
-    /// With the best outputs of the first block alone stored.
-    fn beside(e: &Example) -> BesideStored {
+    /// With the stored outputs that are optimal for the first block alone.
+    fn partially_fixed(e: &Example) -> PartiallyFixed {
         let mut blocks = Blocks::zeros(FIRST, 3);
-        blocks.take(&e.gp(), 0);
-        BesideStored::new(StoredOutputs::best(&blocks.gp(&e.gp())).unwrap(), 6, 3)
+        blocks.copy_from(&e.gp(), 0);
+        PartiallyFixed::new(StoredOutputs::best(&blocks.gp(&e.gp())).unwrap(), 6, 3)
     }
 
     fn divergence(mean: &DMatrix<f64>, covariance: &DMatrix<f64>, k: &DMatrix<f64>) -> f64 {
@@ -156,53 +157,52 @@ mod tests {
     }
 
     #[test]
-    fn blocks_that_no_row_sees_together_give_the_collapsed_bound_of_both() {
+    fn independent_blocks_give_the_collapsed_bound_of_both() {
         let mut e = example();
-        // Rows say nothing about both blocks together.
-        divided(&mut e.psi2);
+        separate(&mut e.psi2);
         let collapsed = e.gp().bound(&mut BoundWorkspace::new(6, 3)).unwrap();
         let mut blocks = Blocks::zeros(FIRST, 3);
-        blocks.take(&e.gp(), 0);
+        blocks.copy_from(&e.gp(), 0);
         let best = blocks.gp(&e.gp()).posterior().unwrap();
         let divergence = divergence(&best.mean, &best.covariance, &blocks.k);
-        let bound = beside(&e).bound(&e.gp()).unwrap();
+        let bound = partially_fixed(&e).bound(&e.gp()).unwrap();
         assert_relative_eq!(bound - divergence, collapsed, max_relative = 1e-10);
     }
 
-    /// Otherwise the collapsed bound of both is the larger one: it may choose all outputs, and together.
+    /// The collapsed bound of both blocks is larger, because it optimises all outputs together.
     #[test]
-    fn stored_outputs_are_never_better_than_the_best_ones() {
+    fn stored_outputs_are_worse_than_optimal_ones() {
         let e = example();
         let collapsed = e.gp().bound(&mut BoundWorkspace::new(6, 3)).unwrap();
         let mut blocks = Blocks::zeros(FIRST, 3);
-        blocks.take(&e.gp(), 0);
+        blocks.copy_from(&e.gp(), 0);
         let best = blocks.gp(&e.gp()).posterior().unwrap();
         let divergence = divergence(&best.mean, &best.covariance, &blocks.k);
-        assert!(beside(&e).bound(&e.gp()).unwrap() - divergence < collapsed - 1e-3);
+        assert!(partially_fixed(&e).bound(&e.gp()).unwrap() - divergence < collapsed - 1e-3);
     }
 
     #[test]
-    fn with_nothing_stored_it_is_the_collapsed_bound() {
+    fn without_stored_outputs_it_is_the_collapsed_bound() {
         let e = example();
         let none = DMatrix::zeros(0, 0);
         let stored = StoredOutputs::new(&none, &none, DMatrix::zeros(0, 3)).unwrap();
         let collapsed = e.gp().bound(&mut BoundWorkspace::new(6, 3)).unwrap();
-        let bound = BesideStored::new(stored, 6, 3).bound(&e.gp()).unwrap();
+        let bound = PartiallyFixed::new(stored, 6, 3).bound(&e.gp()).unwrap();
         assert_relative_eq!(bound, collapsed, max_relative = 1e-12);
     }
 
     #[test]
     fn adjoint_agrees_with_differences() {
         let e = example();
-        let mut beside = beside(&e);
-        let value = beside.bound_and_adjoint(&e.gp()).unwrap();
-        assert_relative_eq!(value, beside.bound(&e.gp()).unwrap(), max_relative = 1e-14);
-        let adjoint = beside.adjoint.clone();
+        let mut stack = partially_fixed(&e);
+        let value = stack.bound_and_adjoint(&e.gp()).unwrap();
+        assert_relative_eq!(value, stack.bound(&e.gp()).unwrap(), max_relative = 1e-14);
+        let adjoint = stack.adjoint.clone();
         let mut difference = |change: &dyn Fn(&mut Example, f64)| {
             let mut bound = |h: f64| {
                 let mut moved = e.clone();
                 change(&mut moved, h);
-                beside.bound(&moved.gp()).unwrap()
+                stack.bound(&moved.gp()).unwrap()
             };
             (bound(1e-6) - bound(-1e-6)) / 2e-6
         };

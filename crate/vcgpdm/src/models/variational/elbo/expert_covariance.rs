@@ -1,18 +1,18 @@
-//! Room for what belongs to one expert, whichever rows it is seen through.
+//! The inducing covariance of one expert and its adjoints, which all rows share.
 
 use crate::gp::kernel::KernelAdjoint;
 use nalgebra::DMatrix;
 
-/// What belongs to the expert of one primitive.
-pub struct ExpertRoom {
+/// The inducing covariance of the expert of one primitive, with its adjoints.
+pub struct ExpertCovariance {
     pub k: DMatrix<f64>,
     /// dF/dK [K x K].
     pub k_adjoint: DMatrix<f64>,
-    /// With respect to its inducing inputs and kernel.
+    /// dF with respect to the inducing inputs and the kernel.
     pub kernel_adjoint: KernelAdjoint,
 }
 
-impl ExpertRoom {
+impl ExpertCovariance {
     /// For K = `ips` inducing inputs of P = `dims` dimensions.
     pub fn new(ips: usize, dims: usize) -> Self {
         Self {
