@@ -12,10 +12,10 @@ use vcgpdm::models::library::{CouplingTrainer, CouplingsFrom, MOST_ITERATIONS};
 
 /// Combine primitives of a library into a model, and print its couplings as one JSON object.
 ///
-/// The primitives stay as they were learned. With clips, the couplings are fitted to the clips. Without clips,
-/// the couplings of each part come from a trained movement that uses the part's primitive; of several such
-/// movements, from the one that shares most primitives with the combination; without such a movement they are
-/// 1.
+/// The primitives stay as they were learned. With clips, the couplings are fitted to the clips. Without
+/// clips, the couplings of each part come from a trained movement that uses the part's primitive; of several
+/// such movements, from the one that shares most primitives with the combination; without such a movement
+/// they are 1.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A library that `vcgpdm train --movement` wrote.

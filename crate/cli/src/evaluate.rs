@@ -25,8 +25,8 @@ use vcgpdm_lab::evaluation::{
 /// error.
 ///
 /// The exit status is 1 when all jobs failed. If only some failed, the first failure is printed at the end.
-/// Coupled models are left out for a body in one part. Several programs can work on one file of results: a job
-/// that one of them computes is not computed by another.
+/// Coupled models are left out for a body in one part. Several programs can work on one file of results: a
+/// job that one of them computes is not computed by another.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// BVH files, or sample:ID; each is a trial.
@@ -44,8 +44,8 @@ pub struct Arguments {
     /// Seeds of the models that have a seed.
     #[arg(long, value_name = "S,S", value_delimiter = ',', default_values_t = [0], value_parser = whole(0..=u32::MAX))]
     seeds: Vec<u32>,
-    /// Inducing points of every dynamics map of the variational models, and of every pose map if --pose-ips is
-    /// absent: one number, or several to compare.
+    /// Inducing points of every dynamics map of the variational models, and of every pose map if --pose-ips
+    /// is absent: one number, or several to compare.
     #[arg(long, value_name = "K,K", value_delimiter = ',', default_values_t = [12], value_parser = whole(1..=MOST_INDUCING))]
     ips: Vec<usize>,
     /// Inducing points of every pose map: each number with each of --ips.

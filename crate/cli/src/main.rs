@@ -1,7 +1,8 @@
 //! The `vcgpdm` program: the library from a terminal.
 //!
-//! Results go to stdout as one JSON object, progress to stderr. The exit status is 0 for success, 2 for a usage
-//! error and 1 for any other failure. After a failure, one line on stderr says what was wrong and where.
+//! Results go to stdout as one JSON object, progress to stderr. The exit status is 0 for success, 2 for a
+//! usage error and 1 for any other failure. After a failure, one line on stderr says what was wrong and
+//! where.
 
 mod bound;
 mod clip;
@@ -122,8 +123,8 @@ fn run(command: Command) -> Result<(), Box<dyn Error>> {
     }
 }
 
-/// The first paragraph of clap's message with clap's hints ("a similar argument exists"). The other paragraphs
-/// are help.
+/// The first paragraph of clap's message with clap's hints ("a similar argument exists"). The other
+/// paragraphs are help.
 fn usage_message(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         let command = command_line();

@@ -18,8 +18,8 @@ use vcgpdm::models::library::{
 ///
 /// A saved primitive is a library of its own, with the pose maps to which its latents belong. It is added
 /// unchanged if the pose maps are the same, such as to another file of the same training. Otherwise --relearn
-/// learns it again under the pose maps of this library: from clips, or from the latents that the file stores of
-/// the movements from which it was learned.
+/// learns it again under the pose maps of this library: from clips, or from the latents that the file stores
+/// of the movements from which it was learned.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A library that `vcgpdm train --movement` wrote.

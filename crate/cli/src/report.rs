@@ -12,8 +12,8 @@ use vcgpdm_lab::evaluation::{Comparison, FramesAndTime, Labels, Results, Spread,
 
 /// Print the tables of an evaluation, and what they mean for the claims of the papers.
 ///
-/// Results of the same trials and parts are put together. Results of other trials are another subject with its
-/// own tables; one more table is for all subjects.
+/// Results of the same trials and parts are put together. Results of other trials are another subject with
+/// its own tables; one more table is for all subjects.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Files that `evaluate` wrote.
@@ -89,8 +89,8 @@ fn numbers(subjects: &[Subject]) -> Value {
     json!({ "subjects": subjects.iter().map(numbers).collect::<Vec<_>>(), "all_together": all })
 }
 
-/// The subjects without those whose clips belong to an earlier subject, which were predicted from another number
-/// of frames or cut.
+/// The subjects without those whose clips belong to an earlier subject, which were predicted from another
+/// number of frames or cut.
 fn different(subjects: &[Subject]) -> Vec<&Results> {
     let mut clips: HashSet<&str> = HashSet::new();
     let mut all = Vec::new();

@@ -11,18 +11,20 @@ use std::time::Instant;
 use vcgpdm::models::{Dataset, FittedModel, Model, SequenceInfo, Source, Trainer, with_bones_of};
 use vcgpdm::motion::Clip;
 
-/// Train a model again from its clips, settings and seed, compare, and print the difference as one JSON object.
+/// Train a model again from its clips, settings and seed, compare, and print the difference as one JSON
+/// object.
 ///
 /// The exit status is 1 when the model differs by more than the tolerance. On one machine the same program
 /// gives the same bits. On another machine, and in wasm, the bound has the same bits too; numbers that are
-/// computed at the end of the training can differ in their last digits, because products of large matrices are
-/// summed in an order that depends on the processor.
+/// computed at the end of the training can differ in their last digits, because products of large matrices
+/// are summed in an order that depends on the processor.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The model of a body, as `vcgpdm train` or the page has saved it.
     #[arg(value_name = "MODEL.json")]
     model: PathBuf,
-    /// The clips of the training, in any order: BVH files, or sample:ID. They are recognised by their content.
+    /// The clips of the training, in any order: BVH files, or sample:ID. They are recognised by their
+    /// content.
     #[arg(value_name = "CLIP", required = true)]
     clips: Vec<PathBuf>,
     /// The largest difference of a number from the recorded one, relative to the larger of the two.
@@ -107,8 +109,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
 }
 
-/// Whether the model contains information from data sets that are not its own: a model of a library of several
-/// movements. A library of one movement gives the same model as a plain training.
+/// Whether the model contains information from data sets that are not its own: a model of a library of
+/// several movements. A library of one movement gives the same model as a plain training.
 fn is_combination(model: &FittedModel) -> bool {
     matches!(model, FittedModel::Vcgpdm(model) if !model.external.is_empty())
 }

@@ -22,15 +22,16 @@ use vcgpdm_lab::perception::{Look, Maker, Preset, Study, StudyMovement, TrialKin
 ///
 /// Of the results of an evaluation and its clips, the study takes every model with all its settings, and of
 /// several seeds the one with the highest objective. Each is trained again, because results do not contain
-/// movements, and predicts each trial held out. This takes as long as the trainings took; the number of seconds
-/// is printed before. Without clips, the command changes the design or the look of a study, or marks other
-/// movements as failures.
+/// movements, and predicts each trial held out. This takes as long as the trainings took; the number of
+/// seconds is printed before. Without clips, the command changes the design or the look of a study, or marks
+/// other movements as failures.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Results that `evaluate` wrote, or a study to change.
     #[arg(value_name = "RESULTS.json")]
     source: PathBuf,
-    /// The clips of the evaluation, in any order: BVH files, or sample:ID. They are recognised by their content.
+    /// The clips of the evaluation, in any order: BVH files, or sample:ID. They are recognised by their
+    /// content.
     #[arg(value_name = "CLIP")]
     clips: Vec<PathBuf>,
     /// Natural movements that no model has seen, for catch trials.

@@ -26,8 +26,8 @@ pub enum DocumentKind {
 }
 
 impl DocumentKind {
-    /// Reads only the names and texts of the outermost fields, in any order. A document that is damaged further
-    /// inside has a kind too.
+    /// Reads only the names and texts of the outermost fields, in any order. A document that is damaged
+    /// further inside has a kind too.
     pub fn from_json(text: &str) -> Self {
         if text.trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n']).starts_with('[') {
             return Self::List;

@@ -1,5 +1,6 @@
-//! Measurements with the library `vcgpdm`: comparisons of models, studies with people, and the experiments behind
-//! the pages of `docs/`. The page, the npm package and the terminal program use them. This crate is not published.
+//! Measurements with the library `vcgpdm`: comparisons of models, studies with people, and the experiments
+//! behind the pages of `docs/`. The page, the npm package and the terminal program use them. This crate is
+//! not published.
 //!
 //! - [`evaluation`]: cross-validation, dynamic time warping, and the results of a comparison.
 //! - [`perception`]: the graphics Turing test: studies of movements, and the analysis of answers.

@@ -33,12 +33,12 @@ pub struct Arguments {
     /// only.
     #[arg(long, value_name = "FRAME", default_value_t = 0, value_parser = whole::<usize>(0..))]
     frame: usize,
-    /// Change the coupling variance from part SOURCE to part TARGET: a large variance is a weak coupling. Parts
-    /// by name or number, from 0.
+    /// Change the coupling variance from part SOURCE to part TARGET: a large variance is a weak coupling.
+    /// Parts by name or number, from 0.
     #[arg(long, value_name = "SOURCE:TARGET=VALUE", num_args = 1..)]
     alpha: Vec<String>,
-    /// How the experts respond to changed couplings: they stay as learned, or they are inferred again from the
-    /// same data.
+    /// How the experts respond to changed couplings: they stay as learned, or they are inferred again from
+    /// the same data.
     #[arg(long, default_value = "as-learned")]
     reading: ReadingOption,
     /// Cut a coupling from frame FROM to the frame before TO.

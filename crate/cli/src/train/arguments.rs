@@ -14,17 +14,19 @@ pub struct Arguments {
     /// Train a library of primitives: clips of one movement, under its name; may be given several times.
     #[arg(long = "movement", value_name = "NAME=CLIP,CLIP", conflicts_with = "seed_frames")]
     pub(super) movements: Vec<OsString>,
-    /// Parts that use the same primitive in all movements; every other part has one primitive for each movement.
+    /// Parts that use the same primitive in all movements; every other part has one primitive for each
+    /// movement.
     #[arg(long, value_name = "PART,PART")]
     pub(super) share: Vec<String>,
-    /// The kind of model: vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete or dmp-rhythmic; absent: vcgpdm,
-    /// or vgpdm for one part.
+    /// The kind of model: vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete or dmp-rhythmic; absent:
+    /// vcgpdm, or vgpdm for one part.
     #[arg(long, value_name = "KIND", value_parser = kind::parse)]
     pub(super) model: Option<ModelKind>,
     /// How to split the body: a preset by its id or its parts' names (whole; lower,upper; body,left arm,right
     /// arm; legs,trunk,left arm,right arm), or a file with a list like [{"name": "legs", "joints":
     /// ["LeftUpLeg", 3]}]. Models that are not coupled need none. With --columns: arm=x,y;leg=z (a name that
-    /// ends with * means all columns that begin like it), or a file with [{"name": "arm", "columns": ["x", "y"]}].
+    /// ends with * means all columns that begin like it), or a file with [{"name": "arm", "columns": ["x",
+    /// "y"]}].
     #[arg(long, value_name = "lower,upper|whole|FILE")]
     pub(super) parts: Option<String>,
     /// Train on time series: each CLIP is a CSV file, with the names of the columns in its first row and one

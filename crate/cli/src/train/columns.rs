@@ -9,8 +9,8 @@ use vcgpdm::models::Dataset;
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::series::{Columns, SeriesError, Table, parse_parts, parts_from_json, read, whole};
 
-/// The tables as a data set. `split` is the value of `--parts`; `rate` is the number of rows a second of files
-/// without times.
+/// The tables as a data set. `split` is the value of `--parts`; `rate` is the number of rows a second of
+/// files without times.
 pub fn dataset(paths: &[PathBuf], split: &str, rate: f64) -> Result<Dataset<Columns>, Box<dyn Error>> {
     check_within("--fps", "rows a second", 0.1..=100_000.0, rate)?;
     let tables = paths.iter().map(|path| table(path)).collect::<Result<Vec<_>, _>>()?;

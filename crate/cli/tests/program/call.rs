@@ -1,4 +1,4 @@
-//! How the tests call the program.
+//! Functions that call the program.
 
 use serde_json::Value;
 use std::fs;
@@ -36,7 +36,7 @@ pub fn json_and_stderr(arguments: &[&str]) -> (Value, String) {
     (serde_json::from_slice(&output.stdout).unwrap(), err)
 }
 
-/// What a command that must succeed prints.
+/// Runs a command that must succeed, and returns its stdout.
 pub fn prints(arguments: &[&str]) -> String {
     let output = run(arguments);
     let err = String::from_utf8(output.stderr).unwrap();
@@ -44,9 +44,8 @@ pub fn prints(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// Runs a command that must fail, with one line on stderr and nothing on stdout. The status is 2 where the
-/// line is about the command line, which it then names or offers to explain, and 1 where it is about anything
-/// else.
+/// Runs a command that must fail, with one line on stderr and nothing on stdout. The status is 2 if the line
+/// names an option or ends with (try --help), and otherwise 1.
 pub fn fails(arguments: &[&str]) -> String {
     let output = run(arguments);
     let err = String::from_utf8(output.stderr).unwrap();
@@ -58,10 +57,10 @@ pub fn fails(arguments: &[&str]) -> String {
     err
 }
 
-/// A folder of its own for each test.
+/// An empty folder for a test.
 pub fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    // What an older build wrote there may be another file to this one.
+    // An older build may have left files.
     if folder.exists() {
         fs::remove_dir_all(&folder).unwrap();
     }
@@ -74,7 +73,7 @@ pub fn text(path: &Path) -> &str {
     path.to_str().unwrap()
 }
 
-/// The second made walk, of a body whose bones are longer by a tenth.
+/// The second sample walk, with bones that are longer by a tenth.
 pub fn taller_walk(folder: &Path) -> PathBuf {
     let taller = folder.join("taller.bvh");
     prints(&["clip", "sample:walk-2", "--out", text(&taller)]);
@@ -88,7 +87,7 @@ pub fn taller_walk(folder: &Path) -> PathBuf {
     taller
 }
 
-/// The first frame of the first made walk.
+/// The first frame of the first sample walk.
 pub fn one_frame(folder: &Path) -> PathBuf {
     let (short, walk) = (folder.join("short.bvh"), folder.join("walk.bvh"));
     prints(&["clip", "sample:walk-1", "--out", text(&walk)]);

@@ -1,4 +1,4 @@
-//! Time series that are no body: `vcgpdm train --columns`, `rollout --columns`.
+//! Tests of time series: `vcgpdm train --columns`, `rollout --columns`.
 
 use crate::call::{fails, folder, json, json_and_stderr, prints, text};
 use std::fs;
@@ -23,13 +23,13 @@ const SMALL: [&str; 8] =
     ["--latent", "2", "--dynamics-ips", "6", "--pose-ips", "6", "--max-iterations", "60"];
 
 #[test]
-fn columns_are_trained_on_and_rolled_out() {
+fn trains_on_columns_and_rolls_them_out() {
     let folder = folder("columns");
     let [one, other] = trials(&folder);
     let (model, out, latents) = (folder.join("m.json"), folder.join("out.csv"), folder.join("latents.csv"));
     let train = ["train", text(&one), text(&other), "--columns", "--parts", PARTS, "--out", text(&model)];
-    let said = json(&[&train[..], &SMALL].concat());
-    assert_eq!((said["kind"].as_str(), said["alpha"].as_array().map(Vec::len)), (Some("vcgpdm"), Some(2)));
+    let found = json(&[&train[..], &SMALL].concat());
+    assert_eq!((found["kind"].as_str(), found["alpha"].as_array().map(Vec::len)), (Some("vcgpdm"), Some(2)));
     let roll =
         ["rollout", text(&model), "--frames", "80", "--columns", text(&out), "--latents", text(&latents)];
     assert_eq!(prints(&roll), "");
@@ -65,7 +65,7 @@ fn warns_of_a_column_that_never_changes() {
 }
 
 #[test]
-fn a_bodys_columns_are_written_too() {
+fn writes_the_columns_of_a_body() {
     let folder = folder("columns-of-a-body");
     let (model, out) = (folder.join("m.json"), folder.join("out.csv"));
     json(&["train", "sample:walk-1", "--model", "dmp-rhythmic", "--fps", "15", "--out", text(&model)]);
@@ -76,7 +76,7 @@ fn a_bodys_columns_are_written_too() {
 }
 
 #[test]
-fn what_cannot_be_read_or_asked_for_says_why() {
+fn names_the_reason_of_wrong_tables_and_options() {
     let folder = folder("bad-columns");
     let [one, other] = trials(&folder);
     let (model, parts) = (folder.join("m.json"), folder.join("parts.json"));
@@ -86,22 +86,25 @@ fn what_cannot_be_read_or_asked_for_says_why() {
     };
     let broken = folder.join("broken.csv");
     fs::write(&broken, fs::read_to_string(&other).unwrap().replace("0.1,", "0.1,gap")).unwrap();
-    let said = train(&[&one, &broken], PARTS);
-    assert!(said.contains("broken.csv, line 7, column 2 (arm_x): expected a number, found \"gap"), "{said}");
+    let found = train(&[&one, &broken], PARTS);
+    assert!(
+        found.contains("broken.csv, line 7, column 2 (arm_x): expected a number, found \"gap"),
+        "{found}"
+    );
     fs::write(&broken, "arm_x,leg\n1,2\n3,4\n").unwrap();
     assert!(train(&[&one, &broken], PARTS).contains("expected a column \"arm_y\", found none"));
     assert!(train(&[&one], "arm=arm_*").contains("found no part for leg"));
     // Once this message spoke of a body.
-    let said = fails(&["train", text(&one), "--columns", "--out", text(&model)]);
-    assert!(said.contains("--parts: expected how to split the columns of a coupled model"), "{said}");
+    let found = fails(&["train", text(&one), "--columns", "--out", text(&model)]);
+    assert!(found.contains("--parts: expected how to split the columns of a coupled model"), "{found}");
     fs::write(&parts, r#"[{"name": "arm", "columns": ["arm_x", "knee"]}]"#).unwrap();
-    let said = train(&[&one], text(&parts));
-    assert!(said.contains("parts.json: ") && said.contains("found \"knee\""), "{said}");
+    let found = train(&[&one], text(&parts));
+    assert!(found.contains("parts.json: ") && found.contains("found \"knee\""), "{found}");
     json(&["train", text(&one), "--columns", "--model", "dmp-discrete", "--out", text(&model)]);
     let bvh = folder.join("out.bvh");
-    let said = fails(&["rollout", text(&model), "--frames", "9", "--out", text(&bvh)]);
-    assert!(said.contains("expected --columns for a model of tables"), "{said}");
-    let said = fails(&["score", text(&model), "sample:walk-1"]);
-    assert!(said.contains("expected a model of a body, found a model of tables"), "{said}");
+    let found = fails(&["rollout", text(&model), "--frames", "9", "--out", text(&bvh)]);
+    assert!(found.contains("expected --columns for a model of tables"), "{found}");
+    let found = fails(&["score", text(&model), "sample:walk-1"]);
+    assert!(found.contains("expected a model of a body, found a model of tables"), "{found}");
     assert!(fails(&["rollout", text(&model), "--frames", "9"]).contains("--out"));
 }

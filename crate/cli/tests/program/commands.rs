@@ -1,4 +1,4 @@
-//! The terminal program as a user meets it: what it prints, what it writes, how it fails.
+//! Tests of the commands: outputs, files and errors.
 
 use crate::call::{fails, folder, json, json_and_stderr, one_frame, run, taller_walk, text};
 use serde_json::Value;
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 #[test]
-fn help_and_version_are_no_errors() {
+fn prints_help_and_version_without_an_error() {
     let commands = ["bound", "clip", "train", "rollout", "score", "evaluate", "report"]
         .map(|command| vec![command, "--help"]);
     for arguments in commands.iter().map(Vec::as_slice).chain([&["--help"][..], &["--version"]]) {
@@ -17,7 +17,7 @@ fn help_and_version_are_no_errors() {
 }
 
 #[test]
-fn a_wrong_command_line_gets_one_line() {
+fn answers_a_wrong_command_line_with_one_line() {
     assert!(fails(&[]).contains("expected one of the commands"));
     assert!(fails(&["dance"]).contains("'dance'"));
     assert!(fails(&["clip"]).contains("CLIP"));
@@ -26,9 +26,9 @@ fn a_wrong_command_line_gets_one_line() {
     assert!(fails(&["bound", "case.json", "--repeat", "0"]).contains("--repeat"));
 }
 
-/// Once a number below zero was told another range than zero, and with another exit status.
+/// Once a negative number had another message and another exit status than zero.
 #[test]
-fn a_number_that_an_option_cannot_have_is_refused_with_the_range_that_it_may_have() {
+fn states_the_range_of_an_option_in_the_error() {
     let seed = "from 0 to 4294967295";
     for (line, option, wrong, range) in [
         ("train c.bvh --out m --latent", "--latent <Q>", "-1 0 1.5 101", "from 1 to 100"),
@@ -66,23 +66,23 @@ fn a_number_that_an_option_cannot_have_is_refused_with_the_range_that_it_may_hav
         for wrong in wrong.split(' ') {
             let error = fails(&line.split(' ').chain([wrong]).collect::<Vec<_>>());
             let one = wrong.rsplit(',').next().unwrap();
-            let said = format!("'{one}' for '{option}': expected a whole number {range} (try --help)");
-            assert!(error.contains(&said), "{line} {wrong}: {error}");
+            let found = format!("'{one}' for '{option}': expected a whole number {range} (try --help)");
+            assert!(error.contains(&found), "{line} {wrong}: {error}");
         }
     }
-    for (line, said) in [
+    for (line, found) in [
         ("score m c.bvh --from 99999999999999999999", "expected a smaller number (try --help)"),
         ("clip c.bvh --fps many", "'many' for '--fps <F>': expected a number (try --help)"),
         // No option: it is still taken for one.
         ("clip -1", "unexpected argument '-1'"),
     ] {
         let error = fails(&line.split(' ').collect::<Vec<_>>());
-        assert!(error.contains(said), "{line}: {error}");
+        assert!(error.contains(found), "{line}: {error}");
     }
 }
 
 #[test]
-fn a_wrong_name_is_answered_with_the_similar_one() {
+fn suggests_a_similar_name_for_a_wrong_one() {
     for (line, hint) in [
         (
             "train --outt x",
@@ -95,9 +95,9 @@ fn a_wrong_name_is_answered_with_the_similar_one() {
     }
 }
 
-/// Once the clip's file was blamed for it.
+/// Once the message named the clip's file.
 #[test]
-fn a_rate_that_cannot_be_is_the_options_fault() {
+fn names_the_option_of_an_impossible_frame_rate() {
     for (line, expected) in [
         ("clip sample:walk-1", "frames a second from 0.1 to 10000"),
         ("train sample:walk-1 --parts whole --out m", "frames a second from 0.1 to 10000"),
@@ -116,7 +116,7 @@ fn a_rate_that_cannot_be_is_the_options_fault() {
 }
 
 #[test]
-fn bound_prints_a_golden_case_in_its_own_shape() {
+fn bound_prints_the_numbers_of_a_golden_case() {
     let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/golden/case-1.json");
     let printed = json(&["bound", case, "--repeat", "3"]);
     let golden: Value = serde_json::from_str(&fs::read_to_string(case).unwrap()).unwrap();
@@ -132,7 +132,7 @@ fn bound_prints_a_golden_case_in_its_own_shape() {
 }
 
 #[test]
-fn cases_that_are_none_are_refused_with_file_and_field() {
+fn names_the_file_and_field_of_a_wrong_case() {
     let folder = folder("bad-cases");
     let case = folder.join("case.json");
     fs::write(&case, r#"{"input": {"params": {"parts": 3}}}"#).unwrap();
@@ -169,7 +169,7 @@ fn train(folder: &Path, more: &[&str]) -> (PathBuf, Value) {
 }
 
 #[test]
-fn threads_train_the_same_model() {
+fn trains_the_same_model_with_several_threads() {
     let folder = folder("threads");
     let (model, _) = train(&folder, &[]);
     let alone = fs::read(&model).unwrap();
@@ -183,7 +183,7 @@ fn threads_train_the_same_model() {
 }
 
 #[test]
-fn train_then_roll_out_then_score() {
+fn trains_rolls_out_and_scores() {
     let folder = folder("train");
     let (start, motion, latents) =
         (folder.join("start.json"), folder.join("motion.bvh"), folder.join("latents.csv"));
@@ -243,7 +243,7 @@ fn train_then_roll_out_then_score() {
         assert!(!Path::new(unwritten).exists(), "one of two files is left behind");
     }
 
-    for (arguments, said) in [
+    for (arguments, found) in [
         (&["score", model, "sample:walk-3", "--from", "7"][..], "from 0 to 2, found 7"),
         (&["rollout", model, "--frames", "9", "--from", "3", "--out", motion], "found 3"),
         (&["rollout", model, "--frames", "0", "--out", motion], "0"),
@@ -253,19 +253,19 @@ fn train_then_roll_out_then_score() {
         (&["score", motion, "sample:walk-3"], "motion.bvh: "),
     ] {
         let error = fails(arguments);
-        assert!(error.contains(said), "{arguments:?}: {error}");
+        assert!(error.contains(found), "{arguments:?}: {error}");
     }
 }
 
 #[test]
-fn the_same_seed_gives_the_same_model() {
+fn trains_the_same_model_from_the_same_seed() {
     let (first, _) = train(&folder("seed-a"), &[]);
     let (second, _) = train(&folder("seed-b"), &[]);
     assert_eq!(fs::read(first).unwrap(), fs::read(second).unwrap());
 }
 
 #[test]
-fn parts_are_named_or_read_from_a_file() {
+fn reads_parts_by_name_or_from_a_file() {
     let folder = folder("parts");
     let (parts, model) = (folder.join("parts.json"), folder.join("model.json"));
     let train = |parts: &str| {
@@ -310,7 +310,7 @@ fn parts_are_named_or_read_from_a_file() {
 }
 
 #[test]
-fn training_that_cannot_begin_says_why() {
+fn names_the_reason_why_a_training_cannot_begin() {
     let folder = folder("bad-training");
     let model = folder.join("model.json");
     let other = folder.join("other.bvh");
@@ -359,7 +359,7 @@ fn warns_of_a_clip_that_is_given_twice() {
 }
 
 #[test]
-fn clips_of_other_bones_are_trained_on_with_those_of_the_first() {
+fn trains_on_clips_of_other_bones_with_the_bones_of_the_first() {
     let folder = folder("bones");
     let taller = taller_walk(&folder);
     let model = folder.join("model.json");
@@ -376,7 +376,7 @@ fn clips_of_other_bones_are_trained_on_with_those_of_the_first() {
 }
 
 #[test]
-fn the_commands_of_the_document_run() {
+fn runs_the_commands_of_the_document() {
     let document = include_str!("../../../../docs/terminal.md").replace("\\\n", "");
     let folder = folder("document");
     let commands: Vec<&str> = document.lines().filter(|line| line.starts_with("vcgpdm ")).collect();

@@ -1,4 +1,4 @@
-//! `vcgpdm evaluate` and `report` as a user meets them: resumable, in shares, with tables.
+//! Tests of `vcgpdm evaluate`, `report` and `results merge`.
 
 use crate::call::{run, run_with};
 use serde_json::Value;
@@ -37,7 +37,7 @@ fn results(file: &Path) -> Value {
 }
 
 #[test]
-fn a_finished_fold_is_never_computed_twice() {
+fn does_not_compute_a_finished_job_again() {
     let out = file("twice");
     let first = evaluate(&out, &["--models", "vgpdm,dmp-rhythmic", "--folds", "2"]);
     let log = String::from_utf8_lossy(&first.stderr).into_owned();
@@ -47,12 +47,15 @@ fn a_finished_fold_is_never_computed_twice() {
     let before = results(&out);
     let second =
         summary(&evaluate(&out, &["--models", "vgpdm,dmp-rhythmic", "--folds", "2,3", "--seeds", "0,1"]));
-    // The DMP has no seeds: one run in each fold; fold 2 of both with seed 0 is there.
+    // The DMP has no seeds: one run in each fold. Fold 2 with seed 0 of both models is done.
     assert_eq!((second["computed"].as_u64(), second["known_before"].as_u64()), (Some(4), Some(2)));
     let after = results(&out);
     assert_eq!(after["finished"].as_array().unwrap().len(), 6);
     for k in 0..2 {
-        assert_eq!(after["finished"][k], before["finished"][k], "seconds and all: it was not computed again");
+        assert_eq!(
+            after["finished"][k], before["finished"][k],
+            "it was not computed again: the seconds are equal"
+        );
     }
     let score = &after["finished"][0]["outcome"]["score"];
     assert!(score["dtw_mse"].as_f64().unwrap() > 0.0 && score["variance"].as_f64().unwrap() > 0.0);
@@ -61,18 +64,18 @@ fn a_finished_fold_is_never_computed_twice() {
         .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
         .filter(|name| name.starts_with("evaluate-twice.json."))
         .collect();
-    assert_eq!(beside, ["evaluate-twice.json.lock"], "nothing else is left lying about");
+    assert_eq!(beside, ["evaluate-twice.json.lock"], "no other file stays");
 }
 
 #[test]
-fn what_failed_is_tried_again() {
+fn computes_failed_jobs_again() {
     let out = file("failed");
     let models = ["--models", "dmp-rhythmic", "--folds", "1,2"];
     summary(&evaluate(&out, &models));
     let whole = results(&out);
     let mut failed = whole.clone();
     failed["finished"][0]["outcome"] = Value::Null;
-    failed["finished"][0]["failure"] = "a bug that is mended by now".into();
+    failed["finished"][0]["failure"] = "a bug that is fixed".into();
     fs::write(&out, failed.to_string()).unwrap();
     let again = summary(&evaluate(&out, &models));
     assert_eq!((again["computed"].as_u64(), again["known_before"].as_u64()), (Some(1), Some(1)));
@@ -82,19 +85,19 @@ fn what_failed_is_tried_again() {
     assert_eq!(mended["finished"][0]["failure"], Value::Null);
 }
 
-/// Failures beside outcomes are results, which a workflow goes on with; failures alone are not.
+/// A workflow goes on if only some jobs failed: the exit status is 1 only if all failed.
 #[test]
-fn what_failed_is_said_at_the_end() {
+fn reports_failures_at_the_end() {
     let out = file("all-failed");
     let order = ["--folds", "1,1,2", "--order", "100"];
     let output = evaluate(&out, &[&order[..], &["--models", "vgpdm,vgpdm"]].concat());
     let last = |output: &Output| String::from_utf8_lossy(&output.stderr).lines().last().unwrap().to_owned();
-    let said = last(&output);
-    assert_eq!(output.status.code(), Some(1), "{said}");
-    assert!(said.starts_with("vcgpdm: 2 of 2 jobs failed, first vgpdm, "), "{said}");
+    let found = last(&output);
+    assert_eq!(output.status.code(), Some(1), "{found}");
+    assert!(found.starts_with("vcgpdm: 2 of 2 jobs failed, first vgpdm, "), "{found}");
     assert!(
-        said.contains("; dynamics of order 100 need at least 101") && !said.contains("sequence"),
-        "{said}"
+        found.contains("; dynamics of order 100 need at least 101") && !found.contains("sequence"),
+        "{found}"
     );
     assert_eq!(results(&out)["finished"].as_array().map(Vec::len), Some(2));
     let output = evaluate(&out, &[&order[..], &["--models", "vgpdm,dmp-rhythmic"]].concat());
@@ -103,24 +106,24 @@ fn what_failed_is_said_at_the_end() {
 }
 
 #[test]
-fn a_body_in_one_part_has_no_coupled_models() {
+fn leaves_out_coupled_models_for_a_body_in_one_part() {
     let out = file("one-part");
     let whole =
         ["evaluate", "sample:walk-1", "sample:walk-2", "--parts", "whole", "--fps", "15", "--folds", "1"];
     let asked = |models| run(&[&whole[..], &["--models", models, "--out", out.to_str().unwrap()]].concat());
-    let said = refusal(&asked("vcgpdm,map-cgpdm"));
+    let found = refusal(&asked("vcgpdm,map-cgpdm"));
     assert!(
-        said.contains("--parts whole: expected two parts or more for vcgpdm, map-cgpdm, found 1"),
-        "{said}"
+        found.contains("--parts whole: expected two parts or more for vcgpdm, map-cgpdm, found 1"),
+        "{found}"
     );
     let output = asked("map-cgpdm,dmp-rhythmic");
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(said.contains("--parts whole is one part: map-cgpdm left out"), "{said}");
+    let found = String::from_utf8_lossy(&output.stderr);
+    assert!(found.contains("--parts whole is one part: map-cgpdm left out"), "{found}");
     assert_eq!(summary(&output)["jobs"].as_u64(), Some(1));
 }
 
 #[test]
-fn shares_together_are_the_whole() {
+fn computes_the_same_results_in_shares() {
     let (one, whole) = (file("share"), file("whole"));
     let models = ["--models", "vgpdm,dmp-discrete", "--ips", "4,5", "--threads", "1"];
     let mut computed = 0;
@@ -132,7 +135,7 @@ fn shares_together_are_the_whole() {
     assert_eq!(rest["known_before"].as_u64(), Some(computed));
     assert_eq!(rest["jobs"].as_u64(), Some(9));
     summary(&evaluate(&whole, &models));
-    // The same numbers, whoever computed them in whatever order.
+    // The same numbers in any order.
     let numbers = |file: &Path| {
         let found = results(file);
         let mut lines: Vec<String> = found["finished"]
@@ -148,7 +151,7 @@ fn shares_together_are_the_whole() {
 }
 
 #[test]
-fn the_report_has_a_row_for_each_model_and_says_what_holds() {
+fn reports_a_row_for_each_model_and_the_claims() {
     let out = file("report");
     summary(&evaluate(&out, &["--models", "all", "--folds", "1", "--bases", "5,6"]));
     let text = String::from_utf8(run(&["report", out.to_str().unwrap()]).stdout).unwrap();
@@ -172,7 +175,7 @@ fn the_report_has_a_row_for_each_model_and_says_what_holds() {
 }
 
 #[test]
-fn a_share_without_jobs_writes_its_file_and_files_are_merged() {
+fn writes_the_file_of_an_empty_share_and_merges_files() {
     let shares = ["1", "2", "3"].map(|k| file(&format!("merge-{k}")));
     let models = ["--models", "dmp-discrete", "--folds", "1,2"];
     for (path, k) in shares.iter().zip(["1", "2", "3"]) {
@@ -181,8 +184,8 @@ fn a_share_without_jobs_writes_its_file_and_files_are_merged() {
     }
     let texts: Vec<&str> = shares.iter().map(|path| path.to_str().unwrap()).collect();
     let merged = run(&[&["results", "merge"], &texts[..], &["--out", "-"]].concat());
-    let said: Value = serde_json::from_slice(&merged.stderr).unwrap();
-    assert_eq!((said["jobs"].as_u64(), said["failed"].as_u64()), (Some(2), Some(0)));
+    let found: Value = serde_json::from_slice(&merged.stderr).unwrap();
+    assert_eq!((found["jobs"].as_u64(), found["failed"].as_u64()), (Some(2), Some(0)));
     let whole: Value = serde_json::from_slice(&merged.stdout).unwrap();
     assert_eq!(whole["finished"].as_array().map(Vec::len), Some(2));
     // Results come from stdin as well, and their tables as numbers.
@@ -197,9 +200,9 @@ fn a_share_without_jobs_writes_its_file_and_files_are_merged() {
     assert!(refusal(&evaluate(Path::new("-"), &["--models", "dmp-discrete"])).contains("expected a file"));
 }
 
-/// Once the first file's number was kept, without a word.
+/// Once the number of the first file silently stayed.
 #[test]
-fn files_that_disagree_about_a_job_are_refused() {
+fn refuses_files_with_different_numbers_of_a_job() {
     let (first, second) = (file("agree"), file("disagree"));
     summary(&evaluate(&first, &["--models", "dmp-rhythmic", "--folds", "1"]));
     let mut changed = results(&first);
@@ -211,9 +214,9 @@ fn files_that_disagree_about_a_job_are_refused() {
     assert!(merge(&[]).status.success(), "other seconds are no disagreement");
     changed["finished"][0]["outcome"]["score"]["dtw_mse"] = 1e300.into();
     fs::write(&second, changed.to_string()).unwrap();
-    let said = refusal(&merge(&[]));
+    let found = refusal(&merge(&[]));
     for part in [texts[0], texts[1], "dmp-rhythmic, 20 bases; trial 1 held out", "DTW MSE 0.", "--prefer"] {
-        assert!(said.contains(part), "{part}: {said}");
+        assert!(found.contains(part), "{part}: {found}");
     }
     let error = |output: &Output| {
         let merged: Value = serde_json::from_slice(&output.stdout).unwrap();
@@ -228,10 +231,10 @@ fn files_that_disagree_about_a_job_are_refused() {
     assert!(printed.contains("| dmp-rhythmic | 20 bases | 1.00e300 | 1.00e300 | "), "{printed}");
 }
 
-/// Once both computed all jobs. A program that is killed leaves nothing that keeps others from its job.
+/// Once both computed all jobs. The claim of a killed program does not block its job.
 #[cfg(unix)]
 #[test]
-fn two_programs_on_one_file_compute_each_job_once() {
+fn computes_each_job_once_in_two_programs() {
     let out = file("two");
     let seeds = ["--seeds", "0,1,2,3", "--models", "vgpdm", "--folds", "1,2", "--threads", "1"];
     let program = |more: &[&str]| {
@@ -250,7 +253,7 @@ fn two_programs_on_one_file_compute_each_job_once() {
     let short = ["--max-iterations", "30"];
     let both =
         [program(&short), program(&short)].map(|program| summary(&program.wait_with_output().unwrap()));
-    let count = |name: &str| both.iter().map(|said| said[name].as_u64().unwrap()).sum::<u64>();
+    let count = |name: &str| both.iter().map(|found| found[name].as_u64().unwrap()).sum::<u64>();
     assert_eq!((count("computed"), count("left")), (8, 0), "{both:?}");
     assert_eq!(count("computed_elsewhere") + count("known_before"), 8, "{both:?}");
     killed.kill().unwrap();
@@ -262,7 +265,7 @@ fn two_programs_on_one_file_compute_each_job_once() {
 }
 
 #[test]
-fn bad_input_is_refused_before_anything_is_computed() {
+fn refuses_bad_input_before_the_first_training() {
     let out = file("refused");
     assert!(refusal(&evaluate(&out, &["--models", "gplvm"])).contains("expected all, or some of vcgpdm"));
     assert!(refusal(&evaluate(&out, &["--folds", "4"])).contains("numbers from 1 to 3"));

@@ -1,4 +1,4 @@
-//! `vcgpdm clip`, and what becomes of files that are read and written.
+//! Tests of `vcgpdm clip`, and of files that are read and written.
 
 use crate::call::{fails, folder, json, prints, text};
 use serde_json::Value;
@@ -6,7 +6,7 @@ use std::fs;
 use std::process::Command;
 
 #[test]
-fn clip_tells_what_a_clip_holds() {
+fn prints_the_contents_of_a_clip() {
     let info = json(&["clip", "sample:walk-1"]);
     assert_eq!(info["name"], "walk-1 (made by this project).bvh");
     assert_eq!((info["up_axis"].as_str(), info["frames"].as_u64()), (Some("y"), Some(252)));
@@ -22,7 +22,7 @@ fn clip_tells_what_a_clip_holds() {
 }
 
 #[test]
-fn a_clip_is_written_back_and_resampled() {
+fn writes_a_clip_back_and_resamples_it() {
     let folder = folder("clip");
     let (same, slower) = (folder.join("same.bvh"), folder.join("slower.bvh"));
     let made = json(&["clip", "sample:walk-wave-2", "--out", text(&same)]);
@@ -36,10 +36,10 @@ fn a_clip_is_written_back_and_resampled() {
     assert_eq!(again["frame_time"].as_f64(), Some(1.0 / 30.0));
 }
 
-/// On a full disk the old file was once cut off before the new one could not be written.
+/// Once the old file was lost when the disk was full.
 #[cfg(unix)]
 #[test]
-fn a_file_stays_whole_where_the_new_one_has_no_room() {
+fn keeps_the_old_file_if_the_disk_is_full() {
     let folder = folder("no-room");
     for file in fs::read_dir(&folder).unwrap() {
         fs::remove_file(file.unwrap().path()).unwrap();
@@ -54,12 +54,12 @@ fn a_file_stays_whole_where_the_new_one_has_no_room() {
     assert_eq!(output.status.code(), Some(1), "{err}");
     assert!(err.contains("walk.bvh: "), "{err}");
     assert_eq!(fs::read_to_string(&out).unwrap(), "what was there");
-    assert_eq!(fs::read_dir(&folder).unwrap().count(), 1, "nothing is left beside it");
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 1, "no partial file stays");
 }
 
 #[cfg(unix)]
 #[test]
-fn a_link_goes_on_pointing_to_what_is_written() {
+fn writes_the_target_of_a_link() {
     let folder = folder("linked");
     let (file, link) = (folder.join("file.bvh"), folder.join("link.bvh"));
     fs::write(&file, "").unwrap();
@@ -73,7 +73,7 @@ fn a_link_goes_on_pointing_to_what_is_written() {
 /// Once the link was replaced by the file.
 #[cfg(unix)]
 #[test]
-fn a_link_to_a_file_that_does_not_exist_yet_stays_a_link() {
+fn writes_the_target_of_a_link_that_does_not_exist_yet() {
     let folder = folder("dangling");
     let link = folder.join("link.bvh");
     std::os::unix::fs::symlink("target.bvh", &link).unwrap();
@@ -116,7 +116,7 @@ fn reads_clips_whose_names_are_not_utf_8() {
 }
 
 #[test]
-fn names_of_clips_and_joints_do_not_control_the_terminal() {
+fn keeps_control_characters_of_names_from_the_terminal() {
     let clip = folder("controls").join("walk.bvh");
     json(&["clip", "sample:walk-1", "--out", text(&clip)]);
     let changed = fs::read_to_string(&clip).unwrap().replace("Hips", "Hips\u{202e}\u{9b}2J");
@@ -127,7 +127,7 @@ fn names_of_clips_and_joints_do_not_control_the_terminal() {
 }
 
 #[test]
-fn what_is_read_is_not_written_over() {
+fn refuses_to_overwrite_an_input_file() {
     let clip = folder("read-and-written").join("walk.bvh");
     json(&["clip", "sample:walk-1", "--out", text(&clip)]);
     let before = fs::read(&clip).unwrap();
@@ -151,9 +151,9 @@ fn what_is_read_is_not_written_over() {
     assert_eq!(fs::read(&clip).unwrap(), before);
 }
 
-/// Once the second output was written over the first, and all seemed well.
+/// Once the second output silently overwrote the first.
 #[test]
-fn each_output_has_a_file_of_its_own() {
+fn refuses_two_outputs_in_one_file() {
     let folder = folder("outputs");
     let (out, other) = (folder.join("out.json"), folder.join("out-2.json"));
     let same = folder.join("..").join("outputs").join("out.json");
@@ -181,7 +181,7 @@ fn each_output_has_a_file_of_its_own() {
         assert!(fails(arguments).starts_with(&begin), "{arguments:?}");
     }
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 1, "nothing is written");
-    // What cannot be lost there can be thrown away together.
+    // Outputs can share the null device.
     #[cfg(unix)]
     json(&[
         "train",
@@ -198,7 +198,7 @@ fn each_output_has_a_file_of_its_own() {
 }
 
 #[test]
-fn clips_that_cannot_be_read_or_written_say_why_and_where() {
+fn names_the_file_and_reason_of_clips_that_cannot_be_read_or_written() {
     let folder = folder("bad-clips");
     let broken = folder.join("broken.bvh");
     fs::write(&broken, "HIERARCHY\nROOT Hips\n{\n  OFFSET 0 zero 0\n}\n").unwrap();
@@ -213,9 +213,9 @@ fn clips_that_cannot_be_read_or_written_say_why_and_where() {
 }
 
 #[test]
-fn files_of_other_formats_are_known_and_told_how_to_convert() {
+fn recognises_other_formats_and_says_how_to_convert_them() {
     let folder = folder("foreign");
-    let said = |name: &str, bytes: &[u8]| {
+    let found = |name: &str, bytes: &[u8]| {
         let path = folder.join(name);
         fs::write(&path, bytes).unwrap();
         fails(&["clip", text(&path)])
@@ -238,13 +238,13 @@ fn files_of_other_formats_are_known_and_told_how_to_convert() {
         ),
         ("body.asf", b"# AST/ASF file\n:version 1.10\n:name VICON\n:units\n", "found an ASF skeleton"),
     ] {
-        let said = said(name, bytes);
-        assert!(said.contains(expected), "{name}: {said}");
+        let found = found(name, bytes);
+        assert!(found.contains(expected), "{name}: {found}");
     }
 }
 
 #[test]
-fn an_acclaim_skeleton_and_motion_become_a_clip() {
+fn reads_an_acclaim_skeleton_and_motion() {
     let folder = folder("acclaim");
     let (asf, amc, out) = (folder.join("body.asf"), folder.join("walk.amc"), folder.join("walk.bvh"));
     let bones = "begin\nid 1\nname lfemur\ndirection 0 -1 0\nlength 7\naxis 0 0 20 XYZ\ndof rx ry rz\nend\n";

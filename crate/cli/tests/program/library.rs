@@ -1,4 +1,4 @@
-//! Libraries of primitives from the terminal: trained, combined anew, and coupled to a clip.
+//! Tests of libraries of primitives: trained, combined, and coupled to a clip.
 
 use crate::call::{fails, folder, one_frame, prints, text};
 use serde_json::Value;
@@ -27,7 +27,7 @@ pub fn library(name: &str) -> PathBuf {
 }
 
 #[test]
-fn primitives_of_a_library_are_coupled_anew() {
+fn couples_primitives_of_a_library_in_a_new_combination() {
     let library = library("couple");
     let (out, again) = (library.with_file_name("model.json"), library.with_file_name("again.json"));
     // As it was learned.
@@ -82,7 +82,7 @@ fn primitives_of_a_library_are_coupled_anew() {
 }
 
 #[test]
-fn what_cannot_be_combined_is_refused_in_words() {
+fn refuses_wrong_combinations() {
     let library = library("refuse");
     let out = library.with_file_name("model.json");
     let couple = |uses: &str| fails(&["couple", text(&library), "--use", uses, "--out", text(&out)]);
@@ -110,7 +110,7 @@ fn what_cannot_be_combined_is_refused_in_words() {
 }
 
 #[test]
-fn primitives_are_saved_and_added_to_other_libraries() {
+fn saves_primitives_and_adds_them_to_other_libraries() {
     let library = library("primitives");
     let beside = |name: &str| library.with_file_name(name);
     let listed = json(&["primitives", text(&library)]);

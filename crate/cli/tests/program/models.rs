@@ -1,4 +1,4 @@
-//! Every kind of model from the terminal: trained, written, read back, rolled out and scored.
+//! Tests of every kind of model: trained, written, read, rolled out and scored.
 
 use crate::call::{fails, folder, prints, text};
 use serde_json::Value;
@@ -13,7 +13,7 @@ use vcgpdm_lab::evaluation::dtw_mse;
 
 const FPS: f64 = 12.0;
 const START_FRAMES: usize = 5;
-/// The beginning of a third walk.
+/// The first frames of a third walk.
 const SEQUENCE: usize = 2;
 
 /// Trains two walks and the first frames of a third.
@@ -25,7 +25,7 @@ fn train(out: &Path, more: &str) -> Value {
     serde_json::from_str(&prints(&arguments)).unwrap()
 }
 
-/// The same with the library: all columns that the model makes of the beginning of the third walk.
+/// The same with the library: all columns of a rollout from the first frames of the third walk.
 fn rolled_out(candidate: &Settings, preset: &str, seed: u32, frames: usize) -> nalgebra::DMatrix<f64> {
     let clips: Vec<Clip> = [1, 2, 3].map(|k| samples::clip(&format!("walk-{k}")).unwrap()).into();
     let parts = parts::presets(&clips[0].skeleton).into_iter().find(|p| p.id == preset).unwrap().parts;
@@ -41,7 +41,7 @@ fn rolled_out(candidate: &Settings, preset: &str, seed: u32, frames: usize) -> n
 }
 
 #[test]
-fn every_kind_rolls_out_from_its_file_as_it_was_trained() {
+fn rolls_out_every_kind_of_model_as_it_was_trained() {
     let gpdm = VariationalSettings { latent: 2, order: 1, dynamics_ips: 4, pose_ips: 5, max_iterations: 8 };
     let point = |balanced| MapSettings { latent: 2, order: 1, max_iterations: 8, balanced, linear: false };
     let small = "--latent 2 --order 1 --seed 3 --max-iterations 8";
@@ -96,9 +96,9 @@ fn every_kind_rolls_out_from_its_file_as_it_was_trained() {
             if variational {
                 prints(&arguments);
             } else {
-                let said = fails(&arguments);
+                let found = fails(&arguments);
                 let expected = format!("{option}: expected a vcgpdm or vgpdm model, found a {id} model");
-                assert!(said.contains(&expected), "{said}");
+                assert!(found.contains(&expected), "{found}");
             }
         }
         assert_eq!(latents.exists(), variational);
@@ -133,7 +133,7 @@ fn every_kind_rolls_out_from_its_file_as_it_was_trained() {
 }
 
 #[test]
-fn the_kind_follows_the_parts_unless_one_is_named() {
+fn chooses_the_kind_by_the_parts_unless_it_is_named() {
     let out = folder("models-default").join("model.json");
     let few = "--latent 2 --dynamics-ips 3 --pose-ips 3 --max-iterations 1";
     assert_eq!(train(&out, &format!("--parts lower,upper {few}"))["kind"], "vcgpdm");
@@ -141,9 +141,9 @@ fn the_kind_follows_the_parts_unless_one_is_named() {
 }
 
 #[test]
-fn options_of_other_kinds_are_refused_in_words() {
+fn refuses_options_of_other_kinds() {
     let out = folder("models-refused").join("model.json");
-    for (more, said) in [
+    for (more, found) in [
         (
             "--model gplvm",
             "'gplvm' for '--model <KIND>': expected one of vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete",
@@ -193,7 +193,7 @@ fn options_of_other_kinds_are_refused_in_words() {
             .chain(more.split_whitespace())
             .collect();
         let error = fails(&arguments);
-        assert!(error.contains(said), "{more}: {error}");
+        assert!(error.contains(found), "{more}: {error}");
     }
     assert!(!out.exists(), "nothing is left behind");
 }
@@ -209,7 +209,7 @@ fn small_clip(folder: &Path, name: &str, x: impl Fn(usize) -> f64, angle: impl F
     file
 }
 
-/// The command that trains each kind of model on a clip, with two parts where there must be parts.
+/// The command that trains each kind of model on a clip, with two parts if the kind needs parts.
 fn of_each_kind(folder: &Path, clip: &Path) -> Vec<Vec<String>> {
     let parts = folder.join("parts.json");
     fs::write(&parts, r#"[{"name": "low", "joints": ["Hips"]}, {"name": "high", "joints": ["Chest"]}]"#)
@@ -224,9 +224,9 @@ fn of_each_kind(folder: &Path, clip: &Path) -> Vec<Vec<String>> {
     ModelKind::ALL.map(command).to_vec()
 }
 
-/// Temporal primitives once wrote a model of such a clip that nobody could read.
+/// Once the TMP wrote a model of such a clip that could not be read.
 #[test]
-fn a_clip_in_which_hardly_anything_moves_becomes_a_model_that_can_be_read() {
+fn writes_a_readable_model_of_a_nearly_still_clip() {
     let folder = folder("models-still");
     let wave = |t: usize| (t as f64 / 3.0).sin();
     for (name, size) in [("still", 0.0), ("nearly", 1e-6), ("slight", 1e-3)] {
@@ -241,9 +241,9 @@ fn a_clip_in_which_hardly_anything_moves_becomes_a_model_that_can_be_read() {
     }
 }
 
-/// One frame far away drowned all others: the model's numbers were beyond what a document may hold.
+/// Once one distant frame gave a model with numbers that no document can have.
 #[test]
-fn a_spike_is_refused_with_its_frame() {
+fn names_the_frame_of_a_spike() {
     let folder = folder("models-spike");
     let spike = |t: usize| if t == 20 { 1e9 } else { t as f64 };
     let clip = small_clip(&folder, "spike.bvh", spike, |t| 10.0 * (t as f64 / 3.0).sin());

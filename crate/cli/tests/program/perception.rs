@@ -1,4 +1,4 @@
-//! `vcgpdm study` and `vcgpdm perception`: from an evaluation to a study, and from answers to what they say.
+//! Tests of `vcgpdm study` and `vcgpdm perception`.
 
 use crate::call::{fails, folder, json, prints, run, text};
 use serde_json::Value;
@@ -14,7 +14,7 @@ fn read(path: &Path) -> Value {
 }
 
 #[test]
-fn an_evaluation_becomes_a_study_and_a_study_another() {
+fn makes_a_study_of_an_evaluation_and_changes_a_study() {
     let folder = folder("study");
     let results = folder.join("results.json");
     let clips = ["sample:walk-1", "sample:walk-2"];
@@ -27,8 +27,8 @@ fn an_evaluation_becomes_a_study_and_a_study_another() {
     let made = folder.join("study.json");
     let mut study = vec!["study", text(&results), clips[1], clips[0], "--unseen", "sample:walk-6"];
     study.extend(["--title", "Two walks", "--failed", "dmp-discrete-5-trial-2", "--out", text(&made)]);
-    let said = json(&study);
-    let count = |name: &str| said[name].as_u64().unwrap();
+    let found = json(&study);
+    let count = |name: &str| found[name].as_u64().unwrap();
     assert_eq!(["natural", "unseen", "generated", "failed"].map(count), [2, 1, 8, 1]);
     assert_eq!(["blocks", "comparisons", "attention_checks", "catch_trials"].map(count), [1, 52, 4, 4]);
     let document = read(&made);
@@ -56,7 +56,7 @@ fn an_evaluation_becomes_a_study_and_a_study_another() {
     let mut change = vec!["study", text(&made), "--preset", "p3-part-1", "--look", "points", "--seed", "9"];
     change.extend(["--failed", "tmp-3-trial-1,tmp-3-trial-2", "--out", text(&other)]);
     let changed = json(&change);
-    assert_eq!(changed["hash"], said["hash"], "the same movements");
+    assert_eq!(changed["hash"], found["hash"], "the same movements");
     let count = |name: &str| changed[name].as_u64().unwrap();
     assert_eq!(
         ["blocks", "comparisons", "attention_checks", "catch_trials", "failed"].map(count),
@@ -74,29 +74,29 @@ fn an_evaluation_becomes_a_study_and_a_study_another() {
     let long = refused(&["sample:walk-1", "sample:walk-2", "--models", "tmp", "--seconds", "9"]);
     assert!(long.contains("trial-1: expected a movement of at least 9.00 seconds, found 4.20"), "{long}");
     for seconds in ["0", "-1", "61", "NaN"] {
-        let said = refused(&["sample:walk-1", "sample:walk-2", "--seconds", seconds]);
-        assert_eq!(said, format!("vcgpdm: --seconds: expected seconds from 0.1 to 60, found {seconds}\n"));
+        let found = refused(&["sample:walk-1", "sample:walk-2", "--seconds", seconds]);
+        assert_eq!(found, format!("vcgpdm: --seconds: expected seconds from 0.1 to 60, found {seconds}\n"));
     }
     let no_study = refused(&[]);
     assert!(no_study.contains("expected a study with \"format\": \"vcgpdm study\", found"), "{no_study}");
     let id = fails(&["study", text(&made), "--failed", "trial-1", "--out", text(&other)]);
     assert!(id.contains("expected a movement of the study, found trial-1"), "{id}");
     for option in [["--models", "tmp"], ["--folds", "1"], ["--unseen", "sample:walk-6"], ["--seconds", "2"]] {
-        let said = fails(&[&["study", text(&made), "--out", text(&other)], &option[..]].concat());
+        let found = fails(&[&["study", text(&made), "--out", text(&other)], &option[..]].concat());
         let expected = format!("{}: expected the clips of an evaluation with it", option[0]);
-        assert!(said.contains(&expected), "{said}");
+        assert!(found.contains(&expected), "{found}");
     }
     let itself = fails(&["study", text(&made), "--out", text(&made)]);
     assert!(itself.contains("expected another file to write to: this one is read"), "{itself}");
 }
 
-/// The answers of two simulated participants to the study that comes with the page, and what they say.
-fn answered() -> (PathBuf, [PathBuf; 2]) {
+/// The study of the page, and the answers of two simulated participants.
+fn answer_files() -> (PathBuf, [PathBuf; 2]) {
     let answers = ["p1", "p2"].map(|name| of_project(&format!("tests/perception/{name}.csv")));
     (of_project("www/public/study/walks.study.json"), answers)
 }
 
-/// Whether two documents are the same up to the last digits of their numbers.
+/// Checks that two documents are equal up to the last digits of their numbers.
 fn assert_close(a: &Value, b: &Value, at: &str) {
     match (a, b) {
         (Value::Number(a), Value::Number(b)) => {
@@ -116,16 +116,16 @@ fn assert_close(a: &Value, b: &Value, at: &str) {
 }
 
 #[test]
-fn answers_say_what_they_say_from_node_too() {
+fn gives_the_same_results_as_the_npm_package() {
     let folder = folder("perception");
-    let (study, [p1, p2]) = answered();
+    let (study, [p1, p2]) = answer_files();
     let (out, figures) = (folder.join("results.json"), folder.join("figures"));
     let mut analyse = vec!["perception", text(&study), text(&p1), text(&p2), "--out", text(&out)];
     analyse.extend(["--figures", text(&figures)]);
     let tables = prints(&analyse);
-    // The same file as the test of the npm package holds its numbers against.
+    // The test of the npm package compares with the same file.
     let mut stored = read(&of_project("tests/perception/results.json"));
-    // Whatever version wrote it.
+    // The version does not count.
     stored["engine"] = vcgpdm::models::ENGINE.into();
     assert_close(&read(&out), &stored, "results");
     for words in [
@@ -163,8 +163,8 @@ fn answers_say_what_they_say_from_node_too() {
 }
 
 #[test]
-fn the_papers_numbers_come_out() {
-    let said = prints(&["perception", "--paper"]);
+fn prints_the_numbers_of_the_paper() {
+    let found = prints(&["perception", "--paper"]);
     for words in [
         "| 0.36 | 0.37",
         "P(TMP > vGPDM) | 0.87 | 0.88",
@@ -172,7 +172,7 @@ fn the_papers_numbers_come_out() {
         "| about 0.8 | 0.79",
         "| 158 | 158 |",
     ] {
-        assert!(said.contains(words), "{words}: {said}");
+        assert!(found.contains(words), "{words}: {found}");
     }
     let none = fails(&["perception"]);
     assert!(none.contains("STUDY.json"), "{none}");

@@ -1,11 +1,11 @@
-//! A recorded clip, which is not part of the project: it lies in the folder that VCGPDM_CLIPS names.
+//! A test with a recorded clip of the folder VCGPDM_CLIPS, which is not part of the project.
 
 use crate::call::{folder, json, text};
 use std::path::PathBuf;
 
 #[test]
 #[ignore = "needs recordings: set VCGPDM_CLIPS"]
-fn a_recorded_clip_is_described_and_written_back() {
+fn describes_and_writes_back_a_recorded_clip() {
     let clips = PathBuf::from(std::env::var_os("VCGPDM_CLIPS").unwrap());
     let clip = clips.join("cmu-walk/35_01.bvh");
     let out = folder("real").join("out.bvh");

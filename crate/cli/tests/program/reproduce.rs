@@ -1,4 +1,4 @@
-//! `vcgpdm reproduce`: what a model's file says is enough to train it again.
+//! Tests of `vcgpdm reproduce`.
 
 use crate::call::{fails, folder, json, prints, run, taller_walk, text};
 use crate::library::library;
@@ -6,7 +6,7 @@ use serde_json::Value;
 use std::fs;
 
 #[test]
-fn a_model_is_trained_again_to_the_same_bits_from_its_file() {
+fn trains_a_model_again_to_the_same_bits() {
     let folder = folder("reproduce");
     let taller = taller_walk(&folder);
     let (model, again) = (folder.join("model.json"), folder.join("again.json"));
@@ -18,10 +18,10 @@ fn a_model_is_trained_again_to_the_same_bits_from_its_file() {
     let mut reproduce = vec!["reproduce", text(&model)];
     reproduce.extend(clips);
     // In two threads too.
-    let said = json(&[&reproduce[..], &["--out", text(&again), "--threads", "2"]].concat());
-    assert_eq!((said["same_bits"].as_bool(), said["iterations"].as_u64()), (Some(true), Some(8)));
-    assert_eq!(said["objective"], said["recorded_objective"]);
-    assert_eq!(said["largest_difference"], Value::Null);
+    let found = json(&[&reproduce[..], &["--out", text(&again), "--threads", "2"]].concat());
+    assert_eq!((found["same_bits"].as_bool(), found["iterations"].as_u64()), (Some(true), Some(8)));
+    assert_eq!(found["objective"], found["recorded_objective"]);
+    assert_eq!(found["largest_difference"], Value::Null);
     let written: Value = serde_json::from_str(&fs::read_to_string(&again).unwrap()).unwrap();
     let recorded: Value = serde_json::from_str(&fs::read_to_string(&model).unwrap()).unwrap();
     assert_eq!(written["sequences"], recorded["sequences"]);
@@ -49,33 +49,33 @@ fn a_model_is_trained_again_to_the_same_bits_from_its_file() {
     assert!(err.contains("alpha") && err.contains("differs"), "{err}");
     prints(&[&reproduce[..], &["--tolerance", "0.01"]].concat());
     for tolerance in ["nan", "-1", "inf"] {
-        let said = fails(&[&reproduce[..], &["--tolerance", tolerance]].concat());
-        assert!(said.contains(": expected a finite number from 0\n"), "{said}");
+        let found = fails(&[&reproduce[..], &["--tolerance", tolerance]].concat());
+        assert!(found.contains(": expected a finite number from 0\n"), "{found}");
     }
 }
 
 #[test]
-fn a_clip_that_is_missing_is_named() {
+fn names_a_missing_clip() {
     let folder = folder("reproduce-missing");
     let model = folder.join("model.json");
     let line = "train sample:walk-1 sample:walk-2 --parts whole --model tmp --primitives 4 --fps 12";
     let mut train: Vec<&str> = line.split(' ').collect();
     train.extend(["--out", text(&model)]);
     json(&train);
-    let said = fails(&["reproduce", text(&model), "sample:walk-2"]);
-    assert!(said.contains("expected the clip walk-1 (made by this project).bvh (SHA-256 "), "{said}");
-    let said = json(&["reproduce", text(&model), "sample:walk-2", "sample:walk-1"]);
-    assert_eq!(said["same_bits"], true);
+    let found = fails(&["reproduce", text(&model), "sample:walk-2"]);
+    assert!(found.contains("expected the clip walk-1 (made by this project).bvh (SHA-256 "), "{found}");
+    let found = json(&["reproduce", text(&model), "sample:walk-2", "sample:walk-1"]);
+    assert_eq!(found["same_bits"], true);
 }
 
 #[test]
-fn a_model_that_was_put_together_is_not_trained_as_something_else() {
+fn refuses_a_combination_of_primitives() {
     let library = library("reproduce-library");
     let model = library.with_file_name("model.json");
     json(&["couple", text(&library), "--use", "lower=walk,upper=wave", "--out", text(&model)]);
-    let said = fails(&["reproduce", text(&model), "sample:walk-wave-1"]);
+    let found = fails(&["reproduce", text(&model), "sample:walk-wave-1"]);
     assert!(
-        said.contains("model.json: expected a model that was trained on clips, found a combination"),
-        "{said}"
+        found.contains("model.json: expected a model that was trained on clips, found a combination"),
+        "{found}"
     );
 }

@@ -1,4 +1,4 @@
-//! `vcgpdm rollout` of the model that walks first on the page: cut, pushed, sampled, with variances.
+//! Tests of `vcgpdm rollout` with the first model of the page: cuts, pushes, samples and variances.
 
 use crate::call::{folder, run, text};
 use std::fs;
@@ -14,7 +14,7 @@ fn rollout(folder: &Path, more: &[&str]) -> Output {
     run(&[&whole, more].concat())
 }
 
-/// The latents of a rollout, a row a frame, without the header.
+/// The latents of a rollout, one row for each frame, without the header.
 fn latents(folder: &Path, more: &[&str]) -> Vec<String> {
     let output = rollout(folder, more);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
@@ -26,7 +26,7 @@ fn rows(path: &Path) -> Vec<String> {
 }
 
 #[test]
-fn a_rollout_starts_from_a_frame_whose_latents_the_model_keeps() {
+fn starts_from_a_frame_of_a_training_sequence() {
     let folder = folder("frame");
     let model = folder.join("model.json");
     let settings =
@@ -52,7 +52,7 @@ fn a_rollout_starts_from_a_frame_whose_latents_the_model_keeps() {
 }
 
 #[test]
-fn a_cut_and_a_push_are_felt_from_their_frame_on() {
+fn cuts_and_pushes_act_from_their_frame_on() {
     let folder = folder("disturbed");
     let learned = latents(&folder, &[]);
     for (option, from) in [("lower:upper@30-60", 30), ("0:1@45-50", 45)] {
@@ -72,7 +72,7 @@ fn a_cut_and_a_push_are_felt_from_their_frame_on() {
 }
 
 #[test]
-fn samples_follow_from_their_seed_and_variances_grow_from_nothing() {
+fn samples_depend_on_the_seed_and_variances_grow_from_zero() {
     let folder = folder("uncertain");
     let variances = folder.join("variances.csv");
     let learned = latents(&folder, &[]);
@@ -96,9 +96,9 @@ fn samples_follow_from_their_seed_and_variances_grow_from_nothing() {
 }
 
 #[test]
-fn what_does_not_fit_is_refused_in_words() {
+fn refuses_options_that_do_not_fit_the_model() {
     let folder = folder("refused");
-    for (options, status, said) in [
+    for (options, status, found) in [
         (&["--cut", "lower:tail@3-9"][..], 2, "expected two of the parts lower, upper"),
         (&["--cut", "lower:upper@3-9", "1:1@3-9"], 1, "nothing would say where it goes"),
         (&["--push", "upper@3=1,2"], 1, "expected a push of part 1 by 3 finite numbers"),
@@ -110,6 +110,6 @@ fn what_does_not_fit_is_refused_in_words() {
         let output = rollout(&folder, options);
         let error = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(status), "{options:?}");
-        assert!(error.contains(said) && error.matches('\n').count() == 1, "{options:?}: {error}");
+        assert!(error.contains(found) && error.matches('\n').count() == 1, "{options:?}: {error}");
     }
 }

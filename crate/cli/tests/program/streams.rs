@@ -1,4 +1,4 @@
-//! What the program is to a pipe, a scheduler, a shell and `man`.
+//! Tests of pipes, signals of schedulers, completions of shells and pages of `man`.
 
 use crate::call::{fails, folder, prints, run, run_with, text};
 use serde_json::Value;
@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 #[test]
-fn files_called_minus_are_stdin_and_stdout() {
+fn reads_stdin_and_writes_stdout_for_a_file_called_minus() {
     let written = run(&["clip", "sample:walk-1", "--out", "-"]);
     assert!(written.stdout.starts_with(b"HIERARCHY"));
     let about: Value = serde_json::from_slice(&written.stderr).unwrap();
@@ -34,7 +34,7 @@ fn files_called_minus_are_stdin_and_stdout() {
 /// A scheduler sends SIGTERM when the time of a job is over.
 #[cfg(unix)]
 #[test]
-fn sigterm_keeps_the_best_so_far() {
+fn keeps_the_best_model_after_sigterm() {
     let folder = folder("sigterm");
     let (model, start) = (folder.join("model.json"), folder.join("start.json"));
     // A bound that does not settle for minutes: a small one had settled before the signal came.
@@ -54,15 +54,15 @@ fn sigterm_keeps_the_best_so_far() {
     assert!(Command::new("kill").args(["-TERM", &child.id().to_string()]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();
     assert!(output.status.success(), "{:?}", output.status);
-    let said: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(said["reason"], "stopped");
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(found["reason"], "stopped");
     let kept: Value = serde_json::from_str(&fs::read_to_string(&model).unwrap()).unwrap();
-    assert_eq!(kept["provenance"]["iterations"], said["iterations"]);
+    assert_eq!(kept["provenance"]["iterations"], found["iterations"]);
 }
 
-/// What would take days is said before it begins, of every kind of training.
+/// Every command that trains warns of a training that would take days.
 #[test]
-fn a_long_wait_is_said_before_it_begins() {
+fn warns_of_a_long_training_before_it_begins() {
     let folder = folder("long");
     let walks = ["sample:walk-1", "sample:walk-2", "--parts", "lower,upper", "--max-iterations", "100000000"];
     let out = folder.join("out.json");
@@ -78,16 +78,16 @@ fn a_long_wait_is_said_before_it_begins() {
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
-        let mut said = String::new();
-        BufReader::new(child.stderr.take().unwrap()).read_line(&mut said).unwrap();
+        let mut found = String::new();
+        BufReader::new(child.stderr.take().unwrap()).read_line(&mut found).unwrap();
         child.kill().unwrap();
         child.wait().unwrap();
-        assert!(said.contains(" hours on ") && said.contains(" need less"), "{command}: {said}");
+        assert!(found.contains(" hours on ") && found.contains(" need less"), "{command}: {found}");
     }
 }
 
 #[test]
-fn shells_and_man_are_told_of_every_command() {
+fn prints_completions_and_pages_for_every_command() {
     let commands =
         ["bound", "clip", "train", "reproduce", "rollout", "score", "evaluate", "report", "results"];
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {

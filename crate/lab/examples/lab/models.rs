@@ -1,5 +1,4 @@
-//! The models that the measurements behind `docs/` are about: the one that the page opens with, and models of
-//! the sample walks.
+//! The models of the measurements: the first model of the page, and models of the sample walks.
 
 use std::path::Path;
 use vcgpdm::motion::parts::{PartSpec, presets};
@@ -8,19 +7,19 @@ use vcgpdm::{Dataset, Model, Source, Trainer, VariationalSettings};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
 
-/// A folder of the page.
-pub fn www(file: &str) -> String {
+/// The text of a file that the page opens with.
+pub fn read_first(file: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../www/first").join(file);
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// The model that the page opens with.
+/// The first model of the page.
 pub fn start() -> Model {
-    Model::from_json(&www("model.json")).unwrap()
+    Model::from_json(&read_first("model.json")).unwrap()
 }
 
-/// Models of the sample walks, with the default settings.
-pub fn of_samples() -> Vec<(&'static str, Model)> {
+/// Models of the sample walks, with the default settings and their titles.
+pub fn sample_models() -> Vec<(&'static str, Model)> {
     let clips = |movement: &str| -> Vec<Clip> {
         let samples = samples::list().into_iter().filter(|sample| sample.movement == movement);
         samples.map(|sample| samples::clip(sample.id).unwrap()).collect()
@@ -36,7 +35,7 @@ pub fn of_samples() -> Vec<(&'static str, Model)> {
     ]
 }
 
-/// A model of these clips.
+/// Trains a model on clips.
 pub fn train(clips: &[Clip], parts: &[PartSpec], seed: u32, max_iterations: usize) -> Model {
     let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
     let dataset = Dataset::new(&sources, parts, FRAMES_PER_SECOND).unwrap();

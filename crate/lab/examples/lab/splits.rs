@@ -1,10 +1,9 @@
-//! When two parts predict better than one body: the same walks with upper bodies that keep another time
+//! When two parts predict better than one: the same walks with another timing of the upper body
 //! (docs/comparison/splits.md).
 //!
-//! Each folder holds the clips (.bvh) of one person; the sample walks come after them. In every trial the
-//! upper body is taken from another moment of the same trial than the lower body, or goes at another pace, in
-//! ways that either all trials share or each has its own. All have the same length, so that only the two
-//! halves' time together differs.
+//! Each folder has the clips (.bvh) of one person; the sample walks follow. In every trial the upper body
+//! comes from a later time of the trial than the lower body, or moves at another pace, equally in all trials
+//! or differently in each. All trials have the same length, so that only the relative timing differs.
 
 use crate::clips;
 use std::ops::Range;
@@ -20,36 +19,39 @@ const FRAMES_PER_SECOND: f64 = 30.0;
 const SEEDS: Range<u32> = 0..3;
 /// The longest delay: about a cycle of a walk.
 const CYCLE: f64 = 1.0;
-/// The upper body goes so much faster or slower at most.
+/// Largest relative change of the pace of the upper body.
 const PACE: f64 = 0.15;
 
-/// When the upper body is where, in seconds: at `delay` + `pace` t.
+/// Timing of the upper body: at time t it has its pose of time `delay` + `pace` t, in seconds.
 #[derive(Clone, Copy)]
 struct Time {
     delay: f64,
     pace: f64,
 }
 
-/// What the upper body of each of n trials does, in words, and when it does it in trial k.
-type Way = (&'static str, fn(usize, usize) -> Time);
+/// A name, and the timing of the upper body in trial k of n.
+type Variant = (&'static str, fn(usize, usize) -> Time);
 
-const WAYS: [Way; 4] = [
+const VARIANTS: [Variant; 4] = [
     ("as walked", |_, _| Time { delay: 0.0, pace: 1.0 }),
     ("half a second later, in every trial", |_, _| Time { delay: 0.5 * CYCLE, pace: 1.0 }),
-    ("later by another time in each trial, 0 to 1 s", |k, n| Time { delay: CYCLE * share(k, n), pace: 1.0 }),
+    ("later by a different time in each trial, 0 to 1 s", |k, n| Time {
+        delay: CYCLE * share(k, n),
+        pace: 1.0,
+    }),
     ("at another pace in each trial, 0.85 to 1.15 times", |k, n| Time {
         delay: 0.0,
         pace: 1.0 + PACE * (2.0 * share(k, n) - 1.0),
     }),
 ];
 
-/// 0 to 1 in equal steps, of which neighbours in time get ones far apart.
+/// Values from 0 to 1 in equal steps; trials that follow each other have distant values.
 fn share(k: usize, n: usize) -> f64 {
     let order: Vec<usize> = (0..n).step_by(2).chain((1..n).step_by(2)).collect();
     order[k] as f64 / (n - 1) as f64
 }
 
-/// The trial with the upper body in its own time, as long as the trial at its fastest and latest would be.
+/// The trial with its own timing of the upper body, cut to a length that every timing allows.
 fn timed(trial: &Clip, upper: &PartSpec, time: Time) -> Clip {
     let kept =
         ((trial.frames() as f64 * trial.frame_time - CYCLE) / (1.0 + PACE) / trial.frame_time) as usize;
@@ -70,7 +72,7 @@ fn timed(trial: &Clip, upper: &PartSpec, time: Time) -> Clip {
     clip
 }
 
-/// What each of both models makes of each trial held out, from every seed: [parts, whole].
+/// The outcomes of both models for each trial held out, from every seed: [parts, whole].
 fn outcomes(trials: &[Clip], parts: &[PartSpec]) -> Vec<[Vec<Outcome>; 2]> {
     let settings = VariationalSettings::default();
     let candidates = [Settings::Vcgpdm(settings.clone()), Settings::Vgpdm(settings)];
@@ -101,8 +103,8 @@ fn ratio(outcomes: &[[Vec<Outcome>; 2]], error: impl Fn(&Outcome) -> f64) -> Str
 
 fn print(name: &str, trials: &[Clip]) {
     let preset = presets(&trials[0].skeleton).into_iter().find(|preset| preset.id == "lower-upper").unwrap();
-    for (words, time) in WAYS {
-        eprintln!("{name}: {words}");
+    for (title, time) in VARIANTS {
+        eprintln!("{name}: {title}");
         let timed: Vec<Clip> = trials
             .iter()
             .enumerate()
@@ -110,7 +112,7 @@ fn print(name: &str, trials: &[Clip]) {
             .collect();
         let found = outcomes(&timed, &preset.parts);
         println!(
-            "| {name} | {words} | {} | {} | {} | {} |",
+            "| {name} | {title} | {} | {} | {} | {} |",
             ratio(&found, |o| o.score.dtw_mse),
             ratio(&found, |o| o.part_errors[0]),
             ratio(&found, |o| o.part_errors[1]),
@@ -121,7 +123,7 @@ fn print(name: &str, trials: &[Clip]) {
 
 pub fn run(folders: &[PathBuf]) {
     println!(
-        "| trials | the upper body | error, parts : whole | lower body | upper body | on the trials trained on |"
+        "| trials | the upper body | error, parts : whole | lower body | upper body | on the training trials |"
     );
     println!("{}|", "|---".repeat(6));
     for folder in folders {

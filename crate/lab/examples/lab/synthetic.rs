@@ -1,5 +1,5 @@
-//! The synthetic experiment of Velychko et al. (2018, section 5.1) from many seeds, as Markdown tables. A seed
-//! is that of the data and of the training.
+//! The synthetic experiment of Velychko et al. (2018, section 5.1) from many seeds, as Markdown tables. A
+//! seed is that of the data and of the training.
 
 use clap::Args;
 use std::sync::Mutex;
@@ -18,7 +18,7 @@ pub struct Arguments {
     /// The share of the first part's dynamics in the second.
     #[arg(long, default_value_t = DRIVE)]
     drive: f64,
-    /// Trainings at a time; absent: as many as there are cores.
+    /// Trainings at the same time; absent: one for each core.
     #[arg(long)]
     threads: Option<usize>,
     /// The order of the model's dynamics.

@@ -1,7 +1,7 @@
 //! The claims of the papers about the models, checked with results.
 //!
-//! A claim is a sentence of a paper. Our criterion is about an interval, and the answer is "yes" or "no" only if
-//! the whole interval agrees.
+//! A claim is a sentence of a paper. Our criterion is about an interval, and the answer is "yes" or "no" only
+//! if the whole interval agrees.
 
 use crate::evaluation::candidate_size::size;
 use crate::evaluation::contender::Contender;

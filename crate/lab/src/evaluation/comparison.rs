@@ -36,8 +36,8 @@ impl Comparison {
         Self::of_several(&[results])
     }
 
-    /// The tables of several comparisons together, each with its own trials. Errors are compared trial by trial,
-    /// so that errors of different people and movements are never mixed.
+    /// The tables of several comparisons together, each with its own trials. Errors are compared trial by
+    /// trial, so that errors of different people and movements are never mixed.
     pub fn of_several(several: &[&Results]) -> Self {
         let (rows, labels) = (rows(several), Labels::of_several(several));
         let growth = growth(several, &labels);

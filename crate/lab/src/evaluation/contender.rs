@@ -19,8 +19,8 @@ pub(super) struct Contender<'a, 'r> {
 }
 
 impl<'a, 'r> Contender<'a, 'r> {
-    /// In each fold, the settings with the highest bound; without a bound, those that predict the other trials
-    /// best. Neither needs the trial held out. Only folds count that all settings have.
+    /// In each fold, the settings with the highest bound; without a bound, those that predict the other
+    /// trials best. Neither needs the trial held out. Only folds count that all settings have.
     pub fn new(settings: Vec<&'a Row<'r>>) -> Option<Self> {
         let folds = common_folds(&settings);
         let errors: Vec<Errors> = settings.iter().map(|row| row.errors(&folds)).collect();

@@ -1,5 +1,5 @@
-//! Correlation of bound and error over the sizes of a kind of model: figure 1 of the supplement of Velychko et
-//! al. (2017), and on the training trials figure 6B of Velychko et al. (2018).
+//! Correlation of bound and error over the sizes of a kind of model: figure 1 of the supplement of Velychko
+//! et al. (2017), and on the training trials figure 6B of Velychko et al. (2018).
 
 use crate::evaluation::labels::Labels;
 use crate::evaluation::rows::{Row, common_folds, groups};

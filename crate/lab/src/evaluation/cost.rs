@@ -9,8 +9,8 @@ use vcgpdm::motion::parts::PartSpec;
 const COLUMNS: usize = 3;
 
 impl Job {
-    /// The estimated cost of its training on one core; that of a TMP or DMP is neglected. `trials` are all clips
-    /// of the comparison in their order.
+    /// The estimated cost of its training on one core; that of a TMP or DMP is neglected. `trials` are all
+    /// clips of the comparison in their order.
     pub fn cost(&self, trials: &[Clip], parts: &[PartSpec], frames_per_second: f64) -> TrainingCost {
         let others = trials.iter().enumerate().filter(|(k, _)| k + 1 != self.held_out);
         let seconds: f64 = others

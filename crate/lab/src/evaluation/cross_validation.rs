@@ -1,6 +1,6 @@
-//! Leave-one-trial-out cross-validation (Velychko et al. 2018, section 5.3): train on all trials but one, and on
-//! the first frames of the trial held out as one more sequence; roll out from these frames for the length of the
-//! trial; score.
+//! Leave-one-trial-out cross-validation (Velychko et al. 2018, section 5.3): train on all trials but one, and
+//! on the first frames of the trial held out as one more sequence; roll out from these frames for the length
+//! of the trial; score.
 
 use crate::evaluation::dtw::{ScoreError, dtw_mse, score_and_columns};
 use crate::evaluation::outcome::Outcome;
@@ -193,7 +193,8 @@ impl Fold {
     /// The training of a candidate in this fold, before its first step.
     ///
     /// # Errors
-    /// The candidate cannot be trained on these trials; the error names the clip if one of them is the reason.
+    /// The candidate cannot be trained on these trials; the error names the clip if one of them is the
+    /// reason.
     pub fn learner(&self, candidate: &Settings, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
         let kind = candidate.kind();
         if kind.is_coupled() && self.movements.y.len() == 1 {
@@ -203,8 +204,8 @@ impl Fold {
         Ok(learner.map_err(|reason| dataset_error(reason, &self.body.sequences))?)
     }
 
-    /// Trains a candidate and scores its prediction. `watch` is called after every step; if it returns false, the
-    /// training ends without an outcome. `seconds` is a clock.
+    /// Trains a candidate and scores its prediction. `watch` is called after every step; if it returns false,
+    /// the training ends without an outcome. `seconds` is a clock.
     ///
     /// # Errors
     /// The candidate cannot be trained, or its prediction cannot be scored.

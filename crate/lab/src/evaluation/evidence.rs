@@ -6,8 +6,8 @@ use crate::evaluation::rows::{Row, settings};
 use crate::evaluation::summary::Evidence;
 use vcgpdm::models::ModelKind;
 
-/// One entry for each fold that both models have. Both are of the same frames and columns, with a noise for each
-/// part or one for all.
+/// One entry for each fold that both models have. Both are of the same frames and columns, with a noise for
+/// each part or one for all.
 pub(super) fn evidence(rows: &[Row], name: &dyn Fn(usize) -> String) -> Vec<Evidence> {
     let contender = |kind| Contender::new(settings(rows, kind, &|_| true));
     let (Some(parts), Some(whole)) = (contender(ModelKind::Vcgpdm), contender(ModelKind::Vgpdm)) else {

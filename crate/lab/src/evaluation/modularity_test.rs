@@ -18,8 +18,8 @@ const SEEDS: [u32; 2] = [1, 2];
 /// The sample trials have very little noise, and need more iterations than recordings.
 const ITERATIONS: usize = 600;
 
-/// Movements of which some parts use the same primitive, compared with models of each movement alone (Velychko et
-/// al. 2018, section 5.5 and figure 7).
+/// Movements of which some parts use the same primitive, compared with models of each movement alone
+/// (Velychko et al. 2018, section 5.5 and figure 7).
 #[derive(Clone, Debug)]
 pub struct ModularityTest {
     /// The movements with their trials.
@@ -46,8 +46,8 @@ pub enum Trained {
 }
 
 impl ModularityTest {
-    /// The test on the samples of walking and of walking with waving: Q = 3, 25 pose inducing points for each part,
-    /// 16 dynamics inducing points for each expert.
+    /// The test on the samples of walking and of walking with waving: Q = 3, 25 pose inducing points for each
+    /// part, 16 dynamics inducing points for each expert.
     pub fn on_samples() -> Self {
         let trials = |movement: &str| {
             let own = samples::list().into_iter().filter(|sample| sample.movement == movement);
@@ -85,8 +85,8 @@ impl ModularityTest {
         })
     }
 
-    /// The training of a fold before its first step. The trial, counted from 1, of the movement, counted from 0,
-    /// is held out.
+    /// The training of a fold before its first step. The trial, counted from 1, of the movement, counted from
+    /// 0, is held out.
     ///
     /// # Errors
     /// The trial does not exist, or the trials cannot be trained on.
@@ -109,8 +109,8 @@ impl ModularityTest {
     }
 }
 
-/// The training of one fold, one step at a time, with one seed after the other. The model with the highest bound
-/// stays.
+/// The training of one fold, one step at a time, with one seed after the other. The model with the highest
+/// bound stays.
 pub struct FoldTraining {
     fold: LibraryFold,
     settings: VariationalSettings,
@@ -138,8 +138,8 @@ impl FoldTraining {
         Ok(Self { fold, settings, seeds, over: 0, trainer, best: None })
     }
 
-    /// Makes one iteration of the optimiser. The progress is that of all seeds together; its bound is that of the
-    /// current seed. After the end it does nothing.
+    /// Makes one iteration of the optimiser. The progress is that of all seeds together; its bound is that of
+    /// the current seed. After the end it does nothing.
     ///
     /// # Errors
     /// A model cannot be fitted, rolled out or scored, or the training with the next seed cannot begin.

@@ -55,8 +55,8 @@ pub struct Difference {
 }
 
 impl Outcome {
-    /// The first number in which the outcomes of one job differ. Times and reasons may differ, and numbers that
-    /// only one outcome has are not compared.
+    /// The first number in which the outcomes of one job differ. Times and reasons may differ, and numbers
+    /// that only one outcome has are not compared.
     pub fn difference(&self, other: &Outcome) -> Option<Difference> {
         let numbers = |outcome: &Outcome| {
             let parts = outcome.part_errors.iter().map(|error| ("error of a part", Some(*error)));

@@ -37,8 +37,8 @@ pub struct Plan {
     pub pose_ips: Vec<usize>,
     /// Numbers of primitives of the TMP; `None`: the bound chooses.
     pub primitives: Vec<Option<usize>>,
-    /// Whether the primitives of the TMP are functions of normalised time, with weights that all trials share,
-    /// as in the papers.
+    /// Whether the primitives of the TMP are functions of normalised time, with weights that all trials
+    /// share, as in the papers.
     #[serde(default)]
     pub normalised_time: bool,
     /// Numbers of basis functions of the DMPs.
@@ -54,8 +54,8 @@ pub struct Plan {
     pub seeds: Vec<u32>,
     /// Numbers of the other trials that are trained on; empty: all.
     pub training_trials: Vec<usize>,
-    /// Whether the coupled models are also trained on one trial, on two, and so on, to see how the time grows:
-    /// with the middle number of inducing points, in the first fold, with the first seed.
+    /// Whether the coupled models are also trained on one trial, on two, and so on, to see how the time
+    /// grows: with the middle number of inducing points, in the first fold, with the first seed.
     pub growth: bool,
 }
 

@@ -372,7 +372,8 @@ mod tests {
         };
         assert_eq!(found(&|outcome| outcome.score.dtw_mse = 0.25), Some(("DTW MSE", 0.5, 0.25)));
         assert_eq!(found(&|outcome| outcome.bound = Some(-11.0)), Some(("bound", -10.0, -11.0)));
-        // Time, another ending of the same numbers, rounding, and numbers that earlier versions did not write.
+        // Time, another ending of the same numbers, rounding, and numbers that earlier versions did not
+        // write.
         let seconds = |outcome: &mut Outcome| {
             outcome.seconds = 9.0;
             outcome.reason = Some("stopped".to_owned());

@@ -16,8 +16,8 @@ pub(super) struct Row<'a> {
     outcomes: BTreeMap<usize, Vec<&'a Outcome>>,
 }
 
-/// Candidates that were trained on all other trials, in the order of tables: by model, and by size among those
-/// that differ only in size. The numbers of the folds go on from one comparison to the next.
+/// Candidates that were trained on all other trials, in the order of tables: by model, and by size among
+/// those that differ only in size. The numbers of the folds go on from one comparison to the next.
 pub(super) fn rows<'a>(several: &[&'a Results]) -> Vec<Row<'a>> {
     let mut rows: Vec<Row> = Vec::new();
     let mut before = 0;
@@ -154,7 +154,8 @@ impl Row<'_> {
         self.by_fold(folds, &|o| o.bound)
     }
 
-    /// The row of a table, over all its own folds. `stands_for` is the number of candidates that it represents.
+    /// The row of a table, over all its own folds. `stands_for` is the number of candidates that it
+    /// represents.
     pub fn summary(&self, label: String, stands_for: usize) -> Option<ModelSummary> {
         let folds = self.folds();
         let spread = |value: &dyn Fn(&Outcome) -> Option<f64>| -> Option<Spread> {

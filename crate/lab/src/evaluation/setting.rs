@@ -108,15 +108,16 @@ impl Setting {
         Ok(())
     }
 
-    /// Two trials that are the same motion, counted from 1. If one were held out, the other would be trained on.
+    /// Two trials that are the same motion, counted from 1. If one were held out, the other would be trained
+    /// on.
     fn same_motions(&self) -> Option<(usize, usize)> {
         let trials = &self.trials;
         let later = |k: usize| (k + 1..trials.len()).find(|other| trials[k].is_same_motion(&trials[*other]));
         (0..trials.len()).find_map(|k| later(k).map(|other| (k + 1, other + 1)))
     }
 
-    /// The first difference between the settings, as text; absent if their results can be merged. The names of
-    /// trials and parts do not count.
+    /// The first difference between the settings, as text; absent if their results can be merged. The names
+    /// of trials and parts do not count.
     pub(super) fn difference(&self, other: &Setting) -> Option<String> {
         let (trials, parts) = (&self.trials, &self.parts);
         if other.trials.len() != trials.len() {

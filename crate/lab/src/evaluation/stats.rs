@@ -56,8 +56,8 @@ pub fn rank_correlation(pairs: &[(f64, f64)]) -> Option<f64> {
     (spread > 0.0).then(|| product(&a, ma, &b, mb) / spread)
 }
 
-/// The exponent k of y = c x^k: the slope of a straight line through the logarithms of positive pairs; absent if
-/// x is constant.
+/// The exponent k of y = c x^k: the slope of a straight line through the logarithms of positive pairs; absent
+/// if x is constant.
 pub fn exponent(pairs: &[(f64, f64)]) -> Option<f64> {
     let logarithms: Vec<(f64, f64)> = pairs.iter().map(|(x, y)| (x.logarithm(), y.logarithm())).collect();
     let (x, y): (Vec<f64>, Vec<f64>) = logarithms.iter().copied().unzip();
@@ -94,8 +94,9 @@ impl Interval {
 /// The smallest confidence level of the intervals.
 const LEVEL: f64 = 0.95;
 
-/// Confidence interval of the median, between two of the values, by the sign test: it assumes no distribution,
-/// and one extreme value cannot move it far. Absent for fewer than six values, which give no interval of 95 %.
+/// Confidence interval of the median, between two of the values, by the sign test: it assumes no
+/// distribution, and one extreme value cannot move it far. Absent for fewer than six values, which give no
+/// interval of 95 %.
 pub fn median_interval(values: &[f64]) -> Option<Interval> {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -150,8 +151,8 @@ const ALL_ORDERS: usize = 7;
 /// Number of random orders for more pairs.
 const RANDOM_ORDERS: usize = 20_000;
 
-/// One-sided p value of a negative rank correlation, by permutation: the share of the orders of one side whose
-/// rank correlation is at most that of these pairs.
+/// One-sided p value of a negative rank correlation, by permutation: the share of the orders of one side
+/// whose rank correlation is at most that of these pairs.
 pub fn correlation_p_value(pairs: &[(f64, f64)]) -> Option<f64> {
     let found = rank_correlation(pairs)?;
     let (a, mut b): (Vec<f64>, Vec<f64>) = pairs.iter().copied().unzip();

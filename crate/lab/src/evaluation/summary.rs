@@ -43,8 +43,8 @@ pub struct ModelSummary {
     pub converged: Option<f64>,
     /// The terms of the bound, means over folds, if the results have them.
     pub terms: Option<TermMeans>,
-    /// The mean error of each part, in the order of the setting's parts, after the same time warping; empty if
-    /// the results do not have it.
+    /// The mean error of each part, in the order of the setting's parts, after the same time warping; empty
+    /// if the results do not have it.
     pub part_errors: Vec<f64>,
     /// Number of trials held out.
     pub folds: usize,
@@ -81,7 +81,8 @@ pub struct BoundAndError {
 pub struct Correlation {
     /// The kind of model.
     pub model: ModelKind,
-    /// The settings that the candidates share, in a few words, if the kind has several such groups; else empty.
+    /// The settings that the candidates share, in a few words, if the kind has several such groups; else
+    /// empty.
     pub label: String,
     /// Number of candidates.
     pub settings: usize,
@@ -89,7 +90,8 @@ pub struct Correlation {
     pub folds: usize,
     /// Spearman's rank correlation of bound and error.
     pub rank: f64,
-    /// The one-sided p value: the share of all orders of the settings with a rank correlation at most as high.
+    /// The one-sided p value: the share of all orders of the settings with a rank correlation at most as
+    /// high.
     pub chance: f64,
     /// The candidates.
     pub points: Vec<BoundAndError>,
@@ -116,7 +118,8 @@ pub struct Growth {
     pub label: String,
     /// From few to many frames.
     pub points: Vec<FramesAndTime>,
-    /// The exponent k, if the time of an iteration grows as frames to the power k; absent with too few points.
+    /// The exponent k, if the time of an iteration grows as frames to the power k; absent with too few
+    /// points.
     pub exponent: Option<f64>,
     /// The 95 % interval of k, by Student's t of the slope.
     pub interval: Option<Interval>,

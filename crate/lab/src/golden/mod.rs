@@ -1,5 +1,5 @@
-//! Golden cases: data and parameters as one JSON object, in natural parameters, so that another implementation of
-//! the bound can be compared number by number or can start from the same point.
+//! Golden cases: data and parameters as one JSON object, in natural parameters, so that another
+//! implementation of the bound can be compared number by number or can start from the same point.
 //!
 //! `input.params.parts[i]` (mu, s, r, kin_lambda, kin_var, beta), `input.params.dyn[j][i]` (z, lambda, var: j
 //! predicts i), `input.params.alpha[j][i]`, `input.y[i]` (centred), `input.lengths`, `input.order`,
@@ -9,9 +9,9 @@
 //! instead of the lengths, `input.params.primitives[a]` (part, dyn\[i\]) instead of `dyn`, and
 //! `input.params.alpha[m][j][i]`; the frames of all movements are stacked.
 //!
-//! For new primitives next to stored ones: movements with `input.stored`, the number of first `primitives` that
-//! stay unchanged, and mean and cov of the inducing outputs of the pose maps (`kin[i]`) and of the stored
-//! primitives' experts about each part, stacked (`dyn[i]`).
+//! For new primitives next to stored ones: movements with `input.stored`, the number of first `primitives`
+//! that stay unchanged, and mean and cov of the inducing outputs of the pose maps (`kin[i]`) and of the
+//! stored primitives' experts about each part, stacked (`dyn[i]`).
 
 mod error;
 mod input;
@@ -73,10 +73,10 @@ impl Case {
         serde_json::to_string(&serde_json::json!({ "input": input }))
     }
 
-    /// Bound, terms, gradient and optimal posteriors. A plain model also has rollouts; movements have the bound
-    /// with their optimal inducing outputs fixed, and its gradient with respect to latents and couplings. With
-    /// stored primitives there are only the bound, its terms, and the gradient with respect to all that is not
-    /// stored.
+    /// Bound, terms, gradient and optimal posteriors. A plain model also has rollouts; movements have the
+    /// bound with their optimal inducing outputs fixed, and its gradient with respect to latents and
+    /// couplings. With stored primitives there are only the bound, its terms, and the gradient with respect
+    /// to all that is not stored.
     ///
     /// # Errors
     ///

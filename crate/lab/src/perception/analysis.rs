@@ -128,8 +128,8 @@ fn regressions(settings: &[SettingResult], options: &AnalysisOptions) -> Vec<Reg
     pairs.filter_map(|(kind, score)| regression(settings, kind, score, options)).collect()
 }
 
-/// The prediction of the rates of a kind's settings from a score; absent if too few settings have the score, or
-/// if it is the same for all.
+/// The prediction of the rates of a kind's settings from a score; absent if too few settings have the score,
+/// or if it is the same for all.
 fn regression(
     settings: &[SettingResult],
     model: Option<ModelKind>,

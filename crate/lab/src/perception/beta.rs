@@ -51,8 +51,8 @@ impl Rate {
         0.5 * (low + high)
     }
 
-    /// The posterior probability that the rate is exactly one half. The prior gives one half the probability 1/2,
-    /// and the other rates a uniform density.
+    /// The posterior probability that the rate is exactly one half. The prior gives one half the probability
+    /// 1/2, and the other rates a uniform density.
     pub fn is_half(self) -> f64 {
         let half = terms(self.trials, 0.5).get(self.hits).copied().unwrap_or(0.0);
         // With a uniform rate, all numbers of hits are equally likely.

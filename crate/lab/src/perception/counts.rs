@@ -26,8 +26,8 @@ impl<'a> Counted<'a> {
         Self { study, answers: answers.iter().filter(counts).collect() }
     }
 
-    /// How often the generated movement, or in catch trials the unseen one, was taken for the more natural one in
-    /// the wanted trials.
+    /// How often the generated movement, or in catch trials the unseen one, was taken for the more natural
+    /// one in the wanted trials.
     pub fn rate(&self, wanted: impl Fn(&Answer) -> bool) -> Rate {
         let trials: Vec<&&Answer> = self.answers.iter().filter(|answer| wanted(answer)).collect();
         let hits = trials.iter().filter(|answer| took_generated(self.study, answer)).count();

@@ -26,8 +26,8 @@ impl Study {
         text(&document(self))
     }
 
-    /// SHA-256 of the figure and the movements with their models and scores, in lower-case hexadecimal; not of the
-    /// design, the texts and the marks of failures. Answers name the study by this hash.
+    /// SHA-256 of the figure and the movements with their models and scores, in lower-case hexadecimal; not
+    /// of the design, the texts and the marks of failures. Answers name the study by this hash.
     ///
     /// # Errors
     /// A number is not finite.

@@ -81,8 +81,8 @@ struct Made {
 }
 
 impl Maker {
-    /// A study of movements of this body, of `seconds` seconds each, without the `skipped` first frames from which
-    /// predictions start. `frames_per_second` are those of the movements; the study has 30 or 60.
+    /// A study of movements of this body, of `seconds` seconds each, without the `skipped` first frames from
+    /// which predictions start. `frames_per_second` are those of the movements; the study has 30 or 60.
     pub fn new(skeleton: &Skeleton, seconds: f64, frames_per_second: f64, skipped: usize) -> Self {
         let rate = if frames_per_second < FAST { 30 } else { 60 };
         Self { skeleton: skeleton.clone(), seconds, rate, skipped, stimuli: Vec::new(), made: Vec::new() }

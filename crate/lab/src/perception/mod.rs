@@ -1,9 +1,9 @@
-//! The graphics Turing test (Velychko et al. 2018, section 5.4; Knopp et al. 2019): can people distinguish the
-//! movement of a model from a natural one, and do the scores of the models predict this?
+//! The graphics Turing test (Velychko et al. 2018, section 5.4; Knopp et al. 2019): can people distinguish
+//! the movement of a model from a natural one, and do the scores of the models predict this?
 //!
 //! A [`Study`] holds the movements and the design of an experiment, [`Study::trials`] are the trials of one
-//! participant, [`read_answers`] reads answers, and [`PerceptionResults`] are the results: rates, curves over the
-//! scores of the models, orders of the models.
+//! participant, [`read_answers`] reads answers, and [`PerceptionResults`] are the results: rates, curves over
+//! the scores of the models, orders of the models.
 
 mod analysis;
 mod answers;

@@ -1,9 +1,9 @@
 //! A movement as a short text: the positions of nodes over time, as whole numbers of a unit.
 //!
-//! Each node and axis has its first position, its first step, and then the difference of each step from the one
-//! before: small numbers if the movement is smooth. The numbers are in base 64 with variable length, as in source
-//! maps: six bits for each letter of `A-Za-z0-9+/`, of which the highest says that more follow; the lowest bit of
-//! a number is its sign.
+//! Each node and axis has its first position, its first step, and then the difference of each step from the
+//! one before: small numbers if the movement is smooth. The numbers are in base 64 with variable length, as
+//! in source maps: six bits for each letter of `A-Za-z0-9+/`, of which the highest says that more follow; the
+//! lowest bit of a number is its sign.
 
 use thiserror::Error;
 

@@ -8,8 +8,8 @@ const MOST: usize = 5_000;
 const LEVEL: f64 = 0.05;
 
 /// The smallest number of trials with which the exact one-sided binomial test, at 5 %, detects a rate that
-/// differs from one half by `difference` with at least this power. Knopp et al. (2019) have 158: a difference of 0.1, the
-/// width of [0.45, 0.55], and a power of 0.8.
+/// differs from one half by `difference` with at least this power. Knopp et al. (2019) have 158: a difference
+/// of 0.1, the width of [0.45, 0.55], and a power of 0.8.
 pub fn trials_to_tell(difference: f64, power: f64) -> Option<usize> {
     let rate = 0.5 + difference.abs();
     let possible = rate > 0.5 && rate <= 1.0 && power < 1.0;

@@ -215,8 +215,8 @@ pub struct Regression {
     pub weights: [f64; 2],
     /// Standard errors of the weights; absent if the answers do not determine both.
     pub errors: Option<[f64; 2]>,
-    /// The logarithm of the Bayes factor of the curve and a constant for one block: the mean over the blocks left
-    /// out; absent with fewer answers than blocks.
+    /// The logarithm of the Bayes factor of the curve and a constant for one block: the mean over the blocks
+    /// left out; absent with fewer answers than blocks.
     pub log_bayes_factor: Option<f64>,
     /// Its standard error over the blocks.
     pub log_bayes_factor_error: Option<f64>,
@@ -253,15 +253,16 @@ pub struct Order {
 pub struct Catch {
     /// How often the unseen movement was taken for the more natural one.
     pub confusion: Confusion,
-    /// The posterior probability that this rate is one half: participants do not recognise the seen movements.
+    /// The posterior probability that this rate is one half: participants do not recognise the seen
+    /// movements.
     pub is_half: f64,
 }
 
 /// Number of trials that a setting needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Needed {
-    /// For the exact test to detect a rate that is 0.1 away from one half, with a power of 0.8, as Knopp et al.
-    /// (2019).
+    /// For the exact test to detect a rate that is 0.1 away from one half, with a power of 0.8, as Knopp et
+    /// al. (2019).
     pub to_tell: Option<usize>,
     /// For a rate of one half to lie in [0.45, 0.55] with a posterior probability of 0.8.
     pub for_precision: Option<usize>,
@@ -288,7 +289,8 @@ pub struct PerceptionResults {
     pub all: Confusion,
     /// All settings, in the order of tables.
     pub settings: Vec<SettingResult>,
-    /// Predictions for every kind of model, and for all together, from every score of at least three settings.
+    /// Predictions for every kind of model, and for all together, from every score of at least three
+    /// settings.
     pub regressions: Vec<Regression>,
     /// The best setting of every kind of model with answers.
     pub best: Vec<Best>,

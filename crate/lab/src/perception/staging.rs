@@ -1,5 +1,5 @@
-//! Prepares a movement for a study: along z, with the feet on the ground, above the origin, at the frame rate of
-//! the study.
+//! Prepares a movement for a study: along z, with the feet on the ground, above the origin, at the frame rate
+//! of the study.
 
 use nalgebra::Vector3;
 use thiserror::Error;
@@ -8,8 +8,8 @@ use vcgpdm::motion::landmarks::facing;
 
 /// Speed in metres a second below which a body stands. A standing body is turned to its facing direction.
 const STANDS: f64 = 0.2;
-/// In one of this number of frames the lowest node may be below the ground, so that a bad frame does not lift the
-/// figure.
+/// In one of this number of frames the lowest node may be below the ground, so that a bad frame does not lift
+/// the figure.
 const LOWEST: usize = 10;
 
 /// Why a movement cannot be shown.
@@ -39,8 +39,8 @@ pub struct Staged {
 }
 
 /// The `seconds` of a movement after its first `skipped` frames, or its last `seconds` if it is too short, at
-/// `rate` frames a second and along z. The camera moves with the body at a constant speed: the body stays above
-/// the origin and keeps its vertical movement.
+/// `rate` frames a second and along z. The camera moves with the body at a constant speed: the body stays
+/// above the origin and keeps its vertical movement.
 ///
 /// `positions` [frames x nodes x 3] are metres on a stage with y up, `frame_time` seconds a frame.
 ///

@@ -126,8 +126,8 @@ impl Study {
         frames.map_or(f64::INFINITY, |frames| frames as f64 / self.frames_per_second as f64)
     }
 
-    /// The positions of a movement's nodes in a trial [frames x nodes x 3]: y up, in metres, the ground at y = 0,
-    /// the figure above the origin and moving along z.
+    /// The positions of a movement's nodes in a trial [frames x nodes x 3]: y up, in metres, the ground at y
+    /// = 0, the figure above the origin and moving along z.
     pub fn positions(&self, stimulus: usize) -> Option<Vec<f32>> {
         self.stimuli.get(stimulus).map(|stimulus| stimulus.movement.positions(self.frames(), self.unit))
     }

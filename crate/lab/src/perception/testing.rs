@@ -105,8 +105,8 @@ pub fn study() -> Study {
     }
 }
 
-/// The answers of a participant, as jsPsych writes them. `rate` is how often a movement is taken for the natural
-/// one. A participant who does not look answers at random.
+/// The answers of a participant, as jsPsych writes them. `rate` is how often a movement is taken for the
+/// natural one. A participant who does not look answers at random.
 pub fn answers(
     study: &Study,
     name: &str,

@@ -119,8 +119,8 @@ impl Study {
         self.sides(pairs, &mut draw)
     }
 
-    /// The generated movements of the comparisons. Settings come equally often, as far as the number of trials
-    /// allows, and so do the movements of a setting.
+    /// The generated movements of the comparisons. Settings come equally often, as far as the number of
+    /// trials allows, and so do the movements of a setting.
     fn comparisons(&self, draw: &mut Draw) -> Vec<usize> {
         let mut settings: Vec<(&Settings, Vec<usize>)> = Vec::new();
         for (k, stimulus) in self.stimuli.iter().enumerate() {

@@ -116,8 +116,8 @@ impl Synthetic {
         VariationalTrainer::new(self.y.clone(), vec![FRAMES], settings, seed)
     }
 
-    /// The mean squared error of a model's rollout over all frames, after dynamic time warping; the mean over the
-    /// parts. Each part is warped alone, because it has its own rhythm.
+    /// The mean squared error of a model's rollout over all frames, after dynamic time warping; the mean over
+    /// the parts. Each part is warped alone, because it has its own rhythm.
     ///
     /// # Errors
     ///

@@ -24,8 +24,8 @@ pub(super) struct DrawnFunction {
 }
 
 impl DrawnFunction {
-    /// Draws `outputs` functions from the prior. They are exact at the `points` [K x P] and their conditional mean
-    /// at other inputs, so the distance of the points should be less than a lengthscale.
+    /// Draws `outputs` functions from the prior. They are exact at the `points` [K x P] and their conditional
+    /// mean at other inputs, so the distance of the points should be less than a lengthscale.
     pub fn prior(
         kernel: Kernel,
         points: DMatrix<f64>,
@@ -39,8 +39,8 @@ impl DrawnFunction {
         Ok(Self { kernel, points, coefficients })
     }
 
-    /// Makes a draw from the prior one from the posterior: interpolates the error of the draw at the evidence, and
-    /// subtracts it (Matheron's rule).
+    /// Makes a draw from the prior one from the posterior: interpolates the error of the draw at the
+    /// evidence, and subtracts it (Matheron's rule).
     pub fn given(self, evidence: &Evidence, random: &mut ChaCha8Rng) -> Result<Self, NumericsError> {
         let Evidence { inputs, values, noise_variance } = evidence;
         let mut correction = values - self.at(inputs);

@@ -5,10 +5,10 @@
 //! dimension 2; each part is seen through 10 functions of its latents. All functions are drawn from GPs with
 //! an RBF kernel.
 //!
-//! The paper does not give its lengthscales, starts and noise, nor how it treats draws that come to rest. Here g^1
-//! and g^2 are draws that are conditioned on a few noisy transitions around the origin, each at its own rate. So
-//! the movement goes on, and the parts do not synchronise: in synchrony, the phase of each part determines that of
-//! the other, and the data do not show which part drives which.
+//! The paper does not give its lengthscales, starts and noise, nor how it treats draws that come to rest.
+//! Here g^1 and g^2 are draws that are conditioned on a few noisy transitions around the origin, each at its
+//! own rate. So the movement goes on, and the parts do not synchronise: in synchrony, the phase of each part
+//! determines that of the other, and the data do not show which part drives which.
 //!
 //! ```
 //! use vcgpdm::models::VariationalSettings;

@@ -29,8 +29,8 @@ impl Verdict {
         self.back >= MUCH
     }
 
-    /// Whether the verdict about the first part driving the second is true: it drives if its share `drive` is not
-    /// 0.
+    /// Whether the verdict about the first part driving the second is true: it drives if its share `drive` is
+    /// not 0.
     pub fn forth_is_right(&self, drive: f64) -> bool {
         if drive > 0.0 { (1.0 / ALIKE..=ALIKE).contains(&self.forth) } else { self.forth >= MUCH }
     }

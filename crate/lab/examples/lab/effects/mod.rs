@@ -1,8 +1,8 @@
-//! How each coupling changes the body's movement: docs/couplings.md.
+//! How each coupling changes the movement of the body (docs/couplings.md).
 //!
-//! Without clips: the model that the page opens with, its presets, and models of the sample walks. With
-//! clips: models of lower and upper body of these, one for each seed, and all couplings of the one with the
-//! highest bound.
+//! Without clips: the first model of the page, its presets, and models of the sample walks. With clips:
+//! models of the lower and upper body, one for each seed, and all couplings of the model with the highest
+//! bound.
 mod presets;
 mod sweep;
 
@@ -10,7 +10,7 @@ use crate::clips::read_clips;
 use crate::models::{self, lower_upper, train};
 use clap::Args;
 use std::path::PathBuf;
-use sweep::{Learned, strength};
+use sweep::{Learned, scale};
 use vcgpdm::Model;
 use vcgpdm::models::Reading;
 use vcgpdm::motion::Clip;
@@ -32,7 +32,7 @@ pub fn run(arguments: &Arguments) {
         sweep::print(start.coupled().unwrap());
         println!("### Its presets\n");
         presets::print(start.coupled().unwrap());
-        for (title, model) in models::of_samples() {
+        for (title, model) in models::sample_models() {
             println!("### {title}\n");
             sweep::print(model.coupled().unwrap());
         }
@@ -51,8 +51,8 @@ pub fn run(arguments: &Arguments) {
     println!("{}|", "|---".repeat(7));
     for (seed, model) in &models {
         let model = model.coupled().unwrap();
-        let learned = Learned::of(model);
-        let alpha = strength(&model.model.alpha, &[(0, 1, 100.0)]);
+        let learned = Learned::new(model);
+        let alpha = scale(&model.model.alpha, &[(0, 1, 100.0)]);
         let cut = learned.effect(model, alpha, Reading::ReInferred);
         let [hands, feet] = cut.periods().map(sweep::number);
         println!(

@@ -1,7 +1,7 @@
-//! The presets of the model that the page opens with, as the page has them.
+//! The presets of the first model of the page.
 
-use crate::effects::sweep::{Learned, number, strength, words};
-use crate::models::www;
+use crate::effects::sweep::{Learned, health_text, number, scale};
+use crate::models::read_first;
 use serde::Deserialize;
 use vcgpdm::Coupled;
 use vcgpdm::models::Reading;
@@ -21,9 +21,9 @@ struct Change {
 }
 
 pub fn print(model: Coupled) {
-    let presets: Vec<Preset> = serde_json::from_str(&www("presets.json")).unwrap();
-    let learned = Learned::of(model);
-    let place = |name: &str| {
+    let presets: Vec<Preset> = serde_json::from_str(&read_first("presets.json")).unwrap();
+    let learned = Learned::new(model);
+    let part_index = |name: &str| {
         let parts = model.body.layout.parts();
         parts.iter().position(|part| part.name == name).unwrap_or_else(|| panic!("no part {name}"))
     };
@@ -33,9 +33,9 @@ pub fn print(model: Coupled) {
     println!("{}|", "|---".repeat(10));
     for preset in presets {
         let changes: Vec<(usize, usize, f64)> = (preset.couplings.iter())
-            .map(|change| (place(&change.source), place(&change.target), change.factor))
+            .map(|change| (part_index(&change.source), part_index(&change.target), change.factor))
             .collect();
-        let effect = learned.effect(model, strength(&model.model.alpha, &changes), preset.reading);
+        let effect = learned.effect(model, scale(&model.model.alpha, &changes), preset.reading);
         let couplings: Vec<String> = (preset.couplings.iter())
             .map(|change| format!("{} to {} x {}", change.source, change.target, change.factor))
             .collect();
@@ -49,7 +49,7 @@ pub fn print(model: Coupled) {
             effect.feet,
             number(effect.locking),
             effect.measures.walking_speed,
-            words(effect.health),
+            health_text(effect.health),
         );
     }
     println!();

@@ -1,4 +1,4 @@
-//! Every coupling through its range, in both readings.
+//! The effects of every coupling over its range, in both readings.
 
 use nalgebra::DMatrix;
 use vcgpdm::Coupled;
@@ -6,21 +6,21 @@ use vcgpdm::models::{Health, Reading, RolloutRequest};
 use vcgpdm::motion::measures::{LimbMeasures, Measures, measures};
 
 const SECONDS: f64 = 20.0;
-/// What is measured begins here: until then a motion finds its new pace.
+/// Measurements begin at this second: before, a motion changes to its new rhythm.
 const SETTLED: f64 = 5.0;
 const FACTORS: [f64; 6] = [1e-3, 1e-2, 1e-1, 1e1, 1e2, 1e3];
-/// Smaller differences are not shown where there are many couplings.
-const SHOWN: f64 = 0.1;
+/// With many couplings, smaller differences are not printed.
+const SMALLEST: f64 = 0.1;
 
 pub const READINGS: [(Reading, &str); 2] =
     [(Reading::AsLearned, "As learned"), (Reading::ReInferred, "Re-inferred")];
 
-/// What a rollout does.
+/// The effect of couplings on a rollout.
 pub struct Effect {
     /// Swing of the hands, and of the feet, as a multiple of the learned one.
     pub hands: f64,
     pub feet: f64,
-    /// Locking of hands and feet; absent where one of them does not swing.
+    /// Locking of hands and feet; absent if one of them does not swing.
     pub locking: Option<f64>,
     pub health: Health,
     pub measures: Measures,
@@ -46,10 +46,10 @@ impl Effect {
         }
     }
 
-    /// Whether it can be told from the learned motion.
-    fn shows(&self) -> bool {
-        (self.hands - 1.0).abs().max((self.feet - 1.0).abs()) > SHOWN
-            || self.locking.is_none_or(|locking| locking < 1.0 - SHOWN)
+    /// Whether the motion differs visibly from the learned one.
+    fn is_visible(&self) -> bool {
+        (self.hands - 1.0).abs().max((self.feet - 1.0).abs()) > SMALLEST
+            || self.locking.is_none_or(|locking| locking < 1.0 - SMALLEST)
             || self.health != Health::MovesOn
     }
 }
@@ -61,17 +61,17 @@ pub struct Learned {
 }
 
 impl Learned {
-    pub fn of(model: Coupled) -> Self {
+    pub fn new(model: Coupled) -> Self {
         let (measures, health) = roll(model, model.model.alpha.clone(), Reading::AsLearned);
         Self { measures, health }
     }
 
-    /// What other couplings do.
+    /// The effect of other couplings.
     pub fn effect(&self, model: Coupled, alpha: DMatrix<f64>, reading: Reading) -> Effect {
         let (measures, health) = roll(model, alpha, reading);
         let swing = |hands: bool| {
-            let of = |measures| mean(measures, hands, |limb| Some(limb.swing)).unwrap_or(0.0);
-            of(&measures) / of(&self.measures)
+            let swing = |measures| mean(measures, hands, |limb| Some(limb.swing)).unwrap_or(0.0);
+            swing(&measures) / swing(&self.measures)
         };
         let (hands, feet) = (swing(true), swing(false));
         Effect { hands, feet, locking: mean(&measures, true, |limb| limb.locking), health, measures }
@@ -96,15 +96,15 @@ fn roll(model: Coupled, alpha: DMatrix<f64>, reading: Reading) -> (Measures, Hea
     (measures(skeleton, &positions[settled..], frame_time), health)
 }
 
-/// The mean over hands, or feet, of a measure where it is there.
-fn mean(measures: &Measures, hands: bool, of: impl Fn(&LimbMeasures) -> Option<f64>) -> Option<f64> {
+/// The mean of a measure over hands or feet, as far as they have it.
+fn mean(measures: &Measures, hands: bool, value: impl Fn(&LimbMeasures) -> Option<f64>) -> Option<f64> {
     let limbs = measures.limbs.iter().filter(|limb| limb.limb.is_hand() == hands);
-    let values: Vec<f64> = limbs.filter_map(of).collect();
+    let values: Vec<f64> = limbs.filter_map(value).collect();
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
 }
 
 /// The learned couplings with some of them, (source, target), multiplied by a factor.
-pub fn strength(learned: &DMatrix<f64>, changes: &[(usize, usize, f64)]) -> DMatrix<f64> {
+pub fn scale(learned: &DMatrix<f64>, changes: &[(usize, usize, f64)]) -> DMatrix<f64> {
     let mut alpha = learned.clone();
     for (source, target, factor) in changes {
         alpha[(*source, *target)] *= factor;
@@ -118,7 +118,7 @@ pub fn number(value: Option<f64>) -> String {
 
 /// The tables of one model.
 pub fn print(model: Coupled) {
-    let learned = Learned::of(model);
+    let learned = Learned::new(model);
     let names: Vec<&str> = model.body.layout.parts().iter().map(|part| part.name.as_str()).collect();
     let swing = |hands| mean(&learned.measures, hands, |limb| Some(limb.swing)).unwrap_or(0.0);
     println!(
@@ -128,7 +128,7 @@ pub fn print(model: Coupled) {
         number(mean(&learned.measures, true, |limb| limb.locking)),
         learned.measures.walking_speed,
         number(learned.measures.foot_slide),
-        words(learned.health),
+        health_text(learned.health),
         model.model.bound(),
     );
     for (reading, title) in READINGS {
@@ -139,10 +139,10 @@ pub fn print(model: Coupled) {
         for target in 0..names.len() {
             for source in 0..names.len() {
                 let effects = FACTORS.map(|factor| {
-                    let alpha = strength(&model.model.alpha, &[(source, target, factor)]);
+                    let alpha = scale(&model.model.alpha, &[(source, target, factor)]);
                     learned.effect(model, alpha, reading)
                 });
-                if names.len() > 2 && !effects.iter().any(Effect::shows) {
+                if names.len() > 2 && !effects.iter().any(Effect::is_visible) {
                     hidden += 1;
                     continue;
                 }
@@ -154,15 +154,15 @@ pub fn print(model: Coupled) {
         println!();
         if hidden > 0 {
             println!(
-                "Of {} couplings, {hidden} change none of these by more than {SHOWN}.\n",
+                "Of {} couplings, {hidden} change none of these by more than {SMALLEST}.\n",
                 names.len().pow(2)
             );
         }
     }
 }
 
-/// How a rollout ends, in words.
-pub fn words(health: Health) -> String {
+/// The ending of a rollout as text.
+pub fn health_text(health: Health) -> String {
     match health {
         Health::MovesOn => "moves on".to_owned(),
         Health::StandsStill { from } | Health::RestsAsRecorded { from } => {

@@ -7,11 +7,10 @@ use vcgpdm::models::library::TrainedLibrary;
 
 const WIDTH: f64 = 420.0;
 const MARGIN: f64 = 34.0;
-/// Readable on white and on black, and told apart without colours: dashed and solid are training and
-/// generated.
+/// Readable on white and on black. Training paths are dashed, generated ones solid.
 const COLOURS: [&str; 2] = ["#c2543d", "#3b76b0"];
 
-/// Of which movement a path is, whether it is of the training, and its points.
+/// The movement of a path, whether it is a training path, and its points.
 type Path = (usize, bool, Vec<(f64, f64)>);
 
 pub fn svg(trained: &TrainedLibrary) -> String {

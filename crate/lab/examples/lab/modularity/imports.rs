@@ -1,8 +1,8 @@
-//! What is lost when primitives of one training are learned again under the pose maps of another.
+//! The loss when primitives of one training are learned again under the pose maps of another.
 //!
-//! A library of walking is the donor, one of walking with waving the host; neither has seen the other's
-//! clips. One walk is held out. Its prediction from its first frames is made by the donor as it was trained,
-//! by the host with the donor's primitives learned again, and by a library that was trained on both.
+//! A library of walking is the donor, one of walking with waving the host; neither was trained on the clips
+//! of the other. One walk is held out. It is predicted from its first frames by the donor, by the host with
+//! the donor's primitives learned again, and by a library that was trained on both.
 
 use crate::modularity::{Table, thousandths};
 use nalgebra::DMatrix;
@@ -14,14 +14,14 @@ use vcgpdm::motion::Clip;
 use vcgpdm_lab::evaluation::stats::{mean, mean_interval};
 use vcgpdm_lab::evaluation::{ModularityTest, START_FRAMES, Trained, dtw_mse};
 
-/// Iterations of an import: what the program and the page do unasked.
+/// Iterations of an import, the default of the program and the page.
 const ITERATIONS: usize = 200;
 
-/// How far a prediction is from the trial held out.
-struct Came {
-    /// In all columns, and in those of the lower body.
+/// The errors of a prediction of the trial held out.
+struct Prediction {
+    /// The errors of all columns, and of those of the lower body.
     errors: [f64; 2],
-    /// How much of the frames the host's pose maps do not reproduce, of each part.
+    /// The share of the frames that the host's pose maps do not reproduce, for each part.
     lost: Option<Vec<f64>>,
 }
 
@@ -36,10 +36,11 @@ const WAYS: [&str; 6] = [
 
 /// A library of one movement alone, of the seed with the highest bound.
 fn library(test: &ModularityTest, movement: usize) -> TrainedLibrary {
-    let (of, rate) = (&test.movements[movement], test.frames_per_second);
-    let sources: Vec<Source> = of.trials.iter().map(|clip| Source { clip, first_frames: None }).collect();
+    let (movement, rate) = (&test.movements[movement], test.frames_per_second);
+    let sources: Vec<Source> =
+        movement.trials.iter().map(|clip| Source { clip, first_frames: None }).collect();
     let dataset = Dataset::new(&sources, &test.parts, rate).unwrap();
-    let planned = PlannedMovement { name: of.name.clone(), sequences: of.trials.len() };
+    let planned = PlannedMovement { name: movement.name.clone(), sequences: movement.trials.len() };
     let plan = LibraryPlan::new(vec![planned], vec![false; test.parts.len()]).unwrap();
     let libraries = test.seeds.iter().map(|seed| {
         let mut trainer = LibraryTrainer::new(&dataset, &plan, &test.settings, *seed).unwrap();
@@ -56,8 +57,8 @@ fn fold(test: &ModularityTest, place: (usize, usize), trained: Trained) -> Train
     training.best().unwrap().1.clone()
 }
 
-/// How far the last sequence of a movement, rolled out, is from the clip that it is the beginning of: in all
-/// columns, and in those of the lower body.
+/// The errors of a rollout from the last sequence of a movement, compared with the whole clip: of all
+/// columns, and of those of the lower body.
 fn errors(library: &TrainedLibrary, movement: usize, actual: &Clip) -> [f64; 2] {
     let actual = library.encode(actual).unwrap();
     let actual = library.body.columns(&actual.y);
@@ -68,17 +69,22 @@ fn errors(library: &TrainedLibrary, movement: usize, actual: &Clip) -> [f64; 2] 
     [error(&predicted, &actual), error(&predicted.select_columns(legs), &actual.select_columns(legs))]
 }
 
-fn imported(host: &TrainedLibrary, donor: &TrainedLibrary, frames: ImportFrames, actual: &Clip) -> Came {
+fn imported(
+    host: &TrainedLibrary,
+    donor: &TrainedLibrary,
+    frames: ImportFrames,
+    actual: &Clip,
+) -> Prediction {
     let request = ImportRequest { companions: host.companions(donor), max_iterations: ITERATIONS, seed: 1 };
     let mut trainer = ImportTrainer::new(host, donor, frames, &request).unwrap();
     while !trainer.step().done {}
     let library = trainer.finish().unwrap();
     let errors = errors(&library, library.library.movements.len() - 1, actual);
-    Came { errors, lost: Some(trainer.lost()) }
+    Prediction { errors, lost: Some(trainer.lost()) }
 }
 
 /// All ways for one trial held out.
-fn held_out_trial(test: &ModularityTest, host: &TrainedLibrary, held_out: usize) -> Vec<Came> {
+fn held_out_trial(test: &ModularityTest, host: &TrainedLibrary, held_out: usize) -> Vec<Prediction> {
     let trials = &test.movements[0].trials;
     let actual = &trials[held_out - 1];
     let donor = fold(test, (0, held_out), Trained::Alone);
@@ -90,8 +96,8 @@ fn held_out_trial(test: &ModularityTest, host: &TrainedLibrary, held_out: usize)
         others.map(|(_, clip)| clip).chain([&start]).map(|clip| host.encode(clip).unwrap()).collect();
     let legs = donor.select(&[0]).unwrap();
     vec![
-        Came { errors: errors(&donor, 0, actual), lost: None },
-        Came { errors: errors(&both, 0, actual), lost: None },
+        Prediction { errors: errors(&donor, 0, actual), lost: None },
+        Prediction { errors: errors(&both, 0, actual), lost: None },
         imported(host, &donor, ImportFrames::Clips(&clips), actual),
         imported(host, &donor, ImportFrames::Remembered, actual),
         imported(host, &donor, ImportFrames::Generated, actual),
@@ -99,33 +105,35 @@ fn held_out_trial(test: &ModularityTest, host: &TrainedLibrary, held_out: usize)
     ]
 }
 
-/// The table of all ways. No part has its primitive in common with another movement.
+/// The table of all ways of import. The movements share no primitive.
 pub fn table(test: &ModularityTest) -> Table {
     let test = &ModularityTest { shared: Vec::new(), ..test.clone() };
     let host = library(test, 1);
-    let mut came: Vec<Vec<Came>> = WAYS.iter().map(|_| Vec::new()).collect();
+    let mut predictions: Vec<Vec<Prediction>> = WAYS.iter().map(|_| Vec::new()).collect();
     let trials: Vec<usize> = (1..=test.movements[0].trials.len()).collect();
     for pair in trials.chunks(2) {
         let found: Vec<_> = std::thread::scope(|scope| {
             let host = &host;
-            let one = |held_out: usize| scope.spawn(move || held_out_trial(test, host, held_out));
-            let threads: Vec<_> = pair.iter().map(|held_out| one(*held_out)).collect();
+            let spawn = |held_out: usize| scope.spawn(move || held_out_trial(test, host, held_out));
+            let threads: Vec<_> = pair.iter().map(|held_out| spawn(*held_out)).collect();
             threads.into_iter().map(|thread| thread.join().unwrap()).collect()
         });
         for ways in found {
             let words: Vec<String> =
                 ways.iter().map(|way| format!("{:.5} {:.5}", way.errors[0], way.errors[1])).collect();
             eprintln!("imports: {}", words.join(" "));
-            for (into, way) in came.iter_mut().zip(ways) {
+            for (into, way) in predictions.iter_mut().zip(ways) {
                 into.push(way);
             }
         }
     }
-    let rows = WAYS.iter().zip(&came).map(|(way, found)| {
+    let rows = WAYS.iter().zip(&predictions).map(|(way, found)| {
         let mut cells = vec![(*way).to_owned()];
         for which in 0..2 {
-            let errors = |came: &[Came]| came.iter().map(|came| came.errors[which]).collect::<Vec<_>>();
-            let (own, found) = (errors(&came[0]), errors(found));
+            let errors = |all: &[Prediction]| {
+                all.iter().map(|prediction| prediction.errors[which]).collect::<Vec<_>>()
+            };
+            let (own, found) = (errors(&predictions[0]), errors(found));
             let differences: Vec<f64> = own.iter().zip(&found).map(|(a, b)| b - a).collect();
             let interval = mean_interval(&differences).filter(|_| *way != WAYS[0]);
             cells.push(thousandths(&found));
@@ -135,7 +143,8 @@ pub fn table(test: &ModularityTest) -> Table {
             }));
         }
         let lost = |part: usize| {
-            let lost: Vec<f64> = found.iter().filter_map(|came| Some(came.lost.as_ref()?[part])).collect();
+            let lost: Vec<f64> =
+                found.iter().filter_map(|prediction| Some(prediction.lost.as_ref()?[part])).collect();
             if lost.is_empty() { String::new() } else { format!("{:.1} %", 100.0 * mean(&lost)) }
         };
         cells.push([lost(0), lost(1)].join(if found[0].lost.is_some() { ", " } else { "" }));

@@ -1,6 +1,6 @@
 //! The modularity test of Velychko et al. (2018, section 5.5, figure 7) on the sample trials of walking and
-//! of walking with waving: a library with one walking primitive of the lower body for both movements beside a
-//! model of each movement alone. The tables are in docs/modularity.md.
+//! of walking with waving: a library with one walking primitive of the lower body for both movements,
+//! compared with a model of each movement alone. The tables are in docs/modularity.md.
 
 mod figure;
 mod imports;
@@ -11,27 +11,27 @@ use vcgpdm::models::library::TrainedLibrary;
 use vcgpdm_lab::evaluation::stats::{mean, mean_interval, standard_error};
 use vcgpdm_lab::evaluation::{ModularityTest, Trained};
 
-/// What came of one trial held out, with a model of its movement alone or with the library of both.
-struct Came {
+/// The result for one trial held out, of a model of its movement alone or of the library of both.
+struct Outcome {
     error: f64,
     /// Of one training.
     seconds: f64,
     numbers: usize,
 }
 
-fn came(test: &ModularityTest, place: (usize, usize), trained: Trained) -> (Came, TrainedLibrary) {
+fn outcome(test: &ModularityTest, place: (usize, usize), trained: Trained) -> (Outcome, TrainedLibrary) {
     let begin = Instant::now();
     let mut training = test.training(place, trained).unwrap();
     while !training.step().unwrap().done {}
     let seconds = begin.elapsed().as_secs_f64() / training.seeds() as f64;
     let (outcome, library) = training.best().unwrap().clone();
-    (Came { error: outcome.score.dtw_mse, seconds, numbers: outcome.stored_numbers }, library)
+    (Outcome { error: outcome.score.dtw_mse, seconds, numbers: outcome.stored_numbers }, library)
 }
 
 /// A model of the movement alone, and a library.
-fn held_out_trial(test: &ModularityTest, place: (usize, usize)) -> (Came, Came, TrainedLibrary) {
-    let (own, _) = came(test, place, Trained::Alone);
-    let (shared, library) = came(test, place, Trained::Together);
+fn held_out_trial(test: &ModularityTest, place: (usize, usize)) -> (Outcome, Outcome, TrainedLibrary) {
+    let (own, _) = outcome(test, place, Trained::Alone);
+    let (shared, library) = outcome(test, place, Trained::Together);
     (own, shared, library)
 }
 
@@ -41,7 +41,7 @@ fn thousandths(values: &[f64]) -> String {
     format!("{:.3} ± {:.3}", 1e3 * mean(values), 1e3 * error)
 }
 
-/// A table of what was measured.
+/// A table of measurements.
 struct Table {
     head: Vec<String>,
     rows: Vec<Vec<String>>,
@@ -56,7 +56,7 @@ impl Table {
     }
 }
 
-/// The library beside a model of each movement alone, and a library of the first trial.
+/// The library compared with a model of each movement alone, and the library of the first trial.
 fn modular(test: &ModularityTest) -> (Table, TrainedLibrary) {
     let head = [
         "movement",
@@ -72,33 +72,34 @@ fn modular(test: &ModularityTest) -> (Table, TrainedLibrary) {
     ];
     let mut table = Table { head: head.map(str::to_owned).to_vec(), rows: Vec::new() };
     let mut drawn = None;
-    for (m, of) in test.movements.iter().enumerate() {
+    for (m, movement) in test.movements.iter().enumerate() {
         let (mut own, mut shared) = (Vec::new(), Vec::new());
         // Two trials at a time: each training has a core of its own, and its seconds are its own.
-        let trials: Vec<usize> = (1..=of.trials.len()).collect();
+        let trials: Vec<usize> = (1..=movement.trials.len()).collect();
         for pair in trials.chunks(2) {
-            let came: Vec<_> = std::thread::scope(|scope| {
-                let one = |held_out: usize| scope.spawn(move || held_out_trial(test, (m, held_out)));
-                let threads: Vec<_> = pair.iter().map(|held_out| one(*held_out)).collect();
+            let outcomes: Vec<_> = std::thread::scope(|scope| {
+                let spawn = |held_out: usize| scope.spawn(move || held_out_trial(test, (m, held_out)));
+                let threads: Vec<_> = pair.iter().map(|held_out| spawn(*held_out)).collect();
                 threads.into_iter().map(|thread| thread.join().unwrap()).collect()
             });
-            for (alone, together, library) in came {
-                eprintln!("{}: alone {:.5}, library {:.5}", of.name, alone.error, together.error);
+            for (alone, together, library) in outcomes {
+                eprintln!("{}: alone {:.5}, library {:.5}", movement.name, alone.error, together.error);
                 own.push(alone);
                 shared.push(together);
                 drawn.get_or_insert(library);
             }
         }
-        let errors = |came: &[Came]| came.iter().map(|came| came.error).collect::<Vec<_>>();
+        let errors = |outcomes: &[Outcome]| outcomes.iter().map(|outcome| outcome.error).collect::<Vec<_>>();
         let (a, b) = (errors(&own), errors(&shared));
         let differences: Vec<f64> = a.iter().zip(&b).map(|(a, b)| b - a).collect();
         let interval = mean_interval(&differences).map_or(String::new(), |interval| {
             format!(" ({:+.3} to {:+.3})", 1e3 * interval.low, 1e3 * interval.high)
         });
-        let seconds = |came: &[Came]| mean(&came.iter().map(|came| came.seconds).collect::<Vec<_>>());
+        let seconds =
+            |outcomes: &[Outcome]| mean(&outcomes.iter().map(|outcome| outcome.seconds).collect::<Vec<_>>());
         table.rows.push(vec![
-            of.name.clone(),
-            of.trials.len().to_string(),
+            movement.name.clone(),
+            movement.trials.len().to_string(),
             thousandths(&a),
             thousandths(&b),
             format!("{:+.3}{interval}", 1e3 * mean(&differences)),
@@ -112,7 +113,6 @@ fn modular(test: &ModularityTest) -> (Table, TrainedLibrary) {
     (table, drawn.unwrap())
 }
 
-/// `modular PICTURE.svg` or `imports`: the table of either.
 pub fn run_imports() {
     print!("{}", imports::table(&ModularityTest::on_samples()).markdown());
 }

@@ -1,5 +1,5 @@
-//! The spread of many sampled futures, beside that of the Gaussian approximation (moment matching):
-//! docs/uncertainty.md.
+//! The spread of many sampled futures, compared with the Gaussian approximation by moment matching
+//! (docs/uncertainty.md).
 
 mod spread;
 
@@ -11,13 +11,13 @@ use vcgpdm::models::RolloutRequest;
 
 const FRAMES: [usize; 7] = [5, 10, 15, 20, 30, 45, 60];
 const DRAWS: Range<u64> = 0..1000;
-/// Frames of the mean rollout that a future is early or late in.
+/// Frames of the mean rollout, with which early and late futures are compared.
 const PATH: usize = 90;
 
 pub fn run() {
     println!("### The model that the page opens with\n");
     print(models::start().coupled().unwrap());
-    for (title, model) in models::of_samples() {
+    for (title, model) in models::sample_models() {
         println!("### {title}\n");
         print(model.coupled().unwrap());
     }
@@ -38,18 +38,18 @@ fn print(model: Coupled) {
     println!("{}|", "|---".repeat(11));
     for (part, spec) in model.body.layout.parts().iter().enumerate() {
         for t in FRAMES {
-            let seen = Cloud::of(futures.iter().map(|future| future[part].row(t).transpose()).collect());
+            let seen = Cloud::new(futures.iter().map(|future| future[part].row(t).transpose()).collect());
             let (mean, covariance) = (moments.means[part].row(t).transpose(), &moments.covariances[part][t]);
-            let known = rms(covariance.diagonal().iter().copied());
+            let expected = rms(covariance.diagonal().iter().copied());
             let shift = (&seen.mean - &mean).component_div(&covariance.diagonal().map(f64::sqrt));
             let apart = rms(shift.iter().map(|apart| apart * apart));
             let [inside, outside] = seen.groups(&mean, covariance, &paths[part], t);
             let off_path = |group: &Group| group.off_path().map_or("-".to_owned(), |off| format!("{off:.2}"));
             println!(
-                "| {} | {t} | {:.2} | {known:.2} | {:.2} | {apart:.2} | {} | {} | {} | {} | {} |",
+                "| {} | {t} | {:.2} | {expected:.2} | {:.2} | {apart:.2} | {} | {} | {} | {} | {} |",
                 spec.name,
                 seen.deviation,
-                seen.deviation / known,
+                seen.deviation / expected,
                 percent(outside.count, inside.count + outside.count),
                 percent(inside.out_of_time, inside.count),
                 percent(outside.out_of_time, outside.count),
@@ -61,6 +61,6 @@ fn print(model: Coupled) {
     println!();
 }
 
-fn percent(count: usize, of: usize) -> String {
-    if of == 0 { "-".to_owned() } else { format!("{:.0} %", 100.0 * count as f64 / of as f64) }
+fn percent(count: usize, all: usize) -> String {
+    if all == 0 { "-".to_owned() } else { format!("{:.0} %", 100.0 * count as f64 / all as f64) }
 }

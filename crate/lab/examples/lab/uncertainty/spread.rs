@@ -1,14 +1,14 @@
-//! How many points lie: around their mean, in a Gaussian, and along a path.
+//! Where points are, relative to their mean, to a Gaussian and to a path.
 
 use nalgebra::{DMatrix, DVector};
 
-/// Of the squared length of three independent standard Gaussian numbers, 95 % are smaller.
+/// The 95 % quantile of the squared length of three independent standard Gaussian numbers.
 const WITHIN_3: f64 = 7.815;
 
 /// How early or late a point can be, in frames: less than half a lap of a walk at 30 frames a second.
 const FARTHEST: usize = 16;
 
-/// So many frames early or late is out of time: an eighth of a second.
+/// From this number of frames on, a point is early or late: an eighth of a second.
 const OUT_OF_TIME: usize = 4;
 
 /// Points of one latent space.
@@ -43,7 +43,7 @@ impl Group {
 }
 
 impl Cloud {
-    pub fn of(points: Vec<DVector<f64>>) -> Self {
+    pub fn new(points: Vec<DVector<f64>>) -> Self {
         let count = points.len() as f64;
         let mean = points.iter().sum::<DVector<f64>>() / count;
         let squares: f64 = points.iter().map(|x| (x - &mean).norm_squared()).sum();
@@ -51,8 +51,8 @@ impl Cloud {
         Self { points, mean, deviation }
     }
 
-    /// The points inside and outside the region; a point is early or late beside frame `t` of the path
-    /// [frames x Q].
+    /// The points inside and outside the region; a point is early or late compared with frame `t` of the
+    /// path [frames x Q].
     pub fn groups(
         &self,
         mean: &DVector<f64>,
@@ -72,7 +72,7 @@ impl Cloud {
     }
 }
 
-/// The frame around `t` in which a path [frames x Q] comes nearest to a point, and how near.
+/// The frame around `t` in which a path [frames x Q] is nearest to a point, and the distance.
 fn nearest(x: &DVector<f64>, path: &DMatrix<f64>, t: usize) -> (usize, f64) {
     let frames = t.saturating_sub(FARTHEST)..path.nrows().min(t + FARTHEST + 1);
     let distances = frames.map(|frame| (frame, (path.row(frame).transpose() - x).norm()));
