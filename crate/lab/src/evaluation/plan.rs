@@ -12,7 +12,8 @@ use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, Settings, TmpSettings,
 /// use vcgpdm_lab::evaluation::Plan;
 /// use vcgpdm::models::ModelKind;
 ///
-/// let plan = Plan { models: vec![ModelKind::Vgpdm, ModelKind::DmpRhythmic], seeds: vec![0, 1], ..Plan::default() };
+/// let models = vec![ModelKind::Vgpdm, ModelKind::DmpRhythmic];
+/// let plan = Plan { models, seeds: vec![0, 1], ..Plan::default() };
 /// let jobs = plan.jobs(3)?;
 /// // In each of three folds two vGPDMs, and one DMP because a DMP has no random start.
 /// assert_eq!(jobs.len(), 9);
