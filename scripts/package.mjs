@@ -1,11 +1,11 @@
-// What an npm package needs beside what wasm-bindgen makes: entries for every kind of importer, the wasm
-// once, errors with a name, types that compile without the newest libraries.
-import { readFileSync, renameSync, rmSync, writeFileSync, mkdirSync } from "node:fs";
+// Completes the npm package after wasm-bindgen: entries for every kind of importer, the wasm once, errors
+// with a name, types that compile without the newest libraries.
+import { copyFileSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { Failure } from "./run.mjs";
 
-/** A file with one place changed, which has to be there. */
+/** Replaces one place of a file. The place has to exist. */
 function change(/** @type {string} */ file, /** @type {string} */ from, /** @type {string} */ to) {
   const text = readFileSync(file, "utf8");
   if (!text.includes(from))
@@ -16,16 +16,22 @@ function change(/** @type {string} */ file, /** @type {string} */ from, /** @typ
   );
 }
 
-// What Rust throws by a panic, or for a pointer that is gone, had neither name nor code.
-const THROWN = `
+// wasm-bindgen's own errors, for a freed object or an argument of another class, have neither name nor code.
+const ERRORS = `
+function __error(code, message) {
+    return Object.assign(new Error(message), { name: "VcgpdmError", code });
+}
 function __thrown(message) {
     if (message !== "null pointer passed to rust") return new Error(message);
-    const error = new Error("expected an object in use, found one after its free()");
-    return Object.assign(error, { name: "VcgpdmError", code: "freed" });
+    return __error("freed", "expected an object in use, found one after its free()");
+}
+function __otherClass(expected, found) {
+    const name = found === null ? "null" : typeof found === "object" ? found.constructor?.name ?? "object" : typeof found;
+    return __error("argument", \`expected an instance of \${expected}, found \${name}\`);
 }
 `;
 
-// Symbol.dispose stands in TypeScript's esnext.disposable only; declared alike in both places it is one.
+// Only TypeScript's esnext.disposable declares Symbol.dispose; declared alike in both places it is one symbol.
 const DISPOSE = `declare global {
     interface SymbolConstructor {
         readonly dispose: unique symbol;
@@ -33,7 +39,7 @@ const DISPOSE = `declare global {
 }
 `;
 
-/** What holds for the files of each target. */
+/** Mends what wasm-bindgen wrote for a target. */
 function mend(/** @type {string} */ folder) {
   const script = join(folder, "vcgpdm.js");
   change(
@@ -41,7 +47,12 @@ function mend(/** @type {string} */ folder) {
     "throw new Error(getStringFromWasm0(arg0, arg1));",
     "throw __thrown(getStringFromWasm0(arg0, arg1));",
   );
-  writeFileSync(script, readFileSync(script, "utf8") + THROWN);
+  change(
+    script,
+    "throw new Error(`expected instance of ${klass.name}`);",
+    "throw __otherClass(klass.name, instance);",
+  );
+  writeFileSync(script, readFileSync(script, "utf8") + ERRORS);
   const types = join(folder, "vcgpdm.d.ts");
   writeFileSync(types, readFileSync(types, "utf8") + DISPOSE);
   rmSync(join(folder, "vcgpdm_bg.wasm.d.ts"));
@@ -51,17 +62,19 @@ const WEB = `/* @ts-self-types="./vcgpdm.d.ts" */
 import load from "./glue.js";
 export * from "./glue.js";
 
-/** Loads the wasm: the file beside this one, or what is given. */
+/** Loads the wasm: the file next to this one, or the argument. */
 export default function init(wasm) {
-    const given = wasm ?? new URL("vcgpdm_bg.wasm", import.meta.url);
-    const named = Object.getPrototypeOf(given) === Object.prototype && "module_or_path" in given;
-    return load(named ? given : { module_or_path: given });
+    const source = wasm ?? new URL("vcgpdm_bg.wasm", import.meta.url);
+    const named = Object.getPrototypeOf(source) === Object.prototype && "module_or_path" in source;
+    return load(named ? source : { module_or_path: source });
 }
 `;
 
-const WEB_TYPES = `/**
- * Loads the wasm, once, before anything else is called: the file beside this one, or what is given (an
- * address, bytes, a response).
+const TYPES = `import type { InitInput, InitOutput } from "../web/glue.js";
+export * from "../web/glue.js";
+/**
+ * Loads the wasm, once, before any other call: the file of the package, or the argument (an address, bytes, a
+ * response). In Node the wasm is loaded by the import, and this does nothing.
  */
 export default function init(wasm?: { module_or_path: InitInput | Promise<InitInput> } | InitInput | Promise<InitInput>): Promise<InitOutput>;
 `;
@@ -77,79 +90,60 @@ async function unpacked() {
     return new Response(stream).arrayBuffer();
 }
 
-/** Unpacks and starts the wasm that stands in the script. */
+/** Unpacks and starts the wasm, which is in the script. */
 export default async function init(wasm) {
     return load({ module_or_path: wasm ?? (await unpacked()) });
 }
 `;
 
-const NODE = `
-// For programs that run in browsers too: in Node the wasm is there already.
-exports.initSync = () => {};
-exports.default = async () => {};
-Object.defineProperty(exports, "__esModule", { value: true });
+const node = (/** @type {string} */ glue) => `import { readFileSync } from "node:fs";
+import { initSync as start } from "../web/${glue}";
+export * from "../web/${glue}";
+
+const program = start({ module: readFileSync(new URL("../web/vcgpdm_bg.wasm", import.meta.url)) });
+
+// For programs that run in browsers too: in Node the import has loaded the wasm.
+export const initSync = () => program;
+export default async function init() {
+    return program;
+}
 `;
 
-const NODE_MODULE = `export * from "./vcgpdm.js";
-/** For programs that run in browsers too: in Node the wasm is there already. */
-export default async function init() {}
-`;
+/** Writes an entry for Node, which loads the wasm at the import. `glue`: the script of the folder web. */
+export function writeNodeEntry(/** @type {string} */ place, glue = "vcgpdm.js") {
+  mkdirSync(join(place, "node"), { recursive: true });
+  writeFileSync(join(place, "node", "vcgpdm.js"), node(glue));
+  writeFileSync(join(place, "node", "package.json"), '{"type":"module"}\n');
+}
 
-const INIT_TYPES = `/** For programs that run in browsers too: in Node the wasm is there already. */
-export default function init(wasm?: unknown): Promise<void>;
-`;
-
-/** The package in \`place\`, of the targets' folders web, node and player. */
+/** Completes the package in \`place\`, which has the targets' folders web and player. */
 export function completePackage(/** @type {string} */ place) {
-  const [web, node, player, inline] = ["web", "node", "player", "inline"].map((folder) =>
-    join(place, folder),
-  );
-  if (!web || !node || !player || !inline) return;
-  for (const folder of [web, node, player]) mend(folder);
+  const at = (/** @type {string[]} */ ...path) => join(place, ...path);
+  for (const folder of ["web", "player"]) mend(at(folder));
 
-  // An entry that names the wasm by its address, and what it loads, which does not: bundlers would look for
-  // the file.
-  renameSync(join(web, "vcgpdm.js"), join(web, "glue.js"));
-  const address = "module_or_path = new URL('vcgpdm_bg.wasm', import.meta.url);";
-  change(join(web, "glue.js"), address, 'throw new Error("expected the wasm");');
-  change(join(web, "glue.js"), '/* @ts-self-types="./vcgpdm.d.ts" */\n', "");
-  writeFileSync(join(web, "vcgpdm.js"), WEB);
-  const types = readFileSync(join(web, "vcgpdm.d.ts"), "utf8");
-  const loader = /\/\*\*\n \* If `module_or_path`[\s\S]*?export default function __wbg_init[^;]*;\n/;
-  if (!loader.test(types)) throw new Failure("the types of web/ have no loader: has wasm-bindgen changed?");
-  writeFileSync(
-    join(web, "vcgpdm.d.ts"),
-    types.replace(loader, () => WEB_TYPES),
-  );
+  // The entry names the wasm by its address; the glue does not, because bundlers would look for the file.
+  renameSync(at("web", "vcgpdm.js"), at("web", "glue.js"));
+  renameSync(at("web", "vcgpdm.d.ts"), at("web", "glue.d.ts"));
+  change(at("web", "glue.js"), '/* @ts-self-types="./vcgpdm.d.ts" */\n', "");
+  writeFileSync(at("web", "vcgpdm.js"), WEB);
+  writeFileSync(at("web", "vcgpdm.d.ts"), TYPES);
 
-  const wasm = readFileSync(join(web, "vcgpdm_bg.wasm"));
-  mkdirSync(inline, { recursive: true });
-  const packed = gzipSync(wasm, { level: 9 }).toString("base64");
-  writeFileSync(join(inline, "wasm.js"), `export default "${packed}";\n`);
-  writeFileSync(join(inline, "vcgpdm.js"), INLINE);
-  writeFileSync(
-    join(inline, "vcgpdm.d.ts"),
-    'export * from "../web/vcgpdm.js";\nexport { default } from "../web/vcgpdm.js";\n',
-  );
+  mkdirSync(at("inline"), { recursive: true });
+  const packed = gzipSync(readFileSync(at("web", "vcgpdm_bg.wasm")), { level: 9 }).toString("base64");
+  writeFileSync(at("inline", "wasm.js"), `export default "${packed}";\n`);
+  writeFileSync(at("inline", "vcgpdm.js"), INLINE);
+  writeFileSync(at("inline", "vcgpdm.d.ts"), TYPES);
 
-  // The wasm of both is the same: it is in the package once.
-  if (!wasm.equals(readFileSync(join(node, "vcgpdm_bg.wasm"))))
-    throw new Failure("the wasm for Node is another than that for browsers");
-  rmSync(join(node, "vcgpdm_bg.wasm"));
-  change(join(node, "vcgpdm.js"), "/vcgpdm_bg.wasm`", "/../web/vcgpdm_bg.wasm`");
-  writeFileSync(join(node, "vcgpdm.js"), readFileSync(join(node, "vcgpdm.js"), "utf8") + NODE);
-  const plain = readFileSync(join(node, "vcgpdm.d.ts"), "utf8");
-  writeFileSync(
-    join(node, "vcgpdm.d.ts"),
-    `${plain}${INIT_TYPES}export function initSync(wasm?: unknown): void;\n`,
-  );
-  writeFileSync(join(node, "index.mjs"), NODE_MODULE);
-  writeFileSync(join(node, "index.d.mts"), `export * from "./vcgpdm.js";\n${INIT_TYPES}`);
+  writeNodeEntry(place, "glue.js");
+  writeFileSync(at("node", "vcgpdm.d.ts"), TYPES);
+  // Node can require a module; TypeScript wants the types of CommonJS in a file of their own.
+  writeFileSync(at("node", "vcgpdm.cjs"), 'module.exports = require("./vcgpdm.js");\n');
+  copyFileSync(at("web", "glue.d.ts"), at("node", "vcgpdm.d.cts"));
 
   // Importers that do not read "exports" take a folder's own package.json.
-  for (const folder of [player, inline]) {
+  for (const folder of ["player", "inline"]) {
     const entry = { type: "module", main: "./vcgpdm.js", types: "./vcgpdm.d.ts" };
-    writeFileSync(join(folder, "package.json"), `${JSON.stringify(entry)}\n`);
+    writeFileSync(at(folder, "package.json"), `${JSON.stringify(entry)}\n`);
   }
 }
 
@@ -160,16 +154,16 @@ const entry = (/** @type {string} */ folder) => ({
 
 // Node loads a file and not an address: there every entry is the whole package.
 const inNode = {
-  import: { types: "./node/index.d.mts", default: "./node/index.mjs" },
-  require: entry("node"),
+  import: entry("node"),
+  require: { types: "./node/vcgpdm.d.cts", default: "./node/vcgpdm.cjs" },
 };
 
 /** The fields of package.json that say which importer gets what. */
 export const entries = {
   type: "module",
-  main: "./node/vcgpdm.js",
+  main: "./node/vcgpdm.cjs",
   module: "./web/vcgpdm.js",
-  types: "./node/vcgpdm.d.ts",
+  types: "./node/vcgpdm.d.cts",
   exports: {
     ".": { node: inNode, default: entry("web") },
     "./inline": { node: inNode, default: entry("inline") },

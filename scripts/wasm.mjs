@@ -1,18 +1,15 @@
-// The npm package `vcgpdm` in crate/wasm/pkg: the same wasm for the browser (web/) and for Node (node/), and
-// a smaller one for a first visit to the page (player/), which shows clips and models and trains none.
-import { copyFileSync, cpSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+// The npm package `vcgpdm` in crate/wasm/pkg: the whole wasm (web/), and a smaller one for a first visit to the
+// page (player/), which shows clips and models and trains none.
+import { copyFileSync, cpSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { wasmNotice } from "./licences.mjs";
-import { completePackage, entries } from "./package.mjs";
+import { completePackage, entries, writeNodeEntry } from "./package.mjs";
 import { at, Failure, filesUnder, isUpToDate, output, root, run, runModule, whenChanged } from "./run.mjs";
 
-/** @typedef {{ folder: string, target: string, type: string, features: string[] }} Target */
-
-/** @type {Target[]} */
+/** @type {{ folder: string, features: string[] }[]} */
 const TARGETS = [
-  { folder: "web", target: "web", type: "module", features: ["training"] },
-  { folder: "node", target: "nodejs", type: "commonjs", features: ["training"] },
-  { folder: "player", target: "web", type: "module", features: [] },
+  { folder: "web", features: ["training"] },
+  { folder: "player", features: [] },
 ];
 
 // The features that rustc's wasm32 target and our simd128 flag turn on; wasm-opt refuses a file that uses
@@ -34,7 +31,7 @@ const compile = (/** @type {string[]} */ features) => [
 ];
 const BINDGEN = ["--locked", "--profile", "tools", "--package", "bindgen"];
 
-/** What cargo makes of the package. */
+/** The folder for cargo's output. */
 const compiled = at(".tools", "wasm");
 
 /** The first half of `buildWasm`: cargo's. It needs nothing that npm installs. */
@@ -53,13 +50,13 @@ export function compileWasm() {
 /** The wasm with its JavaScript for each target in a folder below `place`; `more` features for all. */
 async function compileTargets(/** @type {string} */ place, /** @type {string[]} */ more = []) {
   const wasm = join(metadata().target_directory, "wasm32-unknown-unknown/release/vcgpdm_wasm.wasm");
-  // Neither of the two keeps all processors busy.
+  // Neither of the two keeps all processors busy, so both run at once.
   const first = [...(TARGETS[0]?.features ?? []), ...more];
   await Promise.all([run("cargo", ...compile(first)), run("cargo", "build", ...BINDGEN)]);
-  for (const { folder, target, type, features } of TARGETS) {
+  for (const { folder, features } of TARGETS) {
     await run("cargo", ...compile([...features, ...more]));
-    await run("cargo", "run", "--quiet", ...BINDGEN, "--", wasm, join(place, folder), target);
-    writeFileSync(join(place, folder, "package.json"), `${JSON.stringify({ type })}\n`);
+    await run("cargo", "run", "--quiet", ...BINDGEN, "--", wasm, join(place, folder));
+    writeFileSync(join(place, folder, "package.json"), '{"type":"module"}\n');
   }
 }
 
@@ -90,36 +87,27 @@ export async function buildWasm({ small = true } = {}) {
 export async function buildVariant(/** @type {string} */ place, /** @type {string[]} */ more) {
   await compileTargets(place, more);
   await optimise(place);
+  writeNodeEntry(place);
 }
 
-// Who made the file and what it needs of an engine is for tools alone.
+// Only tools read the names of producers and the features.
 const STRIP = ["--strip-producers", "--strip-target-features"];
 
-/**
- * Runs wasm-opt: once where the files of the targets are the same, and only the JavaScript around them
- * differs.
- */
 async function optimise(/** @type {string} */ place) {
-  /** @type {{ before: Buffer, file: string }[]} */
-  const done = [];
   for (const { folder } of TARGETS) {
     const file = join(place, folder, "vcgpdm_bg.wasm");
-    const before = readFileSync(file);
-    const same = done.find((other) => other.before.equals(before));
-    if (same) copyFileSync(same.file, file);
-    else await runModule("binaryen/bin/wasm-opt", file, "-O3", ...STRIP, ...FEATURES, "-o", file);
-    done.push({ before, file });
+    await runModule("binaryen/bin/wasm-opt", file, "-O3", ...STRIP, ...FEATURES, "-o", file);
   }
 }
 
-/** What Cargo knows of the packages here. */
+/** The packages of this project, by Cargo. */
 function metadata() {
   const text = output("cargo", "metadata", "--no-deps", "--format-version", "1");
   if (text === null) throw new Failure("cargo metadata failed");
   return JSON.parse(text);
 }
 
-/** Writes the package's package.json from what Cargo knows, with README and licences. */
+/** Writes package.json from Cargo's metadata, with README and licences. */
 function describe() {
   const crate = metadata().packages.find((/** @type {{ name: string }} */ p) => p.name === "vcgpdm");
   if (!crate) throw new Failure("cargo metadata does not name the package vcgpdm");
@@ -130,11 +118,10 @@ function describe() {
     keywords: [...crate.keywords, "wasm"],
     author: "The authors of the vCGPDM playground",
     license: crate.license,
-    // Where the sources are, once Cargo.toml says it.
     ...(crate.repository ? { repository: { type: "git", url: `git+${crate.repository}.git` } } : {}),
     ...(crate.homepage ? { homepage: crate.homepage } : {}),
     ...entries,
-    engines: { node: ">=20" },
+    engines: { node: ">=20.19" },
   };
   writeFileSync(at("crate/wasm/pkg/package.json"), `${JSON.stringify(about, null, 2)}\n`);
   writeFileSync(at("crate/wasm/pkg/THIRD-PARTY.txt"), wasmNotice());

@@ -156,7 +156,7 @@ describe("runtimes", () => {
       assert.equal(await run(folder, process.execPath, "--input-type=module", "-e", program), "252\n");
     }
   });
-  for (const version of ["20", "22", "24"]) {
+  for (const version of ["20.19", "22", "24"]) {
     client(`Node ${version}, as module and by require`, [`node@${version}`], files, async (folder) => {
       assert.match(await tool(folder, "node", "--version"), new RegExp(`^v${version}\\.`));
       for (const program of ["app.mjs", "app.cjs"])
@@ -179,7 +179,7 @@ describe("runtimes", () => {
 
 describe("compilers and checkers", () => {
   const use =
-    'import init, { type AnyModel, Clip, type ErrorCode, Table } from "vcgpdm";\nawait init();\nconst clip: Clip = Clip.sample("walk-1");\nclip[Symbol.dispose]();\nexport const code: ErrorCode = "freed";\nexport const table = (model: AnyModel): string => model.info().kind + Table.name;\n';
+    'import init, { Clip, type ErrorCode, type Model, Table } from "vcgpdm";\nawait init();\nconst clip: Clip = Clip.sample("walk-1");\nclip[Symbol.dispose]();\nexport const code: ErrorCode = "freed";\nexport const table = (model: Model): string => model.info().kind + Table.name;\n';
   const checks = { "use.mts": use, "use-web.mts": use.replace('"vcgpdm"', '"vcgpdm/inline"') };
   const strict = ["--noEmit", "--strict", "--skipLibCheck", "false", "--target", "es2022"];
   client("TypeScript, with the libraries checked", ["typescript"], checks, async (folder) => {

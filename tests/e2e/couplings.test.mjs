@@ -46,7 +46,9 @@ function holds(/** @type {Claim} */ claim, /** @type {Awaited<ReturnType<typeof 
   const still = found.trouble.startsWith("stands still");
   switch (claim.what) {
     case "health":
-      return claim.is === "moves on" ? found.trouble === "" : found.trouble.startsWith(claim.is ?? "?");
+      return claim.is === "moves-on"
+        ? found.trouble === ""
+        : found.trouble.startsWith(claim.is?.replaceAll("-", " ") ?? "?");
     case "swing":
       return within(still ? 0 : Number(/([\d.]+) × as far/.exec(words)?.[1]));
     case "period": {

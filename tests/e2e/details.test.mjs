@@ -8,6 +8,7 @@ import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { dist } from "../../scripts/site.mjs";
 import { barriers, openSite, ready } from "./site.mjs";
+import { coupledInfo } from "../node/package.mjs";
 
 /** @type {typeof import("vcgpdm")} */
 const { Model } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
@@ -66,7 +67,7 @@ describe("the details", () => {
     };
 
     const model = Model.fromJson(readFileSync(`${dist}/first/model.json`, "utf8"));
-    const { joints, alpha } = model.info();
+    const { joints, alpha } = coupledInfo(model);
     const columns = joints.flatMap(({ name, channels }) => channels.map((channel) => `${name} ${channel}`));
     const [knee, elbow] = ["LeftLeg Xrotation", "LeftForeArm Xrotation"].map((name) => columns.indexOf(name));
     assert.ok(knee && knee > 0 && elbow && elbow > 0, columns.join());

@@ -1,7 +1,8 @@
 // Workers that die.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { openSite, ready, saved } from "./site.mjs";
+import { bvh } from "./clips.mjs";
+import { drop, openSite, ready, saved } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -37,6 +38,61 @@ describe("the worker that shows the model", () => {
       .click();
     assert.match((await saved(page, "save-motion")).text, /^HIERARCHY/);
     assert.deepEqual(problems, []);
+    await leave();
+  });
+});
+
+describe("a worker that takes over", () => {
+  /** A visit whose replacements die when they read the clips again: the first of them, this many. */
+  const visitWith = async (/** @type {number} */ deaths) => {
+    const { page, ...rest } = await site.visit();
+    await page.addInitScript((deaths) => {
+      let models = 0;
+      const Real = Worker;
+      window.Worker = class extends Real {
+        #dies = false;
+        /** @param {string | URL} url @param {WorkerOptions} [options] */
+        constructor(url, options) {
+          super(url, options);
+          if (!options?.name?.includes("model")) return;
+          models += 1;
+          this.#dies = models > 1 && models <= 1 + deaths;
+        }
+        /** @param {any} message @param {any} transfer */
+        postMessage(message, transfer) {
+          if (this.#dies && String(message?.path) === "sampleClip") this.terminate();
+          else super.postMessage(message, transfer);
+        }
+      };
+    }, deaths);
+    await page.reload();
+    await ready(page);
+    return { page, ...rest };
+  };
+  const kill = async (/** @type {import("playwright-core").Page} */ page) => {
+    for (const worker of page.workers())
+      if ((await worker.evaluate(() => self.name)).includes("model"))
+        await worker.evaluate(() => self.close()).catch(() => {});
+  };
+
+  it("is replaced when it dies too", async () => {
+    const { page, problems, leave } = await visitWith(1);
+    const model = await saved(page, "save-model");
+    await kill(page);
+    await page.getByText("The program was started again").waitFor({ timeout: 10_000 });
+    assert.deepEqual(await saved(page, "save-model"), model);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("is given up after three failures, and the page keeps everything over a reload", async () => {
+    const { page, leave } = await visitWith(3);
+    await drop(page, { "mine.bvh": bvh() });
+    await page.getByTestId("own-clips").getByText("mine").waitFor();
+    await kill(page);
+    await page.getByTestId("stopped").getByRole("button").click({ timeout: 20_000 });
+    await page.getByRole("button", { name: "Bring back" }).click({ timeout: 20_000 });
+    await page.getByTestId("own-clips").getByText("mine").waitFor();
     await leave();
   });
 });

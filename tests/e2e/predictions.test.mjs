@@ -6,6 +6,7 @@ import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { dist } from "../../scripts/site.mjs";
 import { oneVisitor, openSite, ready, readyVisitor, rests } from "./site.mjs";
+import { coupledInfo } from "../node/package.mjs";
 
 /** @typedef {{ x: number, y: number, major: number, minor: number }} Ellipse */
 /** @typedef {{ call: "ellipse" | "arc" | "lineTo", at: number[] }} Call */
@@ -89,14 +90,14 @@ describe("the product of experts", () => {
     await page.getByTestId("scrub").fill(String(FRAME));
     const model = Model.fromJson(readFileSync(`${dist}/first/model.json`, "utf8"));
     const frames = Number(await page.getByTestId("scrub").getAttribute("max")) + 1;
-    const rollout = model.rollout({ frames, sequence: 0, alpha: ALPHA, reading: "as learned" });
+    const rollout = model.rollout({ frames, sequence: 0, alpha: ALPHA, reading: "as-learned" });
     const [predicted, weights] = [rollout.predictions(), rollout.weights()];
     const row = FRAME - predicted.firstFrame;
     // The page asks for predictions a moment after the rollout has stopped.
     await page.waitForTimeout(1000);
     for (const plot of ["2-D", "3-D"]) {
       await page.getByRole("button", { name: plot }).click();
-      for (const [part] of model.info().parts.entries()) {
+      for (const [part] of coupledInfo(model).parts.entries()) {
         const picture = await drawn(page, part);
         assert.ok(picture, "predictions are drawn");
         const { experts, product, step } = picture;

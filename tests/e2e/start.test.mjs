@@ -4,6 +4,7 @@ import { createRequire } from "node:module";
 import { after, before, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { openSite, ready, saved } from "./site.mjs";
+import { coupledInfo } from "../node/package.mjs";
 
 /** @type {typeof import("vcgpdm")} */
 const { Clip, Model, Trainer, TrainingSet } = createRequire(import.meta.url)(
@@ -69,7 +70,7 @@ it("starts from any frame of any sequence, and a link contains the frame", async
   await page.waitForFunction(() => /frame=30/.test(location.hash) && /start=1/.test(location.hash));
   await frame.focus();
   await page.keyboard.press("ArrowRight");
-  assert.equal(await frame.getAttribute("aria-valuetext"), `Frame 32 of ${model.info().startFrames[1]}`);
+  assert.equal(await frame.getAttribute("aria-valuetext"), `Frame 32 of ${coupledInfo(model).startFrames[1]}`);
   assert.deepEqual(problems, []);
   await leave();
 });

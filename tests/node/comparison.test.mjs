@@ -54,7 +54,7 @@ describe("comparing models from Node", () => {
     const { clips, common } = trials();
     const results = Results.empty(clips, common);
     assert.equal(results.setting().trials.length, 3);
-    const fold = new Fold(clips, common, 2, 2);
+    const fold = new Fold(clips, common, { heldOut: 1 });
     const actual = fold.actual();
     assert.ok(fold.frames > 20 && actual.length % fold.frames === 0);
     assert.ok(Math.abs(fold.frameTime - 1 / 15) < 0.01);
@@ -111,7 +111,11 @@ describe("comparing models from Node", () => {
     assert.ok(dmp);
     assert.equal(dmp.id, "dmp-rhythmic, 10 bases; trial 1 held out, 2 trained on, seed 0");
     const { candidate, heldOut, trainingTrials, seed } = dmp.job;
-    const evaluation = new Evaluation(new Fold(clips, common, heldOut, trainingTrials), candidate, seed);
+    const evaluation = new Evaluation(
+      new Fold(clips, common, { heldOut: heldOut - 1, trainingTrials }),
+      candidate,
+      seed,
+    );
     while (!evaluation.step().done);
     results.add(dmp.job, evaluation.prediction().outcome(1));
     const done = results.jobs(PLAN).filter(({ done }) => done);
@@ -176,12 +180,14 @@ describe("comparing models from Node", () => {
   it("refuses in words what cannot be compared", () => {
     const { Clip, Evaluation, Fold, Results, TrainingSet } = installed.vcgpdm;
     const { clips, common } = trials();
-    assert.throws(() => new Fold(clips, common, 4, 2), /expected a trial from 1 to 3 to hold out/);
     assert.throws(
-      () => new Fold(clips, common, 0, 2),
-      /expected a trial from 1 to 3 to hold out, .*, found trial 0/,
+      () => new Fold(clips, common, { heldOut: 3 }),
+      /^VcgpdmError: `heldOut`: expected a trial from 0 to 2, found 3/,
     );
-    assert.throws(() => new Fold(clips, common, 1, 3), /expected from 1 to 2 trials to train on, found 3/);
+    assert.throws(
+      () => new Fold(clips, common, { heldOut: 0, trainingTrials: 3 }),
+      /expected from 1 to 2 trials to train on, found 3/,
+    );
     const text = JSON.stringify({ ...JSON.parse(Results.empty(clips, common).toJson()), version: 9 });
     assert.throws(
       () => Results.fromJson(text),
@@ -203,7 +209,7 @@ describe("comparing models from Node", () => {
     one.add(Clip.sample("walk-1"));
     one.add(Clip.sample("walk-2").cut(0, 2));
     assert.throws(
-      () => new Evaluation(new Fold(one, common, 1, 1), /** @type {any} */ (CANDIDATES[0]), 0),
+      () => new Evaluation(new Fold(one, common, { heldOut: 0 }), /** @type {any} */ (CANDIDATES[0]), 0),
       /Walk, trial 2|walk-2/,
     );
   });

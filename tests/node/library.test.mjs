@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { installPackage } from "./package.mjs";
+import { coupledInfo, installPackage } from "./package.mjs";
 
 /** @type {Awaited<ReturnType<typeof installPackage>>} */
 let installed;
@@ -101,16 +101,16 @@ describe("a library of primitives", () => {
 
   it("makes a model of a combination that was never recorded", () => {
     const model = library.combination([0, 3]);
-    assert.deepEqual(model.info().alpha, library.nearestCouplings([0, 3]));
+    assert.deepEqual(coupledInfo(model).alpha, library.nearestCouplings([0, 3]));
     const rollout = model.rollout({ frames: 40, sequence: 0 });
     assert.ok([...rollout.positions()].every(Number.isFinite));
     // A learned movement keeps its name: with it went where its primitives come from.
     const learned = library.info().movements.find((movement) => movement.learned)?.name ?? "";
-    assert.throws(() => library.withCombination(learned, [0, 3], model.info().alpha), {
+    assert.throws(() => library.withCombination(learned, [0, 3], coupledInfo(model).alpha), {
       code: "model",
       message: `expected a name that no learned movement has, found "${learned}"`,
     });
-    const extended = library.withCombination("half", [0, 3], model.info().alpha);
+    const extended = library.withCombination("half", [0, 3], coupledInfo(model).alpha);
     const movement = extended.info().movements[2];
     assert.equal(movement?.name, "half");
     assert.deepEqual(movement?.couplings, { from: "movement", movement: "walk+wave" });
@@ -131,8 +131,8 @@ describe("a library of primitives", () => {
     while (!progress.done) progress = trainer.step();
     assert.ok(progress.best > first);
     const model = trainer.model();
-    assert.deepEqual(model.info().alpha, trainer.alpha());
-    assert.equal(model.info().sequences[0]?.name, "walk-3 (made by this project).bvh");
+    assert.deepEqual(coupledInfo(model).alpha, trainer.alpha());
+    assert.equal(coupledInfo(model).sequences[0]?.name, "walk-3 (made by this project).bvh");
     assert.equal(trainer.library("third").info().movements.at(-1)?.couplings.from, "clips");
   });
 

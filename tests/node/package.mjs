@@ -26,3 +26,7 @@ export async function installPackage() {
   const vcgpdm = await import(pathToFileURL(require.resolve("vcgpdm")).href);
   return { folder, require, vcgpdm, remove: () => rmSync(folder, { recursive: true, force: true }) };
 }
+
+/** The description of a vCGPDM or vGPDM of a body. */
+export const coupledInfo = (/** @type {import("vcgpdm").Model} */ model) =>
+  /** @type {import("vcgpdm").CoupledModelInfo} */ (model.info());

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { installPackage } from "./package.mjs";
+import { coupledInfo, installPackage } from "./package.mjs";
 
 /** @type {Awaited<ReturnType<typeof installPackage>>} */
 let installed;
@@ -55,7 +55,7 @@ const finite = (/** @type {ArrayLike<number>} */ numbers) => Array.from(numbers)
 
 it("rolls out from any frame of a sequence whose latents the model keeps, also when it is read again", () => {
   const { model, trainer } = train();
-  const { startFrames } = model.info();
+  const { startFrames } = coupledInfo(model);
   const [count = 0] = startFrames;
   assert.ok(count > 20, `${count}`);
   const latents = trainer.latents(0);
@@ -159,7 +159,7 @@ describe("a trained model", () => {
     const [a, b] = [model.rollout(options), loaded.rollout(options)];
     assert.equal(a.frames, 50);
     assert.equal(a.latents(0).length, 50 * 2);
-    assert.equal(a.positions().length, 50 * model.info().figure.nodes.length * 3);
+    assert.equal(a.positions().length, 50 * coupledInfo(model).figure.nodes.length * 3);
     assert.ok(finite(a.positions()));
     assert.deepEqual(b.latents(0), a.latents(0));
     assert.deepEqual(b.positions(), a.positions());
@@ -168,7 +168,7 @@ describe("a trained model", () => {
 
   it("moves differently under other couplings, whose weights into a part sum to 1", () => {
     const { model } = train();
-    const { alpha } = model.info();
+    const { alpha } = coupledInfo(model);
     const changed = alpha.map((row) => [...row]);
     const [row] = changed;
     assert.ok(row);

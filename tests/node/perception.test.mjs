@@ -124,7 +124,7 @@ describe("a study", () => {
     /** @type {import("vcgpdm").Candidate} */
     const candidate = { model: "dmp-rhythmic", bases: 15 };
     for (const trial of [1, 2]) {
-      const fold = new Fold(clips, { parts, framesPerSecond: 30 }, trial, 1);
+      const fold = new Fold(clips, { parts, framesPerSecond: 30 }, { heldOut: trial - 1 });
       const movement = { trial, name: `walk ${trial}`, frameTime: fold.frameTime };
       maker.addNatural(movement, fold.actual(), true);
       const evaluation = new Evaluation(fold, candidate, 0);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { installPackage } from "./package.mjs";
+import { coupledInfo, installPackage } from "./package.mjs";
 
 /**
  * @typedef {{ what: string, part?: string, from?: number, to?: number, is?: string }} Claim
@@ -24,15 +24,15 @@ const text = readFileSync(at("www/public/first/model.json"), "utf8");
 let installed;
 /** @type {import("vcgpdm").Model} */
 let model;
-/** @type {import("vcgpdm").ModelInfo} */
+/** @type {import("vcgpdm").CoupledModelInfo} */
 let info;
 /** @type {import("vcgpdm").Measures} */
 let learned;
 before(async () => {
   installed = await installPackage();
   model = installed.vcgpdm.Model.fromJson(text);
-  info = model.info();
-  learned = roll(model, "as learned", null).measures(frames(SETTLED));
+  info = coupledInfo(model);
+  learned = roll(model, "as-learned", null).measures(frames(SETTLED));
 });
 after(() => installed?.remove());
 

@@ -28,12 +28,12 @@ const snippets = [...readme.matchAll(/^```(js|ts)\r?\n([\s\S]*?)^```/gm)].map(
 /** What a snippet is to print, by what tells it from the others. */
 const PRINTS = /** @type {[string, RegExp][]} */ ([
   ["new-walk.bvh", /^\d+ iterations, bound -?\d+ nats: (settled|iterations)\n$/],
-  ["AnyModel, Results", /^(?=.*model)(?=.*results)VcgpdmError model .*\nVcgpdmError results .*\n$/s],
+  ["Model, Results", /^(?=.*model)(?=.*results)VcgpdmError model .*\nVcgpdmError results .*\n$/s],
   [
-    "any.coupled()",
-    /^vcgpdm frame,time,Hips\.yaw_rate,.*\n(moves on|stands still|leaves the training range)\n$/,
+    "alpha[0][1] *= 10; // the first",
+    /^vcgpdm frame,time,Hips\.yaw_rate,.*\n(moves-on|stands-still|leaves-training-range)\n$/,
   ],
-  ["TableTrainer", /^frame,time,x,y,follower\n0,0,/],
+  ["addTable", /^frame,time,x,y,follower\n0,0,/],
   ["await init();\nconsole", /^252\n$/],
   ["clip.free()", /^freed expected an object in use, found one after its free\(\)\n$/],
   ["using clip", /^252\n$/],

@@ -21,26 +21,27 @@ const settings = {
 };
 
 it("couplings change the curves, and weights and latents are there", () => {
-  const { AnyModel, Table, TableTrainer } = installed.vcgpdm;
+  const { Model, Table, Trainer, TrainingSet } = installed.vcgpdm;
   const rows = Array.from({ length: 60 }, (_, t) => [Math.sin(t / 4), Math.cos(t / 4), Math.sin(t / 4 - 1)]);
   const table = Table.of("trial", ["x", "y", "follower"], new Float64Array(rows.flat()), 0.02);
   const parts = [
     { name: "machine", columns: ["x", "y"] },
     { name: "follower", columns: ["follower"] },
   ];
-  const trainer = new TableTrainer({ parts, ...settings });
-  trainer.add(table);
+  const set = new TrainingSet();
+  set.addTable(table);
+  const trainer = new Trainer(set, { parts, ...settings });
   while (!trainer.step().done);
   assert.equal(trainer.latents(0).length, 60 * 2);
   assert.throws(() => trainer.latents(2), { name: "VcgpdmError" });
 
-  const model = AnyModel.fromJson(trainer.model().toJson());
+  const model = Model.fromJson(trainer.model().toJson());
   const { alpha } = model.info();
   assert.equal(alpha?.length, 2);
-  const learned = model.rollout({ frames: 40, sequence: 0 });
+  const learned = model.rollout({ frames: 40 });
   const row = alpha?.[0];
   if (row) row[1] = (row[1] ?? 1) * 100;
-  const changed = model.rollout({ frames: 40, sequence: 0, alpha });
+  const changed = model.rollout({ frames: 40, alpha });
   assert.notDeepEqual(changed.values(), learned.values());
   const [before, after] = [learned.weights(), changed.weights()];
   assert.ok((after?.[0]?.[1] ?? 1) < (before?.[0]?.[1] ?? 0));
@@ -51,10 +52,11 @@ it("couplings change the curves, and weights and latents are there", () => {
 });
 
 it("a training says which columns never change and which clips are given twice", () => {
-  const { Clip, Table, TableTrainer, Trainer, TrainingSet } = installed.vcgpdm;
+  const { Clip, Table, Trainer, TrainingSet } = installed.vcgpdm;
   const rows = Array.from({ length: 20 }, (_, t) => [Math.sin(t / 3), 7]);
-  const ofTable = new TableTrainer({ parts: [{ name: "all", columns: ["x", "y"] }], ...settings });
-  ofTable.add(Table.of("trial", ["x", "y"], new Float64Array(rows.flat()), 0.02));
+  const tables = new TrainingSet();
+  tables.addTable(Table.of("trial", ["x", "y"], new Float64Array(rows.flat()), 0.02));
+  const ofTable = new Trainer(tables, { parts: [{ name: "all", columns: ["x", "y"] }], ...settings });
   assert.deepEqual(ofTable.notices(), ["the column y never changes, so a model learns nothing about it"]);
 
   const clips = new TrainingSet();

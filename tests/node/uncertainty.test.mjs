@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { installPackage } from "./package.mjs";
+import { coupledInfo, installPackage } from "./package.mjs";
 
 /** @type {Awaited<ReturnType<typeof installPackage>>} */
 let installed;
@@ -23,7 +23,7 @@ describe("predictions", () => {
   it("of the product are what the weights make of the experts, and the step that the rollout takes", () => {
     const rollout = model.rollout({ frames: 40, sequence: 0 });
     const said = rollout.predictions();
-    const { parts, alpha } = model.info();
+    const { parts, alpha } = coupledInfo(model);
     const weights = rollout.weights();
     for (const [target, { latent }] of parts.entries()) {
       const path = rollout.latents(target);
@@ -48,14 +48,14 @@ describe("predictions", () => {
 });
 
 describe("the model as it is sent to the page, with fewer digits", () => {
-  for (const reading of /** @type {const} */ (["as learned", "re-inferred"]))
+  for (const reading of /** @type {const} */ (["as-learned", "re-inferred"]))
     it(`is as sure as the one it was made of, ${reading}`, () => {
       const sent = installed.vcgpdm.Model.fromJson(readFileSync(at("www/public/first/model.json"), "utf8"));
-      const alpha = model.info().alpha.map((row) => row.map((value) => value * 2));
+      const alpha = coupledInfo(model).alpha.map((row) => row.map((value) => value * 2));
       const [full, short] = [model, sent].map((model) =>
         model.rollout({ frames: 60, sequence: 0, alpha, reading }).predictions(),
       );
-      for (const target of model.info().parts.keys()) {
+      for (const target of coupledInfo(model).parts.keys()) {
         const expected = full?.variances(target) ?? [];
         assert.ok(expected.length > 0);
         for (const [n, variance] of (short?.variances(target) ?? []).entries())
@@ -75,7 +75,7 @@ describe("uncertain rollouts", () => {
     assert.ok(one && one.positions().length === model.rollout(options).positions().length);
 
     const moments = model.moments(options);
-    const { latent } = model.info().parts[0] ?? { latent: 0 };
+    const { latent } = coupledInfo(model).parts[0] ?? { latent: 0 };
     const draws = model.sampledRollouts(options, 400, 0).map((rollout) => rollout.latents(0));
     const at = 11 * latent;
     const mean = draws.reduce((sum, x) => sum + (x[at] ?? Number.NaN), 0) / draws.length;
@@ -90,11 +90,11 @@ describe("a live rollout", () => {
   it("goes on as the rollout does", () => {
     const rollout = model.rollout({ frames: 100, sequence: 0 });
     const next = start().advance(10);
-    const { latent } = model.info().parts[1] ?? { latent: 0 };
+    const { latent } = coupledInfo(model).parts[1] ?? { latent: 0 };
     const [path, live] = [rollout.latents(1), next.latents(1)];
     for (let n = 0; n < live.length; n++) close(live[n], path[90 * latent + n], 1e-6);
     assert.equal(next.positions().length, rollout.positions().length / 10);
-    assert.equal(next.phases().length, 10 * model.info().parts.length);
+    assert.equal(next.phases().length, 10 * coupledInfo(model).parts.length);
   });
 
   it("goes other ways when a coupling is cut, changed or a part is pushed, and refuses what does not fit", () => {
@@ -107,21 +107,21 @@ describe("a live rollout", () => {
     restored.cut(0, 1, false);
     assert.deepEqual(restored.advance(5).latents(1), undisturbed);
     const changed = start();
-    const { alpha } = model.info();
+    const { alpha } = coupledInfo(model);
     const other = alpha.map((row, source) =>
       row.map((value, target) => (source === 0 && target === 1 ? 30 * value : value)),
     );
     changed.setCouplings(Float64Array.from(other.flat()), true);
     assert.notDeepEqual(changed.advance(5).latents(1), undisturbed);
     const pushed = start();
-    const { latent } = model.info().parts[1] ?? { latent: 0 };
+    const { latent } = coupledInfo(model).parts[1] ?? { latent: 0 };
     pushed.push(
       1,
       Float64Array.from({ length: latent }, () => 0.5),
     );
     assert.notDeepEqual(pushed.advance(5).latents(1), undisturbed);
     const pulled = start();
-    pulled.pull(model.info().figure.nodes.length - 1, 0, 0.05, 0);
+    pulled.pull(coupledInfo(model).figure.nodes.length - 1, 0, 0.05, 0);
     pulled.advance(1);
 
     const live = start();

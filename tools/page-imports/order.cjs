@@ -23,7 +23,10 @@ const ORDER = [
 ];
 
 /** The only files of other folders that workers may import. */
-const FOR_WORKERS = ["protocol", "whole-protocol", "library-protocol", "series-protocol", "limits", "transfers", "traps"];
+const FOR_WORKERS = [
+  ...["protocol", "whole-protocol", "library-protocol", "series-protocol"],
+  ...["limits", "transfers", "traps"],
+];
 
 /** The only folders that may import a package. */
 const PACKAGES = [

@@ -56,7 +56,7 @@ pub struct BodyInfo {
 }
 
 impl BodyInfo {
-    /// What there is to know of a skeleton.
+    /// The joints and the figure of a skeleton.
     pub fn new(skeleton: &Skeleton) -> Self {
         let joint = |joint: &Joint| JointInfo {
             name: joint.name.clone(),

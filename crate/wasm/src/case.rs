@@ -1,7 +1,7 @@
 //! A golden case, for measuring.
 
+use crate::arguments::Text;
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::Text;
 use vcgpdm::models::variational::Workspace;
 use vcgpdm_lab::golden::Case as GoldenCase;
 use wasm_bindgen::prelude::*;

@@ -1,9 +1,9 @@
-//! Clips, and what there is to know of them.
+//! Clips and their descriptions.
 
+use crate::arguments::{Bytes, Text, Whole};
 use crate::body::BodyInfo;
-use crate::convert::{to_js, to_js_beside};
+use crate::convert::{to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::{Text, Whole};
 use serde::Serialize;
 use vcgpdm::models::{same_body, with_bones_of};
 use vcgpdm::motion::parts::PartsPreset;
@@ -19,7 +19,7 @@ export interface PartsPreset {
     parts: PartSpec[];
 }
 
-/** What there is to know of a clip. */
+/** The name, size, body and warnings of a clip. */
 export interface ClipInfo {
     name: string;
     /** SHA-256 of the file, hexadecimal. */
@@ -68,9 +68,9 @@ pub struct Clip {
 impl Clip {
     /// Reads a BVH file; a leading T-pose is dropped, with a warning. The error names the file, the line,
     /// what was expected and what was found.
-    pub fn read(name: &Text, bytes: &[u8]) -> Result<Clip, VcgpdmError> {
+    pub fn read(name: &Text, bytes: &Bytes) -> Result<Clip, VcgpdmError> {
         let name = name.get(ErrorCode::Clip, "the name")?;
-        Ok(Clip { clip: bvh::read(&name, bytes)?.into_clip() })
+        Ok(Clip { clip: bvh::read(&name, &bytes.get(ErrorCode::Clip, "the file")?)?.into_clip() })
     }
 
     /// A clip that the project makes itself, by its id in `samples()`.
@@ -96,7 +96,7 @@ impl Clip {
         self.clip.name.clone()
     }
 
-    /// What there is to know of it.
+    /// Its name, size, body and warnings.
     #[wasm_bindgen(unchecked_return_type = "ClipInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {
         let clip = &self.clip;
@@ -111,7 +111,7 @@ impl Clip {
             warnings: &clip.warnings,
             presets: parts::presets(&clip.skeleton),
         };
-        to_js_beside(&info, &BodyInfo::new(&clip.skeleton))
+        to_js_joined(&info, &BodyInfo::new(&clip.skeleton))
     }
 
     /// The frames from `first` up to but not including `end`.
@@ -154,11 +154,13 @@ impl Clip {
     }
 }
 
-/// The clips that a model is trained on, one sequence each.
+/// The clips or tables that a model is trained on, one sequence each.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct TrainingSet {
     pub(crate) clips: Vec<MotionClip>,
+    #[cfg(feature = "training")]
+    pub(crate) tables: Vec<vcgpdm::series::Table>,
 }
 
 #[wasm_bindgen]
@@ -172,6 +174,10 @@ impl TrainingSet {
     /// Adds a clip. Throws the reason when its body differs from the first clip's, with the code "bones"
     /// where only its bones do; the set stays as it was.
     pub fn add(&mut self, clip: &Clip) -> Result<(), VcgpdmError> {
+        #[cfg(feature = "training")]
+        if !self.tables.is_empty() {
+            return Err(VcgpdmError::new(ErrorCode::Clips, &"expected a table as the others, found a clip"));
+        }
         if let Some(first) = self.clips.first() {
             same_body(first, &clip.clip)?;
         }
@@ -179,10 +185,24 @@ impl TrainingSet {
         Ok(())
     }
 
-    /// How many clips there are.
+    /// Adds a table. Its columns may be in another order than those of the first table.
+    #[cfg(feature = "training")]
+    #[wasm_bindgen(js_name = addTable)]
+    pub fn add_table(&mut self, table: &crate::tables::Table) -> Result<(), VcgpdmError> {
+        if !self.clips.is_empty() {
+            return Err(VcgpdmError::new(ErrorCode::Table, &"expected a clip as the others, found a table"));
+        }
+        self.tables.push(match self.tables.first() {
+            Some(first) => table.table.like(first)?,
+            None => table.table.clone(),
+        });
+        Ok(())
+    }
+
+    /// How many clips or tables there are.
     #[cfg(feature = "training")]
     #[wasm_bindgen(getter)]
     pub fn length(&self) -> usize {
-        self.clips.len()
+        self.clips.len() + self.tables.len()
     }
 }

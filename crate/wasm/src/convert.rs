@@ -1,8 +1,7 @@
 //! Values of the library in JavaScript and back. Fields are snake_case in the library and in files, camelCase
-//! in JavaScript; this is the only place that knows. Absent options are `null`.
+//! in JavaScript; only this file converts them. Absent options are `null`.
 //!
-//! A visitor downloads this: what is generic over the value is kept small, the rest stands in functions of
-//! its own.
+//! A visitor downloads this code, so generic functions are small.
 
 use crate::error::{ErrorCode, VcgpdmError};
 use js_sys::{Array, ArrayBuffer, Object, Reflect};
@@ -20,31 +19,66 @@ pub fn to_js<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, VcgpdmError> {
     in_camel_case(value.serialize(&SERIALIZER))
 }
 
-/// A value from JavaScript. The error has this code; its words begin with `what` the value is.
+/// A value from JavaScript. The error has this code; its message begins with `what`, the value's name.
 pub fn from_js<T: DeserializeOwned>(code: ErrorCode, what: &str, value: &JsValue) -> Result<T, VcgpdmError> {
     read(code, what, checked(code, what, value, fields::<T>())?)
 }
 
-/// A copy of a value with the names of the library, after a look at its fields.
+/// A copy of a value with the field names of the library. Unknown fields are an error.
 fn checked(code: ErrorCode, what: &str, value: &JsValue, fields: &[&str]) -> Result<JsValue, VcgpdmError> {
-    let checked = in_snake_case(value).and_then(|value| check_fields(&value, fields).map(|()| value));
-    checked.map_err(|reason| refused(code, what, &reason))
+    let value = renamed(value, &snake).map_err(|problem| match problem {
+        Problem::Name(reason) => refused(code, what, &reason),
+        Problem::Thrown(value) => VcgpdmError::Thrown(value),
+    })?;
+    check_fields(&value, fields).map_err(|reason| refused(code, what, &reason))?;
+    Ok(value)
 }
 
 fn read<T: DeserializeOwned>(code: ErrorCode, what: &str, value: JsValue) -> Result<T, VcgpdmError> {
-    serde_wasm_bindgen::from_value(value).map_err(|reason| refused(code, what, &words(&reason)))
+    let reason = match serde_wasm_bindgen::from_value(value.clone()) {
+        Ok(value) => return Ok(value),
+        Err(reason) => message(&reason),
+    };
+    // Reading a list from null gives a message of JavaScript's own. Without the field, serde misses it.
+    for field in fields_of(&value) {
+        let missing = |copy: Object| serde_wasm_bindgen::from_value::<T>(copy.into()).err();
+        if let Some(copy) = without_null(&value, &field)
+            && missing(copy)
+                .is_some_and(|reason| reason.to_string().contains(&format!("missing field `{field}`")))
+        {
+            let field = camel(&field, true);
+            return Err(refused(code, what, &format!("`{field}`: expected a value, found null")));
+        }
+    }
+    Err(refused(code, what, &reason))
+}
+
+/// A copy of an object without this field; none where the field is not null.
+fn without_null(value: &JsValue, field: &str) -> Option<Object> {
+    if !Reflect::get(value, &field.into()).is_ok_and(|inner| inner.is_null()) {
+        return None;
+    }
+    let copy = Object::assign(&Object::new(), value.unchecked_ref::<Object>());
+    Reflect::delete_property(&copy, &field.into()).is_ok_and(|deleted| deleted).then_some(copy)
+}
+
+/// The names of the fields of a value.
+fn fields_of(value: &JsValue) -> Vec<String> {
+    if !value.is_object() {
+        return Vec::new();
+    }
+    Object::keys(value.unchecked_ref::<Object>()).iter().filter_map(|field| field.as_string()).collect()
 }
 
 /// The names of the fields of a struct; none of anything else.
 fn fields<T: DeserializeOwned>() -> &'static [&'static str] {
     let mut fields: &[&str] = &[];
-    // It always fails: it only asks for the names.
+    // Always fails: `FieldNames` has no value, it only collects names.
     let _ = T::deserialize(FieldNames(&mut fields));
     fields
 }
 
-/// Asks a struct for the names of its fields: what reads values of JavaScript looks for these and does not
-/// see others.
+/// Collects the field names of a struct. serde_wasm_bindgen reads only these fields and ignores others.
 struct FieldNames<'a>(&'a mut &'static [&'static str]);
 
 impl<'de> Deserializer<'de> for FieldNames<'_> {
@@ -70,13 +104,12 @@ impl<'de> Deserializer<'de> for FieldNames<'_> {
     }
 }
 
-/// Refuses an object with a field that is none of these; no names: anything goes.
+/// Refuses an object with an unknown field. An empty list of names allows any field.
 fn check_fields(value: &JsValue, fields: &[&str]) -> Result<(), String> {
-    if fields.is_empty() || !value.is_object() {
+    if fields.is_empty() {
         return Ok(());
     }
-    for field in Object::keys(value.unchecked_ref::<Object>()).iter() {
-        let found = field.as_string().unwrap_or_default();
+    for found in fields_of(value) {
         if !fields.contains(&found.as_str()) {
             let known = fields.join("`, `");
             return Err(camel(&format!("unknown field `{found}`, expected some of `{known}`"), false));
@@ -85,17 +118,16 @@ fn check_fields(value: &JsValue, fields: &[&str]) -> Result<(), String> {
     Ok(())
 }
 
-/// Two values with their fields side by side in one object. (serde's `flatten` would weigh ten times as
-/// much.)
-pub fn to_js_beside<A: Serialize, B: Serialize>(first: &A, second: &B) -> Result<JsValue, VcgpdmError> {
+/// One object with the fields of two values. (serde's `flatten` would take ten times as many bytes of wasm.)
+pub fn to_js_joined<A: Serialize, B: Serialize>(first: &A, second: &B) -> Result<JsValue, VcgpdmError> {
     let (first, second) = (to_js(first)?, to_js(second)?);
     let (first, second): (&Object, &Object) = (first.unchecked_ref(), second.unchecked_ref());
     Ok(Object::assign(first, second).into())
 }
 
-/// Two structs with their fields side by side in one object.
+/// Two structs from one object with the fields of both.
 #[cfg(feature = "training")]
-pub fn from_js_beside<A: DeserializeOwned, B: DeserializeOwned>(
+pub fn from_js_split<A: DeserializeOwned, B: DeserializeOwned>(
     code: ErrorCode,
     what: &str,
     value: &JsValue,
@@ -106,8 +138,7 @@ pub fn from_js_beside<A: DeserializeOwned, B: DeserializeOwned>(
     Ok((read(code, what, first.into())?, read(code, what, second.into())?))
 }
 
-/// A value as JSON for a file, with the fields of the library. JavaScript writes it: a library for it would
-/// weigh more.
+/// A value as JSON for a file, with the fields of the library. JavaScript's own writer saves bytes of wasm.
 #[cfg(feature = "training")]
 pub fn to_json<T: Serialize>(value: &T) -> Result<String, VcgpdmError> {
     let value = value.serialize(&SERIALIZER).map_err(unconverted)?;
@@ -124,7 +155,7 @@ pub fn from_json<T: DeserializeOwned>(code: ErrorCode, what: &str, text: &str) -
 /// A matrix from its rows.
 #[cfg(feature = "training")]
 pub fn matrix(alpha: &[Vec<f64>]) -> DMatrix<f64> {
-    // What is missing is no number, which the library refuses.
+    // A missing entry becomes NaN, which the library refuses.
     let at = |j: usize, i: usize| alpha.get(j).and_then(|row: &Vec<f64>| row.get(i)).copied();
     let columns = alpha.iter().map(Vec::len).max().unwrap_or(0);
     DMatrix::from_fn(alpha.len(), columns, |j, i| at(j, i).unwrap_or(f64::NAN))
@@ -142,12 +173,10 @@ pub fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
 
 fn in_camel_case(value: Result<JsValue, Error>) -> Result<JsValue, VcgpdmError> {
     let value = value.map_err(unconverted)?;
-    renamed(&value, &|field| Ok(camel(field, true)))
-        .map_err(|reason| VcgpdmError::new(ErrorCode::Numerics, &reason))
-}
-
-fn in_snake_case(value: &JsValue) -> Result<JsValue, String> {
-    renamed(value, &snake)
+    renamed(&value, &|field| Ok(camel(field, true))).map_err(|problem| match problem {
+        Problem::Name(reason) => VcgpdmError::new(ErrorCode::Numerics, &reason),
+        Problem::Thrown(value) => VcgpdmError::Thrown(value),
+    })
 }
 
 fn unconverted(reason: Error) -> VcgpdmError {
@@ -162,19 +191,25 @@ fn refused(code: ErrorCode, what: &str, reason: &str) -> VcgpdmError {
 #[cfg(feature = "training")]
 fn divided(value: &JsValue, names: &[&str]) -> (Object, Object) {
     let (first, second) = (Object::new(), Object::new());
-    if value.is_object() {
-        for field in Object::keys(value.unchecked_ref::<Object>()).iter() {
-            let name = field.as_string().unwrap_or_default();
-            let object = if names.contains(&name.as_str()) { &first } else { &second };
-            // A plain object neither lacks a field that it names nor refuses one.
-            let _ = Reflect::set(object, &field, &Reflect::get(value, &field).unwrap_or_default());
-        }
+    for name in fields_of(value) {
+        let object = if names.contains(&name.as_str()) { &first } else { &second };
+        let field = name.into();
+        // The value is a copy of ours: a plain object without getters.
+        let _ = Reflect::set(object, &field, &Reflect::get(value, &field).unwrap_or_default());
     }
     (first, second)
 }
 
+/// Why a value cannot be copied.
+enum Problem {
+    /// The name of a field is wrong.
+    Name(String),
+    /// A getter of the value threw this.
+    Thrown(JsValue),
+}
+
 /// A copy in which every field of every object has another name.
-fn renamed(value: &JsValue, name: &dyn Fn(&str) -> Result<String, String>) -> Result<JsValue, String> {
+fn renamed(value: &JsValue, name: &dyn Fn(&str) -> Result<String, String>) -> Result<JsValue, Problem> {
     if Array::is_array(value) {
         let items: &Array = value.unchecked_ref();
         // Numbers have no fields, and there may be many.
@@ -191,16 +226,16 @@ fn renamed(value: &JsValue, name: &dyn Fn(&str) -> Result<String, String>) -> Re
         return Ok(value.clone());
     }
     let copy = Object::new();
-    for field in Object::keys(value.unchecked_ref::<Object>()).iter() {
-        // A plain object neither lacks a field that it names nor refuses one.
-        let inner = Reflect::get(value, &field).unwrap_or_default();
-        let new_name = name(&field.as_string().unwrap_or_default())?;
+    for field in fields_of(value) {
+        let new_name = name(&field).map_err(Problem::Name)?;
+        let inner = Reflect::get(value, &field.into()).map_err(Problem::Thrown)?;
+        // A new plain object accepts any field.
         let _ = Reflect::set(&copy, &new_name.into(), &renamed(&inner, name)?);
     }
     Ok(copy.into())
 }
 
-/// "dynamics_ips" as "dynamicsIps". Backticks begin and end a field; what stands outside stays as it is.
+/// "dynamics_ips" as "dynamicsIps". In a sentence, only field names in backticks change.
 fn camel(text: &str, mut is_field: bool) -> String {
     let mut words = Vec::new();
     let mut capital = false;
@@ -232,17 +267,17 @@ fn snake(field: &str) -> Result<String, String> {
     Ok(string(name))
 }
 
-/// Letters of a text of which only ASCII ones were changed.
+/// The text of these bytes, of which only ASCII letters were changed.
 fn string(letters: Vec<u8>) -> String {
     String::from_utf8(letters).unwrap_or_default()
 }
 
-/// What was wrong with a value, its fields named as JavaScript knows them: serde puts them in backticks.
-fn words(reason: &Error) -> String {
+/// An error of serde with the field names of JavaScript: serde puts field names in backticks.
+fn message(reason: &Error) -> String {
     camel(plain(&reason.to_string()), false)
 }
 
-/// Without the name of the class that JavaScript puts before the words of an error.
+/// The message without the class name that JavaScript puts before it.
 fn plain(text: &str) -> &str {
     text.strip_prefix("Error: ").unwrap_or(text)
 }
@@ -294,14 +329,14 @@ mod tests {
         let expected = r#"{"dynamicsIps":[[1,2],[]],"allScores":[{"dtwMse":0.5}],"sha256":null}"#;
         assert_eq!(text(&value), expected);
         assert_eq!(from_js::<Outer>(ErrorCode::Settings, "it", &value).ok().unwrap(), outer());
-        assert_eq!(text(&value), expected, "what JavaScript gave is left as it was");
+        assert_eq!(text(&value), expected, "the argument is not changed");
     }
 
     #[wasm_bindgen_test]
-    fn of_two_structs_in_one_object_all_fields_are_named() {
+    fn two_structs_share_one_object() {
         let both = |text: &str| {
             let value = JSON::parse(text).unwrap();
-            from_js_beside::<Inner, Outer>(ErrorCode::Settings, "it", &value)
+            from_js_split::<Inner, Outer>(ErrorCode::Settings, "it", &value)
         };
         let (first, second) =
             both(r#"{"dynamicsIps":[[1,2],[]],"dtwMse":0.5,"allScores":[{"dtwMse":0.5}]}"#).ok().unwrap();
@@ -310,6 +345,23 @@ mod tests {
         let expected =
             "it: unknown field `bogus`, expected some of `dtwMse`, `dynamicsIps`, `allScores`, `sha256`";
         assert_eq!(String::from(error.message()), expected);
+    }
+
+    #[wasm_bindgen_test]
+    fn a_null_field_is_named() {
+        let refused = refusal(r#"{"dynamicsIps":null,"allScores":[],"sha256":null}"#);
+        assert_eq!(refused, "it: `dynamicsIps`: expected a value, found null");
+    }
+
+    #[wasm_bindgen_test]
+    fn the_error_of_a_getter_is_passed_on() {
+        let options = js_sys::eval(r#"({ get dynamicsIps() { throw new RangeError("mine"); } })"#).unwrap();
+        let thrown = JsValue::from(from_js::<Outer>(ErrorCode::Settings, "it", &options).err().unwrap());
+        let error: js_sys::Error = thrown.unchecked_into();
+        assert_eq!(
+            (String::from(error.name()), String::from(error.message())),
+            ("RangeError".into(), "mine".into())
+        );
     }
 
     #[wasm_bindgen_test]

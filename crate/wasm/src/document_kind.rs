@@ -1,8 +1,8 @@
 //! Which of the project's documents a JSON text is.
 
+use crate::arguments::Text;
 use crate::convert::to_js;
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::Text;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]

@@ -26,7 +26,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** What a `VcgpdmError` is about. */
+/** The subject of a `VcgpdmError`. */
 export type ErrorCode =
     | "clip"
     | "clips"
@@ -41,11 +41,13 @@ export type ErrorCode =
     | "study"
     | "table"
     | "numerics"
+    | "argument"
     | "freed";
 
 /**
- * What every function throws when it cannot do what it is asked; the message says what was expected and what
- * was found. The code "freed" is that of an object that is used after its `free()`.
+ * Every function throws this error when it fails; the message says what was expected and what
+ * was found. The code "argument" is that of an argument of another class, "freed" that of an object that is used
+ * after its `free()`.
  */
 export interface VcgpdmError extends Error {
     name: "VcgpdmError";
@@ -53,7 +55,7 @@ export interface VcgpdmError extends Error {
 }
 "#;
 
-/// What an error is about.
+/// The subject of an error.
 #[derive(Clone, Copy)]
 pub enum ErrorCode {
     /// One clip: its file, a cut, a frame rate.
@@ -112,21 +114,27 @@ impl ErrorCode {
     }
 }
 
-/// What is thrown.
-pub struct VcgpdmError {
-    code: ErrorCode,
-    message: String,
+/// What a function throws.
+pub enum VcgpdmError {
+    /// An error of the package.
+    Own(ErrorCode, String),
+    /// What the caller's own code threw, such as a getter of the options.
+    Thrown(JsValue),
 }
 
 impl VcgpdmError {
-    /// An error in these words.
+    /// An error with this message.
     pub fn new(code: ErrorCode, message: &dyn Display) -> Self {
-        Self { code, message: message.to_string() }
+        Self::Own(code, message.to_string())
     }
 }
 
 impl From<VcgpdmError> for JsValue {
-    fn from(VcgpdmError { code, message }: VcgpdmError) -> JsValue {
+    fn from(error: VcgpdmError) -> JsValue {
+        let (code, message) = match error {
+            VcgpdmError::Own(code, message) => (code, message),
+            VcgpdmError::Thrown(value) => return value,
+        };
         let error = js_sys::Error::new(&message);
         error.set_name("VcgpdmError");
         // A new error refuses no field.
@@ -135,7 +143,7 @@ impl From<VcgpdmError> for JsValue {
     }
 }
 
-/// An error of the library, which knows what it is about.
+/// An error of the library, with its subject.
 trait LibraryError: Display {
     fn code(&self) -> ErrorCode;
 }
@@ -146,7 +154,7 @@ impl<E: LibraryError> From<E> for VcgpdmError {
     }
 }
 
-/// Errors of which all variants are about the same.
+/// Errors with one subject.
 macro_rules! about {
     ($($error:ty => $code:ident),+ $(,)?) => {
         $(impl LibraryError for $error {

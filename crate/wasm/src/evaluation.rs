@@ -1,9 +1,9 @@
-//! One model in one fold: trained step by step on all trials but one, and put to the test on that one.
+//! One model in one fold: trained on all trials but one, and tested on that one.
 
+use crate::arguments::Whole;
 use crate::clip::TrainingSet;
 use crate::convert::{from_js, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::Whole;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 use vcgpdm::models::{FittedModel, Learner, Progress, Settings};
@@ -13,16 +13,21 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** What all folds of a comparison have in common. */
+/** The settings that all folds of a comparison share. */
 export interface ComparisonSettings {
-    /** How the coupled models split the body. */
+    /** The parts of the coupled models. */
     parts: PartSpec[];
     /** The clips are brought to about this rate. */
     framesPerSecond: number;
 }
 
-/** The kinds of models, in the order of tables. */
-export type ModelKind = "vcgpdm" | "vgpdm" | "map-gpdm" | "map-cgpdm" | "tmp" | "dmp-discrete" | "dmp-rhythmic";
+/** A trial held out, and how many of the others are trained on. */
+export interface FoldOptions {
+    /** Counted from 0. */
+    heldOut: number;
+    /** Trains on the first ones of the other trials; absent: on all. */
+    trainingTrials?: number;
+}
 
 /** A model with all of its settings but the seed. */
 export type Candidate =
@@ -65,7 +70,7 @@ export type Candidate =
         bases: number;
     };
 
-/** How far an evaluation is. */
+/** The progress of an evaluation. */
 export interface EvaluationProgress {
     /** Share of the training done, 0 to 1. Time left is at most elapsed * (1 - fraction) / fraction. */
     fraction: number;
@@ -83,7 +88,7 @@ export interface Score {
     variance: number;
 }
 
-/** What came of one model in one fold. */
+/** The outcome of one model in one fold. */
 export interface Outcome {
     score: Score;
     /** The bound on the log evidence, in nats, where the model has one. */
@@ -98,7 +103,7 @@ export interface Outcome {
     frames: number;
     /** Numbers that must be kept to roll out. */
     storedNumbers: number;
-    /** Why training ended, in words. */
+    /** Why training ended, as a sentence. */
     reason: string | null;
     /**
      * The terms of the bound, in nats, of each part where they have parts; absent without such a bound, or in
@@ -115,7 +120,7 @@ export interface Outcome {
 }
 "#;
 
-/// What all folds of a comparison have in common.
+/// The settings that all folds of a comparison share.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ComparisonSettings {
@@ -123,6 +128,13 @@ pub struct ComparisonSettings {
     pub parts: Vec<PartSpec>,
     /// The clips are brought to about this rate.
     pub frames_per_second: f64,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FoldOptions {
+    held_out: usize,
+    training_trials: Option<usize>,
 }
 
 #[derive(Serialize)]
@@ -139,22 +151,33 @@ pub struct Fold {
 
 #[wasm_bindgen]
 impl Fold {
-    /// Holds out the trial `heldOut`, counted from 1, and trains on the others, or on the first
-    /// `trainingTrials` of them.
+    /// Holds one trial out and trains on the others.
     #[wasm_bindgen(constructor)]
     pub fn new(
         clips: &TrainingSet,
         #[wasm_bindgen(unchecked_param_type = "ComparisonSettings")] settings: JsValue,
-        #[wasm_bindgen(js_name = heldOut)] held_out: &Whole,
-        #[wasm_bindgen(js_name = trainingTrials)] training_trials: &Whole,
+        #[wasm_bindgen(unchecked_param_type = "FoldOptions")] options: JsValue,
     ) -> Result<Fold, VcgpdmError> {
-        let held_out = held_out.count(ErrorCode::Comparison, "the trial held out")?;
-        let training_trials =
-            training_trials.count(ErrorCode::Comparison, "the number of training trials")?;
+        let FoldOptions { held_out, training_trials } = from_js(ErrorCode::Comparison, "fold", &options)?;
+        let count = clips.clips.len();
+        if held_out >= count {
+            let words = format_args!(
+                "`heldOut`: expected a trial from 0 to {}, found {held_out}",
+                count.saturating_sub(1)
+            );
+            return Err(VcgpdmError::new(ErrorCode::Comparison, &words));
+        }
+        let training_trials = training_trials.unwrap_or(count - 1);
         let ComparisonSettings { parts, frames_per_second } =
             from_js(ErrorCode::Comparison, "settings", &settings)?;
-        let fold =
-            HeldOut::new(&clips.clips, held_out, training_trials, &parts, frames_per_second, START_FRAMES)?;
+        let fold = HeldOut::new(
+            &clips.clips,
+            held_out + 1,
+            training_trials,
+            &parts,
+            frames_per_second,
+            START_FRAMES,
+        )?;
         Ok(Fold { fold: Rc::new(fold) })
     }
 
@@ -176,7 +199,7 @@ impl Fold {
     }
 }
 
-/// One model that is trained in one fold, to be scored when it is done.
+/// The training of one model in one fold, and its score.
 #[wasm_bindgen]
 pub struct Evaluation {
     fold: Rc<HeldOut>,
@@ -205,14 +228,14 @@ impl Evaluation {
         to_js(&EvaluationProgress { fraction: progress.fraction, done: progress.done })
     }
 
-    /// The best model so far, put to the test.
+    /// The prediction of the best model so far.
     pub fn prediction(&self) -> Result<Prediction, VcgpdmError> {
         let model = self.learner.model()?;
         Ok(Prediction { fold: Rc::clone(&self.fold), training: self.learner.progress(), model })
     }
 }
 
-/// What a model predicts for the trial held out.
+/// The prediction of a model for the trial held out.
 #[wasm_bindgen]
 pub struct Prediction {
     fold: Rc<HeldOut>,
@@ -222,7 +245,7 @@ pub struct Prediction {
 
 #[wasm_bindgen]
 impl Prediction {
-    /// How good it is. `seconds` is how long the training took.
+    /// The scores of the prediction. `seconds`: the time of the training.
     #[wasm_bindgen(unchecked_return_type = "Outcome")]
     pub fn outcome(&self, seconds: f64) -> Result<JsValue, VcgpdmError> {
         to_js(&self.fold.outcome(&self.model, &self.training, seconds)?)

@@ -1,11 +1,11 @@
 //! Libraries of primitives: what they hold, and how they are combined.
 
+use crate::arguments::{Text, Whole};
 use crate::body::BodyInfo;
 use crate::clip::TrainingSet;
-use crate::convert::{flat, from_js, matrix, rows, to_js, to_js_beside};
+use crate::convert::{flat, from_js, matrix, rows, to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::{Text, Whole};
-use crate::model::{Model, PartInfo, Provenance, part_infos, provenance_info};
+use crate::model::{Model, PartInfo, part_infos};
 use crate::origin::PrimitiveOrigin;
 use crate::settings::{Task, settings_to_js};
 use nalgebra::DMatrix;
@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 use vcgpdm::models::SequenceInfo;
 use vcgpdm::models::library::{CouplingsFrom, EncodedClip, LearnedMovement, Primitive, TrainedLibrary};
+use vcgpdm::models::variational::BoundTerms;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -49,7 +50,7 @@ export interface MovementInfo {
     sequences: SequenceInfo[];
 }
 
-/** What there is to know of a library. */
+/** The parts, primitives and movements of a library. */
 export interface LibraryInfo {
     parts: PartInfo[];
     primitives: PrimitiveInfo[];
@@ -99,6 +100,18 @@ impl From<Origin> for CouplingsFrom {
             Origin::Nothing => Self::Nothing,
         }
     }
+}
+
+#[derive(Serialize)]
+struct Provenance<'a> {
+    engine: &'a str,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    settings: JsValue,
+    bound: f64,
+    terms: &'a BoundTerms,
+    iterations: usize,
+    evaluations: usize,
+    note: Option<&'a str>,
 }
 
 #[derive(Serialize)]
@@ -154,7 +167,7 @@ impl Library {
         Ok(self.trained.to_json()?)
     }
 
-    /// What there is to know of it.
+    /// Its parts, primitives and movements.
     #[wasm_bindgen(unchecked_return_type = "LibraryInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {
         let TrainedLibrary { library, body, provenance } = &*self.trained;
@@ -201,13 +214,13 @@ impl Library {
                 settings_to_js(&task, &provenance.settings)?,
             ),
         };
-        to_js_beside(&info, &BodyInfo::new(body.mapping.skeleton()))
+        to_js_joined(&info, &BodyInfo::new(body.mapping.skeleton()))
     }
 
     /// The model of a movement, as it was learned.
     pub fn movement(&self, index: &Whole) -> Result<Model, VcgpdmError> {
         let index = index.count(ErrorCode::Model, "the movement")?;
-        Ok(Model { model: Rc::new(self.trained.movement(index)?) })
+        Ok(Model::from(self.trained.movement(index)?))
     }
 
     /// The model of a combination, the primitive of each part; under the couplings of `nearestCouplings`
@@ -219,7 +232,7 @@ impl Library {
     ) -> Result<Model, VcgpdmError> {
         let uses = uses_of(&uses)?;
         let alpha = self.couplings(&uses, &alpha)?;
-        Ok(Model { model: Rc::new(self.trained.combination(&uses, &alpha)?) })
+        Ok(Model::from(self.trained.combination(&uses, &alpha)?))
     }
 
     /// The couplings of a combination that nobody has fitted, `alpha[source][target]`: of each source those
@@ -294,3 +307,20 @@ impl Library {
 
 /// Frames of each rollout of a map of locking: some twenty seconds.
 const LOCKING_FRAMES: usize = 600;
+
+/// How a library was made.
+fn provenance_info<'a>(
+    made: &'a vcgpdm::models::Provenance,
+    terms: &'a BoundTerms,
+    settings: JsValue,
+) -> Provenance<'a> {
+    Provenance {
+        engine: &made.engine,
+        settings,
+        bound: made.objective,
+        terms,
+        iterations: made.iterations,
+        evaluations: made.evaluations,
+        note: made.note.as_deref(),
+    }
+}

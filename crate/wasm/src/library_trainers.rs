@@ -1,9 +1,9 @@
 //! Trainings of libraries: of primitives, and of couplings alone.
 
+use crate::arguments::{Text, Whole};
 use crate::clip::TrainingSet;
 use crate::convert::{from_js, rows, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::{Text, Whole};
 use crate::library::{Library, uses_of};
 use crate::model::Model;
 use crate::progress::progress_to_js;
@@ -77,7 +77,7 @@ impl LibraryTrainer {
         progress_to_js(&self.training.step())
     }
 
-    /// Allows so many more iterations: training goes on where it stopped.
+    /// Allows this many more iterations. The training continues where it stopped.
     pub fn extend(&mut self, iterations: &Whole) -> Result<(), VcgpdmError> {
         self.training.extend(iterations.count(ErrorCode::Training, "the number of iterations")?);
         Ok(())
@@ -138,6 +138,6 @@ impl CouplingTrainer {
     /// The combination with the best couplings so far.
     pub fn model(&self) -> Result<Model, VcgpdmError> {
         let trained = self.fit.finish("")?;
-        Ok(Model { model: Rc::new(trained.movement(trained.library.movements.len() - 1)?) })
+        Ok(Model::from(trained.movement(trained.library.movements.len() - 1)?))
     }
 }

@@ -1,8 +1,8 @@
-//! A figure of a library that goes on without an end.
+//! An endless rollout of a combination of primitives.
 
+use crate::arguments::Whole;
 use crate::convert::{flat, from_js, matrix};
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::Whole;
 use crate::library::{Library, uses_of};
 use serde::Deserialize;
 use std::rc::Rc;

@@ -1,10 +1,10 @@
 //! A rollout that never ends.
 
+use crate::arguments::Whole;
 use crate::convert::flat;
-use crate::coupled::coupled;
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::Whole;
 use crate::rollout::Rollout;
+use crate::trained::coupled;
 use nalgebra::DMatrix;
 use std::rc::Rc;
 use vcgpdm::models::variational::CyclePlace;
@@ -24,11 +24,11 @@ pub struct LiveRollout {
 
 #[wasm_bindgen]
 impl LiveRollout {
-    /// Goes on behind a frame of a rollout, under the same couplings.
+    /// Continues a rollout after a frame, under the same couplings.
     #[wasm_bindgen(constructor)]
     pub fn new(rollout: &Rollout, frame: &Whole) -> Result<LiveRollout, VcgpdmError> {
         let frame = frame.count(ErrorCode::Rollout, "the frame")?;
-        let (model, request) = (Rc::clone(&rollout.model), &rollout.request);
+        let (model, request) = (Rc::clone(rollout.model.body()?), &rollout.request);
         let view = coupled(&model)?;
         let live = vcgpdm::models::LiveRollout::after(view, &rollout.rollout, frame, request.sequence)?;
         let (alpha, reading) = (request.alpha_or(&view.model.alpha).clone(), request.reading);
@@ -74,14 +74,13 @@ impl LiveRollout {
         Ok(LiveFrames(self.live.advance(coupled(&self.model)?, &self.dynamics, frames)?))
     }
 
-    /// Pushes a part by so much in each latent dimension [Q], felt by the next frame.
+    /// Pushes a part by `by` in the latent space [Q], before the next frame.
     pub fn push(&mut self, part: &Whole, by: Vec<f64>) -> Result<(), VcgpdmError> {
         let part = part.count(ErrorCode::Rollout, "the part")?;
         Ok(self.live.push(&Push { part, by, ..Push::default() })?)
     }
 
-    /// Pushes the part to which a node of the figure belongs, so that the node moves by about so much [x, y,
-    /// z], metres.
+    /// Pushes the part of a node of the figure, so that the node moves by about x, y and z metres.
     pub fn pull(&mut self, node: &Whole, x: f64, y: f64, z: f64) -> Result<(), VcgpdmError> {
         let node = node.count(ErrorCode::Rollout, "the node")?;
         let push = self.live.pull(coupled(&self.model)?, node, [x, y, z])?;
@@ -105,7 +104,7 @@ impl LiveFrames {
         self.0.positions.clone()
     }
 
-    /// Where on the learned cycle each part stands, in turns from 0 to 1 [frames x parts]: parts in step have
+    /// The phase of each part on the learned cycle, in turns from 0 to 1 [frames x parts]: parts in step have
     /// the same phase. Empty where the learned rollout does not repeat itself.
     pub fn phases(&self) -> Vec<f64> {
         self.0.places.iter().map(|place: &CyclePlace| place.phase).collect()

@@ -1,9 +1,9 @@
 //! A study from a comparison that ran here.
 
+use crate::arguments::{Text, Whole};
 use crate::clip::Clip;
 use crate::convert::from_js;
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::{Text, Whole};
 use crate::study::{Study, look, preset};
 use serde::Deserialize;
 use vcgpdm::models::Settings;
@@ -66,7 +66,7 @@ impl StudyMaker {
         Ok(self.maker.natural(&shown, seen)?)
     }
 
-    /// Adds what a model made of the trial that was held out, as `Prediction.positions` gives it. Of several
+    /// Adds the prediction of a model for the trial that was held out, as `Prediction.positions` gives it. Of several
     /// seeds of a candidate that of the highest `outcome.objective` stays.
     #[wasm_bindgen(js_name = addGenerated)]
     pub fn add_generated(

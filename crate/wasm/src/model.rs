@@ -1,25 +1,41 @@
-//! Trained models: what they hold, and what they predict.
+//! Trained models of every kind, of bodies and of tables.
 
+use crate::arguments::{Text, Whole};
 use crate::body::BodyInfo;
-use crate::convert::{flat, from_js, rows, to_js_beside};
-use crate::coupled::coupled;
+use crate::convert::{flat, from_js, rows, to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::{Text, Whole};
 #[cfg(feature = "training")]
 use crate::predictions::Moments;
 use crate::rollout::Rollout;
 use crate::settings::{Task, settings_to_js};
+use crate::trained::{Trained, column_names, coupled};
 use serde::Serialize;
 use std::rc::Rc;
 #[cfg(feature = "training")]
-use vcgpdm::document::DocumentError;
-use vcgpdm::models::variational::{BoundTerms, PoseMap};
-use vcgpdm::models::{Coupled, MOST_SAMPLES, Model as TrainedModel, RolloutRequest, SequenceInfo};
+use vcgpdm::document::Document;
+use vcgpdm::models::variational::{BoundTerms, PoseMap, Vcgpdm};
+use vcgpdm::models::{
+    MOST_SAMPLES, Model as TrainedModel, ModelKind, ColumnMapping, RolloutRequest, SequenceInfo,
+};
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
+/** The terms of the bound, in nats. */
+export interface BoundTerms {
+    /** The pose map of each part. */
+    kinematics: number[];
+    /** The dynamics into each part. */
+    dynamics: number[];
+    /** The prior of the first frames. */
+    initial: number;
+    entropy: number;
+}
+
+/** The kinds of models, in the order of tables. */
+export type ModelKind = "vcgpdm" | "vgpdm" | "map-gpdm" | "map-cgpdm" | "tmp" | "dmp-discrete" | "dmp-rhythmic";
+
 /** A part of a trained model. */
 export interface PartInfo {
     name: string;
@@ -50,7 +66,7 @@ export interface SequenceInfo {
     whole: boolean;
 }
 
-/** How a model was made. */
+/** How a vCGPDM, a vGPDM or a library was made. */
 export interface Provenance {
     /** The program and its version. */
     engine: string;
@@ -63,22 +79,69 @@ export interface Provenance {
     note: string | null;
 }
 
-/** What there is to know of a model. */
+/** How a model of any kind was made. */
+export interface ModelProvenance extends Omit<Provenance, "settings" | "bound" | "terms"> {
+    settings: ModelSettings;
+    /** The final bound in nats, or the objective of a model without a bound. */
+    bound: number;
+    /** Null for a model without a bound. */
+    terms: BoundTerms | null;
+}
+
+/** Settings of a training; those of the model itself only of a vCGPDM or vGPDM. */
+export interface ModelSettings {
+    parts: PartSpec[];
+    framesPerSecond: number;
+    seed: number;
+    latent?: number;
+    dynamicsIps?: number;
+    poseIps?: number;
+    order?: number;
+    maxIterations?: number;
+}
+
+/** A part of a model; latent dimensions and pose inducing points only of a vCGPDM or vGPDM. */
+export interface ModelPart {
+    name: string;
+    /** Of a model of tables, the places of its columns. */
+    joints: number[];
+    latent?: number;
+    poseIps?: number;
+}
+
+/** A model of any kind. */
 export interface ModelInfo {
-    parts: PartInfo[];
-    /** Order p of the dynamics. */
-    order: number;
+    kind: ModelKind;
+    parts: ModelPart[];
+    /** The names of all columns, in the order of `Rollout.values`. */
+    columns: string[];
     /** Seconds from one frame to the next. */
     frameTime: number;
-    /** Coupling variances as learned, `alpha[source][target]`. */
-    alpha: number[][];
-    /** From how many frames of each sequence a rollout can start. */
-    startFrames: number[];
-    /** How many dynamics inducing points, `dynamicsIps[source][target]`. */
-    dynamicsIps: number[][];
     sequences: SequenceInfo[];
+    /** Null for a model of tables. */
+    joints: JointInfo[] | null;
+    /** Null for a model of tables. */
+    figure: Figure | null;
+    /** Order p of the dynamics; this and the next three are null for a kind without couplings. */
+    order: number | null;
+    /** Coupling variances as learned, `alpha[source][target]`. */
+    alpha: number[][] | null;
+    /** From how many frames of each sequence a rollout can start. */
+    startFrames: number[] | null;
+    /** How many dynamics inducing points, `dynamicsIps[source][target]`. */
+    dynamicsIps: number[][] | null;
+    provenance: ModelProvenance;
+}
+
+/** `ModelInfo` of a vCGPDM or vGPDM of a body. */
+export interface CoupledModelInfo extends Omit<ModelInfo, "parts" | "joints" | "figure" | "order" | "alpha" | "startFrames" | "dynamicsIps" | "provenance"> {
+    parts: PartInfo[];
     joints: JointInfo[];
     figure: Figure;
+    order: number;
+    alpha: number[][];
+    startFrames: number[];
+    dynamicsIps: number[][];
     provenance: Provenance;
 }
 "#;
@@ -92,12 +155,12 @@ pub(crate) struct PartInfo<'a> {
 }
 
 #[derive(Serialize)]
-pub(crate) struct Provenance<'a> {
+struct ModelProvenance<'a> {
     engine: &'a str,
     #[serde(with = "serde_wasm_bindgen::preserve")]
     settings: JsValue,
     bound: f64,
-    terms: &'a BoundTerms,
+    terms: Option<&'a BoundTerms>,
     iterations: usize,
     evaluations: usize,
     note: Option<&'a str>,
@@ -105,31 +168,61 @@ pub(crate) struct Provenance<'a> {
 
 #[derive(Serialize)]
 struct ModelInfo<'a> {
-    parts: Vec<PartInfo<'a>>,
-    order: usize,
+    kind: ModelKind,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    parts: JsValue,
+    columns: Vec<String>,
     frame_time: f64,
-    alpha: Vec<Vec<f64>>,
-    start_frames: Vec<usize>,
-    dynamics_ips: Vec<Vec<usize>>,
     sequences: &'a [SequenceInfo],
-    provenance: Provenance<'a>,
+    order: Option<usize>,
+    alpha: Option<Vec<Vec<f64>>>,
+    start_frames: Option<Vec<usize>>,
+    dynamics_ips: Option<Vec<Vec<usize>>>,
+    provenance: ModelProvenance<'a>,
 }
 
 impl<'a> ModelInfo<'a> {
-    fn new(coupled: Coupled<'a>, settings: JsValue) -> Self {
-        let Coupled { model: fitted, body, provenance: made, .. } = coupled;
-        let counts = fitted.experts.iter().map(|row| row.iter().map(|expert| expert.z().nrows()).collect());
-        ModelInfo {
-            parts: part_infos(body.layout.parts(), &fitted.parts),
-            order: fitted.order,
+    fn new<S: ColumnMapping>(trained: &'a TrainedModel<S>) -> Result<Self, VcgpdmError> {
+        let (body, made) = (&trained.body, &trained.provenance);
+        let specs = body.layout.parts();
+        let task = Task { parts: specs.to_vec(), frames_per_second: made.frames_per_second, seed: made.seed };
+        let model = trained.coupled().map(|coupled| coupled.model);
+        let counts = |model: &Vcgpdm| {
+            let rows = model.experts.iter();
+            rows.map(|row| row.iter().map(|expert| expert.z().nrows()).collect()).collect()
+        };
+        Ok(ModelInfo {
+            kind: trained.kind(),
+            parts: match model {
+                Some(model) => to_js(&part_infos(specs, &model.parts))?,
+                None => to_js(specs)?,
+            },
+            columns: column_names(body),
             frame_time: body.frame_time,
-            alpha: rows(&fitted.alpha),
-            start_frames: (0..body.sequences.len()).map(|k| fitted.start_frames(k)).collect(),
-            dynamics_ips: counts.collect(),
             sequences: &body.sequences,
-            provenance: provenance_info(made, &fitted.terms, settings),
-        }
+            order: model.map(|model| model.order),
+            alpha: model.map(|model| rows(&model.alpha)),
+            start_frames: model
+                .map(|model| (0..body.sequences.len()).map(|k| model.start_frames(k)).collect()),
+            dynamics_ips: model.map(counts),
+            provenance: ModelProvenance {
+                engine: &made.engine,
+                settings: settings_to_js(&task, &made.settings)?,
+                bound: made.objective,
+                terms: model.map(|model| &model.terms),
+                iterations: made.iterations,
+                evaluations: made.evaluations,
+                note: made.note.as_deref(),
+            },
+        })
     }
+}
+
+#[cfg(feature = "training")]
+#[derive(Serialize)]
+struct NoBody {
+    joints: Option<()>,
+    figure: Option<()>,
 }
 
 /// The parts with their pose maps.
@@ -143,74 +236,75 @@ pub(crate) fn part_infos<'a>(specs: &'a [PartSpec], maps: &[PoseMap]) -> Vec<Par
     specs.iter().zip(maps).map(info).collect()
 }
 
-/// How a model or a library was made.
-pub(crate) fn provenance_info<'a>(
-    made: &'a vcgpdm::models::Provenance,
-    terms: &'a BoundTerms,
-    settings: JsValue,
-) -> Provenance<'a> {
-    Provenance {
-        engine: &made.engine,
-        settings,
-        bound: made.objective,
-        terms,
-        iterations: made.iterations,
-        evaluations: made.evaluations,
-        note: made.note.as_deref(),
-    }
-}
-
-/// A trained model.
+/// A trained model of any kind, of a body or of tables. The small package `vcgpdm/player` has vCGPDM and vGPDM
+/// of bodies only.
 #[wasm_bindgen]
 pub struct Model {
-    pub(crate) model: Rc<TrainedModel>,
+    pub(crate) model: Trained,
+}
+
+impl From<TrainedModel> for Model {
+    fn from(model: TrainedModel) -> Self {
+        Model { model: Trained::Body(Rc::new(model)) }
+    }
 }
 
 #[wasm_bindgen]
 impl Model {
-    /// Reads a shared model. Throws the reason and the path of the field when the text is not one.
+    /// Reads a model's document. Throws the reason and the path of the field when the text is not a model.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &Text) -> Result<Model, VcgpdmError> {
         let text = text.get(ErrorCode::Model, "the document")?;
-        let model = TrainedModel::coupled_from_json(&text);
-        // Only the whole package reads the other kinds.
         #[cfg(feature = "training")]
-        if let Err(reason @ (DocumentError::Kind { .. } | DocumentError::Subject { .. })) = &model {
-            let words = format_args!("{reason}; AnyModel.fromJson reads models of every kind");
-            return Err(VcgpdmError::new(ErrorCode::Model, &words));
-        }
-        Ok(Model { model: Rc::new(model?) })
+        let model = match Document::from_json(&text)? {
+            Document::Body(model) => Trained::Body(Rc::new(*model)),
+            Document::Series(model) => Trained::Table(Rc::new(*model)),
+        };
+        #[cfg(not(feature = "training"))]
+        let model = Trained::Body(Rc::new(TrainedModel::coupled_from_json(&text)?));
+        Ok(Model { model })
     }
 
     /// The model as a JSON document.
     #[wasm_bindgen(js_name = toJson)]
     pub fn to_json(&self) -> Result<String, VcgpdmError> {
-        Ok(coupled(&self.model)?.to_json()?)
+        match &self.model {
+            #[cfg(feature = "training")]
+            Trained::Body(model) => Ok(model.to_json()?),
+            #[cfg(not(feature = "training"))]
+            Trained::Body(model) => Ok(coupled(model)?.to_json()?),
+            #[cfg(feature = "training")]
+            Trained::Table(model) => Ok(model.to_json()?),
+        }
     }
 
     /// SHA-256 of that document, hexadecimal.
     pub fn sha256(&self) -> Result<String, VcgpdmError> {
-        Ok(coupled(&self.model)?.sha256()?)
+        Ok(vcgpdm::internals::sha256(self.to_json()?.as_bytes()))
     }
 
-    /// What there is to know of it.
+    /// Its kind, parts, sequences, couplings and settings.
     #[wasm_bindgen(unchecked_return_type = "ModelInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {
-        let (body, made) = (&self.model.body, &self.model.provenance);
-        let parts = body.layout.parts().to_vec();
-        let task = Task { parts, frames_per_second: made.frames_per_second, seed: made.seed };
-        let settings = settings_to_js(&task, &made.settings)?;
-        let info = ModelInfo::new(coupled(&self.model)?, settings);
-        to_js_beside(&info, &BodyInfo::new(body.mapping.skeleton()))
+        match &self.model {
+            Trained::Body(model) => {
+                to_js_joined(&ModelInfo::new(model)?, &BodyInfo::new(model.body.mapping.skeleton()))
+            }
+            #[cfg(feature = "training")]
+            Trained::Table(model) => {
+                to_js_joined(&ModelInfo::new(model)?, &NoBody { joints: None, figure: None })
+            }
+        }
     }
 
-    /// The mean rollout from a training sequence's start latents, under the learned couplings or others.
+    /// The mean rollout from a training sequence's start. A vCGPDM or vGPDM can also start from another frame
+    /// and have other couplings than the learned ones.
     pub fn rollout(
         &self,
         #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
     ) -> Result<Rollout, VcgpdmError> {
         let request = from_js(ErrorCode::Rollout, "rollout", &options)?;
-        Rollout::new(&self.model, coupled(&self.model)?.rollout(&request)?, &request)
+        Rollout::mean(&self.model, request)
     }
 
     /// Sampled rollouts, at most 1000, of the seeds `seed`, `seed + 1`, and so on: every frame is drawn from
@@ -231,30 +325,31 @@ impl Model {
         let seed = seed.get(ErrorCode::Rollout, "the seed")?;
         let request: RolloutRequest = from_js(ErrorCode::Rollout, "rollout", &options)?;
         let together = request.frames.saturating_mul(count as usize);
-        let model = coupled(&self.model)?;
+        let body = self.model.body()?;
+        let model = coupled(body)?;
         model.check_frames(together).map_err(|reason| {
             VcgpdmError::new(ErrorCode::Rollout, &format_args!("all rollouts together: {reason}"))
         })?;
         let seeds = u64::from(seed)..u64::from(seed) + u64::from(count);
         let rollouts = model.sampled_rollouts(&request, seeds)?;
-        rollouts.map(|rollout| Rollout::new(&self.model, rollout?, &request)).collect()
+        rollouts.map(|rollout| Rollout::new(body, rollout?, &request)).collect()
     }
 
-    /// What is known of the latents in every frame of a rollout, by moment matching.
+    /// Gaussian moments of the latents in every frame of a rollout, by moment matching.
     #[cfg(feature = "training")]
     pub fn moments(
         &self,
         #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
     ) -> Result<Moments, VcgpdmError> {
         let request = from_js(ErrorCode::Rollout, "rollout", &options)?;
-        Ok(Moments(coupled(&self.model)?.moments(&request)?))
+        Ok(Moments(coupled(self.model.body()?)?.moments(&request)?))
     }
 
     /// Pose inducing inputs r of a part [L x Q].
     #[wasm_bindgen(js_name = poseIps)]
     pub fn pose_ips(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let part = part.count(ErrorCode::Model, "the part")?;
-        Ok(flat(coupled(&self.model)?.model.pose_map(part)?.r()))
+        Ok(flat(self.model.latent()?.pose_map(part)?.r()))
     }
 
     /// Dynamics inducing inputs z of the source's prediction about the target [K x order * Q of the source],
@@ -263,7 +358,7 @@ impl Model {
     pub fn dynamics_ips(&self, source: &Whole, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let source = source.count(ErrorCode::Model, "the source")?;
         let target = target.count(ErrorCode::Model, "the target")?;
-        Ok(flat(coupled(&self.model)?.model.expert(source, target)?.z()))
+        Ok(flat(self.model.latent()?.expert(source, target)?.z()))
     }
 
     /// What the source's dynamics inducing points predict, `E[u]` [K x Q of the target].
@@ -271,10 +366,10 @@ impl Model {
     pub fn dynamics_ivs(&self, source: &Whole, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let source = source.count(ErrorCode::Model, "the source")?;
         let target = target.count(ErrorCode::Model, "the target")?;
-        Ok(flat(coupled(&self.model)?.model.expert(source, target)?.mean()))
+        Ok(flat(self.model.latent()?.expert(source, target)?.mean()))
     }
 
-    /// How much a pose inducing point says about each latent point [frames x Q], 0 to 1: k(x, r) / sigma^2.
+    /// The weight of a pose inducing point at each latent point [frames x Q], 0 to 1: k(x, r) / sigma^2.
     #[wasm_bindgen(js_name = poseIpWeights)]
     pub fn pose_ip_weights(
         &self,
@@ -284,10 +379,10 @@ impl Model {
     ) -> Result<Vec<f64>, VcgpdmError> {
         let part = part.count(ErrorCode::Model, "the part")?;
         let index = index.count(ErrorCode::Model, "the index")?;
-        Ok(coupled(&self.model)?.model.pose_ip_weights(part, index, latents)?)
+        Ok(self.model.latent()?.pose_ip_weights(part, index, latents)?)
     }
 
-    /// How much a dynamics inducing point says about each frame of the source's latent path [frames x Q], 0
+    /// The weight of a dynamics inducing point in each frame of the source's latent path [frames x Q], 0
     /// to 1: k(history, z); 0 for the first frames, which have no history.
     #[wasm_bindgen(js_name = dynamicsIpWeights)]
     pub fn dynamics_ip_weights(
@@ -300,13 +395,13 @@ impl Model {
         let source = source.count(ErrorCode::Model, "the source")?;
         let target = target.count(ErrorCode::Model, "the target")?;
         let index = index.count(ErrorCode::Model, "the index")?;
-        Ok(coupled(&self.model)?.model.dynamics_ip_weights(source, target, index, latents)?)
+        Ok(self.model.latent()?.dynamics_ip_weights(source, target, index, latents)?)
     }
 
     /// World positions of the figure's nodes [nodes x 3] with one part at a latent point and the others at
     /// their mean pose.
     pub fn pose(&self, part: &Whole, latent: &[f64]) -> Result<Vec<f32>, VcgpdmError> {
         let part = part.count(ErrorCode::Model, "the part")?;
-        Ok(coupled(&self.model)?.pose(part, latent)?)
+        Ok(coupled(self.model.body()?)?.pose(part, latent)?)
     }
 }

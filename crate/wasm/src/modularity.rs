@@ -1,6 +1,6 @@
 //! The modularity test on the sample trials, one trial at a time.
 
-use crate::convert::{from_js, to_js_beside};
+use crate::convert::{from_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::progress::progress_to_js;
 use serde::{Deserialize, Serialize};
@@ -48,7 +48,7 @@ struct Named<'a> {
 
 /// The training of one fold of the modularity test: a sample trial is held out, and predicted by a library in
 /// which walking and walking with waving share the primitive of the lower body, or by a model of its movement
-/// alone. What is trained and how it is scored is what docs/modularity.md has.
+/// alone. docs/modularity.md describes the training and the score.
 #[wasm_bindgen]
 pub struct ModularityTraining {
     movement: String,
@@ -87,7 +87,7 @@ impl ModularityTraining {
     pub fn outcome(&self) -> Result<JsValue, VcgpdmError> {
         match self.training.best() {
             None => Ok(JsValue::NULL),
-            Some((outcome, _)) => to_js_beside(&Named { movement: &self.movement }, outcome),
+            Some((outcome, _)) => to_js_joined(&Named { movement: &self.movement }, outcome),
         }
     }
 }

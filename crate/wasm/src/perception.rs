@@ -1,8 +1,8 @@
 //! What answers to a study say.
 
+use crate::arguments::Text;
 use crate::convert::{from_js, to_js, to_json};
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::Text;
 use serde::{Deserialize, Serialize};
 use vcgpdm_lab::perception::{AnalysisOptions, AnswerFile, PerceptionResults, Study, read_answers};
 use wasm_bindgen::prelude::*;

@@ -1,17 +1,16 @@
-//! What the experts predict with their uncertainty, and what is known of a rollout's latents.
+//! Predictions of the experts with their uncertainty, and Gaussian moments of a rollout's latents.
 
+use crate::arguments::Whole;
 #[cfg(feature = "training")]
 use crate::convert::flat;
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::Whole;
-#[cfg(feature = "training")]
 #[cfg(feature = "training")]
 use vcgpdm::models::variational::LatentMoments;
 use vcgpdm::models::variational::{InducingError, PartPredictions, Prediction};
 use vcgpdm::models::{Coupled, Rollout, RolloutRequest};
 use wasm_bindgen::prelude::*;
 
-/// What is predicted about each frame of a rollout, from its order p on. Every prediction is a Gaussian with
+/// The predictions for each frame of a rollout, from frame p (the order) on. Every prediction is a Gaussian with
 /// the same variance in all latent dimensions.
 #[wasm_bindgen]
 pub struct Predictions {
@@ -57,34 +56,38 @@ impl Predictions {
     /// Means of the product of all experts about a part [predicted frames x Q].
     pub fn means(&self, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let target = target.count(ErrorCode::Rollout, "the target")?;
-        Ok(self.each(target, None)?.iter().flat_map(|said| said.mean.iter().copied()).collect())
+        Ok(self.each(target, None)?.iter().flat_map(|prediction| prediction.mean.iter().copied()).collect())
     }
 
     /// Variances of the product of all experts about a part [predicted frames].
     pub fn variances(&self, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let target = target.count(ErrorCode::Rollout, "the target")?;
-        Ok(self.each(target, None)?.iter().map(|said| said.variance).collect())
+        Ok(self.each(target, None)?.iter().map(|prediction| prediction.variance).collect())
     }
 
-    /// Means of what the source alone says about the target [predicted frames x Q of the target].
+    /// Means of the source's own prediction of the target [predicted frames x Q of the target].
     #[wasm_bindgen(js_name = expertMeans)]
     pub fn expert_means(&self, source: &Whole, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let source = source.count(ErrorCode::Rollout, "the source")?;
         let target = target.count(ErrorCode::Rollout, "the target")?;
-        Ok(self.each(target, Some(source))?.iter().flat_map(|said| said.mean.iter().copied()).collect())
+        Ok(self
+            .each(target, Some(source))?
+            .iter()
+            .flat_map(|prediction| prediction.mean.iter().copied())
+            .collect())
     }
 
-    /// Variances of what the source alone says about the target [predicted frames]: alpha and the expert's
+    /// Variances of the source's own prediction of the target [predicted frames]: alpha and the expert's
     /// own.
     #[wasm_bindgen(js_name = expertVariances)]
     pub fn expert_variances(&self, source: &Whole, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let source = source.count(ErrorCode::Rollout, "the source")?;
         let target = target.count(ErrorCode::Rollout, "the target")?;
-        Ok(self.each(target, Some(source))?.iter().map(|said| said.variance).collect())
+        Ok(self.each(target, Some(source))?.iter().map(|prediction| prediction.variance).collect())
     }
 }
 
-/// What is known of the latents in every frame of a rollout: a Gaussian each.
+/// The latents in every frame of a rollout as Gaussians.
 #[cfg(feature = "training")]
 #[wasm_bindgen]
 pub struct Moments(pub(crate) LatentMoments);

@@ -32,7 +32,7 @@ export interface PartMotion {
     leader: { part: number; weight: number; met: boolean } | null;
 }
 
-/** What is asked of an `ImportTrainer`. */
+/** The options of an `ImportTrainer`. */
 export interface ImportRequest {
     /**
      * The primitive of the library that stands in for each part, in movements to which the part brings none
@@ -81,7 +81,8 @@ impl From<PartMotion> for Motion {
 
 #[wasm_bindgen]
 impl Library {
-    /// What each part of a combination does in the long run: whether it stands still, and to whom it listens.
+    /// The motion of each part of a combination in the long run: whether it stands still, and which parts
+    /// drive it.
     /// Under `alpha`, or the couplings of `nearestCouplings` where none are given.
     #[wasm_bindgen(unchecked_return_type = "PartMotion[]")]
     pub fn motion(

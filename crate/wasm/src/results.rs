@@ -1,10 +1,10 @@
 //! Results of a comparison: which jobs are asked for, which are finished, and what they say.
 
+use crate::arguments::Text;
 use crate::clip::TrainingSet;
-use crate::convert::{from_js, from_json, to_js, to_js_beside, to_json};
+use crate::convert::{from_js, from_json, to_js, to_js_joined, to_json};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::evaluation::ComparisonSettings;
-use crate::given::Text;
 use crate::settings::cost_to_js;
 use js_sys::{Array, Reflect};
 use serde::Serialize;
@@ -216,15 +216,15 @@ export interface Evidence {
 
 /** What the papers say, and what these results say about it. */
 export interface Claim {
-    /** The sentence of the paper, or what is asked beside it. */
+    /** The sentence of the paper, or our own question next to it. */
     claim: string;
-    /** Where it stands: year and section. */
+    /** Its place in the papers: year and section. */
     place: string;
-    /** Our criterion: what it is held against. */
+    /** Our criterion for it. */
     criterion: string;
     /** The effect that was found, with its interval. */
     found: string;
-    /** Whether that agrees: said only where the whole interval says so. */
+    /** Whether the numbers agree; only where the whole interval does. */
     answer: "yes" | "no" | "undecided";
 }
 
@@ -251,9 +251,9 @@ struct Identity {
     id: String,
 }
 
-/// What there is to say about a job, with its id.
+/// A value about a job, with the id of the job.
 fn identified<T: Serialize>(job: &Job, value: &T) -> Result<JsValue, VcgpdmError> {
-    to_js_beside(&Identity { id: job.to_string() }, value)
+    to_js_joined(&Identity { id: job.to_string() }, value)
 }
 
 /// All results of a comparison so far.

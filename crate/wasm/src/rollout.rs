@@ -1,13 +1,18 @@
-//! Rolled-out motions.
+//! Rollouts: motions, or columns of numbers.
 
-use crate::convert::{flat, rows, to_js, to_js_beside};
-use crate::coupled::coupled;
+use crate::arguments::Whole;
+#[cfg(feature = "training")]
+use crate::clip::Clip;
+use crate::convert::{flat, rows, to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::Whole;
 use crate::predictions::Predictions;
+#[cfg(feature = "training")]
+use crate::trained::column_names;
+use crate::trained::{Trained, coupled};
+use nalgebra::DMatrix;
 use serde::Serialize;
 use std::rc::Rc;
-use vcgpdm::models::{Health, Model, Rollout as MotionRollout, RolloutRequest};
+use vcgpdm::models::{Health, Model, ColumnMapping, Rollout as Columns, RolloutRequest};
 use vcgpdm::motion::bvh;
 use vcgpdm::motion::measures::{PartMeasures, measures};
 use wasm_bindgen::prelude::*;
@@ -15,18 +20,18 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /**
- * What changed couplings do to the experts: they stay as learned, or they are inferred again from the same
- * data.
+ * The effect of changed couplings on the experts: they stay as learned, or they are inferred again from the
+ * same data.
  */
-export type Reading = "as learned" | "re-inferred";
+export type Reading = "as-learned" | "re-inferred";
 
-/** What a rollout is asked for. */
+/** The options of a rollout. */
 export interface RolloutOptions {
     /** Frames in all, the start included. */
     frames: number;
-    /** The training sequence whose start latents begin it, counted from 0. */
-    sequence: number;
-    /** The frame of it that begins the rollout, counted from 0; absent: its first. */
+    /** The training sequence whose start begins it, counted from 0; absent: the first. */
+    sequence?: number;
+    /** The frame of that sequence that begins the rollout, counted from 0; absent: its first. */
     frame?: number;
     /** Coupling variances `alpha[source][target]`; absent: as learned. */
     alpha?: number[][] | null;
@@ -34,9 +39,9 @@ export interface RolloutOptions {
     reading?: Reading;
 }
 
-/** What one hand or foot does. */
+/** The swing of one hand or foot. */
 export interface LimbMeasures {
-    limb: "left hand" | "right hand" | "left foot" | "right foot";
+    limb: "left-hand" | "right-hand" | "left-foot" | "right-foot";
     /** The joint at its end. */
     joint: number;
     /**
@@ -63,7 +68,7 @@ export interface PartMeasures {
     locking: number | null;
 }
 
-/** What a body does in a stretch of frames. */
+/** The motion of a body in a stretch of frames. */
 export interface Measures {
     limbs: LimbMeasures[];
     /** Each part of the model, in its order. */
@@ -82,12 +87,12 @@ export interface Measures {
 /** How a rollout ends. */
 export interface Health {
     /** It rests as recorded where the recording that it begins as comes to rest too, hardly later. */
-    state: "moves on" | "rests as recorded" | "stands still" | "leaves the training range" | "not finite";
+    state: "moves-on" | "rests-as-recorded" | "stands-still" | "leaves-training-range" | "not-finite";
     /** Seconds from the first frame to where it stands still or leaves. */
     from: number | null;
     /** The part that leaves the training range. */
     part: number | null;
-    /** How good to show: 2 where it moves on or rests as recorded, 0 where it is not finite. */
+    /** How good it is to show: 2 where it moves on or rests as recorded, 0 where it is not finite. */
     rank: number;
 }
 "#;
@@ -105,12 +110,12 @@ struct End {
     rank: u8,
 }
 
-/// Which of several models of the same data is to be shown: of those of the highest rank (`Health.rank` of
+/// The best to show of several models of the same data: of those of the highest rank (`Health.rank` of
 /// their rollouts) the one of the highest bound. A place in the lists, which are as long; -1 where they are
 /// empty.
 #[wasm_bindgen(js_name = bestToShow)]
 pub fn best_to_show(
-    // As bytes, a 256 would be a 0.
+    // As bytes, 256 would become 0.
     #[wasm_bindgen(unchecked_param_type = "Uint8Array")] ranks: &[f64],
     bounds: &[f64],
 ) -> Result<i32, VcgpdmError> {
@@ -128,24 +133,55 @@ pub fn best_to_show(
     Ok(vcgpdm::models::best_to_show(models).map_or(-1, |place| place as i32))
 }
 
-/// A rolled-out motion.
+/// A rollout of a model: a motion, or columns of numbers.
 #[wasm_bindgen]
 pub struct Rollout {
-    pub(crate) rollout: MotionRollout,
-    pub(crate) positions: Vec<f32>,
-    pub(crate) model: Rc<Model>,
+    /// Without latents and weights for a kind without couplings.
+    pub(crate) rollout: Columns,
+    /// Empty for a model of tables.
+    positions: Vec<f32>,
+    pub(crate) model: Trained,
     pub(crate) request: RolloutRequest,
 }
 
 impl Rollout {
+    /// The mean rollout of a model of any kind.
+    pub(crate) fn mean(model: &Trained, request: RolloutRequest) -> Result<Self, VcgpdmError> {
+        match model {
+            Trained::Body(body) => Self::new(body, columns(body, &request)?, &request),
+            #[cfg(feature = "training")]
+            Trained::Table(table) => {
+                let rollout = columns(table, &request)?;
+                Ok(Self { rollout, positions: Vec::new(), model: model.clone(), request })
+            }
+        }
+    }
+
+    /// A rollout of a model of a body.
     pub(crate) fn new(
         model: &Rc<Model>,
-        rollout: MotionRollout,
+        rollout: Columns,
         request: &RolloutRequest,
     ) -> Result<Self, VcgpdmError> {
-        let positions = coupled(model)?.positions(&rollout)?;
-        Ok(Self { rollout, positions, model: Rc::clone(model), request: request.clone() })
+        let positions = model.body.positions(&rollout.y)?;
+        Ok(Self { rollout, positions, model: Trained::Body(Rc::clone(model)), request: request.clone() })
     }
+}
+
+/// A rollout as columns. Only a model with couplings has latents and weights, and starts from any frame.
+fn columns<S: ColumnMapping>(model: &Model<S>, request: &RolloutRequest) -> Result<Columns, VcgpdmError> {
+    if let Some(coupled) = model.coupled() {
+        return Ok(coupled.rollout(request)?);
+    }
+    if request.alpha.is_some() || request.frame > 0 {
+        let words = format_args!(
+            "expected a vcgpdm or vgpdm model for other couplings or another frame, found a {} model",
+            model.kind().id()
+        );
+        return Err(VcgpdmError::new(ErrorCode::Rollout, &words));
+    }
+    let y = model.rollout(request.sequence, request.frames)?;
+    Ok(Columns { y, latents: Vec::new(), weights: DMatrix::zeros(0, 0) })
 }
 
 #[wasm_bindgen]
@@ -156,32 +192,41 @@ impl Rollout {
         self.rollout.y.nrows()
     }
 
-    /// The latent path of a part [frames x Q].
+    /// All columns [frames x columns], in their own units.
+    #[cfg(feature = "training")]
+    pub fn values(&self) -> Vec<f64> {
+        flat(&self.rollout.y)
+    }
+
+    /// The latent path of a part [frames x Q], of a vCGPDM or vGPDM.
     pub fn latents(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         Ok(flat(part.part_of(ErrorCode::Rollout, &self.rollout.latents)?))
     }
 
     /// The weights `w[source][target]` that its couplings give the experts; those into each part sum to 1.
+    /// Empty for a kind without couplings.
     #[wasm_bindgen(unchecked_return_type = "number[][]")]
     pub fn weights(&self) -> Result<JsValue, VcgpdmError> {
         to_js(&rows(&self.rollout.weights))
     }
 
     /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
-    pub fn positions(&self) -> Vec<f32> {
-        self.positions.clone()
+    /// Throws for a model of tables.
+    pub fn positions(&self) -> Result<Vec<f32>, VcgpdmError> {
+        self.model.body()?;
+        Ok(self.positions.clone())
     }
 
-    /// What every expert predicts, with its uncertainty, about each of its frames.
+    /// The prediction of every expert for each frame, with its uncertainty.
     pub fn predictions(&self) -> Result<Predictions, VcgpdmError> {
-        Predictions::new(coupled(&self.model)?, &self.request, &self.rollout)
+        Predictions::new(coupled(self.model.body()?)?, &self.request, &self.rollout)
     }
 
-    /// What the body does from this frame on, counted from 0, to the end.
+    /// The motion of the body from this frame on, counted from 0, to the end.
     #[wasm_bindgen(unchecked_return_type = "Measures")]
     pub fn measures(&self, first: &Whole) -> Result<JsValue, VcgpdmError> {
         let first = first.count(ErrorCode::Rollout, "the first frame")?;
-        let (body, frames) = (&self.model.body, self.frames());
+        let (body, frames) = (&self.model.body()?.body, self.frames());
         if first >= frames {
             let words = format_args!("the first frame: expected one from 0 to {}, found {first}", frames - 1);
             return Err(VcgpdmError::new(ErrorCode::Rollout, &words));
@@ -189,19 +234,19 @@ impl Rollout {
         let values = self.positions.len() / frames * first;
         let measured = measures(body.mapping.skeleton(), &self.positions[values..], body.frame_time);
         let parts = body.layout.parts().iter().map(|part| measured.part(&part.joints)).collect();
-        to_js_beside(&measured, &Parts { parts })
+        to_js_joined(&measured, &Parts { parts })
     }
 
     /// How it ends: moving on, standing still, far from what the model was trained on.
     #[wasm_bindgen(unchecked_return_type = "Health")]
     pub fn health(&self) -> Result<JsValue, VcgpdmError> {
-        let health = coupled(&self.model)?.health(&self.rollout, &self.request, &self.positions)?;
+        let health = coupled(self.model.body()?)?.health(&self.rollout, &self.request, &self.positions)?;
         let (state, from, part) = match health {
-            Health::MovesOn => ("moves on", None, None),
-            Health::StandsStill { from } => ("stands still", Some(from), None),
-            Health::RestsAsRecorded { from } => ("rests as recorded", Some(from), None),
-            Health::LeavesTraining { from, part } => ("leaves the training range", Some(from), Some(part)),
-            Health::NotFinite => ("not finite", None, None),
+            Health::MovesOn => ("moves-on", None, None),
+            Health::StandsStill { from } => ("stands-still", Some(from), None),
+            Health::RestsAsRecorded { from } => ("rests-as-recorded", Some(from), None),
+            Health::LeavesTraining { from, part } => ("leaves-training-range", Some(from), Some(part)),
+            Health::NotFinite => ("not-finite", None, None),
         };
         to_js(&End { state, from, part, rank: health.rank() })
     }
@@ -209,6 +254,24 @@ impl Rollout {
     /// The motion as the text of a BVH file.
     #[wasm_bindgen(js_name = toBvh)]
     pub fn to_bvh(&self) -> Result<String, VcgpdmError> {
-        Ok(bvh::write(&coupled(&self.model)?.clip(&self.rollout, "rollout.bvh")?))
+        Ok(bvh::write(&self.model.body()?.body.clip(&self.rollout.y, "rollout.bvh")?))
+    }
+
+    /// The motion as a clip.
+    #[cfg(feature = "training")]
+    #[wasm_bindgen(js_name = toClip)]
+    pub fn to_clip(&self) -> Result<Clip, VcgpdmError> {
+        Ok(Clip { clip: self.model.body()?.body.clip(&self.rollout.y, "motion.bvh")? })
+    }
+
+    /// The columns as CSV: frame, time in seconds, and a column for each.
+    #[cfg(feature = "training")]
+    #[wasm_bindgen(js_name = toCsv)]
+    pub fn to_csv(&self) -> String {
+        let (columns, frame_time) = match &self.model {
+            Trained::Body(model) => (column_names(&model.body), model.body.frame_time),
+            Trained::Table(model) => (column_names(&model.body), model.body.frame_time),
+        };
+        vcgpdm::series::write(&columns, &self.rollout.y, frame_time)
     }
 }

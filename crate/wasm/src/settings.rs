@@ -1,11 +1,10 @@
-//! What a training is asked to do: in JavaScript one object with the model's own settings and what they are
-//! applied to.
+//! The settings of a training: in JavaScript one object with the settings of the model and of its data.
 
+use crate::arguments::Whole;
 #[cfg(feature = "training")]
-use crate::convert::from_js_beside;
-use crate::convert::{from_js, to_js, to_js_beside};
+use crate::convert::from_js_split;
+use crate::convert::{from_js, to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::Whole;
 #[cfg(feature = "training")]
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -29,7 +28,7 @@ export interface VariationalSettings {
     maxIterations: number;
 }
 
-/** What training is asked to do. */
+/** The settings of a training. */
 export interface TrainingSettings extends VariationalSettings {
     parts: PartSpec[];
     /** The clips are brought to about this rate. */
@@ -38,7 +37,7 @@ export interface TrainingSettings extends VariationalSettings {
     seed: number;
 }
 
-/** What a training will cost here, on one core: good to a factor of two or so. */
+/** The cost of a training here, on one core; right to a factor of about two. */
 export interface TrainingCost {
     /** Until all iterations are used; a bound that settles ends the training sooner. */
     seconds: number;
@@ -47,21 +46,20 @@ export interface TrainingCost {
 }
 "#;
 
-/// How many times as long as the native program this one takes: docs/training.md has both.
+/// The time of the wasm over that of the native program: docs/training.md has both.
 const SLOWER: f64 = 2.0;
-/// The same for models that are exact Gaussian processes: large products of matrices have no wide vectors
-/// here.
+/// The same for exact Gaussian processes: large matrix products have no wide vectors in wasm.
 const SLOWER_EXACT: f64 = 2.5;
 
-/// What a training will cost, before it begins.
+/// The cost of a training, before it begins.
 #[derive(Serialize)]
 struct Cost {
     seconds: f64,
     bytes: f64,
 }
 
-/// What a training on so many frames will cost here, of parts with so many columns each (a joint has three).
-/// An estimate, good to a factor of two or so.
+/// The cost of a training on `frames` frames of parts with `columns` columns each (a joint has three).
+/// Right to a factor of about two.
 #[wasm_bindgen(js_name = trainingCost, unchecked_return_type = "TrainingCost")]
 pub fn training_cost(
     #[wasm_bindgen(unchecked_param_type = "VariationalSettings")] settings: JsValue,
@@ -74,7 +72,7 @@ pub fn training_cost(
     cost_to_js(ModelKind::Vcgpdm, cost)
 }
 
-/// What costs the native program so much, as it is here.
+/// The cost of a training here, from that in the native program.
 pub fn cost_to_js(kind: ModelKind, cost: TrainingCost) -> Result<JsValue, VcgpdmError> {
     let slower = match kind {
         ModelKind::MapGpdm | ModelKind::MapCgpdm => SLOWER_EXACT,
@@ -83,10 +81,10 @@ pub fn cost_to_js(kind: ModelKind, cost: TrainingCost) -> Result<JsValue, Vcgpdm
     to_js(&Cost { seconds: slower * cost.seconds, bytes: cost.bytes })
 }
 
-/// What a model's settings are applied to.
+/// The settings of the data.
 #[derive(Serialize, Deserialize)]
 pub struct Task<P = PartSpec> {
-    /// How the body, or the columns of a table, are split.
+    /// The parts of the body, or of the columns of a table.
     pub parts: Vec<P>,
     /// The clips are brought to about this rate.
     pub frames_per_second: f64,
@@ -97,7 +95,7 @@ pub struct Task<P = PartSpec> {
 /// The settings of a training for JavaScript.
 pub fn settings_to_js(task: &Task, settings: &Settings) -> Result<JsValue, VcgpdmError> {
     match settings.variational() {
-        Some(settings) => to_js_beside(task, settings),
+        Some(settings) => to_js_joined(task, settings),
         None => to_js(task),
     }
 }
@@ -107,5 +105,5 @@ pub fn settings_to_js(task: &Task, settings: &Settings) -> Result<JsValue, Vcgpd
 pub fn settings_from_js<P: DeserializeOwned>(
     value: &JsValue,
 ) -> Result<(Task<P>, VariationalSettings), VcgpdmError> {
-    from_js_beside(ErrorCode::Settings, "settings", value)
+    from_js_split(ErrorCode::Settings, "settings", value)
 }

@@ -1,8 +1,8 @@
 //! The graphics Turing test: studies, and what a participant is shown.
 
+use crate::arguments::{Text, Whole};
 use crate::convert::{from_js, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::{Text, Whole};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
 use vcgpdm::models::{ModelKind, Settings};
@@ -99,7 +99,7 @@ export type StudyPreset = "class" | "p3-part-1" | "p3-part-2" | "p2";
 /** How the figures of a study are drawn. */
 export type StudyLook = "figure" | "points";
 
-/** What there is to know of a study. */
+/** The design, texts and stimuli of a study. */
 export interface StudyInfo {
     title: string;
     look: StudyLook;
@@ -224,7 +224,7 @@ struct StudyTrial {
 #[wasm_bindgen]
 pub struct Study {
     study: MovementStudy,
-    /// What is shown never changes: large studies are read through for it once.
+    /// The stimuli never change, so a large study is read once.
     hash: OnceCell<String>,
 }
 
@@ -242,7 +242,7 @@ impl Study {
         Ok(self.study.to_json()?)
     }
 
-    /// What there is to know of it.
+    /// Its design, texts and stimuli.
     #[wasm_bindgen(getter, unchecked_return_type = "StudyInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {
         let study = &self.study;

@@ -1,8 +1,8 @@
 //! The synthetic experiment: who drives whom, where the truth is known.
 
+use crate::arguments::Whole;
 use crate::convert::{flat, rows, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::given::Whole;
 use crate::progress::progress_to_js;
 use serde::Serialize;
 use vcgpdm::models::variational::LARGEST_COUPLING;
@@ -20,7 +20,7 @@ export interface SyntheticTruth {
     latents: number[][];
     /** What the model sees of each part, centred [frames x columns], row after row. */
     observed: number[][];
-    /** Observed columns of a part. */
+    /** ColumnMapping columns of a part. */
     columns: number;
     /** Variance of the observations' noise. */
     noise: number;

@@ -20,7 +20,7 @@ const asLearned: RolledOut = {
   },
   id: "1a2b3c4d",
   alpha: {},
-  reading: "as learned",
+  reading: "as-learned",
   sequence: 0,
   frames: 300,
 };

@@ -6,7 +6,7 @@ const seen = { seconds: 10, parts: [{ name: "lower" }, { name: "upper" }], alter
 
 it("has no notice for a motion that continues, rests as recorded, or stops after the shown time", () => {
   expect(healthWords(MOVES_ON, seen)).toBe("");
-  expect(healthWords({ ...STANDS_STILL, state: "rests as recorded", rank: 2 }, seen)).toBe("");
+  expect(healthWords({ ...STANDS_STILL, state: "rests-as-recorded", rank: 2 }, seen)).toBe("");
   expect(healthWords({ ...STANDS_STILL, from: 12 }, seen)).toBe("");
 });
 
@@ -15,7 +15,7 @@ it("says from when on there is none", () => {
   expect(healthWords(STANDS_STILL, { ...seen, altered: true })).toMatch(
     /^With these couplings the model stands still/,
   );
-  const away = { state: "leaves the training range" as const, from: 3, part: 1, rank: 1 };
+  const away = { state: "leaves-training-range" as const, from: 3, part: 1, rank: 1 };
   expect(healthWords(away, seen)).toBe("Upper leaves the training range from 3.0 s on.");
-  expect(healthWords({ ...away, state: "not finite", from: null }, seen)).toMatch(/^The model runs away/);
+  expect(healthWords({ ...away, state: "not-finite", from: null }, seen)).toMatch(/^The model runs away/);
 });

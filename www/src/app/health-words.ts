@@ -18,6 +18,6 @@ export function healthWords(health: BodyReport["health"], { seconds, parts, alte
   const words = troubleText(health, names);
   // The measured motion may be longer than the shown one.
   if (!words || (health.from ?? 0) >= seconds) return "";
-  if (health.state === "leaves the training range") return sentence(words);
+  if (health.state === "leaves-training-range") return sentence(words);
   return sentence(`${altered ? "With these couplings the model" : "The model"} ${words}`);
 }

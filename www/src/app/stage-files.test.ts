@@ -45,7 +45,7 @@ it("tells how a motion was made: model, clips, seed, couplings, reading, start",
   expect(account.model.clips).toHaveLength(2);
   const learned = await rolledOut();
   const plain = JSON.parse(motionAccount(learned.model, learned.rollout, { version: "1", file: "b.bvh" }));
-  expect([plain.alpha, plain.reading]).toEqual([learned.model.info.alpha, "as learned"]);
+  expect([plain.alpha, plain.reading]).toEqual([learned.model.info.alpha, "as-learned"]);
 });
 
 it("writes where every joint and end is, a row a frame", () => {

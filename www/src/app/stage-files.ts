@@ -60,7 +60,7 @@ export function motionAccount(
 ): string {
   const { provenance, sequences, parts, frameTime } = info;
   const changed = request.alpha !== null;
-  const reading: Reading = changed ? request.reading : "as learned";
+  const reading: Reading = changed ? request.reading : "as-learned";
   const account = {
     format: "vcgpdm motion account",
     version: 1,

@@ -32,7 +32,7 @@ const pause = () => vi.advanceTimersByTimeAsync(200);
 it("measures 20 seconds, without the first 5, of the motion and of the motion as learned", async () => {
   const asked = vi.spyOn(engine, "bodyReport");
   await pause();
-  expect(asked.mock.calls).toEqual([[{ frames: 600, sequence: 0, alpha: null, reading: "as learned" }, 150]]);
+  expect(asked.mock.calls).toEqual([[{ frames: 600, sequence: 0, alpha: null, reading: "as-learned" }, 150]]);
   expect([body.reports?.now, body.isCurrent]).toEqual([body.reports?.learned, true]);
   model.couplings.set(0, 1, 8);
   expect(body.isCurrent).toBe(false);

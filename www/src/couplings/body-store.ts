@@ -92,7 +92,7 @@ export class BodyStore extends Store {
     if (!rollout || !model) return;
     const frames = (seconds: number) => Math.round(seconds / model.info.frameTime);
     const now = { ...rollout.request, frames: Math.max(rollout.request.frames, frames(MEASURED)) };
-    const learned: RolloutRequest = { ...now, alpha: null, reading: "as learned" };
+    const learned: RolloutRequest = { ...now, alpha: null, reading: "as-learned" };
     this.#latest.request({ rollout, now, learned, first: frames(SETTLING) });
   }
 

@@ -60,11 +60,11 @@ it("resets one coupling, all into a part, or all", () => {
 });
 
 it("gives the visitor's reading back with a reset, unless the visitor has chosen another since", () => {
-  couplings.setReading("as learned");
+  couplings.setReading("as-learned");
   couplings.takeAll({ "0.1": 9 }, "re-inferred");
   couplings.set(1, 0, 2);
   couplings.resetAll();
-  expect([couplings.altered, couplings.reading]).toEqual([false, "as learned"]);
+  expect([couplings.altered, couplings.reading]).toEqual([false, "as-learned"]);
   couplings.takeAll({ "0.1": 9 }, "re-inferred");
   couplings.setReading("re-inferred");
   couplings.resetAll();

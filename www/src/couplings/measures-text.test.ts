@@ -4,7 +4,7 @@ import { measuresText } from "./measures-text";
 
 type Limbs = BodyReport["measures"]["parts"][number];
 
-const MOVES_ON: Health = { state: "moves on", from: null, part: null, rank: 2 };
+const MOVES_ON: Health = { state: "moves-on", from: null, part: null, rank: 2 };
 const NAMES = ["lower", "upper"];
 
 function report(parts: Partial<Limbs>[], health = MOVES_ON, walkingSpeed = 1.5): BodyReport {
@@ -14,7 +14,7 @@ function report(parts: Partial<Limbs>[], health = MOVES_ON, walkingSpeed = 1.5):
     measures,
     health,
     revision: 1,
-    request: { frames: 600, sequence: 0, alpha: null, reading: "as learned" },
+    request: { frames: 600, sequence: 0, alpha: null, reading: "as-learned" },
   };
 }
 const learned = report([{}, {}]);
@@ -64,14 +64,14 @@ describe("the text about measures", () => {
 
   it("says how a motion ends that does not move on", () => {
     const still = textOf(
-      report([{ swing: 0 }, {}], { state: "stands still", from: 0.71, part: null, rank: 1 }),
+      report([{ swing: 0 }, {}], { state: "stands-still", from: 0.71, part: null, rank: 1 }),
     );
     expect(still).toEqual({ parts: [], step: "", trouble: "stands still from 0.7 s on" });
-    const away = textOf(report([{}, {}], { state: "leaves the training range", from: 3, part: 1, rank: 1 }));
+    const away = textOf(report([{}, {}], { state: "leaves-training-range", from: 3, part: 1, rank: 1 }));
     expect(away.trouble).toBe("upper leaves the training range from 3.0 s on");
     expect(away.parts).toHaveLength(2);
     expect(
-      textOf(report([{}, {}], { state: "not finite", from: null, part: null, rank: 0 })).trouble,
+      textOf(report([{}, {}], { state: "not-finite", from: null, part: null, rank: 0 })).trouble,
     ).toMatch(/runs away/);
   });
 });

@@ -25,7 +25,7 @@ type Limbs = BodyReport["measures"]["parts"][number];
 
 export function measuresText(now: BodyReport, learned: BodyReport, names: readonly string[]): MeasuresText {
   const trouble = troubleText(now.health, names);
-  if (now.health.state === "stands still" || now.health.state === "not finite")
+  if (now.health.state === "stands-still" || now.health.state === "not-finite")
     return { parts: [], step: "", trouble };
   const steps = new Set(now.measures.parts.map(stepText).filter(Boolean));
   const parts = names.flatMap((_, part) => {
@@ -68,11 +68,11 @@ function speedText(
 export function troubleText({ state, from, part }: Health, names: readonly string[]): string {
   const since = `from ${(from ?? 0).toFixed(1)} s on`;
   switch (state) {
-    case "stands still":
+    case "stands-still":
       return `stands still ${since}`;
-    case "leaves the training range":
+    case "leaves-training-range":
       return `${names[part ?? 0] ?? "a part"} leaves the training range ${since}`;
-    case "not finite":
+    case "not-finite":
       return "runs away: its numbers are too large to show";
     default:
       return "";

@@ -165,7 +165,7 @@ describe("presets", () => {
   it("fit the parts, and set couplings and reading at once", async () => {
     expect(model.presets.map(({ name }) => name)).toContain("Upper on its own");
     expect(model.preset?.id).toBe("as-learned");
-    model.couplings.setReading("as learned");
+    model.couplings.setReading("as-learned");
     stage.showClip(clip());
     const before = engine.rollouts.length;
     model.takePreset(model.presets.find(({ name }) => name === "Upper on its own")!);
@@ -176,20 +176,20 @@ describe("presets", () => {
       null,
     ]);
     expect(engine.rollouts.length - before).toBe(1);
-    model.couplings.setReading("as learned");
+    model.couplings.setReading("as-learned");
     expect(model.preset).toBeNull();
   });
 
   it("give the visitor's reading back with a reset", () => {
     const other = model.presets.find(({ name }) => name === "Upper on its own")!;
-    model.couplings.setReading("as learned");
+    model.couplings.setReading("as-learned");
     model.takePreset(other);
     model.couplings.set(0, 1, 8);
     model.couplings.resetAll();
-    expect([model.couplings.altered, settings.values.reading]).toEqual([false, "as learned"]);
+    expect([model.couplings.altered, settings.values.reading]).toEqual([false, "as-learned"]);
     // A reading that the visitor chose later stays.
     model.takePreset(other);
-    model.couplings.setReading("as learned");
+    model.couplings.setReading("as-learned");
     model.couplings.setReading("re-inferred");
     model.couplings.resetAll();
     expect(settings.values.reading).toBe("re-inferred");
@@ -300,7 +300,7 @@ describe("the start", () => {
     model.setStart(1, 500);
     expect(model.rolloutRequest().frame).toBe(88);
     model.setStart(0);
-    expect(model.rolloutRequest()).toEqual({ frames: 300, sequence: 0, alpha: null, reading: "as learned" });
+    expect(model.rolloutRequest()).toEqual({ frames: 300, sequence: 0, alpha: null, reading: "as-learned" });
   });
 
   it("comes from the address, or is the first where the model has no such sequence", async () => {

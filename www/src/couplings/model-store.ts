@@ -150,7 +150,7 @@ export class ModelStore extends Store {
     const frame = Math.min(startFrame, this.startFrames(sequence) - 1);
     const begins = frame > 0 ? { frames, sequence, frame } : { frames, sequence };
     const { alpha, altered } = this.couplings;
-    return altered ? { ...begins, alpha, reading } : { ...begins, alpha: null, reading: "as learned" };
+    return altered ? { ...begins, alpha, reading } : { ...begins, alpha: null, reading: "as-learned" };
   }
 
   /**
@@ -237,7 +237,7 @@ export class ModelStore extends Store {
   /** Asks for the rollout as learned, and then for the one under the couplings now. */
   #rollOutBoth(): void {
     if (this.#model)
-      this.#learnedRollouts.request({ ...this.rolloutRequest(), alpha: null, reading: "as learned" });
+      this.#learnedRollouts.request({ ...this.rolloutRequest(), alpha: null, reading: "as-learned" });
     this.changed();
   }
 

@@ -11,6 +11,7 @@ import type { ModelStore } from "./model-store";
 import { START_PRESETS } from "./presets";
 import "./presets-view.css";
 import { partStyle } from "../ui/styled";
+import { READING_TEXT } from "./reading-text";
 
 /** More presets than this are shown in one row that scrolls. */
 const ONE_ROW = START_PRESETS.length;
@@ -68,5 +69,5 @@ export class PresetsView extends View {
 customElements.define("pg-presets", PresetsView);
 
 function ownText(reading: Reading): string {
-  return `Couplings of your own, the experts ${reading}.`;
+  return `Couplings of your own, the experts ${READING_TEXT[reading]}.`;
 }

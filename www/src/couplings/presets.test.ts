@@ -34,10 +34,10 @@ it("recognises a preset by its couplings and reading, with the precision of a li
     ],
   );
   const [learned, alone] = presetsOf(["lower", "upper"]) as [Preset, Preset];
-  expect(isPreset(learned, parts, { alpha: {}, reading: "as learned" })).toBe(true);
+  expect(isPreset(learned, parts, { alpha: {}, reading: "as-learned" })).toBe(true);
   expect(isPreset(learned, parts, { alpha: { "1.0": 7 }, reading: "re-inferred" })).toBe(false);
   expect(isPreset(alone, parts, { alpha: { "1.0": 1000.4 }, reading: "re-inferred" })).toBe(true);
-  expect(isPreset(alone, parts, { alpha: { "1.0": 1000 }, reading: "as learned" })).toBe(false);
+  expect(isPreset(alone, parts, { alpha: { "1.0": 1000 }, reading: "as-learned" })).toBe(false);
   expect(isPreset(alone, parts, { alpha: { "1.0": 900 }, reading: "re-inferred" })).toBe(false);
   expect(isPreset(alone, parts, { alpha: { "1.0": 1000, "0.0": 2 }, reading: "re-inferred" })).toBe(false);
 });

@@ -38,10 +38,10 @@ it("shows the same couplings in both readings, as learned on the left whichever 
   expect(titles()).toEqual(["Experts as learned", "Experts re-inferred"]);
   expect(engine.rollouts.slice(-2).map(({ reading, alpha }) => [reading, alpha?.[0]?.[1]])).toEqual([
     ["re-inferred", 8],
-    ["as learned", 8],
+    ["as-learned", 8],
   ]);
   expect(stage.columns?.[1]?.motion).toBe(model.rollout?.motion);
-  model.couplings.setReading("as learned");
+  model.couplings.setReading("as-learned");
   await settled();
   expect(stage.columns?.[0]?.motion).toBe(model.rollout?.motion);
   expect(stage.columns?.[1]?.motion).not.toBe(model.rollout?.motion);

@@ -5,9 +5,10 @@ import type { Reading, RolloutResult } from "../engine/protocol";
 import type { StageStore } from "../stage/stage-store";
 import { Store } from "../ui/store";
 import type { ModelStore } from "./model-store";
+import { READING_TEXT } from "./reading-text";
 
 /** From left to right. */
-const READINGS: readonly Reading[] = ["as learned", "re-inferred"];
+const READINGS: readonly Reading[] = ["as-learned", "re-inferred"];
 
 export class ReadingsStore extends Store {
   readonly #model: ModelStore;
@@ -73,7 +74,7 @@ export class ReadingsStore extends Store {
 
   #show(rollout: RolloutResult, other: RolloutResult): void {
     const columns = READINGS.map((reading) => ({
-      title: `Experts ${reading}`,
+      title: `Experts ${READING_TEXT[reading]}`,
       motion: (rollout.request.reading === reading ? rollout : other).motion,
     }));
     this.#stage.setColumns(columns);
@@ -81,5 +82,5 @@ export class ReadingsStore extends Store {
 }
 
 function otherThan(reading: Reading): Reading {
-  return reading === "as learned" ? "re-inferred" : "as learned";
+  return reading === "as-learned" ? "re-inferred" : "as-learned";
 }

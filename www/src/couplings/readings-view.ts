@@ -6,12 +6,13 @@ import "../terms/term";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 import type { ModelStore } from "./model-store";
+import { READING_TEXT } from "./reading-text";
 import type { ReadingsStore } from "./readings-store";
 import "./readings-view.css";
 
 const WORDS: Record<Reading, string> = {
   "re-inferred": "What the same clips would have taught each part’s predictions under these couplings.",
-  "as learned": "Only the weights change: each part predicts as before, and counts for more or less.",
+  "as-learned": "Only the weights change: each part predicts as before, and counts for more or less.",
 };
 
 /** The finding of docs/couplings.md. */
@@ -33,14 +34,14 @@ export class ReadingsView extends View {
     const { bothShown } = readings;
     const choice = (choice: Reading, testId: string) => html`
       <button type="button" aria-pressed=${choice === reading ? "true" : "false"} data-testid=${testId}
-        @click=${() => model.couplings.setReading(choice)}>${choice}</button>`;
+        @click=${() => model.couplings.setReading(choice)}>${READING_TEXT[choice]}</button>`;
     return html`
       <fieldset class="readings">
         <legend>When a slider moves, the <pg-term of="expert" text="experts"></pg-term> are
           <pg-term of="reading" text="as learned or re-inferred"></pg-term></legend>
         <div class="segments">
           ${choice("re-inferred", "reading-inferred")}
-          ${choice("as learned", "reading-learned")}
+          ${choice("as-learned", "reading-learned")}
         </div>
         <p>${bothShown ? BOTH : WORDS[reading]}</p>
         <div class="after">

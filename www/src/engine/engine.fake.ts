@@ -44,8 +44,8 @@ const parts: PartSpec[] = [
   { name: "upper", joints: [1] },
 ];
 
-export const MOVES_ON: Health = { state: "moves on", from: null, part: null, rank: 2 };
-export const STANDS_STILL: Health = { state: "stands still", from: 2.4, part: null, rank: 1 };
+export const MOVES_ON: Health = { state: "moves-on", from: null, part: null, rank: 2 };
+export const STANDS_STILL: Health = { state: "stands-still", from: 2.4, part: null, rank: 1 };
 
 function still(frames: number): Motion {
   return { positions: new Float32Array(frames * 6), frames, nodes: 2, frameTime: 1 / 30 };
@@ -61,7 +61,9 @@ function infoOf(text: string): ModelInfo {
   const terms = { kinematics: [], dynamics: [], initial: 0, entropy: 0 };
   const settings = { parts, latent: 2, dynamicsIps: 4, poseIps: 4, order: 2, framesPerSecond: 30, seed };
   return {
+    kind: "vcgpdm",
     parts: parts.map((part) => ({ ...part, latent: 2, poseIps: 4 })),
+    columns: [],
     order: 2,
     frameTime: 1 / 30,
     alpha: [
@@ -215,7 +217,7 @@ export class FakeEngine implements Partial<Engine> {
     if (!text.startsWith("{")) return Promise.reject(new Error("expected a model"));
     this.text = text;
     this.#revision += 1;
-    const rollout = this.#roll({ frames, sequence: 0, alpha: null, reading: "as learned" });
+    const rollout = this.#roll({ frames, sequence: 0, alpha: null, reading: "as-learned" });
     return this.#answer("openModel", [text], { model: viewOf(text, this.#revision), rollout });
   }
 

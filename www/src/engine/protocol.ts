@@ -4,7 +4,7 @@ import type {
   DocumentKind,
   Health,
   Measures,
-  ModelInfo,
+  CoupledModelInfo as ModelInfo,
   SampleInfo,
   TrainingCost,
   TrainingProgress,
@@ -21,7 +21,7 @@ export type {
   Health,
   JointInfo,
   Measures,
-  ModelInfo,
+  CoupledModelInfo as ModelInfo,
   PartSpec,
   PartsPreset,
   Provenance,
@@ -33,7 +33,7 @@ export type {
 } from "vcgpdm";
 
 /** What changed couplings do to the experts. */
-export type Reading = "as learned" | "re-inferred";
+export type Reading = "as-learned" | "re-inferred";
 
 /** A square table indexed [source][target]. */
 export type Couplings = number[][];

@@ -1,10 +1,10 @@
 // What the page and the workers of the whole program say to each other about time series that are no body.
 // Types only.
-import type { AnyModelInfo, TableInfo, TableTrainingSettings } from "vcgpdm";
+import type { ModelInfo, TableInfo, TableTrainingSettings } from "vcgpdm";
 import type { Couplings, Reading, Report, TrainingOutcome } from "./protocol";
 
 export type { TableInfo, TablePart } from "vcgpdm";
-export type SeriesInfo = AnyModelInfo;
+export type SeriesInfo = ModelInfo;
 
 /** A file of columns: every worker that trains on it reads it for itself. */
 export interface TableSource {
@@ -43,7 +43,7 @@ export interface SeriesRequest {
 export interface SeriesRollout {
   /** [frames x columns] */
   values: Float64Array;
-  /** Latent path of each part [frames x Q]; none of a model of another kind than vCGPDM and vGPDM. */
+  /** Latent path of each part [frames x Q]; empty for a kind without couplings. */
   latents: Float64Array[];
   /** w[source][target]; null as latents. */
   weights: Couplings | null;

@@ -35,8 +35,12 @@ function infoOf(text: string): SeriesInfo {
       ...{ name, sha256: name, frames: 10, restsFrom: null, piece: null, bonesOf: null, whole: true },
     })),
     alpha: coupled ? LEARNED : null,
-    body: null,
-    provenance: { seed: 1 } as SeriesInfo["provenance"],
+    joints: null,
+    figure: null,
+    order: coupled ? 2 : null,
+    startFrames: null,
+    dynamicsIps: null,
+    provenance: { settings: { seed: 1 } } as SeriesInfo["provenance"],
   };
 }
 

@@ -3,7 +3,7 @@ import type { PredictionsReport, RolloutRequest } from "../engine/protocol";
 import { sameTimes } from "../couplings/same-times";
 import { interpolate, predictedAt } from "./prediction-at";
 
-const request: RolloutRequest = { frames: 5, sequence: 0, alpha: null, reading: "as learned" };
+const request: RolloutRequest = { frames: 5, sequence: 0, alpha: null, reading: "as-learned" };
 const predictions = (offset: number) => ({
   means: Float64Array.of(0, 10, 1, 20, 4, 30).map((x) => x + offset),
   variances: Float64Array.of(1, 3, 5).map((x) => x + offset),

@@ -96,9 +96,9 @@ describe("a live rollout", () => {
     await live.hold(0, 1, true);
     const { alpha } = model.couplings;
     expect(engine.live?.changes).toEqual([{ kind: "couplings", alpha, reading: "re-inferred" }]);
-    model.couplings.setReading("as learned");
+    model.couplings.setReading("as-learned");
     await pass(0.5);
-    expect(engine.live?.changes.at(-1)).toEqual({ kind: "couplings", alpha, reading: "as learned" });
+    expect(engine.live?.changes.at(-1)).toEqual({ kind: "couplings", alpha, reading: "as-learned" });
   });
 
   it("keeps the last coupling into a part", async () => {

@@ -132,7 +132,7 @@ export class LiveStore extends Store {
     const stored = Math.round(SHOWN_SECONDS / frameTime);
     const widths = parts.map(({ latent }) => latent);
     const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, stored, widths);
-    // A rollout under the learned couplings is "as learned"; a cut obeys the visitor's reading.
+    // A rollout under the learned couplings is "as-learned"; a cut obeys the visitor's reading.
     this.#take(track, await engine.advanceLive([this.#sent], LEAD));
     return track;
   }

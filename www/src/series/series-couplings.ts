@@ -2,16 +2,16 @@
 import { html, nothing } from "lit";
 import "../couplings/couplings.css";
 import { couplingsTable } from "../couplings/couplings-table";
+import { READING_TEXT } from "../couplings/reading-text";
 import type { Reading } from "../engine/protocol";
 import type { SeriesStore } from "./series-store";
 
-const READINGS: [Reading, string, string][] = [
+const READINGS: [Reading, string][] = [
   [
-    "re-inferred",
     "re-inferred",
     "Under changed couplings the experts are inferred again from what the training left of the data",
   ],
-  ["as learned", "as learned", "The experts stay as learned; only how much each counts is changed"],
+  ["as-learned", "The experts stay as learned; only how much each counts is changed"],
 ];
 
 export function seriesCouplings(model: SeriesStore) {
@@ -29,10 +29,9 @@ export function seriesCouplings(model: SeriesStore) {
         ${READINGS.map(
           ([
             reading,
-            words,
             meaning,
           ]) => html`<button title=${meaning} aria-pressed=${couplings.reading === reading ? "true" : "false"}
-            @click=${() => couplings.setReading(reading)}>${words}</button>`,
+            @click=${() => couplings.setReading(reading)}>${READING_TEXT[reading]}</button>`,
         )}</span>
       <button class="small" data-testid="series-reset" ?disabled=${!couplings.altered} @click=${() => couplings.resetAll()}>All as learned</button>
     </div>

@@ -57,7 +57,6 @@ export class SeriesLatent extends View {
     const canvas = this.querySelector("canvas");
     const surface = canvas && canvas.clientWidth > 0 ? clearCanvas(canvas) : null;
     if (!path || !known || !surface || !this.#projection) return;
-    const { settings } = known.info.provenance;
     const { draw, width, height } = surface;
     drawLatents(draw, {
       width,
@@ -74,7 +73,7 @@ export class SeriesLatent extends View {
       dynamics: null,
       outgoing: [],
       incoming: [],
-      order: "order" in settings ? settings.order : 1,
+      order: known.info.order ?? 1,
       frame: clock.frame,
       live: true,
       report: null,

@@ -155,7 +155,7 @@ export class SeriesPage extends View {
           recorded
             ? "In colour: the model on its own, from the first rows of the table on. Dashed: what was recorded."
             : "The model on its own. Its file does not hold what was recorded: open the tables to see them dashed."
-        } Trained by ${provenance.engine}, ${provenance.iterations} iterations, seed ${provenance.seed}.</p>
+        } Trained by ${provenance.engine}, ${provenance.iterations} iterations, seed ${provenance.settings.seed}.</p>
       </section>
       <section class="panel series-latents" aria-label="Latent spaces">
         <header class="panel-head"><h2>Latent spaces</h2></header>

@@ -180,5 +180,5 @@ export class SeriesStore extends Store {
 
 function asLearned({ sequences }: SeriesInfo, sequence: number): SeriesRequest {
   const frames = Math.max(2, Math.round(AS_LONG * (sequences[sequence]?.frames ?? 0)));
-  return { frames, sequence, alpha: null, reading: "as learned" };
+  return { frames, sequence, alpha: null, reading: "as-learned" };
 }

@@ -13,8 +13,19 @@ const isClipSource: Check = (value) =>
 const clipFields = { id: isNumber, title: isText, source: isClipSource, first: isNumber, end: isNumber };
 const isClip = has({ ...clipFields, key: isText, origin: isOneOf("own", "made"), ticked: isBoolean });
 
+/** Version 0.2 wrote these states with spaces, and one with "the". */
+const healthState = (state: string) =>
+  state.replaceAll(" ", "-").replace("leaves-the-training-range", "leaves-training-range");
+const HEALTH_STATES = [
+  "moves-on",
+  "rests-as-recorded",
+  "stands-still",
+  "leaves-training-range",
+  "not-finite",
+];
+
 const isHealth = has({
-  state: isOneOf("moves on", "rests as recorded", "stands still", "leaves the training range", "not finite"),
+  state: (state) => isText(state) && HEALTH_STATES.includes(healthState(state as string)),
   from: isNullOr(isNumber),
   part: isNullOr(isNumber),
   rank: isNumber,
@@ -54,6 +65,12 @@ const isRun = has({
   open: isBoolean,
 });
 const isLibrary = has({ text: isText, title: isText, unsaved: isBoolean });
+
+function withHealth(model: Run["model"]): Run["model"] {
+  if (!model?.health) return model;
+  const state = healthState(model.health.state) as typeof model.health.state;
+  return { ...model, health: { ...model.health, state } };
+}
 
 export interface Recovered {
   /** When the visit was last written, in milliseconds since 1970; null: unknown. */
@@ -106,7 +123,7 @@ export function recover(records: ReadonlyMap<string, unknown>): Recovered {
     if (!run) return [];
     const clips = clipsOf<Run["clips"][number]>(run.clips, has(clipFields));
     // A training without one of its clips is another training.
-    return clips.length === run.clips.length ? [{ ...run, clips }] : [];
+    return clips.length === run.clips.length ? [{ ...run, clips, model: withHealth(run.model) }] : [];
   });
   const chosen = field<number | null>("chosen", isNullOr(isNumber), null);
   const holdings: Holdings = {

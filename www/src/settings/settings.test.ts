@@ -35,7 +35,7 @@ describe("settings in the URL", () => {
       start: 3,
       startFrame: 12,
       model: "0123abcd",
-      reading: "as learned" as const,
+      reading: "as-learned" as const,
       alpha: { "0.1": 4.6, "1.0": 0.001 },
       plot: "3d" as const,
       speed: 0.25 as const,

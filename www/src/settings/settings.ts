@@ -177,8 +177,8 @@ const reading: Setting<Reading> = {
   key: "reading",
   // In this reading uncoupled parts fall out of step; as learned, they stop (docs/couplings.md).
   initial: "re-inferred",
-  read: (text) => (text === "learned" ? "as learned" : text === "inferred" ? "re-inferred" : null),
-  write: (value) => (value === "as learned" ? "learned" : "inferred"),
+  read: (text) => (text === "learned" ? "as-learned" : text === "inferred" ? "re-inferred" : null),
+  write: (value) => (value === "as-learned" ? "learned" : "inferred"),
   limit: (value) => value,
 };
 

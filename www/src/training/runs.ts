@@ -51,11 +51,11 @@ export function bestRun(runs: readonly Run[]): Run | null {
 /** How the rollout of a run's model ends; empty when it moves on. */
 export function endOfMotion({ model }: Pick<Run, "model">): string {
   const health = model?.health;
-  if (!model || health?.state === "moves on") return "";
-  if (!health || health.state === "not finite") return "breaks down";
-  if (health.state === "rests as recorded") return "rests as recorded";
+  if (!model || health?.state === "moves-on") return "";
+  if (!health || health.state === "not-finite") return "breaks down";
+  if (health.state === "rests-as-recorded") return "rests as recorded";
   const from = health.from === null ? "" : ` from ${health.from.toFixed(1)} s`;
-  return health.state === "stands still" ? `stands still${from}` : `gets far from its clips${from}`;
+  return health.state === "stands-still" ? `stands still${from}` : `gets far from its clips${from}`;
 }
 
 /** The seeds of several trainings: first, first + 1, ...; after the largest seed comes 0. */

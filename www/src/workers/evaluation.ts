@@ -7,7 +7,10 @@ import { transfer } from "./transfer";
 import { using } from "./using";
 
 async function foldOf({ clips: chosen, settings, heldOut, trainingTrials }: EvaluationJob): Promise<Fold> {
-  return using(await clips.set(chosen), (set) => new Fold(set, settings, heldOut, trainingTrials));
+  return using(
+    await clips.set(chosen),
+    (set) => new Fold(set, settings, { heldOut: heldOut - 1, trainingTrials }),
+  );
 }
 
 async function evaluate(

@@ -34,14 +34,14 @@ export class ShownModel {
   open(text: string, frames: number, revision: number): OpenedModel {
     const model = Model.fromJson(text);
     try {
-      const info = model.info();
+      const info = model.info() as ModelInfo;
       const parts = info.parts.length;
       if (parts > MAX_PARTS)
         throw new Error(
           `expected a model of ${MAX_PARTS} parts at most, found ${parts}: the page has no room for their couplings. The terminal program rolls it out`,
         );
       const next = { model, info, revision };
-      const rollout = roll(next, { frames, sequence: 0, alpha: null, reading: "as learned" });
+      const rollout = roll(next, { frames, sequence: 0, alpha: null, reading: "as-learned" });
       const opened = { model: view(next), rollout };
       this.#held?.model.free();
       this.#held = next;

@@ -41,7 +41,7 @@ pub enum CouplingsError {
 pub enum Reading {
     /// The experts stay as learned; only their weights change.
     #[default]
-    #[serde(rename = "as learned")]
+    #[serde(rename = "as-learned", alias = "as learned")]
     AsLearned,
     /// The experts are inferred again from the training data under the changed couplings.
     #[serde(rename = "re-inferred")]

@@ -19,6 +19,7 @@ pub struct RolloutRequest {
     /// Frames in all, the start included.
     pub frames: usize,
     /// The training sequence that the rollout starts as, counted from 0.
+    #[serde(default)]
     pub sequence: usize,
     /// The frame of the sequence that the rollout starts with, counted from 0. A model may store the latents of
     /// its first frames alone.

@@ -12,16 +12,16 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 pub enum Limb {
     /// The left hand.
-    #[serde(rename = "left hand")]
+    #[serde(rename = "left-hand")]
     LeftHand,
     /// The right hand.
-    #[serde(rename = "right hand")]
+    #[serde(rename = "right-hand")]
     RightHand,
     /// The left foot.
-    #[serde(rename = "left foot")]
+    #[serde(rename = "left-foot")]
     LeftFoot,
     /// The right foot.
-    #[serde(rename = "right foot")]
+    #[serde(rename = "right-foot")]
     RightFoot,
 }
 

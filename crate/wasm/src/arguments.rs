@@ -1,30 +1,41 @@
-//! What JavaScript gives as an argument, checked before it is used. Passed on as they are, a number in the
-//! place of a text would be read from memory that is not its own, and a word in the place of a number would
-//! be taken for 0.
+//! Checked arguments from JavaScript. Unchecked, wasm-bindgen would read a number in the place of a text from
+//! foreign memory, and take a text in the place of a number or of bytes for zeros.
 
 use crate::error::{ErrorCode, VcgpdmError};
+use js_sys::Uint8Array;
 use vcgpdm::models::variational::InducingError;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 extern "C" {
-    /// A text, as far as JavaScript has kept to it.
+    /// Declared as a text.
     #[wasm_bindgen(typescript_type = "string")]
     pub type Text;
-    /// A whole number from 0 on, as far as JavaScript has kept to it.
+    /// Declared as a whole number from 0 on.
     #[wasm_bindgen(typescript_type = "number")]
     pub type Whole;
+    /// Declared as bytes.
+    #[wasm_bindgen(typescript_type = "Uint8Array")]
+    pub type Bytes;
 }
 
 impl Text {
-    /// The text; an error says `what` was to be one.
+    /// The text; an error names it by `what`.
     pub fn get(&self, code: ErrorCode, what: &str) -> Result<String, VcgpdmError> {
         self.as_string().ok_or_else(|| refused(code, what, "a text", self))
     }
 }
 
+impl Bytes {
+    /// A copy of the bytes; an error names them by `what`.
+    pub fn get(&self, code: ErrorCode, what: &str) -> Result<Vec<u8>, VcgpdmError> {
+        let bytes: Option<&Uint8Array> = self.dyn_ref();
+        bytes.map(Uint8Array::to_vec).ok_or_else(|| refused(code, what, "bytes in a Uint8Array", self))
+    }
+}
+
 impl Whole {
-    /// The number, at most that of 32 bits; an error says `what` was to be one.
+    /// The number, of 32 bits at most; an error names it by `what`.
     pub fn get(&self, code: ErrorCode, what: &str) -> Result<u32, VcgpdmError> {
         let number = self.as_f64().filter(|number| (0.0..=f64::from(u32::MAX)).contains(number));
         match number.filter(|number| number.fract() == 0.0) {
@@ -33,22 +44,27 @@ impl Whole {
         }
     }
 
-    /// The same, as a number of things or the place of one.
+    /// The number as a count or an index.
     pub fn count(&self, code: ErrorCode, what: &str) -> Result<usize, VcgpdmError> {
         Ok(self.get(code, what)? as usize)
     }
 
-    /// What belongs to the part of this number, one of `all`.
+    /// The item of `all` at this index, one item for each part.
     pub fn part_of<'a, T>(&self, code: ErrorCode, all: &'a [T]) -> Result<&'a T, VcgpdmError> {
         let found = self.count(code, "the part")?;
         Ok(all.get(found).ok_or(InducingError::Part { count: all.len(), found })?)
     }
 }
 
-fn refused(code: ErrorCode, what: &str, expected: &str, found: &JsValue) -> VcgpdmError {
-    let found = match found.as_f64() {
+/// A value for an error message.
+fn found_value(found: &JsValue) -> String {
+    match found.as_f64() {
         Some(number) => number.to_string(),
+        None if found.is_null() => "null".to_owned(),
         None => found.js_typeof().as_string().unwrap_or_default(),
-    };
-    VcgpdmError::new(code, &format_args!("{what}: expected {expected}, found {found}"))
+    }
+}
+
+fn refused(code: ErrorCode, what: &str, expected: &str, found: &JsValue) -> VcgpdmError {
+    VcgpdmError::new(code, &format_args!("{what}: expected {expected}, found {}", found_value(found)))
 }
