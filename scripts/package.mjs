@@ -49,7 +49,7 @@ function mend(/** @type {string} */ folder) {
   );
   change(
     script,
-    "throw new Error(`expected instance of ${klass.name}`);",
+    ["throw new Error(`expected instance of $", "{klass.name}`);"].join(""),
     "throw __otherClass(klass.name, instance);",
   );
   writeFileSync(script, readFileSync(script, "utf8") + ERRORS);

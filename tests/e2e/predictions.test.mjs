@@ -182,3 +182,67 @@ describe("futures and uncertainty", () => {
     assert.ok(!before.equals(await plot.screenshot()), "the band is drawn");
   });
 });
+
+describe("where the model is sure", () => {
+  it("is painted behind the loop: colour where the variance of the poses is low, nothing when it is off", async () => {
+    const { page, problems, leave } = await readyVisitor(site.visit());
+    const frames = Number(await page.getByTestId("scrub").getAttribute("max")) + 1;
+    const plot = page.getByTestId("latent-0");
+    await page.mouse.move(0, 0);
+    assert.ok(await rests(plot));
+    const before = await plot.screenshot();
+    const button = page.getByRole("button", { name: "where the model is sure" });
+    await button.click();
+    await page.waitForFunction(() => document.querySelector("pg-outlook"));
+    // The pictures that the plots draw, as opacities in the middles of squares of 20 pixels.
+    await page.evaluate(() => {
+      const { outlook } = /** @type {any} */ (document.querySelector("pg-outlook"));
+      const pictureOf = outlook.pictureOf.bind(outlook);
+      outlook.pictureOf = (/** @type {number} */ part, /** @type {any} */ picture) => {
+        const bitmap = pictureOf(part, picture);
+        if (!bitmap || part !== 0) return bitmap;
+        const { width, height, centre, right, down } = picture;
+        const draw = new OffscreenCanvas(width, height).getContext("2d");
+        draw?.drawImage(bitmap, 0, 0);
+        const points = [];
+        const opacities = [];
+        for (let y = 10; y < height; y += 20)
+          for (let x = 10; x < width; x += 20) {
+            opacities.push(draw?.getImageData(x, y, 1, 1).data[3]);
+            const [dx, dy] = [x + 0.5 - width / 2, y + 0.5 - height / 2];
+            points.push(
+              centre.map(
+                (/** @type {number} */ at, /** @type {number} */ q) => at + dx * right[q] + dy * down[q],
+              ),
+            );
+          }
+        Object.assign(window, { painted: { points, opacities } });
+        return bitmap;
+      };
+      outlook.changed();
+    });
+    await page.waitForFunction(() => "painted" in window, undefined, { timeout: 30_000 });
+    const { points, opacities } = await page.evaluate(() => /** @type {any} */ (window).painted);
+    const model = Model.fromJson(readFileSync(`${dist}/first/model.json`, "utf8"));
+    const { poseVariance } = model.rollout({ frames }).latentField(0, points);
+    assert.ok(
+      Math.max(...opacities) - Math.min(...opacities) > 60,
+      `from ${Math.min(...opacities)} to ${Math.max(...opacities)}`,
+    );
+    // Arrows cover some of the points.
+    const same = poseVariance.filter(
+      (variance, n) => Math.abs(110 * (1 - variance) - opacities[n]) < 8,
+    ).length;
+    assert.ok(
+      same > 0.7 * points.length,
+      `${same} of ${points.length} points have the opacity of their variance`,
+    );
+
+    await button.click();
+    await page.mouse.move(0, 0);
+    assert.ok(await rests(plot));
+    assert.ok(before.equals(await plot.screenshot()), "nothing is left of it");
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});

@@ -70,7 +70,10 @@ it("starts from any frame of any sequence, and a link contains the frame", async
   await page.waitForFunction(() => /frame=30/.test(location.hash) && /start=1/.test(location.hash));
   await frame.focus();
   await page.keyboard.press("ArrowRight");
-  assert.equal(await frame.getAttribute("aria-valuetext"), `Frame 32 of ${coupledInfo(model).startFrames[1]}`);
+  assert.equal(
+    await frame.getAttribute("aria-valuetext"),
+    `Frame 32 of ${coupledInfo(model).startFrames[1]}`,
+  );
   assert.deepEqual(problems, []);
   await leave();
 });

@@ -22,8 +22,10 @@ export async function installPackage() {
   npm("install", "--offline", "--no-audit", "--no-fund", "--loglevel=error", `./${tarball}`);
 
   const require = createRequire(join(folder, "user.js"));
+  const entry = join(folder, "entry.js");
+  writeFileSync(entry, 'export * from "vcgpdm";\nexport { default } from "vcgpdm";\n');
   /** @type {typeof import("vcgpdm")} */
-  const vcgpdm = await import(pathToFileURL(require.resolve("vcgpdm")).href);
+  const vcgpdm = await import(pathToFileURL(entry).href);
   return { folder, require, vcgpdm, remove: () => rmSync(folder, { recursive: true, force: true }) };
 }
 

@@ -142,3 +142,26 @@ describe("a live rollout", () => {
     );
   });
 });
+
+it("says how sure the model is at points of a latent space, and where its dynamics lead from there", () => {
+  const { Model } = installed.vcgpdm;
+  const rollout = model.rollout({ frames: 40 });
+  const { order, parts } = coupledInfo(model);
+  const width = parts[0]?.latent ?? 0;
+  const path = rollout.latents(0);
+  const rows = Array.from({ length: 40 }, (_, t) => [...path.subarray(t * width, (t + 1) * width)]);
+  const { poseVariance, dynamicsVariance, steps } = rollout.latentField(0, rows);
+  for (let t = order; t < 39; t++)
+    for (let q = 0; q < width; q++)
+      assert.ok(
+        Math.abs((steps[t]?.[q] ?? NaN) - ((rows[t + 1]?.[q] ?? 0) - (rows[t]?.[q] ?? 0))) < 1e-6,
+        `the step of frame ${t}`,
+      );
+  const far = rollout.latentField(0, [rows[9]?.map((x) => x + 1000) ?? []]);
+  assert.ok(Math.max(...poseVariance) < 0.5 && Math.abs((far.poseVariance[0] ?? 0) - 1) < 1e-9);
+  assert.ok((far.dynamicsVariance[0] ?? 0) > (dynamicsVariance[9] ?? 1));
+  assert.throws(() => rollout.latentField(0, [[0]]), { name: "VcgpdmError" });
+  assert.throws(() => Model.fromJson(model.toJson()).rollout({ frames: 5 }).latentField(9, []), {
+    name: "VcgpdmError",
+  });
+});

@@ -57,7 +57,7 @@ impl Whole {
 }
 
 /// A value for an error message.
-fn found_value(found: &JsValue) -> String {
+pub(crate) fn found_value(found: &JsValue) -> String {
     match found.as_f64() {
         Some(number) => number.to_string(),
         None if found.is_null() => "null".to_owned(),

@@ -3,6 +3,7 @@
 //!
 //! A visitor downloads this code, so generic functions are small.
 
+use crate::arguments::found_value;
 use crate::error::{ErrorCode, VcgpdmError};
 use js_sys::{Array, ArrayBuffer, Object, Reflect};
 use nalgebra::DMatrix;
@@ -108,6 +109,9 @@ impl<'de> Deserializer<'de> for FieldNames<'_> {
 fn check_fields(value: &JsValue, fields: &[&str]) -> Result<(), String> {
     if fields.is_empty() {
         return Ok(());
+    }
+    if !value.is_object() {
+        return Err(format!("expected an object, found {}", found_value(value)));
     }
     for found in fields_of(value) {
         if !fields.contains(&found.as_str()) {

@@ -1,22 +1,19 @@
 //! The npm package `vcgpdm`: the library for JavaScript.
 //!
 //! Types are the library's own; `convert.rs` carries them over in camelCase, `error.rs` carries its errors.
-//! What a function takes and gives is declared in TypeScript beside it.
+//! The TypeScript of a function is declared next to it.
 #![cfg(target_arch = "wasm32")]
 
-#[cfg(feature = "training")]
-mod any_model;
+mod arguments;
 mod body;
 #[cfg(feature = "speed")]
 mod case;
 mod clip;
 mod convert;
-mod coupled;
 mod document_kind;
 mod error;
 #[cfg(feature = "training")]
 mod evaluation;
-mod given;
 #[cfg(feature = "training")]
 mod library;
 #[cfg(feature = "training")]
@@ -33,13 +30,15 @@ mod modularity;
 mod origin;
 #[cfg(feature = "training")]
 mod perception;
+#[cfg(feature = "training")]
+mod plane;
 mod predictions;
 #[cfg(feature = "training")]
 mod primitives;
 #[cfg(feature = "training")]
 mod progress;
 #[cfg(test)]
-mod refusals;
+mod refused_calls;
 #[cfg(feature = "training")]
 mod results;
 mod rollout;
@@ -50,6 +49,7 @@ mod study;
 mod synthetic;
 #[cfg(feature = "training")]
 mod tables;
+mod trained;
 #[cfg(feature = "training")]
 mod trainer;
 

@@ -15,7 +15,7 @@ use std::rc::Rc;
 use vcgpdm::document::Document;
 use vcgpdm::models::variational::{BoundTerms, PoseMap, Vcgpdm};
 use vcgpdm::models::{
-    MOST_SAMPLES, Model as TrainedModel, ModelKind, ColumnMapping, RolloutRequest, SequenceInfo,
+    ColumnMapping, MOST_SAMPLES, Model as TrainedModel, ModelKind, RolloutRequest, SequenceInfo,
 };
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;

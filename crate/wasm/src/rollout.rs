@@ -9,10 +9,9 @@ use crate::predictions::Predictions;
 #[cfg(feature = "training")]
 use crate::trained::column_names;
 use crate::trained::{Trained, coupled};
-use nalgebra::DMatrix;
 use serde::Serialize;
 use std::rc::Rc;
-use vcgpdm::models::{Health, Model, ColumnMapping, Rollout as Columns, RolloutRequest};
+use vcgpdm::models::{ColumnMapping, Health, Model, Rollout as Columns, RolloutRequest};
 use vcgpdm::motion::bvh;
 use vcgpdm::motion::measures::{PartMeasures, measures};
 use wasm_bindgen::prelude::*;
@@ -181,7 +180,7 @@ fn columns<S: ColumnMapping>(model: &Model<S>, request: &RolloutRequest) -> Resu
         return Err(VcgpdmError::new(ErrorCode::Rollout, &words));
     }
     let y = model.rollout(request.sequence, request.frames)?;
-    Ok(Columns { y, latents: Vec::new(), weights: DMatrix::zeros(0, 0) })
+    Ok(Columns::of_columns(y))
 }
 
 #[wasm_bindgen]

@@ -20,7 +20,7 @@ export interface SyntheticTruth {
     latents: number[][];
     /** What the model sees of each part, centred [frames x columns], row after row. */
     observed: number[][];
-    /** ColumnMapping columns of a part. */
+    /** Observed columns of a part. */
     columns: number;
     /** Variance of the observations' noise. */
     noise: number;

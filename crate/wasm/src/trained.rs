@@ -5,7 +5,7 @@ use std::rc::Rc;
 #[cfg(feature = "training")]
 use vcgpdm::models::SeriesModel;
 use vcgpdm::models::variational::Vcgpdm;
-use vcgpdm::models::{Body, Coupled, Model as TrainedModel, ColumnMapping};
+use vcgpdm::models::{Body, ColumnMapping, Coupled, Model as TrainedModel};
 
 /// The couplings and latents of a model, which vCGPDM and vGPDM alone have.
 pub(crate) fn coupled<S: ColumnMapping>(model: &TrainedModel<S>) -> Result<Coupled<'_, S>, VcgpdmError> {

@@ -1,4 +1,4 @@
-// Requests of which only the newest matters: one is under way at a time, and older waiting ones are dropped.
+// Requests of which only the newest matters: one is under way at a time, and the newest one waits.
 
 export class Latest<Request, Result> {
   #busy = false;
@@ -25,7 +25,7 @@ export class Latest<Request, Result> {
     if (!this.#busy) void this.#run();
   }
 
-  /** Forgets what waits, and the answer of what is under way. */
+  /** Drops the request that waits, and the answer of the one under way. */
   drop(): void {
     this.#generation += 1;
     this.#waiting = null;

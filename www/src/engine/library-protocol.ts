@@ -1,5 +1,4 @@
-// What the page and the workers of the whole program say to each other about libraries of primitives. Types
-// only.
+// The messages about libraries of primitives. Types only.
 import type {
   CouplingsFrom,
   LibraryInfo,
@@ -21,7 +20,7 @@ export type {
   PrimitiveOrigin,
 } from "vcgpdm";
 
-/** What may happen to an endless walk before its next frames. */
+/** A change of an endless walk before its next frames. */
 export type WalkChange =
   /** The part goes on with another of its primitives. */
   | { kind: "use"; part: number; primitive: number }

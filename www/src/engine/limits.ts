@@ -1,4 +1,4 @@
-// What the page has room for.
+// Limits of the page.
 
-/** Parts of a body: more have no colours, and their couplings no room. */
+/** The most parts of a body: there are colours and space for so many. */
 export const MAX_PARTS = 8;

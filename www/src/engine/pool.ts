@@ -7,25 +7,25 @@
 /** A worker that the pool has started. */
 export interface Hired<Worker> {
   worker: Worker;
-  /** Kept when the worker can take work. */
+  /** Resolves when the worker can work. */
   ready: Promise<unknown>;
-  /** Fails, with words for a person, when the worker dies. */
+  /** Fails, with a sentence for the visitor, when the worker dies. */
   broken: Promise<never>;
   dismiss(): void;
 }
 
 interface Waiting<Worker> {
   work(worker: Worker): Promise<unknown>;
-  /** The worker that is to do it; null: any. */
+  /** The worker for this work; null: any. */
   on: Worker | null;
   signal: AbortSignal | undefined;
-  /** It waits no longer. */
+  /** Called when the work begins. */
   begun(): void;
   done(result: unknown): void;
   failed(problem: unknown): void;
 }
 
-/** Milliseconds that aborted work may take to come to its own end. */
+/** Milliseconds that aborted work may take to end by itself. */
 const GRACE = 30_000;
 
 export class Pool<Worker> {
@@ -34,13 +34,12 @@ export class Pool<Worker> {
   /** The signal of each work under way. */
   readonly #tasks: (AbortSignal | undefined)[] = [];
   /**
-   * What the death of a worker at work fails. Its promise is listened to once: listeners of every piece of
-   * work would stay, and with them what came of it, for as long as the worker lives.
+   * Fails the work of a worker that dies. There is one listener for each worker: one for each piece of work
+   * would keep its result in memory for as long as the worker lives.
    */
   readonly #atWork = new Map<Hired<Worker>, (problem: unknown) => void>();
-  /** Workers that hold something that may be asked for again. */
+  /** Workers that are kept for work that continues. */
   readonly #kept = new Set<Worker>();
-
   readonly #hire: () => Hired<Worker>;
   readonly #grace: number;
 
@@ -55,9 +54,9 @@ export class Pool<Worker> {
   }
 
   /**
-   * Does the work on a worker of its own, now or when one is free. An abort drops work that still waits; work
-   * under way is expected to hear the signal itself and to end early, with a result, before the grace is
-   * over. `on` names a worker that was kept.
+   * Does the work on a worker of its own, now or when one is free. An abort drops work that still waits. Work
+   * under way reads the signal itself and ends early with a result, before the grace is over. `on`: a worker
+   * that was kept.
    */
   run<Result>(
     work: (worker: Worker) => Promise<Result>,
@@ -66,7 +65,7 @@ export class Pool<Worker> {
   ): Promise<Result> {
     return new Promise<Result>((resolve, reject) => {
       if (signal?.aborted) return reject(signal.reason);
-      if (on !== null && !this.keeps(on)) return reject(new Error("the worker that held it is gone."));
+      if (on !== null && !this.keeps(on)) return reject(new Error("the worker that trained it is gone."));
       const aborted = () => this.#drop(job);
       const begun = () => signal?.removeEventListener("abort", aborted);
       const job: Waiting<Worker> = {
@@ -83,12 +82,12 @@ export class Pool<Worker> {
     });
   }
 
-  /** The worker does no other work and stays, until it is let go. */
+  /** Reserves the worker, until it is let go. */
   keep(worker: Worker): void {
     this.#kept.add(worker);
   }
 
-  /** Whether the worker is kept, and still there. */
+  /** Whether the worker is reserved and alive. */
   keeps(worker: Worker): boolean {
     return this.#kept.has(worker);
   }
@@ -124,7 +123,7 @@ export class Pool<Worker> {
       void this.#attend(job);
     }
     if (this.#tasks.length > 0) return;
-    // One stays for the next work; the memory of the others that are not kept is given back.
+    // One worker stays for the next work. The memory of the others, unless they are kept, is freed.
     const [, ...spare] = this.#idle.filter(({ worker }) => !this.#kept.has(worker));
     for (const hired of spare) this.#forget(hired);
   }
@@ -137,7 +136,7 @@ export class Pool<Worker> {
     hired.dismiss();
   }
 
-  /** An idle worker: this one, or any that is not kept. */
+  /** Takes an idle worker: this one, or any that is not kept. */
   #take(on: Worker | null): Hired<Worker> | null {
     const fits = ({ worker }: Hired<Worker>) => (on === null ? !this.#kept.has(worker) : worker === on);
     const at = this.#idle.findLastIndex(fits);
@@ -154,7 +153,7 @@ export class Pool<Worker> {
       this.#idle.push(hired);
       done(result);
     } catch (problem) {
-      // A worker whose work failed is not trusted again: the next work gets a fresh one.
+      // A worker whose work failed may be damaged: the next work gets a fresh one.
       if (hired) this.#forget(hired);
       failed(problem);
     } finally {
@@ -179,7 +178,7 @@ export class Pool<Worker> {
   #open(): Hired<Worker> {
     const hired = this.#hire();
     hired.broken.catch((problem) => {
-      // One that is at work is dismissed where its work fails.
+      // A worker at work is dismissed by `#attend`, when its work fails.
       if (this.#idle.includes(hired)) this.#forget(hired);
       else this.#atWork.get(hired)?.(problem);
     });
@@ -187,7 +186,7 @@ export class Pool<Worker> {
   }
 }
 
-/** Fails when the signal was given and nothing has happened for so long. */
+/** Fails when the work has not ended `grace` milliseconds after the abort. */
 function patience(signal: AbortSignal | undefined, grace: number) {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let wait = () => {};

@@ -1,4 +1,4 @@
-// What the page and its worker say to each other. Types only.
+// The messages between the page and its workers. Types only.
 import type {
   ClipInfo,
   DocumentKind,
@@ -32,7 +32,7 @@ export type {
   TrainingSettings,
 } from "vcgpdm";
 
-/** What changed couplings do to the experts. */
+/** The effect of changed couplings on the experts. */
 export type Reading = "as-learned" | "re-inferred";
 
 /** A square table indexed [source][target]. */
@@ -48,7 +48,7 @@ export interface Motion {
   frameTime: number;
 }
 
-/** A clip that the worker holds, with what the page needs to show it. */
+/** A clip that is open in the worker, with its motion. */
 export interface LoadedClip {
   /** The worker's number for the clip. */
   id: number;
@@ -65,9 +65,9 @@ export interface DynamicsInducing {
   outputs: Float64Array;
 }
 
-/** A fitted model as the page sees it: everything but the functions themselves. */
+/** A fitted model as the page sees it: everything but its functions. */
 export interface ModelView {
-  /** Grows with every model the worker takes up; results of an older model are dropped. */
+  /** Grows with every model that the worker opens; results of an older model are dropped. */
   revision: number;
   /** SHA-256 of its document, as it is saved; hexadecimal. */
   sha256: string;
@@ -103,7 +103,7 @@ export interface RolloutResult {
   weights: Couplings;
 }
 
-/** What the body does in a rollout, and how it ends. */
+/** The motion of the body in a rollout, and how it ends. */
 export interface BodyReport {
   revision: number;
   request: RolloutRequest;
@@ -111,7 +111,7 @@ export interface BodyReport {
   health: Health;
 }
 
-/** Gaussians about the latents of one part, one a frame. */
+/** Gaussian predictions of the latents of one part, one for each frame. */
 export interface Predictions {
   /** [predicted frames x Q] */
   means: Float64Array;
@@ -119,13 +119,13 @@ export interface Predictions {
   variances: Float64Array;
 }
 
-/** What is predicted about each part in each frame of a rollout. */
+/** The predictions for each part in each frame of a rollout. */
 export interface PredictionsReport {
   revision: number;
   request: RolloutRequest;
   /** The first frame that is predicted. */
   firstFrame: number;
-  /** For each part what each source says alone, and what their product is. */
+  /** For each part the prediction of each source, and their product. */
   parts: { experts: Predictions[]; product: Predictions }[];
 }
 
@@ -134,19 +134,19 @@ export interface LiveFrames {
   motion: Motion;
   /** Latent path of each part [frames x Q]. */
   latents: Float64Array[];
-  /** Where on the learned cycle each part is, in turns [frames x parts]; empty where there is no cycle. */
+  /** The phase of each part on the learned cycle, in turns [frames x parts]; empty without a cycle. */
   phases: Float64Array;
   /** How far from the learned cycle each part is, in radii of its cycle [frames x parts]; empty as phases. */
   distances: Float64Array;
 }
 
-/** What may happen to a live rollout before its next frames. */
+/** A change of a live rollout before its next frames. */
 export type LiveChange =
   | { kind: "couplings"; alpha: Couplings; reading: Reading }
   | { kind: "cut"; source: number; target: number; cut: boolean }
-  /** A part is moved by so much in each latent dimension. */
+  /** Moves a part in its latent space. */
   | { kind: "push"; part: number; by: number[] }
-  /** A node of the figure is moved by about so many metres. */
+  /** Moves a node of the figure, in metres. */
   | { kind: "pull"; node: number; by: [number, number, number] };
 
 /** A model with its rollout as learned. */
@@ -155,7 +155,7 @@ export interface OpenedModel {
   rollout: RolloutResult;
 }
 
-/** Where a clip comes from: every worker that trains on it reads it for itself. */
+/** The source of a clip: every worker that trains on it reads it itself. */
 export type ClipSource = { sample: string } | { name: string; file: Blob };
 
 /** A clip chosen for training: frames first (counted from 0) up to, not including, end. */
@@ -171,7 +171,7 @@ export interface TrainingClip {
 /** Why clips cannot be trained on together. */
 export interface Clash {
   words: string;
-  /** Whether only their bones differ, so that those of the first would do for all. */
+  /** Whether only their bones differ. Then all clips can have those of the first. */
   bones: boolean;
 }
 
@@ -180,12 +180,12 @@ export type InducingPoint =
   | { kind: "pose"; part: number; index: number }
   | { kind: "dynamics"; source: number; target: number; index: number };
 
-/** What an inducing point stands for. */
+/** The meaning of an inducing point. */
 export interface InducingReport {
   point: InducingPoint;
   /** Node positions of the pose, and for a dynamics point of the pose it predicts [nodes x 3]. */
   poses: Float32Array[];
-  /** How much the point speaks for each frame of the rollout, 0..1 [frames]. */
+  /** The weight of the point in each frame of the rollout, 0..1 [frames]. */
   frames: Float64Array;
 }
 
@@ -217,7 +217,7 @@ export interface TrainingReport<Found> {
 export type Report<Found> = (report: TrainingReport<Found>) => unknown;
 
 export interface TrainingOutcome {
-  /** The best so far is kept. */
+  /** A cancelled training keeps the best so far. */
   cancelled: boolean;
   /** Why training ended; null when it was cancelled. */
   reason: TrainingProgress["reason"];
@@ -269,7 +269,7 @@ export interface Workbench {
    * their bounds.
    */
   bestToShow(ranks: number[], bounds: number[]): number;
-  /** What a training would cost here. */
+  /** The cost of a training here. */
   trainingCost(question: CostQuestion): TrainingCost;
   /** The model and its rollouts carry the number `revision`. */
   openModel(text: string, frames: number, revision: number): OpenedModel;
@@ -277,12 +277,12 @@ export interface Workbench {
   inducing(point: InducingPoint, rollout: RolloutRequest): InducingReport;
   modelJson(): string;
   rolloutBvh(request: RolloutRequest): string;
-  /** What the body does from frame `first` on. */
+  /** The motion of the body from frame `first` on. */
   bodyReport(request: RolloutRequest, first: number): BodyReport;
   predictions(request: RolloutRequest): PredictionsReport;
   /** Sampled rollouts: of the seeds `seed`, `seed + 1`, and so on. */
   futures(request: RolloutRequest, count: number, seed: number): RolloutResult[];
-  /** Begins a live rollout behind a frame of a rollout of the model that is held; the one before it ends. */
+  /** Begins a live rollout after a frame of a rollout of the open model. An earlier live rollout ends. */
   startLive(request: RolloutRequest, frame: number): void;
   /** Makes the changes, then computes the next frames. Throws when there is no live rollout. */
   advanceLive(changes: LiveChange[], frames: number): LiveFrames;

@@ -1,5 +1,4 @@
-// What the page and the workers of the whole program say to each other about time series that are no body.
-// Types only.
+// The messages about time series without a body. Types only.
 import type { ModelInfo, TableInfo, TableTrainingSettings } from "vcgpdm";
 import type { Couplings, Reading, Report, TrainingOutcome } from "./protocol";
 

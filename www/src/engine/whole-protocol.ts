@@ -1,4 +1,4 @@
-// What the page and the workers of the whole program say to each other. Types only.
+// The messages between the page and the workers of the whole program. Types only.
 import type {
   AnswersFile,
   Candidate,
@@ -10,6 +10,7 @@ import type {
   Outcome,
   PerceptionResults,
   Plan,
+  PlanePicture,
   PlannedJob,
   Setting,
   StudyInfo,
@@ -42,6 +43,7 @@ export type {
   Participant,
   PerceptionResults,
   Plan,
+  PlanePicture,
   PlannedJob,
   Regression,
   Setting,
@@ -63,7 +65,7 @@ export interface EvaluationJob extends Job {
   settings: ComparisonSettings;
 }
 
-/** What came of one model in one fold. */
+/** The outcome of one model in one fold. */
 export interface Evaluated {
   outcome: Outcome;
   /** World positions of the prediction and of the trial held out [frames x nodes x 3]. */
@@ -83,13 +85,13 @@ export interface ResultsView {
   comparison: Comparison;
 }
 
-/** Which trainings a comparison asks for, and what is known of them. */
+/** The trainings of a comparison, and which of them are done. */
 export interface PlannedComparison {
   results: ResultsView;
   jobs: PlannedJob[];
   /** What each of the jobs will cost. */
   costs: TrainingCost[];
-  /** Whether the known results are of the same setting, and so stand among the results. */
+  /** Whether the results include the known results, which are then of the same setting. */
   goesOn: boolean;
 }
 
@@ -128,7 +130,7 @@ export interface ComparisonWorker {
   openResults(text: string): ResultsView;
 }
 
-/** What a worker does for the synthetic experiment. */
+/** The synthetic experiment. */
 export interface ExperimentWorker {
   /** The data of an experiment, and the truth about them. */
   drawExperiment(experiment: Experiment): SyntheticTruth;
@@ -140,7 +142,7 @@ export interface ExperimentWorker {
   ): Promise<TrainingOutcome>;
 }
 
-/** What is known of the latents of one part in each frame of a rollout, as a Gaussian. */
+/** The latents of one part in each frame of a rollout as Gaussians. */
 export interface PartMoments {
   /** [frames x Q] */
   means: Float64Array;
@@ -148,10 +150,14 @@ export interface PartMoments {
   covariances: Float64Array;
 }
 
-/** What a worker does for the uncertainty of a rollout. */
+/** How sure a model is. The worker keeps one model of a body open. */
 export interface UncertaintyWorker {
-  /** Moment matching through time, for each part; `text` is the model's document. */
-  moments(text: string, request: RolloutRequest): PartMoments[];
+  /** Keeps the model of this document open in the place of the one before. */
+  openOutlook(text: string): void;
+  /** Moment matching through time, for each part. */
+  moments(request: RolloutRequest): PartMoments[];
+  /** A picture of how sure the model is in a plane through the latent space of a part. */
+  paintPlane(request: RolloutRequest, part: number, picture: PlanePicture): ImageBitmap;
 }
 
 /** A study as the page sees it. */

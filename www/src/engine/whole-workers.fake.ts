@@ -139,7 +139,9 @@ export class FakeProgram implements WholeWorkers {
   readonly draws: Pending<Experiment, never, SyntheticTruth>[] = [];
   readonly trainings: Pending<Experiment, TrainingReport<SyntheticFindings>, TrainingOutcome>[] = [];
   readonly analyses: Pending<AnswersFile[], never, PerceptionResults>[] = [];
-  readonly moments: Pending<{ text: string; request: RolloutRequest }, never, PartMoments[]>[] = [];
+  readonly moments: Pending<RolloutRequest, never, PartMoments[]>[] = [];
+  /** The documents of models that were opened for moments and pictures. */
+  readonly outlooks: string[] = [];
   readonly libraries = new FakeLibraries();
   readonly series = new FakeSeries();
   /** The next calls for results fail with these, one after the other. */
@@ -222,7 +224,10 @@ export class FakeProgram implements WholeWorkers {
       analysePerception: (_, answers) => pending(this.analyses, answers, () => {}),
       perceptionJson: async (text, answers) => JSON.stringify({ text, answers }),
       makeStudy: async ({ generated }) => `a study of ${generated.length}`,
-      moments: (text, request) => pending(this.moments, { text, request }, () => {}),
+      openOutlook: async (text) => {
+        this.outlooks.push(text);
+      },
+      moments: (request) => pending(this.moments, request, () => {}),
       trainExperiment: (experiment, report, signal) =>
         Promise.race([
           pending(this.trainings, experiment, report),

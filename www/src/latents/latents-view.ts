@@ -70,12 +70,17 @@ export class LatentsView extends View {
 
   /** The chips of futures and uncertainty. */
   #outlookChips() {
-    const chip = (outlook: Outlook, title: string) => html`
+    const chip = (outlook: Outlook, title: string, label: string = outlook) => html`
       <button class="chip" aria-pressed=${this.#outlook?.isShown(outlook) ? "true" : "false"} title=${title}
-        @click=${() => void this.#toggleOutlook(outlook)}>${outlook}</button>`;
+        @click=${() => void this.#toggleOutlook(outlook)}>${label}</button>`;
     return [
       chip("futures", "Five motions that the model could make as well, drawn at random"),
       chip("uncertainty", "Where the state is, as far as one Gaussian can say"),
+      chip(
+        "certainty",
+        "Colour: poses that the model is sure about. Arrows: where its dynamics lead. In the 2-D plots",
+        "where the model is sure",
+      ),
     ];
   }
 

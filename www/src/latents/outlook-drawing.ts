@@ -2,6 +2,7 @@
 import type { RolloutResult } from "../engine/protocol";
 import type { PartMoments } from "../engine/whole-protocol";
 import { partColourNow, theme } from "../ui/palette";
+import type { OutlookStore } from "./outlook-store";
 import { ellipseOf, type Plane } from "./plane";
 import { interpolate } from "./prediction-at";
 import { type BandPoint, traceBand, traceEllipse } from "./shapes";
@@ -15,6 +16,21 @@ export function trailTimes(frame: number, last: number): number[] {
   const first = Math.max(0, Math.ceil(now - TRAIL));
   const whole = Array.from({ length: Math.max(0, Math.ceil(now) - first) }, (_, i) => first + i);
   return [...whole, now];
+}
+
+/** The picture of how sure the model is, in the colour of the part; nothing where the plot is turned. */
+export function drawPicture(
+  draw: CanvasRenderingContext2D,
+  plane: Plane,
+  part: number,
+  outlook: OutlookStore,
+): void {
+  const { section } = plane;
+  if (!section) return;
+  const hex = Number.parseInt(partColourNow(part).slice(1), 16);
+  const colour: [number, number, number] = [hex >> 16, (hex >> 8) & 255, hex & 255];
+  const picture = outlook.pictureOf(part, { ...section, colour });
+  if (picture) draw.drawImage(picture, 0, 0, section.width, section.height);
 }
 
 export function drawFutures(

@@ -1,20 +1,29 @@
-// The outlook: sampled futures of the rollout on the stage, and Gaussian moments of its latents.
+// The outlook: sampled futures of the rollout on the stage, Gaussian moments of its latents, and pictures of
+// how sure the model is.
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
+import { OpenDocument } from "../engine/open-document";
 import type { RolloutRequest, RolloutResult } from "../engine/protocol";
-import type { WholeWorkers } from "../engine/whole-workers";
-import type { PartMoments } from "../engine/whole-protocol";
+import type { PartMoments, PlanePicture } from "../engine/whole-protocol";
+import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
 import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import { sameTimes } from "../couplings/same-times";
+import { PlanePictures } from "./plane-pictures";
 
 export const FUTURES = 5;
 
-/** Motions drawn at random, or the band of moment matching. */
-export type Outlook = "futures" | "uncertainty";
+/** Motions drawn at random, the band of moment matching, or the picture of how sure the model is. */
+export type Outlook = "futures" | "uncertainty" | "certainty";
+
+const FAILED: Record<Outlook, string> = {
+  futures: "No futures",
+  uncertainty: "No uncertainty",
+  certainty: "No picture of where the model is sure",
+};
 
 /** The moments of a rollout. */
 interface Moments {
@@ -28,7 +37,8 @@ export class OutlookStore extends Store {
   readonly #model: ModelStore;
   readonly #stage: StageStore;
   readonly #notices: NoticesStore;
-  readonly #whole: Pick<WholeWorkers, "desk">;
+  readonly #document: OpenDocument<WholeCalls, void>;
+  readonly #pictures: PlanePictures;
   readonly #shown = new Set<Outlook>();
   /** The document of the model of this revision. */
   #text: { revision: number; text: Promise<string> } | null = null;
@@ -45,14 +55,22 @@ export class OutlookStore extends Store {
     model: ModelStore,
     stage: StageStore,
     notices: NoticesStore,
-    whole: Pick<WholeWorkers, "desk">,
+    { desk }: Pick<WholeWorkers, "desk">,
   ) {
     super();
     this.#engine = engine;
     this.#model = model;
     this.#stage = stage;
     this.#notices = notices;
-    this.#whole = whole;
+    this.#document = new OpenDocument(desk, (worker, text) => worker.openOutlook(text));
+    this.#pictures = new PlanePictures(
+      async ({ rollout: { revision, request }, part, picture }) =>
+        this.#document.ask(await this.#textOf(revision), (worker) =>
+          worker.paintPlane(request, part, picture),
+        ),
+      () => this.changed(),
+      (problem) => this.#fail("certainty", problem),
+    );
     this.#futuresAsked = new Latest(
       async ({ rollout, seed }) => (await engine.engine?.futures(rollout.request, FUTURES, seed)) ?? [],
       (futures, { seed }) => {
@@ -88,6 +106,12 @@ export class OutlookStore extends Store {
     return this.#moments?.parts ?? null;
   }
 
+  /** The picture behind the plot of a part; null where it is not shown or has not arrived. */
+  pictureOf(part: number, picture: PlanePicture): ImageBitmap | null {
+    const { rollout } = this.#model;
+    return rollout && this.isShown("certainty") ? this.#pictures.pictureOf({ rollout, part, picture }) : null;
+  }
+
   show(outlook: Outlook, shown: boolean): void {
     if (shown) this.#shown.add(outlook);
     else this.#shown.delete(outlook);
@@ -106,6 +130,7 @@ export class OutlookStore extends Store {
   #ask(): void {
     const { rollout } = this.#model;
     this.#asked = rollout;
+    if (!this.isShown("certainty")) this.#pictures.clear();
     const fits = (found: { revision: number; request: RolloutRequest } | null | undefined) =>
       rollout && found && found.revision === rollout.revision && sameTimes(found.request, rollout.request);
     if (!rollout || !this.isShown("futures") || (this.#futures.length > 0 && !fits(this.#futures[0])))
@@ -122,7 +147,7 @@ export class OutlookStore extends Store {
     return {
       revision,
       request,
-      parts: await this.#whole.desk.run((worker) => worker.moments(text, request)),
+      parts: await this.#document.ask(text, (worker) => worker.moments(request)),
     };
   }
 
@@ -151,7 +176,7 @@ export class OutlookStore extends Store {
   #fail(outlook: Outlook, problem: unknown): void {
     this.#shown.delete(outlook);
     this.#ask();
-    this.#notices.addError(outlook === "futures" ? "No futures" : "No uncertainty", messageOf(problem));
+    this.#notices.addError(FAILED[outlook], messageOf(problem));
     this.changed();
   }
 }

@@ -47,6 +47,17 @@ export class Plane {
     }
   }
 
+  /** The plane through the middle of the cloud that the plot shows; null where the plot is turned. */
+  get section(): { width: number; height: number; centre: number[]; right: number[]; down: number[] } | null {
+    const { width, height, projection, turn } = this.#view;
+    if (turn.about !== 0 || turn.tilt !== 0 || width < 1 || height < 1) return null;
+    return {
+      ...{ width: Math.round(width), height: Math.round(height) },
+      centre: [...projection.centre],
+      ...{ right: this.latentStep(1, 0), down: this.latentStep(0, 1) },
+    };
+  }
+
   /** Row `index` of points [n x Q] in pixels from the upper left, and its nearness to the viewer, -1 to 1. */
   place(points: Float64Array, index: number): [number, number, number] {
     const { projection, turn, width, height } = this.#view;

@@ -1,5 +1,49 @@
-// The clips of this worker's trainings. The next training mostly has the same clips.
+// The clips of this worker's trainings. They stay in memory for the next training, which mostly has the same.
 import { Clip, TrainingSet } from "vcgpdm";
-import { ClipReader } from "./clip-reader";
+import type { ClipSource, TrainingClip } from "../engine/protocol";
+import { using } from "./using";
 
-export const clips = new ClipReader({ Clip, TrainingSet });
+const read = new Map<number, Clip>();
+
+/** Reads a clip; the caller frees it. */
+export const readClip = async (source: ClipSource): Promise<Clip> =>
+  "sample" in source
+    ? Clip.sample(source.sample)
+    : Clip.read(source.name, new Uint8Array(await source.file.arrayBuffer()));
+
+async function clipOf({ id, source }: TrainingClip): Promise<Clip> {
+  let clip = read.get(id);
+  if (!clip) {
+    clip = await readClip(source);
+    read.set(id, clip);
+  }
+  return clip;
+}
+
+/** These clips, or pieces of them, as a set, which the caller frees. Other clips are freed. */
+export async function clipSet(chosen: readonly TrainingClip[]): Promise<TrainingSet> {
+  for (const [id, clip] of read) {
+    if (chosen.some((clip) => clip.id === id)) continue;
+    read.delete(id);
+    clip.free();
+  }
+  const set = new TrainingSet();
+  try {
+    for (const piece of chosen) await add(set, piece, chosen[0]);
+    return set;
+  } catch (problem) {
+    set.free();
+    throw problem;
+  }
+}
+
+/** Adds the chosen piece of a clip, with the bones of the first clip where the visitor wants them. */
+async function add(set: TrainingSet, piece: TrainingClip, first = piece): Promise<void> {
+  const clip = await clipOf(piece);
+  const cut = (clip: Clip) =>
+    piece.first > 0 || piece.end < clip.info().frames
+      ? using(clip.cut(piece.first, piece.end), (cut) => set.add(cut))
+      : set.add(clip);
+  if (piece.firstBones) using(clip.withBonesOf(await clipOf(first)), cut);
+  else cut(clip);
+}

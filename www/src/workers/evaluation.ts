@@ -1,14 +1,14 @@
 // Comparisons: trains and scores one model in one fold, and answers questions about results. No DOM.
 import { Evaluation, Fold, Results } from "vcgpdm";
 import type { ComparisonWorker, Evaluated, EvaluationJob, ResultsView } from "../engine/whole-protocol";
-import { clips } from "./clips";
+import { clipSet } from "./clips";
 import { inSlices } from "./slices";
 import { transfer } from "./transfer";
 import { using } from "./using";
 
 async function foldOf({ clips: chosen, settings, heldOut, trainingTrials }: EvaluationJob): Promise<Fold> {
   return using(
-    await clips.set(chosen),
+    await clipSet(chosen),
     (set) => new Fold(set, settings, { heldOut: heldOut - 1, trainingTrials }),
   );
 }
@@ -80,7 +80,7 @@ export const comparisonWorker: ComparisonWorker = {
   evaluate: async (job, report, signal) =>
     using(await foldOf(job), (fold) => evaluate(fold, job, report, signal)),
   planComparison: async (chosen, settings, plan, known) =>
-    using(await clips.set(chosen), (set) =>
+    using(await clipSet(chosen), (set) =>
       using(Results.empty(set, settings), (results) => {
         const goesOn = addKnown(results, known);
         const jobs = results.jobs(plan);

@@ -1,5 +1,4 @@
-// What a worker does for libraries of primitives: holds one with its endless walk, learns libraries, fits
-// couplings. No DOM.
+// Libraries of primitives: keeps one open with its endless walk, learns libraries, fits couplings. No DOM.
 import {
   CouplingTrainer,
   ImportTrainer,
@@ -18,18 +17,18 @@ import type {
   WalkChange,
 } from "../engine/library-protocol";
 import type { Motion } from "../engine/protocol";
-import { clips } from "./clips";
+import { clipSet } from "./clips";
 import { follow } from "./follow";
 import { transfer } from "./transfer";
 import { using } from "./using";
 
 /** The library that the page shows. */
-let held: { library: Library; nodes: number; frameTime: number } | null = null;
+let open: { library: Library; nodes: number; frameTime: number } | null = null;
 let walk: LibraryWalk | null = null;
 
-function current(): NonNullable<typeof held> {
-  if (!held) throw new Error("There is no library yet: open one.");
-  return held;
+function current(): NonNullable<typeof open> {
+  if (!open) throw new Error("There is no library yet: open one.");
+  return open;
 }
 
 function endWalk(): void {
@@ -44,8 +43,8 @@ function motionOf(positions: Float32Array, frames: number): Motion {
 }
 
 /**
- * A part takes so many frames to go all the way to another of its primitives: at once it would jump.
- * tests/node/library.test.mjs has how far.
+ * Frames in which a part changes to another of its primitives; at once it would jump, as
+ * tests/node/library.test.mjs measures.
  */
 const MIX_FRAMES = 45;
 
@@ -70,18 +69,18 @@ function change(walk: LibraryWalk, change: WalkChange): void {
 }
 
 async function learner({ clips: chosen, settings, movements, shared }: LearningJob): Promise<LibraryTrainer> {
-  return using(await clips.set(chosen), (set) => new LibraryTrainer(set, settings, { movements, shared }));
+  return using(await clipSet(chosen), (set) => new LibraryTrainer(set, settings, { movements, shared }));
 }
 
 async function fitter({ library, uses, clips: chosen, maxIterations }: FittingJob): Promise<CouplingTrainer> {
-  return using(await clips.set(chosen), (set) =>
-    using(Library.fromJson(library), (known) => new CouplingTrainer(known, uses, set, maxIterations)),
+  return using(await clipSet(chosen), (set) =>
+    using(Library.fromJson(library), (parsed) => new CouplingTrainer(parsed, uses, set, maxIterations)),
   );
 }
 
 async function importer(job: ImportJob): Promise<ImportTrainer> {
   const { library, other, clips: chosen, maxIterations, seed } = job;
-  const set = chosen.length > 0 ? await clips.set(chosen) : null;
+  const set = chosen.length > 0 ? await clipSet(chosen) : null;
   const request = { maxIterations, seed };
   const begin = (host: Library, donor: Library) =>
     set
@@ -92,15 +91,12 @@ async function importer(job: ImportJob): Promise<ImportTrainer> {
   );
 }
 
-/**
- * Holds another library in the place of the one before, of the same body; the walk goes on among the
- * primitives that were there.
- */
+/** Opens another library of the same body in the place of the one before; the walk continues. */
 function exchange(library: Library): { text: string; info: LibraryInfo } {
   const before = current();
   walk?.setLibrary(library);
   before.library.free();
-  held = { ...before, library };
+  open = { ...before, library };
   return { text: library.toJson(), info: library.info() };
 }
 
@@ -121,8 +117,8 @@ export const libraryWorker: LibraryWorker = {
       throw new Error("expected a primitive of every part of the body; these can be added to a library");
     }
     endWalk();
-    held?.library.free();
-    held = { library, nodes: info.figure.nodes.length, frameTime: info.frameTime };
+    open?.library.free();
+    open = { library, nodes: info.figure.nodes.length, frameTime: info.frameTime };
     return info;
   },
   nearestCouplings: (uses) => current().library.nearestCouplings(uses),
@@ -194,8 +190,8 @@ export const libraryWorker: LibraryWorker = {
       return follow({ step, find: () => (done ? training.outcome() : null) }, report, signal);
     }),
   lockingRow({ library, uses, source, target, tempo, strengths }) {
-    const row = using(Library.fromJson(library), (known) =>
-      known.lockingMap(uses, source, target, Float64Array.of(tempo), Float64Array.from(strengths)),
+    const row = using(Library.fromJson(library), (parsed) =>
+      parsed.lockingMap(uses, source, target, Float64Array.of(tempo), Float64Array.from(strengths)),
     );
     return transfer(row, row);
   },

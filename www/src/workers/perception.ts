@@ -1,7 +1,7 @@
 // What a worker does for the graphics Turing test: reads studies, draws trials, and analyses answers. No DOM.
-import { analysePerception, Clip, perceptionJson, Study, StudyMaker } from "vcgpdm";
+import { analysePerception, perceptionJson, Study, StudyMaker } from "vcgpdm";
 import type { PerceptionWorker, StudyChange, StudyView } from "../engine/whole-protocol";
-import { readClip } from "./clip-reader";
+import { readClip } from "./clips";
 import { transfer } from "./transfer";
 import { using } from "./using";
 
@@ -36,7 +36,7 @@ export const perceptionWorker: PerceptionWorker = {
   perceptionJson: (text, answers) => perceptionJson(text, answers),
   async makeStudy({ title, body, framesPerSecond, natural, generated }) {
     const maker = using(
-      await readClip({ Clip }, body.source),
+      await readClip(body.source),
       (clip) => new StudyMaker(clip, SECONDS, framesPerSecond),
     );
     return using(maker, () => {

@@ -1,4 +1,4 @@
-// The model that the page shows: its rollouts, and what its inducing points stand for. No DOM.
+// The model that the page shows: its rollouts and inducing points. No DOM.
 import { Model, type Rollout } from "vcgpdm/player";
 import { MAX_PARTS } from "../engine/limits";
 import type {
@@ -17,20 +17,20 @@ import type {
 import { transfer } from "./transfer";
 import { using } from "./using";
 
-/** A model with what is asked of it again and again. */
-interface Held {
+/** The open model, with its description. */
+interface OpenModel {
   model: Model;
   info: ModelInfo;
-  /** Grows with every model that is taken up. */
+  /** Grows with every model. */
   revision: number;
 }
 
 export class ShownModel {
-  #held: Held | null = null;
-  /** The last rollout that an inducing point was asked about. */
+  #open: OpenModel | null = null;
+  /** The last rollout for which weights of an inducing point were computed. */
   #pointedRollout: RolloutResult | null = null;
 
-  /** Takes a model up and rolls it out as learned. The one before stays where that fails. */
+  /** Opens a model and rolls it out as learned. If that fails, the earlier model stays open. */
   open(text: string, frames: number, revision: number): OpenedModel {
     const model = Model.fromJson(text);
     try {
@@ -38,13 +38,13 @@ export class ShownModel {
       const parts = info.parts.length;
       if (parts > MAX_PARTS)
         throw new Error(
-          `expected a model of ${MAX_PARTS} parts at most, found ${parts}: the page has no room for their couplings. The terminal program rolls it out`,
+          `expected a model of ${MAX_PARTS} parts at most, found ${parts}: the page has no space for their couplings. The terminal program rolls it out`,
         );
       const next = { model, info, revision };
       const rollout = roll(next, { frames, sequence: 0, alpha: null, reading: "as-learned" });
       const opened = { model: view(next), rollout };
-      this.#held?.model.free();
-      this.#held = next;
+      this.#open?.model.free();
+      this.#open = next;
       return opened;
     } catch (problem) {
       model.free();
@@ -71,34 +71,34 @@ export class ShownModel {
     }));
   }
 
-  /** What each expert says about each frame, and the product of all. */
+  /** The prediction of each expert for each frame, and the product of all. */
   predictions(request: RolloutRequest): PredictionsReport {
     const { info, revision } = this.#current();
     return using(
       this.withRollout(request, (rollout) => rollout.predictions()),
-      (said) => {
+      (predictions) => {
         const parts = info.parts.map((_, target) => ({
           experts: info.parts.map((_, source) => ({
-            means: said.expertMeans(source, target),
-            variances: said.expertVariances(source, target),
+            means: predictions.expertMeans(source, target),
+            variances: predictions.expertVariances(source, target),
           })),
-          product: { means: said.means(target), variances: said.variances(target) },
+          product: { means: predictions.means(target), variances: predictions.variances(target) },
         }));
         const all = parts.flatMap(({ experts, product }): Predictions[] => [...experts, product]);
         const arrays = all.flatMap(({ means, variances }) => [means, variances]);
-        return transfer({ revision, request, firstFrame: said.firstFrame, parts }, ...arrays);
+        return transfer({ revision, request, firstFrame: predictions.firstFrame, parts }, ...arrays);
       },
     );
   }
 
   futures(request: RolloutRequest, count: number, seed: number): RolloutResult[] {
-    const held = this.#current();
-    const sampled = held.model.sampledRollouts(request, count, seed);
-    const results = sampled.map((rollout) => result(held, rollout, request));
+    const open = this.#current();
+    const sampled = open.model.sampledRollouts(request, count, seed);
+    const results = sampled.map((rollout) => result(open, rollout, request));
     return transfer(results, ...results.flatMap(({ motion, latents }) => [motion.positions, ...latents]));
   }
 
-  /** What `look` finds in a rollout of the model, which is let go afterwards. */
+  /** Looks at a rollout of the model and frees it. */
   withRollout<Found>(request: RolloutRequest, look: (rollout: Rollout, info: ModelInfo) => Found): Found {
     const { model, info } = this.#current();
     return using(model.rollout(request), (rollout) => look(rollout, info));
@@ -108,7 +108,7 @@ export class ShownModel {
     return this.#current().model.toJson();
   }
 
-  /** What a point stands for, and how much it speaks for each frame of the rollout. */
+  /** The poses of a point, and its weight in each frame of the rollout. */
   inducing(point: InducingPoint, request: RolloutRequest): InducingReport {
     const { model, info } = this.#current();
     const latents = this.#latentsOf(request);
@@ -128,23 +128,23 @@ export class ShownModel {
     return { point, poses, frames: model.dynamicsIpWeights(source, target, index, pathOf(source)) };
   }
 
-  #current(): Held {
-    if (!this.#held) throw new Error("There is no model yet: train one or open one.");
-    return this.#held;
+  #current(): OpenModel {
+    if (!this.#open) throw new Error("There is no model yet: train one or open one.");
+    return this.#open;
   }
 
-  /** The latents of a rollout; a visitor mostly points at several points about the same one. */
+  /** The latents of a rollout. A visitor mostly points at several points of the same rollout. */
   #latentsOf(request: RolloutRequest): Float64Array[] {
-    const held = this.#current();
-    const known = this.#pointedRollout;
-    if (known?.revision === held.revision && JSON.stringify(known.request) === JSON.stringify(request))
-      return known.latents;
-    this.#pointedRollout = roll(held, request);
+    const open = this.#current();
+    const last = this.#pointedRollout;
+    if (last?.revision === open.revision && JSON.stringify(last.request) === JSON.stringify(request))
+      return last.latents;
+    this.#pointedRollout = roll(open, request);
     return this.#pointedRollout.latents;
   }
 }
 
-function view({ model, info, revision }: Held): ModelView {
+function view({ model, info, revision }: OpenModel): ModelView {
   const parts = info.parts.map((_, i) => i);
   const dynamics = (source: number, target: number): DynamicsInducing => ({
     count: info.dynamicsIps[source]?.[target] ?? 0,
@@ -161,12 +161,12 @@ function view({ model, info, revision }: Held): ModelView {
   };
 }
 
-function roll(held: Held, request: RolloutRequest): RolloutResult {
-  return result(held, held.model.rollout(request), request);
+function roll(open: OpenModel, request: RolloutRequest): RolloutResult {
+  return result(open, open.model.rollout(request), request);
 }
 
-/** What the page sees of a rollout, which is let go. */
-function result({ info, revision }: Held, rollout: Rollout, request: RolloutRequest): RolloutResult {
+/** A rollout as the page sees it. Frees the rollout. */
+function result({ info, revision }: OpenModel, rollout: Rollout, request: RolloutRequest): RolloutResult {
   return using(rollout, () => ({
     revision,
     request,

@@ -1,7 +1,7 @@
 // Trains one model at a time, and keeps the training until the next. No DOM.
 import { type Model, Trainer } from "vcgpdm";
 import type { Health, Report, TrainedModel, Trainee, TrainingJob, TrainingOutcome } from "../engine/protocol";
-import { clips } from "./clips";
+import { clipSet } from "./clips";
 import { follow } from "./follow";
 import { using } from "./using";
 
@@ -44,7 +44,7 @@ export const trainee: Omit<Trainee, "start"> = {
     const start = performance.now();
     kept?.trainer.free();
     kept = null;
-    const trainer = using(await clips.set(job.clips), (set) => new Trainer(set, job.settings));
+    const trainer = using(await clipSet(job.clips), (set) => new Trainer(set, job.settings));
     kept = { trainer, job };
     return carryOut(report, signal, start);
   },

@@ -86,6 +86,14 @@ pub struct Rollout {
     pub weights: DMatrix<f64>,
 }
 
+impl Rollout {
+    /// The rollout of a kind of model without latents and couplings: all columns [frames x D].
+    #[doc(hidden)]
+    pub fn of_columns(y: DMatrix<f64>) -> Self {
+        Self { y, latents: Vec::new(), weights: DMatrix::zeros(0, 0) }
+    }
+}
+
 /// Why a rollout could not be made.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]

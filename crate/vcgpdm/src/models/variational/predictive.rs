@@ -134,7 +134,7 @@ impl Vcgpdm {
 
 impl TargetDynamics {
     /// Predictions from the histories `[p Q_j]` of all parts.
-    fn predict<'a>(&self, history: &dyn Fn(usize) -> &'a [f64]) -> PartPredictions {
+    pub(super) fn predict<'a>(&self, history: &dyn Fn(usize) -> &'a [f64]) -> PartPredictions {
         let latent = self.experts.first().map_or(0, |expert| expert.coefficients.ncols());
         let mut product = Prediction { mean: vec![0.0; latent], variance: self.noise };
         let mut experts = Vec::with_capacity(self.experts.len());
