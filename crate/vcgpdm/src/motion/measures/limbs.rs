@@ -89,7 +89,7 @@ pub(super) fn forward_places(
             forward = Vector3::new(-left.z / length, 0.0, left.x / length);
         }
         for (places, end) in places.iter_mut().zip(ends) {
-            places.push(track.from_root(frame, end.node).dot(&forward));
+            places.push(track.root_to(frame, end.node).dot(&forward));
         }
     }
     places

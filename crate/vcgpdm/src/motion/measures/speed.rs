@@ -55,7 +55,7 @@ fn slow_from(skeleton: &Skeleton, positions: &[f32], frame_time: f64, speed: f64
 
 /// Speeds relative to the root of all other nodes, from the previous frame to this one.
 fn joint_speeds<'a>(track: &'a Track, frame: usize) -> impl Iterator<Item = f64> + 'a {
-    let moved = move |node| track.from_root(frame, node) - track.from_root(frame - 1, node);
+    let moved = move |node| track.root_to(frame, node) - track.root_to(frame - 1, node);
     (1..track.nodes).map(move |node| moved(node).norm() / track.frame_time)
 }
 

@@ -26,7 +26,7 @@ impl<'a> Track<'a> {
     }
 
     /// The vector from the root to the node.
-    pub(super) fn from_root(&self, frame: usize, node: usize) -> Vector3<f64> {
+    pub(super) fn root_to(&self, frame: usize, node: usize) -> Vector3<f64> {
         self.at(frame, node) - self.at(frame, 0)
     }
 }
