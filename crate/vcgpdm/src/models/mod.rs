@@ -1,8 +1,9 @@
-//! Models of movement, and what all kinds of models share: training data, trainings, trained models, rollouts.
+//! Models of movement, and what all kinds of models share: training data, trainings, trained models,
+//! rollouts.
 //!
 //! [`variational`] is the vCGPDM and, with one part, the vGPDM (Velychko et al. 2018). It is compared with
-//! [`map`], the GPDM and CGPDM with point latents, [`tmp`], temporal movement primitives, and [`dmp`], dynamic
-//! movement primitives.
+//! [`map`], the GPDM and CGPDM with point latents, [`tmp`], temporal movement primitives, and [`dmp`],
+//! dynamic movement primitives.
 //!
 //! From clips to a motion: a [`Dataset`] of clips becomes [`Movements`]; [`Settings`] make a [`Learner`] of
 //! the movements; the learner makes a [`FittedModel`]; a [`Model`] is a fitted model with the [`Body`] that

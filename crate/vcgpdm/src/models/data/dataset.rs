@@ -101,7 +101,8 @@ impl DatasetError {
 
 /// A training set: the rows of all sequences, one after the other, divided into the columns of the parts.
 ///
-/// `S` is the meaning of the columns: the poses of a body, or the [columns of tables](crate::series::Columns).
+/// `S` is the meaning of the columns: the poses of a body, or the [columns of
+/// tables](crate::series::Columns).
 #[derive(Clone, Debug)]
 pub struct Dataset<S = PoseMapping> {
     /// From joint rotations to columns and back; for tables, the names and units of the columns.

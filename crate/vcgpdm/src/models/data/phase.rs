@@ -1,8 +1,9 @@
 //! Alignment of trials to a common phase: recordings start anywhere in a gait cycle and have their own speed.
 //!
-//! The phase of frame t of a trial is start + rate t. In turns, each trial is fitted to the mean of all trials
-//! (the template), and the template is computed again. The map from time to phase is a straight line and not a
-//! free warp: a line can be found from the first frames of a trial, and it cannot hide differences of shape.
+//! The phase of frame t of a trial is start + rate t. In turns, each trial is fitted to the mean of all
+//! trials (the template), and the template is computed again. The map from time to phase is a straight line
+//! and not a free warp: a line can be found from the first frames of a trial, and it cannot hide differences
+//! of shape.
 
 use crate::elementary::Elementary;
 use crate::motion::{Period, RHYTHMIC, period};
@@ -98,8 +99,8 @@ impl Alignment {
         Self { axis: PhaseAxis::Trial, maps }
     }
 
-    /// Fits every trial to the `axis`; without one, the axis is a cycle if the whole trials repeat themselves.
-    /// At least one trial must be whole.
+    /// Fits every trial to the `axis`; without one, the axis is a cycle if the whole trials repeat
+    /// themselves. At least one trial must be whole.
     pub fn new(trials: &[Trial], axis: Option<PhaseAxis>) -> Self {
         let whole: Vec<DMatrix<f64>> = trials.iter().filter(|t| t.whole).map(|t| t.y.clone()).collect();
         let longest = whole.iter().map(|y| y.nrows()).max().unwrap_or(1);

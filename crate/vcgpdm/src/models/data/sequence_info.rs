@@ -11,7 +11,8 @@ pub struct SequenceInfo {
     pub sha256: String,
     /// Frames of the sequence.
     pub frames: usize,
-    /// Seconds from its first frame until the body rests; `None`: it moves until its end, or this is not known.
+    /// Seconds from its first frame until the body rests; `None`: it moves until its end, or this is not
+    /// known.
     pub rests_from: Option<f64>,
     /// The frames of the file that were used, as in [`Clip::piece`](crate::motion::Clip::piece); `None`: all,
     /// or this is not known.

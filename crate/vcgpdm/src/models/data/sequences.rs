@@ -57,9 +57,9 @@ impl Sequences {
     ///
     /// # Errors
     ///
-    /// When there is no sequence, the order is 0, a sequence has fewer than `order` frames, or no sequence has
-    /// more. A sequence of exactly `order` frames has initial frames and no transition: it is the start of a
-    /// movement to predict.
+    /// When there is no sequence, the order is 0, a sequence has fewer than `order` frames, or no sequence
+    /// has more. A sequence of exactly `order` frames has initial frames and no transition: it is the start
+    /// of a movement to predict.
     pub fn new(lengths: Vec<usize>, order: usize) -> Result<Self, SequencesError> {
         if lengths.is_empty() {
             return Err(SequencesError::Empty);
@@ -127,8 +127,8 @@ impl Sequences {
         self.ranges().flat_map(|r| r.start..r.start + self.order)
     }
 
-    /// The rows of `x` [N x Q] `lag` frames before each frame with a history [R x Q]; lag 0 gives these frames
-    /// themselves.
+    /// The rows of `x` [N x Q] `lag` frames before each frame with a history [R x Q]; lag 0 gives these
+    /// frames themselves.
     pub fn lagged(&self, x: &DMatrix<f64>, lag: usize) -> DMatrix<f64> {
         let mut out = DMatrix::zeros(self.transitions(), x.ncols());
         self.lagged_into(x, lag, &mut out);

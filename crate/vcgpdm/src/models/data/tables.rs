@@ -8,8 +8,8 @@ use crate::motion::parts::{PartSpec, PartsLayout};
 use crate::series::{Columns, SeriesError, Table, check_parts};
 
 impl Dataset<Columns> {
-    /// The tables as sequences. Their columns are in the order of the first table; each is centred and divided
-    /// by its standard deviation. `rate` is the number of rows a second for tables without times.
+    /// The tables as sequences. Their columns are in the order of the first table; each is centred and
+    /// divided by its standard deviation. `rate` is the number of rows a second for tables without times.
     ///
     /// # Errors
     ///

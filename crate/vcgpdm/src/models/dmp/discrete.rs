@@ -46,8 +46,8 @@ pub struct DmpDiscrete {
 }
 
 impl DmpDiscrete {
-    /// Learns `bases` weights for each column. The trials are aligned first: recordings of one movement start at
-    /// different phases, and forces of different phases must not be averaged.
+    /// Learns `bases` weights for each column. The trials are aligned first: recordings of one movement start
+    /// at different phases, and forces of different phases must not be averaged.
     ///
     /// # Errors
     ///
@@ -182,8 +182,8 @@ impl DmpDiscrete {
         Ok(split(&self.path(sequence, frames)?, &self.columns))
     }
 
-    /// The number of stored numbers from which one sequence can be rolled out: weights, goal, y(0), y'(0), start
-    /// and rate of one sequence, which columns are scaled, and alpha_x.
+    /// The number of stored numbers from which one sequence can be rolled out: weights, goal, y(0), y'(0),
+    /// start and rate of one sequence, which columns are scaled, and alpha_x.
     pub fn stored_numbers(&self) -> usize {
         self.weights.len() + 4 * self.goal.len() + 3
     }

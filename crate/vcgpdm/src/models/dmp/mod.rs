@@ -15,9 +15,9 @@
 //! t / tau is the phase of the trial, phi / 2 pi that of its cycle, both after an
 //! [alignment](crate::models::data::phase::Alignment) of the trials.
 //!
-//! The weights are a ridge regression of the forces of the training trials, over all frames of all trials. The
-//! first frames of a new trial give y(0) and y'(0); the rhythmic system starts with the phase and the amplitude
-//! at which its limit cycle is nearest to them. There is no noise model, and so no bound.
+//! The weights are a ridge regression of the forces of the training trials, over all frames of all trials.
+//! The first frames of a new trial give y(0) and y'(0); the rhythmic system starts with the phase and the
+//! amplitude at which its limit cycle is nearest to them. There is no noise model, and so no bound.
 
 mod discrete;
 mod json;

@@ -125,7 +125,8 @@ impl DmpRhythmic {
 }
 
 impl RhythmicStart {
-    /// Sets the amplitude, and the phase of a partial trial, to those at which `cycle` is nearest to the frames.
+    /// Sets the amplitude, and the phase of a partial trial, to those at which `cycle` is nearest to the
+    /// frames.
     fn fit(&mut self, cycle: &DMatrix<f64>, centre: &DVector<f64>, trial: &Trial) {
         let places = cycle.nrows();
         let centred: Vec<DVector<f64>> = trial.y.row_iter().map(|row| row.transpose() - centre).collect();
@@ -163,8 +164,8 @@ impl DmpRhythmic {
         Ok(split(&self.path(sequence, frames)?, &self.columns))
     }
 
-    /// The number of stored numbers from which one sequence can be rolled out: weights, centre, y(0) and y'(0) of
-    /// one sequence, its start, rate and amplitude, and the concentration.
+    /// The number of stored numbers from which one sequence can be rolled out: weights, centre, y(0) and
+    /// y'(0) of one sequence, its start, rate and amplitude, and the concentration.
     pub fn stored_numbers(&self) -> usize {
         self.weights.len() + 3 * self.centre.len() + 4
     }

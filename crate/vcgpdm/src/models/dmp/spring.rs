@@ -7,7 +7,8 @@ use nalgebra::{DMatrix, DVector};
 /// alpha_z and beta_z = alpha_z / 4 of Ijspeert et al. (2013): critically damped.
 pub const ALPHA_Z: f64 = 25.0;
 const BETA_Z: f64 = ALPHA_Z / 4.0;
-/// Ridge of the regression, relative to the mean energy of a basis: large enough to solve, too small to smooth.
+/// Ridge of the regression, relative to the mean energy of a basis: large enough to solve, too small to
+/// smooth.
 const RIDGE: f64 = 1e-6;
 /// The largest step of the integration as a share of tau; the time constant of the spring is tau / 12.5.
 const LARGEST_STEP: f64 = 0.02;
@@ -64,8 +65,8 @@ pub fn integrate(
 
 /// Cubic spline through the frames of a trial, with parabolas at both ends.
 ///
-/// The derivatives of a spline belong to one curve, so the integrated system reproduces the frames. Differences
-/// of neighbouring frames are too small: by a tenth for six waves in a cycle of 34 frames.
+/// The derivatives of a spline belong to one curve, so the integrated system reproduces the frames.
+/// Differences of neighbouring frames are too small: by a tenth for six waves in a cycle of 34 frames.
 pub struct Curve<'a> {
     y: &'a DMatrix<f64>,
     /// y'' at the frames [T x D].
@@ -105,8 +106,8 @@ impl<'a> Curve<'a> {
         Self { y, bends }
     }
 
-    /// Times, in frames, at which forces are learned: several between any two frames, so that narrow bases are
-    /// determined too.
+    /// Times, in frames, at which forces are learned: several between any two frames, so that narrow bases
+    /// are determined too.
     pub fn times(&self) -> Vec<f64> {
         let count = (self.y.nrows() - 1) * BETWEEN + 1;
         (0..count).map(|i| i as f64 / BETWEEN as f64).collect()
@@ -145,9 +146,9 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// Ridge regression: the weights w [B x D] with `gram` w = `moment`. These are the sums over frames of the basis
-/// functions' products [B x B] and of their products with the targets [B x D]. Each basis is divided by its own
-/// energy, so that bases with a small effect are learned too.
+/// Ridge regression: the weights w [B x D] with `gram` w = `moment`. These are the sums over frames of the
+/// basis functions' products [B x B] and of their products with the targets [B x D]. Each basis is divided by
+/// its own energy, so that bases with a small effect are learned too.
 pub fn regress(gram: &DMatrix<f64>, moment: &DMatrix<f64>) -> Result<DMatrix<f64>, NumericsError> {
     let largest = gram.diagonal().max();
     let scale = gram.diagonal().map(|e| if e > 1e-200 * largest && e > 0.0 { 1.0 / e.sqrt() } else { 0.0 });

@@ -112,8 +112,8 @@ fn the_limit_cycle_is_stable() {
     let found = crate::motion::period(&[y.rows(500, 500).into_owned()]).unwrap();
     assert!((found.frames - 34.0).abs() < 0.2, "{found:?}");
 
-    // A rollout that starts away from the cycle returns to it. Twice the amplitude doubles the movement around
-    // the same centre.
+    // A rollout that starts away from the cycle returns to it. Twice the amplitude doubles the movement
+    // around the same centre.
     model.starts[2].spring.position.add_scalar_mut(3.0);
     let pushed = model.path(2, 200).unwrap();
     assert!((pushed.rows(34, 100) - y.rows(34, 100)).amax() < 1e-6);

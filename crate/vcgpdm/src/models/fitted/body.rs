@@ -11,8 +11,8 @@ use crate::motion::pose::{PoseError, PoseMapping, RootStart};
 use crate::motion::skeleton::MAX_POSITIONS;
 use nalgebra::DMatrix;
 
-/// The body that a model of any kind moves; with [`Columns`](crate::series::Columns) as the mapping, the table
-/// whose columns it predicts.
+/// The body that a model of any kind moves; with [`Columns`](crate::series::Columns) as the mapping, the
+/// table whose columns it predicts.
 #[derive(Clone, Debug)]
 pub struct Body<S = PoseMapping> {
     /// From columns to joint rotations; for tables, the names and units of the columns.
@@ -39,8 +39,8 @@ impl<S: ColumnMapping> Body<S> {
         }
     }
 
-    /// Checks that a rollout of `frames` frames, with `width` latent dimensions in all, can be written as BVH,
-    /// read again and stored in memory.
+    /// Checks that a rollout of `frames` frames, with `width` latent dimensions in all, can be written as
+    /// BVH, read again and stored in memory.
     ///
     /// # Errors
     ///

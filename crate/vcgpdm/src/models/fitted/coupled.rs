@@ -85,12 +85,13 @@ impl<'a, S: ColumnMapping> Coupled<'a, S> {
             .map(move |seed| Ok(self.rollout_along(dynamics.sample(&start, request.frames, seed)?, request))))
     }
 
-    /// The moments of the latents in every frame of a rollout, in a Gaussian approximation. A request with cuts
-    /// or pushes is refused.
+    /// The moments of the latents in every frame of a rollout, in a Gaussian approximation. A request with
+    /// cuts or pushes is refused.
     ///
     /// # Errors
     ///
-    /// As [`Coupled::rollout`], when the request has cuts or pushes, or when a covariance cannot be factorised.
+    /// As [`Coupled::rollout`], when the request has cuts or pushes, or when a covariance cannot be
+    /// factorised.
     pub fn moments(&self, request: &RolloutRequest) -> Result<LatentMoments, RolloutError> {
         self.check_frames(request.frames)?;
         self.predictive_dynamics(request)?

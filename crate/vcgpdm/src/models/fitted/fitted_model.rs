@@ -8,8 +8,8 @@ use crate::models::training::kind::ModelKind;
 use crate::models::variational::{BoundTerms, Vcgpdm};
 use nalgebra::DMatrix;
 
-/// A fitted model of any kind, without its training data. (A MAP model has the latents of all training frames,
-/// because its predictions are sums over them.)
+/// A fitted model of any kind, without its training data. (A MAP model has the latents of all training
+/// frames, because its predictions are sums over them.)
 #[derive(Clone, Debug)]
 pub enum FittedModel {
     /// A vCGPDM or, with one part, a vGPDM.

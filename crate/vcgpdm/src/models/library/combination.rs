@@ -120,7 +120,8 @@ impl Library {
         DynamicsSums::zeros(points, self.parts[i].r().ncols())
     }
 
-    /// The inducing outputs of the experts about part `i` of these primitives, as fixed outputs of a training.
+    /// The inducing outputs of the experts about part `i` of these primitives, as fixed outputs of a
+    /// training.
     pub(super) fn fixed_dynamics_outputs(
         &self,
         i: usize,

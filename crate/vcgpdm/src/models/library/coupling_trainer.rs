@@ -17,7 +17,8 @@ use std::ops::ControlFlow;
 
 /// The most iterations of a training with a library. Fits of couplings and imports need far fewer.
 pub const MOST_ITERATIONS: usize = 10_000;
-/// The couplings are fixed during the first 1/4 of the iterations, while the latents come near the new frames.
+/// The couplings are fixed during the first 1/4 of the iterations, while the latents come near the new
+/// frames.
 const LATENTS_FIRST: usize = 4;
 
 /// A fit of the couplings of a combination of stored primitives to clips. The fit learns couplings and the

@@ -83,8 +83,8 @@ struct PartWalk {
 
 /// The latents of a walk.
 ///
-/// A part at tempo s moves s times as fast. Its history is read at whole frames of its own time, with straight
-/// lines between frames, and each frame makes the share s of the predicted step:
+/// A part at tempo s moves s times as fast. Its history is read at whole frames of its own time, with
+/// straight lines between frames, and each frame makes the share s of the predicted step:
 ///
 /// x^i <- x^i + s_i ( sum_j w_{ji} f^{ji}(history of j) - x^i ).
 ///
@@ -174,8 +174,8 @@ impl LatentWalk {
         Ok(())
     }
 
-    /// Gives a part another of its primitives, at its [`nearest_state`](Library::nearest_state); where there is
-    /// none, the part continues from its own state. The other parts do not change.
+    /// Gives a part another of its primitives, at its [`nearest_state`](Library::nearest_state); where there
+    /// is none, the part continues from its own state. The other parts do not change.
     ///
     /// # Errors
     ///
@@ -199,9 +199,9 @@ impl LatentWalk {
         Ok(())
     }
 
-    /// Mixes the predictions of a part's primitive with those of another primitive of the part: 1 - `share` of
-    /// the first, `share` of the other. The share changes by 1 / `frames` in a frame; with 0 frames, at once.
-    /// A mix with a third primitive begins at share 0.
+    /// Mixes the predictions of a part's primitive with those of another primitive of the part: 1 - `share`
+    /// of the first, `share` of the other. The share changes by 1 / `frames` in a frame; with 0 frames, at
+    /// once. A mix with a third primitive begins at share 0.
     ///
     /// # Errors
     ///

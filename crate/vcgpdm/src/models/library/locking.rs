@@ -12,9 +12,9 @@ impl Library {
     /// How firmly a target part is locked to a source part [tempos x strengths]: 1 locked, 0 not at all.
     ///
     /// This is the length of the mean of exp(2 pi i (phase of target - phase of source)) over the second half
-    /// of `frames` frames, for each tempo of the target and each strength of the coupling. A strength s divides
-    /// alpha of the source about the target by s. Phases are places on the cycle of the combination under
-    /// `alpha` [M x M].
+    /// of `frames` frames, for each tempo of the target and each strength of the coupling. A strength s
+    /// divides alpha of the source about the target by s. Phases are places on the cycle of the combination
+    /// under `alpha` [M x M].
     ///
     /// # Errors
     ///

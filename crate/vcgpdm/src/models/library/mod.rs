@@ -184,8 +184,8 @@ impl Library {
     }
 
     /// The number of stored numbers from which every movement can be rolled out, each from one sequence: pose
-    /// maps and primitives once, couplings and a start for each movement. A map has its inducing inputs, their
-    /// posterior mean and its kernel.
+    /// maps and primitives once, couplings and a start for each movement. A map has its inducing inputs,
+    /// their posterior mean and its kernel.
     pub fn stored_numbers(&self) -> usize {
         let experts = self.primitives.iter().flat_map(|primitive| &primitive.experts);
         let start: usize = self.latent_dimensions().iter().map(|q| self.order * q).sum();

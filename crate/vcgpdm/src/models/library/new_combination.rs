@@ -6,8 +6,8 @@ use nalgebra::DMatrix;
 impl Library {
     /// Default couplings of a combination [M x M]. Each source part has the couplings of the movement that
     /// uses its primitive and shares most primitives with `uses`; the first of several such movements counts.
-    /// Where no movement uses the primitive, the couplings are those of the primitive's first excerpt, or else
-    /// 1. The couplings of a movement's own combination are those of the movement.
+    /// Where no movement uses the primitive, the couplings are those of the primitive's first excerpt, or
+    /// else 1. The couplings of a movement's own combination are those of the movement.
     pub fn nearest_couplings(&self, uses: &[usize]) -> DMatrix<f64> {
         let parts = self.part_count();
         let mut alpha = DMatrix::from_element(parts, parts, 1.0);

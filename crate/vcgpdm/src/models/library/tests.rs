@@ -321,7 +321,8 @@ fn a_walk_begins_at_any_frame_of_any_sequence() {
         let start = library.movements[0].starts[1][part].rows(12, 2).into_owned();
         assert_eq!(DMatrix::from_row_slice(2, 2, &walk.history(part)), start);
     }
-    // From the waving movement with the arms of the walk: the legs as recorded, the arms at the nearest state.
+    // From the waving movement with the arms of the walk: the legs as recorded, the arms at the nearest
+    // state.
     let walk = LatentWalk::from_sequence(&library, &[0, 1], (1, 0, 5)).unwrap();
     let legs = library.movements[1].starts[0][0].rows(5, 2).into_owned();
     assert_eq!(DMatrix::from_row_slice(2, 2, &walk.history(0)), legs);

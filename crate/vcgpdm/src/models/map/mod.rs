@@ -1,6 +1,6 @@
-//! GPDM and CGPDM with point estimates of their latents: all functions are marginalised, there are no inducing
-//! points, and the cost is cubic in the frames (Wang, Fleet & Hertzmann 2008; Velychko, Endres, Taubert & Giese
-//! 2014).
+//! GPDM and CGPDM with point estimates of their latents: all functions are marginalised, there are no
+//! inducing points, and the cost is cubic in the frames (Wang, Fleet & Hertzmann 2008; Velychko, Endres,
+//! Taubert & Giese 2014).
 
 mod density;
 mod exact_gp;

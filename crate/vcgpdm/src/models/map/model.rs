@@ -60,8 +60,8 @@ impl MapModel {
         ))
     }
 
-    /// The model with the kernels `dynamics[source][target]`, the `coefficients[target]` C_i^-1 X^i [R x Q_i],
-    /// `linear[source][target]` (or [0 x 0]) and `alpha[source][target]`.
+    /// The model with the kernels `dynamics[source][target]`, the `coefficients[target]` C_i^-1 X^i [R x
+    /// Q_i], `linear[source][target]` (or [0 x 0]) and `alpha[source][target]`.
     pub fn new(
         sequences: Sequences,
         parts: Vec<MapPoseMap>,

@@ -21,9 +21,9 @@ pub struct MapPart {
 pub struct MapParams {
     /// The parameters of each part `[M]`.
     pub parts: Vec<MapPart>,
-    /// Kernels of the dynamics by source and target: `dynamics[j][i]` is that of j's prediction about i. Their
-    /// signal variance is 1, because the scale of a function and its coupling weight could otherwise compensate
-    /// each other.
+    /// Kernels of the dynamics by source and target: `dynamics[j][i]` is that of j's prediction about i.
+    /// Their signal variance is 1, because the scale of a function and its coupling weight could otherwise
+    /// compensate each other.
     pub dynamics: Vec<Vec<Kernel>>,
     /// Variances theta of the linear term theta x_{-t} . x_{-t'} of each kernel of the dynamics (Wang et al.
     /// 2008, 10) [M x M], row the source, column the target; [0 x 0]: no linear term.

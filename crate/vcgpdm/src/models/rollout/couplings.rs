@@ -24,7 +24,8 @@ pub enum CouplingsError {
     },
     /// A coupling is not a positive variance.
     #[error(
-        "expected a positive coupling variance from part {source_part} to part {target}, 1e-100 to 1e100, found {value:?}"
+        "expected a positive coupling variance from part {source_part} to part {target}, 1e-100 to 1e100, \
+         found {value:?}"
     )]
     Variance {
         /// The source part, counted from 0.

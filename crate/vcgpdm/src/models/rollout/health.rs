@@ -1,4 +1,5 @@
-//! Health of a rollout: whether it keeps moving, stands still, leaves the range of its training or breaks down.
+//! Health of a rollout: whether it keeps moving, stands still, leaves the range of its training or breaks
+//! down.
 
 use crate::gp::NumericsError;
 use crate::models::fitted::coupled::Coupled;

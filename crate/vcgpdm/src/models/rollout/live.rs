@@ -10,8 +10,8 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 
 /// Step of the finite differences of a joint's place with respect to the latents.
 const DIFFERENCE: f64 = 1e-4;
-/// Regularisation of a pull, in metres squared: a joint that moves less than its root for a latent step of 1 is
-/// hardly pushed.
+/// Regularisation of a pull, in metres squared: a joint that moves less than its root for a latent step of 1
+/// is hardly pushed.
 const STIFFNESS: f64 = 1e-4;
 
 /// A rollout without an end.
@@ -30,14 +30,14 @@ pub struct LiveFrames {
     pub latents: Vec<DMatrix<f64>>,
     /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
     pub positions: Vec<f32>,
-    /// The place of each part on the learned cycle [frames x M], frame by frame; empty when the learned rollout
-    /// does not repeat itself.
+    /// The place of each part on the learned cycle [frames x M], frame by frame; empty when the learned
+    /// rollout does not repeat itself.
     pub places: Vec<CyclePlace>,
 }
 
 impl LiveRollout {
-    /// Continues a rollout of the model after `frame`, counted from 0, or after its first p frames. The learned
-    /// cycle is that of the training sequence `sequence`.
+    /// Continues a rollout of the model after `frame`, counted from 0, or after its first p frames. The
+    /// learned cycle is that of the training sequence `sequence`.
     ///
     /// # Errors
     ///
@@ -98,9 +98,10 @@ impl LiveRollout {
         Ok(())
     }
 
-    /// The push that moves a node of the figure, counted as in its positions, by about `by` metres: the smallest
-    /// latent displacement d of the node's part with J d = `by`, where J is the derivative of the node's place
-    /// with respect to the part's latents. The place and the heading of the figure stay as they are.
+    /// The push that moves a node of the figure, counted as in its positions, by about `by` metres: the
+    /// smallest latent displacement d of the node's part with J d = `by`, where J is the derivative of the
+    /// node's place with respect to the part's latents. The place and the heading of the figure stay as they
+    /// are.
     ///
     /// # Errors
     ///

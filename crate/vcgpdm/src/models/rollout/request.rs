@@ -21,8 +21,8 @@ pub struct RolloutRequest {
     /// The training sequence that the rollout starts as, counted from 0.
     #[serde(default)]
     pub sequence: usize,
-    /// The frame of the sequence that the rollout starts with, counted from 0. A model may store the latents of
-    /// its first frames alone.
+    /// The frame of the sequence that the rollout starts with, counted from 0. A model may store the latents
+    /// of its first frames alone.
     #[serde(default)]
     pub frame: usize,
     /// Coupling variances [M x M], row the source, column the target; absent: as learned.
@@ -46,8 +46,8 @@ impl RolloutRequest {
     }
 }
 
-/// A coupling that is cut for a while: from frame `from` up to, but not including, frame `to`, the source has no
-/// weight in the prediction of the target.
+/// A coupling that is cut for a while: from frame `from` up to, but not including, frame `to`, the source has
+/// no weight in the prediction of the target.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cut {
     /// The source part, counted from 0.
@@ -135,7 +135,8 @@ pub enum RolloutError {
     },
     /// All couplings into a part are cut.
     #[error(
-        "expected one coupling into part {target} that is not cut, found none: nothing would say where it goes"
+        "expected one coupling into part {target} that is not cut, found none: nothing \
+         would say where it goes"
     )]
     CutOff {
         /// The part, counted from 0.
@@ -143,7 +144,8 @@ pub enum RolloutError {
     },
     /// A push does not fit its part.
     #[error(
-        "expected a push of part {part} by {expected} finite numbers, one for each latent dimension, found {found}"
+        "expected a push of part {part} by {expected} finite numbers, one for each latent dimension, \
+         found {found}"
     )]
     Push {
         /// The part, counted from 0.
@@ -188,7 +190,8 @@ pub enum RolloutError {
     },
     /// The start latents do not fit the model.
     #[error(
-        "the start latents of part {part} must be {rows} x {columns} numbers, found {found_rows} x {found_columns}"
+        "the start latents of part {part} must be {rows} x {columns} numbers, found {found_rows} x \
+         {found_columns}"
     )]
     Start {
         /// The part, counted from 0.

@@ -22,8 +22,8 @@ const SMALL_GAIN: f64 = 5e-6;
 /// from the result of the number before and so needs few sweeps.
 const SEARCH_GAIN: f64 = 5e-5;
 const SEARCH_SWEEPS: usize = 30;
-/// More primitives are better only when they raise the bound by this many nats, a Bayes factor of 150. Without
-/// this limit, an unused primitive could win, because the bound rises a little with every sweep.
+/// More primitives are better only when they raise the bound by this many nats, a Bayes factor of 150.
+/// Without this limit, an unused primitive could win, because the bound rises a little with every sweep.
 const DECISIVE: f64 = 5.0;
 /// From this number of primitives on, only every second number is tried: one more hardly changes the bound.
 const MANY: usize = 10;
@@ -102,8 +102,8 @@ impl TmpLearner {
         let alignment =
             if learns_phases { Alignment::new(&trials, None) } else { Alignment::normalised_time(&trials) };
         let count = requested.unwrap_or(1);
-        // A part has one noise variance, like beta of the vCGPDM. With a variance for each column, the bound of
-        // a column that hardly moves would grow without limit, and the bounds could not be compared.
+        // A part has one noise variance, like beta of the vCGPDM. With a variance for each column, the bound
+        // of a column that hardly moves would grow without limit, and the bounds could not be compared.
         let groups: Vec<usize> = columns.iter().copied().filter(|&width| width > 0).collect();
         let current = Posterior::start(&trials, &alignment, &groups, count, settings.normalised_time)?;
         let bound = current.bound(&trials)?;
@@ -196,7 +196,8 @@ impl TmpLearner {
         self.bounds.iter().filter(|(count, _)| *count > best).count()
     }
 
-    /// Whether the search for the number of primitives goes on. After it, the best number is trained to the end.
+    /// Whether the search for the number of primitives goes on. After it, the best number is trained to the
+    /// end.
     fn is_searching(&self) -> bool {
         self.requested.is_none() && self.end.is_none()
     }

@@ -7,10 +7,10 @@
 //!
 //! - p_s(t) = start_s + rate_s t is the phase ([`PhaseAxis`]): of one cycle for a movement that repeats
 //!   itself, of the whole movement for one that does not. Recorded walks start anywhere in the gait cycle and
-//!   have their own speed; if only their lengths were normalised, steps of the left and the right leg would be
-//!   averaged. Start and rate begin with an alignment to the mean of all trials
-//!   ([`crate::models::Alignment`]), and then the bound is maximised over them too. The frames are modelled at
-//!   their own phases, so that the bound is on log p of the same numbers as for the other models.
+//!   have their own speed; if only their lengths were normalised, steps of the left and the right leg would
+//!   be averaged. Start and rate begin with an alignment to the mean of all trials
+//!   ([`crate::models::Alignment`]), and then the bound is maximised over them too. The frames are modelled
+//!   at their own phases, so that the bound is on log p of the same numbers as for the other models.
 //! - m_q ~ GP(0, squared exponential of variance 1) over phase; one lengthscale for all; regular inducing
 //!   phases, 0.7 lengthscales apart. The bound includes the variance between them.
 //! - The primitives are shared, the weights belong to the trial: w_sk ~ N(mu_k, c_k V), mu_k ~ N(0, c_k
@@ -18,9 +18,9 @@
 //!   of the weights of a trial around the mean movement, one for all columns and trials.
 //! - The model learns nothing from a partial trial, of which only the first frames are known: c, V and the
 //!   noise come from whole trials. (Otherwise V grows along a combination of weights that only those frames
-//!   need; the combination then has no cost, and predictions explode.) The rate of a partial trial is the mean
-//!   of the whole trials, and its start maximises the posterior, with the weights integrated out. The posterior
-//!   of its weights is the prediction; it is near mu_k where those frames have no information.
+//!   need; the combination then has no cost, and predictions explode.) The rate of a partial trial is the
+//!   mean of the whole trials, and its start maximises the posterior, with the weights integrated out. The
+//!   posterior of its weights is the prediction; it is near mu_k where those frames have no information.
 //!
 //! With [`crate::models::TmpSettings::normalised_time`] the model is that of Clever et al. (2016): functions
 //! of normalised time, and weights of the columns that all trials share, w_sk = w_k. Learned phases, cycles
@@ -28,8 +28,8 @@
 //!
 //! q = q(m) q(mu, w): Gaussians, the first over all primitives together, the second joint over mu_k and all
 //! w_sk of a column. Both updates, and those of sigma, c, V and a, are maxima of the bound in closed form;
-//! lengthscale, starts and rates change only where that raises the bound. So the bound never falls. The number
-//! of primitives is the one with the highest bound.
+//! lengthscale, starts and rates change only where that raises the bound. So the bound never falls. The
+//! number of primitives is the one with the highest bound.
 
 mod components;
 mod json;
@@ -133,8 +133,8 @@ impl Tmp {
 
     /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
     ///
-    /// The rate is that of the sequence. A movement that is not a cycle ends at the last phase of the training
-    /// trials: with more frames, it is slower.
+    /// The rate is that of the sequence. A movement that is not a cycle ends at the last phase of the
+    /// training trials: with more frames, it is slower.
     ///
     /// # Errors
     ///

@@ -2,8 +2,8 @@
 //! weights integrated out.
 //!
 //! The rate is the mean rate of the whole trials. A few frames show the speed of the movement at that moment,
-//! not its mean speed: from five frames, the periods of ten walks of one person had errors of up to 15 %, while
-//! the periods differ by 2 %.
+//! not its mean speed: from five frames, the periods of ten walks of one person had errors of up to 15 %,
+//! while the periods differ by 2 %.
 //!
 //! The residual of the primitives is not white noise: neighbouring frames are correlated, so five frames have
 //! little more information than one or two. So the noise of a partial trial has the correlations of the
@@ -96,8 +96,8 @@ impl<'a> PartialTrial<'a> {
         Ok(Self { posterior, whitened, noise, rate, start, weights })
     }
 
-    /// The log density of start and frames, with the weights integrated out and without terms that do not depend
-    /// on the start.
+    /// The log density of start and frames, with the weights integrated out and without terms that do not
+    /// depend on the start.
     fn value(&self, map: &PhaseMap) -> Result<f64, NumericsError> {
         let mut value = self.start.map_or(0.0, |start| start.log_density(map.start));
         let posterior = self.posterior;

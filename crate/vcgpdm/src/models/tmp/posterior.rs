@@ -16,8 +16,8 @@ use std::f64::consts::{E, PI};
 const FLOOR: f64 = 1e-6;
 /// The least mean variance; that of a still clip is 0.
 const LEAST_VARIANCE: f64 = 1e-4;
-/// Starting values: the share of noise in a column's variance, and the share of the variance between trials in
-/// that of the weights.
+/// Starting values: the share of noise in a column's variance, and the share of the variance between trials
+/// in that of the weights.
 const NOISE_SHARE: f64 = 0.1;
 const SPREAD_SHARE: f64 = 0.1;
 /// Starting value: the variance of v.
@@ -57,8 +57,8 @@ pub struct Posterior {
 }
 
 impl Posterior {
-    /// The starting posterior: `count` principal components over phase of the aligned trials. `groups` are the
-    /// numbers of neighbouring columns that share their noise; `shared_weights`: all trials have the same
+    /// The starting posterior: `count` principal components over phase of the aligned trials. `groups` are
+    /// the numbers of neighbouring columns that share their noise; `shared_weights`: all trials have the same
     /// weights.
     pub fn start(
         trials: &[Trial],
@@ -269,8 +269,8 @@ impl Posterior {
         Ok(())
     }
 
-    /// Tries lengthscales `factor` times longer and shorter, each with its best q(v), and takes one that raises
-    /// the bound. Returns whether it did.
+    /// Tries lengthscales `factor` times longer and shorter, each with its best q(v), and takes one that
+    /// raises the bound. Returns whether it did.
     pub fn update_lengthscale(&mut self, trials: &[Trial], factor: f64) -> Result<bool, NumericsError> {
         self.update_primitives()?;
         let best = self.bound(trials)?;

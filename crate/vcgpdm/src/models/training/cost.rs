@@ -50,8 +50,8 @@ impl VariationalSettings {
 }
 
 impl MapSettings {
-    /// As for variational models. The time grows with the cube of the frames and the memory with their square,
-    /// because every map is a Gaussian process over all frames.
+    /// As for variational models. The time grows with the cube of the frames and the memory with their
+    /// square, because every map is a Gaussian process over all frames.
     pub fn cost(&self, frames: usize, columns: &[usize]) -> TrainingCost {
         let d = columns.iter().sum::<usize>() as f64;
         let [n, m, q, p] = [frames, columns.len(), self.latent, self.order].map(|count| count as f64);

@@ -30,7 +30,10 @@ pub enum TrainingError {
     #[error("expected at least one part, found none")]
     NoParts,
     /// Observations and sequences do not fit each other.
-    #[error("part {part} has {} of observations, but the sequences have {expected}", counted(*found, "frame"))]
+    #[error(
+        "part {part} has {} of observations, but the sequences have {expected}",
+        counted(*found, "frame")
+    )]
     Frames {
         /// The part, counted from 0.
         part: usize,

@@ -15,13 +15,13 @@ pub(crate) const STAND_IN: f64 = 0.1;
 const ALPHA_OWN: f64 = 1.0;
 const ALPHA_OTHER: f64 = 2.0;
 
-/// Checks the centred observations `y` [N x D_i], the lengths T_s of the sequences and the settings of a model
-/// with latents.
+/// Checks the centred observations `y` [N x D_i], the lengths T_s of the sequences and the settings of a
+/// model with latents.
 ///
 /// # Errors
 ///
-/// When a setting is out of its range, there is no part, a sequence is too short for the order, or a part does
-/// not have one row for each frame.
+/// When a setting is out of its range, there is no part, a sequence is too short for the order, or a part
+/// does not have one row for each frame.
 pub(crate) fn check_training(
     y: &[DMatrix<f64>],
     lengths: Vec<usize>,

@@ -11,7 +11,8 @@ pub trait Learner {
     /// One iteration. After the end it does nothing.
     fn step(&mut self) -> Progress;
 
-    /// Uses `threads` threads from now on, where the kind of model can. The result is the same to the last bit.
+    /// Uses `threads` threads from now on, where the kind of model can. The result is the same to the last
+    /// bit.
     #[cfg(feature = "threads")]
     fn use_threads(&mut self, _threads: usize) {}
 

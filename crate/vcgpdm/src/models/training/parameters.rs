@@ -16,8 +16,8 @@ pub enum Group {
     InducingInputs,
 }
 
-/// A kind of parameter: its group, whether it is positive (its flat entry is then a logarithm), the box of its
-/// values and the unit of its flat entry.
+/// A kind of parameter: its group, whether it is positive (its flat entry is then a logarithm), the box of
+/// its values and the unit of its flat entry.
 #[derive(Clone, Copy, Debug)]
 pub struct Kind {
     /// Its group.
@@ -54,12 +54,12 @@ pub const LARGEST_COUPLING: f64 = 10.0;
 /// (docs/training.md).
 pub const SMALLEST_S: f64 = 1e-3;
 
-// The boxes exclude values at which a covariance is not positive definite. A good model is inside them, except
-// for S and for lengthscales, which are largest where a map is linear.
+// The boxes exclude values at which a covariance is not positive definite. A good model is inside them,
+// except for S and for lengthscales, which are largest where a map is linear.
 //
-// A search is fast when a step of one unit changes the objective by a similar amount in all directions. At the
-// best S, log S has the curvature 1/2 and mu the curvature 1/S, some hundreds, so log S has a far larger unit.
-// log beta has the curvature N D / 2, some ten thousands, and so a smaller unit.
+// A search is fast when a step of one unit changes the objective by a similar amount in all directions. At
+// the best S, log S has the curvature 1/2 and mu the curvature 1/S, some hundreds, so log S has a far larger
+// unit. log beta has the curvature N D / 2, some ten thousands, and so a smaller unit.
 pub(crate) const MU: Kind = free(Group::Latents, 10.0);
 pub(crate) const S: Kind = positive(Group::Latents, SMALLEST_S, 2.0).in_units_of(20.0);
 pub(crate) const IPS: Kind = free(Group::InducingInputs, 10.0);
@@ -76,8 +76,8 @@ pub trait Parameters: Clone {
     /// The same with values that can be changed.
     fn visit_mut(&mut self, f: &mut dyn FnMut(Kind, &mut [f64]));
 
-    /// The flat vector: logarithms of the positive parameters and the values of the others, inside their boxes
-    /// and in the units of their kinds.
+    /// The flat vector: logarithms of the positive parameters and the values of the others, inside their
+    /// boxes and in the units of their kinds.
     fn to_flat(&self) -> Vec<f64> {
         let mut flat = Vec::new();
         self.visit(&mut |kind, values| {

@@ -160,7 +160,8 @@ mod tests {
         let setbacks = Setbacks { jittered: 3, turned_back: 1 };
         assert_eq!(
             setbacks.to_string(),
-            "3 covariances needed jitter on the diagonal, and the search turned back from 1 point that gave no finite number"
+            "3 covariances needed jitter on the diagonal, and the search turned back from 1 point \
+             that gave no finite number"
         );
         assert!(setbacks.any() && !Setbacks::default().any());
         assert_eq!(TrainingPhase::Everything.to_string(), "everything together");

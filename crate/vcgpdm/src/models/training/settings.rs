@@ -85,8 +85,8 @@ impl Default for DmpSettings {
     }
 }
 
-/// A kind of model with its settings. In JSON, the field "model" names the kind, and the settings are fields of
-/// the same object.
+/// A kind of model with its settings. In JSON, the field "model" names the kind, and the settings are fields
+/// of the same object.
 ///
 /// ```
 /// use vcgpdm::models::{DmpSettings, ModelKind, Settings};

@@ -119,8 +119,8 @@ impl<S: ColumnMapping> Trainer<S> {
         [&self.warnings, self.learner.notices()].concat()
     }
 
-    /// Allows `iterations` more, also after the end, where the training then continues. Only the training of a
-    /// vCGPDM or vGPDM can be extended; for other kinds this does nothing.
+    /// Allows `iterations` more, also after the end, where the training then continues. Only the training of
+    /// a vCGPDM or vGPDM can be extended; for other kinds this does nothing.
     pub fn extend(&mut self, iterations: usize) {
         self.learner.extend(iterations);
     }

@@ -32,7 +32,8 @@ pub enum ImportError {
     },
     /// A part without a new primitive needs a companion.
     #[error(
-        "expected a primitive of {part} in this library to take part with those that are learned again, found none"
+        "expected a primitive of {part} in this library to take part with those that are learned \
+         again, found none"
     )]
     NoCompanion {
         /// The part.

@@ -124,9 +124,9 @@ impl ImportTrainer {
         self.trainer.progress()
     }
 
-    /// The share of each part's motion that the pose maps of the host cannot reproduce, at the best latents so
-    /// far `[M]`: the squared distance of their columns from the frames, divided by that of the mean pose. 0:
-    /// nothing is lost; 1: the mean pose is as good.
+    /// The share of each part's motion that the pose maps of the host cannot reproduce, at the best latents
+    /// so far `[M]`: the squared distance of their columns from the frames, divided by that of the mean pose.
+    /// 0: nothing is lost; 1: the mean pose is as good.
     pub fn lost(&self) -> Vec<f64> {
         let (objective, best) = (self.trainer.objective(), self.trainer.best());
         let parts = objective.observations().iter().zip(&best.parts).zip(&self.host.library.parts);

@@ -228,8 +228,8 @@ impl LogDensity {
                 (theta, histories[j].dot(&pull), pull)
             });
             let from = kernel.covariance_adjoint(&histories[j], &kernels[j], &mut df_dk);
-            // The sum of dF/dk k is the derivative with respect to the logarithm of the signal variance; w^2 scales
-            // the kernel in the same way.
+            // The sum of dF/dk k is the derivative with respect to the logarithm of the signal variance; w^2
+            // scales the kernel in the same way.
             weights_adjoint.push(2.0 * from.variance * kernel.variance / w);
             self.sequences.add_windows_adjoint(&from.z, &mut gradient.parts[j].latents);
             if let Some((theta, slope, pull)) = linear {

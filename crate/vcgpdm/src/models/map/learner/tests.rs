@@ -49,7 +49,8 @@ fn training_raises_the_density_and_the_rollout_keeps_moving() {
     }
 }
 
-/// One step from training latents leads near the next latent, and the poses are those of training up to noise.
+/// One step from training latents leads near the next latent, and the poses are those of training up to
+/// noise.
 #[test]
 fn a_rollout_starts_as_its_sequence() {
     let movements = loops();
