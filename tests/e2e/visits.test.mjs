@@ -205,7 +205,12 @@ describe("a tab that ends in the middle of a write", () => {
     const { page, leave } = await site.visit();
     await ready(page);
     const tab = await otherTab(page);
-    await openClips(tab, "first", "second");
+    const session = await page.context().newCDPSession(tab);
+    let tell = () => {};
+    const hangs = new Promise((resolve) => {
+      tell = () => resolve(undefined);
+    });
+    await tab.exposeFunction("tellTest", () => tell());
     // The tab writes two records of the visit and then hangs.
     await tab.evaluate(() => {
       const { put } = IDBObjectStore.prototype;
@@ -213,13 +218,15 @@ describe("a tab that ends in the middle of a write", () => {
       IDBObjectStore.prototype.put = function (...record) {
         const request = put.apply(this, record);
         count += 1;
-        if (count === 2) for (const end = performance.now() + 20_000; performance.now() < end; );
+        if (count === 2) {
+          /** @type {any} */ (window).tellTest();
+          for (const end = performance.now() + 60_000; performance.now() < end; );
+        }
         return request;
       };
-      void (/** @type {any} */ (document.querySelector("pg-page")).session.keepNow());
     });
-    await page.waitForTimeout(1000);
-    const session = await page.context().newCDPSession(tab);
+    await drop(tab, { "first.bvh": bvh(), "second.bvh": bvh() });
+    await hangs;
     await Promise.race([session.send("Page.crash").catch(() => {}), tab.waitForEvent("crash")]);
     assert.deepEqual(await records(page), []);
     await leave();
