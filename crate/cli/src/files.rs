@@ -30,6 +30,14 @@ pub fn read_clips(paths: &[PathBuf]) -> Result<Vec<Clip>> {
     paths.iter().map(|path| read_clip(path)).collect()
 }
 
+/// The clip of this content. `name` is its name in the file that needs the clip.
+pub fn find_clip<'a>(clips: &'a [Clip], name: &str, sha256: &str) -> Result<&'a Clip> {
+    clips.iter().find(|clip| clip.sha256 == sha256).ok_or_else(|| {
+        let start: String = sha256.chars().take(8).collect();
+        format!("expected the clip {name} (SHA-256 {start}...) among those given, found none").into()
+    })
+}
+
 /// Name of the input file as stored in outputs.
 pub fn read_name(path: &Path) -> String {
     if is_standard(path) { "stdin".to_owned() } else { name_of(path) }

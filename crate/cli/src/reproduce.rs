@@ -117,12 +117,7 @@ fn is_combination(model: &FittedModel) -> bool {
 
 /// The clip of a sequence, with the bones of the training.
 fn clip_of(info: &SequenceInfo, infos: &[SequenceInfo], given: &[Clip]) -> Result<Clip, Box<dyn Error>> {
-    let find = |info: &SequenceInfo| {
-        given.iter().find(|clip| clip.sha256 == info.sha256).ok_or_else(|| {
-            let start: String = info.sha256.chars().take(8).collect();
-            format!("expected the clip {} (SHA-256 {start}...) among those given, found none", info.name)
-        })
-    };
+    let find = |info: &SequenceInfo| files::find_clip(given, &info.name, &info.sha256);
     let mut clip = find(info)?.clone();
     if let Some(name) = &info.bones_of {
         let owner = owner_of(name, infos);

@@ -206,10 +206,7 @@ fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> 
 
 /// The clip of a trial, cut as in the evaluation.
 fn clip_of(trial: &TrialClip, given: &[Clip]) -> Result<Clip, Box<dyn Error>> {
-    let clip = given.iter().find(|clip| clip.sha256 == trial.sha256).ok_or_else(|| {
-        let start: String = trial.sha256.chars().take(8).collect();
-        format!("expected the clip {} (SHA-256 {start}...) among those given, found none", trial.name)
-    })?;
+    let clip = files::find_clip(given, &trial.name, &trial.sha256)?;
     Ok(match trial.piece {
         Some((first, end)) => clip.cut(first, end)?,
         None => clip.clone(),

@@ -10,6 +10,7 @@ mod clips;
 mod effects;
 mod models;
 mod modularity;
+mod parallel;
 mod scaling;
 mod seeds;
 mod splits;

@@ -3,10 +3,9 @@
 //! ending of each seed is on stderr.
 
 use crate::clips::read_clips;
+use crate::parallel::each_seed;
 use clap::Args;
 use std::path::PathBuf;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Instant;
 use vcgpdm::models::{Dataset, Health, RolloutRequest, Source, Trainer, VariationalSettings, best_to_show};
 use vcgpdm::motion::{Clip, parts, samples};
@@ -68,34 +67,12 @@ pub fn run(arguments: &Arguments) {
             let source = Source { clip, first_frames: None };
             let dataset = Dataset::new(&[source], &preset.parts, FRAMES_PER_SECOND).unwrap();
             for &points in &arguments.points {
-                let runs = each_seed(arguments, &dataset, points);
+                let train = |seed| train(arguments, &dataset, points, seed);
+                let runs = each_seed(0..arguments.seeds, arguments.threads, train);
                 print(&format!("{} | {} | {points}", clip.name, preset.id), &runs);
             }
         }
     }
-}
-
-/// Trains from each seed, several at a time.
-fn each_seed(arguments: &Arguments, dataset: &Dataset, points: usize) -> Vec<Run> {
-    let next = AtomicU32::new(0);
-    let runs = Mutex::new(Vec::new());
-    std::thread::scope(|scope| {
-        for _ in 0..arguments.threads {
-            scope.spawn(|| {
-                loop {
-                    let seed = next.fetch_add(1, Ordering::Relaxed);
-                    if seed >= arguments.seeds {
-                        break;
-                    }
-                    let run = train(arguments, dataset, points, seed);
-                    runs.lock().unwrap().push((seed, run));
-                }
-            });
-        }
-    });
-    let mut runs = runs.into_inner().unwrap();
-    runs.sort_by_key(|(seed, _)| *seed);
-    runs.into_iter().map(|(_, run)| run).collect()
 }
 
 fn train(arguments: &Arguments, dataset: &Dataset, points: usize, seed: u32) -> Run {

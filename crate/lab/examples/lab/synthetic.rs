@@ -1,9 +1,8 @@
 //! The synthetic experiment of Velychko et al. (2018, section 5.1) from many seeds, as Markdown tables. A
 //! seed is that of the data and of the training.
 
+use crate::parallel::each_seed;
 use clap::Args;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Instant;
 use vcgpdm::models::VariationalSettings;
 use vcgpdm_lab::synthetic::{DRIVE, Experiment, Findings, Fit, Synthetic};
@@ -64,24 +63,11 @@ pub fn run(arguments: &Arguments) {
         ..ours
     };
     let threads = arguments.threads.unwrap_or(std::thread::available_parallelism().map_or(1, usize::from));
-    let (next, runs) = (AtomicU32::new(arguments.first), Mutex::new(Vec::new()));
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                loop {
-                    let seed = next.fetch_add(1, Ordering::Relaxed);
-                    if seed >= arguments.first + arguments.seeds {
-                        break;
-                    }
-                    let run = experiment(seed, arguments.drive, &settings);
-                    eprintln!("seed {seed}: {:.0}", run.found.fit.bound);
-                    runs.lock().unwrap().push(run);
-                }
-            });
-        }
+    let runs = each_seed(arguments.first..arguments.first + arguments.seeds, threads, |seed| {
+        let run = experiment(seed, arguments.drive, &settings);
+        eprintln!("seed {seed}: {:.0}", run.found.fit.bound);
+        run
     });
-    let mut runs = runs.into_inner().unwrap();
-    runs.sort_by_key(|run| run.seed);
     let VariationalSettings { order, dynamics_ips, pose_ips, max_iterations, .. } = settings;
     println!(
         "Share of part 1 in part 2: {}. Order {order}, {dynamics_ips} dynamics and {pose_ips} pose inducing points, at most {max_iterations} iterations.\n",
