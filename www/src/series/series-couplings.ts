@@ -15,14 +15,14 @@ const READINGS: [Reading, string][] = [
 ];
 
 export function seriesCouplings(model: SeriesStore) {
-  const { known, couplings } = model;
-  if (!known?.info.alpha) {
+  const { opened, couplings } = model;
+  if (!opened?.info.alpha) {
     return html`<p class="hint">A model of this kind has no couplings and no latent spaces: only its curves are shown.</p>`;
   }
   return html`
     ${couplingsTable({
       couplings,
-      parts: known.info.parts.map(({ name }) => name),
+      parts: opened.info.parts.map(({ name }) => name),
     })}
     <div class="button-row">
       <span class="segments" role="group" aria-label="What a changed coupling means">

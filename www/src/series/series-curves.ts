@@ -76,9 +76,9 @@ export class SeriesCurves extends View {
   }
 
   protected override render() {
-    const { known, rollout, recorded } = this.model;
-    if (!known || !rollout) return nothing;
-    const { info } = known;
+    const { opened, rollout, recorded } = this.model;
+    if (!opened || !rollout) return nothing;
+    const { info } = opened;
     return html`<div class="series-curves" tabindex="0" role="group" aria-label="Columns over time">${curvesOf(
       info,
       rollout.values,

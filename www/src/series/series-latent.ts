@@ -33,10 +33,10 @@ export class SeriesLatent extends View {
   }
 
   override willUpdate(): void {
-    const { learned, known } = this.model;
+    const { learned, opened } = this.model;
     const path = learned?.latents[this.bodyPart];
-    if (!path || !known || this.#projected === learned) return;
-    const training = known.training?.[this.bodyPart] ?? new Float64Array(0);
+    if (!path || !opened || this.#projected === learned) return;
+    const training = opened.training?.[this.bodyPart] ?? new Float64Array(0);
     const cloud = Float64Array.of(...path, ...training);
     this.#projection = principalAxes(cloud, this.#dimensions(path), this.#projection);
     this.#projected = learned;
@@ -52,11 +52,11 @@ export class SeriesLatent extends View {
   }
 
   #paint(): void {
-    const { learned, rollout, known, couplings, clock } = this.model;
+    const { learned, rollout, opened, couplings, clock } = this.model;
     const path = rollout?.latents[this.bodyPart];
     const canvas = this.querySelector("canvas");
     const surface = canvas && canvas.clientWidth > 0 ? clearCanvas(canvas) : null;
-    if (!path || !known || !surface || !this.#projection) return;
+    if (!path || !opened || !surface || !this.#projection) return;
     const { draw, width, height } = surface;
     drawLatents(draw, {
       width,
@@ -68,12 +68,12 @@ export class SeriesLatent extends View {
       colour: partColourNow(this.bodyPart),
       rollout: path,
       learned: couplings.altered ? (learned?.latents[this.bodyPart] ?? null) : null,
-      training: known.training?.[this.bodyPart] ?? null,
+      training: opened.training?.[this.bodyPart] ?? null,
       poses: null,
       dynamics: null,
       outgoing: [],
       incoming: [],
-      order: known.info.order ?? 1,
+      order: opened.info.order ?? 1,
       frame: clock.frame,
       live: true,
       report: null,
@@ -85,7 +85,7 @@ export class SeriesLatent extends View {
   }
 
   protected override render() {
-    const name = this.model.known?.info.parts[this.bodyPart]?.name ?? "";
+    const name = this.model.opened?.info.parts[this.bodyPart]?.name ?? "";
     return html`
       <figure class="latent" style=${partStyle(partColour(this.bodyPart))}>
         <figcaption><i class="swatch"></i>${name}</figcaption>

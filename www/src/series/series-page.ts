@@ -129,9 +129,9 @@ export class SeriesPage extends View {
 
   #model() {
     const { model } = this.series;
-    const { known, recorded, sequence } = model;
-    if (!known) return this.#begin();
-    const { parts, sequences, alpha, provenance } = known.info;
+    const { opened, recorded, sequence } = model;
+    if (!opened) return this.#begin();
+    const { parts, sequences, alpha, provenance } = opened.info;
     return html`
       <section class="panel series-stage" aria-label="Curves">
         <header class="panel-head">

@@ -17,7 +17,7 @@ import type { TableEntry, TablesStore } from "./tables-store";
  */
 const AS_LONG = 1.5;
 
-interface Known {
+interface OpenModel {
   text: string;
   info: SeriesInfo;
   /** Latent means of the training rows of each part; null for a model from a file. */
@@ -40,7 +40,7 @@ export class SeriesStore extends Store {
   readonly #document: OpenDocument<WholeCalls, SeriesInfo>;
   readonly #tables: TablesStore;
   readonly #rollouts: Latest<SeriesRequest, Rolled>;
-  #known: Known | null = null;
+  #opened: OpenModel | null = null;
   #sequence = 0;
   #rolled: Rolled | null = null;
   #problem = "";
@@ -61,8 +61,8 @@ export class SeriesStore extends Store {
     );
   }
 
-  get known(): Known | null {
-    return this.#known;
+  get opened(): OpenModel | null {
+    return this.#opened;
   }
 
   /** The rollout with the couplings as they are; null before the first. */
@@ -86,22 +86,22 @@ export class SeriesStore extends Store {
 
   /** The table that the rollout begins as, where it is open: the model's file does not hold it. */
   get recorded(): TableEntry | null {
-    const { sha256 } = this.#known?.info.sequences[this.#sequence] ?? {};
+    const { sha256 } = this.#opened?.info.sequences[this.#sequence] ?? {};
     return this.#tables.all.find(({ info }) => info.sha256 === sha256) ?? null;
   }
 
   /** The model, where leaving it would lose it. */
   get unsaved(): Work | null {
-    return this.#known?.unsaved
+    return this.#opened?.unsaved
       ? { what: "the model of tables that was trained here", save: () => this.save() }
       : null;
   }
 
   /** Saves the model to the visitor's disk. */
   save(): void {
-    if (!this.#known) return;
-    download("series.model.json", new Blob([this.#known.text], { type: "application/json" }));
-    this.#known = { ...this.#known, unsaved: false };
+    if (!this.#opened) return;
+    download("series.model.json", new Blob([this.#opened.text], { type: "application/json" }));
+    this.#opened = { ...this.#opened, unsaved: false };
     this.changed();
   }
 
@@ -110,9 +110,9 @@ export class SeriesStore extends Store {
    * visitor keeps it.
    */
   async open(text: string): Promise<boolean> {
-    const opened = await this.#read(text, null);
+    const read = await this.#read(text, null);
     if (!(await mayLose(this.unsaved))) return false;
-    this.#takeUp(opened);
+    this.#takeUp(read);
     return true;
   }
 
@@ -124,16 +124,16 @@ export class SeriesStore extends Store {
   async #read(
     text: string,
     training: TrainedSeries["latents"] | null,
-  ): Promise<{ known: Known; rolled: Rolled }> {
+  ): Promise<{ opened: OpenModel; rolled: Rolled }> {
     const info = await this.#document.open(text);
-    const known = { text, info, training, unsaved: training !== null };
-    return { known, rolled: await this.#roll(asLearned(info, 0), known) };
+    const opened = { text, info, training, unsaved: training !== null };
+    return { opened, rolled: await this.#roll(asLearned(info, 0), opened) };
   }
 
-  #takeUp({ known, rolled }: { known: Known; rolled: Rolled }): void {
+  #takeUp({ opened, rolled }: { opened: OpenModel; rolled: Rolled }): void {
     this.#rollouts.drop();
-    this.#known = known;
-    this.couplings.learn(known.info.alpha ?? []);
+    this.#opened = opened;
+    this.couplings.learn(opened.info.alpha ?? []);
     this.#sequence = 0;
     this.#rolled = null;
     this.#show(rolled);
@@ -146,13 +146,13 @@ export class SeriesStore extends Store {
 
   /** The rollout that is shown as CSV: a row a frame, a column for each of the model's. */
   async csv(): Promise<string> {
-    const [known, rolled] = [this.#known, this.#rolled];
-    if (!known || !rolled) throw new Error("There is no model yet: train one or open one.");
-    return this.#document.ask(known.text, (worker) => worker.seriesCsv(rolled.asked));
+    const [opened, rolled] = [this.#opened, this.#rolled];
+    if (!opened || !rolled) throw new Error("There is no model yet: train one or open one.");
+    return this.#document.ask(opened.text, (worker) => worker.seriesCsv(rolled.asked));
   }
 
   #request(): void {
-    const { info } = this.#known ?? {};
+    const { info } = this.#opened ?? {};
     this.changed();
     if (!info) return;
     const asked = asLearned(info, this.#sequence);
@@ -160,12 +160,12 @@ export class SeriesStore extends Store {
     this.#rollouts.request(altered ? { ...asked, alpha, reading } : asked);
   }
 
-  async #roll(asked: SeriesRequest, known = this.#known): Promise<Rolled> {
-    if (!known) throw new Error("There is no model yet: train one or open one.");
-    const { text, info } = known;
+  async #roll(asked: SeriesRequest, opened = this.#opened): Promise<Rolled> {
+    if (!opened) throw new Error("There is no model yet: train one or open one.");
+    const { text, info } = opened;
     const ask = (asked: SeriesRequest) => this.#document.ask(text, (worker) => worker.rolloutSeries(asked));
     const before =
-      known === this.#known && this.#rolled?.asked.sequence === asked.sequence ? this.#rolled : null;
+      opened === this.#opened && this.#rolled?.asked.sequence === asked.sequence ? this.#rolled : null;
     const learned = before?.learned ?? (await ask(asLearned(info, asked.sequence)));
     return { asked, learned, rollout: asked.alpha ? await ask(asked) : learned };
   }
@@ -173,7 +173,7 @@ export class SeriesStore extends Store {
   #show(rolled: Rolled): void {
     this.#rolled = rolled;
     this.#problem = "";
-    this.clock.load(rolled.asked.frames, this.#known?.info.frameTime ?? 1);
+    this.clock.load(rolled.asked.frames, this.#opened?.info.frameTime ?? 1);
     this.changed();
   }
 }

@@ -89,7 +89,7 @@ describe("a training", () => {
     asked?.report(report({ text: seriesText(["a.csv"]), latents }));
     asked?.end({ cancelled: false, reason: "settled" });
     await over;
-    expect(model.known?.training).toEqual(latents);
+    expect(model.opened?.training).toEqual(latents);
     expect(model.recorded?.info.name).toBe("a.csv");
     expect([model.clock.lastFrame, model.couplings.altered]).toEqual([14, false]);
   });
@@ -110,9 +110,9 @@ describe("a training", () => {
     await model.open(seriesText(["old.csv"]));
     await train();
     expect(visitor.asked).toEqual([]);
-    const { known } = model;
+    const { opened } = model;
     expect(await model.open(seriesText(["old.csv"]))).toBe(false);
-    expect([await train(), training.busy, model.known]).toEqual([false, false, known]);
+    expect([await train(), training.busy, model.opened]).toEqual([false, false, opened]);
     expect(visitor.asked).toHaveLength(2);
     // Saved first, nobody needs to be asked again.
     visitor.arrives("save");
@@ -131,7 +131,7 @@ describe("a training", () => {
     program.series.trainings[0]?.report(report(null));
     program.series.trainings[0]?.end({ cancelled: true, reason: null });
     await over;
-    expect(model.known?.text).toBe(seriesText(["old.csv"]));
+    expect(model.opened?.text).toBe(seriesText(["old.csv"]));
     expect(training.busy).toBe(false);
   });
 });
@@ -144,6 +144,8 @@ describe("a model of tables", () => {
     for (const alpha of [10, 20, 30]) model.couplings.set(0, 1, alpha);
     await settled();
     expect(program.series.rollouts.map(({ alpha }) => alpha?.[0]?.[1] ?? null)).toEqual([null, 10, 30]);
+    // The document of the model is sent once, not with every event of a slider.
+    expect(program.series.opened.length).toBe(1);
     expect(model.couplings.weight(0, 1)).toBeCloseTo(
       1 / 30 / (1 / 30 + 1 / model.couplings.alphaOf(1, 1)),
       12,

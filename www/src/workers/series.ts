@@ -61,7 +61,8 @@ export const seriesWorker: SeriesWorker = {
   openSeries: openModel,
   rolloutSeries: (request) =>
     withRollout(request, (rollout, parts) => {
-      const weights = rollout.weights().length > 0 ? rollout.weights() : null;
+      const all = rollout.weights();
+      const weights = all.length > 0 ? all : null;
       const latents = weights ? Array.from({ length: parts }, (_, part) => rollout.latents(part)) : [];
       const values = rollout.values();
       return transfer({ values, latents, weights }, values, ...latents);
