@@ -38,6 +38,13 @@ it("a record without what earlier versions did not write is whole", () => {
   expect([whole, holdings.unsaved]).toEqual([true, { model: true, results: true }]);
 });
 
+it("the state of a motion that version 0.2 wrote with spaces has hyphens now", () => {
+  const health = { state: "leaves the training range", from: 1, part: 0, rank: 1 };
+  change("run 1", { model: { text: "{}", latents: [new Float64Array(6)], health } });
+  const { whole, holdings } = recover(records);
+  expect([whole, holdings.runs[0]?.model?.health?.state]).toEqual([true, "leaves-training-range"]);
+});
+
 describe("a damaged record is left out and the rest recovered:", () => {
   const withoutTime = (at: number | null) => expect(at).toBe(null);
   it.each([
