@@ -99,6 +99,7 @@ describe("the declared types", () => {
     hold("Rollout.measures", measures);
     assert.deepEqual([measures.limbs.length, measures.parts.length], [4, 2]);
     hold("Rollout.health", rollout.health());
+    hold("Rollout.latentField", rollout.latentField(0, [[0, 0]]));
 
     const results = Results.empty(clips, { parts, framesPerSecond: 15 });
     hold("Results.setting", results.setting());
@@ -198,6 +199,7 @@ describe("the declared types", () => {
       "ModularityFold",
       "PerceptionOptions",
       "Plan",
+      "PlanePicture",
       "Reading",
       "RolloutOptions",
       "StudyPreset",
