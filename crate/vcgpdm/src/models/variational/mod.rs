@@ -22,7 +22,7 @@ pub mod testing;
 pub(crate) mod trainer;
 
 pub use crate::gp::bound::InducingPosterior;
-pub use crate::models::training::parameters::{LARGEST_COUPLING, SMALLEST_S};
+pub use crate::models::training::parameters::LARGEST_COUPLING;
 pub use cycle::{Cycle, CyclePlace};
 pub(crate) use elbo::stack_offsets;
 pub use elbo::{BoundTerms, DynamicsSums, Objective, Posteriors, StoredMaps, Workspace};
