@@ -31,6 +31,7 @@
 //! ```
 
 mod block;
+mod fold;
 mod statistics;
 
 pub use statistics::{PairWorkspace, PsiAdjoint, PsiStatistics, Purpose};
