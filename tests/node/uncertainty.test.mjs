@@ -22,28 +22,28 @@ const close = (/** @type {number | undefined} */ a, /** @type {number | undefine
 describe("predictions", () => {
   it("of the product are what the weights make of the experts, and the step that the rollout takes", () => {
     const rollout = model.rollout({ frames: 40, sequence: 0 });
-    const said = rollout.predictions();
+    const predicted = rollout.predictions();
     const { parts, alpha } = coupledInfo(model);
     const weights = rollout.weights();
     for (const [target, { latent }] of parts.entries()) {
       const path = rollout.latents(target);
-      const means = said.means(target);
-      assert.equal(means.length, (40 - said.firstFrame) * latent);
+      const means = predicted.means(target);
+      assert.equal(means.length, (40 - predicted.firstFrame) * latent);
       for (let n = 0; n < means.length; n++) {
         const sum = parts.reduce((sum, _, source) => {
-          const mean = said.expertMeans(source, target)[n] ?? Number.NaN;
+          const mean = predicted.expertMeans(source, target)[n] ?? Number.NaN;
           return sum + (weights[source]?.[target] ?? Number.NaN) * mean;
         }, 0);
         close(means[n], sum);
-        close(means[n], path[n + said.firstFrame * latent], 1e-6);
+        close(means[n], path[n + predicted.firstFrame * latent], 1e-6);
       }
       for (const source of parts.keys())
-        for (const variance of said.expertVariances(source, target))
+        for (const variance of predicted.expertVariances(source, target))
           assert.ok(
             variance >= (alpha[source]?.[target] ?? 0) && variance <= (alpha[source]?.[target] ?? 0) + 1.001,
           );
     }
-    assert.throws(() => said.means(7), /VcgpdmError|part/);
+    assert.throws(() => predicted.means(7), /VcgpdmError|part/);
   });
 });
 

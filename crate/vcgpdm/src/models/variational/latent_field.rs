@@ -166,7 +166,7 @@ mod tests {
         let near = model.latent_field(0, &path[0], &path, &request).unwrap();
         let far = model.latent_field(0, &path[0].add_scalar(1e3), &path, &request).unwrap();
         for (far, near) in far.dynamics_variance.iter().zip(&near.dynamics_variance) {
-            assert!(far > near, "{far} beside {near}");
+            assert!(far > near, "{far} compared with {near}");
         }
         for share in far.pose_variance {
             assert_relative_eq!(share, 1.0, epsilon = 1e-9);
