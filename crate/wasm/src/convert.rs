@@ -36,22 +36,27 @@ fn checked(code: ErrorCode, what: &str, value: &JsValue, fields: &[&str]) -> Res
 }
 
 fn read<T: DeserializeOwned>(code: ErrorCode, what: &str, value: JsValue) -> Result<T, VcgpdmError> {
-    let reason = match serde_wasm_bindgen::from_value(value.clone()) {
-        Ok(value) => return Ok(value),
-        Err(reason) => message(&reason),
-    };
-    // Reading a list from null gives a message of JavaScript's own. Without the field, serde misses it.
-    for field in fields_of(&value) {
-        let missing = |copy: Object| serde_wasm_bindgen::from_value::<T>(copy.into()).err();
-        if let Some(copy) = without_null(&value, &field)
-            && missing(copy)
-                .is_some_and(|reason| reason.to_string().contains(&format!("missing field `{field}`")))
+    let attempt = |value: JsValue| serde_wasm_bindgen::from_value::<T>(value);
+    attempt(value.clone()).map_err(|reason| {
+        let problem = |value: JsValue| attempt(value).err();
+        refused(code, what, &reason_of(&value, &reason, &problem))
+    })
+}
+
+/// Why a value cannot be read. Reading a list from null gives a message of JavaScript's own; without the field,
+/// serde names it. `problem`: the error of another value.
+fn reason_of(value: &JsValue, reason: &Error, problem: &dyn Fn(JsValue) -> Option<Error>) -> String {
+    for field in fields_of(value) {
+        let missing = format!("missing field `{field}`");
+        let copy = without_null(value, &field);
+        if copy
+            .and_then(|copy| problem(copy.into()))
+            .is_some_and(|problem| problem.to_string().contains(&missing))
         {
-            let field = camel(&field, true);
-            return Err(refused(code, what, &format!("`{field}`: expected a value, found null")));
+            return format!("`{}`: expected a value, found null", camel(&field, true));
         }
     }
-    Err(refused(code, what, &reason))
+    message(reason)
 }
 
 /// A copy of an object without this field; none where the field is not null.
