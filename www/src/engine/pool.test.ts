@@ -227,7 +227,7 @@ it("keeps a worker for the work that names it, and for no other", async () => {
   expect(workers.filter(({ dismissed }) => !dismissed)).toHaveLength(1);
   ask("f", undefined, worker);
   await settle();
-  expect(ends.get("f")).toBe("failed: the worker that held it is gone.");
+  expect(ends.get("f")).toBe("failed: the worker that trained it is gone.");
 });
 
 it("no longer keeps a worker that died", async () => {
