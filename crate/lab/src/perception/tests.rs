@@ -75,7 +75,7 @@ fn names_the_path_of_a_wrong_field() {
         (
             "/stimuli/0/places",
             json!("A"),
-            "at stimuli[0].places: expected the places of 36 frames of 2 nodes",
+            "at stimuli[0].places: expected the positions of 36 frames of 2 nodes",
         ),
         ("/stimuli/0/kind", json!("made"), "at stimuli[0].kind: expected natural or generated"),
         ("/stimuli/4/model", json!("gplvm"), "at stimuli[4].model: expected one of vcgpdm"),
