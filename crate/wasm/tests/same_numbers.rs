@@ -39,3 +39,8 @@ fn a_library_of_primitives_trains_and_rolls_out() {
 fn a_table_trains_and_rolls_out() {
     training::a_table_trains_and_rolls_out();
 }
+
+#[wasm_bindgen_test]
+fn the_same_training_gives_the_same_file() {
+    training::the_same_training_gives_the_same_file();
+}

@@ -16,7 +16,7 @@
 //! use vcgpdm::gp::psi::{PairWorkspace, PsiStatistics, Purpose};
 //! use vcgpdm::gp::{Gaussians, Kernel};
 //!
-//! // Twenty points on a sine, their inputs known exactly, and five inducing points.
+//! // Twenty points on a sine with certain inputs, and five inducing points.
 //! let x = DMatrix::from_fn(20, 1, |t, _| 0.3 * t as f64);
 //! let y = x.map(f64::sin);
 //! let z = DMatrix::from_fn(5, 1, |k, _| 1.4 * k as f64);
@@ -44,7 +44,7 @@
 
 use crate::elementary::Elementary;
 use crate::gp::linalg::{Factor, NumericsError, symmetric};
-use crate::gp::tall::add_tr_product;
+use crate::gp::tall::{add_tr_product, product};
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
@@ -229,8 +229,8 @@ impl SparseGp<'_> {
     pub fn posterior(&self) -> Result<InducingPosterior, NumericsError> {
         let a =
             Factor::new(&(self.k + self.psi2 / self.noise), "covariance of the data at the inducing points")?;
-        let mean = self.k * a.solve(self.b) / self.noise;
-        let covariance = symmetric(self.k * a.solve(self.k));
+        let mean = product(self.k, &a.solve(self.b)) / self.noise;
+        let covariance = symmetric(product(self.k, &a.solve(self.k)));
         Ok(InducingPosterior { mean, covariance })
     }
 }

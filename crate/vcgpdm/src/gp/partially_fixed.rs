@@ -77,7 +77,10 @@ impl PartiallyFixed {
         self.stored_blocks.copy_from(gp, 0);
         self.free_blocks.copy_from(gp, first);
         let cross = gp.psi2.view((first, 0), (self.free_blocks.b.nrows(), first));
-        self.free_blocks.b.gemm(-1.0, &cross, self.stored.coefficients(), 1.0);
+        // By columns, because a product of larger matrices differs between processors.
+        for (mut b, m) in self.free_blocks.b.column_iter_mut().zip(self.stored.coefficients().column_iter()) {
+            b.gemv(-1.0, &cross, &m, 1.0);
+        }
     }
 
     /// The bound, in nats.

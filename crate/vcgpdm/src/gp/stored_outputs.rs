@@ -3,6 +3,7 @@
 use crate::elementary::Elementary;
 use crate::gp::bound::{BoundAdjoint, SparseGp};
 use crate::gp::linalg::{Factor, NumericsError};
+use crate::gp::tall::product;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
@@ -46,7 +47,7 @@ impl StoredOutputs {
         let columns = coefficients.ncols() as f64;
         let information = inverse(k, "covariance of the inducing points")?
             - inverse(a, "covariance of the data at the inducing points")?;
-        let certainty = information * columns - &coefficients * coefficients.transpose();
+        let certainty = information * columns - product(&coefficients, &coefficients.transpose());
         let (points, columns) = coefficients.shape();
         Ok(Self { coefficients, certainty, adjoint: BoundAdjoint::zeros(points, columns) })
     }

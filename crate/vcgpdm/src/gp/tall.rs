@@ -1,4 +1,5 @@
-//! Products of tall matrices (many rows, few columns), added to an existing matrix without allocation.
+//! Products of tall matrices (many rows, few columns), with the same bits on every platform: nalgebra's
+//! products of larger matrices fuse multiplications with additions where the processor can.
 
 use crate::gp::lanes::{LANES, Lanes, Level, Simd, dispatch, load, splat, store};
 use fearless_simd::prelude::*;
@@ -29,7 +30,7 @@ fn add_tr_product_in<S: Simd>(simd: S, a: &DMatrix<f64>, b: &DMatrix<f64>, out: 
         let rows = t..a.nrows().min(t + ROWS);
         for j in (0..right).step_by(RIGHT) {
             for i in (0..left).step_by(LEFT) {
-                // The last column stands in for those past it, whose sums are not used.
+                // The last column replaces those past it; their sums are not used.
                 let left_columns = std::array::from_fn(|k| &column(a, (i + k).min(left - 1))[rows.clone()]);
                 let right_columns = std::array::from_fn(|k| &column(b, (j + k).min(right - 1))[rows.clone()]);
                 let sums = dot_products(simd, left_columns, right_columns);
@@ -77,6 +78,13 @@ fn dot_products<S: Simd>(simd: S, a: [&[f64]; LEFT], b: [&[f64]; RIGHT]) -> [[f6
 #[inline(always)]
 fn two<S: Simd>(simd: S, low: &[f64; 2], high: &[f64; 2]) -> f64x4<S> {
     f64x2::from_slice(simd, low).combine(f64x2::from_slice(simd, high))
+}
+
+/// a b [N x C] for `a` [N x K] and `b` [K x C].
+pub fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut out = DMatrix::zeros(a.nrows(), b.ncols());
+    add_product(a, b, &mut out);
+    out
 }
 
 /// out += a b for `a` [N x K], `b` [K x C] and `out` [N x C].
@@ -144,7 +152,8 @@ mod tests {
             let small = DMatrix::from_fn(left, right, |k, c| (k as f64 - c as f64) * 0.3);
             let mut out = DMatrix::from_element(rows, right, -1.0);
             add_product(&a, &small, &mut out);
-            assert_relative_eq!(out, (&a * small).add_scalar(-1.0), epsilon = 1e-12);
+            assert_relative_eq!(out, (&a * &small).add_scalar(-1.0), epsilon = 1e-12);
+            assert_relative_eq!(product(&a, &small), &a * small, epsilon = 1e-12);
         }
     }
 

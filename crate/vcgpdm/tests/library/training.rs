@@ -27,3 +27,8 @@ fn a_library_of_primitives_trains_and_rolls_out() {
 fn a_table_trains_and_rolls_out() {
     cases::a_table_trains_and_rolls_out();
 }
+
+#[test]
+fn the_same_training_gives_the_same_file() {
+    cases::the_same_training_gives_the_same_file();
+}

@@ -2,6 +2,7 @@
 //! documents.
 
 use nalgebra::DMatrix;
+use vcgpdm::internals::sha256;
 use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
 use vcgpdm::models::{
     ColumnMapping, Dataset, DmpSettings, MapSettings, Model, RolloutRequest, Settings, Source, TmpSettings,
@@ -102,6 +103,39 @@ fn assert_near(case: &str, found: [f64; 2], expected: [f64; 2]) {
         assert!((found - expected).abs() <= 1e-7 * expected.abs(), "{case}: {found:?} is not {expected:?}");
     }
 }
+
+/// SHA-256 of a model's document, without the version of the program, and of two seconds of its rollout.
+fn fingerprint(model: &Model) -> String {
+    let text = model.to_json().unwrap().replace(&model.provenance.engine, "");
+    let rollout = model.rollout(0, 20).unwrap();
+    let bytes = rollout.iter().flat_map(|value| value.to_le_bytes());
+    sha256(&text.into_bytes().into_iter().chain(bytes).collect::<Vec<_>>())
+}
+
+/// A model of these kinds is the same file natively and in wasm, and its rollout the same to the last bit. The
+/// other kinds multiply large matrices with the instructions of the processor.
+pub fn the_same_training_gives_the_same_file() {
+    let dmp = DmpSettings { bases: 5 };
+    let trained = [
+        (Settings::Vcgpdm(SMALL), "lower-upper"),
+        (Settings::Vgpdm(SMALL), "whole"),
+        (Settings::DmpDiscrete(dmp.clone()), "lower-upper"),
+        (Settings::DmpRhythmic(dmp), "lower-upper"),
+    ];
+    let found = trained.map(|(settings, split)| {
+        let mut trainer = Trainer::new(&walks(&["walk-1", "walk-2"], split), &settings, 1).unwrap();
+        trainer.run();
+        fingerprint(&trainer.finish().unwrap())
+    });
+    assert_eq!(found, SAME_FILES);
+}
+
+const SAME_FILES: [&str; 4] = [
+    "7a72d3e6a112f5cbc7fcbdad8e248ac7bb1110f7d1723d120d777bfb9a3a6d6e",
+    "5a61932207565d4fdfc059e7d9112b6f3c2db230d1e8a992745c834a81fa87f5",
+    "784b281189dd8f5cd15979dfd8a249bb52b243066fb36dced527e7700d93fdaf",
+    "dd21af8dc29d6432d87a1960b37dd372136db2ab6971318bbcc9d926aa6fac67",
+];
 
 pub fn each_kind_of_model_trains_and_rolls_out() {
     let point = MapSettings { max_iterations: 3, ..MapSettings::default() };

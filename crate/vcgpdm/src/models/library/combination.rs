@@ -3,6 +3,7 @@
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, block_diagonal, symmetric};
 use crate::gp::stored_outputs::StoredOutputs;
+use crate::gp::tall::product;
 use crate::models::library::combination_error::CombinationError;
 use crate::models::library::information::Information;
 use crate::models::library::{LearnedMovement, Library};
@@ -110,7 +111,7 @@ impl Library {
             let (noise, weights) = coupling_weights(alpha.column(i).as_slice());
             let k = block_diagonal(model.experts.iter().map(|row| row[i].k()));
             let inferred = model.infer(i, noise, &weights)?;
-            model.dynamics_covariance.push(symmetric(&k * inferred.factor.solve(&k)));
+            model.dynamics_covariance.push(symmetric(product(&k, &inferred.factor.solve(&k))));
         }
         Ok(model)
     }

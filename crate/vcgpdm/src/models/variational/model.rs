@@ -165,8 +165,7 @@ impl Vcgpdm {
         Ok(sums.collect())
     }
 
-    /// Where each source's block begins in what is stacked over the sources into the target i, and last the
-    /// height of the stack.
+    /// The place where each source starts in the stack of the sources into the target i, then its height.
     pub(super) fn offsets(&self, i: usize) -> Vec<usize> {
         stack_offsets(self.experts.iter().map(|row| row[i].k().nrows()))
     }

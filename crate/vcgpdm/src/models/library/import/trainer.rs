@@ -2,6 +2,7 @@
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, block_diagonal, symmetric};
+use crate::gp::tall::product;
 use crate::models::data::dataset::DatasetError;
 use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::fitted::provenance::Provenance;
@@ -174,7 +175,7 @@ impl ImportTrainer {
                 &(&k + &all.precision),
                 "covariance of the data at the dynamics inducing points",
             )?;
-            let (mean, covariance) = (&k * a.solve(&all.b), symmetric(&k * a.solve(&k)));
+            let (mean, covariance) = (product(&k, &a.solve(&all.b)), symmetric(product(&k, &a.solve(&k))));
             let own = stack_offsets(blocks.iter().map(DMatrix::nrows));
             for (place, (expert, into)) in new.zip(&mut experts).enumerate() {
                 let (at, points) = (own[place], expert.z.nrows());

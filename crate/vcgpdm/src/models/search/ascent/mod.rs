@@ -183,7 +183,7 @@ impl<T: Target> Ascent<T> {
         }
     }
 
-    /// Before the first step: fixes these entries of the flat vector in every phase, whatever their group.
+    /// Before the first step: fixes these entries of the flat vector in every phase and group.
     pub fn fix(&mut self, fixed: Vec<bool>) {
         self.fixed = fixed;
     }

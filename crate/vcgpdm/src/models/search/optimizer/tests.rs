@@ -147,8 +147,8 @@ fn threads_take_the_same_steps() {
         (0..30).for_each(|_| assert!(optimizer.step(&mut f)));
         optimizer.point.x.iter().map(|x| x.to_bits()).collect::<Vec<_>>()
     };
-    let one = few(1);
-    assert!(one == few(2) && one == few(3));
+    let single = few(1);
+    assert!(single == few(2) && single == few(3));
 }
 
 #[test]
