@@ -54,8 +54,8 @@ fn dot_products<S: Simd>(simd: S, a: [&[f64]; LEFT], b: [&[f64]; RIGHT]) -> [[f6
     for (((p0, p1), (p2, p3)), (q0, q1)) in pairs {
         let (q0, q1) = (two(simd, q0, q0), two(simd, q1, q1));
         for (sum, p) in sums.iter_mut().zip([two(simd, p0, p1), two(simd, p2, p3)]) {
-            sum[0] = sum[0] + p * q0;
-            sum[1] = sum[1] + p * q1;
+            sum[0] += p * q0;
+            sum[1] += p * q1;
         }
     }
     let mut out = [[0.0; RIGHT]; LEFT];
@@ -127,8 +127,8 @@ fn rows_times_columns<S: Simd>(
     for ((a, b0), b1) in a.as_slice().chunks_exact(a.nrows()).zip(b0).zip(b1) {
         if let Some(rows) = a.get(t..t + LANES) {
             let rows = Lanes::from_slice(simd, rows);
-            sums[0] = sums[0] + rows * splat(simd, *b0);
-            sums[1] = sums[1] + rows * splat(simd, *b1);
+            sums[0] += rows * splat(simd, *b0);
+            sums[1] += rows * splat(simd, *b1);
         }
     }
     sums

@@ -114,8 +114,8 @@ impl<S: Simd> Block<S> {
                         let mean = lanes(simd, &x.mean, q, rows, c);
                         let inverse = one / (lambda + n * lanes(simd, &x.variance, q, rows, c));
                         let pull = mean * inverse;
-                        base = base - mean * pull;
-                        ratio = ratio * (lambda * inverse);
+                        base -= mean * pull;
+                        ratio *= lambda * inverse;
                         let at = c * self.dims + q;
                         (self.inverse[at], self.pull[at], self.mean[at]) = (inverse, pull, mean);
                     }
@@ -135,8 +135,8 @@ impl<S: Simd> Block<S> {
         let mut e = self.base[c];
         let at = c * self.dims..(c + 1) * self.dims;
         for ((z, pull), inverse) in self.z(a).iter().zip(&self.pull[at.clone()]).zip(&self.inverse[at]) {
-            e = e + splat(simd, *z) * *pull;
-            e = e + splat(simd, -share * z * z) * *inverse;
+            e += splat(simd, *z) * *pull;
+            e += splat(simd, -share * z * z) * *inverse;
         }
         e
     }
@@ -190,12 +190,12 @@ impl<S: Simd> Block<S> {
                         for (own_b, (((spread, products), value), sum)) in own.take(a + 1).zip(&mut terms) {
                             let mut e = own_a + own_b[c] + splat(simd, *spread);
                             for (product, inverse) in products.iter().zip(inverse) {
-                                e = e + splat(simd, *product) * *inverse;
+                                e += splat(simd, *product) * *inverse;
                             }
                             let psi2 = exp_lanes(e) * scale;
                             psi2.store_slice(&mut value.0);
                             if count {
-                                *sum = *sum + psi2;
+                                *sum += psi2;
                             }
                         }
                     }
@@ -339,15 +339,15 @@ impl<S: Simd> PullBack<S> {
     #[inline(always)]
     fn collect(&mut self, block: &Block<S>, a: usize, c: usize, h: Lanes<S>) {
         let simd = self.simd;
-        self.total[c] = self.total[c] + h;
+        self.total[c] += h;
         let at = c * block.dims..(c + 1) * block.dims;
         let d_z = &mut self.d_z[a * block.dims..(a + 1) * block.dims];
         let sums = self.first[at.clone()].iter_mut().zip(&mut self.second[at.clone()]).zip(d_z);
         let rows = block.pull[at.clone()].iter().zip(&block.inverse[at]);
         let own = self.centred.iter().zip(block.z(a));
         for ((((first, second), d_z), (pull, inverse)), (centred, z)) in sums.zip(rows).zip(own) {
-            *first = *first + *centred;
-            *second = *second + splat(simd, *z) * *centred;
+            *first += *centred;
+            *second += splat(simd, *z) * *centred;
             *d_z = *d_z + *pull * h - *inverse * *centred;
         }
     }
@@ -378,7 +378,7 @@ impl<S: Simd> PullBack<S> {
                         let square = mean * (pulled - first) + second;
                         let d_mean = n * inverse * pulled;
                         let d_variance = half_n * inverse * (n * inverse * square - total);
-                        lambda = lambda + d_variance;
+                        lambda += d_variance;
                         let part = q * rows + start + c * LANES..q * rows + start + len;
                         let out = &mut into_x.mean.as_mut_slice()[part.clone()];
                         store(load(simd, out) - d_mean, out);

@@ -77,10 +77,10 @@ fn add_row<S: Simd, V: SimdFloat<S, Element = f64>, const N: usize>(
     h: V,
     row: &[f64],
 ) {
-    *total = *total + h;
+    *total += h;
     if let Some(row) = row.first_chunk::<N>() {
         for (sum, z) in sums.iter_mut().zip(row) {
-            *sum = *sum + h * V::splat(simd, *z);
+            *sum += h * V::splat(simd, *z);
         }
     }
 }
