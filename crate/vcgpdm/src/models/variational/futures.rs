@@ -43,6 +43,7 @@ impl PredictiveDynamics {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::models::Reading;
     use crate::models::variational::testing::fitted;
 
@@ -57,6 +58,21 @@ mod tests {
         for part in 0..2 {
             assert_eq!(one[part].rows(0, 2), start[part]);
             assert!((&one[part] - &other[part]).rows(2, 18).iter().all(|d| *d != 0.0));
+        }
+    }
+    #[test]
+    fn a_step_adds_the_noise_of_the_seed_to_the_mean() {
+        let model = fitted(1);
+        let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
+        let start = &model.start(0, 0).unwrap();
+        let future = dynamics.sample(start, 3, 4).unwrap();
+        let predictions = dynamics.next(&LatentPaths::new(start, dynamics.order, &dynamics.latent).unwrap());
+        let mut rng = ChaCha8Rng::seed_from_u64(4);
+        for (path, predictions) in future.iter().zip(predictions) {
+            for (x, mean) in path.row(2).iter().zip(&predictions.product.mean) {
+                let noise: f64 = StandardNormal.sample(&mut rng);
+                assert_eq!(*x, mean + predictions.product.variance.sqrt() * noise);
+            }
         }
     }
 }
