@@ -7,6 +7,7 @@ use crate::rollout::Rollout;
 use crate::trained::coupled;
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
+use vcgpdm::internals::Elementary;
 use vcgpdm::models::variational::LatentField;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen::{Clamped, JsCast};
@@ -152,11 +153,12 @@ impl PlanePicture {
         for (n, step) in field.steps.row_iter().enumerate() {
             let step: Vec<f64> = step.iter().copied().collect();
             let (right, down) = self.pixels(&step);
-            let length = (STRETCH * right.hypot(down)).min(ARROWS as f64);
+            let pixels = right.hypotenuse(down);
+            let length = (STRETCH * pixels).min(ARROWS as f64);
             if length < 1.0 {
                 continue;
             }
-            let scale = length / right.hypot(down);
+            let scale = length / pixels;
             let (dx, dy) = (scale * right, scale * down);
             let middle = |k: usize| (k as f64 + 0.5) * ARROWS as f64;
             let (x, y) = (middle(n % columns) - 0.5 * dx, middle(n / columns) - 0.5 * dy);

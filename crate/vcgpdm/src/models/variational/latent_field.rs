@@ -10,10 +10,10 @@ use nalgebra::DMatrix;
 /// What a model knows at points of the latent space of one part.
 #[derive(Clone, Debug)]
 pub struct LatentField {
-    /// The share of the prior variance of the pose map that is left at each point [N]: near 0 where the pose
-    /// is certain, 1 far from all pose inducing points.
+    /// The share of the prior variance of the pose map that is left at each point `[N]`: near 0 where the
+    /// pose is certain, 1 far from all pose inducing points.
     pub pose_variance: Vec<f64>,
-    /// The share of the prior variance of the dynamics that is left at each point [N].
+    /// The share of the prior variance of the dynamics that is left at each point `[N]`.
     pub dynamics_variance: Vec<f64>,
     /// The mean next latents minus the point [N x Q].
     pub steps: DMatrix<f64>,

@@ -1,7 +1,7 @@
 //! Parts: named groups of joints that share a latent space, and the columns of Y that belong to each.
 //!
-//! [`presets`] finds the usual splits of a body from the names of its joints; [`from_json`] reads a split
-//! that a user wrote; a [`PartsLayout`] says which columns of Y each part has.
+//! [`presets`] finds the usual splits of a body from the names of its joints; `from_json` reads the split of a
+//! user; a [`PartsLayout`] names the columns of Y of each part.
 
 mod from_json;
 mod layout;
