@@ -1,4 +1,4 @@
-//! Libraries of primitives: what they hold, and how they are combined.
+//! Libraries of primitives: their contents, and combinations of primitives.
 
 use crate::arguments::{Text, Whole};
 use crate::body::BodyInfo;
@@ -19,8 +19,8 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /**
- * Where the couplings of a movement come from: learned with the primitives, fitted to clips, taken from a
- * movement, chosen by somebody, or 1 each.
+ * The origin of a movement's couplings: learned with the primitives, fitted to clips, taken from another
+ * movement, chosen by the user, or all equal to 1.
  */
 export type CouplingsFrom =
     | { from: "training" }
@@ -32,7 +32,7 @@ export type CouplingsFrom =
 /** A primitive: the dynamics of one part. */
 export interface PrimitiveInfo {
     name: string;
-    /** The part that it belongs to. */
+    /** The index of the part of the primitive. */
     part: number;
     origin: PrimitiveOrigin;
 }
@@ -44,7 +44,7 @@ export interface MovementInfo {
     uses: number[];
     /** Coupling variances, `alpha[source][target]`. */
     alpha: number[][];
-    /** Whether the primitives learned from it. */
+    /** Whether the primitives were trained on the movement. */
     learned: boolean;
     couplings: CouplingsFrom;
     sequences: SequenceInfo[];
@@ -65,7 +65,7 @@ export interface LibraryInfo {
 }
 "#;
 
-/// Where couplings come from.
+/// The origin of couplings.
 #[derive(Serialize, Deserialize)]
 #[serde(tag = "from", rename_all = "lowercase", deny_unknown_fields)]
 enum Origin {
@@ -141,7 +141,7 @@ struct LibraryInfo<'a> {
     provenance: Provenance<'a>,
 }
 
-/// Primitives by their places: of each part, or some of a library.
+/// Indices of primitives of a library.
 pub(crate) fn uses_of(uses: &JsValue) -> Result<Vec<usize>, VcgpdmError> {
     from_js(ErrorCode::Model, "the primitives", uses)
 }
@@ -154,7 +154,8 @@ pub struct Library {
 
 #[wasm_bindgen]
 impl Library {
-    /// Reads a shared library. Throws the reason and the path of the field when the text is not one.
+    /// Reads the document of a library. If the text is not a valid library, throws the reason and the path of
+    /// the field.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &Text) -> Result<Library, VcgpdmError> {
         let text = text.get(ErrorCode::Model, "the document")?;
@@ -167,7 +168,7 @@ impl Library {
         Ok(self.trained.to_json()?)
     }
 
-    /// Its parts, primitives and movements.
+    /// The parts, primitives and movements of the library.
     #[wasm_bindgen(unchecked_return_type = "LibraryInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {
         let TrainedLibrary { library, body, provenance } = &*self.trained;
@@ -217,14 +218,14 @@ impl Library {
         to_js_joined(&info, &BodyInfo::new(body.mapping.skeleton()))
     }
 
-    /// The model of a movement, as it was learned.
+    /// The learned model of a movement.
     pub fn movement(&self, index: &Whole) -> Result<Model, VcgpdmError> {
         let index = index.count(ErrorCode::Model, "the movement")?;
         Ok(Model::from(self.trained.movement(index)?))
     }
 
-    /// The model of a combination, the primitive of each part; under the couplings of `nearestCouplings`
-    /// where none are given.
+    /// The model of a combination, which has one primitive for each part. The couplings are `alpha`, by
+    /// default those of `nearestCouplings`.
     pub fn combination(
         &self,
         #[wasm_bindgen(unchecked_param_type = "number[]")] uses: JsValue,
@@ -235,9 +236,9 @@ impl Library {
         Ok(Model::from(self.trained.combination(&uses, &alpha)?))
     }
 
-    /// The couplings of a combination that nobody has fitted, `alpha[source][target]`: of each source those
-    /// of a trained movement that uses its primitive, of several of the one most like the combination; 1
-    /// where there is none.
+    /// Couplings `alpha[source][target]` for a combination without fitted couplings. Each source takes its
+    /// couplings from a trained movement that uses the primitive of the source. Among several such movements,
+    /// the one most like the combination is taken. Without such a movement, the couplings are 1.
     #[wasm_bindgen(js_name = nearestCouplings, unchecked_return_type = "number[][]")]
     pub fn nearest_couplings(
         &self,
@@ -248,9 +249,9 @@ impl Library {
         to_js(&rows(&self.trained.library.nearest_couplings(&uses)))
     }
 
-    /// A library with the combination added as a movement of that name, under these couplings; a combination
-    /// of the same name makes way, a learned movement does not. `couplings` says where they come from, such
-    /// as a fit; without it they are the nearest ones, or chosen by hand.
+    /// A library with the combination and its couplings added as a movement of that name. It replaces a
+    /// combination of the same name, but not a learned movement. `couplings` states the origin of the
+    /// couplings, such as a fit. Without `couplings`, the origin is the nearest movement or the user.
     #[wasm_bindgen(js_name = withCombination)]
     pub fn with_combination(
         &self,
@@ -268,9 +269,9 @@ impl Library {
         Ok(Library { trained: Rc::new(trained) })
     }
 
-    /// How firmly the target is locked to the source, 0 to 1, for each tempo of the target and strength of
-    /// the coupling between them [tempos x strengths, one tempo after the other]. A strength divides the
-    /// coupling variance, which is that of `alpha`, or of `nearestCouplings` where none are given.
+    /// How firmly the target is locked to the source, from 0 to 1, for each tempo of the target and each
+    /// strength of the coupling [tempos x strengths, one tempo after the other]. The coupling variance is
+    /// divided by the strength. The coupling variances are `alpha`, by default those of `nearestCouplings`.
     #[wasm_bindgen(js_name = lockingMap)]
     pub fn locking_map(
         &self,
@@ -292,12 +293,12 @@ impl Library {
 }
 
 impl Library {
-    /// Clips of the body of the library, as centred columns of its parts.
+    /// The clips as centred columns of the library's parts. The clips must have the body of the library.
     pub(crate) fn encode(&self, clips: &TrainingSet) -> Result<Vec<EncodedClip>, VcgpdmError> {
         Ok(clips.clips.iter().map(|clip| self.trained.encode(clip)).collect::<Result<_, _>>()?)
     }
 
-    /// The couplings given, or the nearest ones.
+    /// The given couplings, or by default the nearest couplings.
     pub(crate) fn couplings(&self, uses: &[usize], alpha: &JsValue) -> Result<DMatrix<f64>, VcgpdmError> {
         let given: Option<Vec<Vec<f64>>> = from_js(ErrorCode::Model, "the couplings", alpha)?;
         self.trained.library.check_uses(uses)?;
@@ -305,10 +306,10 @@ impl Library {
     }
 }
 
-/// Frames of each rollout of a map of locking: some twenty seconds.
+/// Frames of each rollout for a locking map: about twenty seconds.
 const LOCKING_FRAMES: usize = 600;
 
-/// How a library was made.
+/// How a library was trained.
 fn provenance_info<'a>(
     made: &'a vcgpdm::models::Provenance,
     terms: &'a BoundTerms,

@@ -19,8 +19,8 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /**
- * What a library learns: movements with how many clips each has, in order, and of each part whether its
- * primitive is the same in all.
+ * The plan of a library's training: the movements in order, the number of clips of each movement, and for
+ * each part whether all movements share its primitive.
  */
 export interface LibraryPlan {
     movements: { name: string; sequences: number }[];
@@ -42,7 +42,7 @@ struct PlannedName {
     sequences: usize,
 }
 
-/// A training of a library under way, step by step.
+/// Trains a library step by step.
 #[wasm_bindgen]
 pub struct LibraryTrainer {
     training: Training,
@@ -50,8 +50,7 @@ pub struct LibraryTrainer {
 
 #[wasm_bindgen]
 impl LibraryTrainer {
-    /// Prepares the clips, which are those of the plan's movements one after the other, and finds the
-    /// starting point.
+    /// Prepares the clips and finds the starting point. The clips are in the order of the plan's movements.
     #[wasm_bindgen(constructor)]
     pub fn new(
         clips: &TrainingSet,
@@ -71,7 +70,7 @@ impl LibraryTrainer {
         Ok(LibraryTrainer { training: Training::new(&dataset, &plan, &settings, seed)? })
     }
 
-    /// One iteration of the optimiser: a few milliseconds to some tens.
+    /// One iteration of the optimiser. It takes a few milliseconds to some tens of milliseconds.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
         progress_to_js(&self.training.step())
@@ -83,19 +82,19 @@ impl LibraryTrainer {
         Ok(())
     }
 
-    /// What the user should know, in sentences without a full stop: that a clip does not move or was given
-    /// twice, that a part never changes, and which settings are more than the data allow and were reduced.
+    /// Notices for the user, as sentences without a full stop: a clip does not move or was given twice, a
+    /// part never changes, or a setting exceeded the limit of the data and was reduced.
     pub fn notices(&self) -> Vec<String> {
         self.training.warnings()
     }
 
-    /// The best library so far, at any time.
+    /// The best library so far. It can be read at any time.
     pub fn library(&self) -> Result<Library, VcgpdmError> {
         Ok(Library { trained: Rc::new(self.training.finish()?) })
     }
 }
 
-/// A fit of couplings under way: of a combination, to clips, while its primitives stay.
+/// Fits the couplings of a combination to clips, step by step. The primitives stay unchanged.
 #[wasm_bindgen]
 pub struct CouplingTrainer {
     fit: Fit,
@@ -103,7 +102,7 @@ pub struct CouplingTrainer {
 
 #[wasm_bindgen]
 impl CouplingTrainer {
-    /// Prepares the clips, which must have the library's body.
+    /// Prepares the clips. They must have the body of the library.
     #[wasm_bindgen(constructor)]
     pub fn new(
         library: &Library,
@@ -116,7 +115,8 @@ impl CouplingTrainer {
         Ok(CouplingTrainer { fit: Fit::new(&library.trained, &uses_of(&uses)?, &clips, iterations)? })
     }
 
-    /// One iteration of the optimiser. The bound is that of the clips under the stored primitives.
+    /// One iteration of the optimiser. The reported bound is the bound of the clips under the stored
+    /// primitives.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
         progress_to_js(&self.fit.step())
@@ -128,14 +128,14 @@ impl CouplingTrainer {
         to_js(&rows(&self.fit.alpha()))
     }
 
-    /// A library with the combination as a movement of that name, which starts where the clips do; a
-    /// combination of the same name makes way, a learned movement does not.
+    /// A library with the combination added as a movement of that name. The movement starts as the clips do.
+    /// It replaces a combination of the same name, but not a learned movement.
     pub fn library(&self, name: &Text) -> Result<Library, VcgpdmError> {
         let name = name.get(ErrorCode::Model, "the name")?;
         Ok(Library { trained: Rc::new(self.fit.finish(&name)?) })
     }
 
-    /// The combination with the best couplings so far.
+    /// The model of the combination with the best couplings so far.
     pub fn model(&self) -> Result<Model, VcgpdmError> {
         let trained = self.fit.finish("")?;
         Ok(Model::from(trained.movement(trained.library.movements.len() - 1)?))

@@ -12,8 +12,8 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /**
- * Where a walk begins: a movement, one of its sequences and a frame of that, counted from 0; the first of
- * both where they are not given.
+ * The start of a walk: a movement, one of its sequences, and a frame of the sequence. All are counted from 0;
+ * the default sequence and frame are 0.
  */
 export interface WalkStart {
     movement: number;
@@ -32,8 +32,7 @@ struct WalkStart {
     frame: usize,
 }
 
-/// A figure that goes on without an end, while primitives are exchanged and mixed, couplings and tempos
-/// changed.
+/// An endless rollout of a combination. Its primitives, couplings and tempos can change while it runs.
 #[wasm_bindgen]
 pub struct LibraryWalk {
     trained: Rc<TrainedLibrary>,
@@ -42,8 +41,8 @@ pub struct LibraryWalk {
 
 #[wasm_bindgen]
 impl Library {
-    /// A figure that goes on without an end, of a combination; from a frame of a sequence of a movement,
-    /// where that is given.
+    /// Starts an endless rollout of a combination, by default at the start of the combination, or at the
+    /// frame of a movement that `start` gives.
     pub fn walk(
         &self,
         #[wasm_bindgen(unchecked_param_type = "number[]")] uses: JsValue,
@@ -63,8 +62,8 @@ impl Library {
 
 #[wasm_bindgen]
 impl LibraryWalk {
-    /// Gives a part another of its primitives, at the state that is nearest to what the other parts do; these
-    /// go on as they are. With `alpha`, under these couplings.
+    /// Switches a part to another of its primitives. The part starts in the state that best fits the current
+    /// motion of the other parts, which continue unchanged. With `alpha`, also sets the couplings.
     #[wasm_bindgen(js_name = use)]
     pub fn use_primitive(
         &mut self,
@@ -75,7 +74,7 @@ impl LibraryWalk {
         let part = part.count(ErrorCode::Rollout, "the part")?;
         let primitive = primitive.count(ErrorCode::Rollout, "the primitive")?;
         let alpha: Option<Vec<Vec<f64>>> = from_js(ErrorCode::Rollout, "the couplings", &alpha)?;
-        // Both or nothing.
+        // If the couplings are refused, the primitive does not change either.
         let mut latents = self.walk.latents.clone();
         latents.use_primitive(&self.trained.library, part, primitive)?;
         if let Some(alpha) = alpha {
@@ -85,8 +84,9 @@ impl LibraryWalk {
         Ok(())
     }
 
-    /// Mixes the predictions of a part's primitive with those of another one of the part: a share of it from
-    /// 0 to 1. It gets there evenly, at the pace of a whole exchange in `frames`; at once without.
+    /// Mixes the predictions of a part's primitive with those of another primitive of the part, whose share
+    /// is from 0 to 1. The share changes evenly, at a rate of 1 per `frames` frames; without `frames` it
+    /// changes at once.
     pub fn mix(
         &mut self,
         part: &Whole,
@@ -101,7 +101,7 @@ impl LibraryWalk {
         Ok(self.walk.latents.mix(&self.trained.library, part, other, share, frames)?)
     }
 
-    /// Other couplings, `alpha[source][target]`, from the next frame on.
+    /// Sets the couplings `alpha[source][target]` from the next frame on.
     #[wasm_bindgen(js_name = setAlpha)]
     pub fn set_alpha(
         &mut self,
@@ -111,14 +111,15 @@ impl LibraryWalk {
         Ok(self.walk.latents.set_alpha(matrix(&alpha))?)
     }
 
-    /// Lets a part go through its own time at another tempo, 0.25 to 2; 1 is as learned.
+    /// Sets the tempo of a part, from 0.25 to 2; 1 is the learned tempo.
     #[wasm_bindgen(js_name = setTempo)]
     pub fn set_tempo(&mut self, part: &Whole, tempo: f64) -> Result<(), VcgpdmError> {
         let part = part.count(ErrorCode::Rollout, "the part")?;
         Ok(self.walk.latents.set_tempo(part, tempo)?)
     }
 
-    /// Goes on in a library that has grown out of the one before: with all its primitives, and more to use.
+    /// Continues the walk with a larger library. The larger library must contain all primitives of the
+    /// earlier library.
     #[wasm_bindgen(js_name = setLibrary)]
     pub fn set_library(&mut self, library: &Library) -> Result<(), VcgpdmError> {
         self.trained.check_growth(&library.trained)?;
@@ -126,13 +127,13 @@ impl LibraryWalk {
         Ok(())
     }
 
-    /// Takes the last frames back, 64 at most: the walk is what it was when the frame before them had been
-    /// made. What was changed since is taken back as well, also with 0 frames.
+    /// Removes the last frames, at most 64. The walk returns to its state right after the frame before them.
+    /// This also undoes all changes made since then, even with 0 frames.
     pub fn rewind(&mut self, frames: &Whole) -> Result<(), VcgpdmError> {
         Ok(self.walk.rewind(frames.count(ErrorCode::Rollout, "the number of frames")?)?)
     }
 
-    /// The next frames.
+    /// Computes the next frames.
     pub fn advance(&mut self, frames: &Whole) -> Result<WalkFrames, VcgpdmError> {
         let frames = frames.count(ErrorCode::Rollout, "the number of frames")?;
         Ok(WalkFrames(self.walk.advance(&self.trained, frames)?))

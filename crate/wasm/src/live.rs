@@ -1,4 +1,4 @@
-//! A rollout that never ends.
+//! A live rollout, which never ends.
 
 use crate::arguments::Whole;
 use crate::convert::flat;
@@ -11,7 +11,8 @@ use vcgpdm::models::variational::CyclePlace;
 use vcgpdm::models::{LatentDynamics, LiveFrames as MotionFrames, Model, Push, Reading};
 use wasm_bindgen::prelude::*;
 
-/// A rollout under way: a few frames at a time, with couplings that change and parts that are pushed.
+/// A live rollout. It computes a few frames at a time; between them, couplings can change and parts can be
+/// pushed.
 #[wasm_bindgen]
 pub struct LiveRollout {
     live: vcgpdm::models::LiveRollout,
@@ -36,8 +37,8 @@ impl LiveRollout {
         Ok(LiveRollout { live, alpha, reading, cuts: Vec::new(), dynamics, model })
     }
 
-    /// Other couplings, from the next frame on: the variances [parts x parts], row the source, and whether
-    /// the experts are inferred again under them. When they do not fit, all stays as it was.
+    /// Sets the couplings from the next frame on: the variances [parts x parts], whose row is the source, and
+    /// whether the experts are inferred again under them. If the couplings are invalid, nothing changes.
     #[wasm_bindgen(js_name = setCouplings)]
     pub fn set_couplings(&mut self, alpha: &[f64], re_inferred: bool) -> Result<(), VcgpdmError> {
         let (parts, found) = (coupled(&self.model)?.model.part_count(), alpha.len());
@@ -54,7 +55,7 @@ impl LiveRollout {
         Ok(())
     }
 
-    /// Cuts a coupling from the next frame on, or lets it act again. A part's last coupling cannot be cut.
+    /// Cuts a coupling from the next frame on, or restores it. The last coupling into a part cannot be cut.
     pub fn cut(&mut self, source: &Whole, target: &Whole, cut: bool) -> Result<(), VcgpdmError> {
         let source = source.count(ErrorCode::Rollout, "the source")?;
         let target = target.count(ErrorCode::Rollout, "the target")?;
@@ -68,7 +69,7 @@ impl LiveRollout {
         Ok(())
     }
 
-    /// The next frames.
+    /// Computes the next frames.
     pub fn advance(&mut self, frames: &Whole) -> Result<LiveFrames, VcgpdmError> {
         let frames = frames.count(ErrorCode::Rollout, "the number of frames")?;
         Ok(LiveFrames(self.live.advance(coupled(&self.model)?, &self.dynamics, frames)?))
@@ -80,7 +81,7 @@ impl LiveRollout {
         Ok(self.live.push(&Push { part, by, ..Push::default() })?)
     }
 
-    /// Pushes the part of a node of the figure, so that the node moves by about x, y and z metres.
+    /// Pushes the part of a node of the figure so that the node moves by about x, y and z metres.
     pub fn pull(&mut self, node: &Whole, x: f64, y: f64, z: f64) -> Result<(), VcgpdmError> {
         let node = node.count(ErrorCode::Rollout, "the node")?;
         let push = self.live.pull(coupled(&self.model)?, node, [x, y, z])?;
@@ -104,14 +105,14 @@ impl LiveFrames {
         self.0.positions.clone()
     }
 
-    /// The phase of each part on the learned cycle, in turns from 0 to 1 [frames x parts]: parts in step have
-    /// the same phase. Empty where the learned rollout does not repeat itself.
+    /// The phase of each part on the learned cycle, in turns from 0 to 1 [frames x parts]. Parts in step have
+    /// the same phase. Empty if the learned rollout is not periodic.
     pub fn phases(&self) -> Vec<f64> {
         self.0.places.iter().map(|place: &CyclePlace| place.phase).collect()
     }
 
-    /// How far from the learned cycle each part is, in radii of its cycle [frames x parts]; empty as
-    /// `phases`.
+    /// The distance of each part from its learned cycle, in radii of the cycle [frames x parts]. Empty if
+    /// `phases` is empty.
     pub fn distances(&self) -> Vec<f64> {
         self.0.places.iter().map(|place: &CyclePlace| place.distance).collect()
     }

@@ -1,4 +1,4 @@
-//! A study from a comparison that ran here.
+//! Makes a study from the movements of a comparison.
 
 use crate::arguments::{Text, Whole};
 use crate::clip::Clip;
@@ -13,18 +13,18 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** A movement of a study that is being made. */
+/** A movement for a new study. */
 export interface MadeMovement {
     /** The number of the trial, counted from 1. */
     trial: number;
-    /** What the trial is called. */
+    /** The name of the trial. */
     name: string;
     /** Seconds from one frame to the next. */
     frameTime: number;
 }
 "#;
 
-/// A movement of a study that is being made.
+/// A movement for a new study.
 #[derive(Deserialize)]
 struct MadeMovement {
     trial: usize,
@@ -32,7 +32,7 @@ struct MadeMovement {
     frame_time: f64,
 }
 
-/// A study that is being made of movements: of recorded ones, and of predictions of the trials held out.
+/// Collects movements for a new study: recorded movements and predictions of held-out trials.
 #[wasm_bindgen]
 pub struct StudyMaker {
     maker: Maker,
@@ -40,8 +40,8 @@ pub struct StudyMaker {
 
 #[wasm_bindgen]
 impl StudyMaker {
-    /// Of movements of the body of this clip, each so many seconds long, from a comparison of so many frames
-    /// a second.
+    /// A maker without movements, for the body of this clip. Each movement of the study lasts `seconds`, and
+    /// the comparison has `framesPerSecond` frames a second.
     #[wasm_bindgen(constructor)]
     pub fn new(
         body: &Clip,
@@ -51,9 +51,9 @@ impl StudyMaker {
         StudyMaker { maker: Maker::new(body.skeleton(), seconds, frames_per_second, START_FRAMES) }
     }
 
-    /// Adds a recorded movement, as `Fold.actual` or `Clip.positions` give it [frames x nodes x 3]: one that
-    /// is shown all along, or, where it is not `seen`, one that is kept for catch trials. Throws where it is
-    /// shorter than the study's movements.
+    /// Adds a recorded movement, as `Fold.actual` or `Clip.positions` give it [frames x nodes x 3]. If `seen`
+    /// is false, only catch trials show the movement. Throws if the movement is shorter than the movements of
+    /// the study.
     #[wasm_bindgen(js_name = addNatural)]
     pub fn add_natural(
         &mut self,
@@ -66,8 +66,8 @@ impl StudyMaker {
         Ok(self.maker.natural(&shown, seen)?)
     }
 
-    /// Adds the prediction of a model for the trial that was held out, as `Prediction.positions` gives it. Of several
-    /// seeds of a candidate that of the highest `outcome.objective` stays.
+    /// Adds the prediction of a model for the held-out trial, as `Prediction.positions` gives it. If a
+    /// candidate has several seeds, the study keeps the seed with the highest `outcome.objective`.
     #[wasm_bindgen(js_name = addGenerated)]
     pub fn add_generated(
         &mut self,
@@ -85,7 +85,7 @@ impl StudyMaker {
         Ok(self.maker.generated(&shown, &candidate, seed, &outcome)?)
     }
 
-    /// The study of the movements so far.
+    /// The study of all movements that were added so far.
     pub fn study(
         &self,
         title: &Text,

@@ -9,26 +9,26 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** One trial held out. */
+/** A fold of the test: one held-out trial. */
 export interface ModularityFold {
     /** The id of the sample. */
     sample: string;
-    /** Whether a model of its movement alone is trained, not a library. */
+    /** Whether to train a model of this movement alone instead of a library. */
     alone: boolean;
-    /** Most iterations of each seed; absent: as many as the test has. */
+    /** The maximum number of iterations for each seed; absent: the number that the test uses. */
     maxIterations?: number;
 }
 
-/** How well a trial that was held out is predicted, by the seed of the highest bound. */
+/** How well the held-out trial is predicted with the seed that has the highest bound. */
 export interface ModularityOutcome {
     /** The name of the trial's movement. */
     movement: string;
     score: Score;
-    /** The bound on the log evidence of all movements trained on, in nats. */
+    /** The bound on the log evidence of all training movements, in nats. */
     bound: number;
-    /** Numbers that must be kept to roll out all movements trained on. */
+    /** How many numbers the rollouts of all training movements need from the model. */
     storedNumbers: number;
-    /** Frames trained on. */
+    /** Number of training frames. */
     frames: number;
 }
 "#;
@@ -46,9 +46,9 @@ struct Named<'a> {
     movement: &'a str,
 }
 
-/// The training of one fold of the modularity test: a sample trial is held out, and predicted by a library in
-/// which walking and walking with waving share the primitive of the lower body, or by a model of its movement
-/// alone. docs/modularity.md describes the training and the score.
+/// The training of one fold of the modularity test. The test holds out one sample trial and predicts it in
+/// one of two ways: with a library in which walking and walking with waving share the primitive of the lower
+/// body, or with a model of this movement alone. docs/modularity.md describes the training and the score.
 #[wasm_bindgen]
 pub struct ModularityTraining {
     movement: String,
@@ -57,7 +57,7 @@ pub struct ModularityTraining {
 
 #[wasm_bindgen]
 impl ModularityTraining {
-    /// Ready to hold a sample out.
+    /// Prepares the training of a fold.
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "ModularityFold")] fold: JsValue,
@@ -82,7 +82,7 @@ impl ModularityTraining {
         progress_to_js(&self.training.step()?)
     }
 
-    /// What came of it; null before a seed is over.
+    /// The outcome of the best seed so far; null until the first seed has finished.
     #[wasm_bindgen(unchecked_return_type = "ModularityOutcome | null")]
     pub fn outcome(&self) -> Result<JsValue, VcgpdmError> {
         match self.training.best() {

@@ -1,4 +1,4 @@
-//! Where a primitive of a library comes from.
+//! The origin of a primitive of a library.
 
 use serde::Serialize;
 use vcgpdm::models::SequenceInfo;
@@ -8,8 +8,7 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /**
- * Where a primitive comes from: the training that it was learned in; of one that was learned again, that
- * training.
+ * The training that learned a primitive. For a primitive that was learned again, this is the later training.
  */
 export interface PrimitiveOrigin {
     engine: string;
@@ -18,32 +17,33 @@ export interface PrimitiveOrigin {
     bound: number;
     iterations: number;
     note: string | null;
-    /** What it learned from. */
+    /** The clips of the training. */
     clips: SequenceInfo[];
     /**
-     * The primitive of another library that it was learned again from; null: it was learned from clips where
-     * it stands.
+     * The primitive of another library from which this primitive was learned again. Null if this library
+     * learned the primitive from clips.
      */
     relearned: RelearnedFrom | null;
 }
 
 /**
- * The frames that a primitive is learned again from: clips that somebody gave; the poses of the latents that
- * it had in training; or rollouts of the movements that it came with.
+ * The source of the frames when a primitive is learned again. "clips": clips given by the caller;
+ * "remembered": the poses of its training latents; "generated": rollouts of its movements in the other
+ * library.
  */
 export type ImportFrames = "clips" | "remembered" | "generated";
 
-/** What a primitive was learned again from. */
+/** The source of a primitive that was learned again. */
 export interface RelearnedFrom {
-    /** Its name there. */
+    /** The name of the primitive in the other library. */
     primitive: string;
     frames: ImportFrames;
-    /** What its training there learned from. */
+    /** The clips of its training in the other library. */
     clips: SequenceInfo[];
 }
 "#;
 
-/// Where a primitive comes from.
+/// The training that learned a primitive.
 #[derive(Serialize)]
 pub struct PrimitiveOrigin {
     engine: String,

@@ -1,4 +1,4 @@
-//! What answers to a study say.
+//! The results of the analysis of the answers to a study.
 
 use crate::arguments::Text;
 use crate::convert::{from_js, to_js, to_json};
@@ -9,27 +9,27 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** A file of answers: CSV or JSON, as the page or jsPsych writes it. */
+/** A file of answers: CSV or JSON, in the format of the page or of jsPsych. */
 export interface AnswersFile {
     name: string;
     text: string;
 }
 
-/** How answers are analysed; what is absent is as the terminal program has it. */
+/** The options of the analysis. An absent option has the default value of the terminal program. */
 export interface PerceptionOptions {
     /** The ceiling c of the logistic regression. */
     ceiling?: number;
     /** Blocks of the cross-validation. */
     folds?: number;
-    /** Draws from the posteriors for the order of the models. */
+    /** The number of draws from the posteriors that estimate the order of the models. */
     draws?: number;
-    /** The seed of blocks and draws. */
+    /** The seed that determines blocks and draws. */
     seed?: number;
-    /** Participants below this share of attention checks are left out. */
+    /** Participants who pass less than this share of their attention checks are excluded. */
     attention?: number;
 }
 
-/** How answers were analysed. */
+/** The options that the analysis used. */
 export interface UsedOptions {
     ceiling: number;
     folds: number;
@@ -39,15 +39,15 @@ export interface UsedOptions {
 }
 
 /**
- * How often movements were taken for the natural one, and what that says: the posterior beta(1 + hits, 1 +
- * trials - hits).
+ * How often participants took a movement for the natural one, and the posterior of this rate: beta(1 + hits,
+ * 1 + trials - hits).
  */
 export interface Confusion {
     hits: number;
     trials: number;
     mean: number;
     deviation: number;
-    /** 95 % of the posterior lie between these. */
+    /** The bounds of the 95 % interval of the posterior. */
     low: number;
     high: number;
     /** The posterior probability that the rate is above one half. */
@@ -61,33 +61,33 @@ export interface Participant {
     comparisons: number;
     unanswered: number;
     attentionChecks: number;
-    /** How many of these were seen through. */
+    /** The number of attention checks that the participant passed. */
     attentionHits: number;
-    /** Whether they are left out, for too few of these. */
+    /** Whether the participant is excluded for passing too few attention checks. */
     excluded: boolean;
     /** The share of answers "left". */
     left: number | null;
     /** In milliseconds. */
     medianRt: number | null;
-    /** How long after each other movements started at the most, in milliseconds. */
+    /** The longest time between the starts of the two movements of a trial, in milliseconds. */
     startedApartMs: number | null;
 }
 
-/** What predicts the rate. */
+/** The score that predicts the rate. */
 export type ScoreKind = "mse" | "dtw-mse" | "bound" | "dynamics" | "pose";
 
 /** A model with all its settings. */
 export interface SettingResult {
     model: ModelKind;
     candidate: Candidate;
-    /** The settings that set it apart, in a few words. */
+    /** The settings that differ from those of other candidates, as a short text. */
     label: string;
     size: { dynamicsIps: number | null; poseIps: number | null; primitives: number | null; bases: number | null };
-    /** Movements that have not failed. */
+    /** The number of movements that are not marked as failures. */
     movements: number;
-    /** Movements that failed: where all did, the setting is an attention check. */
+    /** The number of movements that are marked as failures. If all are, the setting is an attention check. */
     failed: number;
-    /** Means over the movements that have not failed; null where all did. */
+    /** Means over the movements that are not marked as failures; null if all are. */
     scores: { mse: number; dtwMse: number; bound: number | null; dynamics: number | null; pose: number | null } | null;
     /** Null without an answer. */
     confusion: Confusion | null;
@@ -95,7 +95,7 @@ export interface SettingResult {
 
 /** How a score predicts the rate: p = ceiling / (1 + exp(w0 + w1 (score - centre) / scale)). */
 export interface Regression {
-    /** Null: all together. */
+    /** Null for all kinds of models together. */
     model: ModelKind | null;
     score: ScoreKind;
     settings: number;
@@ -105,57 +105,59 @@ export interface Regression {
     ceiling: number;
     /** w0 and w1. */
     weights: number[];
-    /** Their standard errors; null where the answers do not tell both. */
+    /** The standard errors of the weights; null if the answers do not determine both weights. */
     errors: number[] | null;
     /**
-     * ln K beside a constant, a block: the mean over the blocks left out; null with fewer answers than
-     * blocks.
+     * The log Bayes factor per block, compared with a constant rate: the mean over the blocks that were left
+     * out of the fit. Null if there are fewer answers than blocks.
      */
     logBayesFactor: number | null;
     logBayesFactorError: number | null;
     folds: number;
-    /** Scores and the rates that the curve predicts. */
+    /** Points of the curve: a score and the predicted rate. */
     curve: number[][];
 }
 
 /** The setting of a kind of model with the highest rate. */
 export interface BestSetting {
     model: ModelKind;
-    /** Its place among the settings. */
+    /** The index of the setting in `settings`. */
     setting: number;
     label: string;
     confusion: Confusion;
 }
 
-/** What answers to a study say. */
+/** The results of the analysis of the answers to a study. */
 export interface PerceptionResults {
     format: string;
     version: number;
-    /** The program and its version. */
+    /** The program that made the analysis, and its version. */
     engine: string;
     title: string;
-    /** What was shown: the study's hash. */
+    /** The hash of the study. */
     study: string;
     options: UsedOptions;
     participants: Participant[];
-    /** Of all comparisons that count. */
+    /** The rate over all comparisons that count. */
     all: Confusion;
     settings: SettingResult[];
     regressions: Regression[];
     best: BestSetting[];
-    /** Orders of the kinds, the highest rate first, the likeliest order first. */
+    /** Orders of the kinds of models, by falling rate. The most probable order comes first. */
     orders: { models: ModelKind[]; probability: number }[];
     /** `pairs[a][b]`: the probability that best setting a has a higher rate than best setting b. */
     pairs: number[][];
-    /** Null without catch trials. */
+    /** Null if there are no catch trials. */
     catch: { confusion: Confusion; isHalf: number } | null;
-    /** Trials that a setting needs: to tell 0.6 from 0.5, and for 0.5 to lie in [0.45, 0.55]. */
+    /**
+     * How many trials a setting needs to distinguish 0.6 from 0.5, and to estimate 0.5 within [0.45, 0.55].
+     */
     needed: { toTell: number | null; forPrecision: number | null };
 }
 
-/** The data of a figure of the papers. */
+/** The data for a figure like one of the papers. */
 export interface FigureTable {
-    /** A name for its file. */
+    /** A name for the file of the figure. */
     name: string;
     title: string;
     csv: string;
@@ -206,7 +208,7 @@ fn results(study: &Text, answers: &JsValue, options: &JsValue) -> Result<Percept
     Ok(PerceptionResults::new(&study, &answers, options)?)
 }
 
-/// What answers to a study say: the same numbers as `vcgpdm perception`.
+/// Analyses the answers to a study. The numbers are the same as those of `vcgpdm perception`.
 #[wasm_bindgen(js_name = analysePerception, unchecked_return_type = "PerceptionResults")]
 pub fn analyse_perception(
     study: &Text,
@@ -216,7 +218,7 @@ pub fn analyse_perception(
     to_js(&results(study, &answers, &options)?)
 }
 
-/// The same as the document that `vcgpdm perception --out` writes.
+/// The analysis as the document that `vcgpdm perception --out` writes.
 #[wasm_bindgen(js_name = perceptionJson)]
 pub fn perception_json(
     study: &Text,
@@ -226,7 +228,7 @@ pub fn perception_json(
     to_json(&results(study, &answers, &options)?)
 }
 
-/// The data of the papers' figures, as `vcgpdm perception --figures` writes them.
+/// The data for the papers' figures, in the format that `vcgpdm perception --figures` writes.
 #[wasm_bindgen(js_name = perceptionFigures, unchecked_return_type = "FigureTable[]")]
 pub fn perception_figures(
     study: &Text,

@@ -10,11 +10,11 @@ use vcgpdm::models::variational::{InducingError, PartPredictions, Prediction};
 use vcgpdm::models::{Coupled, Rollout, RolloutRequest};
 use wasm_bindgen::prelude::*;
 
-/// The predictions for each frame of a rollout, from frame p (the order) on. Every prediction is a Gaussian with
-/// the same variance in all latent dimensions.
+/// The predictions for each frame of a rollout, from frame p (the order of the dynamics) on. Each prediction
+/// is a Gaussian with the same variance in all latent dimensions.
 #[wasm_bindgen]
 pub struct Predictions {
-    /// Frames, and in each the parts.
+    /// For each frame, the predictions for each part.
     frames: Vec<Vec<PartPredictions>>,
     order: usize,
 }
@@ -47,25 +47,26 @@ impl Predictions {
 
 #[wasm_bindgen]
 impl Predictions {
-    /// The first frame that is predicted: the order p of the dynamics. The rows of all arrays begin with it.
+    /// The first predicted frame, which is the order p of the dynamics. Row 0 of each array belongs to this
+    /// frame.
     #[wasm_bindgen(getter, js_name = firstFrame)]
     pub fn first_frame(&self) -> usize {
         self.order
     }
 
-    /// Means of the product of all experts about a part [predicted frames x Q].
+    /// Means of the product of all experts for a part [predicted frames x Q].
     pub fn means(&self, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let target = target.count(ErrorCode::Rollout, "the target")?;
         Ok(self.each(target, None)?.iter().flat_map(|prediction| prediction.mean.iter().copied()).collect())
     }
 
-    /// Variances of the product of all experts about a part [predicted frames].
+    /// Variances of the product of all experts for a part [predicted frames].
     pub fn variances(&self, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let target = target.count(ErrorCode::Rollout, "the target")?;
         Ok(self.each(target, None)?.iter().map(|prediction| prediction.variance).collect())
     }
 
-    /// Means of the source's own prediction of the target [predicted frames x Q of the target].
+    /// Means of the source's prediction of the target [predicted frames x Q of the target].
     #[wasm_bindgen(js_name = expertMeans)]
     pub fn expert_means(&self, source: &Whole, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let source = source.count(ErrorCode::Rollout, "the source")?;
@@ -77,8 +78,8 @@ impl Predictions {
             .collect())
     }
 
-    /// Variances of the source's own prediction of the target [predicted frames]: alpha and the expert's
-    /// own.
+    /// Variances of the source's prediction of the target [predicted frames]: alpha plus the variance of the
+    /// expert.
     #[wasm_bindgen(js_name = expertVariances)]
     pub fn expert_variances(&self, source: &Whole, target: &Whole) -> Result<Vec<f64>, VcgpdmError> {
         let source = source.count(ErrorCode::Rollout, "the source")?;

@@ -1,4 +1,4 @@
-//! Primitives on their way from one library to another.
+//! Moves primitives from one library to another.
 
 use crate::clip::TrainingSet;
 use crate::convert::{from_js, to_js};
@@ -14,20 +14,25 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** Why primitives of another library do not fit, and whether `ImportTrainer` can learn them again. */
+/**
+ * The reason why primitives of another library do not fit, and whether `ImportTrainer` can learn them again.
+ */
 export interface Misfit {
     reason: string;
     canBeRelearned: boolean;
 }
 
-/** How much a part of a combination moves in the long run. */
+/** The long-run motion of one part of a combination. */
 export interface PartMotion {
-    /** The variance of its latents as a share of that in the movements that its primitive learned from. */
+    /**
+     * The variance of the part's latents, divided by their variance in the training movements of its
+     * primitive.
+     */
     share: number;
     still: boolean;
     /**
-     * The other part whose predictions about it weigh most, and whether its primitive learned together with
-     * that of this part; null where there is no other.
+     * The other part whose predictions of this part have the largest weight; null if there is only one part.
+     * `met`: whether the primitives of the two parts learned from the same movement.
      */
     leader: { part: number; weight: number; met: boolean } | null;
 }
@@ -35,8 +40,8 @@ export interface PartMotion {
 /** The options of an `ImportTrainer`. */
 export interface ImportRequest {
     /**
-     * The primitive of the library that stands in for each part, in movements to which the part brings none
-     * of its own; null where none is needed. Those of `companions` when not given.
+     * For each part, the primitive of this library to use in movements without an imported primitive of the
+     * part; null if the part needs none. The default is the result of `companions`.
      */
     companions?: (number | null)[];
     maxIterations: number;
@@ -81,9 +86,8 @@ impl From<PartMotion> for Motion {
 
 #[wasm_bindgen]
 impl Library {
-    /// The motion of each part of a combination in the long run: whether it stands still, and which parts
-    /// drive it.
-    /// Under `alpha`, or the couplings of `nearestCouplings` where none are given.
+    /// The long-run motion of each part of a combination: whether the part stands still, and which other part
+    /// drives it. The couplings are `alpha`, by default those of `nearestCouplings`.
     #[wasm_bindgen(unchecked_return_type = "PartMotion[]")]
     pub fn motion(
         &self,
@@ -96,8 +100,8 @@ impl Library {
         to_js(&motion.into_iter().map(Motion::from).collect::<Vec<_>>())
     }
 
-    /// These primitives as a library of their own, with the pose maps that their latents mean something
-    /// under. Movements of which all primitives are among them come along.
+    /// A new library with only these primitives and the pose maps of their parts. It also contains each
+    /// movement whose primitives are all among them.
     pub fn select(
         &self,
         #[wasm_bindgen(unchecked_param_type = "number[]")] primitives: JsValue,
@@ -106,7 +110,7 @@ impl Library {
         Ok(Library { trained: Rc::new(self.trained.select(&chosen)?) })
     }
 
-    /// Why primitives of another library cannot be added as they are; null: they can.
+    /// The reason why the primitives of another library cannot be added unchanged; null if they can.
     #[wasm_bindgen(unchecked_return_type = "Misfit | null")]
     pub fn misfit(&self, other: &Library) -> Result<JsValue, VcgpdmError> {
         match self.trained.check_fit(&other.trained) {
@@ -117,16 +121,17 @@ impl Library {
         }
     }
 
-    /// A library with the primitives of another one, and its movements; those that are here already are not
-    /// added twice. Throws the reason of `misfit`.
+    /// A new library that also has the primitives and movements of another library. Primitives and movements
+    /// that this library already has are not added again. Throws the reason of `misfit`.
     pub fn add(&self, other: &Library) -> Result<Library, VcgpdmError> {
         let mut trained = TrainedLibrary::clone(&self.trained);
         trained.merge(&other.trained)?;
         Ok(Library { trained: Rc::new(trained) })
     }
 
-    /// The primitives that stand in for parts to which another library brings none, when nobody says which:
-    /// of each part one that is called as a movement or primitive there, else the first.
+    /// The default primitives for parts of which the other library has no primitive. For each such part, this
+    /// is a primitive with the name of a movement or primitive of the other library, or else the first
+    /// primitive of the part.
     #[wasm_bindgen(unchecked_return_type = "(number | null)[]")]
     pub fn companions(&self, other: &Library) -> Result<JsValue, VcgpdmError> {
         to_js(&self.trained.companions(&other.trained))
@@ -139,8 +144,8 @@ fn request_of(library: &Library, other: &Library, request: &JsValue) -> Result<I
     Ok(ImportRequest { companions, max_iterations, seed })
 }
 
-/// Primitives of another library, learned again under the pose maps of this one, step by step. All else in it
-/// stays.
+/// Learns primitives of another library again under the pose maps of this library, step by step. Everything
+/// else in this library stays unchanged.
 #[wasm_bindgen]
 pub struct ImportTrainer {
     import: Import,
@@ -148,8 +153,8 @@ pub struct ImportTrainer {
 
 #[wasm_bindgen]
 impl ImportTrainer {
-    /// Prepares all primitives of `other`, without a clip: from the latents that it keeps of its movements;
-    /// where it keeps only their first frames, from rollouts.
+    /// Prepares all primitives of `other` without clips. The frames come from the latents that `other` stores
+    /// for its movements, or from rollouts if it stores only their first frames.
     #[wasm_bindgen(constructor)]
     pub fn new(
         library: &Library,
@@ -161,8 +166,8 @@ impl ImportTrainer {
         Ok(ImportTrainer { import: Import::new(&library.trained, &other.trained, frames, &request)? })
     }
 
-    /// Prepares all primitives of `other`, one of each part at most, from clips of their movement, which must
-    /// have the library's body.
+    /// Prepares all primitives of `other`, at most one of each part, from clips of their movement. The clips
+    /// must have the body of the library.
     #[wasm_bindgen(js_name = fromClips)]
     pub fn from_clips(
         library: &Library,
@@ -176,19 +181,21 @@ impl ImportTrainer {
         Ok(ImportTrainer { import: Import::new(&library.trained, &other.trained, frames, &request)? })
     }
 
-    /// One iteration of the optimiser. The bound is that of the frames under what stays.
+    /// One iteration of the optimiser. The reported bound is the bound of the frames. Everything else in the
+    /// library is fixed.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
         progress_to_js(&self.import.step())
     }
 
-    /// How much of what the frames show of each part the pose maps of the library do not reproduce: 0
-    /// nothing, 1 so much that its mean pose would do as well. No dynamics can bring it back.
+    /// For each part, how much of the motion in the frames the pose maps of the library cannot reproduce. At
+    /// 0 they reproduce everything; at 1 they are no better than the mean pose. Better dynamics cannot reduce
+    /// this error.
     pub fn lost(&self) -> Vec<f64> {
         self.import.lost()
     }
 
-    /// The library with the primitives as they are at the best bound so far.
+    /// The library with the new primitives at the best bound so far.
     pub fn library(&self) -> Result<Library, VcgpdmError> {
         Ok(Library { trained: Rc::new(self.import.finish()?) })
     }

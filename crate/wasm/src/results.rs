@@ -1,4 +1,4 @@
-//! Results of a comparison: which jobs are asked for, which are finished, and what they say.
+//! Results of a comparison: the planned jobs, the finished jobs, and tables of the results.
 
 use crate::arguments::Text;
 use crate::clip::TrainingSet;
@@ -16,89 +16,91 @@ const TYPES: &str = r#"
 /** One candidate in one fold with one seed. */
 export interface Job {
     candidate: Candidate;
-    /** The trial held out, counted from 1. */
+    /** The number of the held-out trial, counted from 1. */
     heldOut: number;
-    /** How many of the other trials are trained on. */
+    /** The number of other trials in the training set. */
     trainingTrials: number;
     seed: number;
 }
 
-/** A trial, by its content. */
+/** A trial, identified by the hash of its file. */
 export interface Trial {
     name: string;
     /** SHA-256 of the clip's file, hexadecimal. */
     sha256: string;
-    /** The frames of the clip that were used, from the first up to but not including the end; null: all. */
+    /** The used frames of the clip, from the first up to but not including the end; null: all frames. */
     piece: [number, number] | null;
 }
 
-/** What all results of a comparison have in common. */
+/** The setting that all results of a comparison share. */
 export interface Setting {
     trials: Trial[];
     parts: PartSpec[];
     framesPerSecond: number;
-    /** Frames of the trial held out that a prediction starts from. */
+    /** Number of frames of the held-out trial that a prediction starts from. */
     startFrames: number;
 }
 
-/** Which trainings a comparison asks for. */
+/** The plan of a comparison: the trainings to run. */
 export interface Plan {
-    /** Coupled models are left out for a body in one part. */
+    /** The models to train. A body with one part has no coupled models. */
     models: ModelKind[];
     latent: number;
     order: number;
     maxIterations: number;
     /**
-     * Numbers of inducing points of the variational models: of every dynamics map, and of every pose map
-     * where there are no `poseIps`.
+     * Numbers of inducing points of each dynamics map of the variational models. Without `poseIps`, each pose
+     * map has the same number.
      */
     ips: number[];
-    /** Numbers of inducing points of every pose map, each with each of `ips`. */
+    /** Numbers of inducing points of each pose map. Each number is combined with each number in `ips`. */
     poseIps?: number[];
     /** Numbers of primitives of the TMP; null: chosen by the bound. */
     primitives: (number | null)[];
-    /** Whether the TMP is that of the papers: over normalised time, with weights that all trials share. */
+    /**
+     * Whether the TMP is the model of the papers: it uses normalised time, and all trials share its weights.
+     */
     normalisedTime?: boolean;
     /** Numbers of basis functions of the DMPs. */
     bases: number[];
     /** Whether the dynamics of the MAP models are balanced. */
     balanced: boolean;
-    /** Whether their kernels have a linear term. */
+    /** Whether the kernels of the MAP models have a linear term. */
     linear?: boolean;
-    /** Trials held out, counted from 1; empty: each in turn. */
+    /** Numbers of the held-out trials, counted from 1; empty: each trial in turn. */
     heldOut: number[];
-    /** Of the models that have random starts; the others get 0. */
+    /** The seeds of the models with random starts. The other models get the seed 0. */
     seeds: number[];
-    /** How many of the other trials are trained on; empty: all. */
+    /** Numbers of other trials in the training set; empty: all other trials. */
     trainingTrials: number[];
     /**
-     * Whether also the coupled models, with the middle number of inducing points, are trained on 1, 2, ...
-     * trials in the first fold with the first seed.
+     * Whether the plan also trains the coupled models on 1, 2, ... trials. These trainings use the first
+     * fold, the first seed and the middle number of inducing points.
      */
     growth: boolean;
 }
 
-/** A job that a plan asks for. */
+/** A job of a plan. */
 export interface PlannedJob {
-    /** Tells the job from every other; readable. */
+    /** A readable id that no other job has. */
     id: string;
     job: Job;
-    /** Whether the results hold an outcome of it. */
+    /** Whether the results contain an outcome of the job. */
     done: boolean;
 }
 
-/** A finished job: with an outcome, or the reason why there is none. */
+/** A finished job, with its outcome or the reason why it failed. */
 export interface FinishedJob {
-    /** Tells the job from every other; readable. */
+    /** A readable id that no other job has. */
     id: string;
     job: Job;
-    /** The program and its version that computed it. */
+    /** The program that computed the outcome, and its version. */
     engine: string;
     outcome: Outcome | null;
     failure: string | null;
 }
 
-/** A mean over folds; seeds of the same fold are averaged first. */
+/** A mean over folds. The seeds of a fold are averaged first. */
 export interface Spread {
     mean: number;
     /** Null for a single fold. */
@@ -111,35 +113,36 @@ export interface Spread {
 export interface ModelSummary {
     model: ModelKind;
     candidate: Candidate;
-    /** The settings that set it apart, in a few words. */
+    /** The settings that differ from those of other candidates, as a short text. */
     label: string;
     /** Mean squared error after dynamic time warping. */
     mse: Spread;
-    /** The median error over the folds: a single rollout that goes astray does not move it. */
+    /** The median error over the folds. A single bad rollout hardly changes it. */
     mseMedian: number;
-    /** The same error on the trials that were trained on; null where the results do not hold it. */
+    /** The same error on the training trials; null if the results do not contain it. */
     trainingMse: Spread | null;
-    /** The error of a prediction that does not move. */
+    /** The error of a constant prediction. */
     variance: number;
-    /** The bound on the log evidence, in nats, where the model has one. */
+    /** The bound on the log evidence, in nats; null for a model without a bound. */
     bound: Spread | null;
     /** Seconds of a training. */
     seconds: Spread;
-    /** Numbers that must be kept to roll out. */
+    /** How many numbers a rollout needs from the model. */
     storedNumbers: Spread;
-    /** The share of trainings that ended because nothing changed any more; null where that is not known. */
+    /** The share of trainings that ended because they converged; null if unknown. */
     converged: number | null;
-    /** Means of the terms of the bound, in nats; null where the results do not hold them. */
+    /** Means of the terms of the bound, in nats; null if the results do not contain them. */
     terms: { pose: number; dynamics: number } | null;
-    /** The mean error of each part; empty where the results do not hold it. */
+    /** The mean error of each part; empty if the results do not contain it. */
     partErrors: number[];
-    /** Number of trials held out. */
+    /** Number of held-out trials. */
     folds: number;
     /** Number of trainings. */
     runs: number;
     /**
-     * How many candidates it stands for: all that differ in size alone, where it is the one of them that
-     * claims choose for most trials; else 0.
+     * Candidates that differ only in size form a group. For each held-out trial, the claims choose one
+     * candidate of the group. For the candidate that they choose most often, this is the number of candidates
+     * in its group; for the others it is 0.
      */
     standsFor: number;
 }
@@ -153,23 +156,23 @@ export interface BoundAndError {
     mse: number;
 }
 
-/** Bound and error of one kind of model over its sizes, all other settings being the same. */
+/** Bounds and errors of one kind of model in several sizes. All other settings are the same. */
 export interface Correlation {
     model: ModelKind;
-    /** What the candidates have in common, where the kind has several such groups; else empty. */
+    /** The settings that the candidates share; empty if the kind of model has only one group. */
     label: string;
     /** Number of candidates. */
     settings: number;
-    /** Number of trials held out that all of them have. */
+    /** Number of held-out trials for which all candidates have results. */
     folds: number;
     /** Spearman's rank correlation. */
     rank: number;
-    /** The share of all orders of the settings whose correlation is as low. */
+    /** The share of all permutations of the settings with a correlation at most this high. */
     chance: number;
     points: BoundAndError[];
 }
 
-/** Mean number of frames trained on, and mean seconds of an iteration. */
+/** Mean number of training frames, and mean seconds of an iteration. */
 export interface FramesAndTime {
     frames: number;
     seconds: number;
@@ -177,81 +180,86 @@ export interface FramesAndTime {
     trainingSeconds: number;
 }
 
-/** Learning time of one candidate over the frames trained on. */
+/** Training time of one candidate against the number of training frames. */
 export interface Growth {
     model: ModelKind;
     label: string;
-    /** From few to many frames. */
+    /** Sorted by the number of frames, the lowest first. */
     points: FramesAndTime[];
-    /** k where the time of an iteration grows as frames to the power k; null where it cannot be told. */
-    exponent: number | null;
-    /** Where it lies, 95 %; null where it cannot be told. */
-    interval: Interval | null;
-    /** The same power for a whole training; null where it cannot be told. */
-    trainingExponent: number | null;
-    /** Where that lies. */
-    trainingInterval: Interval | null;
     /**
-     * The share of these trainings that ended because nothing changed any more; null where that is not known.
+     * The exponent k if the time of an iteration grows as frames to the power k; null if it cannot be
+     * estimated.
      */
+    exponent: number | null;
+    /** The 95 % interval of the exponent; null if it cannot be estimated. */
+    interval: Interval | null;
+    /** The same exponent for a whole training; null if it cannot be estimated. */
+    trainingExponent: number | null;
+    /** The 95 % interval of `trainingExponent`. */
+    trainingInterval: Interval | null;
+    /** The share of these trainings that ended because they converged; null if unknown. */
     converged: number | null;
 }
 
-/** Where a number lies, with the probability that such an interval covers it. */
+/** An interval for a number, and the probability that such an interval covers the number. */
 export interface Interval {
     low: number;
     high: number;
     level: number;
 }
 
-/** What bounds and errors of one part and several say in one fold. */
+/** Compares the bounds and errors of the models with one part and with several parts in one fold. */
 export interface Evidence {
-    /** The trial held out. */
+    /** The held-out trial. */
     trial: string;
     /** The bound of the vCGPDM minus that of the vGPDM, in nats. */
     logBayesFactor: number;
-    /** The error of the vCGPDM over that of the vGPDM. */
+    /** The error of the vCGPDM divided by the error of the vGPDM. */
     errorRatio: number;
 }
 
-/** What the papers say, and what these results say about it. */
+/** A claim of the papers, and whether these results agree with it. */
 export interface Claim {
-    /** The sentence of the paper, or our own question next to it. */
+    /** The sentence of the paper, or a related question of ours. */
     claim: string;
-    /** Its place in the papers: year and section. */
+    /** Where the claim is in the papers: year and section. */
     place: string;
-    /** Our criterion for it. */
+    /** Our criterion for the claim. */
     criterion: string;
-    /** The effect that was found, with its interval. */
+    /** The measured effect, with its interval. */
     found: string;
-    /** Whether the numbers agree; only where the whole interval does. */
+    /**
+     * Whether the results agree with the claim. It is "undecided" unless the whole interval is on one side.
+     */
     answer: "yes" | "no" | "undecided";
 }
 
-/** What the results of a comparison say. */
+/** Tables and claims computed from the results of a comparison. */
 export interface Comparison {
-    /** Names of the parts whose errors the models have. */
+    /** Names of the parts in `partErrors` of the models. */
     parts: string[];
     /** Every candidate that was trained on all other trials. */
     models: ModelSummary[];
-    /** For every kind of model with a bound and at least three candidates that differ in size alone. */
+    /**
+     * One entry for each kind of model with a bound and at least three candidates that differ only in size.
+     */
     correlations: Correlation[];
-    /** For every kind of model that was trained on at least three numbers of trials. */
+    /** One entry for each kind of model that was trained on at least three different numbers of trials. */
     growth: Growth[];
-    /** In every fold that both variational models have. */
+    /** One entry for each fold with results of both variational models. */
     evidence: Evidence[];
-    /** The claims about which there are results. */
+    /** The claims that these results can test. */
     claims: Claim[];
 }
 "#;
 
-/// What tells a job from every other.
+/// The id of a job.
 #[derive(Serialize)]
 struct Identity {
     id: String,
 }
 
-/// A value about a job, with the id of the job.
+/// A value that belongs to a job, with the id of the job.
 fn identified<T: Serialize>(job: &Job, value: &T) -> Result<JsValue, VcgpdmError> {
     to_js_joined(&Identity { id: job.to_string() }, value)
 }
@@ -264,7 +272,7 @@ pub struct Results {
 
 #[wasm_bindgen]
 impl Results {
-    /// No job finished yet; each clip of the set is a trial.
+    /// Results without a finished job. Each clip of the set is a trial.
     pub fn empty(
         clips: &TrainingSet,
         #[wasm_bindgen(unchecked_param_type = "ComparisonSettings")] settings: JsValue,
@@ -275,7 +283,7 @@ impl Results {
         Ok(Results { results: AllResults::new(setting) })
     }
 
-    /// Reads a file of results, from the page or from the terminal program.
+    /// Reads a file of results that the page or the terminal program wrote.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &Text) -> Result<Results, VcgpdmError> {
         let text = text.get(ErrorCode::Results, "the document")?;
@@ -285,17 +293,17 @@ impl Results {
         Ok(Results { results })
     }
 
-    /// The file: its fields have the names of the terminal program, in snake_case.
+    /// The results as a file. Its fields have the names of the terminal program, in snake_case.
     #[wasm_bindgen(js_name = toJson)]
     pub fn to_json(&self) -> Result<String, VcgpdmError> {
         to_json(&self.results)
     }
 
-    /// What was compared on what.
+    /// The trials, the parts and the rate of the comparison.
     #[wasm_bindgen(unchecked_return_type = "Setting")]
     pub fn setting(&self) -> Result<JsValue, VcgpdmError> {
         let setting = to_js(self.results.setting())?;
-        // A file leaves out the piece of a whole clip.
+        // A file omits `piece` if the trial is a whole clip.
         let trials = Reflect::get(&setting, &"trials".into()).unwrap_or_default();
         for trial in Array::from(&trials).iter() {
             if !Reflect::has(&trial, &"piece".into()).unwrap_or(true) {
@@ -305,13 +313,13 @@ impl Results {
         Ok(setting)
     }
 
-    /// The jobs that are finished, in the order of tables: by model, then by size, then by seed.
+    /// The finished jobs, in the order of the tables: by model, then by size, then by seed.
     #[wasm_bindgen(unchecked_return_type = "FinishedJob[]")]
     pub fn finished(&self) -> Result<Array, VcgpdmError> {
         self.results.in_order().into_iter().map(|finished| identified(&finished.job, finished)).collect()
     }
 
-    /// The jobs that the plan asks for, fold after fold, so that the first tables come early.
+    /// The jobs of the plan, sorted by fold, so that the first tables appear early.
     #[wasm_bindgen(unchecked_return_type = "PlannedJob[]")]
     pub fn jobs(
         &self,
@@ -323,8 +331,8 @@ impl Results {
         jobs.iter().map(|planned| identified(&planned.job, planned)).collect()
     }
 
-    /// What the training of a job will cost here, on these trials; nothing for TMP and DMP: beside the others
-    /// they cost little.
+    /// An estimate of the cost of a job on this machine with these trials. It is zero for TMP and DMP, which
+    /// cost little compared with the other models.
     #[wasm_bindgen(js_name = costOf, unchecked_return_type = "TrainingCost")]
     pub fn cost_of(
         &self,
@@ -336,7 +344,7 @@ impl Results {
         cost_to_js(job.candidate.kind(), job.cost(&clips.clips, parts, *frames_per_second))
     }
 
-    /// Keeps the outcome of a job that this program trained. An outcome that is there already stays.
+    /// Adds the outcome of a job that this program trained. An earlier outcome of the job is not replaced.
     pub fn add(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Job")] job: JsValue,
@@ -347,12 +355,12 @@ impl Results {
         Ok(self.results.add(Finished::new(job, Ok(outcome)))?)
     }
 
-    /// Takes over what the other results know and these do not. Throws when the other is of another setting.
+    /// Adds the outcomes of other results that are missing here. Throws if the settings differ.
     pub fn merge(&mut self, other: &Results) -> Result<(), VcgpdmError> {
         Ok(self.results.merge(other.results.clone())?)
     }
 
-    /// What they say: tables, correlations, exponents, claims.
+    /// Tables, correlations, exponents and claims computed from the results.
     #[wasm_bindgen(unchecked_return_type = "Comparison")]
     pub fn comparison(&self) -> Result<JsValue, VcgpdmError> {
         to_js(&Comparison::new(&self.results))

@@ -1,4 +1,4 @@
-//! The graphics Turing test: studies, and what a participant is shown.
+//! The graphics Turing test: studies, and the trials of a participant.
 
 use crate::arguments::{Text, Whole};
 use crate::convert::{from_js, to_js};
@@ -13,7 +13,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** What a participant reads: plain text, with an empty line between paragraphs. */
+/** The texts for participants: plain text, with an empty line between paragraphs. */
 export interface StudyTexts {
     consent: string;
     instructions: string;
@@ -22,78 +22,80 @@ export interface StudyTexts {
     end: string;
 }
 
-/** The figure that moves. */
+/** The skeleton of the moving figure. */
 export interface StudySkeleton {
-    /** The name of each node; joints first, then the ends of the last bones. */
+    /** The name of each node: first the joints, then the ends of the last bones. */
     names: string[];
     /** The parent of each node; -1 for the root. */
     parents: number[];
-    /** How many of the nodes are joints. */
+    /** The number of nodes that are joints. */
     joints: number;
     /** Height of the figure, in metres. */
     height: number;
-    /** The node on top of the head; null where it is not known. */
+    /** The node on top of the head; null if unknown. */
     head: number | null;
-    /** The tips of the left and the right foot; null where they are not known. */
+    /** The tips of the left and the right foot; null if unknown. */
     feet: [number, number] | null;
-    /** The nodes that a point-light walker shows. */
+    /** The nodes that are drawn for a point-light walker. */
     dots: number[];
 }
 
-/** How good a model is at the trial held out, and what its bound says. */
+/** The errors of a model on the held-out trial, and its bound. */
 export interface StimulusScores {
-    /** Mean squared error on the trial held out, frame by frame. */
+    /** Mean squared error on the held-out trial, frame by frame. */
     mse: number;
-    /** The same after dynamic time warping. */
+    /** Mean squared error after dynamic time warping. */
     dtwMse: number;
-    /** The bound on the log evidence, in nats; null where the model has none. */
+    /** The bound on the log evidence, in nats; null for a model without a bound. */
     bound: number | null;
-    /** The part of the bound about dynamics; null where its terms are not known. */
+    /** The terms of the bound for the dynamics; null if unknown. */
     dynamics: number | null;
-    /** The part of the bound about poses; null where its terms are not known. */
+    /** The terms of the bound for the poses; null if unknown. */
     pose: number | null;
 }
 
 /** A movement of a study. */
 export interface StudyStimulus {
-    /** Tells it from all others: what answers name it by. */
+    /** The unique id by which answers refer to the movement. */
     id: string;
     kind: "natural" | "generated";
-    /** The trial that was recorded, or held out and predicted. */
+    /** The recorded trial, or the held-out trial that was predicted. */
     trial: string;
     /**
-     * Of a natural one: whether it is shown all along; else it is kept for catch trials. False for a
-     * generated one.
+     * For a natural movement: true if ordinary trials show it, false if only catch trials show it. Always
+     * false for a generated movement.
      */
     seen: boolean;
-    /** Whether it is marked as an obvious failure: it checks attention. */
+    /**
+     * Whether the movement is marked as an obvious failure. Such movements check the participants' attention.
+     */
     failed: boolean;
-    /** How fast the figure went before it was centred, in metres a second. */
+    /** The speed of the figure before centring, in metres a second. */
     speed: number;
-    /** The kind of model; null for a natural one. */
+    /** The kind of model; null for a natural movement. */
     model: ModelKind | null;
-    /** Its settings; null for a natural one. */
+    /** The settings of the model; null for a natural movement. */
     settings: Candidate | null;
-    /** How good it is; null for a natural one. */
+    /** The scores of the model; null for a natural movement. */
     scores: StimulusScores | null;
 }
 
-/** How many trials of which kind a participant is shown. */
+/** The number of trials of each kind for a participant. */
 export interface StudyDesign {
     blocks: number;
     comparisons: number;
-    /** None are shown where the study has no failed movement. */
+    /** A study without a failed movement has no attention checks. */
     attentionChecks: number;
-    /** None are shown where the study has no unseen natural movement. */
+    /** A study without an unseen natural movement has no catch trials. */
     catchTrials: number;
     /** The shortest pause between blocks. */
     pauseSeconds: number;
-    /** Whether an answer is taken while the movements go on, which ends the trial. */
+    /** Whether a participant can answer while the figures move. The answer then ends the trial. */
     answerDuringMovement: boolean;
     seed: number;
 }
 
-/** Designs with a name. */
+/** Names of designs. */
 export type StudyPreset = "class" | "p3-part-1" | "p3-part-2" | "p2";
 
 /** How the figures of a study are drawn. */
@@ -104,11 +106,11 @@ export interface StudyInfo {
     title: string;
     look: StudyLook;
     framesPerSecond: number;
-    /** Seconds of each movement that are shown. */
+    /** How many seconds of each movement are shown. */
     seconds: number;
-    /** Frames of each movement that are shown. */
+    /** How many frames of each movement are shown. */
     frames: number;
-    /** Seconds of the cross before it. */
+    /** How many seconds the cross is shown before a movement. */
     crossSeconds: number;
     answerDuringMovement: boolean;
     pauseSeconds: number;
@@ -117,8 +119,8 @@ export interface StudyInfo {
     stimuli: StudyStimulus[];
     design: StudyDesign;
     /**
-     * SHA-256 of what is shown, hexadecimal: the same for every design, text and mark. Answers name the study
-     * by it.
+     * SHA-256 of the figure and the movements, hexadecimal. It does not depend on the design, the texts or
+     * the marks of failures. Answers refer to the study by this hash.
      */
     hash: string;
 }
@@ -128,13 +130,13 @@ export interface StudyTrial {
     /** Counted from 0. */
     block: number;
     kind: "comparison" | "attention" | "catch";
-    /** The place of the stimulus on the left. */
+    /** The index of the stimulus on the left. */
     left: number;
-    /** The place of the stimulus on the right. */
+    /** The index of the stimulus on the right. */
     right: number;
-    /** On which side the natural movement is; "none": on both. */
+    /** The side of the natural movement; "none" if both are natural. */
     naturalSide: "left" | "right" | "none";
-    /** The way that both figures go: 0 is towards the observer, 90 to the observer's right. */
+    /** The direction in which both figures walk: 0 is towards the observer, 90 to the observer's right. */
     headingDegrees: number;
 }
 "#;
@@ -220,29 +222,29 @@ struct StudyTrial {
     heading_degrees: usize,
 }
 
-/// A study: movements, who made them, and how they are shown.
+/// A study: movements, their sources, and how they are shown.
 #[wasm_bindgen]
 pub struct Study {
     study: MovementStudy,
-    /// The stimuli never change, so a large study is read once.
+    /// The stimuli never change, so the changed copies of a study share them.
     hash: OnceCell<String>,
 }
 
 #[wasm_bindgen]
 impl Study {
-    /// Reads a study's document. Throws what is wrong, with the path of the field.
+    /// Reads the document of a study. Throws the error with the path of the field.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &Text) -> Result<Study, VcgpdmError> {
         Ok(Study::of(MovementStudy::from_json(&text.get(ErrorCode::Study, "the document")?)?))
     }
 
-    /// The document.
+    /// The study as a JSON document.
     #[wasm_bindgen(js_name = toJson)]
     pub fn to_json(&self) -> Result<String, VcgpdmError> {
         Ok(self.study.to_json()?)
     }
 
-    /// Its design, texts and stimuli.
+    /// The design, texts and stimuli of the study.
     #[wasm_bindgen(getter, unchecked_return_type = "StudyInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {
         let study = &self.study;
@@ -286,8 +288,7 @@ impl Study {
         })
     }
 
-    /// What a participant is shown, in order: the same for the same seed, a whole number from 0 to
-    /// 4294967295.
+    /// The trials of a participant, in order. The seed, a whole number from 0 to 4294967295, determines them.
     #[wasm_bindgen(unchecked_return_type = "StudyTrial[]")]
     pub fn trials(&self, seed: &Whole) -> Result<JsValue, VcgpdmError> {
         let seed = seed.get(ErrorCode::Study, "the seed")?;
@@ -302,8 +303,8 @@ impl Study {
         to_js(&self.study.trials(seed).into_iter().map(trial).collect::<Vec<_>>())
     }
 
-    /// The places of a movement's nodes [frames x nodes x 3]: y up, in metres, the ground at y = 0, the
-    /// figure above the origin, on its way along z.
+    /// The positions of a movement's nodes [frames x nodes x 3], in metres. The y axis points up, the ground
+    /// is at y = 0, and the figure stays above the origin and faces along z.
     pub fn positions(&self, stimulus: &Whole) -> Result<Vec<f32>, VcgpdmError> {
         let stimulus = stimulus.count(ErrorCode::Study, "the movement")?;
         self.study.positions(stimulus).ok_or_else(|| {
@@ -313,8 +314,8 @@ impl Study {
         })
     }
 
-    /// The same movements with the trials and times of a preset; movements that are shorter than the preset's
-    /// are shown whole.
+    /// The same movements with the trials and times of a preset. Movements that are shorter than the preset's
+    /// time are shown in full.
     #[wasm_bindgen(js_name = withDesign)]
     pub fn with_design(
         &self,
@@ -324,7 +325,7 @@ impl Study {
         Ok(self.changed(self.study.clone().with_preset(preset)))
     }
 
-    /// The same study with figures that are drawn like this.
+    /// The same study with figures drawn in this way.
     #[wasm_bindgen(js_name = withLook)]
     pub fn with_look(
         &self,
@@ -349,7 +350,7 @@ impl Study {
         Ok(self.changed(study))
     }
 
-    /// The same study of which the movements of these ids, and no others, are marked as obvious failures.
+    /// The same study, with only the movements of these ids marked as obvious failures.
     #[wasm_bindgen(js_name = withFailed)]
     pub fn with_failed(
         &self,

@@ -1,4 +1,4 @@
-//! The synthetic experiment: who drives whom, where the truth is known.
+//! The synthetic experiment: which part drives which, on data with a known answer.
 
 use crate::arguments::Whole;
 use crate::convert::{flat, rows, to_js};
@@ -11,24 +11,24 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** The data, the truth about them, and what counts as finding it. */
+/** The data, the true latents and couplings, and the limits by which couplings are judged. */
 export interface SyntheticTruth {
     frames: number;
-    /** The share of the first part in the second. */
+    /** The share of the first part in the dynamics of the second part. */
     drive: number;
     /** The true latents of each part [frames x 2], row after row. */
     latents: number[][];
-    /** What the model sees of each part, centred [frames x columns], row after row. */
+    /** The centred observations of each part [frames x columns], row after row. */
     observed: number[][];
-    /** Observed columns of a part. */
+    /** Number of observed columns of a part. */
     columns: number;
     /** Variance of the observations' noise. */
     noise: number;
-    /** From this ratio of coupling variances on a part counts for nothing. */
+    /** If the ratio of coupling variances is at least this, the other part counts as without influence. */
     much: number;
-    /** Up to this ratio both parts have their say. */
+    /** If the ratio of coupling variances is at most this, both parts count as having influence. */
     alike: number;
-    /** No coupling variance can be larger. */
+    /** The largest possible coupling variance. */
     largestAlpha: number;
 }
 
@@ -40,31 +40,34 @@ export interface SyntheticFit {
     mse: number;
 }
 
-/** What the coupling variances say about who drives whom, and whether it is true. */
+/** Ratios of coupling variances, which show which part drives which, and whether they show the truth. */
 export interface SyntheticVerdict {
-    /** alpha from 2 to 1 over alpha from 1 to 1. */
+    /** alpha from 2 to 1, divided by alpha from 1 to 1. */
     back: number;
-    /** alpha from 1 to 2 over alpha from 2 to 2. */
+    /** alpha from 1 to 2, divided by alpha from 2 to 2. */
     forth: number;
-    /** Whether `back` says that the second part does not drive the first, which is true. */
+    /** Whether `back` shows the truth: the second part does not drive the first. */
     backIsRight: boolean;
-    /** Whether `forth` says truly whether the first part drives the second. */
+    /** Whether `forth` shows the truth about whether the first part drives the second. */
     forthIsRight: boolean;
 }
 
-/** What training has found so far, at its best bound. */
+/** The findings of the training at its best bound so far. */
 export interface SyntheticFindings {
     /** Coupling variances `alpha[source][target]`. */
     alpha: number[][];
-    /** The weights that they give `[source][target]`; those into each part sum to 1. */
+    /**
+     * The weights `[source][target]` that follow from the coupling variances. The weights into each part sum
+     * to 1.
+     */
     weights: number[][];
     verdict: SyntheticVerdict;
     /**
-     * The learned latents of each part [frames x 2], row after row, after the affine map that brings them
-     * nearest the truth.
+     * The learned latents of each part [frames x 2], row after row, after the affine map that fits them best
+     * to the true latents.
      */
     learned: number[][];
-    /** The share of the true latents' variance that these explain, for each part. */
+    /** For each part, the share of the variance of the true latents that the learned latents explain. */
     explained: number[];
     start: SyntheticFit;
     now: SyntheticFit;
@@ -103,7 +106,8 @@ struct SyntheticFindings {
     now: Fit,
 }
 
-/// Two made-up systems, of which one drives the other or does not, and a training that is to find out.
+/// Two simulated systems, and a training on their data. The training is a test: can it find whether the first
+/// system drives the second?
 #[wasm_bindgen]
 pub struct SyntheticExperiment {
     experiment: Experiment,
@@ -111,8 +115,8 @@ pub struct SyntheticExperiment {
 
 #[wasm_bindgen]
 impl SyntheticExperiment {
-    /// Makes the data and finds where training starts; both follow from the seed, a whole number from 0 to
-    /// 4294967295. `driving`: whether the first part drives the second.
+    /// Makes the data and finds the starting point of the training. The seed, a whole number from 0 to
+    /// 4294967295, determines both. `driving`: whether the first part drives the second.
     #[wasm_bindgen(constructor)]
     pub fn new(seed: &Whole, driving: bool) -> Result<SyntheticExperiment, VcgpdmError> {
         let seed = seed.get(ErrorCode::Settings, "the seed")?;
@@ -120,7 +124,7 @@ impl SyntheticExperiment {
         Ok(SyntheticExperiment { experiment: Experiment::new(data, &Synthetic::settings(), seed)? })
     }
 
-    /// The data, and the truth about them.
+    /// The data and the true latents and couplings.
     #[wasm_bindgen(unchecked_return_type = "SyntheticTruth")]
     pub fn truth(&self) -> Result<JsValue, VcgpdmError> {
         let data = self.experiment.data();
@@ -138,13 +142,13 @@ impl SyntheticExperiment {
         })
     }
 
-    /// One iteration of the optimiser: a few milliseconds.
+    /// One iteration of the optimiser. It takes a few milliseconds.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
         progress_to_js(&self.experiment.step())
     }
 
-    /// What training has found so far, at any time.
+    /// The findings so far. They can be read at any time.
     #[wasm_bindgen(unchecked_return_type = "SyntheticFindings")]
     pub fn findings(&self) -> Result<JsValue, VcgpdmError> {
         let drive = self.experiment.data().drive;

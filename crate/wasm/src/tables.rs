@@ -17,11 +17,11 @@ export interface TableInfo {
     sha256: string;
     columns: string[];
     rows: number;
-    /** Seconds from one row to the next, where the file has a column of times. */
+    /** Seconds from one row to the next; null if the file has no column of times. */
     frameTime: number | null;
 }
 
-/** A part of a table: columns that share a latent space, by their names. */
+/** A part of a table: the names of the columns that share a latent space. */
 export interface TablePart {
     name: string;
     columns: string[];
@@ -30,7 +30,7 @@ export interface TablePart {
 /** The settings of a training on tables. */
 export interface TableTrainingSettings extends Omit<TrainingSettings, "parts"> {
     parts: TablePart[];
-    /** Rows a second, where the tables have no column of times. */
+    /** Rows a second, if the tables have no column of times. */
     framesPerSecond: number;
 }
 "#;
@@ -51,7 +51,7 @@ pub(crate) struct TablePart {
     columns: Vec<String>,
 }
 
-/// A trial of a time series: named columns, one row for each moment.
+/// A trial of a time series: named columns, with one row for each moment.
 #[wasm_bindgen]
 pub struct Table {
     pub(crate) table: Series,
@@ -67,8 +67,8 @@ impl Table {
         Ok(Table { table: read(&name, &bytes.get(ErrorCode::Table, "the file")?)? })
     }
 
-    /// A table of numbers at hand, row after row [rows x columns], `frameTime` seconds from one row to the
-    /// next.
+    /// Makes a table from numbers, row after row [rows x columns], with `frameTime` seconds from one row to
+    /// the next.
     pub fn of(
         name: &Text,
         columns: Vec<String>,
@@ -82,25 +82,25 @@ impl Table {
             return Err(VcgpdmError::new(ErrorCode::Table, &found));
         }
         let values = DMatrix::from_row_slice(values.len() / d, d, values);
-        // Written and read as a file, so that the same rules hold.
+        // The numbers are written and read as a file, so that the same rules apply.
         let text = vcgpdm::series::write(&columns, &values, frame_time);
         Ok(Table { table: read(&name, text.as_bytes())? })
     }
 
-    /// Its name, size and columns.
+    /// The name, size and columns of the table.
     #[wasm_bindgen(unchecked_return_type = "TableInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {
         let Series { name, sha256, columns, values, frame_time } = &self.table;
         to_js(&TableInfo { name, sha256, columns, rows: values.nrows(), frame_time: *frame_time })
     }
 
-    /// Its numbers [rows x columns].
+    /// The numbers of the table [rows x columns].
     pub fn values(&self) -> Vec<f64> {
         flat(&self.table.values)
     }
 }
 
-/// The parts of a training by the places of their columns in the first table.
+/// The parts of a training, with the indices of their columns in the first table.
 pub(crate) fn parts_of_columns(tables: &[Series], parts: &[TablePart]) -> Result<Vec<PartSpec>, VcgpdmError> {
     let columns = tables.first().map_or(&[][..], |table| &table.columns);
     let place = |part: &TablePart, name: &String| {
