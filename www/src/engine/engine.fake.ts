@@ -1,4 +1,4 @@
-// For tests: an engine and a pool that compute nothing, and answer when they are told to.
+// For tests: an engine and a pool that compute nothing. The test decides when they answer.
 import type { StartedEngine } from "./engine";
 import { Pool } from "./pool";
 import type { TrainingWorker } from "./whole-workers";
@@ -51,7 +51,7 @@ function still(frames: number): Motion {
   return { positions: new Float32Array(frames * 6), frames, nodes: 2, frameTime: 1 / 30 };
 }
 
-/** A model's document: a seed that names it, and the number of its sequences. */
+/** The document of a model: a seed that identifies it, and the number of its sequences. */
 export function modelText(seed: number, sequences = 1): string {
   return JSON.stringify({ seed, sequences });
 }
@@ -98,7 +98,7 @@ function infoOf(text: string): ModelInfo {
   };
 }
 
-/** Stands for the hash of a model's document: another one for each seed. */
+/** A fake hash of a model's document, different for each seed. */
 export function modelHash(seed: number): string {
   return seed.toString(16).padStart(8, "0").padEnd(64, "f");
 }
@@ -121,7 +121,7 @@ function loadedClip(id: number, frames = 60): LoadedClip {
   return { id, info: info as unknown as ClipInfo, motion: still(frames) };
 }
 
-/** A call whose answer is held back. */
+/** A call whose answer waits for the test. */
 interface HeldCall {
   name: keyof Engine;
   args: unknown[];
@@ -130,21 +130,21 @@ interface HeldCall {
 }
 
 export class FakeEngine implements Partial<Engine> {
-  /** Calls of these are held back until the test ends them. */
+  /** The names of the calls whose answers wait for the test. */
   readonly holding = new Set<keyof Engine>();
   readonly held: HeldCall[] = [];
-  /** All rollouts that were asked for. */
+  /** All requested rollouts. */
   readonly rollouts: RolloutRequest[] = [];
-  /** The clips that are open, and those that do not go with others. */
+  /** The open clips, and the clips that cannot be trained on with others. */
   readonly clips = new Set<number>();
   readonly odd = new Set<number>();
   /** The clips of a body with longer bones. */
   readonly longer = new Set<number>();
-  /** How rollouts end. */
+  /** The health of all rollouts. */
   health: Health = MOVES_ON;
-  /** The live rollout, if there is one: what changed it, and its frames. */
+  /** The live rollout, if there is one: its changes and the number of its frames. */
   live: { changes: LiveChange[]; frames: number } | null = null;
-  /** The document of the model that is held. */
+  /** The document of the open model. */
   text = "";
   #revision = 0;
   #lastClip = 0;
@@ -253,8 +253,11 @@ export class FakeEngine implements Partial<Engine> {
 
   predictions(request: RolloutRequest): ReturnType<Engine["predictions"]> {
     const rows = request.frames - 2;
-    const said = () => ({ means: new Float64Array(2 * rows), variances: new Float64Array(rows).fill(0.04) });
-    const parts = [0, 1].map(() => ({ experts: [said(), said()], product: said() }));
+    const constant = () => ({
+      means: new Float64Array(2 * rows),
+      variances: new Float64Array(rows).fill(0.04),
+    });
+    const parts = [0, 1].map(() => ({ experts: [constant(), constant()], product: constant() }));
     return this.#answer("predictions", [request], {
       revision: this.#revision,
       request,
@@ -293,32 +296,32 @@ export class FakeEngine implements Partial<Engine> {
   }
 }
 
-/** A training that a worker was asked for, or asked to go on with. */
+/** A training that a worker was asked to start or to continue. */
 interface HeldTraining {
   job: TrainingJob;
-  /** The worker, counted from 0. */
+  /** The number of the worker, counted from 0. */
   worker: number;
-  /** Iterations to go on for; null: it begins. */
+  /** The number of further iterations; null for a new training. */
   more: number | null;
   signal: AbortSignal;
   /**
-   * Reports iterations, the newest with this bound, and the best model so far if there is one. Answers what
-   * the page did.
+   * Sends a report with this iteration, its bound and, if given, the best model so far. Returns whether the
+   * page asks for the best model.
    */
   report(iteration: number, bound: number, model?: string, health?: Health): boolean;
-  /** Sends the first report, with these notices. */
+  /** Sends the first report with these notices. */
   begin(notices: string[]): void;
   end(outcome: TrainingOutcome): void;
   fail(problem: Error): void;
-  /** The worker itself dies. */
+  /** Lets the worker die. */
   die(problem: Error): void;
 }
 
 export class FakeTrainers {
   readonly trainings: HeldTraining[] = [];
-  /** Workers that were let go. */
+  /** The number of dismissed workers. */
   dismissed = 0;
-  /** Workers that were started. */
+  /** The number of started workers. */
   hired = 0;
   readonly pool: Pool<TrainingWorker>;
 
@@ -358,7 +361,7 @@ export class FakeTrainers {
   }
 }
 
-/** A step of a training. */
+/** The progress of a training after an iteration. */
 export function progress(iteration: number, bound = 0): TrainingProgress {
   const terms = { kinematics: [], dynamics: [], initial: 0, entropy: 0 };
   const setbacks = { jittered: 0, turnedBack: 0 };
@@ -380,7 +383,7 @@ export function progress(iteration: number, bound = 0): TrainingProgress {
   } as TrainingProgress;
 }
 
-/** What a start of the engine answers with. */
+/** The answer of a start of the engine. */
 export function started(engine: FakeEngine, trainers = new FakeTrainers(2)): StartedEngine {
   const samples = ["walk-1", "walk-2", "wave-1"].map((id) => ({
     id,
@@ -390,7 +393,7 @@ export function started(engine: FakeEngine, trainers = new FakeTrainers(2)): Sta
   return { engine: engine as unknown as Engine, pool: trainers.pool, version: "1.2.3", samples };
 }
 
-/** Lets everything happen that waits for nothing but its turn. */
+/** Waits until all promises that are ready have been handled. */
 export function settled(): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve, 0));
 }

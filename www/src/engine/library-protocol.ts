@@ -22,31 +22,32 @@ export type {
 
 /** A change of an endless walk before its next frames. */
 export type WalkChange =
-  /** The part goes on with another of its primitives. */
+  /** Switches the part to another of its primitives. */
   | { kind: "use"; part: number; primitive: number }
   /**
-   * The predictions of the part become so much, 0 to 1, those of another of its primitives: little by little.
+   * Mixes the predictions of another primitive of the part into its own. The share, 0 to 1, changes
+   * gradually.
    */
   | { kind: "mix"; part: number; other: number; share: number }
   | { kind: "couplings"; alpha: Couplings }
-  /** The couplings of a combination that nobody has fitted. */
+  /** Sets the couplings to the nearest couplings of the combination. */
   | { kind: "nearest"; uses: readonly number[] }
-  /** 1: as learned. */
+  /** 1 is the learned tempo. */
   | { kind: "tempo"; part: number; tempo: number };
 
-/** Clips of several movements, those of one movement after the other. */
+/** A training of a library. The clips are in the order of the movements. */
 export interface LearningJob extends LibraryPlan {
   clips: TrainingClip[];
   settings: TrainingSettings;
 }
 
-/** Couplings that were fitted, and where they come from. */
+/** Fitted couplings and their origin. */
 export interface Fitted {
   alpha: Couplings;
   from: CouplingsFrom;
 }
 
-/** Couplings of a combination to be fitted to clips. */
+/** A fit of the couplings of a combination to clips. */
 export interface FittingJob {
   /** The document of the library. */
   library: string;
@@ -55,21 +56,23 @@ export interface FittingJob {
   maxIterations: number;
 }
 
-/** Primitives of another library to be learned again under the pose maps of this one. */
+/** An import of primitives: they are learned again under the pose maps of this library. */
 export interface ImportJob {
-  /** The document of the library that takes them in. */
+  /** The document of this library. */
   library: string;
-  /** The document of theirs. */
+  /** The document of the other library, which has the primitives. */
   other: string;
-  /** Clips of their movement; none: what their file keeps of it. */
+  /**
+   * Clips of the movement of the primitives. Without clips, the import uses the stored latents or rollouts.
+   */
   clips: TrainingClip[];
   maxIterations: number;
   seed: number;
 }
 
 /**
- * What came of it: the document of the library with them, and how much of each part's poses its pose maps do
- * not show.
+ * The result of an import: the document of the enlarged library, and for each part how much of the poses its
+ * pose map cannot reproduce.
  */
 export interface Imported {
   text: string;
@@ -77,11 +80,12 @@ export interface Imported {
 }
 
 /**
- * A library with primitives of another file, and how many of them are new in it; or why they do not fit it.
+ * The result of an addition: the enlarged library and the number of new primitives, or the reason why the
+ * primitives do not fit.
  */
 export type Addition = { text: string; info: LibraryInfo; added: number } | { misfit: Misfit };
 
-/** One row of the map of tempo and coupling. */
+/** One row of the locking map: one tempo, several strengths of the coupling. */
 export interface LockingJob {
   library: string;
   uses: number[];
@@ -92,49 +96,58 @@ export interface LockingJob {
 }
 
 /**
- * What a worker does for libraries. It holds one library with one walk; what trains is told which library,
- * and keeps nothing.
+ * The calls of a worker for libraries. The worker keeps one library with one walk. The trainings get the
+ * library as an argument and keep nothing.
  */
 export interface LibraryWorker {
-  /** Whether the document has a primitive of every part; else it can only be added to a library. */
+  /** Whether the library has a primitive for each part. If not, it can only be added to another library. */
   isWholeLibrary(text: string): boolean;
-  /** Takes a library up in the place of the one before, which stays where that fails. */
+  /** Opens a library and closes the earlier one. If opening fails, the earlier library stays open. */
   openLibrary(text: string): LibraryInfo;
-  /** The couplings of a combination that nobody has fitted. */
+  /** The nearest couplings, for a combination without fitted couplings. */
   nearestCouplings(uses: number[]): Couplings;
-  /** The first frames of a combination, under those couplings. */
+  /** The first frames of a combination under its nearest couplings. */
   combinationMotion(uses: number[], frames: number): Motion;
-  /** Which parts of a combination stand still in the long run, and to whom they listen. */
+  /**
+   * The long-run motion of each part of a combination: whether the part stands still, and which other part
+   * drives it.
+   */
   combinationMoves(uses: number[], alpha: Couplings): PartMotion[];
   /** The document of a combination as a model. */
   combinationText(uses: number[], alpha: Couplings): string;
-  /** Adds a combination to the library as a movement of that name; the walk goes on. */
+  /** Adds a combination to the library as a movement of that name. The walk continues. */
   addCombination(
     name: string,
     uses: number[],
     alpha: Couplings,
     from: CouplingsFrom | null,
   ): { text: string; info: LibraryInfo };
-  /** The document of these primitives as a library of their own. */
+  /** The document of a library with only these primitives. */
   primitivesText(primitives: number[]): string;
-  /** Adds the primitives of another library; the walk goes on. Where they do not fit, nothing changes. */
+  /**
+   * Adds the primitives of another library. The walk continues. If the primitives do not fit, nothing
+   * changes.
+   */
   addPrimitives(text: string): Addition;
   importPrimitives(job: ImportJob, report: Report<Imported>, signal: AbortSignal): Promise<TrainingOutcome>;
-  /** Begins an endless walk in the place of the one before. */
+  /** Starts an endless walk. An earlier walk ends. */
   startWalk(uses: number[]): void;
   /**
-   * Takes the last frames back, with what was changed since they were made, makes the changes, then computes
-   * the next frames. Throws when there is no walk.
+   * Removes the last `back` frames and undoes all changes made since, makes the new changes, then computes
+   * the next frames. Throws if there is no walk.
    */
   advanceWalk(back: number, changes: WalkChange[], frames: number): Motion;
   learnLibrary(job: LearningJob, report: Report<string>, signal: AbortSignal): Promise<TrainingOutcome>;
   fitCouplings(job: FittingJob, report: Report<Fitted>, signal: AbortSignal): Promise<TrainingOutcome>;
-  /** Trains without one trial. The last report brings the outcome, unless the training was cancelled. */
+  /**
+   * Trains without the held-out trial of the fold. The last report has the outcome, unless the training was
+   * cancelled.
+   */
   holdOut(
     fold: ModularityFold,
     report: Report<ModularityOutcome>,
     signal: AbortSignal,
   ): Promise<TrainingOutcome>;
-  /** How well the target is locked to the source at each coupling, 0 to 1. */
+  /** How firmly the target is locked to the source at each strength of the coupling, from 0 to 1. */
   lockingRow(job: LockingJob): Float64Array;
 }

@@ -19,7 +19,7 @@ import type {
 import type { Couplings, Motion, Report, TrainingOutcome, TrainingReport } from "./protocol";
 import type { Calls } from "./calls";
 
-/** Training that a test brings to its end. */
+/** A training that the test ends. */
 export interface PendingTraining<Job, Found> {
   job: Job;
   report(report: TrainingReport<Found>): unknown;
@@ -39,8 +39,8 @@ const figure = {
 };
 
 /**
- * A library's document: what it is called, its movements beside the two that were recorded, and primitives of
- * the upper body beside the two.
+ * The document of a library: its name, the movements added to the two recorded ones, and the primitives of
+ * the upper body added to the first two.
  */
 export function libraryText(
   name: string,
@@ -50,7 +50,7 @@ export function libraryText(
   return JSON.stringify({ name, added, arms });
 }
 
-/** A file with a primitive of the upper body alone. */
+/** A file with only a primitive of the upper body. */
 export const armsText = (name: string) => JSON.stringify({ arms: [name], alone: true });
 
 interface FakeText {
@@ -96,40 +96,40 @@ const COUPLINGS: Couplings = [
 ];
 
 export class FakeLibraries {
-  /** What the worker was asked to hold, in order. */
+  /** The documents that the worker opened, in order. */
   readonly opened: string[] = [];
-  /** All changes of walks, and where walks began. */
+  /** All changes of walks, and the primitives with which walks began. */
   readonly changes: WalkChange[] = [];
   readonly walks: number[][] = [];
-  /** What the walks were asked for: frames taken back, and frames. */
+  /** The requests to walks: how many frames to take back, and how many to compute. */
   readonly advances: { back: number; frames: number }[] = [];
   readonly learnings: PendingTraining<LearningJob, string>[] = [];
   readonly fittings: PendingTraining<FittingJob, Fitted>[] = [];
   readonly imports: PendingTraining<ImportJob, Imported>[] = [];
   readonly folds: PendingTraining<ModularityFold, ModularityOutcome>[] = [];
-  /** Where the couplings of combinations came from that were added. */
+  /** The origins of the couplings of added combinations. */
   readonly origins: (CouplingsFrom | null)[] = [];
-  /** Why primitives of another file do not fit; null: they do. */
+  /** The reason why primitives of another file do not fit; null if they fit. */
   misfit: Misfit | null = null;
-  /** What every combination does. */
+  /** The long-run motion of every combination. */
   moves: PartMotion[] = [];
   readonly rows: LockingJob[] = [];
-  /** Why documents are refused; empty when they are not. */
+  /** The reason why documents are refused; empty if they are accepted. */
   refused = "";
-  /** Why the next frames do not come; empty when they do. */
+  /** The error of the next frames; empty if they arrive. */
   broken = "";
 
-  /** A worker that has just started: it holds nothing. */
+  /** A new worker without a library. */
   worker(): Calls<LibraryWorker> {
     let held: string | null = null;
     let uses: readonly number[] | null = null;
-    /** Where the walk began, and its primitives in each frame. */
+    /** The primitives at the start of the walk and in each frame. */
     let states: (readonly number[])[] = [];
     const text = () => {
       if (held === null) throw new Error("There is no library yet: open one.");
       return held;
     };
-    /** Each combination stands somewhere else. */
+    /** Each combination has another position. */
     const motion = (uses: readonly number[], frames: number): Motion => ({
       ...{ frames, nodes: 2, frameTime: 1 / 30 },
       positions: new Float32Array(frames * 6).fill(uses.reduce((sum, primitive) => sum + primitive, 0)),

@@ -1,4 +1,4 @@
 // Limits of the page.
 
-/** The most parts of a body: there are colours and space for so many. */
+/** The maximum number of parts of a body. The page has colours and space for this many. */
 export const MAX_PARTS = 8;

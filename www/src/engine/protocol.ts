@@ -48,7 +48,7 @@ export interface Motion {
   frameTime: number;
 }
 
-/** A clip that is open in the worker, with its motion. */
+/** An open clip of the worker, with its motion. */
 export interface LoadedClip {
   /** The worker's number for the clip. */
   id: number;
@@ -65,11 +65,11 @@ export interface DynamicsInducing {
   outputs: Float64Array;
 }
 
-/** A fitted model as the page sees it: everything but its functions. */
+/** A fitted model for the page, without its functions. */
 export interface ModelView {
-  /** Grows with every model that the worker opens; results of an older model are dropped. */
+  /** Increases with each model that the worker opens. The page ignores results of an earlier model. */
   revision: number;
-  /** SHA-256 of its document, as it is saved; hexadecimal. */
+  /** SHA-256 of the saved document, hexadecimal. */
   sha256: string;
   info: ModelInfo;
   /** Pose inducing inputs of each part [L x Q]. */
@@ -77,8 +77,8 @@ export interface ModelView {
   /** [source][target] */
   dynamicsInducing: DynamicsInducing[][];
   /**
-   * Latent means of the training frames of each part [N x Q]; null for a model from a file. The page adds
-   * them.
+   * Latent means of the training frames of each part [N x Q]. The page sets them; null for a model from a
+   * file.
    */
   trainingLatents: Float64Array[] | null;
 }
@@ -86,9 +86,9 @@ export interface ModelView {
 export interface RolloutRequest {
   frames: number;
   sequence: number;
-  /** The frame of the sequence that begins it; absent: the first. */
+  /** The frame of the sequence at which the rollout starts; absent: the first. */
   frame?: number;
-  /** Absent: as learned. */
+  /** Absent: the learned couplings. */
   alpha: Couplings | null;
   reading: Reading;
 }
@@ -103,7 +103,7 @@ export interface RolloutResult {
   weights: Couplings;
 }
 
-/** The motion of the body in a rollout, and how it ends. */
+/** The motion of the body in a rollout, and the health of the rollout. */
 export interface BodyReport {
   revision: number;
   request: RolloutRequest;
@@ -115,7 +115,7 @@ export interface BodyReport {
 export interface Predictions {
   /** [predicted frames x Q] */
   means: Float64Array;
-  /** The same in all dimensions [predicted frames]. */
+  /** One variance for all dimensions [predicted frames]. */
   variances: Float64Array;
 }
 
@@ -123,9 +123,9 @@ export interface Predictions {
 export interface PredictionsReport {
   revision: number;
   request: RolloutRequest;
-  /** The first frame that is predicted. */
+  /** The first predicted frame. */
   firstFrame: number;
-  /** For each part the prediction of each source, and their product. */
+  /** For each part, the prediction of each source and the product of the predictions. */
   parts: { experts: Predictions[]; product: Predictions }[];
 }
 
@@ -134,9 +134,12 @@ export interface LiveFrames {
   motion: Motion;
   /** Latent path of each part [frames x Q]. */
   latents: Float64Array[];
-  /** The phase of each part on the learned cycle, in turns [frames x parts]; empty without a cycle. */
+  /** The phase of each part on the learned cycle, in turns [frames x parts]. Empty if there is no cycle. */
   phases: Float64Array;
-  /** How far from the learned cycle each part is, in radii of its cycle [frames x parts]; empty as phases. */
+  /**
+   * The distance of each part from its learned cycle, in radii of the cycle [frames x parts]. Empty if
+   * `phases` is empty.
+   */
   distances: Float64Array;
 }
 
@@ -149,13 +152,13 @@ export type LiveChange =
   /** Moves a node of the figure, in metres. */
   | { kind: "pull"; node: number; by: [number, number, number] };
 
-/** A model with its rollout as learned. */
+/** A model with its rollout under the learned couplings. */
 export interface OpenedModel {
   model: ModelView;
   rollout: RolloutResult;
 }
 
-/** The source of a clip: every worker that trains on it reads it itself. */
+/** The source of a clip. Each worker that trains on the clip reads the source. */
 export type ClipSource = { sample: string } | { name: string; file: Blob };
 
 /** A clip chosen for training: frames first (counted from 0) up to, not including, end. */
@@ -164,94 +167,96 @@ export interface TrainingClip {
   source: ClipSource;
   first: number;
   end: number;
-  /** Whether it takes the bones of the first of the clips, where its own differ. */
+  /** Whether the clip gets the bones of the first clip if its own differ. */
   firstBones?: boolean;
 }
 
-/** Why clips cannot be trained on together. */
+/** The reason why clips cannot be trained on together. */
 export interface Clash {
   words: string;
-  /** Whether only their bones differ. Then all clips can have those of the first. */
+  /** Whether only the bones differ. Then all clips can use the bones of the first clip. */
   bones: boolean;
 }
 
-/** The inducing point that the visitor points at. */
+/** The inducing point under the visitor's pointer. */
 export type InducingPoint =
   | { kind: "pose"; part: number; index: number }
   | { kind: "dynamics"; source: number; target: number; index: number };
 
-/** The meaning of an inducing point. */
+/** The poses and weights of an inducing point. */
 export interface InducingReport {
   point: InducingPoint;
-  /** Node positions of the pose, and for a dynamics point of the pose it predicts [nodes x 3]. */
+  /** Node positions of the pose [nodes x 3]. A dynamics point also has the pose that it predicts. */
   poses: Float32Array[];
   /** The weight of the point in each frame of the rollout, 0..1 [frames]. */
   frames: Float64Array;
 }
 
-/** A trained model on its way from the worker that trained it to the one that shows it. */
+/** A trained model, which the page passes from the training worker to the workbench. */
 export interface TrainedModel {
   /** The shared JSON document. */
   text: string;
   /** Latent means of the training frames of each part [N x Q]. */
   latents: Float64Array[];
-  /** How its rollout ends; null where it has none. */
+  /** The health of the model's rollout; null if unknown. */
   health: Health | null;
 }
 
-/** Sent about ten times a second while something is trained, and when the training ends. */
+/** A report of a training. The worker sends it about ten times a second, and when the training ends. */
 export interface TrainingReport<Found> {
   /** One entry for each iteration since the last report. */
   steps: TrainingProgress[];
   /** The newest iteration. */
   progress: TrainingProgress;
-  /** Seconds since it began, or since it went on. */
+  /** Seconds since the training began or was continued. */
   elapsed: number;
-  /** The best so far: with the last report, and where the answer to an earlier one asked for it. */
+  /**
+   * The best result so far. It comes with the last report, and when the page asked for it; otherwise null.
+   */
   found: Found | null;
-  /** With the first report: what the visitor should know of the data and the settings. */
+  /** Notices for the visitor about the data and the settings. They come with the first report. */
   notices?: string[];
 }
 
-/** May answer that the next report is to bring the best so far. */
+/** Handles a report. Returns true to get the best result with the next report. */
 export type Report<Found> = (report: TrainingReport<Found>) => unknown;
 
 export interface TrainingOutcome {
-  /** A cancelled training keeps the best so far. */
+  /** Whether the training was cancelled. The best result so far is kept. */
   cancelled: boolean;
-  /** Why training ended; null when it was cancelled. */
+  /** The reason why training ended; null if it was cancelled. */
   reason: TrainingProgress["reason"];
-  /** What the visitor should know of the data and the settings: sentences without a full stop. */
+  /** Notices for the visitor about the data and the settings: sentences without a full stop. */
   notices?: string[];
 }
 
 export interface CostQuestion {
   settings: VariationalSettings;
   frames: number;
-  /** Columns of each part. */
+  /** The number of columns of each part. */
   columns: number[];
 }
 
 export interface TrainingJob {
   clips: TrainingClip[];
   settings: TrainingSettings;
-  /** The length of the rollout by which the model is judged. */
+  /** The length of the rollout that determines the health of the model. */
   frames: number;
 }
 
 /**
- * A worker that trains, one model at a time. Here and in the other workers, a signal ends a training early: the
- * best so far is kept.
+ * The calls of a training worker, which trains one model at a time. In all workers, a signal ends a training
+ * early and the best result so far is kept.
  */
 export interface Trainee {
   start(wasm: WebAssembly.Module): Promise<unknown>;
-  /** The worker keeps what it trained until the next training. */
+  /** Trains a model. The worker keeps the training until the next one. */
   train(job: TrainingJob, report: Report<TrainedModel>, signal: AbortSignal): Promise<TrainingOutcome>;
-  /** Continues the training that the worker keeps, for at most this many more iterations. */
+  /** Continues the last training for at most this many more iterations. */
   goOn(iterations: number, report: Report<TrainedModel>, signal: AbortSignal): Promise<TrainingOutcome>;
 }
 
-/** The worker that shows clips and models. */
+/** The calls of the workbench, the worker that shows clips and models. */
 export interface Workbench {
   start(wasm: WebAssembly.Module): Promise<{ version: string; samples: SampleInfo[] }>;
   freshSeed(): number;
@@ -260,18 +265,18 @@ export interface Workbench {
   sampleClip(id: string): LoadedClip;
   dropClip(id: number): void;
   /**
-   * Why these clips cannot be trained on together, all with the bones of the first where that is asked for;
-   * null: they can.
+   * The reason why these clips cannot be trained on together; null if they can. `firstBones`: all clips get
+   * the bones of the first.
    */
   checkTogether(ids: number[], firstBones: boolean): Clash | null;
   /**
-   * Which of several models of the same data is to be shown, from the ranks of their rollouts' health and
-   * their bounds.
+   * The index of the model to show, among several models of the same data. The choice uses the ranks of their
+   * rollouts' health and their bounds.
    */
   bestToShow(ranks: number[], bounds: number[]): number;
-  /** The cost of a training here. */
+  /** The estimated cost of a training on this machine. */
   trainingCost(question: CostQuestion): TrainingCost;
-  /** The model and its rollouts carry the number `revision`. */
+  /** Opens a model. The model and its rollouts get the number `revision`. */
   openModel(text: string, frames: number, revision: number): OpenedModel;
   rollout(request: RolloutRequest): RolloutResult;
   inducing(point: InducingPoint, rollout: RolloutRequest): InducingReport;
@@ -280,9 +285,9 @@ export interface Workbench {
   /** The motion of the body from frame `first` on. */
   bodyReport(request: RolloutRequest, first: number): BodyReport;
   predictions(request: RolloutRequest): PredictionsReport;
-  /** Sampled rollouts: of the seeds `seed`, `seed + 1`, and so on. */
+  /** Sampled rollouts with the seeds `seed`, `seed + 1`, and so on. */
   futures(request: RolloutRequest, count: number, seed: number): RolloutResult[];
-  /** Begins a live rollout after a frame of a rollout of the open model. An earlier live rollout ends. */
+  /** Starts a live rollout after a frame of a rollout of the open model. An earlier live rollout ends. */
   startLive(request: RolloutRequest, frame: number): void;
   /** Makes the changes, then computes the next frames. Throws when there is no live rollout. */
   advanceLive(changes: LiveChange[], frames: number): LiveFrames;
@@ -291,7 +296,7 @@ export interface Workbench {
   clipBvh(id: number, first: number, end: number): string;
 }
 
-/** The calls of the page to the worker that shows, whichever worker that is now. */
+/** The calls of the page to the workbench. They reach the current worker, also after a replacement. */
 export type Engine = Calls<Omit<Workbench, "start" | "openModel">> & {
   openModel(text: string, frames: number): Promise<OpenedModel>;
 };

@@ -1,7 +1,7 @@
-// A worker that was started, and how the page learns that it has died.
+// Starts a worker, and detects its death.
 import { type Calls, callsOf } from "./calls";
 
-/** Starting the program is the first call of every worker. */
+/** The first call of each worker starts the program. */
 interface Startable {
   start(wasm: WebAssembly.Module): Promise<unknown>;
 }
@@ -14,20 +14,20 @@ export interface Running<Face> {
 }
 
 interface Starting<Face extends Startable> extends Running<Face> {
-  /** The answer of the worker's start. */
+  /** The answer of the call `start`. */
   ready: ReturnType<Face["start"]>;
 }
 
-/** What is wrong with a worker that reports an error: only a program that runs reports what and where. */
+/** The reason for an error event of a worker. Only a loaded program reports a message and a line. */
 export function workerTrouble(event: Pick<ErrorEvent, "message" | "lineno">): string {
   if (event.message || event.lineno) return `the worker that computed it stopped (${event.message})`;
   return "its program could not be loaded. Is this machine offline? Try again when it is online";
 }
 
-/** A name that no other worker has, of this page or of another tab. */
+/** A name that no other worker has, neither on this page nor in another tab. */
 export const nameOf = (purpose: string) => `vcgpdm ${purpose} ${Date.now()} ${Math.random()}`;
 
-/** Starts the program in a worker, which was opened with this name. */
+/** Starts the program in a worker with this name. */
 export function startIn<Face extends Startable>(
   worker: Worker,
   name: string,
@@ -40,9 +40,9 @@ export function startIn<Face extends Startable>(
 }
 
 /**
- * Fails when the worker dies. Some deaths send no event: but a worker that has started holds the lock of its
- * name, and the browser gives that lock to the page, which waits for it. (Only pages from https or from this
- * machine have locks.)
+ * Fails when the worker dies. Some deaths send no event. A started worker therefore holds a lock with its
+ * name, and the page requests the same lock: the browser grants it when the worker is dead. (Locks exist only
+ * on pages from https or from localhost.)
  */
 function deathOf(worker: Worker, name: string, started: Promise<unknown>): Promise<never> {
   const broken = new Promise<never>((_, fail) => {
@@ -50,7 +50,7 @@ function deathOf(worker: Worker, name: string, started: Promise<unknown>): Promi
     const onDeath = () => fail(new Error("the worker that computed it stopped"));
     started.then(() => navigator.locks?.request(name, onDeath)).catch(() => {});
   });
-  // Without a call under way nobody listens: a death is then no uncaught error.
+  // Without an unfinished call nothing handles the rejection. It must not count as an uncaught error.
   broken.catch(() => {});
   return broken;
 }

@@ -5,7 +5,7 @@ import type { Couplings, Reading, Report, TrainingOutcome } from "./protocol";
 export type { TableInfo, TablePart } from "vcgpdm";
 export type SeriesInfo = ModelInfo;
 
-/** A file of columns: every worker that trains on it reads it for itself. */
+/** A file with columns. Each worker that trains on the file reads it. */
 export interface TableSource {
   name: string;
   file: Blob;
@@ -18,13 +18,13 @@ export interface ReadTable {
 }
 
 export interface SeriesJob {
-  /** At least one; the columns of the others may stand in another order than those of the first. */
+  /** At least one table. The columns of later tables may be in another order than those of the first. */
   tables: TableSource[];
   settings: TableTrainingSettings;
 }
 
 export interface TrainedSeries {
-  /** The model's document. */
+  /** The document of the model. */
   text: string;
   /** Latent means of the training rows of each part [rows x Q]. */
   latents: Float64Array[];
@@ -32,9 +32,9 @@ export interface TrainedSeries {
 
 export interface SeriesRequest {
   frames: number;
-  /** The training table whose start begins it. */
+  /** The index of the training table from whose first rows the rollout starts. */
   sequence: number;
-  /** Null: as learned. */
+  /** Null: the learned couplings. */
   alpha: Couplings | null;
   reading: Reading;
 }
@@ -44,23 +44,20 @@ export interface SeriesRollout {
   values: Float64Array;
   /** Latent path of each part [frames x Q]; empty for a kind without couplings. */
   latents: Float64Array[];
-  /** w[source][target]; null as latents. */
+  /** w[source][target]; null for a kind of model without couplings. */
   weights: Couplings | null;
 }
 
-/** Time series. The worker keeps one model open, for rollouts. */
+/** The calls of a worker for time series. The worker keeps one model open for rollouts. */
 export interface SeriesWorker {
   readTable(source: TableSource): Promise<ReadTable>;
-  /** Why these tables cannot be trained on together; empty when they can. */
+  /** The reason why these tables cannot be trained on together; empty if they can. */
   checkTables(tables: TableSource[]): Promise<string>;
-  /**
-   * Keeps the model open in the place of the one before. Throws with the reason when the text is no model of
-   * tables.
-   */
+  /** Opens a model and closes the earlier one. If the text is not a model of tables, throws the reason. */
   openSeries(text: string): SeriesInfo;
   /** A rollout of the open model. */
   rolloutSeries(request: SeriesRequest): SeriesRollout;
-  /** A rollout of the open model as CSV: frame, time in seconds, and a column for each. */
+  /** A rollout of the open model as CSV: frame, time in seconds, and the columns of the model. */
   seriesCsv(request: SeriesRequest): string;
   trainSeries(job: SeriesJob, report: Report<TrainedSeries>, signal: AbortSignal): Promise<TrainingOutcome>;
 }

@@ -1,5 +1,5 @@
-// The worker that shows, kept alive: when it dies another takes over, with the same clips and model. Knows no
-// worker itself.
+// Supervises the workbench: when the worker dies, another takes over with the same clips and model. Callers
+// pass in the function that starts a worker.
 import { messageOf } from "../ui/format";
 import { callsBy } from "./calls";
 import type { Engine, LoadedClip, Workbench } from "./protocol";
@@ -10,20 +10,20 @@ export type RunningWorkbench = Running<Omit<Workbench, "start">>;
 type Remote = RunningWorkbench["calls"];
 
 export interface SupervisedEvents {
-  /** The worker stopped, for this reason; another has taken over, with the same clips and model. */
+  /** The worker stopped for this reason, and another has taken over with the same clips and model. */
   restarted(why: string): void;
   /** No other worker could take over. */
   stopped(problem: unknown): void;
 }
 
-/** So many workers in a row may die while they take over. */
+/** How many workers in a row may die while they take over. */
 const TAKE_OVERS = 3;
 
 /** The worker died during a call. */
 class Died extends Error {}
 
 interface OpenClip {
-  /** The worker's number of the clip. */
+  /** The number of the clip in the worker. */
   inWorker: number;
   read(remote: Remote): Promise<LoadedClip>;
 }
@@ -33,12 +33,15 @@ export class SupervisedEngine {
   readonly #start: () => Promise<RunningWorkbench>;
   readonly #events: SupervisedEvents;
   #worker: Promise<RunningWorkbench>;
-  /** The clips by the page's numbers, which stay when another worker gives them other numbers. */
+  /**
+   * The clips by their numbers on the page. These numbers stay when a new worker numbers the clips
+   * differently.
+   */
   readonly #clips = new Map<number, OpenClip>();
   #lastClip = 0;
   #model: { text: string; frames: number; revision: number } | null = null;
   #revision = 0;
-  /** The calls under way, which fail when the worker dies. */
+  /** The unfinished calls, which fail when the worker dies. */
   readonly #underWay = new Set<(problem: Died) => void>();
 
   constructor(first: RunningWorkbench, start: () => Promise<RunningWorkbench>, events: SupervisedEvents) {
@@ -46,7 +49,7 @@ export class SupervisedEngine {
     this.#events = events;
     this.#worker = Promise.resolve(first);
     this.#watch(first);
-    // Calls about clips and the model are written out: another worker needs the same clips and model.
+    // These calls change the clips and the model, which a replacement worker must get too.
     const own: Partial<Engine> = {
       readClip: (name, bytes) => {
         const file = new Blob([bytes as Uint8Array<ArrayBuffer>]);
@@ -87,12 +90,15 @@ export class SupervisedEngine {
     this.#revision += 1;
     const model = { text, frames, revision: this.#revision };
     const opened = await this.#ask((remote) => remote.openModel(text, frames, model.revision));
-    // A model that was opened later may have been answered earlier.
+    // The answer for a later model may have arrived first.
     if (!this.#model || this.#model.revision < model.revision) this.#model = model;
     return opened;
   }
 
-  /** Asks the worker. A call during which it dies is made once more; one that stops the program is not. */
+  /**
+   * Calls the worker. If the worker dies during the call, the call is repeated once. A call that stops the
+   * program is not repeated.
+   */
   async #ask<Answer>(call: (remote: Remote) => Promise<Answer>, again = true): Promise<Answer> {
     const worker = await this.#worker;
     let fail: (problem: Died) => void = () => {};
@@ -118,7 +124,7 @@ export class SupervisedEngine {
 
   readonly #replaced = new WeakSet<RunningWorkbench>();
 
-  /** Another worker takes over; calls wait for it. */
+  /** Replaces a dead worker. Calls wait for the new worker. */
   #replace(dead: RunningWorkbench, why: string): void {
     if (this.#replaced.has(dead)) return;
     this.#replaced.add(dead);
@@ -145,7 +151,7 @@ export class SupervisedEngine {
     );
   }
 
-  /** A new worker with the same clips and model. It may die at each step of this. */
+  /** Starts a worker with the same clips and model. The worker may die at each step. */
   async #successor(): Promise<RunningWorkbench> {
     const worker = await this.#start();
     try {

@@ -1,19 +1,22 @@
-// What a trap of the wasm means for a visitor. A trap ends the program in the middle of its work, so what its
-// memory holds cannot be trusted any more.
+// Explains a trap of the wasm to the visitor. A trap stops the program in the middle of its work, so the
+// contents of its memory are no longer reliable.
 
 /** Bytes of wasm memory above which a trap is most likely a failed allocation. The limit is 4 GiB. */
 const MUCH = 2 ** 30;
 
 const NAME = "RuntimeError";
 
-/** Out of stack and out of memory come as a RangeError, or as an InternalError in Firefox. */
+/** An exhausted stack or memory causes a RangeError, or an InternalError in Firefox. */
 function endsProgram(problem: Error): boolean {
   if (problem.name === NAME) return true;
   const range = problem.name === "RangeError" || problem.name === "InternalError";
   return range && /call stack|recursion|memory|buffer|typed array/i.test(problem.message);
 }
 
-/** In a worker: a trap in words for the visitor; other errors stay as they are. `bytes`: of the wasm's memory. */
+/**
+ * In a worker: turns a trap into an error with a message for the visitor. Other errors stay unchanged.
+ * `bytes` is the size of the wasm memory.
+ */
 export function explained(problem: unknown, bytes: number): unknown {
   if (!(problem instanceof Error) || !endsProgram(problem)) return problem;
   const stopped = `the program stopped (${problem.message})`;

@@ -58,9 +58,9 @@ export type {
   SyntheticTruth,
 } from "vcgpdm";
 
-/** A job, and what it is carried out on. */
+/** A job, with the clips and settings of its comparison. */
 export interface EvaluationJob extends Job {
-  /** All trials. */
+  /** The clips of all trials. */
   clips: TrainingClip[];
   settings: ComparisonSettings;
 }
@@ -68,34 +68,34 @@ export interface EvaluationJob extends Job {
 /** The outcome of one model in one fold. */
 export interface Evaluated {
   outcome: Outcome;
-  /** World positions of the prediction and of the trial held out [frames x nodes x 3]. */
+  /** World positions of the prediction and of the held-out trial [frames x nodes x 3]. */
   predicted: Float32Array;
   actual: Float32Array;
   /** Seconds between frames. */
   frameTime: number;
 }
 
-/** The results of a comparison as the page sees them. */
+/** The results of a comparison for the page. */
 export interface ResultsView {
   /** The file on disk. */
   text: string;
   setting: Setting;
-  /** In the order of tables. */
+  /** The finished jobs, in the order of the tables. */
   finished: FinishedJob[];
   comparison: Comparison;
 }
 
-/** The trainings of a comparison, and which of them are done. */
+/** The trainings of a comparison, finished or not. */
 export interface PlannedComparison {
   results: ResultsView;
   jobs: PlannedJob[];
-  /** What each of the jobs will cost. */
+  /** The estimated cost of each job. */
   costs: TrainingCost[];
-  /** Whether the results include the known results, which are then of the same setting. */
+  /** Whether the results include the known results. They do if the known results have the same setting. */
   goesOn: boolean;
 }
 
-/** One synthetic experiment: its data and its training follow from these. */
+/** One synthetic experiment. These values determine its data and its training. */
 export interface Experiment {
   /** The seed of the data and of the training. */
   seed: number;
@@ -104,18 +104,21 @@ export interface Experiment {
 }
 
 /**
- * What a worker does for comparisons. It keeps nothing between two calls, so that one that dies loses
- * nothing.
+ * The calls of a worker for comparisons. The worker keeps nothing between two calls, so its death loses no
+ * results.
  */
 export interface ComparisonWorker {
-  /** Answers null when it was cancelled. `report` gets the share of the training that is done. */
+  /**
+   * Trains the model of a job and evaluates it. Returns null if it was cancelled. `report` gets the finished
+   * share of the training.
+   */
   evaluate(
     job: EvaluationJob,
     report: (fraction: number) => void,
     signal: AbortSignal,
   ): Promise<Evaluated | null>;
   /**
-   * The jobs of a plan on these clips. `known`: the text of results that are gone on with if they are of the
+   * The jobs of a plan on these clips. `known`: the text of earlier results, which are used if they have the
    * same setting.
    */
   planComparison(
@@ -124,17 +127,17 @@ export interface ComparisonWorker {
     plan: Plan,
     known: string | null,
   ): Promise<PlannedComparison>;
-  /** Adds what came of a job to the results of which this is the text. */
+  /** Adds the outcome of a job to the results in `text`. */
   addOutcome(text: string, job: Job, outcome: Outcome): ResultsView;
-  /** Throws with the reason when the text holds no results. */
+  /** Reads results. If the text is not a file of results, throws the reason. */
   openResults(text: string): ResultsView;
 }
 
-/** The synthetic experiment. */
+/** The calls of a worker for the synthetic experiment. */
 export interface ExperimentWorker {
-  /** The data of an experiment, and the truth about them. */
+  /** The data of an experiment, and the true latents and couplings. */
   drawExperiment(experiment: Experiment): SyntheticTruth;
-  /** Trains until it is done or cancelled. */
+  /** Trains until the training ends or is cancelled. */
   trainExperiment(
     experiment: Experiment,
     report: Report<SyntheticFindings>,
@@ -142,7 +145,7 @@ export interface ExperimentWorker {
   ): Promise<TrainingOutcome>;
 }
 
-/** The latents of one part in each frame of a rollout as Gaussians. */
+/** The latents of one part as a Gaussian in each frame of a rollout. */
 export interface PartMoments {
   /** [frames x Q] */
   means: Float64Array;
@@ -150,75 +153,75 @@ export interface PartMoments {
   covariances: Float64Array;
 }
 
-/** How sure a model is. The worker keeps one model of a body open. */
+/** The calls of a worker for the uncertainty of a model. The worker keeps one model of a body open. */
 export interface UncertaintyWorker {
-  /** Keeps the model of this document open in the place of the one before. */
+  /** Opens the model of this document and closes the earlier model. */
   openOutlook(text: string): void;
-  /** Moment matching through time, for each part. */
+  /** Moment matching over the frames of a rollout, for each part. */
   moments(request: RolloutRequest): PartMoments[];
-  /** A picture of how sure the model is in a plane through the latent space of a part. */
+  /** An image of the model's uncertainty in a plane through the latent space of a part. */
   paintPlane(request: RolloutRequest, part: number, picture: PlanePicture): ImageBitmap;
 }
 
-/** A study as the page sees it. */
+/** A study for the page. */
 export interface StudyView {
   /** The file on disk. */
   text: string;
   info: StudyInfo;
-  /** How many trials a participant has. */
+  /** The number of trials of a participant. */
   trials: number;
 }
 
-/** What the page changes of a study. */
+/** The changes that the page can make to a study. */
 export interface StudyChange {
   preset?: StudyPreset;
   look?: StudyLook;
   texts?: StudyTexts;
-  /** The movements that are marked as obvious failures, by their ids: these and no others. */
+  /** The ids of all movements that are marked as obvious failures. */
   failed?: string[];
 }
 
-/** A natural movement of a study that is to be made: a trial as it was. */
+/** A natural movement for a new study: a recorded trial. */
 export interface NaturalMovement extends MadeMovement {
   /** World positions [frames x nodes x 3]. */
   positions: Float32Array;
 }
 
-/** What a model made of a trial. */
+/** A generated movement for a new study: a model's prediction of a trial. */
 export interface GeneratedMovement extends NaturalMovement {
   candidate: Candidate;
   seed: number;
   outcome: Outcome;
 }
 
-/** A study that is to be made from a comparison. */
+/** The movements and settings of a new study from a comparison. */
 export interface StudyRequest {
   title: string;
-  /** A clip of the body that moves. */
+  /** A clip whose body moves in the study. */
   body: TrainingClip;
   framesPerSecond: number;
   natural: NaturalMovement[];
   generated: GeneratedMovement[];
 }
 
-/** What a worker does for the graphics Turing test. It keeps nothing between two calls. */
+/** The calls of a worker for the graphics Turing test. The worker keeps nothing between two calls. */
 export interface PerceptionWorker {
-  /** Throws with the reason when the text holds no study. */
+  /** Reads a study. If the text is not a study, throws the reason. */
   openStudy(text: string): StudyView;
   changeStudy(text: string, change: StudyChange): StudyView;
-  /** The trials of one participant, in their order. */
+  /** The trials of one participant, in order. */
   drawTrials(text: string, seed: number): StudyTrial[];
   /** World positions of each stimulus [frames x joints x 3]. */
   movements(text: string): Float32Array[];
-  /** What these answers say of the study. */
+  /** Analyses the answers to the study. */
   analysePerception(text: string, answers: AnswersFile[]): PerceptionResults;
-  /** The same as the file that the terminal writes. */
+  /** The analysis as the file that the terminal program writes. */
   perceptionJson(text: string, answers: AnswersFile[]): string;
-  /** Answers the text of the study. */
+  /** Makes a study and returns its text. */
   makeStudy(request: StudyRequest): Promise<string>;
 }
 
-/** A worker of the whole program. */
+/** All calls of a worker that runs the whole program. */
 export interface WholeWorker
   extends Trainee,
     ComparisonWorker,

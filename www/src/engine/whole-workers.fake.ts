@@ -1,4 +1,4 @@
-// For tests: a whole program without wasm, whose workers do what the test says.
+// For tests: a whole program without wasm. The test controls its workers.
 import { FakeLibraries } from "./library.fake";
 import { type Hired, Pool } from "./pool";
 import type { RolloutRequest, TrainingClip, TrainingOutcome, TrainingReport } from "./protocol";
@@ -26,13 +26,13 @@ import type {
   SyntheticTruth,
 } from "./whole-protocol";
 
-/** Work that a test brings to its end. */
+/** A call that the test ends. */
 export interface Pending<Request, Report, Result> {
   request: Request;
   report(report: Report): void;
   end(result: Result): void;
   fail(problem: Error): void;
-  /** The worker that does it dies. */
+  /** Lets the worker of the call die. */
   die(problem: Error): void;
 }
 
@@ -86,7 +86,7 @@ function jobsOf(plan: Plan, trials: number): Job[] {
   );
 }
 
-/** Results with these jobs finished. */
+/** Results with these finished jobs. */
 export function resultsOf(setting: Setting, jobs: readonly Job[]): ResultsView {
   const finished: FinishedJob[] = jobs.map((job) => ({
     id: idOf(job),
@@ -124,8 +124,8 @@ export function refusal(message: string): Error {
 }
 
 /**
- * The study that a fake program takes a text for: its title is the text, and it has so many trials in one
- * block.
+ * The study that the fake program reads from every text. The title of the study is the text, and all trials
+ * are in one block.
  */
 export interface FakeStudies {
   study: StudyInfo;
@@ -133,22 +133,22 @@ export interface FakeStudies {
 }
 
 export class FakeProgram implements WholeWorkers {
-  /** Null: no text is a study. */
+  /** Null: the program refuses every text as a study. */
   studies: FakeStudies | null = null;
   readonly evaluations: Pending<EvaluationJob, number, Evaluated>[] = [];
   readonly draws: Pending<Experiment, never, SyntheticTruth>[] = [];
   readonly trainings: Pending<Experiment, TrainingReport<SyntheticFindings>, TrainingOutcome>[] = [];
   readonly analyses: Pending<AnswersFile[], never, PerceptionResults>[] = [];
   readonly moments: Pending<RolloutRequest, never, PartMoments[]>[] = [];
-  /** The documents of models that were opened for moments and pictures. */
+  /** The documents of the models opened for moments and images. */
   readonly outlooks: string[] = [];
   readonly libraries = new FakeLibraries();
   readonly series = new FakeSeries();
-  /** The next calls for results fail with these, one after the other. */
+  /** The errors of the next calls for results, in order. */
   readonly failures: Error[] = [];
-  /** Why plans are refused; empty when they are not. */
+  /** The reason why plans are refused; empty if they are accepted. */
   refused = "";
-  /** Why the program cannot be loaded; empty when it can. */
+  /** The reason why the program cannot be loaded; empty if it can. */
   unreachable = "";
   plans = 0;
   readonly pool = new Pool(2, () => this.#hire());
@@ -237,5 +237,5 @@ export class FakeProgram implements WholeWorkers {
   }
 }
 
-/** Lets all promises that can be kept be kept. */
+/** Waits until all promises that are ready have been handled. */
 export const settled = () => new Promise<void>((resolve) => setTimeout(resolve, 0));

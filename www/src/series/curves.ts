@@ -1,14 +1,14 @@
-// The columns of a model over time: as it rolls them out, and as they were recorded. Drawing only.
+// The rolled-out and the recorded columns of a model over time.
 import type { SeriesInfo } from "../engine/series-protocol";
 import type { TableEntry } from "./tables-store";
 
 export interface Curve {
   name: string;
-  /** The place of its part. */
+  /** The index of the column's part. */
   part: number;
   /** [frames] */
   rolledOut: number[];
-  /** [rows], in the same steps of time; null where the table is not open. */
+  /** [rows], with the same time step; null if the table is not open. */
   recorded: number[] | null;
 }
 
@@ -16,8 +16,8 @@ const column = (values: ArrayLike<number>, width: number, place: number): number
   Array.from({ length: Math.floor(values.length / width) }, (_, row) => values[row * width + place] ?? 0);
 
 /**
- * The curves part after part; `values` [frames x columns]. The recording may have its columns in another
- * order.
+ * The curves, one part after the other; `values` [frames x columns]. The columns of the recording may be in
+ * another order.
  */
 export function curvesOf(
   { parts, columns }: Pick<SeriesInfo, "parts" | "columns">,

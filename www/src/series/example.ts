@@ -1,5 +1,4 @@
-// Tables to begin with, made by a formula: two machines, of which the second follows the first a little
-// later.
+// Example tables from a formula: two machines, where the second follows the first with a delay.
 
 const ROWS = 100;
 const STEP = 0.05;
@@ -16,7 +15,7 @@ function measured(recording: number, row: number): number[] {
   ];
 }
 
-/** Two recordings of them, as files. */
+/** Two recordings of the machines, as files. */
 export function exampleFiles(): File[] {
   return [1, 2].map((number) => {
     const rows = Array.from({ length: ROWS }, (_, row) =>

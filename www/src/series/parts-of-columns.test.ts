@@ -14,7 +14,7 @@ it("guesses parts by the beginnings of names, and one part where these tell noth
     { name: "right", columns: ["right.hip"] },
   ]);
   const whole = (columns: string[]) => [{ name: "whole", columns }];
-  // No beginning, the same beginning, more beginnings than parts have room.
+  // Without prefixes, with one common prefix, and with more prefixes than the maximum number of parts.
   for (const columns of [["x", "arm_y"], ["a_x", "a_y"], Array.from({ length: 9 }, (_, i) => `c${i}_x`)])
     expect(partsByName(columns)).toEqual(whole(columns));
 });

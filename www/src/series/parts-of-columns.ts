@@ -1,12 +1,11 @@
-// Which columns are which part's: a first guess by their names, and what the visitor changes of it. No
-// rendering.
+// The parts of the columns: a first guess from the names of the columns, and the changes of the visitor.
 import { MAX_PARTS } from "../engine/limits";
 import type { TablePart } from "../engine/series-protocol";
 import { freeName } from "../ui/part-names";
 
 /**
- * Parts by how the names of columns begin, "arm_x" and "arm.y" being of "arm"; where that tells nothing, all
- * columns are one part.
+ * Parts by the prefixes of the column names: "arm_x" and "arm.y" belong to "arm". If the prefixes do not give
+ * two or more parts, all columns are one part.
  */
 export function partsByName(columns: readonly string[]): TablePart[] {
   const groups = new Map<string, string[]>();
@@ -19,11 +18,11 @@ export function partsByName(columns: readonly string[]): TablePart[] {
   return [...groups].map(([name, own]) => ({ name, columns: own }));
 }
 
-/** The place of a column's part. */
+/** The index of a column's part. */
 export const placeOf = (parts: readonly TablePart[], column: string): number =>
   parts.findIndex(({ columns }) => columns.includes(column));
 
-/** Puts a column into another part; the columns of a part stand in the order of the table. */
+/** Moves a column to another part. The columns of a part are in the order of the table. */
 export function moved(
   parts: readonly TablePart[],
   table: readonly string[],
@@ -36,12 +35,12 @@ export function moved(
   }));
 }
 
-/** One more part, without columns. */
+/** Adds a part without columns. */
 export function added(parts: readonly TablePart[]): TablePart[] {
   return parts.length >= MAX_PARTS ? [...parts] : [...parts, { name: freeName(parts), columns: [] }];
 }
 
-/** Without one part: its columns go to the one before it, or, of the first, to the next. */
+/** Removes a part. Its columns move to the previous part, or from the first part to the next. */
 export function without(parts: readonly TablePart[], table: readonly string[], gone: number): TablePart[] {
   if (parts.length < 2) return [...parts];
   const heir = gone === 0 ? 1 : gone - 1;

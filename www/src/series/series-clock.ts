@@ -2,7 +2,7 @@
 import { Clock } from "../stage/clock";
 
 export class SeriesClock extends Clock {
-  /** Goes on at the frame now, if there is one. */
+  /** Stays at the current frame if the new rollout has this frame. */
   load(frames: number, frameTime: number): void {
     this.player.load(frames, frameTime, frames - 1);
     this.changed();

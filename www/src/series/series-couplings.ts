@@ -1,4 +1,4 @@
-// The couplings of a model of tables, and what a changed one does to the experts.
+// The couplings of a model of tables, and the effect of changed couplings on the experts.
 import { html, nothing } from "lit";
 import "../couplings/couplings.css";
 import { couplingsTable } from "../couplings/couplings-table";

@@ -1,4 +1,5 @@
-// The columns over time in place of a figure: what the model rolls out, and dashed what was recorded.
+// The columns over time, in place of a figure. The recorded curves are dashed, the rolled-out curves are
+// solid.
 import { html, nothing, svg } from "lit";
 import { axes, path, labelsWidth } from "../figures/chart";
 import "../figures/figures.css";
@@ -11,20 +12,20 @@ import type { SeriesStore } from "./series-store";
 
 const HEIGHT = 150;
 const TYPE = 12;
-/** Labels of an upright axis at most: charts are low. */
+/** The maximum number of labels on a vertical axis, because the charts are low. */
 const TICKS = 3;
 
 export class SeriesCurves extends View {
-  static override properties = { room: { state: true } };
+  static override properties = { width: { state: true } };
   declare model: SeriesStore;
-  /** The width of a chart, pixels. */
-  declare room: number;
-  /** Where the frames lie: of the first, and of one step of time. */
+  /** The width of a chart, in pixels. */
+  declare width: number;
+  /** The x position of the first frame, and the distance between two frames, in pixels. */
   #across = { first: 0, step: 0 };
 
   constructor() {
     super();
-    this.room = 400;
+    this.width = 400;
   }
 
   protected override stores() {
@@ -34,14 +35,14 @@ export class SeriesCurves extends View {
   protected override arrived(): void {
     this.whenLeaving(this.model.clock.on(() => this.#markNow()));
     const measure = () => {
-      this.room = this.querySelector(".series-curve")?.clientWidth || this.room;
+      this.width = this.querySelector(".series-curve")?.clientWidth || this.width;
     };
     this.watchSize(this, measure);
   }
 
   protected override updated(): void {
     this.#markNow();
-    this.room = this.querySelector(".series-curve")?.clientWidth || this.room;
+    this.width = this.querySelector(".series-curve")?.clientWidth || this.width;
   }
 
   #markNow(): void {
@@ -56,7 +57,7 @@ export class SeriesCurves extends View {
     const [bottom, top] = [HEIGHT - 2.2 * TYPE - 12, 2 * TYPE];
     const up = linearScale([...rolledOut, ...(recorded ?? [])], bottom, top);
     const upward = { scale: up, title: name, most: TICKS };
-    const space = { right: this.room - 8, top, bottom, type: TYPE };
+    const space = { right: this.width - 8, top, bottom, type: TYPE };
     const plot = { ...space, left: Math.max(44, labelsWidth(upward, space)) };
     const end = Math.max(rolledOut.length, recorded?.length ?? 0) - 1;
     const right = linearScale([0, end * frameTime], plot.left, plot.right);
@@ -66,7 +67,7 @@ export class SeriesCurves extends View {
     this.#across = { first, step: right.at(frameTime) - first };
     return html`
       <figure class="figure-card series-curve" data-testid="curve-${order}" style=${partStyle(partColour(part), { "--series": partColour(part) })}>
-        <svg width=${this.room} height=${HEIGHT} viewBox="0 0 ${this.room} ${HEIGHT}" role="img" aria-label="${name} against time${recorded ? ", rolled out and recorded" : ", rolled out"}">
+        <svg width=${this.width} height=${HEIGHT} viewBox="0 0 ${this.width} ${HEIGHT}" role="img" aria-label="${name} against time${recorded ? ", rolled out and recorded" : ", rolled out"}">
           ${axes(plot, { scale: right, title: "time (s)" }, upward)}
           ${recorded ? svg`<g class="recorded">${path(placed(recorded))}</g>` : nothing}
           <g class="rolled-out">${path(placed(rolledOut))}</g>

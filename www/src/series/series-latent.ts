@@ -1,4 +1,4 @@
-// The latent path of one part, drawn as on the stage's page.
+// The latent path of one part, drawn as on the page of the stage.
 import { html } from "lit";
 import { drawLatents } from "../latents/latent-drawing";
 import { StepBand } from "../latents/prediction-drawing";
@@ -15,10 +15,10 @@ const FLAT = { about: 0, tilt: 0 };
 export class SeriesLatent extends View {
   static override properties = { bodyPart: { type: Number } };
   declare model: SeriesStore;
-  /** The place of the part. */
+  /** The index of the part. */
   declare bodyPart: number;
   #projection: Projection | null = null;
-  /** The rollout as learned that decided the axes. */
+  /** The rollout under the learned couplings, which determines the axes. */
   #projected: SeriesRollout | null = null;
   readonly #band = new StepBand();
 

@@ -1,5 +1,5 @@
-// The view of time series that are no body: tables in, a model of their columns out, with its curves, latents
-// and couplings.
+// The view of time series without a body: tables, the model of their columns, its curves, latents and
+// couplings.
 import { html, nothing } from "lit";
 import { type NumberName, settingField } from "../settings/setting-field";
 import type { SettingsStore } from "../settings/settings-store";
@@ -44,7 +44,7 @@ export class SeriesPage extends View {
     this.whenLeaving(eachFrame((seconds) => this.series.model.clock.advance(seconds)));
   }
 
-  /** What the keys for play and step work on. */
+  /** The clock that the keys for play and step control. */
   togglePlay(): void {
     this.series.model.clock.togglePlay();
   }

@@ -1,4 +1,4 @@
-// The model of tables that is looked at: its couplings as the sliders have them, and its rollout.
+// The shown model of tables: its current couplings and its rollout.
 import { CouplingsStore } from "../couplings/couplings-store";
 import { Latest } from "../engine/latest";
 import type { SeriesInfo, SeriesRequest, SeriesRollout, TrainedSeries } from "../engine/series-protocol";
@@ -12,8 +12,8 @@ import { SeriesClock } from "./series-clock";
 import type { TableEntry, TablesStore } from "./tables-store";
 
 /**
- * A rollout goes on for so long, as a share of the table that it begins as: what comes after the recording is
- * worth seeing too.
+ * The length of a rollout divided by the length of its table. It is above 1 to show also the time after the
+ * recording.
  */
 const AS_LONG = 1.5;
 
@@ -22,14 +22,14 @@ interface OpenModel {
   info: SeriesInfo;
   /** Latent means of the training rows of each part; null for a model from a file. */
   training: Float64Array[] | null;
-  /** Whether it was trained here, and not saved since. */
+  /** Whether the model was trained here and has not been saved. */
   unsaved: boolean;
 }
 
 interface Rolled {
   asked: SeriesRequest;
   rollout: SeriesRollout;
-  /** The same start as learned. */
+  /** The rollout from the same start under the learned couplings. */
   learned: SeriesRollout;
 }
 
@@ -49,7 +49,7 @@ export class SeriesStore extends Store {
     super();
     this.#document = new OpenDocument(desk, (worker, text) => worker.openSeries(text));
     this.#tables = tables;
-    // The table that a rollout begins as may have been opened, or be gone.
+    // The visitor may have opened or removed the table that the rollout starts from.
     tables.on(() => this.changed());
     this.#rollouts = new Latest(
       (asked) => this.#roll(asked),
@@ -65,7 +65,7 @@ export class SeriesStore extends Store {
     return this.#opened;
   }
 
-  /** The rollout with the couplings as they are; null before the first. */
+  /** The rollout under the current couplings; null before the first rollout. */
   get rollout(): SeriesRollout | null {
     return this.#rolled?.rollout ?? null;
   }
@@ -74,23 +74,26 @@ export class SeriesStore extends Store {
     return this.#rolled?.learned ?? null;
   }
 
-  /** Why the newest couplings could not be rolled out; empty when they could. */
+  /** The reason why the rollout under the newest couplings failed; empty if it did not fail. */
   get problem(): string {
     return this.#problem;
   }
 
-  /** The training table that the rollout begins as. */
+  /** The index of the training table that the rollout starts from. */
   get sequence(): number {
     return this.#sequence;
   }
 
-  /** The table that the rollout begins as, where it is open: the model's file does not hold it. */
+  /**
+   * The table that the rollout starts from; null if it is not open. The file of the model does not contain
+   * the table.
+   */
   get recorded(): TableEntry | null {
     const { sha256 } = this.#opened?.info.sequences[this.#sequence] ?? {};
     return this.#tables.all.find(({ info }) => info.sha256 === sha256) ?? null;
   }
 
-  /** The model, where leaving it would lose it. */
+  /** The unsaved model, which would be lost; null if there is none. */
   get unsaved(): Work | null {
     return this.#opened?.unsaved
       ? { what: "the model of tables that was trained here", save: () => this.save() }
@@ -106,8 +109,8 @@ export class SeriesStore extends Store {
   }
 
   /**
-   * Takes a model from a file up, and says whether; the one before stays where that fails, or where the
-   * visitor keeps it.
+   * Opens a model from a file and returns true. If opening fails or the visitor keeps an unsaved model, the
+   * earlier model stays.
    */
   async open(text: string): Promise<boolean> {
     const read = await this.#read(text, null);
@@ -116,7 +119,7 @@ export class SeriesStore extends Store {
     return true;
   }
 
-  /** Takes a model up that was trained here. */
+  /** Opens a model that was trained here. */
   async takeTrained({ text, latents }: TrainedSeries): Promise<void> {
     this.#takeUp(await this.#read(text, latents));
   }
@@ -144,7 +147,7 @@ export class SeriesStore extends Store {
     this.#request();
   }
 
-  /** The rollout that is shown as CSV: a row a frame, a column for each of the model's. */
+  /** The shown rollout as CSV: one row for each frame, with the columns of the model. */
   async csv(): Promise<string> {
     const [opened, rolled] = [this.#opened, this.#rolled];
     if (!opened || !rolled) throw new Error("There is no model yet: train one or open one.");

@@ -1,4 +1,4 @@
-// A training on the ticked tables, with the settings that trainings on clips have too.
+// A training on the ticked tables. It uses the same settings as trainings on clips.
 import type { TrainedSeries } from "../engine/series-protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { SettingsStore } from "../settings/settings-store";
@@ -26,14 +26,14 @@ export class SeriesTrainingStore extends ProgressStore<TrainedSeries> {
     this.#series = series;
   }
 
-  /** Why it cannot begin now; empty when it can. */
+  /** The reason why training cannot start now; empty if it can. */
   get whyNot(): string {
     const { ticked, clash } = this.#tables;
     if (ticked.length === 0) return "Open a table, or tick one.";
     return clash ? "The ticked tables do not go together." : "";
   }
 
-  /** Trains; the model takes the place of the one that is looked at. */
+  /** Trains a model and shows it instead of the current one. */
   async train(): Promise<void> {
     if (this.busy || this.whyNot || !(await mayLose(this.#series.unsaved))) return;
     const { latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations } =

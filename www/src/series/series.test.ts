@@ -46,7 +46,7 @@ describe("tables", () => {
     await tables.open(file("b.csv", "x,y\n1,2\n3,4\n"));
     expect(tables.clash).toMatch(/b\.csv cannot/);
     expect(training.whyNot).toMatch(/do not go together/);
-    // What the visitor has changed stays while the columns do.
+    // The parts that the visitor changed stay as long as the columns stay the same.
     expect(tables.parts[1]?.columns).toEqual(["arm_y", "leg_x"]);
     const [first] = tables.all;
     if (first) await tables.tick(first, false);
@@ -114,7 +114,7 @@ describe("a training", () => {
     expect(await model.open(seriesText(["old.csv"]))).toBe(false);
     expect([await train(), training.busy, model.opened]).toEqual([false, false, opened]);
     expect(visitor.asked).toHaveLength(2);
-    // Saved first, nobody needs to be asked again.
+    // Once the model is saved, the page does not ask again.
     visitor.arrives("save");
     expect([await train(), await train(), visitor.asked.length]).toEqual([true, true, 2]);
     model.save();
@@ -144,7 +144,7 @@ describe("a model of tables", () => {
     for (const alpha of [10, 20, 30]) model.couplings.set(0, 1, alpha);
     await settled();
     expect(program.series.rollouts.map(({ alpha }) => alpha?.[0]?.[1] ?? null)).toEqual([null, 10, 30]);
-    // The document of the model is sent once, not with every event of a slider.
+    // The page sends the document of the model once, not with each event of a slider.
     expect(program.series.opened.length).toBe(1);
     expect(model.couplings.weight(0, 1)).toBeCloseTo(
       1 / 30 / (1 / 30 + 1 / model.couplings.alphaOf(1, 1)),

@@ -1,4 +1,4 @@
-// The stores of this room, which belong together.
+// The stores of the view of time series.
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { SettingsStore } from "../settings/settings-store";
 import { SeriesStore } from "./series-store";

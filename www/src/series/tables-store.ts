@@ -1,5 +1,4 @@
-// Tables that the visitor has opened, a trial each: which of them are trained on, and which columns are which
-// part's.
+// The open tables, each of which is a trial: the tables for training, and the parts of their columns.
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { ReadTable, TablePart, TableSource } from "../engine/series-protocol";
 import { messageOf } from "../ui/format";
@@ -9,7 +8,7 @@ import { added, moved, partsByName, without } from "./parts-of-columns";
 
 export interface TableEntry extends ReadTable {
   source: TableSource;
-  /** Whether it is trained on. */
+  /** Whether the training uses the table. */
   ticked: boolean;
 }
 
@@ -17,7 +16,7 @@ export class TablesStore extends Store {
   readonly #whole: WholeWorkers;
   #tables: readonly TableEntry[] = [];
   #parts: readonly TablePart[] = [];
-  /** The columns that the parts are of. */
+  /** The columns of all parts. */
   #columns: readonly string[] = [];
   #clash = "";
   #refused = "";
@@ -36,27 +35,27 @@ export class TablesStore extends Store {
     return this.#tables.filter(({ ticked }) => ticked);
   }
 
-  /** The columns of the tables that are trained on, in the order of the first of them. */
+  /** The columns of the ticked tables, in the order of the first ticked table. */
   get columns(): readonly string[] {
     return this.#columns;
   }
 
-  /** All parts, also those that have no column yet. */
+  /** All parts, including parts without columns. */
   get parts(): readonly TablePart[] {
     return this.#parts;
   }
 
-  /** Why the ticked tables cannot be trained on together; empty when they can. */
+  /** The reason why the ticked tables cannot be trained on together; empty if they can. */
   get clash(): string {
     return this.#clash;
   }
 
-  /** Why the last name of a part was refused; empty after the next change. */
+  /** The reason why the last new name of a part was refused; empty after the next change. */
   get refused(): string {
     return this.#refused;
   }
 
-  /** Opens a file; one that is open already stays as it is. */
+  /** Opens a file. If the same file is already open, nothing changes. */
   async open(file: File): Promise<void> {
     const source: TableSource = { name: file.name, file };
     const read = await this.#whole.desk.run((worker) => worker.readTable(source));
@@ -87,7 +86,7 @@ export class TablesStore extends Store {
     this.#setParts(without(this.#parts, this.#columns, part));
   }
 
-  /** Gives a part another name, if it is one that no other part has. Answers the name that it has now. */
+  /** Renames a part if no other part has the name. Returns the current name of the part. */
   renamePart(part: number, text: string): string {
     const name = text.trim();
     const why = nameProblem(this.#parts, part, name);
@@ -101,7 +100,7 @@ export class TablesStore extends Store {
     this.changed();
   }
 
-  /** Other columns have other parts; and other tables may not go together. */
+  /** New columns get new parts. The ticked tables are checked again. */
   async #changedTables(): Promise<void> {
     const columns = this.ticked[0]?.info.columns ?? [];
     if (JSON.stringify([...columns].sort()) !== JSON.stringify([...this.#columns].sort()))
@@ -116,7 +115,7 @@ export class TablesStore extends Store {
       sources.length < 2
         ? ""
         : await this.#whole.desk.run((worker) => worker.checkTables(sources)).catch(messageOf);
-    // Others may have been ticked meanwhile.
+    // The visitor may have ticked other tables during the check.
     if (check !== this.#checks) return;
     this.#clash = clash;
     this.changed();

@@ -1,4 +1,4 @@
-// The tables, and which of their columns are which part's.
+// The open tables, and the parts of their columns.
 import { html, nothing } from "lit";
 import "../clips/parts-editor.css";
 import { MAX_PARTS } from "../engine/limits";
@@ -11,7 +11,7 @@ import type { TableEntry, TablesStore } from "./tables-store";
 export class TablesView extends View {
   static override properties = { busy: { type: Boolean } };
   declare tables: TablesStore;
-  /** Whether a training uses them, so that they cannot be changed now. */
+  /** Whether a training is using the tables, so that they cannot be changed now. */
   declare busy: boolean;
 
   protected override stores() {
