@@ -147,7 +147,7 @@ function short(/** @type {string} */ name, /** @type {unknown} */ value) {
   const shortened = (/** @type {unknown} */ one) =>
     typeof one === "number" && !Number.isInteger(one) ? Number(one.toPrecision(DIGITS[name] ?? FEW)) : one;
   if (Array.isArray(value)) return value.map(shortened);
-  // What stands in a list was shortened with it.
+  // The numbers in a list are already short.
   return /^\d+$/.test(name) ? value : shortened(value);
 }
 

@@ -157,12 +157,12 @@ describe("a comparison of models", () => {
     assert.deepEqual(await barriers(page), [], "on a telephone");
     // The answer is next to the claim, and neither is cut off.
     const claim = page.locator("comparison-claims tbody tr").first();
-    const [said, holds] = [
+    const [claimBox, answer] = [
       await claim.locator("th").boundingBox(),
       await claim.locator(".holds").boundingBox(),
     ];
     assert.ok(
-      said && holds && Math.abs(said.y - holds.y) < 10 && holds.x + holds.width <= 390,
+      claimBox && answer && Math.abs(claimBox.y - answer.y) < 10 && answer.x + answer.width <= 390,
       "claim and answer",
     );
     await page.setViewportSize({ width: 1440, height: 900 });

@@ -115,8 +115,8 @@ describe("after training", () => {
     const more = page.getByTestId("continue");
     assert.equal(await more.textContent(), "Continue, 10 more");
     // The status next to both buttons once had one word in each line.
-    const room = await page.getByTestId("progress").evaluate((words) => words.getBoundingClientRect().width);
-    assert.ok(room > 140, `${room} pixels for the words about the training`);
+    const width = await page.getByTestId("progress").evaluate((words) => words.getBoundingClientRect().width);
+    assert.ok(width > 140, `${width} pixels for the words about the training`);
     await more.click();
     await page.getByTestId("progress").filter({ hasText: "Iteration 20 of 20." }).waitFor();
     const second = await provenance(page);

@@ -14,7 +14,7 @@ before(async () => {
 });
 after(() => installed?.remove());
 
-/** Trains until it is done, or for so many iterations. */
+/** Trains until the training ends, or for `iterations` iterations. */
 function train(/** @type {import("vcgpdm").SyntheticExperiment} */ experiment, iterations = Infinity) {
   let progress = experiment.step();
   while (!progress.done && progress.iteration < iterations) progress = experiment.step();

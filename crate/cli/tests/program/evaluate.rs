@@ -59,12 +59,12 @@ fn does_not_compute_a_finished_job_again() {
     }
     let score = &after["finished"][0]["outcome"]["score"];
     assert!(score["dtw_mse"].as_f64().unwrap() > 0.0 && score["variance"].as_f64().unwrap() > 0.0);
-    let beside: Vec<String> = fs::read_dir(out.parent().unwrap())
+    let files: Vec<String> = fs::read_dir(out.parent().unwrap())
         .unwrap()
         .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
         .filter(|name| name.starts_with("evaluate-twice.json."))
         .collect();
-    assert_eq!(beside, ["evaluate-twice.json.lock"], "no other file stays");
+    assert_eq!(files, ["evaluate-twice.json.lock"], "no other file stays");
 }
 
 #[test]

@@ -112,12 +112,12 @@ fn refuses_wrong_combinations() {
 #[test]
 fn saves_primitives_and_adds_them_to_other_libraries() {
     let library = library("primitives");
-    let beside = |name: &str| library.with_file_name(name);
+    let sibling = |name: &str| library.with_file_name(name);
     let listed = json(&["primitives", text(&library)]);
     assert_eq!(listed["primitives"][0]["part"], "lower");
     assert_eq!(listed["primitives"][0]["origin"]["clips"].as_array().unwrap().len(), 3);
     // One alone, and all but that one.
-    let (arms, rest, whole) = (beside("arms.json"), beside("rest.json"), beside("whole.json"));
+    let (arms, rest, whole) = (sibling("arms.json"), sibling("rest.json"), sibling("whole.json"));
     let save =
         |what: &str, out: &PathBuf| json(&["primitives", text(&library), "--save", what, "--out", text(out)]);
     assert_eq!(save("upper=wave", &arms)["primitives"][0]["name"], "wave");
@@ -125,12 +125,12 @@ fn saves_primitives_and_adds_them_to_other_libraries() {
     let printed = json(&["primitives", text(&rest), "--add", text(&arms), "--out", text(&whole)]);
     assert_eq!((&printed["added"][0]["name"], &printed["relearned"]), (&"wave".into(), &Value::Null));
     // Twice is once.
-    let out = beside("again.json");
+    let out = sibling("again.json");
     let twice = ["primitives", text(&whole), "--add", text(&arms), "--out", text(&out)];
     assert_eq!(json(&twice)["added"], serde_json::json!([]));
 
     // Of another training: refused with the reason, or learned again.
-    let other = beside("other.json");
+    let other = sibling("other.json");
     let line = "train --movement stroll=sample:walk-3 --parts lower,upper --fps 12 --latent 3 --dynamics-ips 6 --pose-ips 6 \
                 --max-iterations 20";
     json(&[&line.split_whitespace().collect::<Vec<_>>()[..], &["--out", text(&other)]].concat());

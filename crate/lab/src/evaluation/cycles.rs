@@ -84,7 +84,7 @@ fn first_at(map: &PhaseMap, place: f64) -> f64 {
     place + (map.start - place).ceil()
 }
 
-/// How many whole cycles from `place` on a trial of so many frames has.
+/// The number of whole cycles of a trial of `frames` frames, counted from `place` on.
 fn cycles(map: &PhaseMap, frames: usize, place: f64) -> usize {
     (map.at(frames.saturating_sub(1)) - first_at(map, place)).max(0.0) as usize
 }

@@ -1,11 +1,11 @@
-//! Why a golden case could not be read or evaluated.
+//! Errors from reading or evaluating a golden case.
 
 use thiserror::Error;
 use vcgpdm::gp::NumericsError;
 use vcgpdm::models::variational::RepertoireError;
 use vcgpdm::models::{RolloutError, SequencesError};
 
-/// Why a case could not be read or evaluated.
+/// An error from reading or evaluating a case.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum CaseError {
@@ -17,7 +17,7 @@ pub enum CaseError {
         /// The expectation, and the value found.
         message: String,
     },
-    /// Shapes do not fit each other.
+    /// The shapes of two inputs do not agree.
     #[error("at {path}: expected {expected}, found {found}")]
     Shape {
         /// The field's path.
@@ -27,7 +27,7 @@ pub enum CaseError {
         /// The shape found.
         found: String,
     },
-    /// Lengths cannot be used.
+    /// The lengths are invalid.
     #[error(transparent)]
     Sequences(#[from] SequencesError),
     /// Movements and primitives do not fit each other.

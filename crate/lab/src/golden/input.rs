@@ -88,7 +88,7 @@ pub(super) enum CaseSort {
     /// One or more movements.
     Movements,
     /// Movements with stored pose maps and this number of stored first primitives.
-    Beside(usize),
+    Stored(usize),
 }
 
 /// Data and parameters of a case.
@@ -145,7 +145,7 @@ impl Input {
         check(&params, &y, &repertoire, jitter, &names)?;
         let (sort, maps) = match stored {
             None => (CaseSort::Movements, None),
-            Some(stored) => (CaseSort::Beside(stored.primitives()), Some(stored.maps(&params, &y, jitter)?)),
+            Some(stored) => (CaseSort::Stored(stored.primitives()), Some(stored.maps(&params, &y, jitter)?)),
         };
         let objective = Objective::of_movements(y, repertoire, jitter);
         let objective = match maps {
@@ -161,7 +161,7 @@ fn given(parts: Vec<PartJson>, experts: Vec<Vec<ExpertJson>>, alpha: Vec<DMatrix
     Params { parts: parts.into_iter().map(Into::into).collect(), experts: experts.collect(), alpha }
 }
 
-/// Names of the fields in messages.
+/// The names of the fields in error messages.
 struct Names {
     experts: &'static str,
     alpha: &'static str,
@@ -179,7 +179,7 @@ fn positive(path: String, values: &[f64]) -> Result<(), CaseError> {
     }
 }
 
-/// Checks that shapes fit each other and variances are positive.
+/// Checks that the shapes agree and that the variances are positive.
 fn check(
     params: &Params,
     y: &[DMatrix<f64>],

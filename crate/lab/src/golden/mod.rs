@@ -1,5 +1,5 @@
-//! Golden cases: data and parameters as one JSON object, in natural parameters, so that another
-//! implementation of the bound can be compared number by number or can start from the same point.
+//! Golden cases: data and natural parameters as one JSON object. Another implementation of the bound can
+//! compare its numbers with a case, or start from the same point.
 //!
 //! `input.params.parts[i]` (mu, s, r, kin_lambda, kin_var, beta), `input.params.dyn[j][i]` (z, lambda, var: j
 //! predicts i), `input.params.alpha[j][i]`, `input.y[i]` (centred), `input.lengths`, `input.order`,
@@ -9,9 +9,9 @@
 //! instead of the lengths, `input.params.primitives[a]` (part, dyn\[i\]) instead of `dyn`, and
 //! `input.params.alpha[m][j][i]`; the frames of all movements are stacked.
 //!
-//! For new primitives next to stored ones: movements with `input.stored`, the number of first `primitives`
-//! that stay unchanged, and mean and cov of the inducing outputs of the pose maps (`kin[i]`) and of the
-//! stored primitives' experts about each part, stacked (`dyn[i]`).
+//! For new primitives together with stored ones: movements with `input.stored`. It has the number of first
+//! `primitives` that stay unchanged, and the mean and cov of the inducing outputs of the pose maps (`kin[i]`)
+//! and of the stored primitives' experts for each part, stacked (`dyn[i]`).
 
 mod error;
 mod input;
@@ -48,7 +48,7 @@ impl Case {
     ///
     /// # Errors
     ///
-    /// When the text is not a case, shapes do not fit each other, or a variance is not positive.
+    /// When the text is not a case, the shapes do not agree, or a variance is not positive.
     pub fn from_json(text: &str) -> Result<Self, CaseError> {
         let Input { params, objective, rollouts, sort } = Input::from_json(text)?;
         Ok(Self { params, objective, rollouts, sort })
@@ -73,10 +73,10 @@ impl Case {
         serde_json::to_string(&serde_json::json!({ "input": input }))
     }
 
-    /// Bound, terms, gradient and optimal posteriors. A plain model also has rollouts; movements have the
-    /// bound with their optimal inducing outputs fixed, and its gradient with respect to latents and
-    /// couplings. With stored primitives there are only the bound, its terms, and the gradient with respect
-    /// to all that is not stored.
+    /// Computes the bound, its terms, the gradient and the optimal posteriors. The case of a plain model also
+    /// has rollouts. A case with movements also has the bound with the optimal inducing outputs fixed, and
+    /// the gradient of this bound with respect to latents and couplings. A case with stored primitives has
+    /// only the bound, its terms, and the gradient with respect to everything that is not stored.
     ///
     /// # Errors
     ///
@@ -90,11 +90,11 @@ impl Case {
             CaseSort::Movements => {
                 (GradientJson::Whole(ParamsJson::of_movements(&gradient)), Some(self.given()?))
             }
-            CaseSort::Beside(stored) => (GradientJson::beside(&gradient, stored), None),
+            CaseSort::Stored(stored) => (GradientJson::stored(&gradient, stored), None),
         };
-        // Of what is stored they are known.
+        // A case with stored primitives already has the posteriors in its input.
         let posterior = match self.sort {
-            CaseSort::Beside(_) => None,
+            CaseSort::Stored(_) => None,
             CaseSort::Plain | CaseSort::Movements => Some(self.posteriors()?),
         };
         Ok(CaseResult { elbo: terms.total(), terms, gradient, posterior, further, median_ms: None })

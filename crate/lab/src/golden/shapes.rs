@@ -55,7 +55,7 @@ pub(super) struct ParamsJson {
 pub(super) enum GradientJson {
     Whole(ParamsJson),
     /// With respect to latents, couplings and the experts of new primitives.
-    Beside {
+    Stored {
         #[serde(flatten)]
         given: GivenGradientJson,
         #[serde(rename = "dyn")]
@@ -65,10 +65,10 @@ pub(super) enum GradientJson {
 
 impl GradientJson {
     /// The gradient if this number of first primitives is stored.
-    pub fn beside(gradient: &Params, stored: usize) -> Self {
+    pub fn stored(gradient: &Params, stored: usize) -> Self {
         let experts = gradient.experts.iter().skip(stored);
         let experts = experts.map(|row| row.iter().map(ExpertJson::from).collect()).collect();
-        Self::Beside { given: GivenGradientJson::from(gradient), experts }
+        Self::Stored { given: GivenGradientJson::from(gradient), experts }
     }
 }
 
@@ -128,7 +128,7 @@ pub struct CaseResult {
     pub median_ms: Option<f64>,
 }
 
-/// Numbers of only one form of cases.
+/// The numbers that only cases of one form have.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub(super) enum Further {
@@ -142,7 +142,7 @@ pub(super) enum Further {
     },
 }
 
-/// Refuses a matrix of another shape.
+/// Returns an error for a matrix of another shape.
 pub(super) fn shape(path: String, expected: (usize, usize), found: (usize, usize)) -> Result<(), CaseError> {
     if expected == found {
         return Ok(());
@@ -207,7 +207,7 @@ impl ParamsJson {
         Self { parts: params.parts.iter().map(PartJson::from).collect(), experts: experts.collect(), alpha }
     }
 
-    /// The parameters with one matrix alpha, that of the only movement.
+    /// The parameters of a plain model, with one matrix alpha.
     pub fn plain(params: &Params) -> Self {
         Self::new(params, AlphaJson::Plain(params.alpha.first().cloned().unwrap_or_default()))
     }

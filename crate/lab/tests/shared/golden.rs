@@ -18,8 +18,8 @@ const MOVEMENTS: [&str; 3] = [
     include_str!("../../../../tests/golden/movements-2.json"),
 ];
 
-/// New primitives next to stored ones.
-const BESIDE: [&str; 2] = [
+/// New primitives together with stored ones.
+const STORED: [&str; 2] = [
     include_str!("../../../../tests/golden/stored-0.json"),
     include_str!("../../../../tests/golden/stored-1.json"),
 ];
@@ -62,7 +62,7 @@ pub fn golden_cases_agree() {
     for (k, text) in MOVEMENTS.into_iter().enumerate() {
         agrees(&format!("movements {k}"), text, &["posterior", "elbo_given", "gradient_given"]);
     }
-    for (k, text) in BESIDE.into_iter().enumerate() {
+    for (k, text) in STORED.into_iter().enumerate() {
         agrees(&format!("stored {k}"), text, &[]);
     }
 }
@@ -70,7 +70,7 @@ pub fn golden_cases_agree() {
 fn agrees(name: &str, text: &str, further: &[&'static str]) {
     let expected: Value = serde_json::from_str(text).unwrap();
     let mut expected = expected["expected"].clone();
-    // The signal variance of the dynamics kernels is fixed at 1, so its derivative is nobody's business.
+    // The signal variance of the dynamics kernels is fixed at 1, so its derivative is not compared.
     for row in expected["gradient"]["dyn"].as_array_mut().unwrap() {
         for expert in row.as_array_mut().unwrap() {
             expert.as_object_mut().unwrap().remove("var");
