@@ -1,4 +1,4 @@
-//! Trainings of libraries: of primitives, and of couplings alone.
+//! Trainings of libraries: one trains primitives and couplings, one fits only couplings.
 
 use crate::arguments::{Text, Whole};
 use crate::clip::TrainingSet;

@@ -25,7 +25,7 @@ pub struct LiveRollout {
 
 #[wasm_bindgen]
 impl LiveRollout {
-    /// Continues a rollout after a frame, under the same couplings.
+    /// Starts a live rollout after a frame of a rollout, under the same couplings.
     #[wasm_bindgen(constructor)]
     pub fn new(rollout: &Rollout, frame: &Whole) -> Result<LiveRollout, VcgpdmError> {
         let frame = frame.count(ErrorCode::Rollout, "the frame")?;

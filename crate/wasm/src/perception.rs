@@ -19,7 +19,7 @@ export interface AnswersFile {
 export interface PerceptionOptions {
     /** The ceiling c of the logistic regression. */
     ceiling?: number;
-    /** Blocks of the cross-validation. */
+    /** The number of blocks of the cross-validation. */
     folds?: number;
     /** The number of draws from the posteriors that estimate the order of the models. */
     draws?: number;
@@ -57,7 +57,7 @@ export interface Confusion {
 /** A participant. */
 export interface Participant {
     name: string;
-    /** Answered comparisons. */
+    /** The number of answered comparisons. */
     comparisons: number;
     unanswered: number;
     attentionChecks: number;
@@ -67,7 +67,7 @@ export interface Participant {
     excluded: boolean;
     /** The share of answers "left". */
     left: number | null;
-    /** In milliseconds. */
+    /** The median response time, in milliseconds. */
     medianRt: number | null;
     /** The longest time between the starts of the two movements of a trial, in milliseconds. */
     startedApartMs: number | null;
@@ -89,7 +89,7 @@ export interface SettingResult {
     failed: number;
     /** Means over the movements that are not marked as failures; null if all are. */
     scores: { mse: number; dtwMse: number; bound: number | null; dynamics: number | null; pose: number | null } | null;
-    /** Null without an answer. */
+    /** Null if there is no answer. */
     confusion: Confusion | null;
 }
 
@@ -118,7 +118,7 @@ export interface Regression {
     curve: number[][];
 }
 
-/** The setting of a kind of model with the highest rate. */
+/** For one kind of model, the setting with the highest rate. */
 export interface BestSetting {
     model: ModelKind;
     /** The index of the setting in `settings`. */

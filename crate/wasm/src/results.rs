@@ -55,7 +55,7 @@ export interface Plan {
     ips: number[];
     /** Numbers of inducing points of each pose map. Each number is combined with each number in `ips`. */
     poseIps?: number[];
-    /** Numbers of primitives of the TMP; null: chosen by the bound. */
+    /** Numbers of primitives of the TMP; null: the bound chooses the number. */
     primitives: (number | null)[];
     /**
      * Whether the TMP is the model of the papers: it uses normalised time, and all trials share its weights.
@@ -212,7 +212,7 @@ export interface Interval {
 export interface Evidence {
     /** The held-out trial. */
     trial: string;
-    /** The bound of the vCGPDM minus that of the vGPDM, in nats. */
+    /** The bound of the vCGPDM minus the bound of the vGPDM, in nats. */
     logBayesFactor: number;
     /** The error of the vCGPDM divided by the error of the vGPDM. */
     errorRatio: number;
@@ -331,8 +331,8 @@ impl Results {
         jobs.iter().map(|planned| identified(&planned.job, planned)).collect()
     }
 
-    /// An estimate of the cost of a job on this machine with these trials. It is zero for TMP and DMP, which
-    /// cost little compared with the other models.
+    /// An estimate of the cost of a job with these trials in wasm. It is zero for TMP and DMP, which cost
+    /// little compared with the other models.
     #[wasm_bindgen(js_name = costOf, unchecked_return_type = "TrainingCost")]
     pub fn cost_of(
         &self,

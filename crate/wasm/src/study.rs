@@ -54,7 +54,7 @@ export interface StimulusScores {
     pose: number | null;
 }
 
-/** A movement of a study. */
+/** A movement of a study, recorded or generated. */
 export interface StudyStimulus {
     /** The unique id by which answers refer to the movement. */
     id: string;
@@ -125,7 +125,7 @@ export interface StudyInfo {
     hash: string;
 }
 
-/** Two movements side by side. */
+/** A trial of the test: two movements side by side. */
 export interface StudyTrial {
     /** Counted from 0. */
     block: number;

@@ -59,9 +59,9 @@ pub struct Table {
 
 #[wasm_bindgen]
 impl Table {
-    /// Reads a CSV file: the names of the columns in the first row, then one row of numbers for each moment. A column
-    /// `time` (or `t`, `seconds`) holds seconds. The error names the file, the line, the column, what was
-    /// expected and what was found.
+    /// Reads a CSV file. The first row has the names of the columns, and each other row has the numbers of
+    /// one moment. A column `time` (or `t`, `seconds`) holds seconds. The error names the file, the line, the
+    /// column, what was expected and what was found.
     pub fn read(name: &Text, bytes: &Bytes) -> Result<Table, VcgpdmError> {
         let name = name.get(ErrorCode::Table, "the name")?;
         Ok(Table { table: read(&name, &bytes.get(ErrorCode::Table, "the file")?)? })

@@ -113,7 +113,7 @@ export interface LibraryWorker {
    * drives it.
    */
   combinationMoves(uses: number[], alpha: Couplings): PartMotion[];
-  /** The document of a combination as a model. */
+  /** A combination as the document of a model. */
   combinationText(uses: number[], alpha: Couplings): string;
   /** Adds a combination to the library as a movement of that name. The walk continues. */
   addCombination(

@@ -111,7 +111,7 @@ export interface BodyReport {
   health: Health;
 }
 
-/** Gaussian predictions of the latents of one part, one for each frame. */
+/** Gaussian predictions of the latents of one part in each frame. */
 export interface Predictions {
   /** [predicted frames x Q] */
   means: Float64Array;
@@ -161,7 +161,7 @@ export interface OpenedModel {
 /** The source of a clip. Each worker that trains on the clip reads the source. */
 export type ClipSource = { sample: string } | { name: string; file: Blob };
 
-/** A clip chosen for training: frames first (counted from 0) up to, not including, end. */
+/** A clip chosen for training: the frames from `first` (counted from 0) up to but not including `end`. */
 export interface TrainingClip {
   id: number;
   source: ClipSource;
@@ -274,7 +274,7 @@ export interface Workbench {
    * rollouts' health and their bounds.
    */
   bestToShow(ranks: number[], bounds: number[]): number;
-  /** The estimated cost of a training on this machine. */
+  /** The estimated cost of a training in the browser. */
   trainingCost(question: CostQuestion): TrainingCost;
   /** Opens a model. The model and its rollouts get the number `revision`. */
   openModel(text: string, frames: number, revision: number): OpenedModel;
@@ -289,10 +289,10 @@ export interface Workbench {
   futures(request: RolloutRequest, count: number, seed: number): RolloutResult[];
   /** Starts a live rollout after a frame of a rollout of the open model. An earlier live rollout ends. */
   startLive(request: RolloutRequest, frame: number): void;
-  /** Makes the changes, then computes the next frames. Throws when there is no live rollout. */
+  /** Makes the changes, then computes the next frames. Throws if there is no live rollout. */
   advanceLive(changes: LiveChange[], frames: number): LiveFrames;
   endLive(): void;
-  /** The frames of a clip from first (counted from 0) up to, not including, end. */
+  /** The frames of a clip from `first` (counted from 0) up to but not including `end`, as BVH. */
   clipBvh(id: number, first: number, end: number): string;
 }
 

@@ -8,7 +8,7 @@ interface Startable {
 
 export interface Running<Face> {
   calls: Calls<Face>;
-  /** Fails, with a sentence for the visitor, when the worker dies. */
+  /** Rejects with a sentence for the visitor when the worker dies. */
   broken: Promise<never>;
   dismiss(): void;
 }
@@ -40,7 +40,7 @@ export function startIn<Face extends Startable>(
 }
 
 /**
- * Fails when the worker dies. Some deaths send no event. A started worker therefore holds a lock with its
+ * Rejects when the worker dies. Some deaths send no event. A started worker therefore holds a lock with its
  * name, and the page requests the same lock: the browser grants it when the worker is dead. (Locks exist only
  * on pages from https or from localhost.)
  */

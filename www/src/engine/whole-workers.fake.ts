@@ -116,7 +116,7 @@ export function savedResults(
 
 const read = (text: string) => JSON.parse(text) as { setting: Setting; jobs: Job[] };
 
-/** A refusal by the program itself. */
+/** The error of a program that refuses an input. */
 export function refusal(message: string): Error {
   const error = new Error(message);
   error.name = "VcgpdmError";

@@ -35,7 +35,7 @@ interface Rolled {
 
 export class SeriesStore extends Store {
   readonly clock = new SeriesClock();
-  /** Empty for a model of another kind than vCGPDM and vGPDM. */
+  /** Only a vCGPDM or vGPDM has couplings; empty for other kinds of models. */
   readonly couplings = new CouplingsStore(() => this.#request());
   readonly #document: OpenDocument<WholeCalls, SeriesInfo>;
   readonly #tables: TablesStore;
@@ -100,7 +100,7 @@ export class SeriesStore extends Store {
       : null;
   }
 
-  /** Saves the model to the visitor's disk. */
+  /** Saves the model as a file on the visitor's disk. */
   save(): void {
     if (!this.#opened) return;
     download("series.model.json", new Blob([this.#opened.text], { type: "application/json" }));
