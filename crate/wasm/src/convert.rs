@@ -43,8 +43,8 @@ fn read<T: DeserializeOwned>(code: ErrorCode, what: &str, value: JsValue) -> Res
     })
 }
 
-/// Why a value cannot be read. Reading a list from null gives a message of JavaScript's own; without the field,
-/// serde names it. `problem`: the error of another value.
+/// Why a value cannot be read. Reading a list from null gives a message of JavaScript's own; without the
+/// field, serde names it. `problem`: the error of another value.
 fn reason_of(value: &JsValue, reason: &Error, problem: &dyn Fn(JsValue) -> Option<Error>) -> String {
     for field in fields_of(value) {
         let missing = format!("missing field `{field}`");

@@ -45,9 +45,9 @@ export type ErrorCode =
     | "freed";
 
 /**
- * Every function throws this error when it fails; the message says what was expected and what
- * was found. The code "argument" is that of an argument of another class, "freed" that of an object that is used
- * after its `free()`.
+ * Every function throws this error when it fails; the message says what was expected and what was found.
+ * The code is "argument" for an argument of another class, and "freed" for an object that is used after its
+ * `free()`.
  */
 export interface VcgpdmError extends Error {
     name: "VcgpdmError";

@@ -236,8 +236,8 @@ pub(crate) fn part_infos<'a>(specs: &'a [PartSpec], maps: &[PoseMap]) -> Vec<Par
     specs.iter().zip(maps).map(info).collect()
 }
 
-/// A trained model of any kind, of a body or of tables. The small package `vcgpdm/player` has vCGPDM and vGPDM
-/// of bodies only.
+/// A trained model of any kind, of a body or of tables. The small package `vcgpdm/player` has vCGPDM and
+/// vGPDM of bodies only.
 #[wasm_bindgen]
 pub struct Model {
     pub(crate) model: Trained,
