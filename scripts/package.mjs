@@ -109,6 +109,12 @@ export default async function init() {
 }
 `;
 
+// TypeScript takes only an assigned `exports.default` for the default export that the types name.
+const COMMONJS = `const whole = require("./vcgpdm.js");
+Object.assign(exports, whole, { __esModule: true });
+exports.default = whole.default;
+`;
+
 /** Writes an entry for Node, which loads the wasm at the import. `glue`: the script of the folder web. */
 export function writeNodeEntry(/** @type {string} */ place, glue = "vcgpdm.js") {
   mkdirSync(join(place, "node"), { recursive: true });
@@ -137,7 +143,7 @@ export function completePackage(/** @type {string} */ place) {
   writeNodeEntry(place, "glue.js");
   writeFileSync(at("node", "vcgpdm.d.ts"), TYPES);
   // Node can require a module; TypeScript wants the types of CommonJS in a file of their own.
-  writeFileSync(at("node", "vcgpdm.cjs"), 'module.exports = require("./vcgpdm.js");\n');
+  writeFileSync(at("node", "vcgpdm.cjs"), COMMONJS);
   copyFileSync(at("web", "glue.d.ts"), at("node", "vcgpdm.d.cts"));
 
   // Importers that do not read "exports" take a folder's own package.json.
