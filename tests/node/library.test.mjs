@@ -310,7 +310,7 @@ describe("primitives on their way", () => {
     assert.deepEqual([last?.part, last?.name, last?.origin.seed], [0, "stroll", 2]);
     assert.equal(last?.origin.relearned?.frames, "remembered");
     assert.equal(last?.origin.relearned?.clips[0]?.name, "walk-3 (made by this project).bvh");
-    // What was learned comes into the library that it was learned for, as any file.
+    // The library accepts the primitives that were learned for it, like those of any file.
     assert.equal(library.add(grown).info().primitives.length, 5);
     const fromClips = vcgpdm.ImportTrainer.fromClips(library, legs, set(["walk-3"]), {
       maxIterations: 2,

@@ -1,4 +1,4 @@
-// The notice over a motion that stands still or breaks down.
+// The text of the notice for a motion whose pose stops changing or is not finite.
 import { troubleText } from "../couplings/measures-text";
 import type { BodyReport } from "../engine/protocol";
 import { sentence } from "../ui/format";

@@ -14,7 +14,7 @@ const SHORT = 20;
 /** Columns of a joint: its rotation. */
 const COLUMNS = 3;
 
-/** A cost in words, empty for a short training. `absurd`: the page warns. */
+/** The time and memory of a training as text, empty for a short training. `absurd`: the page warns. */
 export interface CostWords {
   words: string;
   absurd: boolean;
@@ -70,7 +70,7 @@ export function costWords(cost: TrainingCost | null, count: number, workers: num
   );
 }
 
-/** A cost in words, with an advice to make it shorter. */
+/** The text of a cost, with advice on how to make the training shorter. */
 export function waitWords({ seconds, bytes }: TrainingCost, shorter: string): CostWords {
   const absurd = seconds > LONG || bytes > LARGE;
   if (!absurd && seconds < SHORT) return { words: "", absurd };

@@ -82,8 +82,8 @@ const MAX_CELLS: usize = 324_000_000;
 ///    squared. The penalty chooses the path and is no part of the score.
 ///
 /// `mse` is the same without alignment over the first min(T_1, T_2) frames (centred as before). A prediction
-/// that stands still is 0 after centring; if it is as long as the trial, its `mse` equals `variance` (1/T_2,
-/// not 1/(T_2 - 1)). If the actual motion stands still, `s` is 1.
+/// whose pose never changes is 0 after centring; if it is as long as the trial, its `mse` equals `variance`
+/// (1/T_2, not 1/(T_2 - 1)). If the pose of the trial never changes, `s` is 1.
 ///
 /// Takes O(T_1 T_2 D) operations, one byte for each pair of frames and two rows of costs.
 ///
