@@ -62,7 +62,7 @@ export class CaptionView extends View {
     return [...wordStores(this.app), this.app.body];
   }
 
-  /** A notice for a motion whose pose stops changing or is not finite, with buttons that help. */
+  /** A notice for a motion that is not healthy, such as one whose pose stops changing, with buttons that help. */
   #healthNotice() {
     const { stage, model, training, pointing, body, embedded } = this.app;
     const { content } = stage;

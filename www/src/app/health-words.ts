@@ -1,4 +1,4 @@
-// The text of the notice for a motion whose pose stops changing or is not finite.
+// The notice for a motion that is not healthy: its pose stops changing, or leaves what the model has learned.
 import { troubleText } from "../couplings/measures-text";
 import type { BodyReport } from "../engine/protocol";
 import { sentence } from "../ui/format";
