@@ -62,7 +62,7 @@ export class CaptionView extends View {
     return [...wordStores(this.app), this.app.body];
   }
 
-  /** A notice for a motion that is not healthy, such as one whose pose stops changing, with buttons that help. */
+  /** A notice with buttons, for a motion that is not healthy, such as one whose pose stops changing. */
   #healthNotice() {
     const { stage, model, training, pointing, body, embedded } = this.app;
     const { content } = stage;
