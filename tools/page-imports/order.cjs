@@ -6,6 +6,7 @@ const { join } = require("node:path");
 /** The folders of www/src. A folder imports only from lines above its own. */
 const ORDER = [
   ["ui"], // what all stores and views are made of. No model
+  ["words"], // the sentences of the page, one folder for each language
   ["engine", "terms", "offline"], // messages to the workers; the meaning of terms; the service worker
   ["settings"], // settings and the page's address
   ["scene", "figures"], // three.js and skeletons; charts and tables
@@ -18,6 +19,7 @@ const ORDER = [
   ["comparison", "experiment", "perception", "primitives", "series", "method", "details"],
   ["session"], // the copy of a visit in the browser's database
   ["app"], // creates the stores and connects them
+  ["story"], // the first view: its frame, and a folder for each chapter
   ["main"],
   ["workers"], // programs of their own, with the wasm in them
 ];

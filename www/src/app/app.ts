@@ -18,9 +18,11 @@ import { TrainingStore } from "../training/training-store";
 import { NoticesStore } from "../ui/notices-store";
 import { stageWork } from "../couplings/model-work";
 import { mayLose } from "../ui/unsaved";
+import { WordsStore } from "../words/words";
 import { Lazy } from "./lazy";
 
 export class App {
+  readonly words = new WordsStore();
   readonly notices = new NoticesStore();
   readonly engine = new EngineStore();
   readonly offline = new OfflineStore(() => location.reload());

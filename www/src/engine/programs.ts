@@ -12,8 +12,18 @@ async function compile(place: URL): Promise<WebAssembly.Module> {
   return named ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
 }
 
-export const loadPlayer = () =>
-  compile(new URL("../../../crate/wasm/pkg/player/vcgpdm_bg.wasm", import.meta.url));
+let player: Promise<WebAssembly.Module> | null = null;
+
+/** Loads the program that shows, once for all its workers, and again after a failed download. */
+export function loadPlayer(): Promise<WebAssembly.Module> {
+  player ??= compile(new URL("../../../crate/wasm/pkg/player/vcgpdm_bg.wasm", import.meta.url)).catch(
+    (problem: unknown) => {
+      player = null;
+      throw problem;
+    },
+  );
+  return player;
+}
 
 let whole: Promise<WebAssembly.Module> | null = null;
 

@@ -4,7 +4,13 @@
 /** Milliseconds between two redraws of workers' reports. */
 const SOON = 100;
 
-export abstract class Store {
+/** Something whose changes others listen to. */
+export interface Observed {
+  /** Calls back after each change. Returns a function that stops the calls. */
+  on(listener: () => void): () => void;
+}
+
+export abstract class Store implements Observed {
   readonly #listeners = new Set<() => void>();
   #waiting = false;
 

@@ -1,13 +1,13 @@
 // The base of all components: redraws when one of its stores changes. It has no shadow DOM, so that the
 // styles of the page apply.
 import { LitElement } from "lit";
-import type { Store } from "./store";
+import type { Observed } from "./store";
 
 export abstract class View extends LitElement {
   readonly #leaving: (() => void)[] = [];
 
   /** The stores whose changes redraw this view. */
-  protected abstract stores(): readonly Store[];
+  protected abstract stores(): readonly Observed[];
 
   /** The view is drawn and on the page. Subclasses begin to listen here. */
   protected arrived(): void {}

@@ -1,0 +1,73 @@
+// The body of the story: the model that comes with the page, with stores and a worker of its own, so that the
+// story changes nothing in the Lab, and shows the same walk whatever model the visitor has opened there.
+import type { App } from "../app/app";
+import { fetchStartModel, fetchStartMotion } from "../app/start-files";
+import { ModelStore } from "../couplings/model-store";
+import { startEngine } from "../engine/engine";
+import { EngineStore } from "../engine/engine-store";
+import type { AddressBar } from "../settings/address";
+import { SettingsStore } from "../settings/settings-store";
+import { Playback } from "../stage/playback";
+import { StageStore } from "../stage/stage-store";
+import type { NoticesStore } from "../ui/notices-store";
+
+/** The settings of the story's body are in no address. */
+const noAddress: AddressBar = { read: () => "", write() {}, push() {} };
+
+export class StoryBody {
+  readonly engine = new EngineStore();
+  readonly settings = new SettingsStore(noAddress);
+  readonly playback = new Playback(this.settings);
+  readonly stage = new StageStore(this.playback);
+  readonly model: ModelStore;
+  readonly #notices: NoticesStore;
+  #started: Promise<void> | null = null;
+
+  constructor(notices: NoticesStore) {
+    this.#notices = notices;
+    this.model = new ModelStore(this.engine, this.settings, this.stage, notices);
+  }
+
+  /** Shows the stored first seconds of the walk. The model continues them when it has arrived. */
+  async showFirstMotion(): Promise<void> {
+    if (this.stage.content) return;
+    const motion = await fetchStartMotion();
+    if (motion && !this.stage.content) this.stage.showModel(motion);
+  }
+
+  /** Starts the engine and opens the model; a call after a failure tries again. */
+  start(): Promise<void> {
+    this.#started ??= this.#start().catch((problem: unknown) => {
+      this.#started = null;
+      throw problem;
+    });
+    return this.#started;
+  }
+
+  async #start(): Promise<void> {
+    const text = fetchStartModel();
+    // When the engine cannot start, nobody waits for the model.
+    text.catch(() => {});
+    const events = {
+      restarted: (why: string) => this.#notices.addError("The program was started again", `${why}.`),
+      stopped: (problem: unknown) => this.engine.stop(problem),
+    };
+    await this.engine.start(
+      () => startEngine(events),
+      async () => {
+        const first = await text;
+        if (first === null) throw new Error("the host has no model for this page");
+        await this.model.openStart(first);
+      },
+    );
+    if (this.engine.state === "failed") throw new Error(this.engine.problem);
+  }
+}
+
+let body: StoryBody | null = null;
+
+/** The body of the story, the same for all chapters. */
+export function storyBody({ notices }: App): StoryBody {
+  body ??= new StoryBody(notices);
+  return body;
+}
