@@ -150,9 +150,14 @@ export class App {
     );
   }
 
+  /** Whether a chapter of the story is open. */
+  get isStory(): boolean {
+    return this.settings.values.chapter > 0;
+  }
+
   /** Whether the visible view is Play, with the stage. */
   get isPlayView(): boolean {
-    return this.embedded || this.settings.values.view === "play";
+    return !this.isStory && (this.embedded || this.settings.values.view === "play");
   }
 
   /** Starts the engine and opens the first model, then the sample clips. `text`: null without a model. */
@@ -192,6 +197,6 @@ export class App {
   /** The visitor has followed a link or pressed Back. */
   followAddress(): void {
     this.settings.readAddress();
-    this.model.restart();
+    if (!this.isStory) this.model.restart();
   }
 }

@@ -7,6 +7,7 @@ import type { EngineStore } from "../engine/engine-store";
 import type { Primitives } from "../primitives/primitives";
 import type { Holdings } from "../session/records";
 import type { Visit } from "../session/session-store";
+import { initialSettings, writeSettings } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import type { TrainingStore } from "../training/training-store";
 import { messageOf, sentence } from "../ui/format";
@@ -41,7 +42,7 @@ function holdingsOf({ settings, clips, training, model, comparison, primitives }
   const shown = comparison.loaded?.shown;
   const ids = new Map(clips.all.map(({ key, loaded }) => [key, loaded.id]));
   return {
-    fragment: settings.address.fragment.replace(/^#/, ""),
+    fragment: settings.labFragment,
     clips: clips.stored.map((clip) => ({ ...clip, id: ids.get(clip.key) ?? 0 })),
     firstBones: clips.firstBones,
     runs: training.runs,
@@ -70,7 +71,7 @@ async function takeUp(stores: Stores, holdings: Holdings): Promise<string[]> {
     const comparison = await stores.comparison.get();
     if (!(await comparison.open(holdings.results, !unsaved.results))) throw keepsPresent();
   }
-  if (settings.address.fragment.replace(/^#/, "") === "" && holdings.fragment !== "") {
+  if (settings.labFragment === writeSettings(initialSettings()) && holdings.fragment !== "") {
     settings.takeFragment(holdings.fragment);
     model.restart();
   }

@@ -223,7 +223,7 @@ describe("another model", () => {
     expect(bar.pages).toHaveLength(1);
     model.couplings.set(0, 1, 8);
     await model.open(modelText(2));
-    expect(bar.pages).toEqual([`model=${modelHash(3).slice(0, 8)}&alpha=0.1:8`, ""]);
+    expect(bar.pages).toEqual([`model=${modelHash(3).slice(0, 8)}&alpha=0.1:8`, "view=play"]);
     bar.pages.pop();
     settings.readAddress();
     model.restart();

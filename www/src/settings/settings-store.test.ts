@@ -56,3 +56,17 @@ it("follows the address, and drops the write that waits", () => {
   expect([settings.values.latent, settings.values.seed]).toEqual([1, 5]);
   expect(bar.read()).toBe("latent=1&seed=5");
 });
+
+it("begins a history entry for each chapter, and keeps the settings of the Lab for the way back", () => {
+  const bar = new FakeAddressBar("latent=2");
+  const settings = new SettingsStore(bar);
+  settings.change({ chapter: 1 });
+  settings.change({ chapter: 2 });
+  expect(bar.pages).toEqual(["latent=2", "story=1", "story=2"]);
+  expect(settings.labFragment).toBe("latent=2");
+  bar.pages.pop();
+  settings.readAddress();
+  expect([settings.values.chapter, settings.values.latent]).toEqual([1, 2]);
+  settings.change({ chapter: 0 });
+  expect(bar.read()).toBe("latent=2");
+});

@@ -1,7 +1,7 @@
 // The settings, which the address of the page follows.
 import { Store } from "../ui/store";
 import { Address, type AddressBar } from "./address";
-import { limited, readSettings, type Settings } from "./settings";
+import { limited, readSettings, type Settings, writeSettings } from "./settings";
 
 export class SettingsStore extends Store {
   #values: Settings;
@@ -23,6 +23,11 @@ export class SettingsStore extends Store {
     return { ...this.#values, ...this.#waiting };
   }
 
+  /** The address of the Lab or another view with these settings, also while a chapter is open. */
+  get labFragment(): string {
+    return writeSettings({ ...this.written, chapter: 0 });
+  }
+
   /** Keeps settings of a link in the address that do not apply yet; `{}`: there are none. */
   holdBack(waiting: Partial<Settings>): void {
     this.#waiting = waiting;
@@ -31,11 +36,12 @@ export class SettingsStore extends Store {
 
   /**
    * Changes settings within their limits; an invalid value leaves its setting as it was. A change of the view
-   * begins a history entry, and so does `turnsPage`.
+   * or the chapter begins a history entry, and so does `turnsPage`.
    */
   change(change: Partial<Settings>, turnsPage = false): void {
     const next = { ...this.#values, ...limited(change) };
-    const isOther = turnsPage || next.view !== this.#values.view;
+    const isOther =
+      turnsPage || next.view !== this.#values.view || next.chapter !== this.#values.chapter;
     this.#values = next;
     if (isOther) this.address.push(this.written);
     else this.address.writeSoon(this.written);
@@ -56,7 +62,13 @@ export class SettingsStore extends Store {
   }
 
   #take(fragment: string): void {
-    this.#values = readSettings(fragment);
+    const read = readSettings(fragment);
+    // The address of a chapter does not have the settings of the Lab, which waits as it is.
+    if (read.chapter > 0) {
+      this.#values = { ...this.#values, chapter: read.chapter };
+      return;
+    }
+    this.#values = read;
     this.#waiting = {};
   }
 }

@@ -10,14 +10,23 @@ import {
 } from "./settings";
 
 describe("settings in the URL", () => {
-  it("leaves out initial values", () => {
-    expect(writeSettings(initialSettings())).toBe("");
+  it("leaves out initial values, but names the view when nothing else is left", () => {
+    expect(writeSettings(initialSettings())).toBe("view=play");
+    expect(readSettings("view=play")).toEqual(initialSettings());
     expect(readSettings("")).toEqual(initialSettings());
   });
 
-  it("brings every setting back", () => {
+  it("writes only the chapter of the story", () => {
+    const settings = { ...initialSettings(), chapter: 3, latent: 2 };
+    expect(writeSettings(settings)).toBe("story=3");
+    expect(readSettings("#story=3").chapter).toBe(3);
+    expect(readSettings("#story=77").chapter).toBe(10);
+  });
+
+  it("brings every setting of the Lab back", () => {
+    const { chapter, ...lab } = initialSettings();
     const settings = {
-      ...initialSettings(),
+      ...lab,
       parts: "hand",
       split: [
         { name: "legs & hips", joints: [0, 1, 2, 3, 7] },
@@ -58,7 +67,7 @@ describe("settings in the URL", () => {
         JSON.stringify(value) === JSON.stringify(SETTINGS[name as keyof typeof SETTINGS].initial),
     );
     expect(untouched).toEqual([]);
-    expect(readSettings(`#${writeSettings(settings)}`)).toEqual(settings);
+    expect(readSettings(`#${writeSettings({ ...settings, chapter })}`)).toEqual({ ...settings, chapter });
   });
 
   it("limits the values of the URL", () => {

@@ -251,7 +251,12 @@ export const MODELS = [
 /** The id of parts that the visitor has assigned by hand. */
 export const BY_HAND = "hand";
 
+/** The last chapter of the story. */
+const LAST_CHAPTER = 10;
+
 export const SETTINGS = {
+  /** The open chapter of the story; 0: the Lab or another view is open. */
+  chapter: whole("story", 0, 0, LAST_CHAPTER),
   view: choice("view", "play", VIEWS),
   parts: preset,
   split,
@@ -317,13 +322,19 @@ export function readSettings(fragment: string): Settings {
   return { ...initialSettings(), ...limited(Object.fromEntries(read)) };
 }
 
-/** The URL fragment of these settings, without "#" and without initial values. */
+/**
+ * The URL fragment of these settings, without "#" and without initial values. A chapter has no other settings.
+ * The Lab names its view, because a page without a fragment opens where the visitor was.
+ */
 export function writeSettings(settings: Settings): string {
+  const { chapter } = SETTINGS;
+  if (settings.chapter > 0) return `${chapter.key}=${chapter.write(settings.chapter)}`;
   const given = new URLSearchParams();
   for (const [name, row] of ROWS) {
     const text = row.write(settings[name]);
     if (text !== row.write(row.initial)) given.set(row.key, text);
   }
+  if (given.size === 0) given.set(SETTINGS.view.key, settings.view);
   return given.toString().replace(/%3A/gi, ":").replace(/%2C/gi, ",").replace(/%3B/gi, ";");
 }
 

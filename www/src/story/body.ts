@@ -9,7 +9,7 @@ import type { AddressBar } from "../settings/address";
 import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
 import { StageStore } from "../stage/stage-store";
-import type { NoticesStore } from "../ui/notices-store";
+import { NoticesStore } from "../ui/notices-store";
 
 /** The settings of the story's body are in no address. */
 const noAddress: AddressBar = { read: () => "", write() {}, push() {} };
@@ -19,14 +19,10 @@ export class StoryBody {
   readonly settings = new SettingsStore(noAddress);
   readonly playback = new Playback(this.settings);
   readonly stage = new StageStore(this.playback);
-  readonly model: ModelStore;
-  readonly #notices: NoticesStore;
+  /** Problems of the story, which its frame shows. */
+  readonly notices = new NoticesStore();
+  readonly model = new ModelStore(this.engine, this.settings, this.stage, this.notices);
   #started: Promise<void> | null = null;
-
-  constructor(notices: NoticesStore) {
-    this.#notices = notices;
-    this.model = new ModelStore(this.engine, this.settings, this.stage, notices);
-  }
 
   /** Shows the stored first seconds of the walk. The model continues them when it has arrived. */
   async showFirstMotion(): Promise<void> {
@@ -49,7 +45,7 @@ export class StoryBody {
     // When the engine cannot start, nobody waits for the model.
     text.catch(() => {});
     const events = {
-      restarted: (why: string) => this.#notices.addError("The program was started again", `${why}.`),
+      restarted: (why: string) => this.notices.addError("The program was started again", `${why}.`),
       stopped: (problem: unknown) => this.engine.stop(problem),
     };
     await this.engine.start(
@@ -64,10 +60,11 @@ export class StoryBody {
   }
 }
 
-let body: StoryBody | null = null;
+const bodies = new WeakMap<App, StoryBody>();
 
-/** The body of the story, the same for all chapters. */
-export function storyBody({ notices }: App): StoryBody {
-  body ??= new StoryBody(notices);
+/** The body of the page's story, the same for all chapters. */
+export function storyBody(app: App): StoryBody {
+  const body = bodies.get(app) ?? new StoryBody();
+  bodies.set(app, body);
   return body;
 }

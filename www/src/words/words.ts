@@ -1,4 +1,5 @@
 // The sentences of the page in the visitor's language. Only the language in use is loaded.
+import { keep, kept } from "../ui/kept";
 import { Store } from "../ui/store";
 import type { Words } from "./en";
 
@@ -12,8 +13,8 @@ const LOAD: Record<Language, () => Promise<{ words: Words }>> = {
   de: () => import("./de"),
 };
 
-/** The key of the visitor's choice in the browser's storage. */
-const KEPT = "vcgpdm language";
+/** The name under which the browser keeps the visitor's choice. */
+const KEPT = "language";
 
 /** The language of a tag such as "de-CH"; null: the page has no such language. */
 function languageOf(tag: string | null): Language | null {
@@ -56,24 +57,12 @@ export class WordsStore extends Store {
 
   /** Loads the words for this browser. */
   loadPreferred(): Promise<void> {
-    return this.load(preferredLanguage(keptLanguage(), navigator.languages));
+    return this.load(preferredLanguage(kept(KEPT), navigator.languages));
   }
 
   /** The visitor has chosen a language, which the browser keeps. */
   async choose(language: Language): Promise<void> {
     await this.load(language);
-    try {
-      localStorage.setItem(KEPT, language);
-    } catch {
-      // A browser that stores nothing shows its own language at the next visit.
-    }
-  }
-}
-
-function keptLanguage(): string | null {
-  try {
-    return localStorage.getItem(KEPT);
-  } catch {
-    return null;
+    keep(KEPT, language);
   }
 }
