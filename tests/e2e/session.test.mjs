@@ -82,7 +82,7 @@ describe("a page that is closed in the middle of a training", () => {
     await leave();
   });
 
-  it("is forgotten when the visitor says so", async () => {
+  it("is forgotten when the visitor says so, and comes back with Undo until the page is left", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
     await drop(page, { "mine.bvh": bvh() });
@@ -91,15 +91,33 @@ describe("a page that is closed in the middle of a training", () => {
     await page.evaluate(() => /** @type {any} */ (document.querySelector("pg-page")).session.keepNow());
     await page.getByTestId("forget").click();
     await page.getByTestId("confirm-no").click();
-    assert.equal(await page.getByTestId("notice").count(), 0);
-    await page.getByTestId("forget").click();
-    assert.match(await page.getByTestId("confirm").innerText(), /nothing of this visit .* participants/);
-    await page.getByTestId("confirm-yes").click();
-    await page.getByTestId("notice").filter({ hasText: "keeps nothing" }).waitFor();
-    await page.reload();
-    await ready(page);
+    assert.equal(await page.getByTestId("undo-forget").count(), 0);
+    const forget = async () => {
+      await page.getByTestId("forget").focus();
+      await page.keyboard.press("Enter");
+      const question = page.getByTestId("confirm");
+      await question.waitFor();
+      assert.match(await question.innerText(), /removes a clip from this browser.* undo .* leave/s);
+      await page.keyboard.press("Enter");
+      await page.getByTestId("forgotten").filter({ hasText: "Forgotten: a clip." }).waitFor();
+    };
+    const offers = page.getByTestId("earlier-visit");
+    const reload = async () => {
+      await page.reload();
+      await ready(page);
+      await page.getByTestId("forget").waitFor();
+    };
+    await forget();
+    // The focus is on Undo, so that a press by mistake is undone with one more press.
+    await page.keyboard.press("Enter");
     await page.getByTestId("forget").waitFor();
-    assert.equal(await page.getByTestId("earlier-visit").count(), 0);
+    await reload();
+    assert.match((await offers.textContent()) ?? "", /: a clip\./);
+    await page.getByTestId("bring-back").click();
+    await page.getByTestId("own-clips").getByText("mine").waitFor();
+    await forget();
+    await reload();
+    assert.equal(await offers.count(), 0);
     assert.deepEqual(problems, []);
     await leave();
   });

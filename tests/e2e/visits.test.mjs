@@ -148,9 +148,14 @@ describe("Forget everything", () => {
     const b = await otherTab(a);
     await b.getByTestId("forget").click();
     await b.getByTestId("confirm-yes").click();
-    await b.getByTestId("notice").filter({ hasText: "keeps nothing" }).first().waitFor();
+    const undo = b.getByTestId("undo-forget");
+    await undo.waitFor();
+    assert.match(await b.getByTestId("forgotten").innerText(), /^Forgotten: 0 answers of a participant/);
     assert.deepEqual(await participants(), [active]);
     assert.equal((await keysIn(a, "vcgpdm answers", "studies")).length, 1);
+    await undo.click();
+    await b.getByTestId("forget").waitFor();
+    assert.deepEqual((await participants()).sort(), [first, active].sort());
     await leave();
   });
 });
@@ -194,7 +199,7 @@ describe("damaged records", () => {
 
     await page.getByTestId("forget").click();
     await page.getByTestId("confirm-yes").click();
-    await page.getByTestId("notice").filter({ hasText: "keeps nothing" }).waitFor();
+    await page.getByTestId("undo-forget").waitFor();
     assert.deepEqual(await records(page), []);
     await leave();
   });

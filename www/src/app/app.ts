@@ -10,6 +10,7 @@ import { wholeWorkers } from "../engine/whole-workers";
 import { OfflineStore } from "../offline/offline-store";
 import { PointingStore } from "../latents/pointing-store";
 import { PredictionsStore } from "../latents/predictions-store";
+import type { AnswerCounts } from "../session/answer-database";
 import type { AddressBar } from "../settings/address";
 import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
@@ -111,10 +112,20 @@ export class App {
     await (await this.perception.get()).openStudy(async () => text, made);
   }
 
-  /** Removes the stored answers of all participants but one who answers now. */
-  async forgetAnswers(): Promise<void> {
-    await (await this.#answers.get()).forgetAll();
-    this.perception.loaded?.dropStored();
+  async countAnswers(): Promise<AnswerCounts> {
+    return (await this.#answers.get()).countForgettable();
+  }
+
+  /** Removes the stored answers of all participants but one who answers now. The result brings them back. */
+  async forgetAnswers(): Promise<() => Promise<void>> {
+    const restore = await (await this.#answers.get()).forgetAll();
+    const listAgain = this.perception.loaded?.dropStored();
+    return async () => {
+      await restore();
+      listAgain?.();
+      // The view of the test may have been opened since.
+      await this.perception.loaded?.loadStored();
+    };
   }
 
   readonly #outlook = new Lazy(async () => {

@@ -12,7 +12,6 @@ import type { Detail } from "../details/details";
 import type { LiveStore } from "../live/live-store";
 import type { SessionStore } from "../session/session-store";
 import { messageOf } from "../ui/format";
-import { isConfirmed } from "../ui/unsaved";
 import { View } from "../ui/view";
 import type { App } from "./app";
 import { clipOnStage } from "./caption";
@@ -305,28 +304,6 @@ export class PageView extends View {
       }`;
   }
 
-  #forgetButton() {
-    const { session } = this;
-    if (!session) return nothing;
-    return html`<button class="link" data-testid="forget" title="This browser keeps clips, trainings, models and participants’ answers of your visits. Forget all of them, and keep nothing of this visit."
-      @click=${() => void this.#forget(session)}>Forget everything</button>`;
-  }
-
-  async #forget(session: SessionStore): Promise<void> {
-    const { notices } = this.app;
-    const text =
-      "This browser then keeps nothing of earlier visits, nothing of this visit from now on, and no answers of participants. Other open tabs, a participant who answers now, and the files on your disk stay as they are.";
-    if (!(await isConfirmed("Forget everything?", text, "Forget everything"))) return;
-    try {
-      await Promise.all([session.forgetAll(), this.app.forgetAnswers()]);
-      const text =
-        "This browser keeps nothing of your visits any more. Leaving the page ends this one for good.";
-      notices.add({ kind: "done", title: "Forgotten", text, at: null });
-    } catch (problem) {
-      notices.addError("Not all was forgotten", messageOf(problem));
-    }
-  }
-
   protected override render() {
     const { app } = this;
     const { engine, settings, model, notices, embedded, isPlayView } = app;
@@ -380,7 +357,7 @@ export class PageView extends View {
             ? nothing
             : html`
           <footer>
-            <span>Nothing you load leaves your machine. ${this.#forgetButton()}</span>
+            <span>Nothing you load leaves your machine. ${this.session ? html`<pg-forget .session=${this.session} .app=${app}></pg-forget>` : nothing}</span>
             <span><a href="licences.txt">Licences</a> of what others wrote.</span>
             <span>The start model was trained on CMU subject 7. ${DATA_SOURCE}</span>
           </footer>`

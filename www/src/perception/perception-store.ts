@@ -85,12 +85,7 @@ export class PerceptionStore extends Store {
 
   /** Adds the participations of earlier visits. */
   async loadStored(): Promise<void> {
-    const found = (await this.#database?.all()) ?? [];
-    const known = new Set(this.#participations.map(({ key }) => key));
-    this.#participations = [...this.#participations, ...found.filter(({ key }) => !known.has(key))].sort(
-      (a, b) => b.at - a.at,
-    );
-    this.changed();
+    this.#add((await this.#database?.all()) ?? []);
   }
 
   /** Waits until a study is open; when there is no other, opens the one that comes with the page. */
@@ -226,9 +221,20 @@ export class PerceptionStore extends Store {
     this.changed();
   }
 
-  /** The database was emptied, except for the active participation. */
-  dropStored(): void {
-    this.#participations = this.#participations.filter(({ key }) => key === this.#active?.participation.key);
+  /** The database was emptied, except for the active participation. The result lists the others again. */
+  dropStored(): () => void {
+    const isActive = ({ key }: StoredParticipation) => key === this.#active?.participation.key;
+    const dropped = this.#participations.filter((participation) => !isActive(participation));
+    this.#participations = this.#participations.filter(isActive);
+    this.changed();
+    return () => this.#add(dropped);
+  }
+
+  #add(added: readonly StoredParticipation[]): void {
+    const present = new Set(this.#participations.map(({ key }) => key));
+    this.#participations = [...this.#participations, ...added.filter(({ key }) => !present.has(key))].sort(
+      (a, b) => b.at - a.at,
+    );
     this.changed();
   }
 

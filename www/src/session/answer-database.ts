@@ -1,7 +1,7 @@
 // The answers of a graphics Turing test in a database of their own, a record for each row: a tab that is
 // closed loses none.
 import { openDB } from "idb";
-import type { AnswerDatabase, Participation, Row } from "../perception/participation";
+import { type AnswerDatabase, answered, type Participation, type Row } from "../perception/participation";
 import { type Check, has, isBoolean, isNumber, isText } from "./checks";
 
 const PARTICIPATIONS = "participations";
@@ -32,8 +32,20 @@ async function underWay(): Promise<string[]> {
   return held.flatMap(({ name }) => (name?.startsWith(LOCK_PREFIX) ? [name.slice(LOCK_PREFIX.length)] : []));
 }
 
+/** How many participants and answers "Forget everything" would remove. */
+export interface AnswerCounts {
+  participants: number;
+  answers: number;
+}
+
+interface ForgettableAnswers {
+  countForgettable(): Promise<AnswerCounts>;
+  /** Removes all participations but those under way. The result writes them back. */
+  forgetAll(): Promise<() => Promise<void>>;
+}
+
 /** Fails when the browser stores nothing. */
-export async function answerDatabase(): Promise<AnswerDatabase & { forgetAll(): Promise<void> }> {
+export async function answerDatabase(): Promise<AnswerDatabase & ForgettableAnswers> {
   const database = await openDB("vcgpdm answers", 1, {
     upgrade(fresh) {
       for (const store of [PARTICIPATIONS, ROWS]) fresh.createObjectStore(store);
@@ -47,18 +59,19 @@ export async function answerDatabase(): Promise<AnswerDatabase & { forgetAll(): 
       isStored(record),
     );
   const write = () => database.transaction([PARTICIPATIONS, ROWS, STUDIES], "readwrite");
+  const all = async () => {
+    const found = await participations();
+    const reading = database.transaction(ROWS);
+    const rows = await Promise.all(
+      found.map(({ key }) => reading.store.getAll(rowsOf(key)) as Promise<unknown[]>),
+    );
+    return found.map(({ studyNumber: _, ...participation }, i) => ({
+      ...participation,
+      rows: (rows[i] ?? []).filter((row): row is Row => has({})(row)),
+    }));
+  };
   return {
-    async all() {
-      const found = await participations();
-      const reading = database.transaction(ROWS);
-      const rows = await Promise.all(
-        found.map(({ key }) => reading.store.getAll(rowsOf(key)) as Promise<unknown[]>),
-      );
-      return found.map(({ studyNumber: _, ...participation }, i) => ({
-        ...participation,
-        rows: (rows[i] ?? []).filter((row): row is Row => has({})(row)),
-      }));
-    },
+    all,
     async study(key) {
       const { studyNumber } = ((await database.get(PARTICIPATIONS, key)) as Stored | undefined) ?? {};
       if (studyNumber === undefined) return null;
@@ -101,20 +114,38 @@ export async function answerDatabase(): Promise<AnswerDatabase & { forgetAll(): 
             return undefined;
           });
       }),
+    async countForgettable() {
+      const staying = await underWay();
+      const leaving = (await all()).filter(({ key }) => !staying.includes(key));
+      const answers = leaving.reduce((sum, participation) => sum + answered(participation), 0);
+      return { participants: leaving.length, answers };
+    },
     async forgetAll() {
       const staying = await underWay();
       const studyNumbers = (await participations())
         .filter(({ key }) => staying.includes(key))
         .map(({ studyNumber }) => studyNumber);
+      const removed: { name: string; key: IDBValidKey; value: unknown }[] = [];
       const writing = write();
       const removeBut = async (name: string, stays: (key: unknown) => boolean) => {
         const store = writing.objectStore(name);
-        for (const key of await store.getAllKeys()) if (!stays(key)) await store.delete(key);
+        for (const key of await store.getAllKeys()) {
+          if (stays(key)) continue;
+          removed.push({ name, key, value: await store.get(key) });
+          await store.delete(key);
+        }
       };
       await removeBut(PARTICIPATIONS, (key) => staying.some((stays) => stays === key));
       await removeBut(ROWS, (key) => Array.isArray(key) && staying.includes(key[0]));
       await removeBut(STUDIES, (key) => studyNumbers.some((number) => number === key));
       await writing.done;
+      return async () => {
+        const writing = write();
+        await Promise.all([
+          ...removed.map(({ name, key, value }) => writing.objectStore(name).put(value, key)),
+          writing.done,
+        ]);
+      };
     },
   };
 }

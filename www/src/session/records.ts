@@ -5,7 +5,7 @@ import type { ClipSource } from "../engine/protocol";
 import type { Run } from "../training/runs";
 
 /** How many things of each kind a visit holds. */
-interface Counts {
+export interface Counts {
   clips: number;
   runs: number;
   models: number;
@@ -57,7 +57,7 @@ type StoredSource = { sample: string } | { name: string; file: string };
 type Stored<Clip extends { source: ClipSource }> = Omit<Clip, "source"> & { source: StoredSource };
 
 /** The clips that come with the page are not worth a record. */
-const countsOf = ({ clips, runs, model, results, library }: Holdings): Counts => ({
+export const countsOf = ({ clips, runs, model, results, library }: Holdings): Counts => ({
   clips: clips.filter(({ origin }) => origin === "own").length,
   runs: runs.length,
   models: model === null ? 0 : 1,
@@ -68,9 +68,17 @@ const countsOf = ({ clips, runs, model, results, library }: Holdings): Counts =>
 const enumerate = (words: readonly string[]) =>
   words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`;
 
-/** "2 clips and a training"; empty when the visit holds nothing worth a record. */
-export function contentsOf(holdings: Holdings): string {
-  const { clips, runs, models, results, libraries } = countsOf(holdings);
+/** The counts of several visits together. */
+export const sumOf = (all: readonly Counts[]): Counts => ({
+  clips: all.reduce((sum, { clips }) => sum + clips, 0),
+  runs: all.reduce((sum, { runs }) => sum + runs, 0),
+  models: all.reduce((sum, { models }) => sum + models, 0),
+  results: all.reduce((sum, { results }) => sum + results, 0),
+  libraries: all.reduce((sum, { libraries }) => sum + libraries, 0),
+});
+
+/** "2 clips and a training"; empty when the counts are 0. */
+export function contentsText({ clips, runs, models, results, libraries }: Counts): string {
   const counted = (count: number, singular: string, plural: string) =>
     count === 0 ? [] : [count === 1 ? singular : `${count} ${plural}`];
   return enumerate([
@@ -116,7 +124,7 @@ export class RecordWriter {
     if (model !== null) add("model", [model], () => model);
     if (results !== null) add("results", [results], () => results);
     if (library !== null) add("library", [library.text, library.unsaved], () => library);
-    if (contentsOf(holdings) === "" && this.#written.size === 0) return null;
+    if (contentsText(countsOf(holdings)) === "" && this.#written.size === 0) return null;
     const about: About = {
       ...countsOf(holdings),
       at,

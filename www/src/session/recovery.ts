@@ -2,7 +2,7 @@
 // so each piece is checked and left out when it cannot be read.
 import type { Run } from "../training/runs";
 import { type Check, has, isBoolean, isListOf, isNullOr, isNumber, isOneOf, isText } from "./checks";
-import { contentsOf, type Holdings, type StoredLibrary } from "./records";
+import { type Counts, countsOf, contentsText, type Holdings, type StoredLibrary } from "./records";
 
 /** `Date` knows no times beyond these milliseconds. */
 const LAST_TIME = 8.64e15;
@@ -78,6 +78,7 @@ export interface Recovered {
   holdings: Holdings;
   /** What the holdings are, such as "2 clips and a training"; empty when there is nothing to bring back. */
   contents: string;
+  counts: Counts;
   /** Whether all records could be read. */
   whole: boolean;
 }
@@ -148,5 +149,6 @@ export function recover(records: ReadonlyMap<string, unknown>): Recovered {
     library: optional<StoredLibrary>("library", isLibrary),
   };
   const at = field<number | null>("at", isTime, null);
-  return { at, holdings, contents: contentsOf(holdings), whole };
+  const counts = countsOf(holdings);
+  return { at, holdings, counts, contents: contentsText(counts), whole };
 }

@@ -140,6 +140,51 @@ describe("the next visit", () => {
   });
 });
 
+describe("Forget everything", () => {
+  it("counts the clips and trainings of all visits that it removes, but those of other tabs", async () => {
+    await browser.leave("a", { clips: [clip("walk")], runs: [run(1, 2)] });
+    await browser.leave("b", { clips: [clip("run"), clip("jump")] });
+    const other = await browser.open("c");
+    other.visit.now = { ...nothing, model: "{}" };
+    await other.store.keepNow();
+    const { visit, store } = await browser.open("d");
+    visit.now = { ...nothing, runs: [run(1, 2)] };
+    expect(store.forgettable).toEqual({ contents: "3 clips and 2 trainings", earlierVisits: 2 });
+  });
+
+  it("is undone: earlier visits are offered again, and this visit is stored again", async () => {
+    await browser.leave("a", { clips: [clip("walk")] });
+    const { visit, store } = await browser.open("b");
+    visit.now = { ...nothing, model: "{}", clips: [clip("run")] };
+    await store.keepNow();
+    const undo = await store.forgetAll();
+    expect([offered(store), stored(), store.keeps]).toEqual([[], [], false]);
+    await undo();
+    expect([offered(store), stored().sort(), store.keeps]).toEqual([["a: a clip"], ["a", "b"], true]);
+    visit.now = { ...visit.now, model: "{ }" };
+    await store.keepNow();
+    browser.end("b");
+    const next = await browser.open("c");
+    expect(offered(next.store)).toEqual(["b: a clip and a model", "a: a clip"]);
+    await next.store.bringBack(first(next.store));
+    const [walk] = next.visit.taken?.clips ?? [];
+    expect(walk && "file" in walk.source && (await walk.source.file.text())).toBe("HIERARCHY");
+    expect(next.visit.taken?.model).toBe("{ }");
+  });
+
+  it("stays in force when the undo fails, and can be undone later", async () => {
+    await browser.leave("a", { model: "{}" });
+    const { store } = await browser.open("b");
+    const undo = await store.forgetAll();
+    browser.database.problem = new DOMException("", "QuotaExceededError");
+    await expect(undo()).rejects.toThrow();
+    expect([offered(store), store.keeps]).toEqual([[], false]);
+    browser.database.problem = null;
+    await undo();
+    expect([offered(store), store.keeps]).toEqual([["a: a model"], true]);
+  });
+});
+
 describe("an earlier visit stays stored", () => {
   beforeEach(() => browser.leave("a", { model: "{}" }));
 

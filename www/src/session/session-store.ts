@@ -1,12 +1,14 @@
 // Stores the work of a visit in the browser. A later visit can bring it back when the visitor asks for it.
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
-import { type Holdings, RecordWriter } from "./records";
+import { contentsText, type Counts, countsOf, type Holdings, RecordWriter, sumOf } from "./records";
 import { type Recovered, recover } from "./recovery";
 import type { VisitDatabase } from "./visit-database";
 
 /** Milliseconds between two writes: a crash loses no more. */
 const BETWEEN_WRITES = 4000;
+
+const NOTHING: Counts = { clips: 0, runs: 0, models: 0, results: 0, libraries: 0 };
 
 /** The page as the session sees it. */
 export interface Visit {
@@ -81,6 +83,13 @@ export class SessionStore extends Store {
     return !this.#refused && !this.#forgets;
   }
 
+  /** What "Forget everything" would remove, and how many earlier visits are part of it. */
+  get forgettable(): { contents: string; earlierVisits: number } {
+    const earlier = this.#left.filter(({ taken }) => !taken);
+    const counts = [countsOf(this.#visit.holdings()), ...earlier.map(({ counts }) => counts)];
+    return { contents: contentsText(sumOf(counts)), earlierVisits: earlier.length };
+  }
+
   get busy(): boolean {
     return this.#busy;
   }
@@ -121,10 +130,10 @@ export class SessionStore extends Store {
 
   async #read(visit: string): Promise<Offer> {
     try {
-      const { at, contents, whole } = recover(await this.#database.read(visit, false));
-      return { visit, at, contents, whole, taken: false };
+      const { at, contents, counts, whole } = recover(await this.#database.read(visit, false));
+      return { visit, at, contents, counts, whole, taken: false };
     } catch {
-      return { visit, at: null, contents: "", whole: false, taken: false };
+      return { visit, at: null, contents: "", counts: NOTHING, whole: false, taken: false };
     }
   }
 
@@ -234,17 +243,27 @@ export class SessionStore extends Store {
 
   /**
    * Removes everything that this browser stores of visits, but those of other tabs. Nothing of this visit is
-   * stored from now on.
+   * stored from now on. The result brings all of it back: the records are in memory until the page is left.
    */
-  async forgetAll(): Promise<void> {
+  async forgetAll(): Promise<() => Promise<void>> {
     this.#forgets = true;
     await this.#writing;
     const own = [this.#name, ...this.#broughtBack];
     const others = (await this.#locks.heldVisits()).filter((visit) => !own.includes(visit));
-    await this.#database.forgetAllBut(others);
+    const removed = await this.#database.forgetAllBut(others).catch((problem: unknown) => {
+      this.#forgets = false;
+      throw problem;
+    });
     this.#left = [];
     this.#locks.announce();
     this.changed();
+    return async () => {
+      await this.#database.restore(removed);
+      this.#forgets = false;
+      this.#locks.announce();
+      await this.#inTurn(() => this.#look());
+      this.touched();
+    };
   }
 }
 

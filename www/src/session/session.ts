@@ -2,6 +2,7 @@
 import { SessionStore, type Visit } from "./session-store";
 import { browserDatabase } from "./visit-database";
 import { browserLocks } from "./visit-locks";
+import "./forget-view";
 import "./session-view";
 
 /** Fails when the browser stores nothing. */

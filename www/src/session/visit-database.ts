@@ -9,9 +9,14 @@ export interface VisitDatabase {
   /** Writes all records or none; those that are undefined are removed. Fails when the storage is full. */
   write(visit: string, records: ReadonlyMap<string, unknown>): Promise<void>;
   forget(visit: string): Promise<void>;
-  /** Removes everything but the records of these visits. */
-  forgetAllBut(visits: readonly string[]): Promise<void>;
+  /** Removes everything but the records of these visits, and returns the removed records. */
+  forgetAllBut(visits: readonly string[]): Promise<RemovedRecords>;
+  /** Writes removed records back, all or none. */
+  restore(removed: RemovedRecords): Promise<void>;
 }
+
+/** Records with their keys. */
+export type RemovedRecords = readonly (readonly [key: IDBValidKey, value: unknown])[];
 
 const RECORDS = "records";
 
@@ -64,8 +69,16 @@ export async function browserDatabase(): Promise<VisitDatabase> {
     async forgetAllBut(visits) {
       const writing = database.transaction(RECORDS, "readwrite");
       const keys = await writing.store.getAllKeys();
-      const removed = keys.filter((key) => !visits.includes(nameOf(key)?.[0] ?? ""));
-      await Promise.all([...removed.map((key) => writing.store.delete(key)), writing.done]);
+      const leaving = keys.filter((key) => !visits.includes(nameOf(key)?.[0] ?? ""));
+      const removed = await Promise.all(
+        leaving.map(async (key) => [key, (await writing.store.get(key)) as unknown] as const),
+      );
+      await Promise.all([...leaving.map((key) => writing.store.delete(key)), writing.done]);
+      return removed;
+    },
+    async restore(removed) {
+      const writing = database.transaction(RECORDS, "readwrite");
+      await Promise.all([...removed.map(([key, value]) => writing.store.put(value, key)), writing.done]);
     },
   };
 }

@@ -1,7 +1,7 @@
 // For tests: a database of visits, tabs that hold visits, and what a visit holds.
 import type { Holdings } from "./records";
 import { SessionStore, type Visit } from "./session-store";
-import type { VisitDatabase } from "./visit-database";
+import type { RemovedRecords, VisitDatabase } from "./visit-database";
 
 export class FakeDatabase implements VisitDatabase {
   readonly records = new Map<string, Map<string, unknown>>();
@@ -35,7 +35,13 @@ export class FakeDatabase implements VisitDatabase {
     this.records.delete(visit);
   }
   async forgetAllBut(visits: readonly string[]) {
-    for (const visit of this.records.keys()) if (!visits.includes(visit)) this.records.delete(visit);
+    const removed = [...this.records].filter(([visit]) => !visits.includes(visit));
+    for (const [visit] of removed) this.records.delete(visit);
+    return removed;
+  }
+  async restore(removed: RemovedRecords) {
+    if (this.problem !== null) throw this.problem;
+    for (const [visit, records] of removed) this.records.set(String(visit), records as Map<string, unknown>);
   }
 }
 

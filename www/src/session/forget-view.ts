@@ -1,0 +1,86 @@
+// "Forget everything" in the footer: asks with numbers, and can be undone until the page is left.
+import { html } from "lit";
+import { messageOf } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
+import { isConfirmed } from "../ui/unsaved";
+import { View } from "../ui/view";
+import type { AnswerCounts } from "./answer-database";
+import { forgottenText, lossText } from "./forget-text";
+import type { SessionStore } from "./session-store";
+
+/** The page as this view sees it. */
+interface Page {
+  readonly notices: NoticesStore;
+  countAnswers(): Promise<AnswerCounts>;
+  forgetAnswers(): Promise<() => Promise<void>>;
+}
+
+export class ForgetView extends View {
+  static override properties = { undo: { state: true }, busy: { state: true } };
+  declare session: SessionStore;
+  declare app: Page;
+  /** Brings everything back; null: nothing was forgotten. */
+  declare undo: (() => Promise<void>) | null;
+  declare busy: boolean;
+  #forgotten = "";
+
+  constructor() {
+    super();
+    this.undo = null;
+    this.busy = false;
+  }
+
+  protected override stores() {
+    return [this.session];
+  }
+
+  async #forget(): Promise<void> {
+    const { session, app } = this;
+    const { forgettable } = session;
+    const answers = await app.countAnswers().catch(() => null);
+    const text = `${lossText(forgettable, answers)} You can undo this until you leave or reload the page. Other open tabs, a participant who answers now, and the files on your disk stay as they are.`;
+    if (!(await isConfirmed("Forget everything?", text, "Forget everything"))) return;
+    this.#forgotten = forgottenText(forgettable, answers);
+    await this.#act("Not all was forgotten", async () => {
+      const undoes: (() => Promise<void>)[] = [];
+      try {
+        undoes.push(await session.forgetAll());
+        undoes.push(await app.forgetAnswers());
+      } finally {
+        if (undoes.length > 0) this.undo = () => this.#undoAll(undoes);
+      }
+    });
+  }
+
+  /** After a failure the next call goes on with the rest. */
+  async #undoAll(undoes: (() => Promise<void>)[]): Promise<void> {
+    for (let last = undoes.at(-1); last; last = undoes.at(-1)) {
+      await last();
+      undoes.pop();
+    }
+    this.undo = null;
+  }
+
+  async #act(failure: string, action: () => Promise<void>): Promise<void> {
+    this.busy = true;
+    try {
+      await action();
+    } catch (problem) {
+      this.app.notices.addError(failure, messageOf(problem));
+    }
+    this.busy = false;
+    await this.updateComplete;
+    this.querySelector("button")?.focus();
+  }
+
+  protected override render() {
+    const { undo, busy } = this;
+    return html`<span role="status" data-testid="forgotten">${undo ? this.#forgotten : ""}</span>
+      ${
+        undo
+          ? html`<button class="small" data-testid="undo-forget" ?disabled=${busy} @click=${() => void this.#act("Not all came back", undo)}>Undo</button>`
+          : html`<button class="link" data-testid="forget" ?disabled=${busy} @click=${() => void this.#forget()}>Forget everything</button>`
+      }`;
+  }
+}
+customElements.define("pg-forget", ForgetView);
