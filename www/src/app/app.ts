@@ -2,6 +2,7 @@
 import { ClipsStore } from "../clips/clips-store";
 import { BodyStore } from "../couplings/body-store";
 import { ModelStore } from "../couplings/model-store";
+import { PhasesStore } from "../couplings/phases-store";
 import { ReadingsStore } from "../couplings/readings-store";
 import type { StartedEngine } from "../engine/engine";
 import { EngineStore } from "../engine/engine-store";
@@ -33,6 +34,7 @@ export class App {
   readonly clips: ClipsStore;
   readonly model: ModelStore;
   readonly body: BodyStore;
+  readonly phases: PhasesStore;
   readonly readings: ReadingsStore;
   readonly pointing: PointingStore;
   readonly predictions: PredictionsStore;
@@ -147,6 +149,7 @@ export class App {
     this.clips = new ClipsStore(this.engine, this.settings, this.stage);
     this.model = new ModelStore(this.engine, this.settings, this.stage, this.notices);
     this.body = new BodyStore(this.engine, this.model);
+    this.phases = new PhasesStore(this.model, this.body, this.stage, this.playback);
     this.readings = new ReadingsStore(this.engine, this.model, this.stage);
     this.pointing = new PointingStore(this.engine, this.model, this.stage);
     this.predictions = new PredictionsStore(this.engine, this.model);

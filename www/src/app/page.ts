@@ -275,6 +275,7 @@ export class PageView extends View {
       clips,
       model,
       body,
+      phases,
       readings,
       pointing,
       predictions,
@@ -287,7 +288,7 @@ export class PageView extends View {
         <pg-latents .openOutlook=${this.app.openOutlook} .model=${model} .pointing=${pointing} .predictions=${predictions} .settings=${settings} .engine=${engine} .stage=${stage} .playback=${playback}></pg-latents>
       </section>
       <section id="panel-couplings" class=${panel("couplings")} aria-label="Couplings">
-        <pg-couplings .playback=${playback} .model=${model} .settings=${settings} .engine=${engine} .body=${body} .readings=${readings}></pg-couplings>
+        <pg-couplings .playback=${playback} .model=${model} .settings=${settings} .engine=${engine} .body=${body} .phases=${phases} .readings=${readings}></pg-couplings>
       </section>
       ${
         embedded

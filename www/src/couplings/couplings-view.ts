@@ -12,6 +12,7 @@ import type { BodyStore } from "./body-store";
 import "./couplings.css";
 import { couplingsTable } from "./couplings-table";
 import type { ModelStore } from "./model-store";
+import type { PhasesStore } from "./phases-store";
 import "./presets-view";
 import type { ReadingsStore } from "./readings-store";
 import "./readings-view";
@@ -22,6 +23,7 @@ export class CouplingsView extends View {
   declare settings: SettingsStore;
   declare engine: EngineStore;
   declare body: BodyStore;
+  declare phases: PhasesStore;
   declare readings: ReadingsStore;
   declare playback: Playback;
 
@@ -75,7 +77,7 @@ export class CouplingsView extends View {
       ${
         info
           ? html`
-          <pg-presets .model=${this.model} .settings=${this.settings} .body=${this.body}></pg-presets>
+          <pg-presets .model=${this.model} .settings=${this.settings} .body=${this.body} .phases=${this.phases} .playback=${this.playback}></pg-presets>
           <div class="couplings-body">
             ${info.parts.length > 1 ? html`<pg-body-map .model=${this.model} .settings=${this.settings}></pg-body-map>` : nothing}
             ${this.#table(info)}

@@ -39,6 +39,11 @@ export function measuresText(now: BodyReport, learned: BodyReport, names: readon
   return { parts, step, trouble };
 }
 
+/** Whether hands or feet still swing, compared with the motion as learned. */
+export function isSwinging({ swing: is }: Limbs, { swing: was }: Limbs): boolean {
+  return is !== null && was !== null && (was < SWINGS || is / was >= HARDLY);
+}
+
 function swingText(is: number, was: number): string {
   if (was < SWINGS) return `swings ${(100 * is).toFixed(0)} cm`;
   const share = is / was;
@@ -50,9 +55,15 @@ function paceText({ period: is }: Limbs, { period: was }: Limbs): string {
   return `${is > was ? "slower" : "faster"} (${is.toFixed(2)} s, not ${was.toFixed(2)} s)`;
 }
 
-function stepText({ locking }: Limbs): string {
-  if (locking === null) return "";
+export type Step = "in step" | "partly in step" | "out of step";
+
+/** The step of two limbs or parts whose phase difference has this constancy, 0 to 1. */
+export function stepOf(locking: number): Step {
   return locking >= IN_STEP ? "in step" : locking > OUT_OF_STEP ? "partly in step" : "out of step";
+}
+
+function stepText({ locking }: Limbs): string {
+  return locking === null ? "" : stepOf(locking);
 }
 
 /** The ratio of the speeds; empty for a body that walks on the spot. */

@@ -1,13 +1,16 @@
-// The presets of the couplings, and the measures of the motion.
+// The presets of the couplings, the measures of the motion, and the phase clock.
 import { html, nothing } from "lit";
 import type { Reading } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
+import type { Playback } from "../stage/playback";
 import "../terms/term";
 import { partColour } from "../ui/palette";
 import { View } from "../ui/view";
 import type { BodyStore } from "./body-store";
 import { measuresText } from "./measures-text";
 import type { ModelStore } from "./model-store";
+import "./phase-clock";
+import type { PhasesStore } from "./phases-store";
 import { START_PRESETS } from "./presets";
 import "./presets-view.css";
 import { partStyle } from "../ui/styled";
@@ -20,6 +23,8 @@ export class PresetsView extends View {
   declare model: ModelStore;
   declare settings: SettingsStore;
   declare body: BodyStore;
+  declare phases: PhasesStore;
+  declare playback: Playback;
 
   protected override stores() {
     return [this.model, this.settings, this.body];
@@ -63,6 +68,7 @@ export class PresetsView extends View {
       <div class="effect">
         <p data-testid="preset-sentence">${model.preset?.sentence ?? ownText(this.settings.values.reading)}</p>
         ${this.#measured()}
+        <pg-phase-clock .phases=${this.phases} .playback=${this.playback}></pg-phase-clock>
       </div>`;
   }
 }

@@ -9,7 +9,9 @@ export class LiveTrack {
   readonly #kept: number;
   readonly #pose: Float32Array;
   /** The latent path of each part, and its dimensions. */
-  readonly #latents: { values: Float64Array; width: number }[];
+  readonly #latents: readonly { values: Float64Array; width: number }[];
+  /** The latent path of each part; its row k is frame `first` + k. Rows after the newest frame are scratch. */
+  readonly paths: readonly Float64Array[];
   #placement: Placement = HERE;
 
   /** Keeps the last `kept` frames, and a little more; `widths`: the latent dimensions of each part. */
@@ -22,6 +24,7 @@ export class LiveTrack {
     this.#motion = { positions: new Float32Array(2 * kept * nodes * 3), frames: 0, nodes, frameTime };
     this.#pose = new Float32Array(nodes * 3);
     this.#latents = widths.map((width) => ({ values: new Float64Array(2 * kept * width), width }));
+    this.paths = this.#latents.map(({ values }) => values);
   }
 
   /** The stored frames. The object stays the same while frames arrive. */
