@@ -124,6 +124,33 @@ describe("a live rollout", () => {
     await leave();
   });
 
+  it("cuts in the chosen reading: re-inferred arms swing on, arms as learned stop at once", async () => {
+    const { page, problems, leave } = await site.visit({ moving: true });
+    await ready(page);
+    // Seconds of the arms' period as the library measures them in the rollout of the same couplings.
+    await page.getByTestId("preset-arms-go").click();
+    const arms = page.getByTestId("clock-period-1").locator("b");
+    await page.locator("[data-testid=clock-periods][data-current=yes] [data-step='out of step']").waitFor();
+    const alone = Number.parseFloat(await arms.innerText());
+    await page.keyboard.press("0");
+    await page.getByTestId("live-on").click();
+    await page.getByTestId("live").waitFor();
+    await page.getByTestId("stage").focus();
+    await page.keyboard.down("c");
+    await page.locator("[data-step='out of step']").waitFor();
+    await page.waitForTimeout(2000);
+    const live = Number.parseFloat(await arms.innerText());
+    assert.ok(Math.abs(live / alone - 1) < 0.05, `live ${live} s, rollout ${alone} s`);
+    await page.getByTestId("reading-learned").click();
+    await page
+      .locator("[data-testid=clock-period-1]", { hasText: "stands still" })
+      .waitFor({ timeout: 6000 });
+    await page.keyboard.up("c");
+    await page.locator("[data-step='in step']").waitFor();
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
   it("can be pushed at the dots of the latent plots by mouse, finger and keys", async () => {
     const { page, problems, leave } = await site.visit({ hasTouch: true });
     await ready(page);
