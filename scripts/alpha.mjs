@@ -94,7 +94,7 @@ await main(async () => {
   const browser = await launchChromium();
   try {
     const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
-    await page.goto(address);
+    await page.goto(`${address}#view=play`);
     await page.waitForSelector("html[data-engine=ready]");
     // When the sample clips have loaded, the worker is idle.
     await page.getByTestId("train").and(page.locator(":enabled")).waitFor({ state: "attached" });

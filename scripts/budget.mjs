@@ -3,7 +3,11 @@ export const budget = {
   firstVisit: 500_000,
   /** The wasm of a first visit. */
   wasm: 250_000,
-  /** Help, method and details of the first view. */
+  /** The views of the Lab. */
+  lab: 50_000,
+  /** The chapters of the story after the first. */
+  story: 60_000,
+  /** Help, method and details of the Lab. */
   whenAsked: 70_000,
   /** The whole program, and the comparison of models. */
   onDemand: 805_000,

@@ -40,20 +40,34 @@ export function weigh() {
   const sum = (/** @type {typeof files} */ some) => some.reduce((total, { size }) => total + size, 0);
   const inFolders = (/** @type {string[]} */ ...folders) =>
     files.filter(({ name }) => folders.some((folder) => name.startsWith(folder)));
-  const asked = inFolders("assets/when-asked/");
-  const later = inFolders("assets/on-demand/", "comparison/", "service.js", "licences.txt");
+  // The service worker is loaded when the page is idle, as what registers it.
+  const asked = inFolders("assets/when-asked/", "service.js");
+  const lab = inFolders("assets/lab/");
+  const story = inFolders("assets/story/");
+  const later = inFolders("assets/on-demand/", "comparison/", "licences.txt");
   const perception = inFolders("assets/perception/");
   const study = inFolders("study/");
   const primitives = inFolders("assets/primitives/", "primitives/");
   const series = inFolders("assets/series/");
   const glb = inFolders("assets/glb/");
-  const besides = [...later, ...asked, ...perception, ...study, ...primitives, ...series, ...glb];
+  const besides = [
+    ...lab,
+    ...story,
+    ...later,
+    ...asked,
+    ...perception,
+    ...study,
+    ...primitives,
+    ...series,
+    ...glb,
+  ];
   const first = files.filter((file) => !besides.includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
   /** @type {[string, number, number][]} */
   const sums = [
     ["wasm of a first visit", sum(wasm), budget.wasm],
     ["first visit", sum(first), budget.firstVisit],
+    ["the Lab, besides", sum(lab), budget.lab],
     ["when asked for", sum(asked), budget.whenAsked],
     ["on demand", sum(later), budget.onDemand],
     ["perception, besides", sum(perception), budget.perception],
@@ -63,7 +77,18 @@ export function weigh() {
     ["motion as GLB", sum(glb), budget.glb],
   ];
 
-  const counted = [...first, ...asked, ...later, ...perception, ...study, ...primitives, ...series, ...glb];
+  const counted = [
+    ...first,
+    ...lab,
+    ...story,
+    ...asked,
+    ...later,
+    ...perception,
+    ...study,
+    ...primitives,
+    ...series,
+    ...glb,
+  ];
   const rows = [...counted.map(({ name, size }) => [name, size, ""]), ...sums];
   const width = Math.max(...rows.map(([name]) => String(name).length));
   console.log(`${"gzipped".padStart(width + 13)}`);

@@ -7,7 +7,7 @@ import { offline } from "./offline.ts";
 const wasmPackage = (folder: string) =>
   fileURLToPath(new URL(`../crate/wasm/pkg/${folder}/vcgpdm.js`, import.meta.url));
 
-/** What a visitor of the first view may ask for, in `src`: files without extension, and whole folders. */
+/** What a visitor of the Lab may ask for, in `src`: files without extension, and whole folders. */
 const WHEN_ASKED = [
   "app/help",
   "app/saving",
@@ -28,7 +28,6 @@ const WHEN_ASKED = [
   "method/",
   "session/",
 
-  "scene/columns",
   "stage/columns-view",
   "terms/card",
   "terms/terms",
@@ -38,6 +37,8 @@ const WHEN_ASKED = [
   "ui/part-names",
   "ui/choice-dialog",
 ];
+/** The chapters of the story after the first. */
+const isChapter = (file: string) => /\/src\/story\/(?!computer\/)[a-z]+\//.test(file);
 const isAsked = (file: string) =>
   WHEN_ASKED.some((name) =>
     name.endsWith("/") ? file.includes(`/src/${name}`) : file.includes(`/src/${name}.`),
@@ -60,6 +61,8 @@ const LATER: [folder: string, of: (file: string) => boolean][] = [
   ["assets/series", (file) => file.includes("/src/series/")],
   ["assets/on-demand", isOnDemand],
   ["assets/when-asked", isAsked],
+  ["assets/story", isChapter],
+  ["assets/lab", (file) => file.includes("/src/app/page.")],
 ];
 const folderOf = (files: readonly string[]) => {
   const plain = files.map((file) => file.replaceAll("\\", "/"));

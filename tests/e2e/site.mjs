@@ -62,7 +62,8 @@ function countPictures() {
 
 /**
  * @typedef {object} Visit
- * @property {string} [settings] as in the page's address
+ * @property {string} [settings] as in the page's address; without any the Lab opens
+ * @property {boolean} [story] the address has no settings: a first visit opens the story
  * @property {string} [query] the part of the address after "?"
  * @property {number} [cores] the number of cores that the page sees
  * @property {boolean} [moving] the figure walks from the beginning, on a slow display; otherwise the visitor
@@ -89,7 +90,8 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
    * @param {import("playwright-core").BrowserContextOptions & Visit} [options]
    */
   async function visit({
-    settings = "",
+    settings = "view=play",
+    story = false,
     query = "",
     cores = 0,
     moving = false,
@@ -137,7 +139,7 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
         problems.push(`foreign: ${request.url()}`);
     });
     if (without) await page.route(without, (route) => route.abort());
-    await page.goto(`${server.address}${query}#${settings}`);
+    await page.goto(`${server.address}${query}${story ? "" : `#${settings}`}`);
     return { page, problems, leave: () => context.close() };
   }
 

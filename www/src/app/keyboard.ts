@@ -11,13 +11,14 @@ export interface KeyActions {
 }
 
 /** Whether the focused control uses this key. */
-function isUsedByControl(event: KeyboardEvent): boolean {
+export function isUsedByControl(event: KeyboardEvent): boolean {
   const target = event.target as HTMLElement | null;
   if (!target || event.ctrlKey || event.metaKey || event.altKey) return true;
   if (document.querySelector("dialog[open]")) return true;
   if (target.matches("input:not([type=range]):not([type=checkbox]), select, textarea")) return true;
   if (event.key === " ") return target.matches("button, summary, a, input[type=checkbox], [role=tab]");
-  if (event.key.startsWith("Arrow")) return target.matches("input, [role=tab]");
+  if (event.key.startsWith("Arrow") || event.key.startsWith("Page"))
+    return target.matches("input, [role=tab]");
   return false;
 }
 

@@ -1,5 +1,6 @@
 // The two movements of a trial, side by side in one picture: one renderer and one camera for all trials.
-import { type Body, type ColumnMotion, Columns } from "../scene/columns";
+import { type Body, Columns } from "../scene/columns";
+import { underWay } from "../scene/under-way";
 import type { Motion } from "../engine/protocol";
 import type { StudyInfo, StudyTrial } from "../engine/whole-protocol";
 
@@ -16,20 +17,6 @@ export interface PairStage {
 
 /** The camera's direction: it sees figures with a heading of 0 degrees from the front. */
 const CAMERA = 0;
-
-/** The movement over the ground at its recorded speed, in this heading: 0 is along z. */
-export function underWay(motion: Motion, speed: number, heading: number): ColumnMotion {
-  const positions = motion.positions.slice();
-  const [c, s] = [Math.cos(heading), Math.sin(heading)];
-  const each = 3 * motion.nodes;
-  for (let i = 0; i < positions.length; i += 3) {
-    const way = speed * motion.frameTime * Math.floor(i / each);
-    const [x, z] = [positions[i]!, positions[i + 2]! + way];
-    positions[i] = c * x + s * z;
-    positions[i + 2] = c * z - s * x;
-  }
-  return { motion: { ...motion, positions }, ghost: null, camera: { x: s * speed, z: c * speed } };
-}
 
 export class CanvasPair implements PairStage {
   readonly element = document.createElement("div");

@@ -40,8 +40,7 @@ export class SettingsStore extends Store {
    */
   change(change: Partial<Settings>, turnsPage = false): void {
     const next = { ...this.#values, ...limited(change) };
-    const isOther =
-      turnsPage || next.view !== this.#values.view || next.chapter !== this.#values.chapter;
+    const isOther = turnsPage || next.view !== this.#values.view || next.chapter !== this.#values.chapter;
     this.#values = next;
     if (isOther) this.address.push(this.written);
     else this.address.writeSoon(this.written);

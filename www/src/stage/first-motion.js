@@ -15,6 +15,14 @@
  * @property {string[]} joints names, in the skeleton's order
  * @property {{ name: string, joints: number[] }[]} parts
  * @property {Float32Array} positions world positions of the figure's nodes [frames x nodes x 3], y up, metres
+ * @property {readonly MotionRange[]} [ranges] several motions of one body, one after the other
+ */
+
+/**
+ * @typedef {object} MotionRange
+ * @property {string} name
+ * @property {number} frames
+ * @property {number} speed over the ground, along z, metres a second; the positions are on the spot
  */
 
 const FORMAT = "vcgpdm-first-motion/1";
@@ -57,8 +65,8 @@ export function encodeFirstMotion(motion) {
   if (motion.positions.length !== motion.frames * width) {
     throw new Error(`expected ${motion.frames * width} coordinates, found ${motion.positions.length}`);
   }
-  const { frames, frameTime, figure, joints, parts } = motion;
-  let header = JSON.stringify({ format: FORMAT, unit: UNIT, frames, frameTime, figure, joints, parts });
+  const { positions: _, ...described } = motion;
+  let header = JSON.stringify({ format: FORMAT, unit: UNIT, ...described });
   const encoder = new TextEncoder();
   if (encoder.encode(header).length % 2 === 1) header += " ";
   const head = encoder.encode(header);
@@ -99,6 +107,6 @@ export function decodeFirstMotion(buffer) {
     positions[i] = now * header.unit;
     expected.found(i, now);
   }
-  const { frames, frameTime, figure, joints, parts } = header;
-  return { frames, frameTime, figure, joints, parts, positions };
+  const { format: _, unit: __, ...described } = header;
+  return { ...described, positions };
 }

@@ -21,4 +21,6 @@ export const CHAPTERS: readonly ChapterName[] = [
   "gaussian",
 ];
 
-export const LOAD: Partial<Record<ChapterName, () => Loading>> = {};
+export const LOAD: Partial<Record<ChapterName, () => Loading>> = {
+  computer: () => import("./computer/chapter"),
+};

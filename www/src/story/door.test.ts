@@ -42,7 +42,8 @@ it("opens the chapter where the visitor was, and the Lab for a visitor who has c
 
 it("obeys an address, also that of the Lab, which is no choice for the next visit", () => {
   expect(opened("#story=3").chapter).toBe(3);
-  for (const address of ["#alpha=0.1:4", "#view=play", "#model=0123abcd"]) expect(opened(address).chapter).toBe(0);
+  for (const address of ["#alpha=0.1:4", "#view=play", "#model=0123abcd"])
+    expect(opened(address).chapter).toBe(0);
   expect(opened("").chapter).toBe(1);
 });
 

@@ -3,6 +3,7 @@ import { arms } from "./de/arms";
 import { belief } from "./de/belief";
 import { borrow } from "./de/borrow";
 import { computer } from "./de/computer";
+import { frame } from "./de/frame";
 import { gaussian } from "./de/gaussian";
 import { loop } from "./de/loop";
 import { next } from "./de/next";
@@ -12,6 +13,7 @@ import { push } from "./de/push";
 import type { Words } from "./en";
 
 export const words: Words = {
+  frame,
   /** The chapters of the story, in their order. */
   chapters: { computer, arms, loop, next, points, product, push, borrow, belief, gaussian },
 };

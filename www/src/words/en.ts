@@ -4,6 +4,7 @@ import { arms } from "./en/arms";
 import { belief } from "./en/belief";
 import { borrow } from "./en/borrow";
 import { computer } from "./en/computer";
+import { frame } from "./en/frame";
 import { gaussian } from "./en/gaussian";
 import { loop } from "./en/loop";
 import { next } from "./en/next";
@@ -12,6 +13,7 @@ import { product } from "./en/product";
 import { push } from "./en/push";
 
 export const words = {
+  frame,
   /** The chapters of the story, in their order. */
   chapters: { computer, arms, loop, next, points, product, push, borrow, belief, gaussian },
 };

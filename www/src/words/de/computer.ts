@@ -1,10 +1,19 @@
 import type { Words } from "../en";
 
 export const computer: Words["chapters"]["computer"] = {
-  title: "Wer von beiden ist gelernt?",
+  title: "Wer von beiden ist ein Computer?",
   text:
-    "Zwei Gehende, gezeichnet als Lichtpunkte. Den einen bewegt ein Programm nach veröffentlichten " +
-    "Kurven des menschlichen Gangs; den anderen ein kleines Modell, das diesem Programm einige Male " +
-    "zugesehen hat. Menschen erkennen Bewegung in einer Handvoll Punkten sofort, und auch, was an ihr " +
-    "nicht stimmt. Achte auf Knöchel, Hüften und Handgelenke.",
+    "Ehrlich gesagt: beide. Der eine ist ein Programm, das nach veröffentlichten Kurven des menschlichen " +
+    "Gangs geht. Der andere ist ein Modell: Es hat drei Gänge dieses Programms gesehen, aber nicht " +
+    "diesen, und geht nun selbst. Zu sehen sind nur Lichtpunkte.",
+  guess: { question: "Wer ist das Modell?", choices: { left: "Links", right: "Rechts" } },
+  names: { program: "das Programm", model: "das Modell" },
+  play: "Lass sie gehen",
+  next: "Nächstes Paar",
+  again: "Noch einmal",
+  right: { left: "Ja, links geht das Modell.", right: "Ja, rechts geht das Modell." },
+  wrong: { left: "Nein, das Modell geht links.", right: "Nein, das Modell geht rechts." },
+  apart: (centimetres) =>
+    `Seine Lichter sind im Mittel ${centimetres.replace(".", ",")} cm von denen des Programms entfernt.`,
+  score: (found, asked) => `Du hast ${found} von ${asked} gefunden. Wer nur rät, findet etwa die Hälfte.`,
 };

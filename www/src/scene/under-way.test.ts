@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { underWay } from "./pair-stage";
+import { underWay } from "./under-way";
 
 /** Two frames of two nodes: one in the middle, one a metre ahead of it and one to its left. */
 const motion = {

@@ -1,0 +1,87 @@
+// The chapters that have been loaded, the one on screen, and the one that is about to be.
+import type { App } from "../app/app";
+import { Lazy } from "../app/lazy";
+import { whenIdle } from "../ui/idle";
+import { Store } from "../ui/store";
+import type { Chapter } from "./chapter";
+import { CHAPTERS, type ChapterName, LOAD } from "./chapters";
+
+/** "loading" and "failed" are about the chapter that the visitor asked for last. */
+export type ChapterState = "loading" | "open" | "failed";
+
+export class OpenChapters extends Store {
+  readonly #app: App;
+  readonly #loaded = new Map<ChapterName, Lazy<Chapter>>();
+  #name: ChapterName | null = null;
+  #chapter: Chapter | null = null;
+  #state: ChapterState = "loading";
+  #stop = () => {};
+
+  constructor(app: App) {
+    super();
+    this.#app = app;
+  }
+
+  /** The chapter that the visitor asked for last; null before the first. */
+  get name(): ChapterName | null {
+    return this.#name;
+  }
+
+  /** The chapter on screen; null while it loads. */
+  get chapter(): Chapter | null {
+    return this.#chapter;
+  }
+
+  get state(): ChapterState {
+    return this.#state;
+  }
+
+  /** Opens a chapter; the one on screen leaves. */
+  async open(name: ChapterName): Promise<void> {
+    if (name === this.#name) return;
+    this.leave();
+    this.#name = name;
+    this.#state = "loading";
+    try {
+      const opened = this.#lazy(name);
+      if (!opened.loaded) this.changed();
+      const chapter = await opened.get();
+      if (this.#name !== name) return;
+      this.#chapter = chapter;
+      this.#state = "open";
+      this.#stop = chapter.on(() => this.changed());
+      chapter.arrive();
+      whenIdle(() => this.#preload(name));
+    } catch {
+      if (this.#name !== name) return;
+      this.#state = "failed";
+    }
+    this.changed();
+  }
+
+  /** The chapter on screen leaves. */
+  leave(): void {
+    this.#stop();
+    this.#stop = () => {};
+    this.#chapter?.leave();
+    [this.#chapter, this.#name] = [null, null];
+  }
+
+  #lazy(name: ChapterName): Lazy<Chapter> {
+    const before = this.#loaded.get(name);
+    if (before) return before;
+    const opened = new Lazy(async () => {
+      const chapter = await LOAD[name]?.();
+      if (!chapter) throw new Error(`expected a chapter ${name}`);
+      return chapter.openChapter(this.#app);
+    });
+    this.#loaded.set(name, opened);
+    return opened;
+  }
+
+  /** Loads the program of the next chapter. */
+  #preload(name: ChapterName): void {
+    const next = CHAPTERS[CHAPTERS.indexOf(name) + 1];
+    if (next) LOAD[next]?.().catch(() => {});
+  }
+}

@@ -1,0 +1,231 @@
+// The frame of the story: a stage above, a card below, and the way from chapter to chapter.
+import { html, nothing } from "lit";
+import type { App } from "../app/app";
+import { isUsedByControl } from "../app/keyboard";
+import { initialSettings, writeSettings } from "../settings/settings";
+import { whenIdle } from "../ui/idle";
+import { View } from "../ui/view";
+import { noticeCard } from "../ui/notices-view";
+import { storyBody } from "./body";
+import { CHAPTERS, type ChapterName } from "./chapters";
+import { chapterPlace } from "./chapter-place";
+import { languageSwitch } from "./language-switch";
+import { OpenChapters } from "./open-chapters";
+import { swipes } from "./swipe";
+import "./story.css";
+
+/** Milliseconds from one state to the next. */
+const FADE = 300;
+
+/** Keys of a keyboard and of a clicker. */
+const STEPS: Record<string, 1 | -1> = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 };
+
+export class StoryView extends View {
+  declare app: App;
+  #chapters!: OpenChapters;
+  /** The labels of the last guess in each chapter. */
+  readonly #guesses = new Map<ChapterName, string>();
+
+  override connectedCallback(): void {
+    this.#chapters ??= new OpenChapters(this.app);
+    super.connectedCallback();
+  }
+
+  protected override stores() {
+    const { settings, words } = this.app;
+    const { notices, engine } = storyBody(this.app);
+    return [settings, words, this.#chapters, notices, engine];
+  }
+
+  protected override arrived(): void {
+    this.#follow();
+    // The first chapter needs no engine, the others do.
+    whenIdle(
+      () =>
+        void storyBody(this.app)
+          .start()
+          .catch(() => {}),
+    );
+    this.whenLeaving(this.app.settings.on(() => this.#follow()));
+    this.whenLeaving(() => this.#chapters.leave());
+    this.listen(document, "keydown", (event) => this.#stepByKey(event as KeyboardEvent));
+    const card = this.querySelector<HTMLElement>(".story-card");
+    if (card) this.whenLeaving(swipes(card, (direction) => this.#step(direction)));
+    this.listen(this, "story-guess", (event) => this.#guess((event as CustomEvent<string>).detail));
+    // A failed download may work now.
+    this.listen(window, "online", () => this.#chapters.state === "failed" && location.reload());
+  }
+
+  /** The number of the open chapter, from 1. */
+  get #number(): number {
+    return Math.max(1, this.app.settings.values.chapter);
+  }
+
+  get #name(): ChapterName {
+    return CHAPTERS[this.#number - 1]!;
+  }
+
+  /** Opens the chapter of the address. */
+  #follow(): void {
+    if (!this.app.isStory || this.#chapters.name === this.#name) return;
+    const isFirst = this.#chapters.name === null;
+    void this.#chapters.open(this.#name);
+    if (!isFirst) void this.#turn();
+  }
+
+  /** Fades stage and card, and tells screen readers of the new chapter by its title. */
+  async #turn(): Promise<void> {
+    await this.updateComplete;
+    if (!matchMedia("(prefers-reduced-motion: reduce)").matches)
+      for (const part of this.querySelectorAll(".story-stage, .story-card"))
+        part.animate({ opacity: [0, 1] }, { duration: FADE, easing: "ease-out" });
+    this.querySelector<HTMLElement>(".story-card h1")?.focus({ preventScroll: true });
+    this.querySelector(".story-card")?.scrollTo(0, 0);
+    scrollTo(0, 0);
+  }
+
+  #step(direction: 1 | -1): void {
+    const next = this.#number + direction;
+    if (next >= 1 && next <= this.#count) this.app.settings.change({ chapter: next });
+  }
+
+  /** The number of chapters in a row; the last one is extra. */
+  get #count(): number {
+    return CHAPTERS.length - 1;
+  }
+
+  #stepByKey(event: KeyboardEvent): void {
+    const direction = STEPS[event.key];
+    if (!direction || event.defaultPrevented || isUsedByControl(event)) return;
+    event.preventDefault();
+    this.#step(direction);
+  }
+
+  #guess(choice: string): void {
+    const { chapter } = this.#chapters;
+    const guess = chapter?.guess();
+    if (!chapter || !guess) return;
+    this.#guesses.set(this.#name, guess.choices[choice] ?? choice);
+    chapter.guessed(choice);
+    // The pressed button leaves; the focus stays in the card.
+    void this.updateComplete.then(() => this.querySelector<HTMLElement>(".story-answer")?.focus());
+  }
+
+  #head() {
+    const { words, settings, embedded } = this.app;
+    const { frame } = words.now;
+    if (embedded) return nothing;
+    return html`
+      <header class="story-head">
+        <p>${frame.page}</p>
+        <nav aria-label=${frame.views}>
+          <a href="#story=${this.#number}" aria-current="page">${frame.story}</a>
+          <a href="#${settings.labFragment}" data-testid="to-lab">${frame.lab}</a>
+        </nav>
+        ${languageSwitch(words)}
+      </header>`;
+  }
+
+  /** A message in place of a chapter that is not there. */
+  #missing() {
+    const { frame } = this.app.words.now;
+    if (this.#chapters.state === "failed")
+      return html`<div class="story-missing" role="alert"><p>${frame.notLoaded}</p>
+        <button class="story-button" data-testid="try-again" @click=${() => location.reload()}>${frame.tryAgain}</button></div>`;
+    return html`<p class="visually-hidden" role="status">${frame.loading}</p>`;
+  }
+
+  /** What the visitor should know of the story's model. */
+  #notices() {
+    const { frame } = this.app.words.now;
+    const { engine, notices } = storyBody(this.app);
+    const isBroken = engine.state === "failed" || engine.state === "stopped";
+    return html`
+      <div class="story-notices">
+        ${isBroken ? html`<p class="banner" role="alert">${frame.noModel(engine.problem)}</p>` : nothing}
+        ${notices.all.map((notice) => noticeCard(notices, notice))}
+      </div>`;
+  }
+
+  #question() {
+    const guess = this.#chapters.chapter?.guess();
+    if (!guess) return nothing;
+    return html`
+      <fieldset class="story-guess">
+        <legend>${guess.question}</legend>
+        <div>${Object.entries(guess.choices).map(
+          ([choice, label]) =>
+            html`<button class="story-button" data-testid="choice-${choice}" @click=${() => this.#guess(choice)}>${label}</button>`,
+        )}</div>
+      </fieldset>`;
+  }
+
+  /** What follows a guess: the guess, the measured answer, and the control. */
+  #answer() {
+    const { frame } = this.app.words.now;
+    const { chapter } = this.#chapters;
+    const guess = chapter?.guess();
+    const said = this.#guesses.get(this.#name);
+    const reveal = chapter?.reveal();
+    return html`
+      <div class="story-answer" tabindex="-1" data-testid="answer">
+        ${!guess && said ? html`<p class="story-said">${frame.guessed(said)}</p>` : nothing}
+        <div aria-live="polite" data-testid="reveal">${reveal ?? nothing}</div>
+      </div>
+      <div class="story-control">${chapter?.control() ?? nothing}</div>`;
+  }
+
+  #more() {
+    const { frame } = this.app.words.now;
+    const { chapter } = this.#chapters;
+    // Both would give an answer away.
+    if (!chapter || (chapter.guess() && !chapter.reveal())) return nothing;
+    const equation = chapter.equation();
+    const fragment = writeSettings({
+      ...this.app.settings.written,
+      ...UNCOUPLED,
+      ...chapter.lab(),
+      chapter: 0,
+    });
+    return html`
+      <div class="story-more">
+        ${equation ? html`<details><summary>${frame.equation}</summary><div class="story-equation">${equation}</div></details>` : nothing}
+        <a href="#${fragment}" data-testid="open-in-lab">${frame.openInLab}</a>
+      </div>`;
+  }
+
+  protected override updated(): void {
+    document.title = `${this.app.words.now.chapters[this.#name].title} · ${this.app.words.now.frame.page}`;
+  }
+
+  protected override render() {
+    const { embedded, words } = this.app;
+    const { title, text } = words.now.chapters[this.#name];
+    return html`
+      <div class="story" data-embed=${embedded ? "1" : "0"} data-state=${this.#chapters.state} data-chapter=${this.#name}>
+        ${this.#head()}
+        <main>
+          <section class="story-stage" aria-label=${words.now.frame.stage}>
+            ${this.#chapters.chapter?.stage() ?? this.#missing()}
+          </section>
+          <article class="story-card">
+            <div class="story-text">
+              <h1 tabindex="-1">${title}</h1>
+              <p>${text}</p>
+            </div>
+            <div class="story-side">${this.#question()}${this.#answer()}</div>
+          </article>
+          <div class="story-foot">
+            ${embedded ? nothing : chapterPlace({ words: words.now, number: this.#number, count: this.#count, step: (by) => this.#step(by) })}
+            ${this.#more()}
+          </div>
+        </main>
+        ${this.#notices()}
+      </div>`;
+  }
+}
+customElements.define("pg-story", StoryView);
+
+const { alpha, view, reading, model, start, startFrame } = initialSettings();
+/** The settings of the Lab that belong to the state of a chapter. */
+const UNCOUPLED = { alpha, view, reading, model, start, startFrame };

@@ -1,0 +1,25 @@
+import type { Words } from "../en";
+
+export const frame: Words["frame"] = {
+  page: "Gekoppelte Bewegungsprimitive",
+  story: "Geschichte",
+  lab: "Labor",
+  views: "Ansichten",
+  stage: "Bühne",
+  chapters: "Kapitel",
+  place: (chapter, count) => `${chapter} von ${count}`,
+  extra: "Extra",
+  extraHint: "Für alle, die noch keinen kennen",
+  back: "Voriges Kapitel",
+  next: "Weiter",
+  nextChapter: "Nächstes Kapitel",
+  guessed: (choice) => `Deine Vermutung: ${choice}`,
+  equation: "Die Gleichung",
+  openInLab: "Im Labor öffnen",
+  loading: "Wird geladen",
+  notLoaded: "Dieses Kapitel konnte nicht geladen werden. Ist dieses Gerät offline?",
+  labNotLoaded: "Das Labor konnte nicht geladen werden. Ist dieses Gerät offline?",
+  tryAgain: "Noch einmal versuchen",
+  noModel: (why) => `Das Modell läuft hier nicht: ${why}`,
+  dismiss: "Schließen",
+};
