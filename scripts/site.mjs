@@ -68,6 +68,7 @@ export function weigh() {
     ["wasm of a first visit", sum(wasm), budget.wasm],
     ["first visit", sum(first), budget.firstVisit],
     ["the Lab, besides", sum(lab), budget.lab],
+    ["later chapters of the story", sum(story), budget.story],
     ["when asked for", sum(asked), budget.whenAsked],
     ["on demand", sum(later), budget.onDemand],
     ["perception, besides", sum(perception), budget.perception],

@@ -9,11 +9,16 @@ import "./stage.css";
 import type { StageStore } from "./stage-store";
 import { partStyle } from "../ui/styled";
 
+const LABEL =
+  "A figure walking. Drag to look from another side, scroll to come closer; with the keyboard: w, a, s, d, plus and minus.";
+
 export class StageView extends View {
   declare stage: StageStore;
   declare playback: Playback;
   /** Whether the clock of the stage runs. */
   declare running: boolean;
+  /** The name of the picture, for another language. */
+  declare label: string | undefined;
   /** Null where there is no WebGL. */
   scene: Stage | null = null;
   #problem = "";
@@ -71,7 +76,7 @@ export class StageView extends View {
     return html`
       <canvas ?hidden=${this.stage.columns !== null}
         class="stage-canvas" tabindex="0" role="img" data-testid="stage"
-        aria-label="A figure walking. Drag to look from another side, scroll to come closer; with the keyboard: w, a, s, d, plus and minus."
+        aria-label=${this.label ?? LABEL}
       ></canvas>
       ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
       ${this.#columns()}

@@ -195,15 +195,22 @@ export class Stage {
     this.#placed = true;
   }
 
-  /** The node nearest to a place in the picture; null if none is within `within` pixels. */
-  nodeAt(x: number, y: number, within: number): number | null {
+  /** The place of a node in the picture, in pixels of the page; null before the first pose. */
+  placeOf(node: number): { x: number; y: number } | null {
     const { pose } = this.#playback;
     if (!pose) return null;
     const { width, height } = this.#viewport.size;
+    const seen = new Vector3().fromArray(pose, 3 * node).project(this.#viewport.camera);
+    return { x: ((seen.x + 1) / 2) * width, y: ((1 - seen.y) / 2) * height };
+  }
+
+  /** The node nearest to a place in the picture; null if none is within `within` pixels. */
+  nodeAt(x: number, y: number, within: number): number | null {
+    const nodes = (this.#playback.pose?.length ?? 0) / 3;
     let best: { node: number; away: number } | null = null;
-    for (let node = 0; node < pose.length / 3; node++) {
-      const seen = new Vector3().fromArray(pose, 3 * node).project(this.#viewport.camera);
-      const away = Math.hypot(((seen.x + 1) / 2) * width - x, ((1 - seen.y) / 2) * height - y);
+    for (let node = 0; node < nodes; node++) {
+      const place = this.placeOf(node);
+      const away = place ? Math.hypot(place.x - x, place.y - y) : Infinity;
       if (away < (best?.away ?? within)) best = { node, away };
     }
     return best?.node ?? null;

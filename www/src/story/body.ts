@@ -2,7 +2,10 @@
 // story changes nothing in the Lab, and shows the same walk whatever model the visitor has opened there.
 import type { App } from "../app/app";
 import { fetchStartModel, fetchStartMotion } from "../app/start-files";
+import { Lazy } from "../app/lazy";
+import { BodyStore } from "../couplings/body-store";
 import { ModelStore } from "../couplings/model-store";
+import { PhasesStore } from "../couplings/phases-store";
 import { startEngine } from "../engine/engine";
 import { EngineStore } from "../engine/engine-store";
 import type { AddressBar } from "../settings/address";
@@ -22,6 +25,13 @@ export class StoryBody {
   /** Problems of the story, which its frame shows. */
   readonly notices = new NoticesStore();
   readonly model = new ModelStore(this.engine, this.settings, this.stage, this.notices);
+  /** Measures of hands and feet. */
+  readonly measures = new BodyStore(this.engine, this.model);
+  readonly phases = new PhasesStore(this.model, this.measures, this.stage, this.playback);
+  readonly live = new Lazy(async () => {
+    const { LiveStore } = await import("../live/live-store");
+    return new LiveStore(this.engine, this.settings, this.model, this.stage, this.playback, this.notices);
+  });
   #started: Promise<void> | null = null;
 
   /** Shows the stored first seconds of the walk. The model continues them when it has arrived. */
@@ -29,6 +39,12 @@ export class StoryBody {
     if (this.stage.content) return;
     const motion = await fetchStartMotion();
     if (motion && !this.stage.content) this.stage.showModel(motion);
+  }
+
+  /** The learned motion, from the place of the figure, without a live motion or changed couplings. */
+  reset(): void {
+    this.live.loaded?.stop();
+    if (this.model.couplings.altered) this.model.couplings.resetAll();
   }
 
   /** Starts the engine and opens the model; a call after a failure tries again. */

@@ -22,5 +22,6 @@ export const CHAPTERS: readonly ChapterName[] = [
 ];
 
 export const LOAD: Partial<Record<ChapterName, () => Loading>> = {
+  arms: () => import("./arms/chapter"),
   computer: () => import("./computer/chapter"),
 };

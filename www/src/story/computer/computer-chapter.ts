@@ -86,10 +86,9 @@ export class ComputerChapter extends Store implements Chapter {
   reveal() {
     if (this.isOpen) return null;
     const { right, wrong, apart, score } = this.#now;
-    const centimetres = 100 * meanDistance(this.pair);
     const asked = this.#place + 1;
     return html`
-      <p data-testid="verdict">${(this.#choice === this.modelSide ? right : wrong)[this.modelSide]} ${apart(centimetres.toFixed(1))}</p>
+      <p data-testid="verdict">${(this.#choice === this.modelSide ? right : wrong)[this.modelSide]} ${apart(meanDistance(this.pair))}</p>
       ${asked > 1 ? html`<p data-testid="score">${score(this.#found, asked)}</p>` : nothing}`;
   }
 

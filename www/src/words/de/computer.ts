@@ -1,3 +1,4 @@
+import { decimal } from "../decimal";
 import type { Words } from "../en";
 
 export const computer: Words["chapters"]["computer"] = {
@@ -13,7 +14,7 @@ export const computer: Words["chapters"]["computer"] = {
   again: "Noch einmal",
   right: { left: "Ja, links geht das Modell.", right: "Ja, rechts geht das Modell." },
   wrong: { left: "Nein, das Modell geht links.", right: "Nein, das Modell geht rechts." },
-  apart: (centimetres) =>
-    `Seine Lichter sind im Mittel ${centimetres.replace(".", ",")} cm von denen des Programms entfernt.`,
+  apart: (metres) =>
+    `Seine Lichter sind im Mittel ${decimal("de", 100 * metres, 1)} cm von denen des Programms entfernt.`,
   score: (found, asked) => `Du hast ${found} von ${asked} gefunden. Wer nur rät, findet etwa die Hälfte.`,
 };

@@ -1,3 +1,5 @@
+import { decimal } from "../decimal";
+
 export const computer = {
   title: "Which one is a computer?",
   text:
@@ -11,7 +13,8 @@ export const computer = {
   again: "Once more",
   right: { left: "Yes, the left one is the model.", right: "Yes, the right one is the model." },
   wrong: { left: "No, the left one is the model.", right: "No, the right one is the model." },
-  apart: (centimetres: string) => `Its lights are ${centimetres} cm from the program’s, on average.`,
+  apart: (metres: number) =>
+    `Its lights are ${decimal("en", 100 * metres, 1)} cm from the program’s, on average.`,
   score: (found: number, asked: number) =>
     `You found ${found} of ${asked}. Guessing alone finds about half of them.`,
 };

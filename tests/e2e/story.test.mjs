@@ -1,0 +1,264 @@
+// The story, the first view of a new visitor: small, quick, in two languages, by keyboard and touch.
+import assert from "node:assert/strict";
+import { after, before, beforeEach, describe, it } from "node:test";
+import { barriers, changes, draws, openSite, ready } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** Holds the wasm back until it is released. */
+let wasm = Promise.resolve();
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite({ before: (path) => (path.endsWith(".wasm") ? wasm : undefined) });
+});
+beforeEach(() => {
+  wasm = Promise.resolve();
+});
+after(() => site?.close());
+
+const LAPTOP = { viewport: { width: 1280, height: 720 } };
+const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+const MOST_WORDS = 80;
+const MOST_CONTROLS = 8;
+
+/** Waits until the chapter on screen can be used. */
+const open = (/** @type {Page} */ page) => page.locator(".story[data-state=open]").waitFor();
+
+const title = (/** @type {Page} */ page) => page.locator(".story-card h1").innerText();
+
+/** The visible words and controls of the page, and whether it scrolls. */
+const firstScreen = (/** @type {Page} */ page) =>
+  page.evaluate(() => {
+    const controls = [...document.querySelectorAll("a, button, input, select, summary, textarea")];
+    const { scrollWidth, scrollHeight } = document.documentElement;
+    return {
+      words: document.body.innerText.split(/\s+/).filter((word) => /\w/.test(word)).length,
+      controls: controls.filter((control) => control.checkVisibility()).length,
+      scrolls: scrollWidth > innerWidth || scrollHeight > innerHeight,
+    };
+  });
+
+/** Elements of the story whose content is wider or higher than their box. */
+const overflowing = (/** @type {Page} */ page) =>
+  page.evaluate(() => {
+    const page = document.documentElement.clientWidth;
+    return [...document.querySelectorAll(".story, .story *")]
+      .filter((element) => element instanceof HTMLElement && element.checkVisibility())
+      .filter((element) => {
+        const { left, right } = element.getBoundingClientRect();
+        const isHidden = element.closest(".visually-hidden, .story-stage") !== null;
+        return (
+          !isHidden &&
+          ((element.scrollWidth > element.clientWidth + 1 && element.clientWidth > 0) ||
+            left < -1 ||
+            right > page + 1)
+        );
+      })
+      .map(
+        (element) => `${element.localName}.${element.className}: ${element.textContent?.trim().slice(0, 40)}`,
+      );
+  });
+
+describe("the first screen", () => {
+  for (const [name, size] of Object.entries({ laptop: LAPTOP, phone: PHONE }))
+    for (const locale of ["en", "de"])
+      it(`has few words and controls and does not scroll: ${name}, ${locale}`, async (test) => {
+        const { page, problems, leave } = await site.visit({ story: true, locale, ...size });
+        await open(page);
+        const { words, controls, scrolls } = await firstScreen(page);
+        test.diagnostic(`${words} words, ${controls} controls`);
+        assert.ok(words > 20 && words <= MOST_WORDS, `${words} words`);
+        assert.ok(controls > 3 && controls <= MOST_CONTROLS, `${controls} controls`);
+        assert.ok(!scrolls, "the page scrolls");
+        assert.equal(await page.locator("html").getAttribute("lang"), locale);
+        assert.deepEqual(problems, []);
+        await leave();
+      });
+});
+
+describe("the first guess, before the wasm has arrived", () => {
+  /** Keeps the wasm back. */
+  function hold() {
+    let release = () => {};
+    wasm = new Promise((resolve) => {
+      release = resolve;
+    });
+    return () => release();
+  }
+
+  it("can be made by keyboard alone, and the answer takes the focus", async () => {
+    const release = hold();
+    const { page, problems, leave } = await site.visit({ story: true, moving: true });
+    await page.getByTestId("choice-left").waitFor();
+    for (let i = 0; i < 8; i++) {
+      await page.keyboard.press("Tab");
+      if (await page.getByTestId("choice-left").evaluate((button) => button === document.activeElement))
+        break;
+    }
+    await page.keyboard.press("Enter");
+    await page.getByTestId("verdict").waitFor();
+    assert.ok(await page.evaluate(() => document.activeElement?.classList.contains("story-answer")));
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("Enter");
+    await page.getByTestId("choice-right").click();
+    assert.match(await page.getByTestId("score").innerText(), /^You found [012] of 2\./);
+    assert.deepEqual(problems, []);
+    release();
+    await leave();
+  });
+
+  it("can be made by touching a walker, and walkers move", async () => {
+    const release = hold();
+    const { page, problems, leave } = await site.visit({ story: true, moving: true, seen: true, ...PHONE });
+    const walkers = page.getByTestId("walkers");
+    await draws(walkers);
+    assert.ok(await changes(walkers), "the walkers move");
+    const box = await walkers.boundingBox();
+    assert.ok(box);
+    await page.touchscreen.tap(box.x + box.width * 0.75, box.y + box.height / 2);
+    assert.match(
+      await page.getByTestId("answer").innerText(),
+      /^Your guess: Right\s+(Yes|No), the (left|right) one/,
+    );
+    assert.deepEqual(problems, []);
+    release();
+    await leave();
+  });
+});
+
+describe("the way through the story", () => {
+  it("is in the address, and goes by buttons, keys of a clicker, the list, and Back", async () => {
+    const { page, problems, leave } = await site.visit({ story: true, ...LAPTOP });
+    await open(page);
+    const first = await title(page);
+    await page.getByTestId("chapter-next").click();
+    await page.waitForURL(/#story=2$/);
+    await open(page);
+    assert.notEqual(await title(page), first);
+    assert.equal(await page.evaluate(() => document.activeElement?.localName), "h1");
+    assert.ok((await page.title()).startsWith(await title(page)));
+    await page.keyboard.press("ArrowLeft");
+    await page.waitForURL(/#story=1$/);
+    await page.keyboard.press("PageDown");
+    await page.waitForURL(/#story=2$/);
+    await page.goBack();
+    await page.waitForURL(/#story=1$/);
+    assert.equal(await title(page), first);
+    await page.getByTestId("chapters").click();
+    await page.getByTestId("chapter-list").getByRole("link").nth(1).click();
+    await page.waitForURL(/#story=2$/);
+    assert.ok(await page.getByTestId("chapter-list").isHidden());
+    // A visitor without an address is where they were.
+    await page.goto(page.url().replace(/#.*/, "?again"));
+    await page.waitForURL(/#story=2$/);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("goes by swipes on a phone", async () => {
+    const { page, leave } = await site.visit({ story: true, ...PHONE });
+    await open(page);
+    const swipe = (/** @type {number} */ from, /** @type {number} */ to) =>
+      page.locator(".story-text").evaluate(
+        (element, [from, to]) => {
+          const touch = (/** @type {number} */ clientX) =>
+            new Touch({ identifier: 1, target: element, clientX, clientY: 500 });
+          const at = (/** @type {number} */ x) => ({
+            bubbles: true,
+            touches: [touch(x)],
+            changedTouches: [touch(x)],
+          });
+          element.dispatchEvent(new TouchEvent("touchstart", at(from ?? 0)));
+          element.dispatchEvent(new TouchEvent("touchend", at(to ?? 0)));
+        },
+        [from, to],
+      );
+    await swipe(300, 120);
+    await page.waitForURL(/#story=2$/);
+    await swipe(120, 300);
+    await page.waitForURL(/#story=1$/);
+    await leave();
+  });
+
+  it("leads to the Lab, which the browser remembers, and back", async () => {
+    const { page, problems, leave } = await site.visit({ story: true });
+    await open(page);
+    await page.getByTestId("to-lab").click();
+    await ready(page);
+    assert.match(page.url(), /#view=play$/);
+    await page.goto(page.url().replace(/#.*/, "?again"));
+    await ready(page);
+    assert.equal(await page.locator("pg-story").count(), 0);
+    await page.evaluate(() => Object.assign(location, { hash: "story=1" }));
+    await open(page);
+    assert.ok(await page.locator("pg-page").isHidden());
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("shows one chapter alone in a frame of another page", async () => {
+    const { page, problems, leave } = await site.visit({ query: "?embed", settings: "story=1" });
+    await open(page);
+    assert.equal(await page.locator(".story-head, .story-place").count(), 0);
+    await page.getByTestId("choice-left").click();
+    await page.getByTestId("verdict").waitFor();
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
+
+describe("a chapter that cannot be loaded", () => {
+  it("says so, and can be tried again", async () => {
+    const { page, leave } = await site.visit({ story: true, without: "**/walkers.bin" });
+    await page.getByTestId("try-again").waitFor();
+    await page.unroute("**/walkers.bin");
+    await page.getByTestId("try-again").click();
+    await open(page);
+    await leave();
+  });
+});
+
+describe("in German", () => {
+  for (const size of [LAPTOP, PHONE])
+    it(`all chapters fit at ${size.viewport.width} x ${size.viewport.height}`, async () => {
+      const { page, problems, leave } = await site.visit({ story: true, locale: "de-DE", ...size });
+      await open(page);
+      const count = await page.getByTestId("chapter-list").getByRole("link", { includeHidden: true }).count();
+      for (let chapter = 1; chapter <= count; chapter++) {
+        await page.evaluate((chapter) => Object.assign(location, { hash: `story=${chapter}` }), chapter);
+        await page.waitForTimeout(100);
+        await open(page);
+        assert.deepEqual(await overflowing(page), [], `chapter ${chapter}`);
+      }
+      assert.deepEqual(problems, []);
+      await leave();
+    });
+
+  it("is a choice that the browser keeps", async () => {
+    const { page, leave } = await site.visit({ story: true, locale: "en-GB" });
+    await open(page);
+    await page.getByTestId("language").click();
+    await page.locator("html[lang=de]").waitFor();
+    await page.reload();
+    await page.locator("html[lang=de]").waitFor();
+    await page
+      .getByRole("button", { name: "Weiter" })
+      .or(page.getByRole("button", { name: "Nächstes Kapitel" }))
+      .waitFor();
+    await leave();
+  });
+});
+
+describe("accessibility", () => {
+  for (const size of [LAPTOP, PHONE])
+    it(`has no barriers at ${size.viewport.width} x ${size.viewport.height}`, async () => {
+      const { page, leave } = await site.visit({ story: true, ...size });
+      await open(page);
+      assert.deepEqual(await barriers(page), []);
+      await page.getByTestId("choice-left").click();
+      await page.getByTestId("verdict").waitFor();
+      assert.deepEqual(await barriers(page), [], "after the guess");
+      await leave();
+    });
+});

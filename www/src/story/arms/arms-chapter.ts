@@ -1,0 +1,182 @@
+// Who tells the arms when to swing? The coupling from the legs to the arms is cut while the figure walks.
+import { html, nothing } from "lit";
+import { unsafeHTML } from "lit/directives/unsafe-html.js";
+import { couplingsOf, START_PRESETS } from "../../couplings/presets";
+import { isSwinging, stepOf } from "../../couplings/measures-text";
+import { weights } from "../../couplings/weights";
+import { EQUATIONS } from "../../method/equations";
+import { initialSettings, type Settings } from "../../settings/settings";
+import { Store } from "../../ui/store";
+import type { WordsStore } from "../../words/words";
+import type { StoryBody } from "../body";
+import type { Chapter } from "../chapter";
+
+/** The parts of the model, in its order. */
+const [LEGS, ARMS] = [0, 1] as const;
+
+/** The state of the thread, and the preset of the page that has this state. */
+const THREADS = { tied: "as-learned", relearned: "arms-go", kept: "arms-hang" } as const;
+type Thread = keyof typeof THREADS;
+
+const presetOf = (thread: Thread) => START_PRESETS.find(({ id }) => id === THREADS[thread])!;
+
+export class ArmsChapter extends Store implements Chapter {
+  readonly #words: WordsStore;
+  readonly body: StoryBody;
+  #thread: Thread = "tied";
+  #hasGuessed = false;
+  #isHere = false;
+  #stop = () => {};
+
+  constructor(words: WordsStore, body: StoryBody) {
+    super();
+    this.#words = words;
+    this.body = body;
+  }
+
+  get #now() {
+    return this.#words.now.chapters.arms;
+  }
+
+  get isCut(): boolean {
+    return this.#thread !== "tied";
+  }
+
+  stage() {
+    const { stage, playback, phases } = this.body;
+    const { clock, parts, figure } = this.#now;
+    const words = { clock, seconds: () => "", still: "", step: NO_STEPS };
+    return html`<div class="arms">
+      <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${figure}></pg-stage>
+      <pg-thread .chapter=${this}></pg-thread>
+      <pg-phase-clock .phases=${phases} .playback=${playback} .names=${parts} .words=${words}></pg-phase-clock>
+    </div>`;
+  }
+
+  guess() {
+    return this.#hasGuessed ? null : this.#now.guess;
+  }
+
+  guessed(): void {
+    this.#hasGuessed = true;
+    this.#pull("relearned");
+  }
+
+  control() {
+    if (!this.#hasGuessed) {
+      if (this.body.playback.playing) return null;
+      return html`<button class="story-button" data-testid="walk" @click=${() => void this.#walk()}>${this.#now.walk}</button>`;
+    }
+    const { label, ...names } = this.#now.thread;
+    return html`<div class="story-choice" role="group" aria-label=${label}>
+      ${Object.entries(names).map(
+        ([thread, name]) => html`
+        <button aria-pressed=${this.#thread === thread ? "true" : "false"} data-testid="thread-${thread}"
+          @click=${() => this.#pull(thread as Thread)}>${name}</button>`,
+      )}</div>`;
+  }
+
+  /** What hands and feet of this walk do, as the library measures it. */
+  #measured() {
+    const { reports, isCurrent } = this.body.measures;
+    const [legs, arms] = [reports?.now.measures.parts[LEGS], reports?.now.measures.parts[ARMS]];
+    const learned = reports?.learned.measures.parts[ARMS];
+    return isCurrent && legs && arms && learned ? { legs, arms, learned } : null;
+  }
+
+  reveal() {
+    if (!this.#hasGuessed) return null;
+    const { measuring, periods, swing, tied, outcome, relearned, kept } = this.#now;
+    const measured = this.#measured();
+    if (!measured) return html`<p>${measuring}</p>`;
+    const { legs, arms, learned } = measured;
+    const swings = isSwinging(arms, learned);
+    const inStep = arms.locking !== null && stepOf(arms.locking) === "in step";
+    const found = !swings ? "stop" : inStep ? "step" : "pace";
+    return html`
+      <p data-testid="measured" data-thread=${this.#thread} data-outcome=${found}>
+        <b>${
+          swings && legs.period !== null && arms.period !== null
+            ? periods(legs.period, arms.period)
+            : swing(arms.swing ?? 0, learned.swing ?? 0)
+        }</b>
+        ${this.#thread === "tied" ? (inStep ? tied : nothing) : outcome[found]}
+        ${this.#thread === "relearned" ? relearned : nothing}
+        ${this.#thread === "kept" && found === "stop" ? kept : nothing}
+      </p>`;
+  }
+
+  equation() {
+    const shares = this.#shares();
+    return html`${unsafeHTML(EQUATIONS.dynamics)}${unsafeHTML(EQUATIONS.weights)}
+      ${shares ? html`<p>${this.#now.equation(shares.tied, shares.cut)}</p>` : nothing}`;
+  }
+
+  /** The share of the legs in the steps of the arms. */
+  #shares(): { tied: number; cut: number } | null {
+    const info = this.body.model.model?.info;
+    if (!info) return null;
+    const share = (thread: Thread) => {
+      const changed = couplingsOf(presetOf(thread), info) ?? {};
+      const into = info.alpha.map((row, source) => changed[`${source}.${ARMS}`] ?? row[ARMS] ?? 1);
+      return weights(into)[LEGS] ?? 0;
+    };
+    return { tied: share("tied"), cut: share("relearned") };
+  }
+
+  lab(): Partial<Settings> {
+    const { model } = this.body;
+    const alpha = (model.model && couplingsOf(presetOf(this.#thread), model.model.info)) ?? {};
+    const { reading } = presetOf(this.#thread);
+    return this.isCut ? { alpha, reading, model: model.id } : { reading: initialSettings().reading };
+  }
+
+  arrive(): void {
+    this.#isHere = true;
+    const { measures, model, phases, playback } = this.body;
+    const stops = [measures, model, phases].map((store) => store.on(() => this.changed()));
+    this.#stop = () => stops.forEach((stop) => stop());
+    void this.#begin();
+    if (playback.playing) this.changed();
+  }
+
+  leave(): void {
+    this.#isHere = false;
+    this.#stop();
+    this.body.reset();
+    [this.#thread, this.#hasGuessed] = ["tied", false];
+  }
+
+  /** The stored walk at once, and the model's as soon as it is there. */
+  async #begin(): Promise<void> {
+    const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    try {
+      await this.body.showFirstMotion();
+      if (!calm) this.body.playback.play();
+      this.changed();
+      await this.body.start();
+      if (this.#isHere && !calm) await this.#walk();
+    } catch {
+      // The frame says why the model cannot run here.
+    }
+  }
+
+  /** Lets the model walk on without an end. */
+  async #walk(): Promise<void> {
+    this.body.playback.play();
+    await this.body.start();
+    const live = await this.body.live.get();
+    if (this.#isHere) await live.start();
+    this.changed();
+  }
+
+  /** Ties or cuts the thread. */
+  #pull(thread: Thread): void {
+    this.#thread = thread;
+    void this.#walk().catch(() => {});
+    this.body.model.takePreset(presetOf(thread));
+    this.changed();
+  }
+}
+
+const NO_STEPS = { "in step": "", "partly in step": "", "out of step": "" };
