@@ -30,6 +30,42 @@ describe("the clock", () => {
 });
 
 describe("the stage", () => {
+  it("keeps the camera at the same side of the walker for two minutes", async () => {
+    const { page, problems, leave } = await site.visit();
+    await ready(page);
+    // Degrees between the camera and the hips in 2-minute play, the mean of each 5 seconds.
+    const { angles, turned } = await page.evaluate(() => {
+      const { playback, scene, stage } = /** @type {any} */ (document.querySelector("pg-stage"));
+      const { joints, figure } = stage.content;
+      const hip = (/** @type {string} */ side) =>
+        3 * figure.nodes.findIndex((/** @type {any} */ node) => joints[node.joint] === `${side}UpLeg`);
+      const [left, right] = [hip("Left"), hip("Right")];
+      playback.play();
+      const angles = [];
+      const headings = [];
+      let [sum, before] = [0, 0];
+      for (let k = 0; k < 24 * 75; k++) {
+        playback.advance(1 / 15);
+        scene.draw(1 / 15);
+        const { pose } = playback;
+        const heading = Math.atan2(pose[right + 2] - pose[left + 2], pose[left] - pose[right]);
+        const [x, , z] = scene.dragged(0, 100, 0);
+        const apart = Math.atan2(-z, x) - heading;
+        before = apart - 2 * Math.PI * Math.round((apart - before) / (2 * Math.PI));
+        sum += before / 75;
+        if (k % 75 < 74) continue;
+        angles.push((sum * 180) / Math.PI);
+        headings.push((heading * 180) / Math.PI);
+        sum = 0;
+      }
+      return { angles, turned: Math.abs((headings.at(-1) ?? 0) - (headings[0] ?? 0)) };
+    });
+    assert.ok(turned > 90, `the walker turns, ${turned}`);
+    for (const angle of angles) assert.ok(Math.abs(angle - (angles[0] ?? 0)) < 6, angles.join(" "));
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
   it("reports lost graphics, and draws again when the browser restores them", async () => {
     const { page, leave } = await site.visit({ moving: true });
     await ready(page);

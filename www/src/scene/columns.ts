@@ -2,11 +2,12 @@
 import { Scene, Vector3 } from "three";
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
 import { FigureView } from "./figure";
+import { Framing } from "./framing";
 import { Ground } from "./ground";
 import { Lights } from "./lights";
 import { PointLights } from "./point-lights";
 import { HERE, placeOnto, poseAt } from "./motion";
-import { feetOf, floorOf, headingOf, MIDDLE, SOLE } from "./stance";
+import { feetOf, floorOf, MIDDLE, SOLE, type View, viewOf } from "./stance";
 import { Viewport } from "./viewport";
 
 export interface Body {
@@ -26,13 +27,17 @@ export interface ColumnMotion {
    * Speed of the camera along the ground, metres a second, from the origin. Absent: it follows the figure.
    */
   camera?: { x: number; z: number };
-  /** Defines the height of the ground for a motion without an end. */
+  /** For a motion without an end: another motion of the body, from the same start, with the same ground. */
   ground?: Motion;
 }
 
-/** Half height and half width of the visible space around a figure, with swinging arms; metres. */
+/** Half height and half width of the visible space around a figure, at least: with swinging arms; metres. */
 const HALF_HEIGHT = 1.12;
 const HALF_WIDTH = 0.85;
+/** The angle between heading and camera, radians. */
+const SIDE = 1.15;
+/** Seconds between two looks at the reach of a motion without an end. */
+const BETWEEN = 0.5;
 /** Pixels of a column's shadow, each way. */
 const SHADOW = 512;
 
@@ -80,8 +85,20 @@ class Column {
     this.#ground.group.position.y = this.#floor;
   }
 
-  /** Poses figure and ghost, and writes the centre of the picture into `middle`. */
-  at(frame: number, middle: Vector3): void {
+  /** The view of all motions of this column. */
+  view(slope: number, aspect: number): View {
+    const { motion, ghost, ground } = this.#current;
+    const motions = [motion, ghost, ground].filter((motion) => motion !== null && motion !== undefined);
+    return widest(motions.map((motion) => viewOf(motion, this.#floor, { slope, aspect })));
+  }
+
+  /** The last pose. */
+  get pose(): Float32Array {
+    return this.#pose;
+  }
+
+  /** Poses figure and ghost, and writes the place on the ground below the picture's centre into `place`. */
+  at(frame: number, place: Vector3): void {
     const { motion, ghost } = this.#current;
     const pose = poseAt(motion, frame, HERE, this.#pose);
     this.#figure.pose(pose);
@@ -93,7 +110,7 @@ class Column {
     this.#ground.follow(x, z);
     this.#ground.touch(pose, this.#feet, this.#floor);
     this.#lights.follow(x, this.#floor, z);
-    middle.set(x, this.#floor + MIDDLE, z);
+    place.set(x, this.#floor, z);
   }
 
   /** The place on the ground below the centre of the picture. */
@@ -112,9 +129,18 @@ class Column {
   }
 }
 
+/** The view that shows the content of all views. */
+function widest(views: readonly View[]): View {
+  const most = (key: keyof View) => Math.max(...views.map((view) => view[key]));
+  return { middle: most("middle"), distance: most("distance") };
+}
+
 /** The camera of the columns. */
 export interface ColumnsView {
-  /** Direction from the figures to the camera, radians from their z axis; null: from the side of the walk. */
+  /**
+   * Direction from the figures to the camera, radians from their z axis, at a fixed distance; null: from the
+   * side of the walk, as near as the whole motion is visible.
+   */
   from: number | null;
   /** Whether the visitor can turn the camera. */
   turns: boolean;
@@ -128,6 +154,9 @@ export class Columns {
   readonly #offset = new Vector3();
   readonly #middle = new Vector3();
   readonly #from: number | null;
+  readonly #framing: Framing;
+  /** Seconds since the last look at the reach of a motion without an end. */
+  #sinceLook = 0;
 
   /** Throws where the browser has no WebGL. */
   constructor(
@@ -142,19 +171,21 @@ export class Columns {
     this.#viewport.renderer.autoClear = false;
     this.#viewport.controls.enableZoom = false;
     this.#viewport.controls.enabled = turns;
+    this.#framing = new Framing(this.#viewport.camera.position);
   }
 
   /** Shows these motions of one body, from left to right. */
   show(body: Body, motions: readonly ColumnMotion[]): void {
     const [first] = motions;
-    if (this.#columns.length === 0 && first) {
-      const angle = this.#from ?? headingOf(first.ghost ?? first.ground ?? first.motion) + 1.15;
-      this.#viewport.camera.position.set(Math.sin(angle), 0.1, Math.cos(angle));
-    }
+    const isFirst = this.#columns.length === 0;
+    const isOther = isFirst || first?.motion.nodes !== this.#columns[0]?.current.motion.nodes;
+    if (this.#from === null && first && isOther)
+      this.#framing.start(first.ghost ?? first.ground ?? first.motion);
+    if (isFirst) this.#framing.aim(this.#from ?? SIDE);
     const fit = (column: Column, i: number) => !column.current.ghost === !motions[i]?.ghost;
     if (body === this.#body && motions.length === this.#columns.length && this.#columns.every(fit)) {
       motions.forEach((motion, i) => this.#columns[i]?.take(motion));
-      this.#viewport.changed();
+      this.#viewport.resize();
       return;
     }
     this.#body = body;
@@ -168,14 +199,33 @@ export class Columns {
     this.#columns = body ? motions.map((motion) => new Column(body, motion)) : [];
   }
 
-  /** Moves the camera as near as the whole figure still fits into its column. */
+  /** Moves the camera as near as the whole motion still fits into its column. */
   #fit(width: number, height: number): void {
-    const { camera, controls } = this.#viewport;
+    const { camera } = this.#viewport;
     camera.aspect = width / Math.max(1, this.#columns.length) / height;
-    const tangent = Math.tan((camera.fov * Math.PI) / 360);
-    const away = Math.max(HALF_HEIGHT, HALF_WIDTH / camera.aspect) / tangent;
-    camera.position.setLength(away);
-    controls.minDistance = controls.maxDistance = away;
+    this.#framing.wanted = this.#view();
+    this.#framing.approach();
+  }
+
+  #view(): View {
+    const { fov, aspect } = this.#viewport.camera;
+    const slope = Math.tan((fov * Math.PI) / 360);
+    const least = { middle: MIDDLE, distance: Math.max(HALF_HEIGHT, HALF_WIDTH / aspect) / slope };
+    if (this.#from !== null) return least;
+    return widest([least, ...this.#columns.map((column) => column.view(slope, aspect))]);
+  }
+
+  /** Keeps the camera's angle to a walk without an end, and its whole reach in the picture. */
+  #follow(seconds: number): void {
+    const [column] = this.#columns;
+    if (!column?.current.ground) return;
+    this.#sinceLook += seconds;
+    if (this.#sinceLook > BETWEEN) {
+      this.#framing.wanted = this.#view();
+      this.#sinceLook = 0;
+    }
+    this.#framing.follow(column.pose, seconds);
+    this.#framing.approach(seconds);
   }
 
   /**
@@ -204,12 +254,14 @@ export class Columns {
       renderer.setViewport(left, 0, right - left, height);
       renderer.setScissor(left, 0, right - left, height);
       column.at(frame, this.#middle);
+      this.#middle.y += this.#framing.middle;
       camera.position.copy(this.#offset).add(this.#middle);
       camera.updateMatrixWorld();
       renderer.render(column.scene, camera);
       drawn(i);
     });
     camera.position.copy(this.#offset);
+    if (playing) this.#follow(seconds);
     camera.updateMatrixWorld();
     viewport.finish();
   }

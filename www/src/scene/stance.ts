@@ -35,31 +35,38 @@ export function feetOf({ positions, frames, nodes }: Motion, floor: number): num
   return [...lowest.keys()].filter((node) => lowest[node]! < floor + 0.12).slice(0, 8);
 }
 
+/** Where a camera looks at a figure. */
+export interface View {
+  /** Metres from the ground to the centre of the picture. */
+  middle: number;
+  /** Metres from there to the camera. */
+  distance: number;
+}
+
 /**
- * The distance from which a camera sees the whole motion from every side. `slope`: the tangent of half its
- * vertical angle.
+ * The view in which a camera sees the whole motion from every side, also raised hands. `slope`: the tangent of
+ * half its vertical angle; `shift`: the share of the picture's height by which the centre is moved up or down.
  */
-export function distanceFor(
+export function viewOf(
   { positions, frames, nodes }: Motion,
   floor: number,
-  slope: number,
-  aspect: number,
-): number {
+  { slope, aspect, shift = 0 }: { slope: number; aspect: number; shift?: number },
+): View {
+  let top = 2 * MIDDLE - FLESH;
+  for (let at = 1; at < 3 * frames * nodes; at += 3) top = Math.max(top, positions[at]! - floor);
+  const middle = (top + FLESH) / 2;
+  const upright = slope * FREE * (1 - 2 * Math.abs(shift));
   let distance = 0;
   for (let t = 0; t < frames; t++) {
     const root = 3 * t * nodes;
     for (let at = root; at < root + 3 * nodes; at += 3) {
       const out = Math.hypot(positions[at]! - positions[root]!, positions[at + 2]! - positions[root + 2]!);
-      const up = Math.abs(positions[at + 1]! - floor - MIDDLE);
+      const up = Math.abs(positions[at + 1]! - floor - middle);
       // A node near the camera looks larger; a node at the side needs the width.
-      distance = Math.max(
-        distance,
-        out + (up + FLESH) / (slope * FREE),
-        (out + FLESH) / (slope * aspect * FREE),
-      );
+      distance = Math.max(distance, out + (up + FLESH) / upright, (out + FLESH) / (slope * aspect * FREE));
     }
   }
-  return distance;
+  return { middle, distance };
 }
 
 /** The direction of the walk, seen from above, radians; 0 for a walk on the spot. */

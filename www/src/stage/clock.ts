@@ -18,6 +18,11 @@ export class Clock extends Store {
     return this.player.playing;
   }
 
+  /** Seconds of the motion in a second of the visitor's time; 0 while the clock stands. */
+  get speed(): number {
+    return this.player.playing ? this.player.speed : 0;
+  }
+
   /** Moves the time on by seconds. */
   advance(seconds: number): void {
     if (!this.player.playing) return;

@@ -2,11 +2,12 @@
 import { Scene, Vector3 } from "three";
 import type { Motion } from "../engine/protocol";
 import { type FigureStyle, FigureView } from "../scene/figure";
+import { Framing } from "../scene/framing";
 import { Ground } from "../scene/ground";
 import { Lights } from "../scene/lights";
 import { HERE, placeOnto, poseAt } from "../scene/motion";
 import type { Quality } from "../scene/picture-quality";
-import { distanceFor, feetOf, floorOf, headingOf, MIDDLE, SOLE } from "../scene/stance";
+import { feetOf, floorOf, MIDDLE, SOLE, type View, viewOf } from "../scene/stance";
 import { Viewport } from "../scene/viewport";
 import type { Playback } from "./playback";
 import type { Marks, StageContent, StageStore } from "./stage-store";
@@ -17,8 +18,10 @@ const NEAR_HIGH = 5.6;
 /** In a picture of less height the figure is lower by a share of the height, because texts are above it. */
 const LOW_PICTURE = 400;
 const LOWER = 0.06;
-/** A live figure is higher, above the strip chart. */
-const HIGHER = 0.09;
+/** The angle between the mean heading and the camera at first, radians: from the side, a little in front. */
+const SIDE = 0.95;
+/** Seconds between two looks at the reach of a live motion. */
+const BETWEEN = 0.5;
 
 /** Pixels of the figure's shadow, each way. */
 const SHADOW = 1024;
@@ -40,6 +43,9 @@ export class Stage {
   #feet: number[] = [];
   #floor = 0;
   readonly #focus = new Vector3(0, MIDDLE, 0);
+  readonly #framing = new Framing(new Vector3());
+  /** Seconds since the last look at the reach of a live motion. */
+  #sinceLook = 0;
   /** The place of the figure in the last picture. */
   readonly #root = new Vector3();
   #placed = false;
@@ -54,9 +60,9 @@ export class Stage {
       resized: (width, height) => {
         const { camera } = this.#viewport;
         camera.aspect = width / height;
-        // A strip chart covers the lower end of a live picture.
-        const lower = this.#store.content?.live ? -HIGHER : height < LOW_PICTURE ? LOWER : 0;
-        camera.setViewOffset(width, height, 0, -lower * height, width, height);
+        camera.setViewOffset(width, height, 0, -this.#lower * height, width, height);
+        const { content } = this.#store;
+        if (content && this.#placed) this.#frame(content);
       },
       recoloured: () => this.#recolour(),
     });
@@ -119,7 +125,6 @@ export class Stage {
     const before = this.#figureOf;
     if (before === content) return;
     this.#figureOf = content;
-    if (before?.live !== content.live) this.#viewport.resize();
     if (!before || !sameBody(before, content)) {
       this.#clear();
       this.#figureOf = content;
@@ -128,8 +133,11 @@ export class Stage {
       this.#feet = feetOf(content.motion, this.#floor + SOLE);
       this.#ground.group.position.y = this.#floor;
     }
-    if (!this.#placed || (before && before.motion.nodes !== content.motion.nodes)) this.#placeCamera(content);
-    else if (before?.clip !== content.clip) this.#keepInPicture(content);
+    if (!this.#placed) this.#placeCamera(content);
+    else if (before?.clip !== content.clip || before?.motion.nodes !== content.motion.nodes) {
+      this.#moveCamera(() => this.#framing.start(content.motion));
+      this.#frame(content);
+    } else if (!content.live) this.#framing.wanted = this.#view(content.motion);
   }
 
   #updateGhost(content: StageContent): void {
@@ -160,37 +168,50 @@ export class Stage {
     this.#figure?.fade(this.#marked.length > 0 ? 0.12 : 1);
   }
 
-  /** The distance from which the camera sees the whole motion. */
-  #distance(motion: Motion): number {
+  /** The share of the height by which the figure is lower in the picture. */
+  get #lower(): number {
+    return this.#viewport.size.height < LOW_PICTURE ? LOWER : 0;
+  }
+
+  /** The view in which the camera sees the whole motion. */
+  #view(motion: Motion): View {
     const { camera, controls } = this.#viewport;
     const slope = Math.tan((camera.fov * Math.PI) / 360);
     const least = camera.aspect < 0.9 ? NEAR_HIGH : NEAR;
-    const needed = distanceFor(motion, this.#floor, slope, camera.aspect);
-    return Math.min(controls.maxDistance, Math.max(least, needed));
+    const view = viewOf(motion, this.#floor, { slope, aspect: camera.aspect, shift: this.#lower });
+    return { ...view, distance: Math.min(controls.maxDistance, Math.max(least, view.distance)) };
   }
 
-  /** Keeps the direction of the camera, at the distance for another clip. */
-  #keepInPicture({ motion }: StageContent): void {
+  /** Shows the whole motion, from the same side. */
+  #frame({ motion }: StageContent): void {
+    this.#framing.wanted = this.#view(motion);
+    this.#moveCamera(() => this.#framing.approach());
+  }
+
+  /** Changes the vector from the centre of the picture to the camera, and the height of the centre. */
+  #moveCamera(change: () => void): void {
     const { camera, controls } = this.#viewport;
-    const offset = camera.position.clone().sub(controls.target);
-    camera.position.copy(controls.target).add(offset.setLength(this.#distance(motion)));
+    const { offset } = this.#framing;
+    offset.subVectors(camera.position, controls.target);
+    change();
+    this.#focus.y = this.#floor + this.#framing.middle;
+    controls.target.copy(this.#focus);
+    camera.position.addVectors(this.#focus, offset);
   }
 
   /** Places the camera at the side of the walk, a little in front. */
-  #placeCamera({ motion }: StageContent): void {
+  #placeCamera(content: StageContent): void {
     const { pose } = this.#playback;
     if (!pose) return;
-    this.#focus.fromArray(pose).setY(this.#floor + MIDDLE);
+    this.#focus.fromArray(pose);
     this.#root.copy(this.#focus);
-    const { camera, controls } = this.#viewport;
-    const away = this.#distance(motion);
-    const angle = headingOf(motion) + 0.95;
-    controls.target.copy(this.#focus);
-    camera.position.set(
-      this.#focus.x + away * Math.sin(angle),
-      this.#focus.y + 0.5,
-      this.#focus.z + away * Math.cos(angle),
-    );
+    const { controls } = this.#viewport;
+    this.#framing.wanted = this.#view(content.motion);
+    this.#moveCamera(() => {
+      this.#framing.start(content.motion);
+      this.#framing.approach();
+      this.#framing.aim(SIDE);
+    });
     controls.update();
     this.#placed = true;
   }
@@ -257,6 +278,7 @@ export class Stage {
       if (marked) figure.pose(placed(marked.positions, pose));
     });
     this.#followWalk(pose, seconds);
+    this.#keepFraming(pose, seconds);
     this.#ground.touch(pose, this.#marked.length > 0 ? [] : this.#feet, this.#floor);
   }
 
@@ -274,6 +296,22 @@ export class Stage {
     const { frame } = this.#playback;
     poseAt(motion, frame, HERE, this.#otherPose);
     figure.pose(poseAt(motion, frame, placeOnto(this.#otherPose, pose), this.#otherPose));
+  }
+
+  /** Keeps the camera's angle to the walk, and the whole motion in the picture. */
+  #keepFraming(pose: Float32Array, seconds: number): void {
+    const { content } = this.#store;
+    if (!content) return;
+    this.#sinceLook += seconds;
+    if (content.live && this.#sinceLook > BETWEEN) {
+      this.#framing.wanted = this.#view(content.motion);
+      this.#sinceLook = 0;
+    }
+    this.#moveCamera(() => {
+      // A recording keeps its own directions, also if the body turns round in it.
+      if (!content.clip) this.#framing.follow(pose, seconds * this.#playback.speed);
+      this.#framing.approach(this.#playback.playing ? seconds : Number.POSITIVE_INFINITY);
+    });
   }
 
   /** Moves camera and light with the figure: smoothly during play, exactly for steps and scrubs. */

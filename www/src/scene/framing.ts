@@ -1,0 +1,63 @@
+// The camera's place relative to a figure: as near as the whole motion is visible, and at the same angle to the
+// mean heading of the walk.
+import { Vector3 } from "three";
+import type { Motion } from "../engine/protocol";
+import { MeanHeading } from "./mean-heading";
+import { headingOf, MIDDLE, type View } from "./stance";
+
+const UP = new Vector3(0, 1, 0);
+/** The slope of the first line of sight: the camera is a little above the centre of the picture. */
+const SLOPE = 0.1;
+/** Of the way to another view, exp(-RATE) is left after a second. */
+const RATE = 3;
+
+/**
+ * Changes `offset`, the vector from the centre of the picture to the camera. Turns and zooms of the visitor
+ * stay, because each change is relative.
+ */
+export class Framing {
+  readonly #mean = new MeanHeading();
+  /** The mean heading, radians from the z axis. */
+  #heading = 0;
+  #now: View = { middle: MIDDLE, distance: 1 };
+  /** The view to which the camera moves. */
+  wanted: View = this.#now;
+
+  constructor(readonly offset: Vector3) {}
+
+  /** Metres from the ground to the centre of the picture. */
+  get middle(): number {
+    return this.#now.middle;
+  }
+
+  /** Looks from an angle to the mean heading, radians. */
+  aim(angle: number): void {
+    const from = this.#heading + angle;
+    this.offset.set(Math.sin(from), SLOPE, Math.cos(from)).setLength(this.#now.distance);
+  }
+
+  /** Another motion begins, at its own place: the camera keeps its angle to the mean heading. */
+  start(motion: Motion): void {
+    this.#mean.start(motion);
+    this.#turn(headingOf(motion) - this.#heading);
+  }
+
+  /** Turns the camera with the mean heading, `seconds` after the last pose. */
+  follow(pose: Float32Array, seconds: number): void {
+    this.#turn(this.#mean.turn(pose, seconds));
+  }
+
+  /** Moves towards the wanted view for `seconds`; without them, to the view at once. */
+  approach(seconds = Number.POSITIVE_INFINITY): void {
+    const part = 1 - Math.exp(-RATE * seconds);
+    const { middle, distance } = this.#now;
+    const next = distance + part * (this.wanted.distance - distance);
+    this.#now = { middle: middle + part * (this.wanted.middle - middle), distance: next };
+    this.offset.multiplyScalar(next / distance);
+  }
+
+  #turn(by: number): void {
+    this.#heading += by;
+    this.offset.applyAxisAngle(UP, by);
+  }
+}
