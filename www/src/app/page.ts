@@ -10,6 +10,7 @@ import "../ui/notices-view";
 import type { HoldCoupling } from "../couplings/body-map";
 import type { Detail } from "../details/details";
 import type { LiveStore } from "../live/live-store";
+import type { StagedModel } from "../primitives/primitives-page";
 import type { SessionStore } from "../session/session-store";
 import { messageOf } from "../ui/format";
 import { View } from "../ui/view";
@@ -203,10 +204,10 @@ export class PageView extends View {
   }
 
   /** Puts a model of another view on the stage. */
-  async #stageModel(text: string): Promise<void> {
+  async #stageModel({ text, made }: StagedModel): Promise<void> {
     const { notices, settings } = this.app;
     try {
-      if (!(await openModel(this.app, text, true))) return;
+      if (!(await openModel(this.app, text, made))) return;
       settings.change({ view: "play" });
     } catch (problem) {
       notices.addError("This model was not taken up", messageOf(problem));
@@ -317,7 +318,7 @@ export class PageView extends View {
         @show-details=${({ detail }: CustomEvent<Detail>) => void this.#showDetails(detail)}
         @study-made=${({ detail }: CustomEvent<string>) => void this.app.openStudy(detail, true)}
         @switch-live=${({ detail }: CustomEvent<boolean>) => void this.#switchLive(detail)}
-        @stage-model=${({ detail }: CustomEvent<string>) => void this.#stageModel(detail)}
+        @stage-model=${({ detail }: CustomEvent<StagedModel>) => void this.#stageModel(detail)}
         @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
         ${embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}
         ${this.session ? html`<pg-session .session=${this.session}></pg-session>` : nothing}

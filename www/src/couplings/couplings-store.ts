@@ -64,6 +64,11 @@ export class CouplingsStore {
     return Object.keys(this.#place.values.alpha).length > 0;
   }
 
+  /** Whether all couplings are these, as closely as a visitor can tell. */
+  isAt(alpha: Couplings): boolean {
+    return this.alpha.every((row, i) => row.every((value, j) => isClose(value, alpha[i]?.[j] ?? Number.NaN)));
+  }
+
   learnedAlpha(source: number, target: number): number {
     return this.#learned[source]?.[target] ?? 1;
   }

@@ -91,6 +91,8 @@ export interface LockingJob {
   uses: number[];
   source: number;
   target: number;
+  /** The couplings at strength 1. */
+  alpha: Couplings;
   tempo: number;
   strengths: number[];
 }

@@ -16,6 +16,9 @@ const STEPS: Record<string, [number, number]> = {
   ArrowRight: [0, 1],
 };
 
+/** Below this share of the coupling's effect, the effect of the tempo is not visible in the map. */
+const STRIPES = 0.25;
+
 const times = (strength: number) => (strength < 1 ? `1/${1 / strength}` : String(strength));
 
 export class ChimeraView extends View {
@@ -88,9 +91,21 @@ export class ChimeraView extends View {
           <tr><td></td>${STRENGTHS.map((strength) => html`<th scope="col">${times(strength)}</th>`)}</tr>
         </tbody>
       </table>
-      <p class="hint axes">Up: tempo of ${target}. To the right: how much stronger the coupling from ${this.#name(map.source)} to ${target} is than as learned;
+      <p class="hint axes">Up: tempo of ${target}. To the right: how much stronger the coupling from ${this.#name(map.source)} to ${target} is than now;
         its α, ${short(map.alpha[map.source]?.[map.target] ?? 1)}, is divided by this. Colour: 1 where the difference of their phases never changes, 0 where it takes all values alike.</p>
-      <p class="hint legend" style=${partStyle(partColour(map.target))}><span>goes its own way</span><i class="shade"></i><span>keeps in step</span></p>`;
+      <p class="hint legend" style=${partStyle(partColour(map.target))}><span>goes its own way</span><i class="shade"></i><span>keeps in step</span></p>
+      <p class="hint" role="status" data-testid="locking-words">${this.#effects()}</p>`;
+  }
+
+  /** What the map shows: whether the tempo matters at all. */
+  #effects(): string {
+    const { effects } = this.locking;
+    if (!effects) return "";
+    const { tempo, strength } = effects;
+    const measured = `From tempo to tempo the locking differs by ${tempo.toFixed(2)} at most, from strength to strength by ${strength.toFixed(2)}.`;
+    return tempo < STRIPES * strength
+      ? `Only stripes: the tempo makes little difference here, the coupling decides. ${measured}`
+      : measured;
   }
 
   #pair() {

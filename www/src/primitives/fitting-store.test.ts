@@ -7,6 +7,7 @@ import type { TrainingReport } from "../engine/protocol";
 import type { Couplings } from "../engine/protocol";
 import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import { NoticesStore } from "../ui/notices-store";
+import { fitText } from "./fit-text";
 import { FittingStore } from "./fitting-store";
 import { LibraryStore } from "./library-store";
 
@@ -50,7 +51,6 @@ it("fits the walking combination, and resets the sliders to the result", async (
     clips: [{ id: 7, first: 5, end: 90 }],
   });
   expect(library.couplings.alpha).toEqual(FITTED);
-  expect(library.couplings.altered).toBe(false);
   // The library stores the clip of the fit, unless a slider was moved since.
   await library.keep("mine");
   library.couplings.set(0, 1, 5);
@@ -58,6 +58,35 @@ it("fits the walking combination, and resets the sliders to the result", async (
   expect(program.libraries.origins).toEqual([FROM, null]);
   await fitting.fit("gone");
   expect(program.libraries.fittings).toHaveLength(1);
+});
+
+it("can be undone: a reset brings the couplings of the primitives back", async () => {
+  const { alpha } = library.couplings;
+  const fitted = fitting.fit("a");
+  await end(FITTED);
+  await fitted;
+  expect(library.couplings.altered).toBe(true);
+  library.couplings.resetAll();
+  expect(library.couplings.alpha).toEqual(alpha);
+});
+
+it("names the part for which all couplings ended at their limit, and does not call this a success", async () => {
+  const fitted = fitting.fit("a");
+  await end([
+    [0.015, 10],
+    [10, 9.9999],
+  ]);
+  await fitted;
+  expect(fitting.unexplained).toEqual(["upper"]);
+  const { text, failed } = fitText(fitting);
+  expect(failed).toBe(true);
+  expect(text).toMatch(
+    /^No coupling found for upper: .* limit, α = 10\. .* Reset undoes the fit\. 1\.5 s\.$/,
+  );
+  const again = fitting.fit("a");
+  await end(FITTED);
+  await again;
+  expect(fitText(fitting)).toEqual({ text: "The bound no longer rises. 1.5 s.", failed: false });
 });
 
 it("does not change a combination that was chosen meanwhile", async () => {

@@ -1,5 +1,6 @@
 // The couplings of the walking combination, fitted to a clip with fixed primitives.
 import type { ClipsStore } from "../clips/clips-store";
+import { LARGEST_COUPLING } from "../engine/limits";
 import type { Fitted } from "../engine/library-protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { LibraryStore } from "./library-store";
@@ -7,16 +8,27 @@ import { ProgressStore } from "../training/progress-store";
 
 const MOST_ITERATIONS = 100;
 
+const isLargest = (alpha: number) => alpha > 0.999 * LARGEST_COUPLING;
+
 export class FittingStore extends ProgressStore<Fitted> {
   readonly #whole: WholeWorkers;
   readonly #clips: Pick<ClipsStore, "all">;
   readonly #library: LibraryStore;
+  #unexplained: readonly string[] = [];
 
   constructor(whole: WholeWorkers, clips: Pick<ClipsStore, "all">, library: LibraryStore) {
     super();
     this.#whole = whole;
     this.#clips = clips;
     this.#library = library;
+  }
+
+  /**
+   * The parts that the last fit found no coupling for: all predictions about the part got the largest
+   * variance.
+   */
+  get unexplained(): readonly string[] {
+    return this.#unexplained;
   }
 
   /** Fits to the clip of this key, and sets the sliders to the result. */
@@ -31,9 +43,14 @@ export class FittingStore extends ProgressStore<Fitted> {
       clips: [{ id: loaded.id, source, first, end }],
       maxIterations: MOST_ITERATIONS,
     };
+    this.#unexplained = [];
     const fitted = await this.run((report, signal) =>
       this.#whole.pool.run((worker) => worker.fitCouplings(job, report, signal), signal),
     );
-    if (fitted && this.#library.current === current) this.#library.takeFitted(uses, fitted);
+    if (!fitted || this.#library.current !== current) return;
+    const atLimit = (part: number) => fitted.alpha.every((row) => isLargest(row[part] ?? 0));
+    this.#unexplained = current.info.parts.filter((_, part) => atLimit(part)).map(({ name }) => name);
+    this.#library.takeFitted(uses, fitted);
+    this.changed();
   }
 }

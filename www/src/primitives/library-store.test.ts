@@ -231,6 +231,20 @@ describe("the combination that walks", () => {
     });
   });
 
+  it("is saved with its library, unless its couplings were changed", async () => {
+    await opened();
+    expect(library.isCombinationSaved, "the library of the page").toBe(true);
+    library.choose(1, 2);
+    expect(library.isCombinationSaved).toBe(true);
+    library.couplings.set(0, 1, 5);
+    expect(library.isCombinationSaved).toBe(false);
+    library.couplings.resetAll();
+    await library.open(libraryText("learned"), "The library learned here", true);
+    expect(library.isCombinationSaved).toBe(false);
+    library.save();
+    expect(library.isCombinationSaved).toBe(true);
+  });
+
   it("reports when it stops", async () => {
     await opened();
     program.libraries.broken = "no longer finite";

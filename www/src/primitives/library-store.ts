@@ -40,7 +40,7 @@ const isUnsaved = ({ unsaved }: OpenLibrary) => unsaved;
 
 export class LibraryStore extends Store {
   readonly walk: WalkStore;
-  /** Its learned values are those that the primitives were learned with, or the fitted ones. */
+  /** Its learned values are those that the primitives were learned with. */
   readonly couplings = new CouplingsStore((change) => this.#walkUnder(change === "all"));
   readonly #worker: LibraryWorker;
   readonly #notices: NoticesStore;
@@ -255,11 +255,11 @@ export class LibraryStore extends Store {
     this.couplings.takeAll(changedFrom(this.couplings.learned, alpha));
   }
 
-  /** Takes fitted couplings of this combination as its learned ones. */
+  /** Takes fitted couplings of this combination. A reset brings those of its primitives back. */
   takeFitted(uses: readonly number[], fitted: Fitted): void {
     if (!isSame(uses, this.#uses)) return;
     this.#fitted = { ...fitted, uses };
-    this.#takeNearest(fitted.alpha);
+    this.takeCouplings(fitted.alpha);
   }
 
   setTempo(part: number, tempo: number): void {
@@ -320,13 +320,15 @@ export class LibraryStore extends Store {
     return addition;
   }
 
+  /** Whether the combination now can be made again from a saved library: its couplings come with the library. */
+  get isCombinationSaved(): boolean {
+    return this.#current?.unsaved === false && !this.couplings.altered;
+  }
+
   /** The origin of the couplings now, if they were fitted. */
   get #from(): CouplingsFrom | null {
     const fitted = this.#fitted;
-    const isFitted =
-      fitted &&
-      isSame(fitted.uses, this.#uses) &&
-      JSON.stringify(fitted.alpha) === JSON.stringify(this.couplings.alpha);
+    const isFitted = fitted && isSame(fitted.uses, this.#uses) && this.couplings.isAt(fitted.alpha);
     return isFitted ? fitted.from : null;
   }
 

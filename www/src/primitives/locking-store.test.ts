@@ -45,6 +45,30 @@ it("gives the figure the tempo and the coupling of a point", async () => {
   expect(locking.taken).toBeNull();
 });
 
+it("is dropped when the library or the fitted couplings change, and then uses the couplings of the figure", async () => {
+  await locking.make();
+  library.couplings.set(0, 1, 0.7);
+  expect(locking.map, "the map varies this coupling itself").not.toBeNull();
+  const alpha = [
+    [0.5, 2],
+    [3, 4],
+  ];
+  library.takeFitted([0, 3], { alpha, from: { from: "clips", bound: 1, iterations: 1 } });
+  expect(locking.map).toBeNull();
+  await locking.make();
+  expect(program.libraries.rows.at(-1)?.alpha).toEqual(alpha);
+  await library.open(libraryText("learned"), "The library learned here", true);
+  expect(locking.map).toBeNull();
+});
+
+it("measures how much the tempo and the strength change the locking", async () => {
+  expect(locking.effects).toBeNull();
+  await locking.make();
+  // The worker of this test answers 1 / tempo for every strength.
+  expect(locking.effects?.tempo).toBeCloseTo(1 / 0.7 - 1 / 1.3, 12);
+  expect(locking.effects?.strength).toBe(0);
+});
+
 it("is dropped with another combination or pair of parts", async () => {
   await locking.make();
   library.choose(1, 2);

@@ -1,5 +1,6 @@
 // The map of tempo and coupling: the locking of one part to another, for each tempo and each strength of the
 // coupling.
+import { isClose } from "../couplings/couplings-store";
 import type { Couplings } from "../engine/protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
 import { messageOf } from "../ui/format";
@@ -12,8 +13,13 @@ export const TEMPOS: readonly number[] = Array.from({ length: 13 }, (_, i) => (7
 /** Factors of the coupling: its variance is divided by them. */
 export const STRENGTHS: readonly number[] = Array.from({ length: 11 }, (_, i) => 2 ** (i - 6));
 
+const largestSpread = (lists: readonly (readonly number[])[]) =>
+  Math.max(...lists.map((values) => Math.max(...values) - Math.min(...values)));
+
 /** A map, complete or not. */
 export interface LockingMap {
+  /** The document of the library. */
+  library: string;
   uses: readonly number[];
   source: number;
   target: number;
@@ -38,8 +44,8 @@ export class LockingStore extends Store {
     this.#whole = whole;
     this.#library = library;
     library.on(() => {
-      // The map belongs to another combination.
-      if (this.#map && !this.#isOf(this.#map)) this.#forget();
+      // The map belongs to another library, to another combination or to other couplings.
+      if (this.#map && !this.#isUpToDate(this.#map)) this.#forget();
     });
   }
 
@@ -70,6 +76,17 @@ export class LockingStore extends Store {
     return rows.filter((row) => row !== null).length / Math.max(1, rows.length);
   }
 
+  /**
+   * The largest differences of the locking between two tempos at the same strength, and between two strengths
+   * at the same tempo; null before the map is complete.
+   */
+  get effects(): { tempo: number; strength: number } | null {
+    const rows = (this.#map?.rows ?? []).flatMap((row) => (row ? [[...row]] : []));
+    if (rows.length < TEMPOS.length) return null;
+    const columns = STRENGTHS.map((_, l) => rows.map((row) => row[l] ?? 0));
+    return { tempo: largestSpread(columns), strength: largestSpread(rows) };
+  }
+
   /** Chooses the part that leads and the part that follows. */
   choose(source: number, target: number): void {
     [this.#source, this.#target] = [source, target];
@@ -87,11 +104,12 @@ export class LockingStore extends Store {
     this.#problem = "";
     this.changed();
     try {
-      const alpha = await this.#library.nearestTo(uses);
-      const map: LockingMap = { uses, source, target, alpha, rows: TEMPOS.map(() => null) };
+      const { alpha } = this.#library.couplings;
+      const library = current.text;
+      const map: LockingMap = { library, uses, source, target, alpha, rows: TEMPOS.map(() => null) };
       this.#map = map;
       const { pool } = this.#whole;
-      const job = { library: current.text, uses: [...uses], source, target, strengths: [...STRENGTHS] };
+      const job = { library, uses: [...uses], source, target, alpha, strengths: [...STRENGTHS] };
       const row = async (tempo: number, index: number) => {
         map.rows[index] = await pool.run((worker) => worker.lockingRow({ ...job, tempo }), stop.signal);
         this.changedSoon();
@@ -133,12 +151,21 @@ export class LockingStore extends Store {
     const { source, target, alpha } = map;
     const tempo = TEMPOS.find((tempo) => tempo === this.#library.tempos[target]);
     const now = this.#library.couplings.alphaOf(source, target);
-    const strength = STRENGTHS.find((strength) => (alpha[source]?.[target] ?? 0) / strength === now);
+    const strength = STRENGTHS.find((strength) => isClose((alpha[source]?.[target] ?? 0) / strength, now));
     return tempo === undefined || strength === undefined ? null : { tempo, strength };
   }
 
-  #isOf({ uses }: LockingMap): boolean {
-    return isSame(uses, this.#library.uses);
+  /** Whether only the tempo and the coupling that the map varies may have changed. */
+  #isUpToDate({ library, uses, source, target, alpha }: LockingMap): boolean {
+    const { current, couplings } = this.#library;
+    const varied = couplings.alphaOf(source, target);
+    return (
+      current?.text === library &&
+      isSame(uses, this.#library.uses) &&
+      couplings.isAt(
+        alpha.map((row, i) => row.map((value, j) => (i === source && j === target ? varied : value))),
+      )
+    );
   }
 
   #forget(): void {

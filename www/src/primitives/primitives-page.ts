@@ -20,6 +20,12 @@ import type { Primitives } from "./primitives";
 import "./primitives.css";
 import "./walk-view";
 
+/** A model for the stage. `made`: it was made here and is on no disk. */
+export interface StagedModel {
+  text: string;
+  made: boolean;
+}
+
 export class PrimitivesPage extends View {
   declare primitives: Primitives;
   declare clips: ClipsStore;
@@ -44,7 +50,8 @@ export class PrimitivesPage extends View {
   async #putOnStage(event: Event): Promise<void> {
     event.stopPropagation();
     try {
-      const detail = await this.#library.combinationText();
+      const made = !this.#library.isCombinationSaved;
+      const detail: StagedModel = { text: await this.#library.combinationText(), made };
       this.dispatchEvent(new CustomEvent("stage-model", { detail, bubbles: true }));
     } catch (problem) {
       this.notices.addError("This combination was not taken up", messageOf(problem));
@@ -109,13 +116,15 @@ export class PrimitivesPage extends View {
       <div class="primitives">
         ${this.#head()}
         ${here.length > 0 ? html`<div class="library-notices">${here.map((notice) => noticeCard(this.notices, notice))}</div>` : nothing}
-        <section class="panel drawer-panel" aria-label="Primitives"><pg-drawer .library=${library} .playing=${playing} .notices=${this.notices}></pg-drawer>
-          <pg-import .imports=${imports} .clips=${clips} .notices=${this.notices} .seed=${this.primitives.seed()}></pg-import></section>
         <section class="panel walk-panel" aria-label="The figure"><pg-walk .library=${library}></pg-walk></section>
-        <section class="panel combination-panel" aria-label="Couplings and morph"><pg-walk-couplings .library=${library} .fitting=${fitting} .clips=${clips}></pg-walk-couplings>
-          <pg-morph .library=${library}></pg-morph></section>
-        <section class="panel gallery-panel" aria-label="All combinations"><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
-        <section class="panel chimera-panel" aria-label="Chimera"><pg-chimera .library=${library} .locking=${locking}></pg-chimera></section>
+        <div class="beside-figure">
+          <section class="panel" aria-label="Primitives"><pg-drawer .library=${library} .playing=${playing} .notices=${this.notices}></pg-drawer></section>
+          <section class="panel" aria-label="All combinations"><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
+          <section class="panel" aria-label="Chimera"><pg-chimera .library=${library} .locking=${locking}></pg-chimera></section>
+          <section class="panel" aria-label="Couplings and morph"><pg-walk-couplings .library=${library} .fitting=${fitting} .clips=${clips}></pg-walk-couplings>
+            <pg-morph .library=${library}></pg-morph></section>
+          <section class="panel" aria-label="Primitives of other files"><pg-import .imports=${imports} .clips=${clips} .notices=${this.notices} .seed=${this.primitives.seed()}></pg-import></section>
+        </div>
         <section class="panel learning-panel" aria-label="Learn a library"><pg-learning .learning=${learning}></pg-learning></section>
         <section class="panel lesson-panel" aria-label="The experiment"><pg-lesson .learning=${learning} .fold=${fold}></pg-lesson></section>
       </div>`;

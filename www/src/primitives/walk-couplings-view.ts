@@ -2,10 +2,10 @@
 import { html, nothing } from "lit";
 import type { ClipsStore } from "../clips/clips-store";
 import { couplingsTable } from "../couplings/couplings-table";
-import { sentence } from "../ui/format";
 import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import "../terms/term";
+import { fitText } from "./fit-text";
 import type { FittingStore } from "./fitting-store";
 import type { LibraryStore } from "./library-store";
 import { restingPartsText } from "./resting-parts";
@@ -37,11 +37,7 @@ export class WalkCouplingsView extends View {
     const { fitting, clips } = this;
     const { busy, status } = fitting;
     const key = clips.all.some((clip) => clip.key === this.clip) ? this.clip : (clips.all[0]?.key ?? "");
-    const text = busy
-      ? `Iteration ${fitting.iteration}`
-      : fitting.ending.words
-        ? `${sentence(fitting.ending.words)}${fitting.ending.failed ? "" : ` ${fitting.elapsed.toFixed(1)} s.`}`
-        : "Learns the couplings alone; the primitives stay.";
+    const { text, failed } = fitText(fitting);
     return html`
       <div class="fit-row">
         <label>Clip <select data-testid="fit-clip" ?disabled=${busy} @change=${(event: Event) => {
@@ -51,7 +47,7 @@ export class WalkCouplingsView extends View {
           @click=${() => (busy ? fitting.cancel() : void fitting.fit(key))}>${busy ? "Cancel" : "Fit to this clip"}</button>
       </div>
       ${progressBar("Fitting", busy ? fitting.fraction : null)}
-      <p class=${fitting.ending.failed ? "bad" : "hint"} role="status" data-testid="fit-words">${text}</p>`;
+      <p class=${failed ? "bad" : "hint"} role="status" data-testid="fit-words">${text}</p>`;
   }
 
   protected override render() {

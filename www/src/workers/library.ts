@@ -189,9 +189,9 @@ export const libraryWorker: LibraryWorker = {
       // The outcome of a cancelled training is no measurement.
       return follow({ step, find: () => (done ? training.outcome() : null) }, report, signal);
     }),
-  lockingRow({ library, uses, source, target, tempo, strengths }) {
+  lockingRow({ library, uses, source, target, alpha, tempo, strengths }) {
     const row = using(Library.fromJson(library), (parsed) =>
-      parsed.lockingMap(uses, source, target, Float64Array.of(tempo), Float64Array.from(strengths)),
+      parsed.lockingMap(uses, source, target, Float64Array.of(tempo), Float64Array.from(strengths), alpha),
     );
     return transfer(row, row);
   },

@@ -1,0 +1,73 @@
+// Combinations of primitives: their couplings, the stage, and the figure next to the controls.
+import assert from "node:assert/strict";
+import { after, before, describe, it } from "node:test";
+import { openSite, ready } from "./site.mjs";
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+describe("a combination of primitives", () => {
+  it("says that a fit found nothing when a waving arm is fitted to a walk, and undoes it", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "view=primitives" });
+    await ready(page);
+    await page.getByTestId("combination").first().waitFor({ timeout: 30_000 });
+    const alpha = page.getByTestId("walk-alpha-0-1");
+    const before = await alpha.innerText();
+    await page.getByTestId("fit").click();
+    const words = page.getByTestId("fit-words").filter({ hasText: "No coupling found for upper" });
+    await words.waitFor({ timeout: 60_000 });
+    assert.match(await words.innerText(), /ended at the limit, α = 10\./);
+    assert.equal(await alpha.innerText(), "10.0");
+    await page.locator("pg-walk-couplings").getByRole("button", { name: "Reset", exact: true }).click();
+    assert.equal(await alpha.innerText(), before);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("asks for saving only before a combination is lost that no file has", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "view=primitives" });
+    await ready(page);
+    await page.getByTestId("combination").first().waitFor({ timeout: 30_000 });
+    const stage = () => page.getByTestId("put-on-stage").click();
+    const back = async () => {
+      await page.getByTestId("stage").waitFor();
+      await page.getByTestId("view-primitives").click();
+      await page.getByTestId("combination-title").waitFor();
+    };
+    // The library of the page is safe, and so are its combinations.
+    for (const nth of [0, 1, 2]) {
+      await page.getByTestId("combination").nth(nth).click();
+      await stage();
+      await back();
+    }
+    await page.getByTestId("walk-coupling-0-1").press("ArrowLeft");
+    await stage();
+    await back();
+    // Couplings set by hand are in no file.
+    await stage();
+    await page.getByTestId("unsaved-keep").click();
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("keeps the figure in view next to the map, the tempos and the combinations", async () => {
+    const { page, leave } = await site.visit({
+      settings: "view=primitives",
+      viewport: { width: 1280, height: 720 },
+    });
+    await page.getByTestId("combination").first().waitFor({ timeout: 30_000 });
+    for (const id of ["locking-make", "tempo-1", "fit", "morph-1"]) {
+      await page.getByTestId(id).scrollIntoViewIfNeeded();
+      const visible = await page.getByTestId("walk").evaluate((figure) => {
+        const { top, bottom, height } = figure.getBoundingClientRect();
+        return (Math.min(bottom, innerHeight) - Math.max(top, 0)) / height;
+      });
+      assert.ok(visible > 0.9, `${visible} of the figure is in view next to ${id}`);
+    }
+    await leave();
+  });
+});
