@@ -1,7 +1,7 @@
 // Accessibility: keyboard alone, screen readers, dark colours, phones.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { barriers, keepsNobodyOut, LONG, openSite, ready, recolour } from "./site.mjs";
+import { barriers, keepsNobodyOut, LONG, openSite, openTab, ready, recolour } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -17,7 +17,11 @@ describe("accessibility", () => {
     (options) => site.visit(options),
     async (page) => {
       await ready(page);
-      assert.deepEqual(await barriers(page), []);
+      for (const tab of /** @type {const} */ (["listen", "loops", "learn", "numbers"])) {
+        await openTab(page, tab);
+        if (tab === "numbers") await page.getByTestId("expert-kernels").waitFor();
+        assert.deepEqual(await barriers(page), [], tab);
+      }
       await page.getByTestId("help").click();
       assert.deepEqual(await barriers(page), [], "with the help open");
     },
@@ -47,14 +51,17 @@ describe("accessibility", () => {
     await page.keyboard.press("Enter");
     await page.getByRole("button", { name: "Play", exact: true }).waitFor();
 
-    const alpha = page.getByTestId("alpha-0-1");
-    const before = await alpha.textContent();
-    await tabTo("coupling-0-1");
-    for (let i = 0; i < 20; i++) await page.keyboard.press("ArrowLeft");
-    assert.notEqual(await alpha.textContent(), before);
+    const arrow = page.getByTestId("knob-0-1");
+    const before = await arrow.getAttribute("aria-valuetext");
+    await tabTo("knob-0-1");
+    for (let i = 0; i < 3; i++) await page.keyboard.press("ArrowDown");
+    assert.notEqual(await arrow.getAttribute("aria-valuetext"), before);
     await page.keyboard.press("Delete");
-    assert.equal(await alpha.textContent(), before);
+    assert.equal(await arrow.getAttribute("aria-valuetext"), before);
 
+    // The arrow keys go from tab to tab.
+    await page.locator("#tab-listen").focus();
+    for (let i = 0; i < 2; i++) await page.keyboard.press("ArrowRight");
     await tabTo("train");
     await page.keyboard.press("Enter");
     await page.getByTestId("cancel").waitFor();

@@ -1,4 +1,4 @@
-// The details: the kernels of a model and the channels of the motion on the stage, compared with the npm
+// The tab Numbers: the kernels of a model and the channels of the motion on the stage, compared with the npm
 // package.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -7,7 +7,7 @@ import { createRequire } from "node:module";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { dist } from "../../scripts/site.mjs";
-import { barriers, openSite, ready } from "./site.mjs";
+import { barriers, openSite, openTab, ready } from "./site.mjs";
 import { coupledInfo } from "../node/package.mjs";
 
 /** @type {typeof import("vcgpdm")} */
@@ -20,11 +20,11 @@ before(async () => {
 });
 after(() => site?.close());
 
-describe("the details", () => {
-  it("show the kernels, with explained terms", async () => {
+describe("the tab Numbers", () => {
+  it("shows the kernels, with explained terms", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
-    await page.getByTestId("show-kernels").click();
+    await openTab(page, "numbers");
     const document = JSON.parse(readFileSync(`${dist}/first/model.json`, "utf8"));
     await page.getByTestId("pose-kernels").waitFor();
     const cells = await page.getByTestId("pose-kernels").locator("tbody td").allInnerTexts();
@@ -33,26 +33,24 @@ describe("the details", () => {
     assert.ok(Math.abs(Number(cells[2]) / Math.sqrt(document.parts[0].lambda[0]) - 1) < 0.05, "lengthscale");
     assert.equal(await page.getByTestId("expert-kernels").locator("tbody tr").count(), 4);
     assert.deepEqual(await barriers(page), []);
-    await page.locator("dialog.details .term[data-term=lengthscale]").first().click();
+    await page.locator("pg-numbers .term[data-term=lengthscale]").first().click();
     await page.getByRole("dialog", { name: "lengthscale" }).waitFor();
     await page.keyboard.press("Escape");
-    await page.keyboard.press("Escape");
-    await page.locator("dialog.details").waitFor({ state: "detached" });
     assert.deepEqual(problems, []);
     await leave();
   });
 
-  it("plot a channel over time, against its speed or another channel, and save the plot", async () => {
+  it("plots a channel over time, against its speed or another channel, and saves the plot", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "alpha=0.1:8",
       moving: true,
       viewport: { width: 390, height: 844 },
     });
     await ready(page);
-    await page.getByTestId("show-angles").click();
+    await openTab(page, "numbers");
     // With changed couplings there are two curves: the present motion, and as learned.
-    await page.locator("dialog.details .course").nth(1).waitFor();
-    assert.equal(await page.locator("dialog.details .course").count(), 2);
+    await page.locator("pg-numbers .course").nth(1).waitFor();
+    assert.equal(await page.locator("pg-numbers .course").count(), 2);
     assert.deepEqual(await barriers(page), []);
     const save = async () => {
       const [file] = await Promise.all([
@@ -105,9 +103,9 @@ describe("the details", () => {
     assert.ok(Math.abs((against.rows[50]?.[3] ?? 0) - (written[50]?.[knee] ?? 0)) < 1e-6);
 
     // The dot follows the motion.
-    const height = await page.locator("dialog.details .now").getAttribute("cy");
+    const height = await page.locator("pg-numbers .now").getAttribute("cy");
     await page.waitForFunction(
-      (before) => document.querySelector("dialog.details .now")?.getAttribute("cy") !== before,
+      (before) => document.querySelector("pg-numbers .now")?.getAttribute("cy") !== before,
       height,
     );
     const width = await page.evaluate(() => document.documentElement.scrollWidth);

@@ -8,7 +8,16 @@ import { AnimationMixer, PropertyBinding, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { dist } from "../../scripts/site.mjs";
 import { bvh } from "./clips.mjs";
-import { drop, oneVisitor, openSite, ready, readyVisitor, saved } from "./site.mjs";
+import {
+  drop,
+  oneVisitor,
+  openCouplingsTable,
+  openSite,
+  openTab,
+  ready,
+  readyVisitor,
+  saved,
+} from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -64,6 +73,7 @@ describe("the first model", () => {
     const model = await saved(page, "save-motion");
     assert.equal(frames(model.text), 300);
     await same(300);
+    await openTab(page, "learn");
     await page.locator(".made summary").click();
     await page
       .getByRole("button", { name: /^Show / })
@@ -85,6 +95,7 @@ describe("the first model", () => {
     const { page } = visitor;
     const learned = await saved(page, "save-motion");
     const document = await saved(page, "save-model");
+    await openCouplingsTable(page);
     await page.getByTestId("coupling-0-1").fill("-2.5");
     const changed = await saved(page, "save-motion");
     assert.notEqual(changed.name, learned.name);
@@ -110,6 +121,7 @@ describe("the first model", () => {
 
   it("has sliders that strengthen to the right and up, with the weakest at Home and the strongest at End", async () => {
     const { page } = visitor;
+    await openCouplingsTable(page);
     const slider = page.getByTestId("coupling-1-1");
     const alpha = async () => Number(await page.getByTestId("alpha-1-1").innerText());
     await slider.focus();
@@ -131,6 +143,7 @@ describe("the first model", () => {
 
   it("is trained with numbers within their limits, which the field names", async () => {
     const { page } = visitor;
+    await openTab(page, "learn");
     await page.locator("pg-training .advanced summary").click();
     const field = page.getByTestId("setting-maxIterations");
     await field.fill("20000");
@@ -193,7 +206,8 @@ describe("a link", () => {
     const { page, leave } = await site.visit({ settings: "model=00000000&alpha=0.1:50" });
     await ready(page);
     assert.match(await page.getByTestId("foreign-link").innerText(), /another model \(00000000\)/);
-    assert.notEqual(Number(await page.getByTestId("alpha-0-1").innerText()), 50);
+    assert.notEqual(Number(await page.getByTestId("alpha-0-1").textContent()), 50);
+    await openTab(page, "learn");
     // The address keeps these couplings: a reload once lost them.
     await page.getByTestId("setting-latent").fill("2");
     await page.getByTestId("setting-latent").press("Enter");
@@ -209,19 +223,20 @@ describe("a link", () => {
   it("names the model of its couplings, and brings them back after a reload", async () => {
     const { page, leave } = await site.visit();
     await ready(page);
+    await openCouplingsTable(page);
     await page.getByTestId("coupling-0-1").fill("-1.5");
     await page.waitForURL(/model=[0-9a-f]{8}.*alpha=0\.1:/);
     await page.reload();
     await ready(page);
     assert.equal(await page.getByTestId("foreign-link").count(), 0);
-    assert.ok(Math.abs(Number(await page.getByTestId("alpha-0-1").innerText()) - 10 ** 1.5) < 0.1);
+    assert.ok(Math.abs(Number(await page.getByTestId("alpha-0-1").textContent()) - 10 ** 1.5) < 0.1);
     await leave();
   });
 });
 
 describe("without a network", () => {
   it("Train says why it cannot, and Compare works when the network is back", async () => {
-    const { page, leave } = await site.visit();
+    const { page, leave } = await site.visit({ settings: "tab=learn" });
     await ready(page);
     await page.context().setOffline(true);
     await page.getByTestId("train").click();

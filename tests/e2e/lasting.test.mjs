@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { bvh } from "./clips.mjs";
-import { drop, openSite, ready, saved } from "./site.mjs";
+import { drop, openCouplingsTable, openSite, openTab, ready, saved } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -16,6 +16,7 @@ describe("the worker that shows the model", () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
     const model = await saved(page, "save-model");
+    await openCouplingsTable(page);
     await page.getByTestId("coupling-0-1").fill("1.5");
     await page.waitForTimeout(500);
     const motion = await saved(page, "save-motion");
@@ -31,6 +32,7 @@ describe("the worker that shows the model", () => {
     await page.waitForTimeout(500);
     assert.notEqual((await saved(page, "save-motion")).text, motion.text);
     // The worker has the clips too.
+    await openTab(page, "learn");
     await page.locator(".made summary").click();
     await page
       .getByRole("button", { name: /^Show / })
@@ -100,7 +102,7 @@ describe("a worker that takes over", () => {
 describe("a worker that trains", () => {
   it("fails its training when it dies silently, and the other trainings finish", async () => {
     const { page, problems, leave } = await site.visit({
-      settings: "trainings=2&iterations=400&fps=60",
+      settings: "tab=learn&trainings=2&iterations=400&fps=60",
       cores: 2,
     });
     await ready(page);

@@ -1,9 +1,12 @@
 // Layout: no element is cut off, covers another or scrolls into empty space, in windows of all sizes.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { barriers, oneVisitor, openSite, ready } from "./site.mjs";
+import { Clip, Trainer, TrainingSet } from "../../crate/wasm/pkg/node/vcgpdm.js";
+import { barriers, oneVisitor, openCouplingsTable, openSite, openTab, ready, readyVisitor } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
+
+const TABS = /** @type {const} */ (["listen", "loops", "learn", "numbers"]);
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -18,10 +21,10 @@ const size = (/** @type {Page} */ page) =>
     return { scrollWidth, scrollHeight, clientWidth, clientHeight };
   });
 
-/** Pairs of texts in the table of couplings that cover each other. */
-const overprints = (/** @type {Page} */ page) =>
-  page.evaluate(() => {
-    const seen = [...document.querySelectorAll(".couplings th, .couplings .numbers > span")]
+/** Pairs of elements whose texts cover each other. */
+const overprints = (/** @type {Page} */ page, /** @type {string} */ selector) =>
+  page.evaluate((selector) => {
+    const seen = [...document.querySelectorAll(selector)]
       .map((element) => {
         const range = document.createRange();
         range.selectNodeContents(element);
@@ -38,62 +41,147 @@ const overprints = (/** @type {Page} */ page) =>
         )
         .map((b) => `${a.text} / ${b.text}`),
     );
+  }, selector);
+
+/** A model of so many parts, whose motion does not matter. */
+function modelOf(/** @type {number} */ count) {
+  const names = ["hips", "left leg", "right leg", "trunk", "arms"];
+  const joints = Clip.sample("walk-1").info().joints.length;
+  const first = [0, 1, 5, 9, 15].slice(0, count);
+  const parts = first.map((from, i) => ({
+    name: names[i] ?? "",
+    joints: Array.from({ length: (first[i + 1] ?? joints) - from }, (_, k) => from + k),
+  }));
+  const clips = new TrainingSet();
+  clips.add(Clip.sample("walk-1").cut(0, 90));
+  const sizes = { latent: 2, dynamicsIps: 4, poseIps: 4, order: 2 };
+  const trainer = new Trainer(clips, { ...sizes, framesPerSecond: 15, seed: 1, maxIterations: 2, parts });
+  while (!trainer.step().done);
+  return trainer.model().toJson();
+}
+
+const open = async (/** @type {Page} */ page, /** @type {string} */ text) => {
+  const title = await page.getByTestId("stage-title").elementHandle();
+  assert.ok(title);
+  await page
+    .getByTestId("open-model")
+    .setInputFiles({ name: "parts.model.json", mimeType: "application/json", buffer: Buffer.from(text) });
+};
+
+const box = async (/** @type {import("playwright-core").Locator} */ element) =>
+  (await element.boundingBox()) ?? assert.fail("not visible");
+
+/** Elements that are not wholly within the window and the panels around them. */
+const cut = (/** @type {Page} */ page, /** @type {string} */ selector) =>
+  page.locator(selector).evaluateAll((elements) =>
+    elements.flatMap((element) => {
+      const { left, top, right, bottom } = element.getBoundingClientRect();
+      const panel = element.closest(".panel")?.getBoundingClientRect();
+      const [low, wide] = [
+        Math.min(innerHeight, panel?.bottom ?? 0),
+        Math.min(innerWidth, panel?.right ?? 0),
+      ];
+      const isWhole = right > left && top >= (panel?.top ?? 0) - 1 && bottom <= low + 1 && right <= wide + 1;
+      return isWhole ? [] : [`${element.className}: ${top}-${bottom} of ${panel?.top}-${low}`];
+    }),
+  );
+
+describe("the Lab", () => {
+  const visitor = oneVisitor(() => readyVisitor(site.visit({ viewport: { width: 1280, height: 720 } })));
+
+  it("has a stage of one size, whatever tab is open and however many parts the model has", async () => {
+    const { page } = visitor;
+    const before = await box(page.locator(".stage-area"));
+    const picture = await box(page.getByTestId("stage"));
+    assert.ok(before.width > 0.55 * 1280 && before.width < 0.65 * 1280, `${before.width} wide`);
+    assert.ok(picture.height >= 0.6 * 720, `${picture.height} high`);
+    for (const count of [1, 2, 3, 4, 5]) {
+      await open(page, modelOf(count));
+      await page.waitForFunction(
+        (count) => document.querySelectorAll("pg-stage .stage-legend li").length === count,
+        count,
+      );
+      for (const tab of TABS) {
+        await openTab(page, tab);
+        assert.deepEqual(await box(page.locator(".stage-area")), before, `${count} parts, ${tab}`);
+        const { scrollWidth, scrollHeight } = await size(page);
+        assert.ok(scrollWidth <= 1280 && scrollHeight <= 720, `${count} parts, ${tab}: the page scrolls`);
+      }
+      await openTab(page, "loops");
+      assert.equal(await page.locator("pg-latent-plot").count(), count);
+      assert.deepEqual(await cut(page, "pg-latents .plot"), [], `${count} parts`);
+      for (const plot of await page.locator("pg-latents .plot").all()) {
+        const { width, height } = await box(plot);
+        assert.ok(width >= 200 && height >= 138, `${count} parts: a plot of ${width}x${height}`);
+      }
+      await openTab(page, "listen");
+      assert.deepEqual(await cut(page, "pg-body-map .knob, pg-presets .presets"), [], `${count} parts`);
+    }
   });
 
-describe("embedded", () => {
-  const visitor = oneVisitor(() => site.visit({ query: "?embed" }));
-  for (const [width, height] of /** @type {[number, number][]} */ ([
-    [900, 600],
-    [390, 500],
-  ])) {
-    it(`shows its clock at ${width}x${height}, and no text covers another`, async () => {
-      const { page } = visitor;
-      await page.setViewportSize({ width, height });
-      await page.waitForSelector("html[data-engine=ready]");
-      const play = await page.getByTestId("play").boundingBox();
-      assert.ok(play && play.y + play.height <= height, `play at ${play?.y}`);
-      assert.deepEqual(await overprints(page), []);
-      const { scrollWidth } = await size(page);
-      assert.ok(scrollWidth <= width, `${scrollWidth} pixels wide`);
-      const title = await page.getByTestId("stage-title").boundingBox();
-      const stage = await page.getByTestId("stage").boundingBox();
-      // The head of the figure is a quarter of the picture below its top.
-      assert.ok(
-        title && stage && title.y + title.height < stage.y + 0.25 * stage.height,
-        "the title is above the head of the figure",
-      );
-    });
-  }
+  it("says for a model of one part that nothing is coupled, and offers no reading", async () => {
+    const { page } = visitor;
+    await open(page, modelOf(1));
+    await page.getByTestId("one-part").waitFor();
+    assert.equal(await page.locator("pg-readings").count(), 0);
+  });
 });
 
-describe("a window of 1440x900", () => {
-  const visitor = oneVisitor(() => site.visit({ viewport: { width: 1440, height: 900 } }));
+describe("the first screen of the Lab", () => {
+  const visitor = oneVisitor(() => readyVisitor(site.visit({ viewport: { width: 1280, height: 720 } })));
 
-  it("shows all couplings of the first model, with the measures", async () => {
+  it("shows all couplings, with the measures, and no more than 175 words", async () => {
     const { page } = visitor;
-    await ready(page);
     for (const preset of ["as-learned", "untrained-advice"]) {
       await page.getByTestId(`preset-${preset}`).click();
       await page.locator("[data-testid=measured][data-current=yes]").waitFor();
-      const [needed = Infinity, space = 0] = await page
-        .locator("#panel-couplings")
-        .evaluate((panel) => [panel.scrollHeight, panel.clientHeight]);
-      assert.ok(needed <= space, `${preset}: ${needed} of ${space} pixels`);
+      assert.deepEqual(await cut(page, ".body-map, .knob, .preset, .measured"), [], preset);
     }
+    await page.getByTestId("preset-as-learned").click();
+    await page.locator("[data-testid=measured][data-current=yes]").waitFor();
+    const words = await page.evaluate(() => {
+      const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+      const texts = [];
+      while (walker.nextNode()) {
+        const { parentElement: parent, textContent } = walker.currentNode;
+        const range = document.createRange();
+        range.selectNode(walker.currentNode);
+        const { width, bottom } = range.getBoundingClientRect();
+        if (parent?.checkVisibility({ visibilityProperty: true }) && width > 2 && bottom <= innerHeight)
+          texts.push(textContent ?? "");
+      }
+      return texts
+        .join(" ")
+        .split(/\s+/)
+        .filter((word) => /\p{L}/u.test(word));
+    });
+    assert.ok(words.length <= 175, `${words.length} words: ${words.join(" ")}`);
+  });
+
+  it("uses four sizes of type", async () => {
+    const { page } = visitor;
+    const sizes = await page.evaluate(() => [
+      ...new Set(
+        [...document.querySelectorAll("pg-page *:not(option, svg *)")]
+          .filter((element) => element.checkVisibility() && element.textContent?.trim())
+          .map((element) => Math.round(10 * Number.parseFloat(getComputedStyle(element).fontSize)) / 10),
+      ),
+    ]);
+    assert.deepEqual(
+      sizes.filter((size) => ![34, 20, 15, 13].includes(size)),
+      [],
+    );
   });
 
   it("shows next to the figure that it stands still, and the stage does not move", async () => {
     const { page } = visitor;
-    const before = await page.getByTestId("stage").boundingBox();
+    const before = await box(page.getByTestId("stage"));
     await page.getByTestId("preset-legs-lost").click();
-    const card = await page.getByTestId("health").boundingBox();
-    const stage = await page.getByTestId("stage").boundingBox();
+    const card = await box(page.getByTestId("health"));
+    const stage = await box(page.getByTestId("stage"));
     assert.deepEqual(stage, before);
     // The figure is in the middle and has at most a fifth of the width.
-    assert.ok(
-      card && stage && card.x + card.width <= stage.x + 0.4 * stage.width,
-      `${card?.width} of ${stage?.width}`,
-    );
+    assert.ok(card.x + card.width <= stage.x + 0.4 * stage.width, `${card.width} of ${stage.width}`);
     await page.getByTestId("preset-as-learned").click();
     await page.getByTestId("health").waitFor({ state: "detached" });
   });
@@ -106,54 +194,106 @@ describe("a window of 1440x900", () => {
     await page.locator("[data-testid=save]:enabled").waitFor();
   });
 
-  it("keeps the labels of the table in large type, after a reload too", async () => {
+  it("lets the keyboard skip to the couplings", async () => {
     const { page } = visitor;
-    const before = await page.getByTestId("stage").boundingBox();
+    await page.reload();
+    await ready(page);
+    await page.keyboard.press("Tab");
+    assert.equal(await page.evaluate(() => document.activeElement?.textContent), "Skip to the couplings");
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => document.activeElement?.matches(".knob"));
+  });
+});
+
+describe("the projector mode", () => {
+  it("hides all but the stage, one panel and the caption, in a link too, and Escape brings the rest back", async () => {
+    const { page, problems, leave } = await readyVisitor(
+      site.visit({ viewport: { width: 1280, height: 720 } }),
+    );
+    const [before, label] = [await box(page.getByTestId("stage")), await page.locator("h1").boundingBox()];
+    assert.ok(label);
     await page.keyboard.press("p");
     await page.waitForURL(/large=1/);
     await page.reload();
     await ready(page);
-    assert.ok(await page.locator("html").evaluate((root) => root.hasAttribute("data-large")));
-    assert.ok(await page.locator(".couplings thead small").first().isVisible());
-    assert.deepEqual(await overprints(page), []);
-    // The figure keeps its height, and all couplings are visible.
-    const stage = await page.getByTestId("stage").boundingBox();
-    assert.ok(
-      before && stage && stage.height > 0.85 * before.height,
-      `${stage?.height}, ${before?.height} before`,
-    );
-    const [needed = Infinity, space = 0] = await page
-      .locator("#panel-couplings")
-      .evaluate((panel) => [panel.scrollHeight, panel.clientHeight]);
-    assert.ok(needed <= space, `${needed} of ${space} pixels`);
+    for (const hidden of ["pg-header", "footer", ".tabs", "#panel-learn"])
+      assert.ok(await page.locator(hidden).isHidden(), hidden);
+    const title = await box(page.getByTestId("stage-title"));
+    assert.ok(title.height < 1.7 * 18, `a title of one line, not ${title.height} pixels`);
+    assert.deepEqual(await cut(page, ".body-map, .knob"), []);
+    assert.ok((await box(page.getByTestId("stage"))).height > before.height);
+    const { scrollWidth, scrollHeight } = await size(page);
+    assert.ok(scrollWidth <= 1280 && scrollHeight <= 720, `${scrollWidth}x${scrollHeight}`);
+    assert.deepEqual(await barriers(page), []);
+    await page.keyboard.press("Escape");
+    await page.locator("pg-header").waitFor();
+    await openTab(page, "loops");
+    await page.keyboard.press("p");
+    await page.locator("pg-header").waitFor({ state: "hidden" });
+    assert.deepEqual(await cut(page, "pg-latents .plot"), []);
+    await page.getByTestId("leave-large").click();
+    await page.locator("pg-header").waitFor();
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
+
+describe("embedded", () => {
+  const visitor = oneVisitor(() => site.visit({ query: "?embed" }));
+  for (const [width, height] of /** @type {[number, number][]} */ ([
+    [900, 600],
+    [390, 500],
+  ])) {
+    it(`shows its clock at ${width}x${height}, and no text covers another`, async () => {
+      const { page } = visitor;
+      await page.setViewportSize({ width, height });
+      await page.waitForSelector("html[data-engine=ready]");
+      const play = await box(page.getByTestId("play"));
+      assert.ok(play.y + play.height <= height, `play at ${play.y}`);
+      assert.deepEqual(await overprints(page, ".timeline > *"), []);
+      const { scrollWidth } = await size(page);
+      assert.ok(scrollWidth <= width, `${scrollWidth} pixels wide`);
+      const title = await box(page.getByTestId("stage-title"));
+      const stage = await box(page.getByTestId("stage"));
+      // The head of the figure is a quarter of the picture below its top.
+      assert.ok(title.y + title.height < stage.y + 0.25 * stage.height, "the title is above the head");
+    });
+  }
+
+  it("shows any view, without header and footer", async () => {
+    const { page, problems, leave } = await site.visit({ query: "?embed", settings: "view=primitives" });
+    await page.locator("pg-gallery").waitFor();
+    assert.equal(await page.locator("pg-header, footer").count(), 0);
+    assert.ok(await page.getByTestId("stage").isHidden());
+    await page.evaluate(() => Object.assign(location, { hash: "view=method" }));
+    await page.locator("pg-method math").first().waitFor();
+    assert.deepEqual(problems, []);
+    await leave();
   });
 });
 
 describe("five parts by hand, trained several times", () => {
   it("fit their panels, and the document fits the window", async () => {
     const split = "hips:0;left leg:1-4;right leg:5-8;trunk:9-14;arms:15-99";
-    const settings = `parts=hand&split=${split}&iterations=10&fps=10&latent=1&dynamics=2&poses=2&trainings=3`;
+    const settings = `tab=learn&parts=hand&split=${split}&iterations=10&fps=10&latent=1&dynamics=2&poses=2&trainings=3`;
     const { page, problems, leave } = await site.visit({ viewport: { width: 1440, height: 900 }, settings });
     await ready(page);
     await page.getByTestId("train").click();
     await page.getByTestId("train").waitFor({ timeout: 120_000 });
     const { scrollHeight, scrollWidth } = await size(page);
     assert.ok(scrollHeight <= 900 && scrollWidth <= 1440, `${scrollWidth}x${scrollHeight}`);
+    for (const name of ["clear-runs", "bound"]) {
+      const { x, width } = await box(page.getByTestId(name));
+      assert.ok(x + width <= 1440, name);
+    }
+    await openCouplingsTable(page);
     const [wide = Infinity, space = 0] = await page
-      .locator("#panel-couplings .table-box")
+      .locator("#panel-listen .table-box")
       .evaluate((box) => [box.scrollWidth, box.clientWidth]);
     assert.ok(wide <= space, `the table needs ${wide} of ${space} pixels`);
     assert.equal(await page.locator(".couplings thead th").count(), 5);
-    assert.ok(await page.locator(".couplings thead small").first().isVisible(), "predicts");
-    const cut = await page.evaluate(() => {
-      const side = document.querySelector(".side");
-      const right = (side?.getBoundingClientRect().left ?? 0) + (side?.clientWidth ?? 0);
-      return ["[data-testid=clear-runs]", "[data-testid=bound]"].filter(
-        (name) => (document.querySelector(name)?.getBoundingClientRect().right ?? Infinity) > right,
-      );
-    });
-    assert.deepEqual(cut, []);
-    assert.deepEqual(await overprints(page), []);
+    assert.ok(await page.locator(".couplings thead small").first().isVisible(), "about");
+    assert.deepEqual(await overprints(page, ".couplings th, .couplings .numbers > span"), []);
     // On a phone only the table scrolls, in its box.
     await page.setViewportSize({ width: 390, height: 844 });
     assert.ok((await size(page)).scrollWidth <= 390, "the table widens the page");

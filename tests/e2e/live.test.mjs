@@ -91,8 +91,7 @@ describe("a live rollout", () => {
     await page.keyboard.up("c");
     await until(page, ({ cuts, apart }) => cuts === 0 && Math.abs(apart) < 0.05);
 
-    await page.getByTestId("coupling-0-1").focus();
-    for (let k = 0; k < 5; k++) await page.keyboard.press("PageDown");
+    await page.getByTestId("knob-0-1").focus();
     await page.keyboard.press("Home");
     await until(page, ({ apart }) => Math.abs(apart) > 0.3);
     await page.keyboard.press("0");
@@ -152,7 +151,7 @@ describe("a live rollout", () => {
   });
 
   it("can be pushed at the dots of the latent plots by mouse, finger and keys", async () => {
-    const { page, problems, leave } = await site.visit({ hasTouch: true });
+    const { page, problems, leave } = await site.visit({ hasTouch: true, settings: "tab=loops" });
     await ready(page);
     await page.getByTestId("live-on").click();
     await page.getByTestId("live").waitFor();

@@ -33,7 +33,7 @@ describe("after the first visit", () => {
     const { page, problems, leave } = await site.visit({
       serviceWorkers: "allow",
       idle: true,
-      settings: `trainings=1&${LONG}`,
+      settings: `tab=learn&trainings=1&${LONG}`,
     });
     await ready(page);
     await servedOffline(page);
@@ -67,7 +67,7 @@ describe("after the first visit", () => {
     const { page, problems, leave } = await site.visit({
       serviceWorkers: "allow",
       idle: true,
-      settings: LONG,
+      settings: `tab=learn&${LONG}`,
     });
     await ready(page);
     await servedOffline(page);

@@ -24,7 +24,7 @@ const colours = (/** @type {Page} */ page, rows = "") =>
 
 describe("parts by hand", () => {
   it("have different names: a repeated name is refused, with a message until the next change", async () => {
-    const { page, problems, leave } = await site.visit();
+    const { page, problems, leave } = await site.visit({ settings: "tab=learn" });
     await ready(page);
     await page.getByTestId("setting-parts").selectOption("hand");
     await names(page).nth(1).waitFor();
@@ -48,7 +48,7 @@ describe("parts by hand", () => {
   });
 
   it("have one colour each; a part without joints has no colour and is left out", async () => {
-    const { page, problems, leave } = await site.visit();
+    const { page, problems, leave } = await site.visit({ settings: "tab=learn" });
     await ready(page);
     await page.getByTestId("setting-parts").selectOption("hand");
     await page.getByTestId("add-part").click();
@@ -72,7 +72,9 @@ describe("parts by hand", () => {
   });
 
   it("get the names of the page when a link gives two parts the same name", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "parts=hand&split=a:0-4;a:5-99" });
+    const { page, problems, leave } = await site.visit({
+      settings: "tab=learn&parts=hand&split=a:0-4;a:5-99",
+    });
     await ready(page);
     await names(page).first().waitFor();
     const row = page.locator(".part-row li");

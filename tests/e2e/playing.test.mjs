@@ -1,7 +1,7 @@
 // The clock, and couplings with their motion.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { draws, oneVisitor, openSite, ready, readyVisitor, saved } from "./site.mjs";
+import { draws, oneVisitor, openCouplingsTable, openSite, ready, readyVisitor, saved } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -76,7 +76,7 @@ describe("the stage", () => {
       Object.assign(window, { taken });
     });
     await page.getByRole("alert").filter({ hasText: "taken the 3-D graphics away" }).waitFor();
-    await page.getByTestId("coupling-0-1").press("ArrowLeft");
+    await page.getByTestId("knob-0-1").press("ArrowLeft");
     await page.evaluate(() => /** @type {any} */ (window).taken.restoreContext());
     await page.getByRole("alert").filter({ hasText: "3-D graphics" }).waitFor({ state: "detached" });
     await draws(page.getByTestId("stage"));
@@ -89,6 +89,7 @@ describe("a coupling", () => {
 
   it("changes its weight and the motion when its slider is dragged, and the key 0 resets it", async () => {
     const { page } = visitor;
+    await openCouplingsTable(page);
     const slider = page.getByTestId("coupling-0-1");
     const weight = page.getByTestId("weight-0-1");
     const [asLearned, weightAsLearned] = [await saved(page, "save-motion"), await weight.textContent()];
@@ -123,6 +124,7 @@ describe("a coupling", () => {
 
   it("redraws the motion while it is dragged", async (test) => {
     const { page } = visitor;
+    await openCouplingsTable(page);
     const slider = page.getByTestId("coupling-0-1");
     await slider.focus();
     for (let i = 0; i < 30; i++) {

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
-import { barriers, LONG, openSite, ready, saved } from "./site.mjs";
+import { barriers, LONG, openCouplingsTable, openSite, openTab, ready, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -15,7 +15,7 @@ after(() => site?.close());
 
 /** A visit on a machine with this number of cores, as the page sees it. */
 async function visit(/** @type {number} */ cores, /** @type {string} */ settings, options = {}) {
-  const visit = await site.visit({ settings, cores, ...options });
+  const visit = await site.visit({ settings: `tab=learn&${settings}`, cores, ...options });
   await ready(visit.page);
   return visit;
 }
@@ -224,6 +224,7 @@ describe("several trainings", () => {
     await page.waitForFunction(
       () => Number(document.querySelector("[data-testid=run] td:nth-of-type(2)")?.textContent) > 2,
     );
+    await openCouplingsTable(page);
     const weight = page.getByTestId("weight-0-1");
     const before = await weight.textContent();
     await page.getByTestId("coupling-0-1").fill("2.5");
@@ -232,6 +233,7 @@ describe("several trainings", () => {
       before,
       { timeout: 5000 },
     );
+    await openTab(page, "learn");
     assert.equal(await page.getByTestId("cancel").count(), 1, "it still trains");
     await page.getByTestId("cancel").click();
     await trainIsBack(page);
@@ -277,7 +279,6 @@ describe("the table of trainings", () => {
     const { page, leave } = await visit(2, "trainings=2&iterations=10&fps=15", {
       viewport: { width: 390, height: 844 },
     });
-    await page.getByRole("tab", { name: "Training" }).click();
     await page.getByTestId("train").click();
     await trainIsBack(page);
     assert.deepEqual(await barriers(page), []);

@@ -1,7 +1,7 @@
 // Time series other than bodies: tables, and the curves, couplings and files of their model.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { barriers, drop, keepsNobodyOut, openSite, ready, saved } from "./site.mjs";
+import { barriers, drop, keepsNobodyOut, openSite, openTab, ready, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -128,9 +128,7 @@ describe("tables of columns", () => {
     (options) => site.visit({ settings: "latent=1&dynamics=4&poses=4&iterations=10", ...options }),
     async (page) => {
       await ready(page);
-      // On a phone the clips have their own tab.
-      const tab = page.getByRole("tab", { name: "Clips" });
-      if (await tab.isVisible()) await tab.click();
+      await openTab(page, "learn");
       await page.getByTestId("show-series").click();
       await page.getByTestId("series-example").click();
       await page.getByTestId("series-train").and(page.locator(":enabled")).click({ timeout: 60_000 });

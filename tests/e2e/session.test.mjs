@@ -27,7 +27,7 @@ const runs = (/** @type {Page} */ page) =>
 
 /** Enough to close the page during the training. */
 const ITERATIONS = 400;
-const SETTINGS = `trainings=1&iterations=${ITERATIONS}&fps=30&dynamics=16&poses=16`;
+const SETTINGS = `tab=learn&trainings=1&iterations=${ITERATIONS}&fps=30&dynamics=16&poses=16`;
 
 async function trained(/** @type {Page} */ page) {
   await page.getByTestId("train").waitFor({ timeout: 120_000 });

@@ -164,6 +164,20 @@ export async function ready(/** @type {Page} */ page) {
     .waitFor({ state: "attached", timeout: 30_000 });
 }
 
+/** Opens a tab of the Lab. */
+export async function openTab(
+  /** @type {Page} */ page,
+  /** @type {"listen" | "loops" | "learn" | "numbers"} */ tab,
+) {
+  await page.locator(`#tab-${tab}`).click();
+}
+
+/** Opens the table of couplings on the tab Listen. */
+export async function openCouplingsTable(/** @type {Page} */ page) {
+  await openTab(page, "listen");
+  await page.getByTestId("coupling-numbers").evaluate((details) => details.setAttribute("open", ""));
+}
+
 /** Whether the picture of an element changes within some milliseconds. */
 export async function changes(/** @type {import("playwright-core").Locator} */ element, milliseconds = 400) {
   const before = await element.screenshot();

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { after, before, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { openSite, ready, saved } from "./site.mjs";
+import { openCouplingsTable, openSite, ready, saved } from "./site.mjs";
 import { coupledInfo } from "../node/package.mjs";
 
 /** @type {typeof import("vcgpdm")} */
@@ -50,6 +50,7 @@ it("starts from any frame of any sequence, and a link contains the frame", async
     .locator("input[type=file][accept*=json]")
     .first()
     .setInputFiles({ name: "two.model.json", mimeType: "application/json", buffer: Buffer.from(text) });
+  await openCouplingsTable(page);
   const frame = page.getByTestId("start-frame");
   await frame.waitFor();
   await page.getByRole("combobox", { name: "Start as in" }).selectOption("1");

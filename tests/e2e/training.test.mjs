@@ -36,7 +36,7 @@ async function watchIterations(/** @type {Page} */ page) {
 describe("training", () => {
   it("shows progress and ends with another model", async () => {
     const { page, problems, leave } = await site.visit({
-      settings: "trainings=1&iterations=400&fps=20&dynamics=14",
+      settings: "tab=learn&trainings=1&iterations=400&fps=20&dynamics=14",
     });
     await ready(page);
     const before = await provenance(page);
@@ -63,7 +63,7 @@ describe("training", () => {
     const { page, problems, leave } = await site.visit({
       moving: true,
       seen: true,
-      settings: `trainings=1&${LONG}`,
+      settings: `tab=learn&trainings=1&${LONG}`,
     });
     await ready(page);
     const before = await provenance(page);
@@ -84,7 +84,7 @@ describe("training", () => {
 });
 
 describe("after training", () => {
-  const POOR = "trainings=1&seed=1&iterations=10&fps=15&latent=1&dynamics=2&poses=2";
+  const POOR = "tab=learn&trainings=1&seed=1&iterations=10&fps=15&latent=1&dynamics=2&poses=2";
 
   it("says that a model stands still, and trains again with more points", async () => {
     const { page, problems, leave } = await site.visit({ settings: POOR });
@@ -128,7 +128,9 @@ describe("after training", () => {
   });
 
   it("trains clips of other bones together, with the bones of the first", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=10&fps=15" });
+    const { page, problems, leave } = await site.visit({
+      settings: "tab=learn&trainings=1&iterations=10&fps=15",
+    });
     await ready(page);
     const text = bvh();
     const longer = text.replace(/OFFSET .*/g, (line) =>
@@ -152,7 +154,9 @@ describe("after training", () => {
 
 describe("own files", () => {
   it("trains on the chosen frames of a dropped clip", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=10&fps=15" });
+    const { page, problems, leave } = await site.visit({
+      settings: "tab=learn&trainings=1&iterations=10&fps=15",
+    });
     await ready(page);
     const text = bvh();
     await drop(page, { "mine.bvh": text });
@@ -176,7 +180,7 @@ describe("own files", () => {
   });
 
   it("keeps open rows with their clips, and the numbers of a cut", async () => {
-    const { page, problems, leave } = await site.visit();
+    const { page, problems, leave } = await site.visit({ settings: "tab=learn" });
     await ready(page);
     // A notice for each clip with a missing row.
     const [one, other] = [bvh(0), bvh(1)].map((text) => text.replace("Frames: 60", "Frames: 61"));
@@ -237,7 +241,9 @@ describe("own files", () => {
   });
 
   it("opens a saved model, which moves as before", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "trainings=1&iterations=8&fps=15" });
+    const { page, problems, leave } = await site.visit({
+      settings: "tab=learn&trainings=1&iterations=8&fps=15",
+    });
     await ready(page);
     const [first, firstMotion] = [await saved(page, "save-model"), await saved(page, "save-motion")];
     assert.match(first.name, /\.json$/);

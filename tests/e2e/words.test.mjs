@@ -1,7 +1,7 @@
 // The texts of the page: the first screen, explanations of terms, and the method.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { barriers, oneVisitor, openSite, ready, readyVisitor } from "./site.mjs";
+import { barriers, oneVisitor, openCouplingsTable, openSite, openTab, ready, readyVisitor } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -21,7 +21,8 @@ describe("the first screen", () => {
     const { page } = visitor;
     const lead = page.getByTestId("lead");
     const caption = page.locator(".stage-caption");
-    assert.match(await lead.innerText(), /never recorded.*from 3 clips/s);
+    await openTab(page, "learn");
+    assert.match((await lead.textContent()) ?? "", /never recorded.*from 3 clips/s);
     assert.match(await caption.innerText(), /Made by the model\s+A rollout, learned from 3 clips/);
     assert.match(await page.getByTestId("progress").innerText(), /ticked sample clips and their body/);
     await page.locator(".made summary").click();
@@ -29,14 +30,15 @@ describe("the first screen", () => {
       .getByRole("button", { name: /^Show / })
       .first()
       .click();
-    assert.doesNotMatch(await lead.innerText(), /never recorded/);
+    assert.doesNotMatch((await lead.textContent()) ?? "", /never recorded/);
     assert.match(await caption.innerText(), /not the model/);
     await page.getByRole("button", { name: "Back to the model" }).click();
-    assert.match(await lead.innerText(), /never recorded/);
+    assert.match((await lead.textContent()) ?? "", /never recorded/);
   });
 
   it("explains terms by keyboard, and Escape returns the focus", async () => {
     const { page } = visitor;
+    await openCouplingsTable(page);
     const alpha = page.locator("pg-couplings .term[data-term=alpha]");
     await alpha.focus();
     await page.keyboard.press("Enter");
@@ -58,10 +60,10 @@ describe("a term", () => {
   it("is explained by touch on a phone, within the window, in the dark too", async () => {
     const { page, leave } = await site.visit({ ...PHONE, colorScheme: "dark" });
     await ready(page);
-    for (const tab of ["Latents", "Couplings", "Training"]) {
+    for (const tab of ["Loops", "Listen", "Learn", "Numbers"]) {
       await page.getByRole("tab", { name: tab }).click();
-      const terms = page.locator(".panel.active .term:visible");
-      assert.ok((await terms.count()) > 0, tab);
+      const terms = page.locator(".lab > .panel .term:visible");
+      await terms.first().waitFor();
       for (const term of [terms.first(), terms.last()]) {
         await term.tap();
         const card = page.locator(".term-card");

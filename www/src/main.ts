@@ -26,7 +26,7 @@ const showState = () => {
 };
 showState();
 app.engine.on(showState);
-const showType = () => root.toggleAttribute("data-large", app.embedded || app.settings.values.large);
+const showType = () => root.toggleAttribute("data-large", app.settings.values.large);
 showType();
 app.settings.on(showType);
 
@@ -40,6 +40,11 @@ listenToKeys({
   help: () => lab()?.openHelp(),
   hold: (held) => lab()?.holdByKey(held),
   projector: () => app.settings.change({ large: !app.settings.values.large }),
+  leaveProjector() {
+    const { large } = app.settings.values;
+    if (large) app.settings.change({ large: false });
+    return large;
+  },
 });
 addEventListener("hashchange", () => app.followAddress());
 // The browser asks whether to leave.

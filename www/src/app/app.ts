@@ -138,9 +138,7 @@ export class App {
 
   constructor(
     address: AddressBar,
-    /**
-     * Whether the page shows only the stage, the latent plots and the couplings, for a frame of another page.
-     */
+    /** Whether the page is in a frame of another page: without header, footer and training. */
     readonly embedded: boolean,
   ) {
     this.settings = new SettingsStore(address);
@@ -171,7 +169,7 @@ export class App {
 
   /** Whether the visible view is Play, with the stage. */
   get isPlayView(): boolean {
-    return !this.isStory && (this.embedded || this.settings.values.view === "play");
+    return !this.isStory && this.settings.values.view === "play";
   }
 
   /** Starts the engine and opens the first model, then the sample clips. `text`: null without a model. */

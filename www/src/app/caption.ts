@@ -1,6 +1,5 @@
 // The caption over the figure: a title and a text about the stage.
 import { html, nothing } from "lit";
-import type { Detail } from "../details/details";
 import type { ClipEntry } from "../clips/clips-store";
 import type { PointingStore } from "../latents/pointing-store";
 import "../terms/term";
@@ -92,12 +91,6 @@ export class CaptionView extends View {
     return html`<div class="stage-health" role="status" data-testid="health"><p>${words}</p>${buttons}</div>`;
   }
 
-  /** A link that opens details. */
-  #detailLink(detail: Detail, words: string) {
-    const show = () => this.dispatchEvent(new CustomEvent("show-details", { detail, bubbles: true }));
-    return html`<button class="link" data-testid="show-${detail}" @click=${show}>${words}</button>`;
-  }
-
   protected override render() {
     const { stage, model } = this.app;
     const { title, text } = wordsNow(this.app);
@@ -109,7 +102,6 @@ export class CaptionView extends View {
             ? html`A <pg-term of="rollout" text="rollout"></pg-term>${text ? ", " : ""}`
             : nothing
         }${text}</span>
-        ${model.rollout ? html`<span>${this.#detailLink("angles", "joint angles")}, ${this.#detailLink("kernels", "kernels")}</span>` : nothing}
         ${
           stage.clip !== null && model.model
             ? html`<button class="small" @click=${() => stage.endClip()}>Back to the model</button>`

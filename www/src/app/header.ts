@@ -1,19 +1,17 @@
 // The header of the page: the title, the views, and the buttons for files.
 import { html, nothing } from "lit";
 import { guard } from "lit/directives/guard.js";
-import { INVITATION } from "../couplings/presets";
 import { type Settings, writeSettings } from "../settings/settings";
 import "../terms/term";
 import { fileButton } from "../ui/file-button";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 import type { App } from "./app";
-import { wordStores, wordsNow } from "./caption";
 import { loadNewVersion } from "./leaving";
 import "./save-menu";
 
 const VIEWS: [Settings["view"], string][] = [
-  ["play", "Play"],
+  ["play", "Lab"],
   ["compare", "Compare models"],
   ["primitives", "Primitives"],
   ["synthetic", "Who drives whom?"],
@@ -35,7 +33,7 @@ export class HeaderView extends View {
 
   protected override stores() {
     const { engine, settings, offline } = this.app;
-    return [...wordStores(this.app), engine, settings, settings.address, offline];
+    return [engine, settings, settings.address, offline];
   }
 
   #tell(type: string, detail?: unknown): void {
@@ -68,32 +66,6 @@ export class HeaderView extends View {
     return this.app.settings.values.view === "series" || this.app.series.loaded !== null;
   }
 
-  #lead() {
-    const { view } = this.app.settings.values;
-    if (view !== "play") return LEADS[view];
-    return html`${wordsNow(this.app).lead} ${this.#invitation()}`;
-  }
-
-  /** What to try next; tests/e2e/couplings.test.mjs measures its promise. */
-  #invitation() {
-    const { model, stage, training } = this.app;
-    if (stage.content?.kind !== "model" || training.learning) return nothing;
-    if (model.couplings.altered) {
-      return html`<button class="link" data-testid="lead-back" @click=${() => model.couplings.resetAll()}>Back to as learned</button>`;
-    }
-    const preset = model.presets.find(({ id }) => id === INVITATION.preset);
-    if (preset) {
-      return html`<button class="link" data-testid="lead-try" @click=${() => model.takePreset(preset)}>${preset.name}</button>, ${INVITATION.promise}.`;
-    }
-    const show = (event: Event) => {
-      event.preventDefault();
-      this.#tell("show-couplings");
-    };
-    return model.presets.length > 0
-      ? html`<a href="#couplings" @click=${show}>Drag a slider</a> to change who decides.`
-      : nothing;
-  }
-
   /** The new version waits until the visitor asks for it. */
   #newVersion() {
     const { offline } = this.app;
@@ -103,10 +75,11 @@ export class HeaderView extends View {
   }
 
   protected override render() {
+    const { view } = this.app.settings.values;
     return html`
       <div class="title">
         <h1>Coupled <pg-term of="movement-primitive" text="movement primitives"></pg-term></h1>
-        <p class="lead" data-testid="lead">${this.#lead()}</p>
+        ${view === "play" ? nothing : html`<p>${LEADS[view]}</p>`}
       </div>
       ${this.#views()}
       <div class="actions" role="group" aria-label="Files">
@@ -115,7 +88,7 @@ export class HeaderView extends View {
           label: "Open",
           meaning: "Open a model (.json), clips (.bvh) or tables (.csv)",
           testId: "open-model",
-          accept: ".json,.bvh,.csv,application/json,text/csv",
+          accept: ".json,.bvh,.csv,.JSON,.BVH,.CSV,application/json,text/csv",
           multiple: true,
           disabled: false,
           chosen: (files) => this.#tell("open-files", files),

@@ -15,7 +15,7 @@ const KEYS: [string, string][] = [
   ["0", "reset all couplings"],
   ["delete", "on a slider: reset this coupling"],
   ["c", "held: cut a coupling, that of the slider in focus or the strongest between parts, and watch live"],
-  ["p", "large type, for a projector"],
+  ["p", "for a projector: only the stage and one panel, in large type; escape brings the rest back"],
   ["w a s d", "on the stage: look from another side"],
   ["+ −", "on the stage: come closer, go away"],
   ["?", "this help"],

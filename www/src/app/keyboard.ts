@@ -6,6 +6,8 @@ export interface KeyActions {
   resetCouplings(): unknown;
   help(): void;
   projector(): void;
+  /** Escape. Returns whether there was a projector mode to leave. */
+  leaveProjector(): boolean;
   /** The key that cuts a coupling goes down or up. */
   hold(held: boolean): void;
 }
@@ -26,6 +28,9 @@ export function listenToKeys(actions: KeyActions): void {
   document.addEventListener("keyup", (event) => event.key === "c" && actions.hold(false));
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || isUsedByControl(event)) return;
+    // The key also closes the card of a term.
+    if (event.key === "Escape" && !document.querySelector(":popover-open"))
+      return void (actions.leaveProjector() && event.preventDefault());
     const action = {
       " ": () => actions.togglePlay(),
       ArrowLeft: () => actions.step(-1),

@@ -13,7 +13,7 @@ const LONGEST_HEADER = 100_000;
 
 /**
  * Opens the files one after the other. A notice at the place of the drop says what failed; null: the notice
- * is in the list of clips.
+ * is in a corner of the page.
  */
 export async function openFiles(app: App, files: readonly File[], at: Place | null): Promise<void> {
   const { notices, clips } = app;
@@ -48,7 +48,10 @@ export async function openFiles(app: App, files: readonly File[], at: Place | nu
       refuse(file.name, messageOf(problem));
     }
   }
-  if (opened > 0) await clips.checkClash();
+  if (opened > 0) {
+    app.settings.change({ tab: "learn" });
+    await clips.checkClash();
+  }
   if (answers.length > 0) await openAnswers(app, answers);
   if (tables.length > 0) await openTables(app, tables, refuse);
 }

@@ -1,33 +1,37 @@
-// The layout of the page. On narrow screens the panels next to the stage become tabs.
+// The layout of the page. The Lab is a stage with tabs next to it; on a phone the tabs are below the stage.
 import { html, nothing, type TemplateResult } from "lit";
 import "../clips/clips-view";
 import "../couplings/couplings-view";
+import "../couplings/phase-clock";
 import "../latents/latents-view";
 import "../stage/stage-view";
 import "../stage/timeline";
 import "../training/training-view";
 import "../ui/notices-view";
 import type { HoldCoupling } from "../couplings/body-map";
-import type { Detail } from "../details/details";
 import type { LiveStore } from "../live/live-store";
 import type { StagedModel } from "../primitives/primitives-page";
 import type { SessionStore } from "../session/session-store";
+import { type Settings, TABS } from "../settings/settings";
 import { messageOf } from "../ui/format";
+import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 import type { App } from "./app";
 import { clipOnStage } from "./caption";
 import "./header";
-import { DATA_SOURCE } from "./data-source";
+import "./lead";
 import type { HelpView } from "./help";
 import { openFiles, openModel } from "./open-files";
 
-const TABS = [
-  ["latents", "Latents"],
-  ["couplings", "Couplings"],
-  ["clips", "Clips"],
-  ["training", "Training"],
-] as const;
-type Tab = (typeof TABS)[number][0];
+type Tab = Settings["tab"];
+const TAB_TITLES: Record<Tab, string> = {
+  listen: "Listen",
+  loops: "Loops",
+  learn: "Learn",
+  numbers: "Numbers",
+};
+/** The tabs in a frame of another page. */
+const EMBEDDED_TABS: readonly Tab[] = ["listen", "loops"];
 
 interface Clock {
   togglePlay(): void;
@@ -72,36 +76,34 @@ const ON_DEMAND = {
 /** Places of the page to go to: the tab, and the element that takes the focus. */
 const PLACES = {
   couplings: {
-    tab: "couplings",
-    focus: "pg-couplings tbody tr:first-child td:last-of-type input, pg-couplings input",
+    tab: "listen",
+    focus: "pg-body-map .knob, pg-couplings input",
   },
-  reading: { tab: "couplings", focus: ".readings button" },
-  latents: { tab: "latents", focus: "pg-latent-plot [tabindex='0'], pg-latents button" },
-  points: { tab: "latents", focus: ".marks .chip" },
-  parts: { tab: "training", focus: "[data-testid=setting-parts]" },
-  "latent dimensions": { tab: "training", focus: "[data-testid=setting-latent]" },
-  "dynamics points": { tab: "training", focus: "[data-testid=setting-dynamicsIps]" },
-  "pose points": { tab: "training", focus: "[data-testid=setting-poseIps]" },
-  order: { tab: "training", focus: "[data-testid=setting-order]" },
-  train: { tab: "training", focus: "[data-testid=train], [data-testid=cancel]" },
+  reading: { tab: "listen", focus: ".readings button" },
+  latents: { tab: "loops", focus: "pg-latent-plot [tabindex='0'], pg-latents button" },
+  points: { tab: "loops", focus: ".marks .chip" },
+  parts: { tab: "learn", focus: "[data-testid=setting-parts]" },
+  "latent dimensions": { tab: "learn", focus: "[data-testid=setting-latent]" },
+  "dynamics points": { tab: "learn", focus: "[data-testid=setting-dynamicsIps]" },
+  "pose points": { tab: "learn", focus: "[data-testid=setting-poseIps]" },
+  order: { tab: "learn", focus: "[data-testid=setting-order]" },
+  train: { tab: "learn", focus: "[data-testid=train], [data-testid=cancel]" },
   stage: { tab: null, focus: "[data-testid=stage]" },
   length: { tab: null, focus: "[data-testid=length], [data-testid=scrub]" },
 } as const satisfies Record<string, { tab: Tab | null; focus: string }>;
 
 export class PageView extends View {
-  static override properties = { tab: { state: true }, liveView: { state: true }, session: { state: true } };
+  static override properties = { liveView: { state: true }, session: { state: true } };
   /** The stored visits; null: the browser stores none, or the session is not loaded yet. */
   declare session: SessionStore | null;
   /** Draws the live motion; null before its first use. */
   declare liveView: (() => TemplateResult) | null;
   #keyHolds: { source: number; target: number } | null = null;
   declare app: App;
-  declare tab: Tab;
   readonly #loaded = new Map<keyof typeof ON_DEMAND, "loading" | "failed" | (() => TemplateResult)>();
 
   constructor() {
     super();
-    this.tab = "couplings";
     this.liveView = null;
     this.session = null;
   }
@@ -149,7 +151,7 @@ export class PageView extends View {
 
   protected override stores() {
     const { engine, settings, model, stage } = this.app;
-    return [engine, settings, model, stage];
+    return [engine, settings, model, stage, this.app.clips];
   }
 
   protected override arrived(): void {
@@ -181,8 +183,9 @@ export class PageView extends View {
   async #showPlace(name: string): Promise<void> {
     if (!(name in PLACES)) return;
     const { tab, focus } = PLACES[name as keyof typeof PLACES];
-    if (this.app.settings.values.view !== "play") this.app.settings.change({ view: "play" });
-    if (tab) this.tab = tab;
+    const { settings } = this.app;
+    if (settings.values.view !== "play") settings.change({ view: "play" });
+    if (tab) settings.change({ tab });
     await this.updateComplete;
     const control = this.querySelector<HTMLElement>(focus);
     const folded = control?.closest("details");
@@ -191,16 +194,10 @@ export class PageView extends View {
     control?.scrollIntoView({ block: "nearest" });
   }
 
-  /** Shows details in a dialog. */
-  async #showDetails(what: Detail): Promise<void> {
-    const { notices, model, playback, engine } = this.app;
-    if (!engine.engine || !model.rollout) return;
-    try {
-      const { openDetails } = await import("../details/details");
-      await openDetails(what, { engine: engine.engine, model, playback, clip: clipOnStage(this.app) }, this);
-    } catch (problem) {
-      notices.addError("This could not be shown", messageOf(problem));
-    }
+  /** Past the header, for the keyboard. */
+  async #skip(): Promise<void> {
+    if (this.app.isPlayView) return this.#showPlace("couplings");
+    this.querySelector<HTMLElement>("main.on-demand")?.focus();
   }
 
   /** Puts a model of another view on the stage. */
@@ -243,23 +240,30 @@ export class PageView extends View {
     if (!step) return;
     event.preventDefault();
     event.stopPropagation();
-    const tabs = this.#tabs().map(([id]) => id);
-    this.tab = tabs.at((tabs.indexOf(this.tab) + step) % tabs.length) ?? this.tab;
-    void this.updateComplete.then(() => this.querySelector<HTMLElement>(`#tab-${this.tab}`)?.focus());
+    const tabs = this.#tabs;
+    const tab = tabs.at((tabs.indexOf(this.#tab) + step) % tabs.length) ?? this.#tab;
+    this.app.settings.change({ tab });
+    void this.updateComplete.then(() => this.querySelector<HTMLElement>(`#tab-${tab}`)?.focus());
   }
 
-  #tabs() {
-    return this.app.embedded ? TABS.slice(0, 2) : TABS;
+  get #tabs(): readonly Tab[] {
+    return this.app.embedded ? EMBEDDED_TABS : TABS;
+  }
+
+  get #tab(): Tab {
+    const { tab } = this.app.settings.values;
+    return this.#tabs.includes(tab) ? tab : "listen";
   }
 
   #stageArea() {
-    const { stage, playback, settings, clips, model, isPlayView } = this.app;
+    const { stage, playback, settings, clips, model, phases, isPlayView } = this.app;
     // The first clip on the stage loads the handles; after a failure the next clip tries again.
     if (stage.clip !== null) import("../clips/trim-view").catch(() => {});
     return html`
       <section class="stage-area" aria-label="Stage">
         <pg-stage .stage=${stage} .playback=${playback} .running=${isPlayView}></pg-stage>
         <pg-caption .app=${this.app}></pg-caption>
+        <pg-phase-clock .phases=${phases} .playback=${playback}></pg-phase-clock>
         ${stage.clip === null ? nothing : html`<pg-trim .clips=${clips} .stage=${stage} .playback=${playback}></pg-trim>`}
         <div>${this.liveView ? this.liveView() : nothing}</div>
         <pg-timeline @set-seconds=${({ detail }: CustomEvent<number>) => model.setSeconds(detail)} .stage=${stage} .playback=${playback} .settings=${settings}></pg-timeline>
@@ -270,40 +274,47 @@ export class PageView extends View {
     const {
       engine,
       settings,
-      notices,
       playback,
       stage,
       clips,
       model,
       body,
-      phases,
       readings,
       pointing,
       predictions,
       training,
       embedded,
     } = this.app;
-    const panel = (id: Tab) => (this.tab === id ? "panel active" : "panel");
-    return html`
-      <section id="panel-latents" class=${panel("latents")} aria-label="Latent spaces">
-        <pg-latents .openOutlook=${this.app.openOutlook} .model=${model} .pointing=${pointing} .predictions=${predictions} .settings=${settings} .engine=${engine} .stage=${stage} .playback=${playback}></pg-latents>
-      </section>
-      <section id="panel-couplings" class=${panel("couplings")} aria-label="Couplings">
-        <pg-couplings .playback=${playback} .model=${model} .settings=${settings} .engine=${engine} .body=${body} .phases=${phases} .readings=${readings}></pg-couplings>
-      </section>
-      ${
-        embedded
-          ? nothing
-          : html`
-          <div class="side">
-            <section id="panel-clips" class=${panel("clips")} aria-label="Clips">
-              <pg-clips .clips=${clips} .stage=${stage} .engine=${engine} .notices=${notices}></pg-clips>
-            </section>
-            <section id="panel-training" class=${panel("training")} aria-label="Training">
-              <pg-training .training=${training} .settings=${settings} .clips=${clips} .engine=${engine}></pg-training>
-            </section>
-          </div>`
-      }`;
+    const panel = (id: Tab, content: TemplateResult) => html`
+      <section id="panel-${id}" class="panel" role="tabpanel" aria-labelledby="tab-${id}" ?hidden=${id !== this.#tab}>${content}</section>`;
+    return [
+      panel(
+        "listen",
+        html`<pg-lead .app=${this.app}></pg-lead>
+        <pg-couplings .playback=${playback} .model=${model} .settings=${settings} .engine=${engine} .body=${body} .readings=${readings}></pg-couplings>`,
+      ),
+      panel(
+        "loops",
+        html`<pg-latents .openOutlook=${this.app.openOutlook} .model=${model} .pointing=${pointing} .predictions=${predictions} .settings=${settings} .engine=${engine} .stage=${stage} .playback=${playback}></pg-latents>`,
+      ),
+      embedded
+        ? nothing
+        : panel(
+            "learn",
+            html`
+            <pg-clips .clips=${clips} .stage=${stage} .engine=${engine}></pg-clips>
+            <pg-training .training=${training} .settings=${settings} .clips=${clips} .engine=${engine}></pg-training>`,
+          ),
+      embedded ? nothing : panel("numbers", this.#numbers()),
+    ];
+  }
+
+  /** Loaded when the tab is opened for the first time. */
+  #numbers() {
+    const { engine, model, playback } = this.app;
+    const visible = this.app.isPlayView && this.#tab === "numbers";
+    if (visible) import("../details/numbers-view").catch(() => this.app.notices.addNotLoaded("This tab"));
+    return html`<pg-numbers .engine=${engine} .model=${model} .playback=${playback} .clip=${clipOnStage(this.app)} .visible=${visible}></pg-numbers>`;
   }
 
   protected override render() {
@@ -313,14 +324,19 @@ export class PageView extends View {
     const { view } = settings.values;
     return html`
       <div class="page" data-embed=${embedded ? "1" : "0"} @show-help=${this.openHelp} @show-method=${this.#showMethod} @show-series=${() => settings.change({ view: "series" })}
-        @show-couplings=${() => void this.#showPlace("couplings")} @show-place=${({ detail }: CustomEvent<string>) => void this.#showPlace(detail)}
+        @show-place=${({ detail }: CustomEvent<string>) => void this.#showPlace(detail)}
         @hold-coupling=${({ detail }: CustomEvent<HoldCoupling>) => void this.#holdCoupling(detail)}
-        @show-details=${({ detail }: CustomEvent<Detail>) => void this.#showDetails(detail)}
         @study-made=${({ detail }: CustomEvent<string>) => void this.app.openStudy(detail, true)}
         @switch-live=${({ detail }: CustomEvent<boolean>) => void this.#switchLive(detail)}
         @stage-model=${({ detail }: CustomEvent<StagedModel>) => void this.#stageModel(detail)}
         @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
-        ${embedded ? nothing : html`<pg-header .app=${app} role="banner"></pg-header>`}
+        ${
+          embedded
+            ? nothing
+            : html`
+          <button class="skip" @click=${() => void this.#skip()}>${isPlayView ? "Skip to the couplings" : "Skip to the content"}</button>
+          <pg-header .app=${app} role="banner"></pg-header>`
+        }
         ${this.session ? html`<pg-session .session=${this.session}></pg-session>` : nothing}
         ${
           linked === null
@@ -340,16 +356,14 @@ export class PageView extends View {
               <button class="small" @click=${() => void this.app.reload()}>Keep everything and reload</button></p>`
             : nothing
         }
-        ${isPlayView || view === "play" ? nothing : html`<main class="on-demand">${this.#onDemand(view)}</main>`}
-        <main ?hidden=${!isPlayView}>
+        ${isPlayView || view === "play" ? nothing : html`<main class="on-demand" tabindex="-1">${this.#onDemand(view)}</main>`}
+        <main class="lab" ?hidden=${!isPlayView}>
           ${this.#stageArea()}
           <div class="tabs" role="tablist" aria-label="Panels" @keydown=${this.#tabKeys}>
-            ${this.#tabs().map(
-              ([id, title]) => html`
-              <button role="tab" id="tab-${id}" aria-controls="panel-${id}" aria-selected=${this.tab === id ? "true" : "false"}
-                tabindex=${this.tab === id ? 0 : -1} @click=${() => {
-                  this.tab = id;
-                }}>${title}</button>`,
+            ${this.#tabs.map(
+              (tab) => html`
+              <button role="tab" id="tab-${tab}" aria-controls="panel-${tab}" aria-selected=${this.#tab === tab ? "true" : "false"}
+                tabindex=${this.#tab === tab ? 0 : -1} @click=${() => settings.change({ tab })}>${TAB_TITLES[tab]}</button>`,
             )}
           </div>
           ${this.#panels()}
@@ -360,11 +374,16 @@ export class PageView extends View {
             : html`
           <footer>
             <span>Nothing you load leaves your machine. ${this.session ? html`<pg-forget .session=${this.session} .app=${app}></pg-forget>` : nothing}</span>
-            <span><a href="licences.txt">Licences</a> of what others wrote.</span>
-            <span>The start model was trained on CMU subject 7. ${DATA_SOURCE}</span>
+            <span><button class="link" data-testid="about" @click=${this.openHelp}>Data</button>, <a href="licences.txt">licences</a></span>
           </footer>`
         }
-        <pg-notices .notices=${notices}></pg-notices>
+        ${
+          settings.values.large
+            ? html`<button class="round leave-large" data-testid="leave-large" aria-label="Leave the projector mode" title="Leave the projector mode (Escape)"
+              @click=${() => settings.change({ large: false })}>${icon("close")}</button>`
+            : nothing
+        }
+        <pg-notices .notices=${notices} .inLab=${isPlayView}></pg-notices>
         <pg-help .model=${model} .engine=${engine}></pg-help>
         <div class="drop-hint" aria-hidden="true"><p>Drop motion clips (.bvh), tables (.csv) or a model (.json)</p></div>
       </div>`;

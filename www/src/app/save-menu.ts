@@ -51,7 +51,7 @@ export class SaveMenu extends View {
     // Other views save their own files: the stage is not visible there.
     const { isPlayView } = this.app;
     return html`
-      <button class="small" data-testid="save" popovertarget="save-menu" title=${isPlayView ? nothing : "Saves what is on the stage: go to Play"}
+      <button class="small" data-testid="save" popovertarget="save-menu" title=${isPlayView ? nothing : "Saves what is on the stage: go to the Lab"}
         ?disabled=${!isPlayView || (!hasModel && !clip)}>${icon("save")} Save</button>
       <div id="save-menu" class="menu" popover role="group" aria-label="Save" @beforetoggle=${this.#place}>
         ${this.#item("motion", "Motion", "BVH", clip ? `The clip ${clip.title}` : "As it moves on the stage", hasModel || clip !== null)}

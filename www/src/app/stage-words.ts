@@ -47,7 +47,7 @@ const MADE = "This motion was never recorded: a small model made it.";
 const LEARNING = "A model is learning: what it can do so far moves on the stage.";
 
 function alteredLead({ preset }: OnStage): string {
-  return preset?.sentence ?? "Other couplings than the model learned.";
+  return preset?.sentence ?? "Couplings of your own, not those that the model learned.";
 }
 
 function learned({ learnedFrom }: OnStage): string {

@@ -3,10 +3,7 @@ import { html, nothing } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import type { EngineStore } from "../engine/engine-store";
 import type { StageStore } from "../stage/stage-store";
-import { fileButton } from "../ui/file-button";
 import { icon } from "../ui/icons";
-import type { NoticesStore } from "../ui/notices-store";
-import { noticeCard } from "../ui/notices-view";
 import { View } from "../ui/view";
 import type { ClipEntry, ClipsStore } from "./clips-store";
 import "./clips.css";
@@ -15,13 +12,10 @@ export class ClipsView extends View {
   declare clips: ClipsStore;
   declare stage: StageStore;
   declare engine: EngineStore;
-  declare notices: NoticesStore;
   readonly #cutting = new Set<string>();
-  /** A tab of its own has space for all clips. */
-  readonly #unfolded = matchMedia("(max-width: 1179.98px)").matches;
 
   protected override stores() {
-    return [this.clips, this.stage, this.engine, this.notices];
+    return [this.clips, this.stage, this.engine];
   }
 
   #toggleCut(key: string): void {
@@ -113,37 +107,23 @@ export class ClipsView extends View {
   }
 
   protected override render() {
-    const { clips, notices } = this;
+    const { clips } = this;
     const own = clips.all.filter(({ origin }) => origin === "own");
     const made = clips.all.filter(({ origin }) => origin === "made");
-    const here = notices.all.filter(({ at }) => at === null);
     return html`
-      <header class="panel-head">
-        <h2>Clips</h2>
-        ${fileButton({
-          label: "Open files",
-          meaning: "Open motion clips (.bvh), tables (.csv) or a model (.json)",
-          testId: "open-files",
-          accept: ".bvh,.json,.csv,.BVH,.JSON,.CSV,application/json,text/csv",
-          multiple: true,
-          disabled: false,
-          chosen: (files) =>
-            this.dispatchEvent(new CustomEvent("open-files", { detail: files, bubbles: true })),
-        })}
-      </header>
-      ${here.map((notice) => noticeCard(notices, notice))}
+      <h2>Clips</h2>
       ${clips.clash ? html`<p class="bad" role="alert" data-testid="clash">${clips.clash}</p>` : nothing}
       ${this.#bones()}
       ${
         own.length > 0
           ? html`<ul class="clip-list" data-testid="own-clips">${this.#rows(own)}</ul>`
-          : html`<p class="hint">Drop your own motion clips (.bvh) or a model (.json) anywhere. They stay on this machine.
+          : html`<p class="hint">Open your own motion clips (.bvh) or a model (.json), or drop them anywhere. They stay on this machine.
             <button class="link" data-testid="show-series" @click=${() => this.dispatchEvent(new CustomEvent("show-series", { bubbles: true }))}>Time series</button>
             that are no body (.csv) have a view of their own.</p>`
       }
       ${
         made.length > 0
-          ? html`<details class="made" ?open=${this.#unfolded}>
+          ? html`<details class="made">
             <summary>Samples, made by a procedural walker
               <small>${made.filter(({ ticked }) => ticked).length} of ${made.length} ticked, to train a new model on</small></summary>
             <ul class="clip-list" data-testid="made-clips">${this.#rows(made)}</ul></details>`

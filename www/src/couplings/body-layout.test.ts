@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { bowPath, drawApart, HEIGHT, loopPath, WIDTH } from "./body-layout";
+import { bowBetween, drawApart, HEIGHT, loopAt, WIDTH } from "./body-layout";
 
 it("moves nodes away from each other, also from the same spot, and keeps them in the map", () => {
   for (const spots of [
@@ -26,13 +26,19 @@ it("moves nodes away from each other, also from the same spot, and keeps them in
   }
 });
 
-it("bends the arrows of both directions to different sides", () => {
-  const [a, b] = [
-    { x: 85, y: 40 },
-    { x: 85, y: 140 },
-  ];
-  const control = (path: string) => Number(/Q([\d.-]+) /.exec(path)?.[1]);
-  expect(Math.sign(control(bowPath(a, b)) - 85)).toBe(-Math.sign(control(bowPath(b, a)) - 85));
-  expect(loopPath(a)).not.toContain("NaN");
-  expect(bowPath(a, a)).not.toContain("NaN");
+const UP = { x: 85, y: 40 };
+const DOWN = { x: 85, y: 140 };
+
+it("bends the arrows of both directions to different sides, with their middles apart", () => {
+  const [there, back] = [bowBetween(UP, DOWN).middle, bowBetween(DOWN, UP).middle];
+  expect(Math.sign(there.x - UP.x)).toBe(-Math.sign(back.x - UP.x));
+  // A finger needs this much of a map that is drawn at twice its units.
+  expect(Math.hypot(there.x - back.x, there.y - back.y)).toBeGreaterThan(24);
+});
+
+it("places the middle of a loop at its outermost point, and has no NaN for nodes on one spot", () => {
+  const { middle, path } = loopAt(UP);
+  expect(middle.y).toBeCloseTo(UP.y, 0);
+  expect(middle.x - UP.x).toBeGreaterThan(24);
+  expect(`${path} ${bowBetween(UP, UP).path}`).not.toContain("NaN");
 });

@@ -1,4 +1,4 @@
-// The panel of the couplings: presets, body map, table of sliders, and readings.
+// The couplings: presets, arrows on the body, readings, and behind "Numbers" a table of sliders.
 import { html, nothing } from "lit";
 import type { EngineStore } from "../engine/engine-store";
 import type { ModelInfo } from "../engine/protocol";
@@ -11,8 +11,8 @@ import "./body-map";
 import type { BodyStore } from "./body-store";
 import "./couplings.css";
 import { couplingsTable } from "./couplings-table";
+import "./measured-view";
 import type { ModelStore } from "./model-store";
-import type { PhasesStore } from "./phases-store";
 import "./presets-view";
 import type { ReadingsStore } from "./readings-store";
 import "./readings-view";
@@ -23,7 +23,6 @@ export class CouplingsView extends View {
   declare settings: SettingsStore;
   declare engine: EngineStore;
   declare body: BodyStore;
-  declare phases: PhasesStore;
   declare readings: ReadingsStore;
   declare playback: Playback;
 
@@ -57,7 +56,7 @@ export class CouplingsView extends View {
         : nothing;
     if (sequences.length < 2) return frames;
     return html`
-      <label class="start">Start as
+      <label class="start">Start as clip
         <select aria-label="Start as in" @change=${(event: Event) =>
           this.model.setStart(Number((event.target as HTMLSelectElement).value))}>
           ${sequences.map(({ name }, i) => html`<option value=${i} ?selected=${i === start}>${clipTitle(name)}</option>`)}
@@ -65,31 +64,38 @@ export class CouplingsView extends View {
       </label>${frames}`;
   }
 
+  #numbers(info: ModelInfo) {
+    return html`
+      <details class="advanced" data-testid="coupling-numbers">
+        <summary>Numbers</summary>
+        <p class="hint">A row decides about a column. Right is strong: small
+          <pg-term of="alpha" text="α"></pg-term>, large <pg-term of="weight" text="w"></pg-term>.</p>
+        ${this.#table(info)}
+        <div class="starts">${this.#starts(info)}</div>
+      </details>`;
+  }
+
   protected override render() {
     const info = this.model.model?.info;
+    if (!info)
+      return html`<p class="empty">${
+        this.engine.state === "failed"
+          ? "The model could not be started, so its couplings cannot be changed."
+          : "How the parts drive each other appears here."
+      }</p>`;
+    if (info.parts.length < 2)
+      return html`
+        <p data-testid="one-part">This model has one <pg-term of="part" text="part"></pg-term>, so no part drives another. Train one with
+          two parts or more.</p>
+        ${this.#numbers(info)}`;
     return html`
-      <header class="panel-head">
-        <h2><pg-term of="coupling" text="Couplings"></pg-term></h2>
-        <p class="hint">Which <pg-term of="part" text="part"></pg-term> decides about which. Right is strong: small
-          <pg-term of="alpha" text="α"></pg-term>, large <pg-term of="weight" text="w"></pg-term>.</p>
-        ${info ? this.#starts(info) : nothing}
-      </header>
-      ${
-        info
-          ? html`
-          <pg-presets .model=${this.model} .settings=${this.settings} .body=${this.body} .phases=${this.phases} .playback=${this.playback}></pg-presets>
-          <div class="couplings-body">
-            ${info.parts.length > 1 ? html`<pg-body-map .model=${this.model} .settings=${this.settings}></pg-body-map>` : nothing}
-            ${this.#table(info)}
-            <pg-readings .model=${this.model} .settings=${this.settings} .readings=${this.readings}></pg-readings>
-          </div>`
-          : html`<p class="empty">${
-              this.engine.state === "failed"
-                ? "The model could not be started, so its couplings cannot be changed."
-                : "How the parts drive each other appears here."
-            }</p>`
-      }
-    `;
+      <div class="couplings-body">
+        <pg-body-map .model=${this.model} .settings=${this.settings}></pg-body-map>
+        <pg-presets .model=${this.model} .settings=${this.settings}></pg-presets>
+      </div>
+      <pg-measured .model=${this.model} .body=${this.body}></pg-measured>
+      <pg-readings .model=${this.model} .settings=${this.settings} .readings=${this.readings}></pg-readings>
+      ${this.#numbers(info)}`;
   }
 }
 customElements.define("pg-couplings", CouplingsView);

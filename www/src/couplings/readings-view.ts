@@ -37,19 +37,19 @@ export class ReadingsView extends View {
         @click=${() => model.couplings.setReading(choice)}>${READING_TEXT[choice]}</button>`;
     return html`
       <fieldset class="readings">
-        <legend>When a slider moves, the <pg-term of="expert" text="experts"></pg-term> are
-          <pg-term of="reading" text="as learned or re-inferred"></pg-term></legend>
-        <div class="segments">
-          ${choice("re-inferred", "reading-inferred")}
-          ${choice("as-learned", "reading-learned")}
-        </div>
-        <p>${bothShown ? BOTH : WORDS[reading]}</p>
-        <div class="after">
+        <legend><pg-term of="expert" text="Experts"></pg-term>, when a coupling changes
+          <pg-term of="reading" text="?" about="What do as learned and re-inferred mean?"></pg-term></legend>
+        <div class="choices">
+          <div class="segments">
+            ${choice("re-inferred", "reading-inferred")}
+            ${choice("as-learned", "reading-learned")}
+          </div>
           <button type="button" class="small" aria-pressed=${bothShown ? "true" : "false"} data-testid="readings-beside" ?disabled=${!model.model}
             @click=${() => readings.show(!bothShown)}>Both side by side</button>
           <button type="button" class="small" data-testid="reset-couplings" ?disabled=${!model.couplings.altered} @click=${() => model.couplings.resetAll()}>
             ${icon("reset")} Reset all <kbd>0</kbd></button>
         </div>
+        <p>${bothShown ? BOTH : model.couplings.altered ? WORDS[reading] : ""}</p>
       </fieldset>`;
   }
 }

@@ -6,7 +6,8 @@ import { partColour } from "../ui/palette";
 import type { Kernels } from "./kernels";
 import { partStyle } from "../ui/styled";
 
-const named = (name: string, part: number) =>
+/** The name of a part with its colour. */
+export const partCell = (name: string, part: number) =>
   html`<span class="part-name" style=${partStyle(partColour(part))}><i class="swatch"></i>${name}</span>`;
 const numbers = (values: readonly number[]) => values.map((value) => html`<td>${short(value)}</td>`);
 const lengthscale = html`<pg-term of="lengthscale" text="Lengthscale"></pg-term>`;
@@ -26,7 +27,7 @@ export function kernelTables({ poses, experts, order }: Kernels) {
   const name = (part: number) => poses[part]?.part ?? "";
   return html`
     <section>
-      <h3><pg-term of="pose-map" text="Pose maps"></pg-term>: from latent to pose</h3>
+      <h2><pg-term of="pose-map" text="Pose maps"></pg-term>: from latent to pose</h2>
       <div class="table-scroll" tabindex="0" role="region" aria-label="Kernels of the pose maps">
         <table data-testid="pose-kernels">
           <thead>
@@ -38,13 +39,13 @@ export function kernelTables({ poses, experts, order }: Kernels) {
           </thead>
           <tbody>${poses.map(
             ({ part, variance, noise, lengthscales }, i) =>
-              html`<tr><th scope="row">${named(part, i)}</th>${numbers([variance, noise, ...lengthscales])}</tr>`,
+              html`<tr><th scope="row">${partCell(part, i)}</th>${numbers([variance, noise, ...lengthscales])}</tr>`,
           )}</tbody>
         </table>
       </div>
     </section>
     <section>
-      <h3><pg-term of="expert" text="Experts"></pg-term>: from the last ${order === 1 ? "frame" : `${order} frames`} to the next latent</h3>
+      <h2><pg-term of="expert" text="Experts"></pg-term>: from the last ${order === 1 ? "frame" : `${order} frames`} to the next latent</h2>
       <div class="table-scroll" tabindex="0" role="region" aria-label="Kernels of the experts">
         <table data-testid="expert-kernels">
           <thead>
@@ -55,7 +56,7 @@ export function kernelTables({ poses, experts, order }: Kernels) {
           </thead>
           <tbody>${experts.map(
             ({ source, target, coupling, lengthscales }) =>
-              html`<tr><th scope="row">${named(name(source), source)}</th><th scope="row">${named(name(target), target)}</th>
+              html`<tr><th scope="row">${partCell(name(source), source)}</th><th scope="row">${partCell(name(target), target)}</th>
               ${numbers([coupling, ...lengthscales])}</tr>`,
           )}</tbody>
         </table>

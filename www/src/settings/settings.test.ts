@@ -27,6 +27,7 @@ describe("settings in the URL", () => {
     const { chapter, ...lab } = initialSettings();
     const settings = {
       ...lab,
+      tab: "loops" as const,
       parts: "hand",
       split: [
         { name: "legs & hips", joints: [0, 1, 2, 3, 7] },

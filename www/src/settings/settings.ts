@@ -237,6 +237,9 @@ export const VIEWS = [
   "method",
 ] as const;
 
+/** The tabs next to the stage. */
+export const TABS = ["listen", "loops", "learn", "numbers"] as const;
+
 /** All kinds of models, in the order of the tables. */
 export const MODELS = [
   "vcgpdm",
@@ -258,6 +261,7 @@ export const SETTINGS = {
   /** The open chapter of the story; 0: the Lab or another view is open. */
   chapter: whole("story", 0, 0, LAST_CHAPTER),
   view: choice("view", "play", VIEWS),
+  tab: choice("tab", "listen", TABS),
   parts: preset,
   split,
   latent: whole("latent", 3, 1, 6),
@@ -279,7 +283,7 @@ export const SETTINGS = {
   plot: choice("plot", "2d", ["2d", "3d"] as const),
   speed: choice("speed", 1, [0.25, 0.5, 1, 2] as const),
   loop: flag("loop", true),
-  /** Large type, for a projector. */
+  /** For a projector: only the stage and one panel, in large type. */
   large: flag("large", false),
   // Of a comparison
   models: several("models", ["vcgpdm", "vgpdm", "tmp", "dmp-rhythmic"], MODELS),

@@ -131,7 +131,7 @@ export class TrainingView extends View {
     const cancelling = training.status === "cancelling";
     const why = training.whyNot();
     return html`
-      <header class="panel-head"><h2>Training</h2></header>
+      <h2>Training</h2>
       <div class="train-row">
         ${
           busy

@@ -12,7 +12,7 @@ export interface Notice {
   kind: "error" | "done";
   title: string;
   text: string;
-  /** Where a dropped file landed; null: in the list of clips. */
+  /** Where a dropped file landed; null: in a corner of the page. */
   at: Place | null;
 }
 
@@ -33,7 +33,7 @@ export class NoticesStore extends Store {
     this.changed();
   }
 
-  /** Adds an error to the list of clips. */
+  /** Adds an error without a place. */
   addError(title: string, text: string): void {
     this.add({ kind: "error", title, text, at: null });
   }

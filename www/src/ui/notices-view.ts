@@ -1,5 +1,5 @@
-// Notices at the place of a drop; those without a place are in the list of clips.
-import { html, type TemplateResult } from "lit";
+// Notices at the place of a drop; those without a place are in a corner of the Lab.
+import { html, nothing, type TemplateResult } from "lit";
 import { icon } from "./icons";
 import "./notices.css";
 import type { Notice, NoticesStore } from "./notices-store";
@@ -15,20 +15,26 @@ export function noticeCard(notices: NoticesStore, { id, kind, title, text }: Not
 }
 
 export class NoticesView extends View {
+  static override properties = { inLab: { type: Boolean } };
   declare notices: NoticesStore;
+  /** Other views show the notices without a place themselves. */
+  declare inLab: boolean;
 
   protected override stores() {
     return [this.notices];
   }
 
   protected override render() {
+    const cards = (notices: readonly Notice[]) => notices.map((notice) => noticeCard(this.notices, notice));
     const dropped = this.notices.all.filter(({ at }) => at !== null);
+    const others = this.inLab ? this.notices.all.filter(({ at }) => at === null) : [];
     const at = dropped.at(-1)?.at;
-    if (!at) return html``;
+    const corner =
+      others.length > 0 ? html`<div class="dropped-notices corner">${cards(others)}</div>` : nothing;
+    if (!at) return corner;
     const left = Math.max(12, Math.min(at.x - 20, innerWidth - 372));
     const top = Math.max(12, Math.min(at.y - 20, innerHeight - 60 - 80 * dropped.length));
-    return html`<div class="dropped-notices" style=${styled({ left: `${left}px`, top: `${top}px` })}>
-      ${dropped.map((notice) => noticeCard(this.notices, notice))}</div>`;
+    return html`${corner}<div class="dropped-notices" style=${styled({ left: `${left}px`, top: `${top}px` })}>${cards(dropped)}</div>`;
   }
 }
 customElements.define("pg-notices", NoticesView);

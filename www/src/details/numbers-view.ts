@@ -1,0 +1,131 @@
+// The tab Numbers: couplings and kernels of the model as tables, and channels of the motion on the stage.
+// Loaded when the tab is opened.
+import { html, nothing } from "lit";
+import type { ModelStore } from "../couplings/model-store";
+import { weightText } from "../couplings/weights";
+import type { EngineStore } from "../engine/engine-store";
+import { Latest } from "../engine/latest";
+import type { Engine, LoadedClip } from "../engine/protocol";
+import type { Playback } from "../stage/playback";
+import "../terms/term";
+import { short } from "../ui/format";
+import { View } from "../ui/view";
+import "./angles-view";
+import type { PlottedMotion } from "./angles-view";
+import { channelsOf, readMotion } from "./channels";
+import "./details.css";
+import { type Kernels, kernelsOf } from "./kernels";
+import { kernelTables, partCell } from "./kernels-view";
+
+/** A clip on the stage, with its frames from `first` up to, not including, `end`. */
+interface Clip {
+  title: string;
+  loaded: LoadedClip;
+  first: number;
+  end: number;
+}
+
+export class NumbersView extends View {
+  static override properties = {
+    clip: { attribute: false },
+    visible: { type: Boolean },
+    kernels: { state: true },
+    motions: { state: true },
+    problem: { state: true },
+  };
+  declare engine: EngineStore;
+  declare model: ModelStore;
+  declare playback: Playback;
+  /** Null: the model's motion is on the stage. */
+  declare clip: Clip | null;
+  /** Whether the tab is open. Nothing is computed for a closed tab. */
+  declare visible: boolean;
+  declare kernels: Kernels | null;
+  declare motions: readonly PlottedMotion[];
+  declare problem: string;
+  /** The model and the motion that were asked for last. */
+  #asked: unknown[] = [];
+  readonly #latest = new Latest(
+    (engine: Engine) => this.#read(engine),
+    ({ kernels, motions }) => Object.assign(this, { kernels, motions, problem: "" }),
+    () => {
+      this.problem = "These numbers could not be computed.";
+    },
+  );
+
+  constructor() {
+    super();
+    this.clip = null;
+    this.visible = false;
+    this.kernels = null;
+    this.motions = [];
+    this.problem = "";
+  }
+
+  protected override stores() {
+    return [this.model, this.engine];
+  }
+
+  override willUpdate(): void {
+    const { model, engine, clip, visible } = this;
+    const now = [model.model?.revision, clip ?? model.rollout, clip?.first, clip?.end];
+    if (!visible || !engine.engine || !model.rollout || now.every((part, i) => part === this.#asked[i]))
+      return;
+    this.#asked = now;
+    this.#latest.request(engine.engine);
+  }
+
+  async #read(engine: Engine): Promise<{ kernels: Kernels; motions: PlottedMotion[] }> {
+    const { model, clip } = this;
+    const kernels = kernelsOf(await engine.modelJson());
+    if (clip) {
+      const bvh = await engine.clipBvh(clip.loaded.id, clip.first, clip.end);
+      return { kernels, motions: [{ name: clip.title, motion: readMotion(bvh) }] };
+    }
+    const now = {
+      name: "the model now",
+      motion: readMotion(await engine.rolloutBvh(model.rolloutRequest())),
+    };
+    if (!model.couplings.altered || !model.learned) return { kernels, motions: [now] };
+    const learned = readMotion(await engine.rolloutBvh(model.learned.request));
+    return { kernels, motions: [now, { name: "as learned", motion: learned }] };
+  }
+
+  #couplings() {
+    const { couplings, model } = this.model;
+    const names = model?.info.parts.map(({ name }) => name) ?? [];
+    const pairs = names.flatMap((_, target) => names.map((__, source) => ({ source, target })));
+    return html`
+      <section>
+        <h2><pg-term of="coupling" text="Couplings"></pg-term></h2>
+        <div class="table-scroll" tabindex="0" role="region" aria-label="Couplings">
+          <table data-testid="coupling-numbers-table">
+            <thead><tr><th scope="col">who decides</th><th scope="col">about</th>
+              <th scope="col"><pg-term of="alpha" text="α"></pg-term> learned</th><th scope="col">α now</th>
+              <th scope="col"><pg-term of="weight" text="w"></pg-term> now</th></tr></thead>
+            <tbody>${pairs.map(
+              ({ source, target }) => html`
+              <tr><th scope="row">${partCell(names[source] ?? "", source)}</th><th scope="row">${partCell(names[target] ?? "", target)}</th>
+                <td>${short(couplings.learnedAlpha(source, target))}</td><td>${short(couplings.alphaOf(source, target))}</td>
+                <td>${weightText(couplings.weight(source, target))}</td></tr>`,
+            )}</tbody>
+          </table>
+        </div>
+      </section>`;
+  }
+
+  protected override render() {
+    const { kernels, motions, model, clip, problem } = this;
+    const joints = clip?.loaded.info.joints ?? model.model?.info.joints ?? [];
+    if (problem) return html`<p class="bad" role="alert">${problem}</p>`;
+    if (!kernels) return html`<p class="empty">The numbers of the model and its motion appear here.</p>`;
+    return html`
+      <section>
+        <h2>Joint angles</h2>
+        <pg-angles .playback=${this.playback} .motions=${motions} .channels=${channelsOf(joints)}></pg-angles>
+      </section>
+      ${model.model ? this.#couplings() : nothing}
+      ${kernelTables(kernels)}`;
+  }
+}
+customElements.define("pg-numbers", NumbersView);
