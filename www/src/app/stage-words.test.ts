@@ -47,9 +47,13 @@ describe("the words about the stage", () => {
       expect.stringMatching(/is learning/),
     ]);
     expect(stageWords({ ...walking, altered: true }).title).toBe("Couplings changed");
-    const preset = { name: "Let the arms go", sentence: "The arms no longer hear the legs." };
+    const sentence = "The arms keep swinging.";
+    const preset = { name: "Let the arms go", sentence, reading: "re-inferred" as const };
     const { title, lead } = stageWords({ ...walking, altered: true, preset });
     expect([title, lead]).toEqual([preset.name, preset.sentence]);
+    // Of the two figures only the right one does what the preset says.
+    const both = stageWords({ ...walking, altered: true, preset, twoReadings: true });
+    expect(both.lead).toBe("Right, re-inferred: the arms keep swinging.");
     expect(stageWords({ ...walking, altered: true, twoReadings: true }).text).not.toMatch(/ghost/);
     expect(stageWords({ ...walking, altered: true, live: true }).text).not.toMatch(/ghost/);
     expect(stageWords({ ...walking, twoReadings: true }).text).toMatch(/change a coupling/);

@@ -1,5 +1,7 @@
 // The texts of the page about the stage: title and text over the figure, and the sentence in the header. One
 // file makes all of them, so that they agree.
+import { readingSentence } from "../couplings/reading-text";
+import type { Reading } from "../engine/protocol";
 import { clipTitle } from "../ui/format";
 
 /** The state of the stage that the texts need. */
@@ -14,7 +16,7 @@ export interface OnStage {
   /** Whether a coupling is changed. */
   altered: boolean;
   /** The preset of the couplings. */
-  preset: { name: string; sentence: string } | null;
+  preset: { name: string; sentence: string; reading: Reading } | null;
   /** Whether the motion is live. */
   live: boolean;
   /** Whether both readings of the couplings are side by side. */
@@ -46,8 +48,9 @@ export function stageWords(now: OnStage): StageWords {
 const MADE = "This motion was never recorded: a small model made it.";
 const LEARNING = "A model is learning: what it can do so far moves on the stage.";
 
-function alteredLead({ preset }: OnStage): string {
-  return preset?.sentence ?? "Couplings of your own, not those that the model learned.";
+function alteredLead({ preset, twoReadings }: OnStage): string {
+  if (!preset) return "Couplings of your own, not those that the model learned.";
+  return readingSentence(preset.sentence, preset.reading, twoReadings);
 }
 
 function learned({ learnedFrom }: OnStage): string {

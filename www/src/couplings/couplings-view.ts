@@ -93,7 +93,7 @@ export class CouplingsView extends View {
         <pg-body-map .model=${this.model} .settings=${this.settings}></pg-body-map>
         <pg-presets .model=${this.model} .settings=${this.settings}></pg-presets>
       </div>
-      <pg-measured .model=${this.model} .body=${this.body}></pg-measured>
+      <pg-measured .model=${this.model} .body=${this.body} .readings=${this.readings}></pg-measured>
       <pg-readings .model=${this.model} .settings=${this.settings} .readings=${this.readings}></pg-readings>
       ${this.#numbers(info)}`;
   }

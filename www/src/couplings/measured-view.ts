@@ -8,13 +8,16 @@ import type { BodyStore } from "./body-store";
 import { measuresText } from "./measures-text";
 import "./measured-view.css";
 import type { ModelStore } from "./model-store";
+import { READING_TEXT } from "./reading-text";
+import type { ReadingsStore } from "./readings-store";
 
 export class MeasuredView extends View {
   declare model: ModelStore;
   declare body: BodyStore;
+  declare readings: ReadingsStore;
 
   protected override stores() {
-    return [this.model, this.body];
+    return [this.model, this.body, this.readings];
   }
 
   protected override render() {
@@ -22,13 +25,14 @@ export class MeasuredView extends View {
     if (!reports) return nothing;
     const names = (this.model.model?.info.parts ?? []).map(({ name }) => name);
     const { parts, step, trouble } = measuresText(reports.now, reports.learned, names);
+    const which = this.readings.bothShown ? ` ${READING_TEXT[reports.now.request.reading]}` : "";
     const end = [
       step && html`<span data-testid="measured-step">${step}</span>`,
       trouble && html`<strong class="bad" data-testid="measured-trouble">${trouble}</strong>`,
     ];
     return html`
       <p class="measured" role="status" data-testid="measured" data-current=${isCurrent ? "yes" : "no"}>
-        <span><pg-term of="measured" text="Measured"></pg-term>, compared with as learned:</span>
+        <span><pg-term of="measured" text="Measured"></pg-term>${which}, compared with as learned:</span>
         ${parts.map(
           ({ part, words }) => html`
           <span class="limbs" data-testid="measured-${part}" style=${partStyle(partColour(part))}><i class="swatch"></i>${names[part]} ${words}</span>`,
