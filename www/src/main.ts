@@ -33,7 +33,7 @@ app.settings.on(showType);
 /** The Lab; null while the story is open, and before the Lab has loaded. */
 const lab = () => (app.isStory ? null : document.querySelector<PageView>("pg-page"));
 
-listenToKeys({
+listenToKeys(() => !app.isStory, {
   togglePlay: () => lab()?.clock?.togglePlay(),
   step: (direction) => lab()?.clock?.step(direction),
   resetCouplings: () => app.isPlayView && app.model.couplings.resetAll(),

@@ -24,10 +24,11 @@ export function isUsedByControl(event: KeyboardEvent): boolean {
   return false;
 }
 
-export function listenToKeys(actions: KeyActions): void {
+/** `isOn`: whether the keys work now. */
+export function listenToKeys(isOn: () => boolean, actions: KeyActions): void {
   document.addEventListener("keyup", (event) => event.key === "c" && actions.hold(false));
   document.addEventListener("keydown", (event) => {
-    if (event.defaultPrevented || isUsedByControl(event)) return;
+    if (!isOn() || event.defaultPrevented || isUsedByControl(event)) return;
     // The key also closes the card of a term.
     if (event.key === "Escape" && !document.querySelector(":popover-open"))
       return void (actions.leaveProjector() && event.preventDefault());

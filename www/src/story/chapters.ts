@@ -25,3 +25,6 @@ export const LOAD: Partial<Record<ChapterName, () => Loading>> = {
   arms: () => import("./arms/chapter"),
   computer: () => import("./computer/chapter"),
 };
+
+/** Whether chapter N has been written. */
+export const isThere = (number: number): boolean => CHAPTERS[number - 1]! in LOAD;

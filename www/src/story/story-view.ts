@@ -7,7 +7,7 @@ import { whenIdle } from "../ui/idle";
 import { View } from "../ui/view";
 import { noticeCard } from "../ui/notices-view";
 import { storyBody } from "./body";
-import { CHAPTERS, type ChapterName } from "./chapters";
+import { CHAPTERS, type ChapterName, isThere } from "./chapters";
 import { chapterPlace } from "./chapter-place";
 import { languageSwitch } from "./language-switch";
 import { OpenChapters } from "./open-chapters";
@@ -85,7 +85,8 @@ export class StoryView extends View {
   }
 
   #step(direction: 1 | -1): void {
-    const next = this.#number + direction;
+    let next = this.#number + direction;
+    while (next >= 1 && next < this.#count && !isThere(next)) next += direction;
     if (next >= 1 && next <= this.#count) this.app.settings.change({ chapter: next });
   }
 
@@ -108,7 +109,10 @@ export class StoryView extends View {
     this.#guesses.set(this.#name, guess.choices[choice] ?? choice);
     chapter.guessed(choice);
     // The pressed button leaves; the focus stays in the card.
-    void this.updateComplete.then(() => this.querySelector<HTMLElement>(".story-answer")?.focus());
+    void this.updateComplete.then(() => {
+      this.querySelector<HTMLElement>(".story-answer")?.focus({ preventScroll: true });
+      scrollTo(0, 0);
+    });
   }
 
   #head() {
@@ -145,6 +149,11 @@ export class StoryView extends View {
         ${isBroken ? html`<p class="banner" role="alert">${frame.noModel(engine.problem)}</p>` : nothing}
         ${notices.all.map((notice) => noticeCard(notices, notice))}
       </div>`;
+  }
+
+  get #isAnswered(): boolean {
+    const { chapter } = this.#chapters;
+    return chapter !== null && chapter.guess() === null && this.#guesses.has(this.#name);
   }
 
   #question() {
@@ -208,11 +217,9 @@ export class StoryView extends View {
           <section class="story-stage" aria-label=${words.now.frame.stage}>
             ${this.#chapters.chapter?.stage() ?? this.#missing()}
           </section>
-          <article class="story-card">
-            <div class="story-text">
-              <h1 tabindex="-1">${title}</h1>
-              <p>${text}</p>
-            </div>
+          <article class="story-card" ?data-answered=${this.#isAnswered}>
+            <h1 tabindex="-1">${title}</h1>
+            <p class="story-text">${text}</p>
             <div class="story-side">${this.#question()}${this.#answer()}</div>
           </article>
           <div class="story-foot">

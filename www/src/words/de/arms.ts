@@ -18,9 +18,9 @@ export const arms: Words["chapters"]["arms"] = {
   parts: ["Beine", "Arme"],
   thread: {
     label: "Der Faden",
-    tied: "Geknüpft",
-    relearned: "Zerschnitten",
-    kept: "Zerschnitten, nichts neu gelernt",
+    tied: "Verbunden",
+    relearned: "Getrennt",
+    kept: "Getrennt wie gelernt",
   },
   measuring: "20 Sekunden dieses Gangs werden vermessen.",
   periods: (legs, arms) => `Beine ${seconds(legs)}, Arme ${seconds(arms)} für einen Schwung.`,
@@ -37,7 +37,7 @@ export const arms: Words["chapters"]["arms"] = {
     "haben, und allein ist das kein Schwung.",
   equation: (tied, cut) =>
     `α sagt, wie unsicher eine Quelle über einen Teil ist; w ist ihr Anteil am Schritt. Der Anteil der Beine ` +
-    `an den Armen: ${decimal("de", 100 * tied, 0)} % geknüpft, ${decimal("de", 100 * cut, 0)} % zerschnitten.`,
+    `an den Armen: ${decimal("de", 100 * tied, 0)} % verbunden, ${decimal("de", 100 * cut, 0)} % getrennt.`,
   clock: "Phasenuhr: ein Zeiger für die Beine, einer für die Arme. Jeder dreht sich einmal in einem Schwung.",
   figure:
     "Eine gehende Figur. Ziehen dreht den Blick, Scrollen holt sie näher; Tasten: w, a, s, d, plus und minus.",

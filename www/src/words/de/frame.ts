@@ -1,7 +1,7 @@
 import type { Words } from "../en";
 
 export const frame: Words["frame"] = {
-  page: "Gekoppelte Bewegungsprimitive",
+  page: "Gekoppelte Bewegungs\u00adprimitive",
   story: "Geschichte",
   lab: "Labor",
   views: "Ansichten",

@@ -15,7 +15,7 @@ export const arms = {
     choices: { stop: "Stop", step: "Go on in step", pace: "Find a pace of their own" },
   },
   parts: ["legs", "arms"],
-  thread: { label: "The thread", tied: "Tied", relearned: "Cut", kept: "Cut, nothing relearned" },
+  thread: { label: "The thread", tied: "Tied", relearned: "Cut", kept: "Cut, as learned" },
   measuring: "Measuring 20 seconds of this walk.",
   periods: (legs: number, arms: number) => `Legs ${seconds(legs)}, arms ${seconds(arms)} for a swing.`,
   swing: (is: number, was: number) => `The hands swing ${centimetres(is)} instead of ${centimetres(was)}.`,
