@@ -30,7 +30,7 @@ describe("the words about the stage", () => {
         clip: { title: "walk 1", origin },
         altered: true,
       });
-      expect(JSON.stringify(words)).not.toMatch(/never recorded|by the model|ghost/);
+      expect(JSON.stringify(words)).not.toMatch(/never recorded|by the model|outline/);
       expect([words.title, words.lead]).toEqual(["walk 1", expect.stringMatching(/^This is a clip/)]);
     }
   });
@@ -54,8 +54,8 @@ describe("the words about the stage", () => {
     // Of the two figures only the right one does what the preset says.
     const both = stageWords({ ...walking, altered: true, preset, twoReadings: true });
     expect(both.lead).toBe("Right, re-inferred: the arms keep swinging.");
-    expect(stageWords({ ...walking, altered: true, twoReadings: true }).text).not.toMatch(/ghost/);
-    expect(stageWords({ ...walking, altered: true, live: true }).text).not.toMatch(/ghost/);
+    expect(stageWords({ ...walking, altered: true, twoReadings: true }).text).not.toMatch(/outline/);
+    expect(stageWords({ ...walking, altered: true, live: true }).text).not.toMatch(/outline/);
     expect(stageWords({ ...walking, twoReadings: true }).text).toMatch(/change a coupling/);
     expect(stageWords({ ...walking, altered: true, point: "A pose of lower" }).text).toBe("A pose of lower");
   });

@@ -77,7 +77,9 @@ function modelWords(now: OnStage): { title: string; text: string } {
     if (live) return { title, text: "The model goes on live" };
     return {
       title,
-      text: twoReadings ? "The same couplings, read in two ways" : "The ghost moves as the model learned it",
+      text: twoReadings
+        ? "The same couplings, read in two ways"
+        : "The outline moves as the model learned it",
     };
   }
   if (twoReadings) return { title: MODEL_TITLE, text: "change a coupling to see two readings of it" };

@@ -207,7 +207,7 @@ export class SideBySide extends View {
       return html`<p class="empty waiting">${
         shown && !shown.request && !shown.given
           ? "A file of results holds no motions: press Compare with the clips to see the models move."
-          : "Press Compare: the models will walk here side by side, each with the real trial as a grey ghost."
+          : "Press Compare: the models will walk here side by side, each with the real trial as an outline."
       }</p>`;
     }
     const fold = this.#foldNow(folds);
@@ -216,7 +216,7 @@ export class SideBySide extends View {
       ${this.#choices(shown, folds, fold, chosen)}
       <div class="columns" style=${styled({ "--columns": chosen.length })}>
         <canvas class="stage-canvas" tabindex="0" role="img" data-testid="compare-stage"
-          aria-label="${chosen.length} predictions of the trial side by side, each with the real trial as a ghost. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
+          aria-label="${chosen.length} predictions of the trial side by side, each with the real trial as an outline. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
         ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
         <ol class="column-heads">
           ${chosen.map(
@@ -230,7 +230,7 @@ export class SideBySide extends View {
         </ol>
       </div>
       ${this.#controls()}
-      <p class="hint">In colour: what the model predicts from the trial’s first five frames. Grey: the real trial, laid on top.</p>
+      <p class="hint">In colour: what the model predicts from the trial’s first five frames. Outline: the real trial, laid on top.</p>
       <comparison-distance .data=${this.#distances}></comparison-distance>`;
   }
 }

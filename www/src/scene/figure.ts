@@ -4,8 +4,10 @@ import {
   GreaterStencilFunc,
   Group,
   LatheGeometry,
+  type Material,
   Matrix4,
   Mesh,
+  MeshBasicMaterial,
   MeshStandardMaterial,
   ReplaceStencilOp,
   SphereGeometry,
@@ -15,10 +17,11 @@ import {
 import { partColourNow, theme } from "../ui/palette";
 import { partOfJoints } from "./part-of-joints";
 import type { Figure, PartSpec } from "../engine/protocol";
-import { type Ball, type Capsule, shapeOf } from "./body-shape";
+import { type Ball, type Capsule, type Shape, shapeOf } from "./body-shape";
 
 export type FigureStyle =
   | { kind: "solid" }
+  /** Only the outline. */
   | { kind: "ghost" }
   /** One of several faint figures. */
   | { kind: "future"; index: number }
@@ -29,26 +32,41 @@ const UP = new Vector3(0, 1, 0);
 /** A trunk is wider than it is deep. */
 const TRUNK_WIDTH = [1.42, 1, 0.95] as const;
 
+/** Width of an outline, metres. */
+const OUTLINE_WIDTH = 0.01;
+
 /** Stencil values of the pixels of bodies. */
 const SOLID = 255;
 const PALE = 254;
+const OUTLINE = 253;
 const FIRST_FUTURE = 1;
 
 /**
  * A body writes its stencil value, and skips pixels with the same or a higher value. So a pale body draws each
  * pixel once, without seams, and never over a solid body. Futures are visible through each other.
  */
-function stencil(material: MeshStandardMaterial, mark: number): void {
+function stencil<M extends Material>(material: M, mark: number): M {
   material.stencilWrite = true;
   material.stencilRef = mark;
   material.stencilFunc = mark === SOLID ? AlwaysStencilFunc : GreaterStencilFunc;
   material.stencilZPass = ReplaceStencilOp;
+  return material;
+}
+
+/**
+ * The materials of an outline: the body itself without a colour, and a thicker body around it, of which only
+ * the rim is drawn.
+ */
+function outline(): { body: Material; rim: Material } {
+  const rim = new MeshBasicMaterial({ color: theme().quiet, transparent: true, depthWrite: false });
+  const body = new MeshBasicMaterial({ colorWrite: false, transparent: true, depthWrite: false });
+  return { body: stencil(body, PALE), rim: stencil(rim, OUTLINE) };
 }
 
 function opacityOf(style: FigureStyle, accent: boolean): number {
   if (style.kind === "solid") return 1;
   if (style.kind === "accent") return accent ? style.opacity : 0.35 * style.opacity;
-  return style.kind === "ghost" ? 0.4 : 0.2;
+  return 0.2;
 }
 
 /** Solid bodies first, then futures by their marks. */
@@ -77,7 +95,7 @@ export class FigureView {
   readonly group = new Group();
   #bones: { mesh: Mesh; capsule: Capsule }[] = [];
   #balls: { mesh: Mesh; ball: Ball }[] = [];
-  #materials: MeshStandardMaterial[] = [];
+  #materials: Material[] = [];
   readonly #a = new Vector3();
   readonly #b = new Vector3();
   readonly #side = new Vector3();
@@ -92,6 +110,13 @@ export class FigureView {
     style: FigureStyle,
   ) {
     const shape = shapeOf(figure, joints, pose);
+    if (style.kind === "ghost") {
+      const { body, rim } = outline();
+      this.#materials = [body, rim];
+      this.#addBody(shape, style, 0, () => body);
+      this.#addBody(shape, style, OUTLINE_WIDTH, () => rim);
+      return;
+    }
     const part = partOfJoints(joints.length, parts);
     const materials = new Map<number, MeshStandardMaterial>();
     const materialOf = (joint: number) => {
@@ -104,28 +129,34 @@ export class FigureView {
       }
       return material;
     };
+    this.#addBody(shape, style, 0, materialOf);
+  }
+
+  /** Adds the meshes of a body. `thicker`: metres added to each radius. */
+  #addBody(shape: Shape, style: FigureStyle, thicker: number, materialOf: (joint: number) => Material): void {
     for (const capsule of shape.capsules) {
       const mesh = new Mesh(
-        taperedCapsule(capsule.length, capsule.r0, capsule.r1),
+        taperedCapsule(capsule.length, capsule.r0 + thicker, capsule.r1 + thicker),
         materialOf(capsule.joint),
       );
       if (capsule.across) mesh.scale.set(...TRUNK_WIDTH);
       this.#bones.push({ mesh, capsule });
-      this.#add(mesh, style);
+      this.#add(mesh, style, thicker);
     }
     for (const ball of shape.balls) {
-      const mesh = new Mesh(new SphereGeometry(ball.radius, 28, 20), materialOf(ball.joint));
+      const mesh = new Mesh(new SphereGeometry(ball.radius + thicker, 28, 20), materialOf(ball.joint));
       mesh.scale.set(0.88, 1.12, 0.98);
       this.#balls.push({ mesh, ball });
-      this.#add(mesh, style);
+      this.#add(mesh, style, thicker);
     }
   }
 
-  #add(mesh: Mesh, style: FigureStyle): void {
+  #add(mesh: Mesh, style: FigureStyle, thicker: number): void {
     mesh.castShadow = style.kind === "solid";
     mesh.receiveShadow = style.kind === "solid";
     mesh.frustumCulled = false;
-    mesh.renderOrder = orderOf(style);
+    // A rim is drawn after the body that it surrounds.
+    mesh.renderOrder = orderOf(style) + thicker;
     this.group.add(mesh);
   }
 

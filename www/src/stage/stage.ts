@@ -19,7 +19,7 @@ const NEAR_HIGH = 5.6;
 const LOW_PICTURE = 400;
 const LOWER = 0.06;
 /** The angle between the mean heading and the camera at first, radians: from the side, a little in front. */
-const SIDE = 0.95;
+const SIDE = 1.15;
 /** Seconds between two looks at the reach of a live motion. */
 const BETWEEN = 0.5;
 
