@@ -174,8 +174,17 @@ describe("a study", () => {
     await phase(page, "question");
     await page.getByText("Which one?").waitFor();
     await page.getByTestId("run-leave").click();
+    // The time of a plan is visible before it is chosen, and the chosen plan is pressed.
+    const plans = page.getByRole("group", { name: "Plan" });
+    assert.match(await page.getByTestId("preset-p2").innerText(), /^P2\s+1,170 trials, \d+ min$/);
+    await page.getByTestId("preset-p2").click();
+    await page.getByTestId("study-words").getByText("1170 trials").waitFor();
+    assert.equal(await page.getByTestId("preset-class").getAttribute("aria-pressed"), "false");
     await page.getByTestId("preset-class").click();
     await page.getByTestId("study-words").getByText("60 trials").waitFor();
+    assert.deepEqual(await plans.locator("[aria-pressed=true]").allInnerTexts(), [
+      await page.getByTestId("preset-class").innerText(),
+    ]);
   });
 
   it("refuses files that are no study or no answers, and stays open", async () => {

@@ -24,6 +24,14 @@ describe("the clock", () => {
     assert.equal(await scrub.inputValue(), "20");
     await page.getByTestId("play").click();
     while (Number(await scrub.inputValue()) < 25) await page.waitForTimeout(50);
+    const length = page.getByTestId("length");
+    await length.fill("60");
+    await length.blur();
+    assert.equal(await length.inputValue(), "40");
+    assert.equal(await page.getByTestId("length-limit").innerText(), "At most 40.");
+    await length.fill("10");
+    await length.blur();
+    assert.equal(await page.getByTestId("length-limit").innerText(), "");
     assert.deepEqual(problems, []);
     await leave();
   });

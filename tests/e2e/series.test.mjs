@@ -48,7 +48,11 @@ describe("tables of columns", () => {
     await page.getByTestId("series-words").filter({ hasText: "Trained." }).waitFor({ timeout: 60_000 });
     await page.locator(".series-curve").nth(2).waitFor();
     assert.equal(await page.locator(".series-curve").count(), 3);
-    assert.equal(await page.locator(".series-curve .recorded").count(), 3);
+    assert.equal(
+      await page.locator(".series-curve .rolled-out + .recorded").count(),
+      3,
+      "dashes above the lines",
+    );
     assert.equal(await page.locator("pg-series-latent canvas").count(), 2);
     await page.getByText("machine").first().waitFor();
     const learned = await saved(page, "save-curves");

@@ -1,12 +1,21 @@
 import { describe, expect, it } from "vitest";
 import type { Job, PlannedJob } from "../engine/whole-protocol";
-import { type JobProgress, openJobs, secondsLeft, share, summary } from "./jobs";
+import { costOf, type JobProgress, openJobs, secondsLeft, share, summary } from "./jobs";
 
 const jobOf = (heldOut: number, trainingTrials: number): Job => ({
   candidate: { model: "tmp", primitives: null },
   heldOut,
   trainingTrials,
   seed: 0,
+});
+
+it("says that the time depends on the machine when the estimate is short, before Compare is pressed", () => {
+  const jobs = [1, 2].map((heldOut) => ({ id: `fold ${heldOut}`, job: jobOf(heldOut, 2), done: false }));
+  const costs = jobs.map(() => ({ seconds: 1, bytes: 0 }));
+  expect(costOf(jobs, { jobs, costs }, 2).words).toMatch(/^Less than a minute on a fast, idle machine/);
+  expect(costOf([], { jobs, costs }, 2).words).toBe("");
+  const long = costs.map((cost) => ({ ...cost, seconds: 200 }));
+  expect(costOf(jobs, { jobs, costs: long }, 2).words).toMatch(/^At most about 3 min 20 s/);
 });
 
 describe("open jobs", () => {

@@ -44,8 +44,13 @@ export function costOf(
   const all = costs.filter((_, place) => open.includes(jobs[place]!));
   const seconds = all.reduce((sum, cost) => sum + cost.seconds, 0) / width;
   const bytes = Math.max(0, ...all.map((cost) => cost.bytes)) * Math.min(width, open.length);
-  return waitWords({ seconds, bytes }, "Fewer models, trials, seeds or iterations make it shorter.");
+  const cost = waitWords({ seconds, bytes }, "Fewer models, trials, seeds or iterations make it shorter.");
+  return cost.words === "" && open.length > 0 ? { ...cost, words: SHORT_WAIT } : cost;
 }
+
+/** The estimate is for an idle core, and neglects TMPs and DMPs. */
+const SHORT_WAIT =
+  "Less than a minute on a fast, idle machine, some minutes on a slow or busy one. The time left is measured once it runs.";
 
 /** The rough work of a job relative to others. It predicts the time before a job of the same kind has run. */
 const WEIGHTS: Record<Job["candidate"]["model"], (trials: number) => number> = {

@@ -170,6 +170,14 @@ export interface StudyView {
   info: StudyInfo;
   /** The number of trials of a participant. */
   trials: number;
+  plans: readonly StudyPlan[];
+}
+
+/** A plan that the study can have, with its times. `chosen`: the study has it. */
+export interface StudyPlan extends Pick<StudyInfo, "crossSeconds" | "seconds" | "design"> {
+  preset: StudyPreset;
+  trials: number;
+  chosen: boolean;
 }
 
 /** The changes that the page can make to a study. */

@@ -171,7 +171,12 @@ export class FakeProgram implements WholeWorkers {
 
   #study(text: string): StudyView {
     if (!this.studies) throw refusal("this is no study");
-    return { text, info: { ...this.studies.study, title: text }, trials: this.studies.trials.length };
+    return {
+      text,
+      info: { ...this.studies.study, title: text },
+      trials: this.studies.trials.length,
+      plans: [],
+    };
   }
 
   #worker(

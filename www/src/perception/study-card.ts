@@ -8,12 +8,12 @@ import { duration } from "../ui/format";
 import { icon } from "../ui/icons";
 import type { PerceptionStore } from "./perception-store";
 
-export const PRESETS: [StudyPreset, string, string][] = [
-  ["class", "Class", "A short one, for a class"],
-  ["p3-part-1", "P3, part 1", "As in the first part of Knopp et al. (2019)"],
-  ["p3-part-2", "P3, part 2", "As in the second part of Knopp et al. (2019)"],
-  ["p2", "P2", "As in Velychko et al. (2018)"],
-];
+const PLANS: Record<StudyPreset, { name: string; meaning: string }> = {
+  class: { name: "Class", meaning: "A short one, for a class" },
+  "p3-part-1": { name: "P3, part 1", meaning: "As in the first part of Knopp et al. (2019)" },
+  "p3-part-2": { name: "P3, part 2", meaning: "As in the second part of Knopp et al. (2019)" },
+  p2: { name: "P2", meaning: "As in Velychko et al. (2018)" },
+};
 
 const TEXTS: [keyof StudyTexts, string, number][] = [
   ["consent", "Consent", 6],
@@ -27,7 +27,10 @@ const TEXTS: [keyof StudyTexts, string, number][] = [
 const ANSWER = 1;
 
 /** The usual time of a whole participation, in seconds. */
-export function lengthOf({ crossSeconds, seconds, design }: StudyInfo, trials: number): number {
+export function lengthOf(
+  { crossSeconds, seconds, design }: Pick<StudyInfo, "crossSeconds" | "seconds" | "design">,
+  trials: number,
+): number {
   return trials * (crossSeconds + seconds + ANSWER) + (design.blocks - 1) * design.pauseSeconds;
 }
 
@@ -35,8 +38,11 @@ function designWords({ info, trials }: StudyView): string {
   const { blocks, pauseSeconds } = info.design;
   const inBlocks =
     blocks > 1 ? ` in ${blocks} blocks, pauses of at least ${duration(pauseSeconds)} between` : "";
-  return `${trials} trials${inBlocks}, about ${Math.max(1, Math.round(lengthOf(info, trials) / 60))} minutes.`;
+  return `${trials} trials${inBlocks}, about ${minutesOf(info, trials)} minutes.`;
 }
+
+const minutesOf = (times: Parameters<typeof lengthOf>[0], trials: number) =>
+  Math.max(1, Math.round(lengthOf(times, trials) / 60));
 
 function movementsWords({ stimuli }: StudyInfo): string {
   const natural = stimuli.filter(({ kind }) => kind === "natural").length;
@@ -89,10 +95,12 @@ export function studyCard(store: PerceptionStore, look: (id: string) => void) {
   return html`
     <p data-testid="study-title"><strong>${info.title}</strong></p>
     <p class="hint" data-testid="study-words">${designWords(study)} ${movementsWords(info)}</p>
-    <div class="presets" role="group" aria-label="Design">
-      ${PRESETS.map(
-        ([preset, name, meaning]) => html`
-        <button class="small" title=${meaning} data-testid="preset-${preset}" ?disabled=${busy} @click=${() => void store.change({ preset })}>${name}</button>`,
+    <div class="plans" role="group" aria-label="Plan">
+      ${study.plans.map(
+        (plan) => html`
+        <button class="small" title=${PLANS[plan.preset].meaning} data-testid="preset-${plan.preset}" aria-pressed=${plan.chosen ? "true" : "false"}
+          ?disabled=${busy} @click=${() => void store.change({ preset: plan.preset })}>
+          ${PLANS[plan.preset].name} <small>${plan.trials.toLocaleString("en")} trials, ${minutesOf(plan, plan.trials)} min</small></button>`,
       )}
     </div>
     <label class="check"><input type="checkbox" data-testid="points" .checked=${info.look === "points"} ?disabled=${busy}

@@ -69,8 +69,8 @@ export class SeriesCurves extends View {
       <figure class="figure-card series-curve" data-testid="curve-${order}" style=${partStyle(partColour(part), { "--series": partColour(part) })}>
         <svg width=${this.width} height=${HEIGHT} viewBox="0 0 ${this.width} ${HEIGHT}" role="img" aria-label="${name} against time${recorded ? ", rolled out and recorded" : ", rolled out"}">
           ${axes(plot, { scale: right, title: "time (s)" }, upward)}
-          ${recorded ? svg`<g class="recorded">${path(placed(recorded))}</g>` : nothing}
           <g class="rolled-out">${path(placed(rolledOut))}</g>
+          ${recorded ? svg`<g class="recorded">${path(placed(recorded))}</g>` : nothing}
           <line class="playhead" y1=${top} y2=${bottom}></line>
         </svg>
       </figure>`;

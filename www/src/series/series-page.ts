@@ -108,7 +108,7 @@ export class SeriesPage extends View {
         <h2>Curves that are no body</h2>
         <p>Forces, joint torques, muscle activity, prices, two machines: whatever you measured several of at once. Columns are put into parts; each part gets a
           latent space, and the couplings say which part drives which. A model of tables is one file, like all others.</p>
-        <button data-testid="series-example" @click=${() => this.#open(exampleFiles())}>Open an example</button>
+        <button class="small primary" data-testid="series-example" @click=${() => this.#open(exampleFiles())}>Open an example</button>
         <p class="hint">Two made-up machines, by a formula; the second follows the first a little later.</p>
       </section>`;
   }

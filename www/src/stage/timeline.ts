@@ -5,6 +5,7 @@ import type { SettingsStore } from "../settings/settings-store";
 import { clearCanvas } from "../ui/canvas";
 import { icon } from "../ui/icons";
 import { onThemeChange, partColourNow } from "../ui/palette";
+import { limitWords } from "../ui/number-field";
 import { View } from "../ui/view";
 import type { Playback } from "./playback";
 import { spotlight } from "./spotlight";
@@ -50,10 +51,13 @@ export class TimelineView extends View {
       const detail = input.valueAsNumber;
       if (detail > 0) this.dispatchEvent(new CustomEvent("set-seconds", { detail, bubbles: true }));
       input.value = seconds(this.settings.values.frames);
+      const words = input.parentElement?.nextElementSibling;
+      const limits = { min: Number(seconds(min)), max: Number(seconds(max)) };
+      if (words) words.textContent = limitWords(detail, limits);
     };
     return html`<label title="How long the model goes on, ${seconds(min)} to ${seconds(max)} seconds"> /
       <input type="number" data-testid="length" aria-label="Length of the motion in seconds" min=${seconds(min)} max=${seconds(max)}
-        step="1" .value=${seconds(frames)} @change=${change} /> s</label>`;
+        step="1" .value=${seconds(frames)} @change=${change} /> s</label><small class="limit" role="status" data-testid="length-limit"></small>`;
   }
 
   /** The choice between a motion of some seconds and a live motion. */

@@ -23,7 +23,7 @@ export interface NumberField extends Omit<NumberInput, "id"> {
 }
 
 /** The limit that changed a value; empty when the value is within the limits. */
-export function limitWords(asked: number, { min, max }: NumberInput["limits"]): string {
+export function limitWords(asked: number, { min, max }: { min: number; max: number }): string {
   if (asked > max) return `At most ${grouped(max)}.`;
   return asked < min ? `At least ${grouped(min)}.` : "";
 }

@@ -1,6 +1,12 @@
 // What a worker does for the graphics Turing test: reads studies, draws trials, and analyses answers. No DOM.
 import { analysePerception, perceptionJson, Study, StudyMaker } from "vcgpdm";
-import type { PerceptionWorker, StudyChange, StudyView } from "../engine/whole-protocol";
+import type {
+  PerceptionWorker,
+  StudyChange,
+  StudyInfo,
+  StudyPreset,
+  StudyView,
+} from "../engine/whole-protocol";
 import { readClip } from "./clips";
 import { transfer } from "./transfer";
 import { using } from "./using";
@@ -8,11 +14,21 @@ import { using } from "./using";
 /** What a study has that is made here. */
 const [SECONDS, DESIGN, LOOK, SEED] = [3.5, "class", "figure", 0] as const;
 
-const view = (study: Study): StudyView => ({
-  text: study.toJson(),
-  info: study.info,
-  trials: study.trials(0).length,
-});
+const PRESETS: readonly StudyPreset[] = ["class", "p3-part-1", "p3-part-2", "p2"];
+
+const trialsOf = (study: Study) => study.trials(0).length;
+
+function view(study: Study): StudyView {
+  const { info } = study;
+  const times = ({ crossSeconds, seconds, design }: StudyInfo) => ({ crossSeconds, seconds, design });
+  const now = JSON.stringify(times(info));
+  const plan = (preset: StudyPreset) =>
+    using(study.withDesign(preset), (planned) => {
+      const its = times(planned.info);
+      return { preset, trials: trialsOf(planned), ...its, chosen: JSON.stringify(its) === now };
+    });
+  return { text: study.toJson(), info, trials: trialsOf(study), plans: PRESETS.map(plan) };
+}
 
 /** The study after these changes, one after the other. */
 function changed(study: Study, { preset, look, texts, failed }: StudyChange): StudyView {
