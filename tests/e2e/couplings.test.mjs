@@ -112,7 +112,7 @@ describe("a preset", () => {
     const weight = page.getByTestId("weight-0-1");
     await page.getByTestId("lead-try").click();
     // The page shows the couplings at once, without waiting for the motion.
-    assert.equal(await weight.textContent(), "off");
+    assert.equal(await weight.textContent(), "≈ 0");
     assert.match((await measured(page)).step, /out of step/);
     assert.match(await page.getByTestId("lead").innerText(), /fall out of step/);
     assert.equal(await page.getByTestId("stage-title").innerText(), "Let the arms go");
@@ -153,9 +153,9 @@ describe("sliders and dividers", () => {
         .evaluate((fill) => getComputedStyle(fill).opacity);
     const full = Number(await paleness());
     await page.keyboard.press("Home");
-    assert.equal(await weight.innerText(), "off");
+    assert.equal(await weight.innerText(), "≈ 0");
     assert.ok(Number(await paleness()) < full / 2);
-    assert.match((await slider.getAttribute("aria-valuetext")) ?? "", /weight off/);
+    assert.match((await slider.getAttribute("aria-valuetext")) ?? "", /weight ≈ 0/);
     await page.keyboard.press("Delete");
     assert.equal(Number(await weight.innerText()), before);
     assert.equal((await alphasOf(page)).size, 0, "as learned again");
@@ -203,7 +203,7 @@ describe("sliders and dividers", () => {
     await page.keyboard.press("PageUp");
     assert.equal(await now(), before + 11);
     await page.keyboard.press("Home");
-    assert.match((await divider.getAttribute("aria-valuetext")) ?? "", /^lower off, upper 1\.00$/);
+    assert.match((await divider.getAttribute("aria-valuetext")) ?? "", /^lower ≈ 0, upper 1\.00$/);
     await page.keyboard.press("Delete");
     assert.equal(await now(), before);
     // The measures are pale until they belong to the present motion.

@@ -12,7 +12,7 @@ it("gives weights that sum to 1, the largest to the smallest variance", () => {
 });
 
 it("writes a weight without a visible effect as off", () => {
-  expect([0, 0.0099, 0.01, 0.5].map(weightText)).toEqual(["off", "off", "0.01", "0.50"]);
+  expect([0, 0.0099, 0.01, 0.5].map(weightText)).toEqual(["≈ 0", "≈ 0", "0.01", "0.50"]);
 });
 
 describe("a divider", () => {
@@ -40,7 +40,7 @@ describe("a divider", () => {
       const moved = moveDivider(alphas, 0, place);
       expect(moved.every((alpha) => alpha >= ALPHA_MIN * 0.999 && alpha <= ALPHA_MAX * 1.001)).toBe(true);
       const after = weights([...moved, alphas[2]!]);
-      expect(weightText(after[place > 0.5 ? 1 : 0]!)).toBe("off");
+      expect(weightText(after[place > 0.5 ? 1 : 0]!)).toBe("≈ 0");
     }
   });
 

@@ -51,5 +51,5 @@ export function isOff(weight: number): boolean {
 
 /** A weight as the table writes it. */
 export function weightText(value: number): string {
-  return isOff(value) ? "off" : weight(value);
+  return isOff(value) ? "≈ 0" : weight(value);
 }
