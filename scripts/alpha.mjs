@@ -102,7 +102,7 @@ await main(async () => {
     await page.getByRole("button", { name: "Pause", exact: true }).click();
     await page.getByTestId(values.learned ? "reading-learned" : "reading-inferred").click();
     const slider = "[data-testid=coupling-0-1]";
-    await page.waitForSelector(slider);
+    await page.waitForSelector(slider, { state: "attached" });
     const workers = page.workers();
     for (const worker of workers) await worker.evaluate(recordAnswers);
 

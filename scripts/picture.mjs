@@ -19,13 +19,13 @@ const WIDTH = 900;
 const STEP = 3;
 const QUALITY = 60;
 
-/** The number of pictures in which the slider moves to a value; null: the slider rests. */
+/** The number of pictures in which the arrow is dragged down by so many pixels; 0: it rests. */
 const SCENES = [
-  { pictures: 14, slider: null },
-  { pictures: 9, slider: -2.4 },
-  { pictures: 26, slider: null },
-  { pictures: 7, slider: "back" },
-  { pictures: 12, slider: null },
+  { pictures: 14, down: 0 },
+  { pictures: 9, down: 170 },
+  { pictures: 26, down: 0 },
+  { pictures: 7, down: -170 },
+  { pictures: 12, down: 0 },
 ];
 
 async function loadSharp() {
@@ -79,33 +79,20 @@ async function pictures() {
   const browser = await launchChromium();
   try {
     const page = await browser.newPage({ viewport: SIZE, reducedMotion: "reduce" });
-    await page.goto(`${address}?embed`);
+    await page.goto(`${address}?embed#view=play`);
     await page.waitForSelector("html[data-engine=ready]");
     await page.evaluate(pointer);
-    const slider = page.getByTestId("coupling-0-1");
-    const learned = Number(await slider.inputValue());
-    const box = await slider.boundingBox();
-    if (!box) throw new Failure("the page shows no slider");
-    const [low, high] = await slider.evaluate((/** @type {HTMLInputElement} */ { min, max }) => [
-      Number(min),
-      Number(max),
-    ]);
-    let at = learned;
-    const grip = () => {
-      // The middle of the thumb stays half a thumb away from the ends of the track.
-      const share = (at - (low ?? 0)) / ((high ?? 1) - (low ?? 0));
-      return page.mouse.move(box.x + 8 + share * (box.width - 16), box.y + box.height / 2);
-    };
+    const box = await page.getByTestId("knob-0-1").boundingBox();
+    if (!box) throw new Failure("the page shows no arrow");
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
     const found = [];
-    for (const { pictures, slider: to } of SCENES) {
-      const [from, goal] = [at, to === null ? at : to === "back" ? learned : Number(to)];
+    for (const { pictures, down } of SCENES) {
+      await page.mouse.move(x, y);
+      // An arrow that is held without a move is cut.
+      if (down !== 0) await page.mouse.down();
       for (let i = 1; i <= pictures; i++) {
-        if (to !== null) {
-          await grip();
-          await page.mouse.down();
-          at = from + ((goal - from) * i) / pictures;
-          await grip();
-          await page.mouse.up();
+        if (down !== 0) {
+          await page.mouse.move(x, y + (down * i) / pictures);
           // Time for the new motion and its drawing.
           await page.waitForTimeout(250);
         }
@@ -116,6 +103,7 @@ async function pictures() {
         await page.waitForTimeout(120);
         found.push(await page.screenshot({ type: "png" }));
       }
+      if (down !== 0) await page.mouse.up();
     }
     return found;
   } finally {

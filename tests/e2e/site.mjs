@@ -175,7 +175,10 @@ export async function openTab(
 /** Opens the table of couplings on the tab Listen. */
 export async function openCouplingsTable(/** @type {Page} */ page) {
   await openTab(page, "listen");
-  await page.getByTestId("coupling-numbers").evaluate((details) => details.setAttribute("open", ""));
+  await page.getByTestId("coupling-numbers").evaluate((details) => {
+    details.setAttribute("open", "");
+    details.scrollIntoView({ block: "end" });
+  });
 }
 
 /** Whether the picture of an element changes within some milliseconds. */

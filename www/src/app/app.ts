@@ -167,7 +167,7 @@ export class App {
     return this.settings.values.chapter > 0;
   }
 
-  /** Whether the visible view is Play, with the stage. */
+  /** Whether the Lab is visible, with the stage. */
   get isPlayView(): boolean {
     return !this.isStory && this.settings.values.view === "play";
   }

@@ -41,7 +41,7 @@ export class LearningView extends View {
     return html`
       <h2>Learn a library</h2>
       <p class="hint">Clips with the same name are one movement. A part that is the <em>same</em> has one primitive for all movements;
-        with <em>own</em> it has one in each. All other settings are those of training, in the view Play.</p>
+        with <em>own</em> it has one in each. All other settings are those of training, in the Lab.</p>
       <div class="learning">
         <ul class="learning-clips">${learning.clips.map((clip) => this.#clip(clip))}</ul>
         <div>

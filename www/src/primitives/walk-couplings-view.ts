@@ -69,7 +69,7 @@ export class WalkCouplingsView extends View {
       <div class="button-row">
         <button class="small" data-testid="keep-combination" title="As a movement of the library, with these couplings"
           @click=${() => void library.keep(this.#name(movements.map(({ name }) => name)))}>Add to the library</button>
-        <button class="small primary" data-testid="put-on-stage" title="As a model, with these couplings, in the view Play"
+        <button class="small primary" data-testid="put-on-stage" title="As a model, with these couplings, in the Lab"
           @click=${() => this.dispatchEvent(new CustomEvent("put-on-stage", { bubbles: true }))}>Put on the stage</button>
       </div>`;
   }

@@ -353,7 +353,7 @@ export function limited(values: Partial<Settings>): Partial<Settings> {
   return Object.fromEntries(within) as Partial<Settings>;
 }
 
-/** `?embed` shows the stage, the latent plots and the couplings only, in large type. */
+/** `?embed` shows a view without header and footer. */
 export function isEmbedded(search: string): boolean {
   const value = new URLSearchParams(search).get("embed");
   return value !== null && value !== "0";
