@@ -70,8 +70,8 @@ const IDS = Object.keys(LOOKS) as ModelKind[];
 const PAIRS = IDS.flatMap((a, i) => IDS.slice(i + 1).map((b) => [a, b] as const));
 
 it.each([
-  ["light", ["#ffffff", "#faf9f7", "#f3f2ef"]],
-  ["dark", ["#181c20", "#101316", "#13161a"]],
+  ["light", ["#ffffff", "#f3f2ef"]],
+  ["dark", ["#171b1f", "#101316"]],
 ] as const)("stands out on the %s page", (shade, grounds) => {
   for (const id of IDS)
     for (const ground of grounds)
