@@ -27,16 +27,17 @@ after(() => site?.close());
 
 describe("a first visit", () => {
   it(`gets ready without an error, without asking another host, in less than ${budget.firstVisit} bytes`, async (test) => {
-    const { page, problems, leave } = await site.visit({ moving: true, seen: true, idle: true });
-    await ready(page);
-    assert.equal(await page.locator("html").getAttribute("data-engine"), "ready");
+    const { page, problems, leave } = await site.visit({ story: true, moving: true, seen: true, idle: true });
+    await page.locator(".story[data-state=open][data-engine=ready]").waitFor();
     test.diagnostic(`${sent} bytes`);
     assert.ok(sent > 10_000 && sent < budget.firstVisit, `${sent} bytes`);
-    assert.ok(await changes(page.getByTestId("stage")), "the figure moves");
+    assert.ok(await changes(page.getByTestId("walkers")), "the walkers move");
     assert.deepEqual(problems, []);
     await leave();
   });
+});
 
+describe("the Lab", () => {
   it("shows a moving figure before the wasm has arrived, and then that of the model", async () => {
     let release = () => {};
     wasm = new Promise((resolve) => {

@@ -59,6 +59,10 @@ describe("after the first visit", () => {
       await page.getByTestId(`view-${view}`).click();
       await page.locator(/** @type {string} */ (element)).waitFor();
     }
+    for (const chapter of [1, 2]) {
+      await page.evaluate((chapter) => Object.assign(location, { hash: `story=${chapter}` }), chapter);
+      await page.locator(`.story[data-state=open] .story-head [href="#story=${chapter}"]`).waitFor();
+    }
     assert.deepEqual(problems, []);
     await leave();
   });

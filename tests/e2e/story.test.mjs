@@ -1,7 +1,14 @@
 // The story, the first view of a new visitor: small, quick, in two languages, by keyboard and touch.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { after, before, beforeEach, describe, it } from "node:test";
+import { at } from "../../scripts/run.mjs";
+import { coupledInfo } from "../node/package.mjs";
 import { barriers, changes, draws, openSite, ready } from "./site.mjs";
+
+/** @type {typeof import("vcgpdm")} */
+const { Model, Study } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -215,6 +222,73 @@ describe("a chapter that cannot be loaded", () => {
     await page.unroute("**/walkers.bin");
     await page.getByTestId("try-again").click();
     await open(page);
+    await leave();
+  });
+});
+
+describe("the numbers on the cards are those of the library", () => {
+  it("how far two walkers are apart", async () => {
+    const { page, leave } = await site.visit({ story: true });
+    await page.getByTestId("choice-left").click();
+    const [found] = (await page.getByTestId("verdict").innerText()).match(/[\d.]+(?= cm)/) ?? [];
+    const study = Study.fromJson(readFileSync(at("www/public/study/walks.study.json"), "utf8"));
+    const { stimuli, skeleton } = study.info;
+    const positions = (/** @type {string} */ id) =>
+      study.positions(stimuli.findIndex((stimulus) => stimulus.id === id));
+    const [program, model] = [positions("trial-1"), positions("vcgpdm-3-12-trial-1")];
+    const nodes = skeleton.parents.length;
+    const apart = Array.from({ length: program.length / 3 / nodes }, (_, frame) =>
+      skeleton.dots.map((node) => {
+        const first = 3 * (frame * nodes + node);
+        return Math.hypot(...[0, 1, 2].map((k) => (program[first + k] ?? NaN) - (model[first + k] ?? NaN)));
+      }),
+    ).flat();
+    const mean = apart.reduce((sum, distance) => sum + distance, 0) / apart.length;
+    assert.ok(
+      Math.abs(Number(found) - 100 * mean) < 0.06,
+      `${found} cm on the card, ${100 * mean} cm computed`,
+    );
+    await leave();
+  });
+
+  it("periods and swings of legs and arms, tied and cut", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "story=2" });
+    const model = Model.fromJson(readFileSync(at("www/public/first/model.json"), "utf8"));
+    const { alpha, frameTime } = coupledInfo(model);
+    const measured = (/** @type {number} */ factor, /** @type {import("vcgpdm").Reading} */ reading) => {
+      const cut = alpha.map((row, source) =>
+        row.map((value, target) => (source === 0 && target === 1 ? factor * value : value)),
+      );
+      const rollout = model.rollout({ frames: Math.round(20 / frameTime), sequence: 0, alpha: cut, reading });
+      const [legs, arms] = rollout.measures(Math.round(5 / frameTime)).parts;
+      assert.ok(legs && arms);
+      return { legs, arms };
+    };
+    const card = page.getByTestId("measured");
+    const state = (/** @type {string} */ thread, /** @type {string} */ outcome) =>
+      page.locator(`[data-testid=measured][data-thread=${thread}][data-outcome=${outcome}]`).waitFor();
+    const seconds = (/** @type {number | null} */ value) => `${(value ?? NaN).toFixed(2)} s`;
+
+    await page.getByTestId("choice-stop").click();
+    await state("relearned", "pace");
+    const cut = measured(100, "re-inferred");
+    const learned = measured(1, "as-learned");
+    const text = await card.innerText();
+    assert.ok(text.startsWith(`Legs ${seconds(cut.legs.period)}, arms ${seconds(cut.arms.period)}`), text);
+
+    await page.getByTestId("thread-kept").click();
+    await state("kept", "stop");
+    const kept = measured(100, "as-learned");
+    const [is, was] = [kept.arms.swing, learned.arms.swing].map((swing) => (100 * (swing ?? NaN)).toFixed(0));
+    assert.match(await card.innerText(), new RegExp(`^The hands swing ${is} cm instead of ${was} cm`));
+
+    await page.getByTestId("open-in-lab").click();
+    await ready(page);
+    assert.match(page.url(), /reading=learned&alpha=0\.1:/);
+    assert.equal(await page.getByTestId("foreign-link").count(), 0);
+    await page.goBack();
+    await page.getByTestId("choice-stop").waitFor();
+    assert.deepEqual(problems, []);
     await leave();
   });
 });

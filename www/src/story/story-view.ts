@@ -13,6 +13,7 @@ import { languageSwitch } from "./language-switch";
 import { OpenChapters } from "./open-chapters";
 import { swipes } from "./swipe";
 import "./story.css";
+import "./story-foot.css";
 
 /** Milliseconds from one state to the next. */
 const FADE = 300;
@@ -211,7 +212,7 @@ export class StoryView extends View {
     const { embedded, words } = this.app;
     const { title, text } = words.now.chapters[this.#name];
     return html`
-      <div class="story" data-embed=${embedded ? "1" : "0"} data-state=${this.#chapters.state} data-chapter=${this.#name}>
+      <div class="story" data-embed=${embedded ? "1" : "0"} data-state=${this.#chapters.state} data-engine=${storyBody(this.app).engine.state} data-chapter=${this.#name}>
         ${this.#head()}
         <main>
           <section class="story-stage" aria-label=${words.now.frame.stage}>

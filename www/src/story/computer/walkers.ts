@@ -1,7 +1,6 @@
 // The walkers of the first chapter: lights of a program's walk, and of a model's prediction of it.
 import type { Motion } from "../../engine/protocol";
 import type { Body } from "../../scene/columns";
-import { distances } from "../../scene/motion";
 import { decodeFirstMotion } from "../../stage/first-motion.js";
 
 export interface Walker {
@@ -46,8 +45,11 @@ export function readWalkers(bytes: ArrayBuffer): Walkers {
   return { body: { figure, joints, parts, lights: figure.nodes.map((_, node) => node) }, pairs };
 }
 
-/** How far the lights of the two are apart, on average over lights and frames, metres. */
+/** How far the lights of the two are apart at the same time, on average over lights and frames, metres. */
 export function meanDistance({ program, model }: WalkerPair): number {
-  const apart = distances(model.motion, program.motion);
-  return apart.reduce((sum, distance) => sum + distance, 0) / apart.length;
+  const [a, b] = [program.motion.positions, model.motion.positions];
+  let sum = 0;
+  for (let i = 0; i < a.length; i += 3)
+    sum += Math.hypot(a[i]! - b[i]!, a[i + 1]! - b[i + 1]!, a[i + 2]! - b[i + 2]!);
+  return sum / (a.length / 3);
 }
