@@ -75,7 +75,7 @@ describe("comparing models from Node", () => {
         candidate.model.startsWith("map") || candidate.model.startsWith("dmp"),
         candidate.model,
       );
-      results.add({ candidate, heldOut: 2, trainingTrials: 2, seed: 1 }, outcome);
+      results.add({ candidate, heldOut: 1, trainingTrials: 2, seed: 1 }, outcome);
     }
     const finished = results.finished();
     assert.deepEqual(
@@ -111,11 +111,7 @@ describe("comparing models from Node", () => {
     assert.ok(dmp);
     assert.equal(dmp.id, "dmp-rhythmic, 10 bases; trial 1 held out, 2 trained on, seed 0");
     const { candidate, heldOut, trainingTrials, seed } = dmp.job;
-    const evaluation = new Evaluation(
-      new Fold(clips, common, { heldOut: heldOut - 1, trainingTrials }),
-      candidate,
-      seed,
-    );
+    const evaluation = new Evaluation(new Fold(clips, common, { heldOut, trainingTrials }), candidate, seed);
     while (!evaluation.step().done);
     results.add(dmp.job, evaluation.prediction().outcome(1));
     const done = results.jobs(PLAN).filter(({ done }) => done);
@@ -132,6 +128,37 @@ describe("comparing models from Node", () => {
     const uncoupled = Results.empty(clips, whole).jobs(PLAN);
     assert.equal(uncoupled.length, 3 * (2 * 2 + 1));
     assert.ok(uncoupled.every(({ job }) => job.candidate.model !== "vcgpdm"));
+  });
+
+  it("counts trials from 0 in folds, jobs and plans, and from 1 in a file", () => {
+    const { Evaluation, Fold, Results } = installed.vcgpdm;
+    const { clips, common } = trials();
+    const results = Results.empty(clips, common);
+    const planned = results.jobs({ ...PLAN, models: ["dmp-rhythmic"], heldOut: [2, 0] });
+    assert.deepEqual(
+      planned.map(({ job }) => job.heldOut),
+      [2, 0],
+    );
+    for (const { job } of planned) {
+      const { candidate, heldOut, seed } = job;
+      const fold = new Fold(clips, common, { heldOut });
+      const evaluation = new Evaluation(fold, candidate, seed);
+      while (!evaluation.step().done);
+      results.add(job, evaluation.prediction().outcome(1));
+    }
+    assert.deepEqual(
+      results.finished().map(({ job }) => job.heldOut),
+      [2, 0],
+    );
+    const text = results.toJson();
+    assert.deepEqual(
+      JSON.parse(text).finished.map((/** @type {any} */ { job }) => job.held_out),
+      [3, 1],
+    );
+    assert.equal(Results.fromJson(text).toJson(), text);
+    // The page appends results to the text of a file.
+    const { finished, ...others } = JSON.parse(text);
+    assert.equal(JSON.stringify({ ...others, finished }), text);
   });
 
   it("merges what was computed elsewhere, and keeps what it knows", () => {
@@ -154,15 +181,15 @@ describe("comparing models from Node", () => {
       trainingTrials: 2,
       seed: 0,
     });
-    here.add(job(1), outcome);
-    there.add(job(1), { ...outcome, seconds: 9 });
-    there.add(job(2), outcome);
+    here.add(job(0), outcome);
+    there.add(job(0), { ...outcome, seconds: 9 });
+    there.add(job(1), outcome);
     here.merge(there);
     assert.deepEqual(
       here.finished().map(({ job, outcome }) => [job.heldOut, outcome?.seconds]),
       [
+        [0, 1],
         [1, 1],
-        [2, 1],
       ],
     );
     const slower = Results.empty(clips, { ...common, framesPerSecond: 10 });
@@ -170,9 +197,9 @@ describe("comparing models from Node", () => {
       () => here.merge(slower),
       /these results are of another frame rate: expected 15 .*, found 10/,
     );
-    assert.throws(() => here.add(job(4), outcome), /expected trials from 1 to 3/);
+    assert.throws(() => here.add(job(3), outcome), /`heldOut`: expected a trial from 0 to 2, found 3/);
     assert.throws(
-      () => here.add(job(3), { ...outcome, seconds: -1 }),
+      () => here.add(job(2), { ...outcome, seconds: -1 }),
       /expected a time that is finite and not negative/,
     );
   });
@@ -198,8 +225,8 @@ describe("comparing models from Node", () => {
       /expected a positive number of frames a second, found NaN/,
     );
     assert.throws(
-      () => Results.empty(clips, common).jobs({ ...PLAN, heldOut: [4] }),
-      /expected a trial from 1 to 3/,
+      () => Results.empty(clips, common).jobs({ ...PLAN, heldOut: [0, 3] }),
+      /`heldOut`: expected a trial from 0 to 2, found 3/,
     );
     const twice = new TrainingSet();
     twice.add(Clip.sample("walk-1"));

@@ -123,9 +123,9 @@ describe("a study", () => {
     const maker = new StudyMaker(body, 3, 30);
     /** @type {import("vcgpdm").Candidate} */
     const candidate = { model: "dmp-rhythmic", bases: 15 };
-    for (const trial of [1, 2]) {
-      const fold = new Fold(clips, { parts, framesPerSecond: 30 }, { heldOut: trial - 1 });
-      const movement = { trial, name: `walk ${trial}`, frameTime: fold.frameTime };
+    for (const trial of [0, 1]) {
+      const fold = new Fold(clips, { parts, framesPerSecond: 30 }, { heldOut: trial });
+      const movement = { trial, name: `walk ${trial + 1}`, frameTime: fold.frameTime };
       maker.addNatural(movement, fold.actual(), true);
       const evaluation = new Evaluation(fold, candidate, 0);
       while (!evaluation.step().done);
@@ -141,7 +141,7 @@ describe("a study", () => {
     assert.deepEqual([info.seconds, info.title, info.design.seed], [3, "Two walks", 3]);
     assert.ok((info.stimuli[1]?.scores?.mse ?? 0) > 0);
     assert.equal(study.trials(1).length, 52);
-    const short = { trial: 3, name: "short", frameTime: 1 / 30 };
+    const short = { trial: 2, name: "short", frameTime: 1 / 30 };
     assert.throws(
       () => maker.addNatural(short, study.positions(0).slice(0, 26 * 3 * 9), true),
       /trial-3: expected a movement/,

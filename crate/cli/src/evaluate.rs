@@ -268,7 +268,7 @@ impl Work {
                     format!("failed: {reason}")
                 }
             };
-            let (id, trial, seed) = (job.candidate.kind().id(), job.held_out, job.seed);
+            let (id, trial, seed) = (job.candidate.kind().id(), job.held_out + 1, job.seed);
             if let Err(error) = state.store.add(Finished::new(job, result)) {
                 return self.fail(&mut state, error.as_ref());
             }
@@ -345,13 +345,13 @@ fn without_coupled(plan: Plan, split: &str) -> Result<Plan, Box<dyn Error>> {
     Ok(plan)
 }
 
-/// The trials of `--folds`, counted from 1; for "all" an empty list.
+/// The trials of `--folds`, which counts from 1, counted from 0; for "all" an empty list.
 pub fn folds(text: &str, trials: usize) -> Result<Vec<usize>, Box<dyn Error>> {
     if text == "all" {
         return Ok(Vec::new());
     }
-    let number = |word: &str| word.trim().parse().ok().filter(|n| (1..=trials).contains(n));
-    text.split(',').map(number).collect::<Option<_>>().ok_or_else(|| {
+    let trial = |word: &str| word.trim().parse::<usize>().ok()?.checked_sub(1).filter(|k| *k < trials);
+    text.split(',').map(trial).collect::<Option<_>>().ok_or_else(|| {
         usage(format!("--folds {text}: expected all, or numbers from 1 to {trials} with commas between"))
     })
 }

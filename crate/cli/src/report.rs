@@ -254,7 +254,8 @@ fn failures(text: &mut String, results: &Results) -> std::fmt::Result {
         writeln!(
             text,
             "Failed: {kind}, {label}, trial {} held out, seed {}: {why}\n",
-            job.held_out, job.seed
+            job.held_out + 1,
+            job.seed
         )?;
     }
     Ok(())

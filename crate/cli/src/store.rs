@@ -18,7 +18,7 @@ use std::io::{Read, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, Instant};
-use vcgpdm_lab::evaluation::{Finished, Job, Results, Setting};
+use vcgpdm_lab::evaluation::{Finished, Job, Results, Setting, job_in_files};
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
@@ -29,6 +29,7 @@ const PATIENCE: Duration = Duration::from_secs(2);
 #[derive(Serialize, Deserialize)]
 struct Claim {
     owner: usize,
+    #[serde(with = "job_in_files")]
     job: Job,
 }
 
@@ -244,7 +245,7 @@ mod tests {
 
     fn job(seed: u32) -> Job {
         let candidate = Settings::Tmp(TmpSettings::default());
-        Job { candidate, held_out: 1, training_trials: 1, seed }
+        Job { candidate, held_out: 0, training_trials: 1, seed }
     }
 
     fn failed(seed: u32) -> Finished {
@@ -329,7 +330,9 @@ mod tests {
         drop(second);
         assert_eq!(files_in(&folder), ["results.json", "results.json.lock"]);
         // A killed one leaves a claim and a file that is not locked, maybe half of a claim.
-        for rest in [serde_json::to_string(&[Claim { owner: 1, job: job(0) }]).unwrap(), "[{".to_owned()] {
+        let claims = serde_json::to_string(&[Claim { owner: 1, job: job(0) }]).unwrap();
+        assert!(claims.contains(r#""held_out":1"#), "as programs of earlier versions: {claims}");
+        for rest in [claims, "[{".to_owned()] {
             fs::write(folder.join("results.json.lock"), rest).unwrap();
             fs::write(folder.join("results.json.lock-1"), "").unwrap();
             let (mut third, mut of_third) = open();

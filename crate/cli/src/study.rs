@@ -164,39 +164,27 @@ fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> 
     let best = best(arguments, &results)?;
     let (rate, start) = (setting.frames_per_second, setting.start_frames);
 
-    let mut folds: BTreeMap<usize, Fold> = BTreeMap::new();
-    for number in 1..=clips.len() {
-        let fold = Fold::new(&clips, number, clips.len() - 1, &setting.parts, rate, start)?;
-        folds.insert(number, fold);
+    let mut folds = Vec::new();
+    for trial in 0..clips.len() {
+        folds.push(Fold::new(&clips, trial, clips.len() - 1, &setting.parts, rate, start)?);
     }
-    let Some(body) = folds.get(&1).map(Fold::body) else { return Err("expected trials, found none".into()) };
-    let skeleton = body.mapping.skeleton().clone();
-    let mut maker = Maker::new(&skeleton, arguments.seconds.unwrap_or(SECONDS), 1.0 / body.frame_time, start);
-    for (number, fold) in &folds {
-        let trial = &setting.trials[number - 1].name;
-        let body = fold.body();
-        let positions = body.positions(fold.actual())?;
-        let movement =
-            StudyMovement { number: *number, trial, positions: &positions, frame_time: body.frame_time };
-        maker.natural(&movement, true)?;
+    let Some(body) = folds.first().map(Fold::body) else { return Err("expected trials, found none".into()) };
+    let (skeleton, frame_time) = (body.mapping.skeleton().clone(), body.frame_time);
+    let mut maker = Maker::new(&skeleton, arguments.seconds.unwrap_or(SECONDS), 1.0 / frame_time, start);
+    for (trial, fold) in folds.iter().enumerate() {
+        let positions = fold.body().positions(fold.actual())?;
+        let (name, frame_time) = (&setting.trials[trial].name, fold.body().frame_time);
+        maker.natural(&StudyMovement { trial, name, positions: &positions, frame_time }, true)?;
     }
-    for (k, clip) in unseen.iter().enumerate() {
+    for (trial, clip) in unseen.iter().enumerate() {
         let positions = unseen_positions(body, clip, &clips[0])?;
-        let movement = StudyMovement {
-            number: k + 1,
-            trial: &clip.name,
-            positions: &positions,
-            frame_time: body.frame_time,
-        };
+        let movement = StudyMovement { trial, name: &clip.name, positions: &positions, frame_time };
         maker.natural(&movement, false)?;
     }
-    for (job, prediction) in predictions(&best, &folds, arguments)? {
-        let Some(fold) = folds.get(&job.held_out) else { continue };
-        let body = fold.body();
-        let (positions, outcome) = prediction;
-        let trial = &setting.trials[job.held_out - 1].name;
-        let movement =
-            StudyMovement { number: job.held_out, trial, positions: &positions, frame_time: body.frame_time };
+    for (job, (positions, outcome)) in predictions(&best, &folds, arguments)? {
+        let (trial, name) = (job.held_out, &setting.trials[job.held_out].name);
+        let frame_time = folds[trial].body().frame_time;
+        let movement = StudyMovement { trial, name, positions: &positions, frame_time };
         maker.generated(&movement, &job.candidate, job.seed, &outcome)?;
     }
     let title = arguments.title.clone().unwrap_or_else(|| "Which movement is more natural?".to_owned());
@@ -251,7 +239,7 @@ type Prediction = (Vec<f32>, Outcome);
 /// Trains every candidate again and predicts the trial held out: joint positions, and the outcome.
 fn predictions(
     jobs: &[(Job, f64)],
-    folds: &BTreeMap<usize, Fold>,
+    folds: &[Fold],
     arguments: &Arguments,
 ) -> Result<Vec<(Job, Prediction)>, Box<dyn Error>> {
     let stopped = interrupt::flag()?;
@@ -269,7 +257,7 @@ fn predictions(
                 loop {
                     let place = next.fetch_add(1, Ordering::Relaxed);
                     let Some((job, _)) = jobs.get(place) else { return };
-                    let Some(fold) = folds.get(&job.held_out) else { return };
+                    let Some(fold) = folds.get(job.held_out) else { return };
                     let made = predict(fold, job, &|| stopped.load(Ordering::Relaxed));
                     let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
                     done.insert(place, made);

@@ -137,6 +137,16 @@ struct FoldOptions {
     training_trials: Option<usize>,
 }
 
+/// Checks a trial of JavaScript, where trials are counted from 0. The library's errors count from 1.
+pub fn check_held_out(held_out: usize, trials: usize) -> Result<(), VcgpdmError> {
+    if held_out < trials {
+        return Ok(());
+    }
+    let last = trials.saturating_sub(1);
+    let words = format_args!("`heldOut`: expected a trial from 0 to {last}, found {held_out}");
+    Err(VcgpdmError::new(ErrorCode::Comparison, &words))
+}
+
 #[derive(Serialize)]
 struct EvaluationProgress {
     fraction: f64,
@@ -160,24 +170,12 @@ impl Fold {
     ) -> Result<Fold, VcgpdmError> {
         let FoldOptions { held_out, training_trials } = from_js(ErrorCode::Comparison, "fold", &options)?;
         let count = clips.clips.len();
-        if held_out >= count {
-            let words = format_args!(
-                "`heldOut`: expected a trial from 0 to {}, found {held_out}",
-                count.saturating_sub(1)
-            );
-            return Err(VcgpdmError::new(ErrorCode::Comparison, &words));
-        }
+        check_held_out(held_out, count)?;
         let training_trials = training_trials.unwrap_or(count - 1);
         let ComparisonSettings { parts, frames_per_second } =
             from_js(ErrorCode::Comparison, "settings", &settings)?;
-        let fold = HeldOut::new(
-            &clips.clips,
-            held_out + 1,
-            training_trials,
-            &parts,
-            frames_per_second,
-            START_FRAMES,
-        )?;
+        let fold =
+            HeldOut::new(&clips.clips, held_out, training_trials, &parts, frames_per_second, START_FRAMES)?;
         Ok(Fold { fold: Rc::new(fold) })
     }
 

@@ -15,7 +15,7 @@ use wasm_bindgen::prelude::*;
 const TYPES: &str = r#"
 /** A movement for a new study. */
 export interface MadeMovement {
-    /** The number of the trial, counted from 1. */
+    /** The trial, counted from 0. Its id in the study counts from 1. */
     trial: number;
     /** The name of the trial. */
     name: string;
@@ -62,7 +62,7 @@ impl StudyMaker {
         seen: bool,
     ) -> Result<(), VcgpdmError> {
         let MadeMovement { trial, name, frame_time } = from_js(ErrorCode::Study, "the movement", &movement)?;
-        let shown = StudyMovement { number: trial, trial: &name, positions, frame_time };
+        let shown = StudyMovement { trial, name: &name, positions, frame_time };
         Ok(self.maker.natural(&shown, seen)?)
     }
 
@@ -81,7 +81,7 @@ impl StudyMaker {
         let candidate: Settings = from_js(ErrorCode::Study, "the candidate", &candidate)?;
         let outcome: Outcome = from_js(ErrorCode::Study, "the outcome", &outcome)?;
         let seed = seed.get(ErrorCode::Study, "the seed")?;
-        let shown = StudyMovement { number: trial, trial: &name, positions, frame_time };
+        let shown = StudyMovement { trial, name: &name, positions, frame_time };
         Ok(self.maker.generated(&shown, &candidate, seed, &outcome)?)
     }
 

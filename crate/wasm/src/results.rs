@@ -4,7 +4,7 @@ use crate::arguments::Text;
 use crate::clip::TrainingSet;
 use crate::convert::{from_js, from_json, to_js, to_js_joined, to_json};
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::evaluation::ComparisonSettings;
+use crate::evaluation::{ComparisonSettings, check_held_out};
 use crate::settings::cost_to_js;
 use js_sys::{Array, Reflect};
 use serde::Serialize;
@@ -16,7 +16,7 @@ const TYPES: &str = r#"
 /** One candidate in one fold with one seed. */
 export interface Job {
     candidate: Candidate;
-    /** The number of the held-out trial, counted from 1. */
+    /** The held-out trial, counted from 0. */
     heldOut: number;
     /** The number of other trials in the training set. */
     trainingTrials: number;
@@ -67,7 +67,7 @@ export interface Plan {
     balanced: boolean;
     /** Whether the kernels of the MAP models have a linear term. */
     linear?: boolean;
-    /** Numbers of the held-out trials, counted from 1; empty: each trial in turn. */
+    /** The held-out trials, counted from 0; empty: each trial in turn. */
     heldOut: number[];
     /** The seeds of the models with random starts. The other models get the seed 0. */
     seeds: number[];
@@ -253,15 +253,24 @@ export interface Comparison {
 }
 "#;
 
-/// The id of a job.
+/// A job with its id.
 #[derive(Serialize)]
-struct Identity {
+struct IdentifiedJob<'a> {
     id: String,
+    job: &'a Job,
 }
 
-/// A value that belongs to a job, with the id of the job.
+/// A value that belongs to a job, with the job and its id. They replace the job of a file, whose trial is
+/// counted from 1.
 fn identified<T: Serialize>(job: &Job, value: &T) -> Result<JsValue, VcgpdmError> {
-    to_js_joined(&Identity { id: job.to_string() }, value)
+    to_js_joined(value, &IdentifiedJob { id: job.to_string(), job })
+}
+
+/// A job from JavaScript, with one of these trials held out.
+fn job_from_js(job: &JsValue, trials: usize) -> Result<Job, VcgpdmError> {
+    let job: Job = from_js(ErrorCode::Comparison, "job", job)?;
+    check_held_out(job.held_out, trials)?;
+    Ok(job)
 }
 
 /// All results of a comparison so far.
@@ -326,6 +335,9 @@ impl Results {
         #[wasm_bindgen(unchecked_param_type = "Plan")] plan: JsValue,
     ) -> Result<Array, VcgpdmError> {
         let plan: Plan = from_js(ErrorCode::Comparison, "plan", &plan)?;
+        for held_out in &plan.held_out {
+            check_held_out(*held_out, self.results.setting().trials.len())?;
+        }
         let one_part = self.results.setting().parts.len() < 2;
         let jobs = self.results.jobs(&if one_part { plan.without_coupled() } else { plan })?;
         jobs.iter().map(|planned| identified(&planned.job, planned)).collect()
@@ -339,7 +351,7 @@ impl Results {
         clips: &TrainingSet,
         #[wasm_bindgen(unchecked_param_type = "Job")] job: JsValue,
     ) -> Result<JsValue, VcgpdmError> {
-        let job: Job = from_js(ErrorCode::Comparison, "job", &job)?;
+        let job = job_from_js(&job, clips.clips.len())?;
         let Setting { parts, frames_per_second, .. } = self.results.setting();
         cost_to_js(job.candidate.kind(), job.cost(&clips.clips, parts, *frames_per_second))
     }
@@ -350,7 +362,7 @@ impl Results {
         #[wasm_bindgen(unchecked_param_type = "Job")] job: JsValue,
         #[wasm_bindgen(unchecked_param_type = "Outcome")] outcome: JsValue,
     ) -> Result<(), VcgpdmError> {
-        let job = from_js(ErrorCode::Comparison, "job", &job)?;
+        let job = job_from_js(&job, self.results.setting().trials.len())?;
         let outcome = from_js(ErrorCode::Comparison, "outcome", &outcome)?;
         Ok(self.results.add(Finished::new(job, Ok(outcome)))?)
     }

@@ -2,10 +2,11 @@
 import { html, nothing } from "lit";
 import type { ClipsStore } from "../clips/clips-store";
 import { type NumberName, settingField } from "../settings/setting-field";
-import { BY_HAND, MODELS } from "../settings/settings";
+import { BY_HAND, MODELS, numberOf, type SettingName, trialNumber, trialOf } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import "../terms/term";
 import type { TermName } from "../terms/terms";
+import { numberField } from "../ui/number-field";
 import { View } from "../ui/view";
 import type { ComparisonStore } from "./comparison-store";
 import { modelStyle } from "../figures/model-style";
@@ -44,12 +45,29 @@ export class ComparisonChoices extends View {
     this.unfolded = false;
   }
 
-  #number(name: NumberName, label: string, hint: string, term?: TermName, symbol = "?") {
-    const { settings, comparison } = this;
+  #field(name: SettingName, label: string, hint: string, term?: TermName, symbol = "?") {
     const afterLabel =
       term && html`<pg-term of=${term} text=${symbol} about="${label}: what is that?"></pg-term>`;
-    const field = { label, hint, testId: `compare-${name}`, disabled: comparison.busy };
-    return settingField(settings, name, { ...field, ...(afterLabel && { afterLabel }) });
+    const field = { label, hint, testId: `compare-${name}`, disabled: this.comparison.busy };
+    return { ...field, ...(afterLabel && { afterLabel }) };
+  }
+
+  #number(name: NumberName, label: string, hint: string, term?: TermName, symbol?: string) {
+    return settingField(this.settings, name, this.#field(name, label, hint, term, symbol));
+  }
+
+  #heldOut() {
+    const { settings } = this;
+    const hint = "The trial held out, counted from 1; 0: each in turn";
+    return numberField({
+      ...this.#field("heldOut", "Only trial (0: each)", hint, "fold"),
+      limits: trialNumber,
+      value: numberOf(settings.values.heldOut),
+      change(number) {
+        settings.change({ heldOut: trialOf(number) });
+        return numberOf(settings.values.heldOut);
+      },
+    });
   }
 
   #numbers(name: "ips" | "bases", label: string, hint: string, term: TermName) {
@@ -152,7 +170,7 @@ export class ComparisonChoices extends View {
           ${this.#numbers("ips", "Inducing points", "Of every dynamics map and every pose map of the variational models; several to compare", "inducing-point")}
           ${this.#numbers("bases", "DMP bases", "Basis functions of every column of the DMPs; several to compare", "bases")}
           ${this.#number("comparedIterations", "Iterations at most", "Of the optimiser, for every model that has one", "iterations")}
-          ${this.#number("heldOut", "Only trial (0: each)", "The trial held out, counted from 1; 0: each in turn", "fold")}
+          ${this.#heldOut()}
         </div>
         ${this.#flag("growth", "Learning time against frames", "Trains the vCGPDM and the MAP CGPDM also on fewer trials")}
         <p class="hint">${this.#growthWords()}</p>

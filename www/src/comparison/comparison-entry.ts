@@ -29,7 +29,7 @@ export interface ComparisonEntry {
   jobs: readonly JobProgress[];
   /** The predictions of models trained on all other trials, by the job's id. */
   readonly predictions: Map<string, Positions>;
-  /** The trials held out, by their number. */
+  /** The motions of the trials held out, by the trial. */
   readonly actual: Map<number, Positions>;
 }
 

@@ -179,7 +179,7 @@ export class ComparisonPage extends View {
     if (failed.length === 0) return nothing;
     return html`<ul class="failures card">${failed.map(
       ({ job, why }) => html`
-      <li class="bad">${modelStyle(job.candidate.model).name}, trial ${job.heldOut} held out: ${sentence(why ?? "")}</li>`,
+      <li class="bad">${modelStyle(job.candidate.model).name}, trial ${job.heldOut + 1} held out: ${sentence(why ?? "")}</li>`,
     )}</ul>`;
   }
 

@@ -27,7 +27,7 @@ export function planOf(settings: Readonly<Settings>): Plan {
     primitives: [null],
     bases: [...bases],
     balanced,
-    heldOut: heldOut === 0 ? [] : [heldOut],
+    heldOut: heldOut === "each" ? [] : [heldOut],
     seeds: seedsFrom(seed, seeds),
     trainingTrials: [],
     growth,

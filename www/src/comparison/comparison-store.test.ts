@@ -74,7 +74,7 @@ describe("a comparison", () => {
     expect(comparison.ending).toBe("6 of 6 trainings done.");
     expect(finished()).toHaveLength(6);
     expect(comparison.shown?.predictions.size).toBe(6);
-    expect([...(comparison.shown?.actual.keys() ?? [])]).toEqual([1, 2, 3]);
+    expect([...(comparison.shown?.actual.keys() ?? [])]).toEqual([0, 1, 2]);
     await compare();
     expect(comparison.ending).toBe("All of this was finished before.");
   });
@@ -240,9 +240,9 @@ describe("the plan", () => {
     clips.tick(1);
     expect(comparison.whyNot).toMatch(/^Tick at least two clips/);
     clips.tick(1, 2);
-    settings.change({ heldOut: 3 });
+    settings.change({ heldOut: 2 });
     expect(comparison.whyNot).toBe("There is no trial 3: 2 clips are ticked");
-    settings.change({ heldOut: 0, models: [] });
+    settings.change({ heldOut: "each", models: [] });
     expect(comparison.whyNot).toBe("Tick at least one model");
     await settled();
     expect([comparison.outlook, program.plans]).toEqual([null, 1]);

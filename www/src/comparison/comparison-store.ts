@@ -45,8 +45,8 @@ export interface Outlook {
 
 /** The visitor's choices for the display. */
 export interface Look {
-  /** The held-out trial; 0: the first one. */
-  readonly fold: number;
+  /** The held-out trial, counted from 0; null: the first one with predictions. */
+  readonly fold: number | null;
   /** The models; null: the first of each kind. */
   readonly picked: readonly string[] | null;
   /** Null: as the visitor's system says. */
@@ -79,7 +79,7 @@ export class ComparisonStore extends Store {
   #failed = false;
   #stop = new AbortController();
   #width = 1;
-  #look: Look = { fold: 0, picked: null, playing: null };
+  #look: Look = { fold: null, picked: null, playing: null };
   #asked: Asked | null = null;
   #planned: { asked: Asked; planned: PlannedComparison } | null = null;
   /** Why the plan is impossible. */
@@ -181,7 +181,8 @@ export class ComparisonStore extends Store {
     const ticked = clips.ticked.length;
     if (ticked < 2) return "Tick at least two clips: one is held out, the others are trained on";
     if (clips.clash) return clips.clash;
-    if (heldOut > ticked) return `There is no trial ${heldOut}: ${ticked} clips are ticked`;
+    if (heldOut !== "each" && heldOut >= ticked)
+      return `There is no trial ${heldOut + 1}: ${ticked} clips are ticked`;
     return models.length === 0 ? "Tick at least one model" : "";
   }
 

@@ -30,7 +30,7 @@ export function labelOf(
   return [label, severalSeeds ? `seed ${seed}` : ""].filter(Boolean).join(", ");
 }
 
-/** The numbers of the trials with predictions. */
+/** The trials with predictions. */
 export function foldsOf({ results, predictions }: ReadonlyEntry): number[] {
   const known = results.finished.filter(({ id }) => predictions.has(id));
   return [...new Set(known.map(({ job }) => job.heldOut))].sort((a, b) => a - b);

@@ -114,7 +114,7 @@ export class SideBySide extends View {
   /** The chosen trial, or the first with predictions. */
   #foldNow(folds: readonly number[]): number {
     const { fold } = this.comparison.look;
-    return folds.includes(fold) ? fold : (folds[0] ?? 0);
+    return folds.find((trial) => trial === fold) ?? folds[0] ?? 0;
   }
 
   protected override updated(): void {
@@ -156,7 +156,7 @@ export class SideBySide extends View {
       lines.push({ model: modelOf(prediction), label: prediction.label, metres });
     }
     this.#columns?.show(body, motions);
-    this.#distances = { frameTime: trial.frameTime, trial: entry.titles[fold - 1] ?? "", lines };
+    this.#distances = { frameTime: trial.frameTime, trial: entry.titles[fold] ?? "", lines };
     this.#player.load(trial.frames, trial.frameTime, trial.frames - 1);
     this.requestUpdate();
   }
@@ -193,7 +193,7 @@ export class SideBySide extends View {
         <label>Trial held out
           <select data-testid="compare-fold" @change=${(event: Event) =>
             this.comparison.lookAt({ fold: Number((event.target as HTMLSelectElement).value) })}>
-            ${folds.map((number) => html`<option value=${number} ?selected=${number === fold}>${entry.titles[number - 1] ?? number}</option>`)}
+            ${folds.map((trial) => html`<option value=${trial} ?selected=${trial === fold}>${entry.titles[trial] ?? trial + 1}</option>`)}
           </select>
         </label>
         <div class="picks" role="group" aria-label="Models to show, at most ${MOST_COLUMNS}">${predictionsOf(entry, fold).map(chip)}</div>

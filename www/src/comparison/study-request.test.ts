@@ -18,7 +18,7 @@ function entryOf(jobs: readonly Job[], objectives: readonly number[]) {
   return newEntry(request as unknown as ComparisonRequest, results);
 }
 const job = (seed: number, primitives: number): Job => ({
-  ...{ candidate: { model: "tmp", primitives }, heldOut: 2, trainingTrials: 1, seed },
+  ...{ candidate: { model: "tmp", primitives }, heldOut: 1, trainingTrials: 1, seed },
 });
 
 it("has every model that was trained in this visit, and the recorded trial", () => {
@@ -28,11 +28,11 @@ it("has every model that was trained in this visit, and the recorded trial", () 
   entry.results.finished.forEach(({ id, job }) => keepMotions(entry, id, job, evaluated));
   const request = studyRequestOf(entry);
   expect(request?.generated.map(({ seed, trial, name }) => [seed, trial, name])).toEqual([
-    [0, 2, "two"],
-    [1, 2, "two"],
+    [0, 1, "two"],
+    [1, 1, "two"],
   ]);
   expect(request?.generated.map(({ outcome }) => outcome.objective)).toEqual([5, 7]);
-  expect(request?.natural.map(({ trial, name }) => [trial, name])).toEqual([[2, "two"]]);
+  expect(request?.natural.map(({ trial, name }) => [trial, name])).toEqual([[1, "two"]]);
   expect(request?.body.id).toBe(1);
 });
 

@@ -13,7 +13,7 @@ export function studyRequestOf({
 }: ReadonlyEntry): StudyRequest | null {
   const [body] = request?.clips ?? [];
   if (!request || !body) return null;
-  const named = (trial: number, frameTime: number) => ({ trial, name: titles[trial - 1] ?? "", frameTime });
+  const named = (trial: number, frameTime: number) => ({ trial, name: titles[trial] ?? "", frameTime });
   // Of several seeds the study takes the best: the library's rule.
   const generated = results.finished.flatMap(({ id, job, outcome }): GeneratedMovement[] => {
     const predicted = predictions.get(id);

@@ -62,7 +62,7 @@ export const clip = (id: number): TrainingClip => ({
 });
 
 const idOf = ({ candidate, heldOut, trainingTrials, seed }: Job) =>
-  `${candidate.model} ${heldOut} of ${trainingTrials} seed ${seed}`;
+  `${candidate.model} ${heldOut + 1} of ${trainingTrials} seed ${seed}`;
 
 function settingOf(clips: readonly TrainingClip[], { parts, framesPerSecond }: ComparisonSettings): Setting {
   const trials = clips.map(({ id }) => ({ name: `clip ${id}`, sha256: String(id), piece: null }));
@@ -75,7 +75,7 @@ const candidateOf = (model: ModelKind): Job["candidate"] =>
     : { model: "tmp", primitives: null };
 
 function jobsOf(plan: Plan, trials: number): Job[] {
-  const folds = plan.heldOut.length > 0 ? plan.heldOut : Array.from({ length: trials }, (_, k) => k + 1);
+  const folds = plan.heldOut.length > 0 ? plan.heldOut : Array.from({ length: trials }, (_, trial) => trial);
   return folds.flatMap((heldOut) =>
     plan.models.map((model) => ({
       candidate: candidateOf(model),
@@ -107,7 +107,7 @@ export function savedResults(
 ): string {
   const jobs = models.map((model) => ({
     candidate: candidateOf(model),
-    heldOut: 1,
+    heldOut: 0,
     trainingTrials: clips.length - 1,
     seed: 0,
   }));

@@ -71,6 +71,14 @@ describe("settings in the URL", () => {
     expect(readSettings(`#${writeSettings({ ...settings, chapter })}`)).toEqual({ ...settings, chapter });
   });
 
+  it("counts the trial held out from 0, and in the URL from 1", () => {
+    expect(readSettings("#heldout=3").heldOut).toBe(2);
+    expect(writeSettings({ ...initialSettings(), heldOut: 0 })).toBe("heldout=1");
+    for (const text of ["#heldout=0", "#heldout=-4", ""]) expect(readSettings(text).heldOut).toBe("each");
+    expect(readSettings("#heldout=1000").heldOut).toBe(98);
+    expect(limited({ heldOut: Number.NaN })).toEqual({});
+  });
+
   it("limits the values of the URL", () => {
     const settings = readSettings(
       "#latent=900&dynamics=-4&seed=99999999999&speed=77&alpha=0.1:1e9&draw=-3&driving=maybe",

@@ -182,6 +182,28 @@ const reading: Setting<Reading> = {
   limit: (value) => value,
 };
 
+/** A trial held out, counted from 0, or each in turn. */
+export type HeldOut = number | "each";
+
+/** The trial held out as people and the URL count it: from 1; 0: each in turn. */
+export const trialNumber = whole("heldout", 0, 0, 99);
+export const numberOf = (trial: HeldOut): number => (trial === "each" ? 0 : trial + 1);
+export const trialOf = (number: number): HeldOut => (number === 0 ? "each" : number - 1);
+
+const heldOut: Setting<HeldOut> = {
+  key: trialNumber.key,
+  initial: "each",
+  read(text) {
+    const number = trialNumber.read(text);
+    return number === null ? null : trialOf(number);
+  },
+  write: (trial) => String(numberOf(trial)),
+  limit(trial) {
+    const number = trialNumber.limit(numberOf(trial));
+    return number === null ? null : trialOf(number);
+  },
+};
+
 /** A subset of some words, in the order of these words. */
 function several<T extends string>(
   key: string,
@@ -290,8 +312,7 @@ export const SETTINGS = {
   ips: counts("ips", [8, 12, 16], 2, 40, 8),
   bases: counts("bases", [20], 2, 200, 8),
   balanced: flag("balanced", false),
-  /** The trial held out, counted from 1; 0: each in turn. */
-  heldOut: whole("heldout", 0, 0, 99),
+  heldOut,
   seeds: whole("seeds", 1, 1, 10),
   comparedIterations: whole("steps", 150, 5, 5000),
   /** Whether the vCGPDM and the MAP CGPDM are also trained on fewer trials, for the growth of their time. */

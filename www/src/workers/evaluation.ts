@@ -7,10 +7,7 @@ import { transfer } from "./transfer";
 import { using } from "./using";
 
 async function foldOf({ clips: chosen, settings, heldOut, trainingTrials }: EvaluationJob): Promise<Fold> {
-  return using(
-    await clipSet(chosen),
-    (set) => new Fold(set, settings, { heldOut: heldOut - 1, trainingTrials }),
-  );
+  return using(await clipSet(chosen), (set) => new Fold(set, settings, { heldOut, trainingTrials }));
 }
 
 async function evaluate(

@@ -87,7 +87,7 @@ fn outcomes(trials: &[Clip], parts: &[PartSpec]) -> Vec<[Vec<Outcome>; 2]> {
                 .collect()
         })
     };
-    (1..=trials.len()).map(fold).collect()
+    (0..trials.len()).map(fold).collect()
 }
 
 /// The median of the ratios over the trials with its interval, and in how many trials it is below 1. Errors

@@ -43,7 +43,7 @@ impl Comparison {
         let growth = growth(several, &labels);
         let trials = several.iter().flat_map(|results| &results.setting().trials);
         let names: Vec<&str> = trials.map(|trial| trial.name.as_str()).collect();
-        let evidence = evidence(&rows, &|fold| names.get(fold.wrapping_sub(1)).unwrap_or(&"").to_string());
+        let evidence = evidence(&rows, &|fold| names.get(fold).unwrap_or(&"").to_string());
         let claims = claims(&rows, &growth, &labels);
         let groups = groups(rows.iter()).into_iter();
         let chosen: Vec<(&Settings, usize)> = groups
@@ -79,16 +79,16 @@ mod tests {
     fn seeds_are_averaged_before_folds() {
         let mut jobs = Vec::new();
         let candidate = || Settings::Vgpdm(variational(8));
-        for (fold, seed, mse) in [(1, 0, 1.0), (1, 1, 3.0), (2, 0, 6.0)] {
+        for (fold, seed, mse) in [(0, 0, 1.0), (0, 1, 3.0), (1, 0, 6.0)] {
             jobs.push(finished(candidate(), fold, 2, seed, outcome(mse, Some(10.0), 100, 1.0)));
         }
         // Trained on fewer trials: no row of the table.
-        jobs.push(finished(candidate(), 3, 1, 0, outcome(100.0, Some(10.0), 50, 1.0)));
+        jobs.push(finished(candidate(), 2, 1, 0, outcome(100.0, Some(10.0), 50, 1.0)));
         let found = Comparison::new(&results(3, &jobs));
         assert_eq!(found.models.len(), 1);
         let row = &found.models[0];
         assert_eq!((row.folds, row.runs, row.mse.count), (2, 3, 2));
-        // Folds 2 and 6: mean 4, standard error |6 - 2| / 2.
+        // Means 2 and 6 of the folds: mean 4, standard error |6 - 2| / 2.
         assert_relative_eq!(row.mse.mean, 4.0);
         assert_relative_eq!(row.mse.standard_error.unwrap(), 2.0);
         assert_relative_eq!(row.mse_median, 4.0);
@@ -106,8 +106,8 @@ mod tests {
     #[test]
     fn claims_use_the_setting_with_the_highest_bound_in_each_trial() {
         let mut jobs = Vec::new();
-        for fold in 1..=7 {
-            let hard = 1.0 + 0.3 * fold as f64;
+        for fold in 0..7 {
+            let hard = 1.0 + 0.3 * (fold + 1) as f64;
             let mut add = |candidate: Settings, mse: f64, bound: Option<f64>| {
                 jobs.push(finished(candidate, fold, 6, 0, outcome(hard * mse, bound, 100, 1.0)));
             };
@@ -118,7 +118,7 @@ mod tests {
             }
             add(Settings::MapGpdm(map(false)), 0.4, None);
             // One wild fold in favour of the claim, as many a MAP rollout has.
-            add(Settings::MapCgpdm(map(false)), if fold == 3 { 99.0 } else { 0.25 }, None);
+            add(Settings::MapCgpdm(map(false)), if fold == 2 { 99.0 } else { 0.25 }, None);
             add(Settings::MapGpdm(map(true)), 0.25, None);
         }
         let found = Comparison::new(&results(7, &jobs));
@@ -146,17 +146,17 @@ mod tests {
         assert_eq!(found.evidence[2].trial, "walk 3");
     }
 
-    /// As after a cancelled run: only the first model has the hard trials 2 and 3.
+    /// As after a cancelled run: only the first model has the last two trials, which are hard.
     #[test]
     fn compares_models_over_the_trials_that_both_have() {
         let mut jobs = Vec::new();
         let mut add = |candidate: Settings, fold: usize, mse: f64| {
             jobs.push(finished(candidate, fold, 2, 0, outcome(mse, Some(1.0), 100, 1.0)));
         };
-        for (fold, mse) in [(1, 0.2), (2, 0.9), (3, 0.9)] {
+        for (fold, mse) in [(0, 0.2), (1, 0.9), (2, 0.9)] {
             add(Settings::Vcgpdm(variational(12)), fold, mse);
         }
-        add(Settings::Vgpdm(variational(12)), 1, 0.25);
+        add(Settings::Vgpdm(variational(12)), 0, 0.25);
         let found = Comparison::new(&results(3, &jobs));
         let claim = found.claims.iter().find(|c| c.place == "2018, section 5.3").unwrap();
         assert!(claim.found.contains("0.80 times in the median of 1 trial,"), "{claim:?}");
@@ -170,8 +170,8 @@ mod tests {
         assert_eq!((found.models[0].folds, found.models[1].folds), (3, 1));
         assert_relative_eq!(found.models[0].mse.mean, 2.0 / 3.0);
         // Models without a common trial are not compared.
-        jobs[3].job.held_out = 2;
-        jobs.retain(|f| f.job.held_out != 2 || f.job.candidate.kind() == ModelKind::Vgpdm);
+        jobs[3].job.held_out = 1;
+        jobs.retain(|f| f.job.held_out != 1 || f.job.candidate.kind() == ModelKind::Vgpdm);
         assert!(Comparison::new(&results(3, &jobs)).claims.is_empty());
     }
 
@@ -181,13 +181,7 @@ mod tests {
             let mut jobs = Vec::new();
             for (k, ratio) in ratios.iter().enumerate() {
                 let mut add = |candidate, mse| {
-                    jobs.push(finished(
-                        candidate,
-                        k + 1,
-                        ratios.len() - 1,
-                        0,
-                        outcome(mse, Some(1.0), 100, 1.0),
-                    ));
+                    jobs.push(finished(candidate, k, ratios.len() - 1, 0, outcome(mse, Some(1.0), 100, 1.0)));
                 };
                 add(Settings::Vcgpdm(variational(12)), ratio * (k + 1) as f64);
                 add(Settings::Vgpdm(variational(12)), (k + 1) as f64);
@@ -210,10 +204,11 @@ mod tests {
     fn decides_whether_a_dmp_is_best_with_25_bases() {
         let with = |errors: [f64; 3]| {
             let mut jobs = Vec::new();
-            for fold in 1..=6 {
+            for fold in 0..6 {
                 for (bases, mse) in [5, 25, 100].into_iter().zip(errors) {
                     let candidate = Settings::DmpDiscrete(DmpSettings { bases });
-                    jobs.push(finished(candidate, fold, 5, 0, outcome(mse * fold as f64, None, 100, 1.0)));
+                    let outcome = outcome(mse * (fold + 1) as f64, None, 100, 1.0);
+                    jobs.push(finished(candidate, fold, 5, 0, outcome));
                 }
             }
             answer(&Comparison::new(&results(6, &jobs)), "2019, section 4.2", "5 bases compared with 25")
@@ -230,27 +225,27 @@ mod tests {
             let candidate = Settings::Vgpdm(variational(ips));
             jobs.push(finished(candidate, fold, 2, 0, outcome(mse, Some(bound), 100, 1.0)));
         };
-        // Fold 1: the higher the bound, the lower the error. Fold 2 is longer, so that its bounds are higher,
-        // and hard.
+        // In the first fold, the higher the bound, the lower the error. The second fold is longer, so that its
+        // bounds are higher, and hard.
         for (ips, mse, bound) in [(4, 0.3, 10.0), (8, 0.2, 20.0), (12, 0.1, 30.0)] {
-            add(ips, 1, mse, bound);
+            add(ips, 0, mse, bound);
         }
-        add(4, 2, 0.9, 500.0);
-        add(8, 2, 0.8, 600.0);
+        add(4, 1, 0.9, 500.0);
+        add(8, 1, 0.8, 600.0);
         let found = Comparison::new(&results(3, &jobs));
         let correlation = &found.correlations[0];
         assert_relative_eq!(correlation.rank, -1.0);
         assert_eq!((correlation.settings, correlation.folds), (3, 1));
         assert_eq!(correlation.points.iter().map(|p| p.bound).collect::<Vec<_>>(), [10.0, 20.0, 30.0]);
-        // Chosen on fold 1, where 12 is best, though the mean bound of 8 over its folds is higher.
+        // Chosen on the first fold, where 12 is best, though the mean bound of 8 over its folds is higher.
         let claim = &found.claims[0].found;
         assert!(
             claim.starts_with("vGPDM, the best of 3 settings") && claim.contains("1.00 times"),
             "{claim}"
         );
         // A setting that has only another trial: nothing to compare.
-        jobs[0].job.held_out = 3;
-        jobs.retain(|f| f.job.held_out != 2);
+        jobs[0].job.held_out = 2;
+        jobs.retain(|f| f.job.held_out != 1);
         let found = Comparison::new(&results(3, &jobs));
         assert!(found.correlations.is_empty() && found.claims.is_empty(), "{:?}", found.claims);
     }
@@ -264,11 +259,11 @@ mod tests {
         };
         // A few iterations find worse models; those of many iterations have more results.
         for (ips, mse, bound) in [(4, 0.7, 1.0), (8, 0.8, 2.0), (12, 0.9, 3.0)] {
-            add(ips, 10, 1, mse, bound);
+            add(ips, 10, 0, mse, bound);
         }
         for (ips, mse, bound) in [(4, 0.3, 11.0), (8, 0.2, 12.0), (12, 0.1, 13.0)] {
+            add(ips, 800, 0, mse, bound);
             add(ips, 800, 1, mse, bound);
-            add(ips, 800, 2, mse, bound);
         }
         let found = Comparison::new(&results(2, &jobs));
         let groups: Vec<(&str, f64)> = found.correlations.iter().map(|c| (&c.label[..], c.rank)).collect();
@@ -295,19 +290,19 @@ mod tests {
             let cubic = (frames as f64).powi(3) * 1e-6;
             jobs.push(finished(
                 Settings::MapCgpdm(map(false)),
-                1,
+                0,
                 count,
                 0,
                 outcome(1.0, None, frames, cubic),
             ));
             let linear = frames as f64 * 1e-3;
             let vcgpdm = || Settings::Vcgpdm(variational(12));
-            jobs.push(finished(vcgpdm(), 1, count, 0, outcome(1.0, Some(1.0), frames, linear)));
+            jobs.push(finished(vcgpdm(), 0, count, 0, outcome(1.0, Some(1.0), frames, linear)));
         }
         // Another fold with only one number of trials, and another setting: neither shows growth.
         let odd = || outcome(1.0, Some(1.0), 400, 1e6);
-        jobs.push(finished(Settings::Vcgpdm(variational(12)), 2, 4, 0, odd()));
-        jobs.push(finished(Settings::Vcgpdm(variational(16)), 1, 4, 0, odd()));
+        jobs.push(finished(Settings::Vcgpdm(variational(12)), 1, 4, 0, odd()));
+        jobs.push(finished(Settings::Vcgpdm(variational(16)), 0, 4, 0, odd()));
         let found = Comparison::new(&results(5, &jobs));
         let exponents: Vec<f64> = found.growth.iter().map(|g| g.exponent.unwrap()).collect();
         assert_relative_eq!(exponents[0], 1.0, epsilon = 1e-9);
@@ -335,7 +330,7 @@ mod tests {
     #[test]
     fn distinguishes_errors_on_training_trials_and_on_trials_held_out() {
         let mut jobs = Vec::new();
-        for fold in 1..=7 {
+        for fold in 0..7 {
             // Dynamics inducing points help with what was trained on, and the bound knows; the trial held out
             // is another matter.
             for (dynamics_ips, pose_ips, trained_on, bound) in [
@@ -347,7 +342,7 @@ mod tests {
             ] {
                 let settings = VariationalSettings { dynamics_ips, pose_ips, ..variational(5) };
                 let mut outcome = outcome(0.5 + bound, Some(bound), 100, 1.0);
-                outcome.training_mse = Some(trained_on * (1.0 + 0.1 * fold as f64));
+                outcome.training_mse = Some(trained_on * (1.0 + 0.1 * (fold + 1) as f64));
                 jobs.push(finished(Settings::Vcgpdm(settings), fold, 6, 0, outcome));
             }
         }

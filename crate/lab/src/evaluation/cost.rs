@@ -12,7 +12,7 @@ impl Job {
     /// The estimated cost of its training on one core; that of a TMP or DMP is neglected. `trials` are all
     /// clips of the comparison in their order.
     pub fn cost(&self, trials: &[Clip], parts: &[PartSpec], frames_per_second: f64) -> TrainingCost {
-        let others = trials.iter().enumerate().filter(|(k, _)| k + 1 != self.held_out);
+        let others = trials.iter().enumerate().filter(|(k, _)| *k != self.held_out);
         let seconds: f64 = others
             .take(self.training_trials)
             .map(|(_, clip)| clip.values.nrows() as f64 * clip.frame_time)
@@ -34,7 +34,7 @@ mod tests {
         let clips: Vec<Clip> = ["walk-1", "walk-2", "walk-3"].map(|id| samples::clip(id).unwrap()).into();
         let parts = parts::presets(&clips[0].skeleton).remove(1).parts;
         let cost = |candidate: &Settings, training_trials| {
-            let job = Job { candidate: candidate.clone(), held_out: 1, training_trials, seed: 0 };
+            let job = Job { candidate: candidate.clone(), held_out: 0, training_trials, seed: 0 };
             job.cost(&clips, &parts, 30.0)
         };
         let variational = Settings::Vcgpdm(variational(12));

@@ -27,12 +27,13 @@ pub const START_FRAMES: usize = 5;
 pub enum EvaluationError {
     /// The trial does not exist.
     #[error(
-        "expected a trial from 1 to {count} to hold out, and at least 2 trials, found trial {found} of {count}"
+        "expected a trial from 1 to {count} to hold out, and at least 2 trials, found trial {} of {count}",
+        .found.saturating_add(1)
     )]
     Trial {
         /// Number of trials.
         count: usize,
-        /// The trial found, counted from 1.
+        /// The trial found, counted from 0.
         found: usize,
     },
     /// There are fewer trials to train on.
@@ -96,7 +97,7 @@ pub struct Fold {
 }
 
 impl Fold {
-    /// The trial `held_out`, counted from 1, predicted from its first `start_frames`, against the first
+    /// The trial `held_out`, counted from 0, predicted from its first `start_frames`, against the first
     /// `training_trials` of the others.
     ///
     /// # Errors
@@ -109,15 +110,14 @@ impl Fold {
         frames_per_second: f64,
         start_frames: usize,
     ) -> Result<Self, EvaluationError> {
-        let place = held_out.checked_sub(1).filter(|place| *place < trials.len() && trials.len() > 1);
-        let Some(place) = place else {
+        if held_out >= trials.len() || trials.len() < 2 {
             return Err(EvaluationError::Trial { count: trials.len(), found: held_out });
-        };
-        let (trial, most) = (&trials[place], trials.len() - 1);
+        }
+        let (trial, most) = (&trials[held_out], trials.len() - 1);
         if !(1..=most).contains(&training_trials) {
             return Err(EvaluationError::TrainingTrials { most, found: training_trials });
         }
-        let others = trials.iter().enumerate().filter(|(k, _)| *k != place).map(|(_, clip)| clip);
+        let others = trials.iter().enumerate().filter(|(k, _)| *k != held_out).map(|(_, clip)| clip);
         let mut sources: Vec<Source> =
             others.take(training_trials).map(|clip| Source { clip, first_frames: None }).collect();
         sources.push(Source { clip: trial, first_frames: Some(start_frames) });
@@ -303,7 +303,7 @@ mod tests {
         let trials = trials();
         let parts =
             &parts::presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
-        let fold = Fold::new(&trials, 2, 2, parts, 20.0, start_frames).unwrap();
+        let fold = Fold::new(&trials, 1, 2, parts, 20.0, start_frames).unwrap();
         assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: start_frames, whole: false }));
         let gpdm =
             VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
@@ -353,7 +353,7 @@ mod tests {
         let mut trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fps = 1.0 / trials[1].frame_time;
-        let fold = |trials: &[Clip]| Fold::new(trials, 2, 2, parts, fps, START_FRAMES).unwrap();
+        let fold = |trials: &[Clip]| Fold::new(trials, 1, 2, parts, fps, START_FRAMES).unwrap();
         let before = fold(&trials);
         let frames = trials[1].frames();
         let others = trials[0].frames() + trials[2].frames();
@@ -371,7 +371,7 @@ mod tests {
     fn has_no_outcome_after_a_stopped_training() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
-        let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
+        let fold = Fold::new(&trials, 0, 1, parts, 20.0, START_FRAMES).unwrap();
         let candidate = Settings::DmpRhythmic(DmpSettings { bases: 5 });
         assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
     }
@@ -380,7 +380,7 @@ mod tests {
     fn refuses_a_coupled_model_of_one_part() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
-        let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
+        let fold = Fold::new(&trials, 0, 1, parts, 20.0, START_FRAMES).unwrap();
         let candidate = Settings::Vcgpdm(VariationalSettings::default());
         let error = fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| true).unwrap_err().to_string();
         assert_eq!(error, "expected two parts or more for a vcgpdm model, found 1");
@@ -390,14 +390,13 @@ mod tests {
     fn refuses_trials_that_do_not_exist() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
-        let error = Fold::new(&trials, 4, 2, parts, 20.0, START_FRAMES).unwrap_err().to_string();
+        let error = Fold::new(&trials, 3, 2, parts, 20.0, START_FRAMES).unwrap_err().to_string();
         assert_eq!(
             error,
             "expected a trial from 1 to 3 to hold out, and at least 2 trials, found trial 4 of 3"
         );
-        assert!(Fold::new(&trials, 0, 2, parts, 20.0, START_FRAMES).is_err());
-        assert!(Fold::new(&trials[..1], 1, 1, parts, 20.0, START_FRAMES).is_err());
-        let error = Fold::new(&trials, 1, 3, parts, 20.0, START_FRAMES).unwrap_err().to_string();
+        assert!(Fold::new(&trials[..1], 0, 1, parts, 20.0, START_FRAMES).is_err());
+        let error = Fold::new(&trials, 0, 3, parts, 20.0, START_FRAMES).unwrap_err().to_string();
         assert_eq!(error, "expected from 1 to 2 trials to train on, found 3");
     }
 
@@ -420,7 +419,7 @@ mod tests {
     fn refuses_outcomes_with_numbers_that_are_not_finite() {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
-        let fold = Fold::new(&trials, 1, 1, parts, 20.0, START_FRAMES).unwrap();
+        let fold = Fold::new(&trials, 0, 1, parts, 20.0, START_FRAMES).unwrap();
         let outcome = |to: f64, best: f64, seconds: f64| {
             let training = Progress {
                 iteration: 1,

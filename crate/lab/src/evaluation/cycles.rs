@@ -24,9 +24,9 @@ pub enum CyclesError {
     #[error("expected a periodic movement to cut to whole cycles, found none in these trials")]
     NoCycle,
     /// A trial has no whole cycle.
-    #[error("expected a whole cycle in every trial, from the same phase; found none in trial {trial}")]
+    #[error("expected a whole cycle in every trial, from the same phase; found none in trial {}", .trial + 1)]
     Short {
-        /// Counted from 1.
+        /// Counted from 0.
         trial: usize,
     },
 }
@@ -63,7 +63,7 @@ pub fn whole_cycles(trials: &[Clip], frames_per_second: f64) -> Result<(Vec<Clip
     let place = places().rev().max_by_key(|place| worth(*place)).unwrap_or(0.0);
     let count = worth(place).0;
     if count == 0 {
-        let trial = counts(place).iter().position(|count| *count == 0).map_or(1, |k| k + 1);
+        let trial = counts(place).iter().position(|count| *count == 0).unwrap_or(0);
         return Err(CyclesError::Short { trial });
     }
     let cut = |(clip, map): (&Clip, &PhaseMap)| {

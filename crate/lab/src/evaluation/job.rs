@@ -12,7 +12,7 @@ use vcgpdm::models::{ENGINE, Settings};
 pub struct Job {
     /// The kind of model with its settings.
     pub candidate: Settings,
-    /// The trial held out, counted from 1.
+    /// The trial held out, counted from 0.
     pub held_out: usize,
     /// Number of the other trials that are trained on.
     pub training_trials: usize,
@@ -23,14 +23,14 @@ pub struct Job {
 impl Job {
     /// Whether there are enough trials for the job.
     pub(super) fn fits(&self, trials: usize) -> bool {
-        (1..=trials).contains(&self.held_out) && (1..trials).contains(&self.training_trials)
+        self.held_out < trials && (1..trials).contains(&self.training_trials)
     }
 }
 
 impl Display for Job {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         let Job { candidate, held_out, training_trials, seed } = self;
-        let candidate = every_setting(candidate);
+        let (candidate, held_out) = (every_setting(candidate), held_out.saturating_add(1));
         write!(f, "{candidate}; trial {held_out} held out, {training_trials} trained on, seed {seed}")
     }
 }
@@ -40,6 +40,7 @@ impl Display for Job {
 #[serde(deny_unknown_fields)]
 pub struct Finished {
     /// The job.
+    #[serde(with = "job_in_files")]
     pub job: Job,
     /// The program and its version that computed it.
     pub engine: String,
@@ -47,6 +48,32 @@ pub struct Finished {
     pub outcome: Option<Outcome>,
     /// The reason of a failure.
     pub failure: Option<String>,
+}
+
+/// For serde's `with`: files count the trial held out from 1.
+pub mod job_in_files {
+    use super::Job;
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    /// Writes the job for a file.
+    ///
+    /// # Errors
+    /// The serializer fails.
+    pub fn serialize<S: Serializer>(job: &Job, serializer: S) -> Result<S::Ok, S::Error> {
+        Job { held_out: job.held_out.saturating_add(1), ..job.clone() }.serialize(serializer)
+    }
+
+    /// Reads the job of a file.
+    ///
+    /// # Errors
+    /// The value is no job, or its trial is 0.
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Job, D::Error> {
+        let job = Job::deserialize(deserializer)?;
+        let held_out = job.held_out.checked_sub(1);
+        let held_out = held_out.ok_or_else(|| D::Error::custom("expected a trial from 1, found trial 0"))?;
+        Ok(Job { held_out, ..job })
+    }
 }
 
 impl Finished {
@@ -66,6 +93,18 @@ mod tests {
     use crate::evaluation::testing::{map, variational};
     use std::collections::BTreeSet;
     use vcgpdm::models::{DmpSettings, TmpSettings, VariationalSettings};
+
+    #[test]
+    fn counts_the_trial_from_0_in_programs_and_from_1_in_files_and_texts() {
+        let file = r#"{"job":{"candidate":{"model":"dmp-rhythmic","bases":5},"held_out":1,"training_trials":2,"seed":0},"engine":"vcgpdm 0.1.0","outcome":null,"failure":"no period was found"}"#;
+        let finished: Finished = serde_json::from_str(file).unwrap();
+        assert_eq!(finished.job.held_out, 0);
+        assert!(finished.job.to_string().contains("trial 1 held out"), "{}", finished.job);
+        assert_eq!(serde_json::to_string(&finished).unwrap(), file);
+        let none = file.replace(r#""held_out":1"#, r#""held_out":0"#);
+        let error = serde_json::from_str::<Finished>(&none).unwrap_err().to_string();
+        assert!(error.starts_with("expected a trial from 1, found trial 0"), "{error}");
+    }
 
     #[test]
     fn has_different_texts_for_different_jobs() {
@@ -90,13 +129,13 @@ mod tests {
         ];
         let job = |candidate: &Settings| Job {
             candidate: candidate.clone(),
-            held_out: 2,
+            held_out: 1,
             training_trials: 3,
             seed: 7,
         };
         let mut jobs: Vec<Job> = candidates.iter().map(job).collect();
         let last = job(&candidates[14]);
-        jobs.push(Job { held_out: 1, ..last.clone() });
+        jobs.push(Job { held_out: 0, ..last.clone() });
         jobs.push(Job { training_trials: 2, ..last.clone() });
         jobs.push(Job { seed: 8, ..last });
         let ids: BTreeSet<String> = jobs.iter().map(Job::to_string).collect();

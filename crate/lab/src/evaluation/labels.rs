@@ -97,7 +97,7 @@ mod tests {
     fn labels(candidates: &[Settings]) -> Vec<String> {
         let mut results = Results::new(setting(2));
         for candidate in candidates {
-            let job = Job { candidate: candidate.clone(), held_out: 1, training_trials: 1, seed: 0 };
+            let job = Job { candidate: candidate.clone(), held_out: 0, training_trials: 1, seed: 0 };
             results.add(Finished::new(job, Err("a test".to_owned()))).unwrap();
         }
         let labels = Labels::new(&results);

@@ -36,7 +36,7 @@ pub use cross_validation::{EvaluationError, Fold, START_FRAMES};
 pub use cycles::{CyclesError, whole_cycles};
 pub use dtw::{Score, ScoreError, dtw_mse};
 pub use fixed::fixed;
-pub use job::{Finished, Job};
+pub use job::{Finished, Job, job_in_files};
 pub use labels::Labels;
 pub use modularity::{LibraryFold, LibraryOutcome, MovementTrials};
 pub use modularity_test::{FoldTraining, ModularityTest, Trained};

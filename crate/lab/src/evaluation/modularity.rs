@@ -53,8 +53,8 @@ impl LibraryOutcome {
 }
 
 impl LibraryFold {
-    /// The trial `held_out`, counted from 1, of the movement `movement`, counted from 0, predicted from its
-    /// first `start_frames`. The parts named in `shared` use the same primitive in all movements.
+    /// The trial `held_out` of the movement `movement`, both counted from 0, predicted from its first
+    /// `start_frames`. The parts named in `shared` use the same primitive in all movements.
     ///
     /// # Errors
     /// The trial does not exist, or the trials cannot be trained on together.
@@ -67,17 +67,16 @@ impl LibraryFold {
         start_frames: usize,
     ) -> Result<Self, EvaluationError> {
         let count = movements.get(movement).map_or(0, |trials| trials.trials.len());
-        let place = held_out.checked_sub(1).filter(|place| *place < count && count > 1);
-        let Some(place) = place else {
+        if held_out >= count || count < 2 {
             return Err(EvaluationError::Trial { count, found: held_out });
-        };
+        }
         let (mut sources, mut planned) = (Vec::new(), Vec::new());
         for (m, own) in movements.iter().enumerate() {
             let before = sources.len();
-            let training = own.trials.iter().enumerate().filter(|(k, _)| m != movement || *k != place);
+            let training = own.trials.iter().enumerate().filter(|(k, _)| m != movement || *k != held_out);
             sources.extend(training.map(|(_, clip)| Source { clip, first_frames: None }));
             if m == movement {
-                sources.push(Source { clip: &own.trials[place], first_frames: Some(start_frames) });
+                sources.push(Source { clip: &own.trials[held_out], first_frames: Some(start_frames) });
             }
             planned.push(PlannedMovement { name: own.name.clone(), sequences: sources.len() - before });
         }
@@ -85,7 +84,7 @@ impl LibraryFold {
         let shared = parts.iter().map(|part| shared.contains(&part.name)).collect();
         let plan = LibraryPlan::new(planned, shared)?;
         let dataset = Dataset::new(&sources, parts, frames_per_second)?;
-        let trial = movements[movement].trials[place].resample(1.0 / dataset.frame_time)?;
+        let trial = movements[movement].trials[held_out].resample(1.0 / dataset.frame_time)?;
         let actual = dataset.mapping.encode(&trial)?.y;
         Ok(Self { dataset, plan, movement, sequence, actual })
     }

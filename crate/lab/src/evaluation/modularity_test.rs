@@ -76,17 +76,17 @@ impl ModularityTest {
         }
     }
 
-    /// The movement of a sample, counted from 0, and its trial, counted from 1; `None` for other samples.
+    /// The movement of a sample and its trial, both counted from 0; `None` for other samples.
     pub fn place_of(sample: &str) -> Option<(usize, usize)> {
         let samples = samples::list();
         MOVEMENTS.iter().enumerate().find_map(|(m, (_, movement))| {
             let mut own = samples.iter().filter(|info| info.movement == *movement);
-            own.position(|info| info.id == sample).map(|trial| (m, trial + 1))
+            own.position(|info| info.id == sample).map(|trial| (m, trial))
         })
     }
 
-    /// The training of a fold before its first step. The trial, counted from 1, of the movement, counted from
-    /// 0, is held out.
+    /// The training of a fold before its first step. The trial of the movement, both counted from 0, is held
+    /// out.
     ///
     /// # Errors
     /// The trial does not exist, or the trials cannot be trained on.
@@ -210,10 +210,10 @@ mod tests {
         assert_eq!(trials, [("walk", 6), ("wave", 4)]);
         assert_eq!(test.parts.len(), 2);
         assert!(test.shared.iter().all(|name| test.parts.iter().any(|part| part.name == *name)));
-        assert_eq!(ModularityTest::place_of("walk-3"), Some((0, 3)));
-        assert_eq!(ModularityTest::place_of("walk-wave-1"), Some((1, 1)));
+        assert_eq!(ModularityTest::place_of("walk-3"), Some((0, 2)));
+        assert_eq!(ModularityTest::place_of("walk-wave-1"), Some((1, 0)));
         assert_eq!(ModularityTest::place_of("run-1"), None);
-        for place in [(2, 1), (0, 7), (0, 0)] {
+        for place in [(2, 0), (0, 6)] {
             assert!(test.training(place, Trained::Alone).is_err());
             assert!(test.training(place, Trained::Together).is_err());
         }
@@ -224,7 +224,7 @@ mod tests {
     #[test]
     fn trains_the_plain_model_of_one_movement() {
         let test = test(12);
-        let mut training = test.training((1, 2), Trained::Alone).unwrap();
+        let mut training = test.training((1, 1), Trained::Alone).unwrap();
         let mut fractions = vec![0.0];
         loop {
             let progress = training.step().unwrap();
@@ -237,7 +237,7 @@ mod tests {
         assert_eq!(fractions.last(), Some(&1.0));
         assert!(training.step().unwrap().done);
         let (found, _) = training.best().unwrap();
-        let fold = Fold::new(&test.movements[1].trials, 2, 1, &test.parts, 30.0, START_FRAMES).unwrap();
+        let fold = Fold::new(&test.movements[1].trials, 1, 1, &test.parts, 30.0, START_FRAMES).unwrap();
         let plain = test.seeds.iter().map(|seed| {
             let candidate = Settings::Vcgpdm(test.settings.clone());
             fold.evaluate(&candidate, *seed, &|| 0.0, &mut |_| true).unwrap().unwrap()
@@ -250,7 +250,7 @@ mod tests {
 
     #[test]
     fn trains_one_library_of_all_movements() {
-        let mut training = test(3).training((0, 1), Trained::Together).unwrap();
+        let mut training = test(3).training((0, 0), Trained::Together).unwrap();
         assert!(training.best().is_none());
         while !training.step().unwrap().done {}
         let (outcome, library) = training.best().unwrap();

@@ -49,7 +49,7 @@ pub struct Plan {
     /// Whether the dynamics of the MAP models have a linear term (Wang et al. 2008).
     #[serde(default)]
     pub linear: bool,
-    /// The trials held out, counted from 1; empty: each in turn.
+    /// The trials held out, counted from 0; empty: each in turn.
     pub held_out: Vec<usize>,
     /// The seeds of models with a random start; the others get 0.
     pub seeds: Vec<u32>,
@@ -90,11 +90,11 @@ impl Default for Plan {
 #[non_exhaustive]
 pub enum ComparisonPlanError {
     /// The trial to hold out does not exist.
-    #[error("expected a trial from 1 to {trials} to hold out, found {found}")]
+    #[error("expected a trial from 1 to {trials} to hold out, found {}", .found.saturating_add(1))]
     HeldOut {
         /// Number of trials.
         trials: usize,
-        /// The trial found.
+        /// The trial found, counted from 0.
         found: usize,
     },
     /// There are fewer trials to train on.
@@ -165,8 +165,8 @@ impl Plan {
     /// A trial to hold out does not exist, or a number of trials to train on is too large.
     pub fn jobs(&self, trials: usize) -> Result<Vec<Job>, ComparisonPlanError> {
         let most = trials.saturating_sub(1);
-        let folds = if self.held_out.is_empty() { (1..=trials).collect() } else { self.held_out.clone() };
-        if let Some(&found) = folds.iter().find(|fold| !(1..=trials).contains(*fold)) {
+        let folds = if self.held_out.is_empty() { (0..trials).collect() } else { self.held_out.clone() };
+        if let Some(&found) = folds.iter().find(|fold| **fold >= trials) {
             return Err(ComparisonPlanError::HeldOut { trials, found });
         }
         let counts = if self.training_trials.is_empty() { vec![most] } else { self.training_trials.clone() };
@@ -237,29 +237,29 @@ mod tests {
         let fold = 2 * (2 * 3 + 2) + 1 + 2 * 2;
         assert_eq!(jobs.len(), 3 * fold);
         assert!(jobs.iter().all(|job| job.training_trials == 2));
-        assert!(jobs[..fold].iter().all(|job| job.held_out == 1), "one fold after the other");
+        assert!(jobs[..fold].iter().all(|job| job.held_out == 0), "one fold after the other");
         let seeds = |kind: ModelKind| {
             let of_kind = jobs[..fold].iter().filter(|job| job.candidate.kind() == kind);
             of_kind.map(|job| job.seed).collect::<Vec<u32>>()
         };
         assert_eq!(seeds(ModelKind::MapGpdm), [3, 4]);
         assert_eq!(seeds(ModelKind::DmpDiscrete), [0, 0]);
-        let some = Plan { held_out: vec![3, 1], training_trials: vec![1, 2], ..plan() };
+        let some = Plan { held_out: vec![2, 0], training_trials: vec![1, 2], ..plan() };
         let jobs = some.jobs(3).unwrap();
         assert_eq!(jobs.len(), 4 * fold);
-        assert_eq!((jobs[0].held_out, jobs[0].training_trials), (3, 1));
-        assert_eq!((jobs[fold].held_out, jobs[fold].training_trials), (3, 2));
+        assert_eq!((jobs[0].held_out, jobs[0].training_trials), (2, 1));
+        assert_eq!((jobs[fold].held_out, jobs[fold].training_trials), (2, 2));
     }
 
     #[test]
     fn plans_each_job_once() {
-        let once = Plan { held_out: vec![2, 1], training_trials: vec![2, 1], ..plan() };
+        let once = Plan { held_out: vec![1, 0], training_trials: vec![2, 1], ..plan() };
         let twice = Plan {
             models: [ModelKind::ALL, ModelKind::ALL].concat(),
             ips: vec![8, 12, 8, 16],
             primitives: vec![None, None],
             seeds: vec![3, 4, 3],
-            held_out: vec![2, 2, 1],
+            held_out: vec![1, 1, 0],
             training_trials: vec![2, 1, 2],
             ..once.clone()
         };
@@ -276,7 +276,7 @@ mod tests {
         let kinds = [ModelKind::Vcgpdm, ModelKind::MapCgpdm];
         let expected: Vec<_> = kinds.into_iter().flat_map(|kind| (1..4).map(move |n| (kind, n))).collect();
         assert_eq!(found, expected);
-        assert!(fewer.iter().all(|job| (job.held_out, job.seed) == (1, 3)));
+        assert!(fewer.iter().all(|job| (job.held_out, job.seed) == (0, 3)));
         assert!(matches!(&fewer[0].candidate, Settings::Vcgpdm(s) if s.dynamics_ips == 12));
         // No job is planned twice.
         let both = Plan { growth: true, training_trials: vec![1, 2, 3, 4], ..plan() };
@@ -294,7 +294,7 @@ mod tests {
     #[test]
     fn refuses_trials_that_do_not_exist() {
         let error = |plan: Plan| plan.jobs(3).unwrap_err().to_string();
-        let held_out = error(Plan { held_out: vec![1, 4], ..plan() });
+        let held_out = error(Plan { held_out: vec![0, 3], ..plan() });
         assert_eq!(held_out, "expected a trial from 1 to 3 to hold out, found 4");
         let training = error(Plan { training_trials: vec![3], ..plan() });
         assert_eq!(training, "expected from 1 to 2 trials to train on, found 3");

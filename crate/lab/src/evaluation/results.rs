@@ -33,14 +33,15 @@ pub enum ResultsError {
     Setting(#[from] SettingError),
     /// A job for which the setting has no trials.
     #[error(
-        "result {index}: expected trials from 1 to {trials} and at least one to train on, found trial {held_out} held out of {training_trials} more"
+        "result {index}: expected trials from 1 to {trials} and at least one to train on, found trial {} held out of {training_trials} more",
+        .held_out.saturating_add(1)
     )]
     Job {
         /// Which result, counted from 1.
         index: usize,
         /// Number of trials.
         trials: usize,
-        /// The trial held out.
+        /// The trial held out, counted from 0.
         held_out: usize,
         /// Trials trained on.
         training_trials: usize,
@@ -291,6 +292,7 @@ mod tests {
     use super::*;
     use crate::evaluation::outcome::Outcome;
     use crate::evaluation::testing::{outcome, setting, variational};
+    use std::collections::HashSet;
     use vcgpdm::models::{DmpSettings, Settings, TmpSettings};
 
     fn job(held_out: usize, training_trials: usize) -> Job {
@@ -303,7 +305,7 @@ mod tests {
     }
 
     fn done(mse: f64) -> Finished {
-        Finished::new(job(1, 1), Ok(outcome(mse, Some(-10.0), 100, 1.0)))
+        Finished::new(job(0, 1), Ok(outcome(mse, Some(-10.0), 100, 1.0)))
     }
 
     /// Reads a document with these results.
@@ -315,43 +317,52 @@ mod tests {
     #[test]
     fn keeps_the_first_failure_of_a_job_when_files_are_merged() {
         let mut results = Results::new(setting(2));
-        results.add(failed(1, 1)).unwrap();
+        results.add(failed(0, 1)).unwrap();
         let mut other = results.clone();
         other.finished[0].failure = Some("another time".to_owned());
-        other.add(failed(2, 1)).unwrap();
+        other.add(failed(1, 1)).unwrap();
         results.merge(other).unwrap();
-        assert_eq!(results.finished, [failed(1, 1), failed(2, 1)]);
+        assert_eq!(results.finished, [failed(0, 1), failed(1, 1)]);
         let error = results.merge(Results::new(setting(3))).unwrap_err().to_string();
         assert_eq!(error, "these results are of other trials: expected 2, found 3");
+    }
+
+    #[test]
+    fn writes_a_file_of_an_earlier_version_with_the_same_bytes() {
+        let file = include_str!("../../../../docs/comparison/walk-made.json").trim_end();
+        let results = Results::from_json(file).unwrap();
+        let trials: HashSet<usize> = results.finished().iter().map(|f| f.job.held_out).collect();
+        assert_eq!(trials, HashSet::from_iter(0..6));
+        assert!(results.to_json().unwrap() == file);
     }
 
     /// A hundred thousand results once took minutes to read and to merge.
     #[test]
     fn reads_and_merges_many_results_in_linear_time() {
         let many: Vec<Finished> =
-            (0..30_000).map(|seed| Finished::new(Job { seed, ..job(1, 1) }, Err("why".to_owned()))).collect();
+            (0..30_000).map(|seed| Finished::new(Job { seed, ..job(0, 1) }, Err("why".to_owned()))).collect();
         let mut results = read(many.clone()).unwrap();
         results.merge(read(many.clone()).unwrap()).unwrap();
         assert_eq!(results.finished.len(), many.len());
-        let twice = [many, vec![failed(1, 1)]].concat();
+        let twice = [many, vec![failed(0, 1)]].concat();
         assert_eq!(read(twice), Err(ResultsError::Repeated { index: 30_001, before: 1 }));
     }
 
     #[test]
     fn replaces_a_failure_but_never_an_outcome() {
         let mut results = Results::new(setting(2));
-        results.add(failed(1, 1)).unwrap();
-        assert!(!results.has_outcome(&job(1, 1)));
+        results.add(failed(0, 1)).unwrap();
+        assert!(!results.has_outcome(&job(0, 1)));
         results.add(done(0.5)).unwrap();
         assert_eq!(results.finished, [done(0.5)]);
-        assert!(results.has_outcome(&job(1, 1)));
-        for later in [done(0.7), failed(1, 1)] {
+        assert!(results.has_outcome(&job(0, 1)));
+        for later in [done(0.7), failed(0, 1)] {
             results.add(later).unwrap();
             assert_eq!(results.finished, [done(0.5)]);
         }
         // What failed here has an outcome in the other file.
         let mut other = Results::new(setting(2));
-        other.add(failed(1, 1)).unwrap();
+        other.add(failed(0, 1)).unwrap();
         other.merge(results).unwrap();
         assert_eq!(other.finished, [done(0.5)]);
     }
@@ -362,12 +373,12 @@ mod tests {
         let with = |change: &dyn Fn(&mut Outcome)| {
             let mut finished = done(0.5);
             finished.outcome.iter_mut().for_each(change);
-            Results { finished: vec![failed(2, 1), finished], ..Results::new(setting(2)) }
+            Results { finished: vec![failed(1, 1), finished], ..Results::new(setting(2)) }
         };
         let first = with(&|_| {});
         let found = |change: &dyn Fn(&mut Outcome)| {
             let found = first.disagreement(&with(change))?;
-            assert_eq!(found.job, job(1, 1));
+            assert_eq!(found.job, job(0, 1));
             Some((found.difference.name, found.difference.first, found.difference.second))
         };
         assert_eq!(found(&|outcome| outcome.score.dtw_mse = 0.25), Some(("DTW MSE", 0.5, 0.25)));
@@ -389,11 +400,11 @@ mod tests {
     fn counts_only_jobs_with_an_outcome_as_done() {
         let mut results = Results::new(setting(2));
         results.add(done(0.5)).unwrap();
-        results.add(failed(2, 1)).unwrap();
+        results.add(failed(1, 1)).unwrap();
         let plan = Plan { models: vec![ModelKind::Tmp], ..Plan::default() };
         let planned = results.jobs(&plan).unwrap();
-        assert_eq!(planned[0], PlannedJob { job: job(1, 1), done: true });
-        assert_eq!(planned[1], PlannedJob { job: job(2, 1), done: false });
+        assert_eq!(planned[0], PlannedJob { job: job(0, 1), done: true });
+        assert_eq!(planned[1], PlannedJob { job: job(1, 1), done: false });
     }
 
     #[test]
@@ -403,7 +414,7 @@ mod tests {
         let vgpdm = |ips: usize| Settings::Vgpdm(variational(ips));
         let jobs = [(dmp(20), 0), (dmp(10), 0), (vgpdm(12), 1), (vgpdm(12), 0), (vgpdm(8), 5)];
         for (candidate, seed) in jobs.clone() {
-            let job = Job { candidate, seed, ..job(1, 1) };
+            let job = Job { candidate, seed, ..job(0, 1) };
             results.add(Finished::new(job, Err("why".to_owned()))).unwrap();
         }
         let found: Vec<_> =
@@ -415,15 +426,15 @@ mod tests {
     #[test]
     fn jobs_that_the_setting_has_no_trials_for_are_refused() {
         assert_eq!(read(vec![]), Ok(Results::new(setting(2))));
-        for (held_out, training_trials) in [(0, 1), (3, 1), (1, 0), (1, 2)] {
+        for (held_out, training_trials) in [(2, 1), (0, 0), (0, 2)] {
             let error = read(vec![failed(held_out, training_trials)]).unwrap_err();
             assert!(error.to_string().starts_with("result 1: expected trials from 1 to 2"), "{error}");
             assert_eq!(Results::new(setting(2)).add(failed(held_out, training_trials)), Err(error));
         }
-        let error = read(vec![failed(1, 1), failed(2, 1), failed(1, 1)]).unwrap_err().to_string();
+        let error = read(vec![failed(0, 1), failed(1, 1), failed(0, 1)]).unwrap_err().to_string();
         assert_eq!(error, "result 3: expected each job once, found the job of result 1 again");
-        let neither = Finished { failure: None, ..failed(2, 1) };
-        assert_eq!(read(vec![failed(1, 1), neither]), Err(ResultsError::Ending(2)));
+        let neither = Finished { failure: None, ..failed(1, 1) };
+        assert_eq!(read(vec![failed(0, 1), neither]), Err(ResultsError::Ending(2)));
     }
 
     #[test]
@@ -445,7 +456,7 @@ mod tests {
         let refused = |change: &dyn Fn(&mut Outcome)| {
             let mut outcome = outcome(0.5, Some(-10.0), 100, 1.0);
             change(&mut outcome);
-            Results::new(setting(2)).add(Finished::new(job(1, 1), Ok(outcome)))
+            Results::new(setting(2)).add(Finished::new(job(0, 1), Ok(outcome)))
         };
         assert_eq!(refused(&|_| {}), Ok(()));
         for (change, words) in [

@@ -207,7 +207,7 @@ mod tests {
         let tmp = |primitives, normalised_time| Settings::Tmp(TmpSettings { primitives, normalised_time });
         let order =
             [vgpdm(5), vgpdm(10), tmp(None, false), tmp(Some(4), false), tmp(None, true), dmp(25), dmp(100)];
-        let job = |place: usize| finished(order[place].clone(), 1, 1, 0, outcome(1.0, None, 100, 1.0));
+        let job = |place: usize| finished(order[place].clone(), 0, 1, 0, outcome(1.0, None, 100, 1.0));
         let came = results(2, &[5, 3, 6, 1, 2, 0, 4].map(job));
         let rows = rows(&[&came]);
         let found: Vec<_> = rows.iter().map(|row| row.candidate.clone()).collect();

@@ -38,14 +38,15 @@ pub enum SettingError {
     Trials(usize),
     /// The same motion twice.
     #[error(
-        "trials {first} and {second} are the same motion ({name}): the one held out would be trained on; leave one out"
+        "trials {} and {} are the same motion ({name}): the one held out would be trained on; leave one out",
+        .first + 1, .second + 1
     )]
     Twice {
         /// The name of the first.
         name: String,
-        /// Counted from 1.
+        /// Counted from 0.
         first: usize,
-        /// Counted from 1.
+        /// Counted from 0.
         second: usize,
     },
     /// No frame rate.
@@ -99,7 +100,7 @@ impl Setting {
             return Err(SettingError::Trials(self.trials.len()));
         }
         if let Some((first, second)) = self.same_motions() {
-            let name = self.trials[first - 1].name.clone();
+            let name = self.trials[first].name.clone();
             return Err(SettingError::Twice { name, first, second });
         }
         if !self.frames_per_second.is_finite() || self.frames_per_second <= 0.0 {
@@ -108,12 +109,11 @@ impl Setting {
         Ok(())
     }
 
-    /// Two trials that are the same motion, counted from 1. If one were held out, the other would be trained
-    /// on.
+    /// Two trials that are the same motion. If one were held out, the other would be trained on.
     fn same_motions(&self) -> Option<(usize, usize)> {
         let trials = &self.trials;
         let later = |k: usize| (k + 1..trials.len()).find(|other| trials[k].is_same_motion(&trials[*other]));
-        (0..trials.len()).find_map(|k| later(k).map(|other| (k + 1, other + 1)))
+        (0..trials.len()).find_map(|k| later(k).map(|other| (k, other)))
     }
 
     /// The first difference between the settings, as text; absent if their results can be merged. The names

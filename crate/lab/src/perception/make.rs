@@ -51,10 +51,10 @@ pub enum MakerReason {
 /// A recorded movement, or the prediction of a trial.
 #[derive(Clone, Copy, Debug)]
 pub struct StudyMovement<'a> {
-    /// The number of the trial, counted from 1.
-    pub number: usize,
+    /// The trial, counted from 0. Its id in the study counts from 1.
+    pub trial: usize,
     /// The name of the trial.
-    pub trial: &'a str,
+    pub name: &'a str,
     /// Positions [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
     pub positions: &'a [f32],
     /// Seconds from one frame to the next.
@@ -93,7 +93,8 @@ impl Maker {
     /// # Errors
     /// It is too short, not finite, or of another body.
     pub fn natural(&mut self, shown: &StudyMovement, seen: bool) -> Result<(), MakerError> {
-        let id = format!("{}-{}", if seen { "trial" } else { "unseen" }, shown.number);
+        let kind = if seen { "trial" } else { "unseen" };
+        let id = format!("{kind}-{}", shown.trial.saturating_add(1));
         self.add(id, shown, MovementSource::Natural { seen })
     }
 
@@ -109,7 +110,7 @@ impl Maker {
         seed: u32,
         outcome: &Outcome,
     ) -> Result<(), MakerError> {
-        let id = format!("{}-trial-{}", name(candidate), shown.number);
+        let id = format!("{}-trial-{}", name(candidate), shown.trial.saturating_add(1));
         let scores = Scores::new(outcome);
         let generated = Generated { candidate: candidate.clone(), seed, failed: false, scores };
         let source = MovementSource::Generated(Box::new(generated));
@@ -117,11 +118,11 @@ impl Maker {
             MovementSource::Generated(made) => made.candidate == *candidate,
             MovementSource::Natural { .. } => false,
         };
-        let same = |made: &Made| made.trial == shown.number && of_candidate(made.index);
+        let same = |made: &Made| made.trial == shown.trial && of_candidate(made.index);
         let Some(earlier) = self.made.iter().position(same) else {
             self.add(id, shown, source)?;
             let index = self.stimuli.len() - 1;
-            self.made.push(Made { index, trial: shown.number, outcome: outcome.clone() });
+            self.made.push(Made { index, trial: shown.trial, outcome: outcome.clone() });
             return Ok(());
         };
         let (movement, speed) = self.movement(shown).map_err(|reason| MakerError { id, reason })?;
@@ -140,7 +141,7 @@ impl Maker {
         let taken = |id: &str| self.stimuli.iter().any(|stimulus| stimulus.id == id);
         // Candidates may differ in more than their size.
         let id = (1..).map(|k| if k == 1 { id.clone() } else { format!("{id}-{k}") }).find(|id| !taken(id));
-        let (id, trial) = (id.unwrap_or_default(), shown.trial.chars().take(200).collect());
+        let (id, trial) = (id.unwrap_or_default(), shown.name.chars().take(200).collect());
         self.stimuli.push(Stimulus { id, trial, source, speed, movement });
         Ok(())
     }
@@ -218,8 +219,8 @@ mod tests {
         let mut maker = Maker::new(&clips[0].skeleton, 3.5, 30.0, 5);
         let places = clips.each_ref().map(|clip| clip.stage_positions());
         let shown = |k: usize| StudyMovement {
-            number: k + 1,
-            trial: "a walk",
+            trial: k,
+            name: "a walk",
             positions: &places[k],
             frame_time: clips[k].frame_time,
         };

@@ -86,12 +86,12 @@ fn imported(
 /// All ways for one trial held out.
 fn held_out_trial(test: &ModularityTest, host: &TrainedLibrary, held_out: usize) -> Vec<Prediction> {
     let trials = &test.movements[0].trials;
-    let actual = &trials[held_out - 1];
+    let actual = &trials[held_out];
     let donor = fold(test, (0, held_out), Trained::Alone);
     let both = fold(test, (0, held_out), Trained::Together);
     let rate = 1.0 / host.body.frame_time;
     let start = actual.resample(rate).unwrap().cut(0, START_FRAMES).unwrap();
-    let others = trials.iter().enumerate().filter(|(k, _)| *k != held_out - 1);
+    let others = trials.iter().enumerate().filter(|(k, _)| *k != held_out);
     let clips: Vec<_> =
         others.map(|(_, clip)| clip).chain([&start]).map(|clip| host.encode(clip).unwrap()).collect();
     let legs = donor.select(&[0]).unwrap();
@@ -110,7 +110,7 @@ pub fn table(test: &ModularityTest) -> Table {
     let test = &ModularityTest { shared: Vec::new(), ..test.clone() };
     let host = library(test, 1);
     let mut predictions: Vec<Vec<Prediction>> = WAYS.iter().map(|_| Vec::new()).collect();
-    let trials: Vec<usize> = (1..=test.movements[0].trials.len()).collect();
+    let trials: Vec<usize> = (0..test.movements[0].trials.len()).collect();
     for pair in trials.chunks(2) {
         let found: Vec<_> = std::thread::scope(|scope| {
             let host = &host;

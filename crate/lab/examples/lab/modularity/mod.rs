@@ -75,7 +75,7 @@ fn modular(test: &ModularityTest) -> (Table, TrainedLibrary) {
     for (m, movement) in test.movements.iter().enumerate() {
         let (mut own, mut shared) = (Vec::new(), Vec::new());
         // Two trials at a time: each training has a core of its own, and its seconds are its own.
-        let trials: Vec<usize> = (1..=movement.trials.len()).collect();
+        let trials: Vec<usize> = (0..movement.trials.len()).collect();
         for pair in trials.chunks(2) {
             let outcomes: Vec<_> = std::thread::scope(|scope| {
                 let spawn = |held_out: usize| scope.spawn(move || held_out_trial(test, (m, held_out)));
