@@ -1,5 +1,5 @@
 // A comparison of this visit: its results, the progress of its trainings, and the predicted motions.
-import type { Evaluated, Job, ResultsView } from "../engine/whole-protocol";
+import type { AddedResult, Evaluated, Job, ResultsView } from "../engine/whole-protocol";
 import { download } from "../ui/download";
 import type { Work } from "../ui/unsaved";
 import type { JobProgress } from "./jobs";
@@ -63,6 +63,17 @@ export const givenEntry = (results: ResultsView): ComparisonEntry => ({
   ...newEntry(null, results, results.text),
   given: true,
 });
+
+/** The results with one more. */
+export function withResult(results: ResultsView, added: AddedResult): ResultsView {
+  const { finished: result, place, text, isWhole, comparison } = added;
+  const finished = results.finished.filter(({ id }) => id !== result.id);
+  // A file ends with the list of results.
+  const comma = results.finished.length > 0 ? "," : "";
+  const file = isWhole ? text : `${results.text.slice(0, -"]}".length)}${comma}${text}]}`;
+  finished.splice(place, 0, result);
+  return { ...results, text: file, finished, comparison };
+}
 
 /** Saves the results to the visitor's disk. */
 export function saveResults(entry: ComparisonEntry): void {

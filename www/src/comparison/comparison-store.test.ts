@@ -140,11 +140,20 @@ describe("a comparison", () => {
   it("loses no outcome when a worker dies while it adds one", async () => {
     const over = comparison.begin();
     await settled();
+    program.evaluations.shift()?.end(evaluated);
+    await settled();
     program.failures.push(new Error("the worker stopped"));
     await endAll();
     await over;
     expect(comparison.ending).toBe("6 of 6 trainings done.");
     expect(finished()).toHaveLength(6);
+    const { jobs } = JSON.parse(comparison.shown?.results.text ?? "{}");
+    expect(jobs).toEqual(comparison.shown?.results.finished.map(({ job }) => job));
+  });
+
+  it("sends the file of the results once, and then only outcomes", async () => {
+    await compare();
+    expect(program.sent.map((from) => typeof from)).toEqual(["string", ...Array(5).fill("number")]);
   });
 
   it("says why an outcome cannot be added, and keeps the others", async () => {

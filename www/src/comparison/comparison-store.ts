@@ -4,7 +4,7 @@ import type { ClipsStore } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
 import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
-import type { Evaluated, PlannedComparison } from "../engine/whole-protocol";
+import type { Evaluated, PlannedComparison, ResultsView } from "../engine/whole-protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import type { CostWords } from "../training/cost";
 import { messageOf } from "../ui/format";
@@ -17,6 +17,7 @@ import {
   newEntry,
   type ReadonlyEntry,
   saveResults,
+  withResult,
   workOf,
 } from "./comparison-entry";
 import { costOf, type JobProgress, openJobs, summary, waiting } from "./jobs";
@@ -84,8 +85,10 @@ export class ComparisonStore extends Store {
   #planned: { asked: Asked; planned: PlannedComparison } | null = null;
   /** Why the plan is impossible. */
   #planProblem = "";
-  /** Outcomes are added one after the other, each to the text of the previous one. */
+  /** Outcomes are added one after the other, each to the results with the previous one. */
   #adding: Promise<unknown> = Promise.resolve();
+  /** Which results the worker holds: only the new outcome is sent to it. */
+  readonly #states = new WeakMap<ResultsView, number>();
 
   constructor(engine: EngineState, settings: SettingsNow, clips: ClipsNow, whole: WholeWorkers) {
     super();
@@ -394,11 +397,18 @@ export class ComparisonStore extends Store {
     }, signal);
   }
 
-  #add(entry: ComparisonEntry, { job }: JobProgress, { outcome }: Evaluated): Promise<void> {
+  #add(entry: ComparisonEntry, { id, job }: JobProgress, { outcome }: Evaluated): Promise<void> {
     const added = this.#adding.then(async () => {
-      const add = () => this.#whole.desk.run((worker) => worker.addOutcome(entry.results.text, job, outcome));
-      // The worker may have died; a new one needs only the text.
-      entry.results = await add().catch(add);
+      const { results } = entry;
+      if (results.finished.some((finished) => finished.id === id && finished.outcome)) return;
+      const add = (from: number | string) =>
+        this.#whole.desk.run((worker) => worker.addOutcome(from, job, outcome));
+      // The worker may have died; a new one needs the whole file.
+      const held = await add(this.#states.get(results) ?? results.text).catch(() => null);
+      const result = held ?? (await add(results.text));
+      if (!result) return;
+      entry.results = withResult(results, result);
+      this.#states.set(entry.results, result.state);
     });
     this.#adding = added.catch(() => {});
     return added;

@@ -85,6 +85,19 @@ export interface ResultsView {
   comparison: Comparison;
 }
 
+/** The result of one job, added to results that the worker holds. */
+export interface AddedResult {
+  /** A number for the results with this one, which the worker holds until the next call. */
+  state: number;
+  /** The result as in a file, or the whole file if the result took the place of a failure. */
+  text: string;
+  isWhole: boolean;
+  /** The result and its place in the order of the tables. */
+  finished: FinishedJob;
+  place: number;
+  comparison: Comparison;
+}
+
 /** The trainings of a comparison, finished or not. */
 export interface PlannedComparison {
   results: ResultsView;
@@ -104,8 +117,7 @@ export interface Experiment {
 }
 
 /**
- * The calls of a worker for comparisons. The worker keeps nothing between two calls, so its death loses no
- * results.
+ * The calls of a worker for comparisons. The page has all results too, so the death of a worker loses none.
  */
 export interface ComparisonWorker {
   /**
@@ -127,8 +139,11 @@ export interface ComparisonWorker {
     plan: Plan,
     known: string | null,
   ): Promise<PlannedComparison>;
-  /** Adds the outcome of a job to the results in `text`. */
-  addOutcome(text: string, job: Job, outcome: Outcome): ResultsView;
+  /**
+   * Adds the outcome of a job to results without an outcome of this job. `results`: the state of an earlier
+   * answer, or the file. Null: the worker does not hold the results of this state.
+   */
+  addOutcome(results: number | string, job: Job, outcome: Outcome): AddedResult | null;
   /** Reads results. If the text is not a file of results, throws the reason. */
   openResults(text: string): ResultsView;
 }

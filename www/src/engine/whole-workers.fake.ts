@@ -144,6 +144,8 @@ export class FakeProgram implements WholeWorkers {
   readonly outlooks: string[] = [];
   readonly libraries = new FakeLibraries();
   readonly series = new FakeSeries();
+  /** The states and files to which outcomes were to be added. */
+  readonly sent: (number | string)[] = [];
   /** The errors of the next calls for results, in order. */
   readonly failures: Error[] = [];
   /** The reason why plans are refused; empty if they are accepted. */
@@ -190,6 +192,8 @@ export class FakeProgram implements WholeWorkers {
       const problem = this.failures.shift();
       if (problem) throw problem;
     };
+    /** The results that this worker holds. */
+    let held: (ReturnType<typeof read> & { state: number }) | null = null;
     const cancelled = (signal: AbortSignal) =>
       new Promise<void>((stop) => signal.addEventListener("abort", () => stop(), { once: true }));
     return {
@@ -209,10 +213,23 @@ export class FakeProgram implements WholeWorkers {
         const costs = jobs.map(() => ({ seconds: 60, bytes: 1e7 }));
         return { results: resultsOf(setting, done), jobs, costs, goesOn };
       },
-      addOutcome: async (text, job) => {
+      addOutcome: async (from, job) => {
+        this.sent.push(from);
         failing();
-        const { setting, jobs } = read(text);
-        return resultsOf(setting, [...jobs.filter((known) => idOf(known) !== idOf(job)), job]);
+        if (typeof from === "number" && from !== held?.state) return null;
+        if (typeof from === "string") held = { state: 0, ...read(from) };
+        const { setting, jobs } = held!;
+        held = { state: Math.random(), setting, jobs: [...jobs, job] };
+        const { finished, comparison } = resultsOf(setting, [job]);
+        const text = JSON.stringify(job);
+        return {
+          state: held.state,
+          text,
+          isWhole: false,
+          finished: finished[0]!,
+          place: jobs.length,
+          comparison,
+        };
       },
       openResults: async (text) => {
         failing();

@@ -1,6 +1,14 @@
 // Comparisons: trains and scores one model in one fold, and answers questions about results. No DOM.
 import { Evaluation, Fold, Results } from "vcgpdm";
-import type { ComparisonWorker, Evaluated, EvaluationJob, ResultsView } from "../engine/whole-protocol";
+import type {
+  AddedResult,
+  ComparisonWorker,
+  Evaluated,
+  EvaluationJob,
+  Job,
+  Outcome,
+  ResultsView,
+} from "../engine/whole-protocol";
 import { clipSet } from "./clips";
 import { inSlices } from "./slices";
 import { transfer } from "./transfer";
@@ -62,16 +70,34 @@ const view = (results: Results): ResultsView => ({
   comparison: results.comparison(),
 });
 
-/** The results that grow: each job of a comparison adds its outcome to the same ones. */
-let growing: { text: string; results: Results } | null = null;
-
-function resultsOf(text: string): Results {
-  if (growing?.text === text) return growing.results;
-  const results = Results.fromJson(text);
-  growing?.results.free();
-  growing = { text, results };
-  return results;
+interface Held {
+  results: Results;
+  /** The file of the same setting without a result. */
+  empty: string;
 }
+
+const read = (text: string): Held => ({
+  results: Results.fromJson(text),
+  empty: JSON.stringify({ ...JSON.parse(text), finished: [] }),
+});
+
+/** The results that grow: each job of a comparison adds its outcome to the same ones. */
+let growing: (Held & { state: number }) | null = null;
+
+/** Writes only the new result as text, because there are many jobs. */
+const addTo = ({ results, empty }: Held, job: Job, outcome: Outcome): AddedResult =>
+  using(Results.fromJson(empty), (added) => {
+    added.add(job, outcome);
+    const [id] = added.finished().map((finished) => finished.id);
+    const isWhole = results.finished().some((finished) => finished.id === id);
+    results.merge(added);
+    const all = results.finished();
+    const place = all.findIndex((finished) => finished.id === id);
+    // Files end with the list of results.
+    const text = isWhole ? results.toJson() : added.toJson().slice(empty.length - "]}".length, -"]}".length);
+    const comparison = results.comparison();
+    return { state: Math.random(), text, isWhole, finished: all[place]!, place, comparison };
+  });
 
 export const comparisonWorker: ComparisonWorker = {
   evaluate: async (job, report, signal) =>
@@ -89,12 +115,13 @@ export const comparisonWorker: ComparisonWorker = {
         };
       }),
     ),
-  addOutcome(text, job, outcome) {
-    const results = resultsOf(text);
-    growing = null;
-    results.add(job, outcome);
-    const added = view(results);
-    growing = { text: added.text, results };
+  addOutcome(from, job, outcome) {
+    if (typeof from === "number" && from !== growing?.state) return null;
+    const held = typeof from === "string" ? read(from) : growing!;
+    if (held !== growing) growing?.results.free();
+    growing = { ...held, state: 0 };
+    const added = addTo(held, job, outcome);
+    growing.state = added.state;
     return added;
   },
   openResults: (text) => using(Results.fromJson(text), view),
