@@ -1,6 +1,9 @@
-// `npm test`: everything, in order, then a table. `npm test -- --only NAME` runs one step.
+// `npm test`: everything, in two lanes, then a table. `npm test -- --only NAME` runs one step.
+import { fork } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
+import { setPriority } from "node:os";
 import { join } from "node:path";
+import { fileURLToPath } from "node:url";
 import { at, env, Failure, filesUnder, main, output, root, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
 import { compileTests, NATIVE, TESTS } from "./cargo.mjs";
@@ -27,23 +30,35 @@ const nodeTests = (/** @type {string} */ folder, files = 1) =>
     ...filesUnder([at("tests", folder)]).filter((file) => file.endsWith(".test.mjs")),
   );
 
+/** The argument of a process that runs one step for another process. */
+const THIS_STEP = "--this-step";
+
 /**
  * A step may return a note. A note that begins with "skipped: " says why this machine cannot do the step.
- * @type {{ name: string, what: string, needs?: string, work: () => Promise<string | void> }[]}
+ * @typedef {{ name: string, what: string, needs?: string, work: () => Promise<string | void> }} Step
  */
-const STEPS = [
+
+/** @type {Step[]} */
+const PAGE_STEPS = [
   { name: "format", what: "rustfmt and Biome", work: format },
   { name: "lint", what: "Biome", work: () => biome("lint", "--error-on-warnings") },
   { name: "locks", what: "hashes in the lock files", work: checkLocks },
   { name: "imports", what: "order and circles of imports", work: imports },
+  { name: "build", what: "wasm package and page", work: build },
+  { name: "sizes", what: "sizes of a visit", needs: "build", work: async () => weigh() },
+  { name: "node", what: "the npm package from Node", needs: "build", work: () => nodeTests("node") },
+  { name: "types", what: "TypeScript, strict", needs: "build", work: types },
+  { name: "unit", what: "Vitest", work: () => runModule("vitest/vitest.mjs", "run", "--root", at("www")) },
+  { name: "page", what: "the page in Chromium", needs: "build", work: () => nodeTests("e2e", 2) },
+];
+
+/** @type {Step[]} */
+const RUST_STEPS = [
   // These share what they compile: clippy, the features and the documentation need no more than metadata.
   {
     name: "clippy",
     what: "clippy, native",
-    work: async () => {
-      await clippy(...NATIVE, "--all-targets", "--all-features");
-      await clippy("--package", "rust-imports", "--all-targets");
-    },
+    work: () => clippy(...NATIVE, "--all-targets", "--all-features"),
   },
   { name: "clippy-wasm", what: "clippy, wasm32", work: () => clippy(...WASM, "--features", "speed") },
   { name: "features", what: "each feature alone", work: features },
@@ -60,18 +75,18 @@ const STEPS = [
   { name: "recordings", what: "Rust tests on recordings", work: recordings },
   { name: "files", what: "model files read with numpy", work: files },
   { name: "golden", what: "golden numbers, computed again", work: checkGolden },
-  {
-    name: "rust-wasm",
-    what: "Rust tests in wasm, in Node",
-    work: rustInWasm,
-  },
-  { name: "build", what: "wasm package and page", work: build },
-  { name: "sizes", what: "sizes of a visit", needs: "build", work: async () => weigh() },
-  { name: "node", what: "the npm package from Node", needs: "build", work: () => nodeTests("node") },
-  { name: "types", what: "TypeScript, strict", needs: "build", work: types },
-  { name: "unit", what: "Vitest", work: () => runModule("vitest/vitest.mjs", "run", "--root", at("www")) },
-  { name: "page", what: "the page in Chromium", needs: "build", work: () => nodeTests("e2e", 2) },
+  { name: "rust-wasm", what: "Rust tests in wasm, in Node", work: rustInWasm },
 ];
+
+/**
+ * Both lanes run at once, each one step after the other: browsers wait much, and a linker uses one core. Rust
+ * has the lower priority, so that a test in a browser does not wait for the compiler.
+ */
+const LANES = [
+  { steps: PAGE_STEPS, priority: 0 },
+  { steps: RUST_STEPS, priority: 10 },
+];
+const STEPS = LANES.flatMap(({ steps }) => steps);
 
 /** Which files may use each other: the rules are in tools/page-imports and tools/rust-imports. */
 async function imports() {
@@ -137,7 +152,7 @@ async function msrv() {
       return `skipped: Rust ${version} is not here and could not be installed`;
     }
   }
-  await run("cargo", `+${version}`, "check", ...NATIVE);
+  await run("cargo", `+${version}`, "check", "--package", "vcgpdm", "--package", "vcgpdm-cli");
 }
 
 /** The tests that need recordings, which are not part of the project. */
@@ -187,40 +202,90 @@ function chosen() {
   return [...before, step];
 }
 
-await main(async () => {
+/** @typedef {{ outcome: "passed" | "skipped" | "FAILED", note: string }} Result */
+
+/** @returns {Promise<Result>} */
+async function resultOf(/** @type {Step} */ { work }) {
+  try {
+    const note = (await work()) ?? "";
+    return { outcome: note.startsWith("skipped: ") ? "skipped" : "passed", note };
+  } catch (error) {
+    if (error instanceof Failure) return { outcome: "FAILED", note: error.message };
+    return { outcome: "FAILED", note: String(error instanceof Error ? error.stack : error) };
+  }
+}
+
+/**
+ * Runs a step in a process of its own, and prints the output at its end: outputs of two steps do not mix.
+ * @returns {Promise<Result>}
+ */
+function apart(/** @type {string} */ name, /** @type {number} */ priority) {
+  const child = fork(fileURLToPath(import.meta.url), [THIS_STEP, name], { silent: true, env });
+  if (child.pid !== undefined) setPriority(child.pid, priority);
+  /** @type {Buffer[]} */
+  const printed = [];
+  for (const stream of [child.stdout, child.stderr]) stream?.on("data", (data) => printed.push(data));
+  return new Promise((resolve) => {
+    /** @type {Result} */
+    let result = { outcome: "FAILED", note: "the process of the step died" };
+    child.once("message", (message) => {
+      result = /** @type {Result} */ (message);
+    });
+    child.once("close", () => {
+      process.stdout.write(Buffer.concat(printed));
+      resolve(result);
+    });
+  });
+}
+
+/** Runs steps of a lane one after the other and adds their results. */
+async function runLane(
+  /** @type {Step[]} */ steps,
+  /** @type {Map<string, Result & { time: string }>} */ results,
+  /** @type {(step: Step) => Promise<Result>} */ work,
+) {
+  for (const step of steps) {
+    const { name, what, needs = "" } = step;
+    const start = performance.now();
+    console.log(`\n==== ${name}: ${what}`);
+    /** @type {Result} */
+    const broken = { outcome: "FAILED", note: `not run: ${needs} failed` };
+    const result = results.get(needs)?.outcome === "FAILED" ? broken : await work(step);
+    const note = result.outcome === "FAILED" ? `error: ${result.note}` : result.note;
+    if (note) console.log(`${name}: ${note}`);
+    results.set(name, { ...result, time: seconds(start) });
+  }
+}
+
+/** Runs all steps, or those of `--only`, and prints a table. */
+async function runAll() {
   const steps = chosen();
   await installTools({ forTests: true });
   env.CARGO_TERM_COLOR ??= process.stdout.isTTY ? "always" : "never";
+  const begin = performance.now();
 
-  /** @typedef {"passed" | "skipped" | "FAILED"} Outcome */
-  /** @type {{ name: string, what: string, time: string, outcome: Outcome, note: string }[]} */
-  const results = [];
-  for (const { name, what, needs, work } of steps) {
-    const start = performance.now();
-    console.log(`\n==== ${name}: ${what}`);
-    /** @type {Outcome} */
-    let outcome = "passed";
-    let note = "";
-    try {
-      const broken = results.some((result) => result.name === needs && result.outcome === "FAILED");
-      if (broken) throw new Failure(`not run: ${needs} failed`);
-      note = (await work()) ?? "";
-      if (note.startsWith("skipped: ")) outcome = "skipped";
-      if (note) console.log(note);
-    } catch (error) {
-      outcome = "FAILED";
-      note = error instanceof Failure ? error.message : String(error instanceof Error ? error.stack : error);
-      console.error(`error: ${note}`);
-    }
-    results.push({ name, what, time: seconds(start), outcome, note });
-  }
+  /** @type {Map<string, Result & { time: string }>} */
+  const results = new Map();
+  if (process.argv.includes("--only")) await runLane(steps, results, resultOf);
+  else
+    await Promise.all(
+      LANES.map(({ steps, priority }) => runLane(steps, results, ({ name }) => apart(name, priority))),
+    );
 
   console.log("\n");
-  for (const { name, what, time, outcome, note } of results) {
+  for (const { name, what } of steps) {
+    const { outcome, note, time } = results.get(name) ?? { outcome: "FAILED", note: "", time: "" };
     const row = [outcome, "", name.padEnd(12), what.padEnd(28), time.padStart(12), "", note.split("\n")[0]];
     console.log(row.join(" ").trimEnd());
   }
-  const count = (/** @type {string} */ wanted) => results.filter(({ outcome }) => outcome === wanted).length;
-  console.log(`\n${count("passed")} passed, ${count("FAILED")} failed, ${count("skipped")} skipped`);
+  const count = (/** @type {string} */ wanted) =>
+    [...results.values()].filter(({ outcome }) => outcome === wanted).length;
+  const counts = `${count("passed")} passed, ${count("FAILED")} failed, ${count("skipped")} skipped`;
+  console.log(`\n${counts} in ${seconds(begin)}`);
   if (count("FAILED") > 0) process.exitCode = 1;
-});
+}
+
+const [, , option, name] = process.argv;
+const step = STEPS.find((step) => option === THIS_STEP && step.name === name);
+if (step) process.send?.(await resultOf(step), () => process.disconnect());
+else await main(runAll);
