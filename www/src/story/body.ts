@@ -15,11 +15,11 @@ import { StageStore } from "../stage/stage-store";
 import { NoticesStore } from "../ui/notices-store";
 
 /** The settings of the story's body are in no address. */
-const noAddress: AddressBar = { read: () => "", write() {}, push() {} };
+export const NO_ADDRESS: AddressBar = { read: () => "", write() {}, push() {} };
 
 export class StoryBody {
   readonly engine = new EngineStore();
-  readonly settings = new SettingsStore(noAddress);
+  readonly settings = new SettingsStore(NO_ADDRESS);
   readonly playback = new Playback(this.settings);
   readonly stage = new StageStore(this.playback);
   /** Problems of the story, which its frame shows. */

@@ -23,6 +23,7 @@ export const CHAPTERS: readonly ChapterName[] = [
 
 export const LOAD: Partial<Record<ChapterName, () => Loading>> = {
   arms: () => import("./arms/chapter"),
+  belief: () => import("./belief/chapter"),
   computer: () => import("./computer/chapter"),
 };
 
