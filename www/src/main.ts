@@ -12,9 +12,9 @@ import type { PageView } from "./app/page";
 import { fetchStartModel, fetchStartMotion } from "./app/start-files";
 import { startEngine } from "./engine/engine";
 import { browserAddressBar } from "./settings/address";
+import { openDoor } from "./settings/door";
 import { isEmbedded } from "./settings/settings";
 import { storyBody } from "./story/body";
-import { openDoor } from "./story/door";
 import "./story/doors";
 import { whenIdle } from "./ui/idle";
 

@@ -1,6 +1,7 @@
 // The header of the page: the title, the views, and the buttons for files.
 import { html, nothing } from "lit";
 import { guard } from "lit/directives/guard.js";
+import { lastChapter } from "../settings/door";
 import { type Settings, writeSettings } from "../settings/settings";
 import "../terms/term";
 import { fileButton } from "../ui/file-button";
@@ -33,7 +34,7 @@ export class HeaderView extends View {
 
   protected override stores() {
     const { engine, settings, offline } = this.app;
-    return [engine, settings, settings.address, offline];
+    return [engine, settings, settings.address, offline, this.app.words];
   }
 
   #tell(type: string, detail?: unknown): void {
@@ -45,9 +46,10 @@ export class HeaderView extends View {
    * event.
    */
   #views() {
-    const { settings } = this.app;
+    const { settings, words } = this.app;
     return html`
       <nav class="segments" aria-label="Views">
+        <a href="#story=${lastChapter()}" data-testid="view-story">${words.now.frame.story}</a>
         ${VIEWS.filter(([view]) => view !== "series" || this.#hasSeries).map(
           ([view, title]) => html`
           <a href=${guard([settings.address.fragment], () => `#${writeSettings({ ...settings.written, view })}`)}

@@ -1,6 +1,7 @@
 // "Forget everything" in the footer: asks with numbers, and can be undone until the page is left.
 import { html } from "lit";
 import { messageOf } from "../ui/format";
+import { forgetKept } from "../ui/kept";
 import type { NoticesStore } from "../ui/notices-store";
 import { isConfirmed } from "../ui/unsaved";
 import { View } from "../ui/view";
@@ -44,6 +45,8 @@ export class ForgetView extends View {
     await this.#act("Not all was forgotten", async () => {
       const undoes: (() => Promise<void>)[] = [];
       try {
+        const restore = forgetKept();
+        undoes.push(async () => restore());
         undoes.push(await session.forgetAll());
         undoes.push(await app.forgetAnswers());
       } finally {

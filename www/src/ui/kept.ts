@@ -2,26 +2,26 @@
 
 const PREFIX = "vcgpdm ";
 
-export function kept(name: string): string | null {
+/** Does something with the browser's storage, which may be forbidden. */
+function attempt<Result>(work: () => Result, otherwise: Result): Result {
   try {
-    return localStorage.getItem(PREFIX + name);
+    return work();
   } catch {
-    return null;
+    return otherwise;
   }
 }
 
-export function keep(name: string, value: string): void {
-  try {
-    localStorage.setItem(PREFIX + name, value);
-  } catch {
-    // The page then opens as at a first visit.
-  }
-}
+export const kept = (name: string): string | null => attempt(() => localStorage.getItem(PREFIX + name), null);
 
-export function forgetKept(...names: string[]): void {
-  try {
-    for (const name of names) localStorage.removeItem(PREFIX + name);
-  } catch {
-    // Nothing is stored.
-  }
+export const keep = (name: string, value: string): void =>
+  attempt(() => localStorage.setItem(PREFIX + name, value), undefined);
+
+/** Forgets all choices. Returns a function that brings them back. */
+export function forgetKept(): () => void {
+  const names = attempt(() => Object.keys(localStorage), []).filter((key) => key.startsWith(PREFIX));
+  const choices = names.map((key) => [key.slice(PREFIX.length), localStorage.getItem(key) ?? ""] as const);
+  for (const key of names) localStorage.removeItem(key);
+  return () => {
+    for (const [name, value] of choices) keep(name, value);
+  };
 }

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { FakeAddressBar } from "../settings/address.fake";
-import { SettingsStore } from "../settings/settings-store";
-import { openDoor } from "./door";
+import { FakeAddressBar } from "./address.fake";
+import { SettingsStore } from "./settings-store";
+import { lastChapter, openDoor } from "./door";
 
 let stored: Map<string, string>;
 beforeEach(() => {
@@ -38,6 +38,7 @@ it("opens the chapter where the visitor was, and the Lab for a visitor who has c
   expect(opened("").chapter).toBe(4);
   settings.change({ chapter: 0 });
   expect(opened("").chapter).toBe(0);
+  expect(lastChapter()).toBe(4);
 });
 
 it("obeys an address, also that of the Lab, which is no choice for the next visit", () => {
@@ -54,7 +55,7 @@ it("opens the Lab in a frame of another page, and keeps nothing of it", () => {
   expect(stored.size).toBe(0);
 });
 
-it("ignores a kept door that is no chapter", () => {
-  stored.set("vcgpdm door", "garage");
+it("ignores a kept chapter that is no number", () => {
+  stored.set("vcgpdm chapter", "garage");
   expect(opened("").chapter).toBe(1);
 });
