@@ -166,7 +166,7 @@ describe("a comparison of models", () => {
       "claim and answer",
     );
     await page.setViewportSize({ width: 1440, height: 900 });
-    await says(page, /^1 training\.$/);
+    await says(page, /^1 training\./);
     await page.getByTestId("compare").click();
     assert.match(await over(page), /1 of 1 trainings done/);
     assert.equal(await page.getByTestId("given").count(), 0);
