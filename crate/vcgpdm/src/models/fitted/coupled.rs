@@ -159,4 +159,35 @@ impl Coupled<'_> {
         let y = self.body.columns(&self.model.observations(&latents));
         Ok(self.body.positions(&y)?)
     }
+
+    /// World positions of the figure's nodes [nodes x 3] with every part at a latent point: the points `[Q_i]`
+    /// of all parts, one after the other.
+    ///
+    /// # Errors
+    ///
+    /// When the points do not have the latent dimensions of the parts.
+    pub fn body_pose(&self, latents: &[f64]) -> Result<Vec<f32>, RolloutError> {
+        let columns = self.model.latent_dimensions();
+        let (expected, found) = (columns.iter().sum::<usize>(), latents.len());
+        if found != expected {
+            let part = columns.len() - 1;
+            let found_columns = (columns[part] + found).saturating_sub(expected);
+            return Err(RolloutError::Start {
+                part,
+                rows: 1,
+                columns: columns[part],
+                found_rows: 1,
+                found_columns,
+            });
+        }
+        let mut left = latents;
+        let mut points = Vec::with_capacity(columns.len());
+        for q in columns {
+            let (point, rest) = left.split_at(q);
+            points.push(DMatrix::from_row_slice(1, q, point));
+            left = rest;
+        }
+        let y = self.body.columns(&self.model.observations(&points));
+        Ok(self.body.positions(&y)?)
+    }
 }

@@ -72,6 +72,21 @@ impl Vcgpdm {
         })
     }
 
+    /// The share of the prior variance of a part's pose map that is left at each of `points` [N x Q_i].
+    ///
+    /// # Errors
+    ///
+    /// When there is no such part, the points have other dimensions, or a covariance cannot be factorised.
+    pub fn pose_variance(&self, part: usize, points: &DMatrix<f64>) -> Result<Vec<f64>, RolloutError> {
+        let map = self.parts.get(part).ok_or(RolloutError::Part { count: self.part_count(), found: part })?;
+        let (found_rows, found_columns) = points.shape();
+        let columns = map.r().ncols();
+        if found_columns != columns {
+            return Err(RolloutError::Start { part, rows: found_rows, columns, found_rows, found_columns });
+        }
+        Ok(variance_shares(map, points, self.jitter)?)
+    }
+
     fn check_field(
         &self,
         part: usize,
