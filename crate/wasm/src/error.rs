@@ -10,6 +10,8 @@ use vcgpdm::models::library::{
     CombinationError, ImportError, LibraryError as PrimitivesError, MergeError, WalkError,
 };
 use vcgpdm::models::variational::InducingError;
+#[cfg(feature = "training")]
+use vcgpdm::models::variational::KeptPointsError;
 use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
 use vcgpdm::motion::ClipError;
 use vcgpdm::motion::bvh::BvhError;
@@ -215,6 +217,16 @@ impl LibraryError for RolloutError {
             // Only a rollout that is not finite cannot be turned into poses.
             RolloutError::Numerics(_) | RolloutError::Pose(_) => ErrorCode::Numerics,
             _ => ErrorCode::Rollout,
+        }
+    }
+}
+
+#[cfg(feature = "training")]
+impl LibraryError for KeptPointsError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            KeptPointsError::Numerics(_) => ErrorCode::Numerics,
+            _ => ErrorCode::Model,
         }
     }
 }

@@ -32,6 +32,7 @@ mod origin;
 mod perception;
 #[cfg(feature = "training")]
 mod plane;
+mod points;
 mod predictions;
 #[cfg(feature = "training")]
 mod primitives;

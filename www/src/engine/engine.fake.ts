@@ -271,6 +271,14 @@ export class FakeEngine implements Partial<Engine> {
     return this.#answer("futures", [request, count, seed], results);
   }
 
+  bodyPose(latents: Float64Array): Promise<Float32Array> {
+    return this.#answer("bodyPose", [latents], new Float32Array(3));
+  }
+
+  poseVariance(part: number, latents: Float64Array): Promise<Float64Array> {
+    return this.#answer("poseVariance", [part, latents], new Float64Array(latents.length / 2));
+  }
+
   startLive(request: RolloutRequest, frame: number): Promise<void> {
     this.live = { changes: [], frames: 0 };
     return this.#answer("startLive", [request, frame], undefined);

@@ -280,6 +280,13 @@ export interface Workbench {
   openModel(text: string, frames: number, revision: number): OpenedModel;
   rollout(request: RolloutRequest): RolloutResult;
   inducing(point: InducingPoint, rollout: RolloutRequest): InducingReport;
+  /**
+   * World positions of the figure's nodes [nodes x 3] with every part at a latent point. `latents`: the points
+   * of all parts, one after the other.
+   */
+  bodyPose(latents: Float64Array): Float32Array;
+  /** The share of the prior variance of a part's pose map that is left at latent points [points x Q]. */
+  poseVariance(part: number, latents: Float64Array): Float64Array;
   modelJson(): string;
   rolloutBvh(request: RolloutRequest): string;
   /** The motion of the body from frame `first` on. */

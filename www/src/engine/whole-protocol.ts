@@ -23,7 +23,16 @@ import type {
   TrainingCost,
 } from "vcgpdm";
 import type { LibraryWorker } from "./library-protocol";
-import type { Report, RolloutRequest, Trainee, TrainingClip, TrainingOutcome } from "./protocol";
+import type {
+  Health,
+  Measures,
+  Motion,
+  Report,
+  RolloutRequest,
+  Trainee,
+  TrainingClip,
+  TrainingOutcome,
+} from "./protocol";
 import type { SeriesWorker } from "./series-protocol";
 
 export type {
@@ -168,7 +177,29 @@ export interface PartMoments {
   covariances: Float64Array;
 }
 
-/** The calls of a worker for the uncertainty of a model. The worker keeps one model of a body open. */
+/** The inducing points that a model keeps, by index. */
+export interface KeptPoints {
+  /** [part] */
+  poses: number[][];
+  /** [source][target] */
+  dynamics: number[][][];
+}
+
+/** The movement of a model with some of its inducing points only. */
+export interface KeptReport {
+  /** The bound, in nats. */
+  bound: number;
+  motion: Motion;
+  /** Latent path of each part [frames x Q]. */
+  latents: Float64Array[];
+  measures: Measures;
+  health: Health;
+}
+
+/**
+ * The calls of a worker for the uncertainty and the inducing points of a model. The worker keeps one model of a
+ * body open.
+ */
 export interface UncertaintyWorker {
   /** Opens the model of this document and closes the earlier model. */
   openOutlook(text: string): void;
@@ -176,6 +207,10 @@ export interface UncertaintyWorker {
   moments(request: RolloutRequest): PartMoments[];
   /** An image of the model's uncertainty in a plane through the latent space of a part. */
   paintPlane(request: RolloutRequest, part: number, picture: PlanePicture): ImageBitmap;
+  /** The bound of the model with each of these choices of inducing points, in nats. */
+  keptBounds(choices: KeptPoints[]): number[];
+  /** A rollout of the model with some of its inducing points only. */
+  keptRollout(kept: KeptPoints, request: RolloutRequest): KeptReport;
 }
 
 /** A study for the page. */

@@ -104,6 +104,14 @@ export class ShownModel {
     return using(model.rollout(request), (rollout) => look(rollout, info));
   }
 
+  bodyPose(latents: Float64Array): Float32Array {
+    return this.#current().model.bodyPose(latents);
+  }
+
+  poseVariance(part: number, latents: Float64Array): Float64Array {
+    return this.#current().model.poseVariance(part, latents);
+  }
+
   toJson(): string {
     return this.#current().model.toJson();
   }

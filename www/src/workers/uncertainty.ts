@@ -2,6 +2,7 @@
 import * as Comlink from "comlink";
 import { Model } from "vcgpdm";
 import type { UncertaintyWorker } from "../engine/whole-protocol";
+import { keptBound, keptReport } from "./kept-points";
 import { transfer } from "./transfer";
 import { using } from "./using";
 
@@ -30,4 +31,9 @@ export const uncertaintyWorker: UncertaintyWorker = {
       const bitmap = rollout.paintPlane(part, picture).transferToImageBitmap();
       return Comlink.transfer(bitmap, [bitmap]);
     }),
+  keptBounds: (choices) => choices.map((kept) => keptBound(current(), kept)),
+  keptRollout: (kept, request) => {
+    const report = keptReport(current(), kept, request);
+    return transfer(report, report.motion.positions, ...report.latents);
+  },
 };
