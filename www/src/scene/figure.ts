@@ -95,7 +95,8 @@ export class FigureView {
   readonly group = new Group();
   #bones: { mesh: Mesh; capsule: Capsule }[] = [];
   #balls: { mesh: Mesh; ball: Ball }[] = [];
-  #materials: Material[] = [];
+  /** The material of each part; -1: of joints in no part. An outline has two materials for the whole figure. */
+  readonly #materials = new Map<number, Material>();
   readonly #a = new Vector3();
   readonly #b = new Vector3();
   readonly #side = new Vector3();
@@ -112,21 +113,16 @@ export class FigureView {
     const shape = shapeOf(figure, joints, pose);
     if (style.kind === "ghost") {
       const { body, rim } = outline();
-      this.#materials = [body, rim];
+      this.#materials.set(-1, body).set(-2, rim);
       this.#addBody(shape, style, 0, () => body);
       this.#addBody(shape, style, OUTLINE_WIDTH, () => rim);
       return;
     }
     const part = partOfJoints(joints.length, parts);
-    const materials = new Map<number, MeshStandardMaterial>();
     const materialOf = (joint: number) => {
       const index = part[joint] ?? -1;
-      let material = materials.get(index);
-      if (!material) {
-        material = this.#material(index, style);
-        materials.set(index, material);
-        this.#materials.push(material);
-      }
+      const material = this.#materials.get(index) ?? this.#material(index, style);
+      this.#materials.set(index, material);
       return material;
     };
     this.#addBody(shape, style, 0, materialOf);
@@ -180,15 +176,18 @@ export class FigureView {
     return material;
   }
 
-  /** Fades the whole figure, 0 to 1. */
-  fade(opacity: number): void {
-    for (const material of this.#materials) {
+  /** Fades the whole figure or one part, 0 to 1. */
+  fade(opacity: number, part?: number): void {
+    const materials = part === undefined ? [...this.#materials.values()] : [this.#materials.get(part)];
+    for (const material of materials) {
+      if (!material) continue;
       material.transparent = opacity < 1;
       material.opacity = opacity;
       stencil(material, opacity < 1 ? PALE : SOLID);
       material.needsUpdate = true;
     }
     for (const { mesh } of [...this.#bones, ...this.#balls]) {
+      if (!materials.includes(mesh.material as Material)) continue;
       mesh.castShadow = opacity > 0.5;
       mesh.renderOrder = opacity < 1 ? 3 : 0;
     }
@@ -231,7 +230,7 @@ export class FigureView {
 
   dispose(): void {
     for (const { mesh } of [...this.#bones, ...this.#balls]) mesh.geometry.dispose();
-    for (const material of this.#materials) material.dispose();
+    for (const material of this.#materials.values()) material.dispose();
     this.group.removeFromParent();
   }
 }

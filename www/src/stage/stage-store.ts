@@ -28,6 +28,12 @@ export interface Marks {
   frames: Float64Array;
 }
 
+/** How strongly a part of the figure is drawn, 0 to 1. */
+export interface Fade {
+  part: number;
+  opacity: number;
+}
+
 /** One of several motions of the model's body side by side. */
 export interface StageColumn {
   title: string;
@@ -46,6 +52,7 @@ export class StageStore extends Store {
   #marks: Marks | null = null;
   #columns: readonly StageColumn[] | null = null;
   #futures: readonly Motion[] = [];
+  #fade: Fade | null = null;
 
   constructor(playback: Playback) {
     super();
@@ -143,6 +150,16 @@ export class StageStore extends Store {
 
   setFutures(futures: readonly Motion[]): void {
     this.#futures = futures;
+    this.changed();
+  }
+
+  /** The part of the figure that is drawn faintly; null: none. */
+  get fade(): Fade | null {
+    return this.#fade;
+  }
+
+  setFade(fade: Fade | null): void {
+    this.#fade = fade;
     this.changed();
   }
 

@@ -40,6 +40,7 @@ export class Stage {
   /** The content that the figure and the marked poses were made for. */
   #figureOf: StageContent | null = null;
   #markedOf: Marks | null = null;
+  #faded: { opacity: number; part?: number } | null = null;
   #feet: number[] = [];
   #floor = 0;
   readonly #focus = new Vector3(0, MIDDLE, 0);
@@ -119,6 +120,14 @@ export class Stage {
     this.#updateGhost(content);
     this.#updateFutures(content);
     this.#updateMarked(content);
+    this.#fade(this.#marked.length > 0 ? { opacity: 0.12 } : this.#store.fade);
+  }
+
+  #fade(fade: { opacity: number; part?: number } | null): void {
+    if (fade === this.#faded) return;
+    this.#faded = fade;
+    this.#figure?.fade(1);
+    if (fade) this.#figure?.fade(fade.opacity, fade.part);
   }
 
   #updateFigure(content: StageContent): void {
@@ -129,6 +138,7 @@ export class Stage {
       this.#clear();
       this.#figureOf = content;
       this.#figure = this.#make(content, { kind: "solid" });
+      this.#faded = null;
       this.#floor = floorOf(content.motion) - SOLE;
       this.#feet = feetOf(content.motion, this.#floor + SOLE);
       this.#ground.group.position.y = this.#floor;
@@ -165,7 +175,6 @@ export class Stage {
     this.#marked = (marks?.poses ?? []).map(({ part, opacity }) =>
       this.#make(content, { kind: "accent", part, opacity }),
     );
-    this.#figure?.fade(this.#marked.length > 0 ? 0.12 : 1);
   }
 
   /** The share of the height by which the figure is lower in the picture. */
