@@ -25,6 +25,11 @@ export const LOAD: Partial<Record<ChapterName, () => Loading>> = {
   arms: () => import("./arms/chapter"),
   belief: () => import("./belief/chapter"),
   computer: () => import("./computer/chapter"),
+  loop: () => import("./loop/chapter"),
+  next: () => import("./next/chapter"),
+  points: () => import("./points/chapter"),
+  product: () => import("./product/chapter"),
+  gaussian: () => import("./gaussian/chapter"),
 };
 
 /** Whether chapter N has been written. */

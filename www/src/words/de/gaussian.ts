@@ -3,7 +3,30 @@ import type { Words } from "../en";
 export const gaussian: Words["chapters"]["gaussian"] = {
   title: "Was ist ein Gaußprozess?",
   text:
-    "Ein Gaußprozess errät eine Kurve aus Punkten. In der Nähe eines Punktes ist er sicher; weit weg " +
-    "von allen Punkten ist er es nicht und sagt das auch: Das Band zeigt, wie sicher. Zieh die Punkte " +
-    "und sieh der Kurve zu. Wenige Stützpunkte können für alle stehen.",
+    "Ein Gaußprozess errät eine Kurve aus Punkten. In der Nähe eines Punktes ist er sicher; weit weg von allen " +
+    "Punkten ist er es nicht und sagt das auch: Das Band reicht zwei Standardabweichungen weit. Zieh die Punkte " +
+    "und sieh der Kurve zu. Wenige Stützpunkte können für alle stehen, und auch die Frage selbst darf unsicher sein.",
+  guess: {
+    question: "Was sagt er an der gepunkteten Linie, weit weg von allen Punkten?",
+    choices: {
+      on: "Die Kurve geht weiter wie bisher",
+      prior: "Null, mit einem breiten Band",
+      nothing: "Nichts",
+    },
+  },
+  plane: "Ein Gaußprozess mit einem Eingang",
+  point: (number: number) => `Punkt ${number}: Pfeiltasten bewegen ihn`,
+  inducing: (number: number) => `Stützpunkt ${number}: Pfeiltasten bewegen ihn`,
+  input: "Der Eingang: Pfeiltasten bewegen ihn",
+  hint: "Zieh die Punkte.",
+  exact: "Alle Punkte",
+  sparse: (count: number) => `${count} Stützpunkte`,
+  spread: "Der Eingang ist unsicher",
+  reveal: {
+    answer: (mean: string, deviation: string, near: string) =>
+      `Dort sagt er ${mean} ± ${deviation}: Er kehrt zu dem zurück, was er wusste, bevor er einen Punkt sah. Am ersten ` +
+      `Punkt ist er auf ± ${near} sicher.`,
+    input: (mean: string, deviation: string) => `Am orangen Eingang sagt er ${mean} ± ${deviation}.`,
+  },
+  equation: "Der Kern k sagt, wie ähnlich sich die Kurve an zwei Eingängen ist.",
 };

@@ -3,8 +3,40 @@ import type { Words } from "../en";
 export const points: Words["chapters"]["points"] = {
   title: "Zehn Posen genügen",
   text:
-    "Das Modell behält die Aufnahmen nicht. Es behält wenige Posen und wenige Schritte, die " +
-    "Stützpunkte, und berechnet alles andere aus ihnen. Setze welche oder nimm welche weg, bis der " +
-    "Gang stolpert. Wer die wenigsten braucht, gewinnt. Die Schranke sagt, wie viel verloren geht; " +
-    "sie wird für jede deiner Wahlen neu berechnet.",
+    "Das Modell behält die Aufnahmen nicht. Es behält wenige Posen und wenige Schritte, die Stützpunkte, und " +
+    "berechnet alles andere aus ihnen. Hier sind die der Beine. Was geschieht, wenn wir welche wegnehmen? Für " +
+    "jede Wahl löst die Seite das Modell mit denselben Daten neu und misst den Gang.",
+  guess: {
+    question: (poses: number, steps: number) =>
+      `Die Beine haben ${poses} Posen und ${steps} Schritte. Wie viele der ${poses + steps} braucht der Gang?`,
+    choices: { most: "Fast alle", half: "Etwa die Hälfte", few: "Zehn oder weniger" },
+  },
+  plane: "Der latente Raum der Beine mit ihren Stützpunkten",
+  legend: "◆ Posen   ➝ Schritte",
+  point: {
+    poses: (number: number) => `Pose ${number}`,
+    steps: (number: number) => `Schritt ${number}`,
+  },
+  found: (count: number, nats: string, centimetres: string) =>
+    `${count} Punkte: Schranke ${nats} Nats niedriger, Gelenke ${centimetres} cm daneben.`,
+  walks: "Der Gang geht weiter.",
+  stumbled: "Der Gang stolpert.",
+  enough: (enough: number, all: number, centimetres: string) =>
+    `${enough} von ${all} Punkten genügen: Die Gelenke sind im Mittel ${centimetres} cm daneben. Mit einem weniger ` +
+    "stolpert der Gang. Die Seite nahm jedes Mal den Punkt weg, der der Schranke am wenigsten fehlt.",
+  hint: (fewest: number | null) =>
+    fewest === null
+      ? "Drück auf Punkte: Sie gehen und kommen wieder. Die wenigsten gewinnen."
+      : `Drück auf Punkte: Sie gehen und kommen wieder. Deine wenigsten: ${fewest}.`,
+  waiting: "Die Seite lädt das Programm, das das Modell neu löst.",
+  removing: "Ein Punkt nach dem anderen geht.",
+  all: "Alle Punkte",
+  pair: (many: number, few: number) => `${many} und ${few}`,
+  column: (count: number) => `${count} Punkte`,
+  chart: {
+    bound: "Schranke",
+    error: "Fehler des Gangs",
+    label: "Schranke und Fehler des Gangs, von allen Punkten links bis zu zweien rechts",
+  },
+  equation: "Die Verteilung der Stützwerte u, neu gelöst für die Punkte, die übrig sind.",
 };

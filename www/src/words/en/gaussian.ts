@@ -1,7 +1,30 @@
 export const gaussian = {
   title: "What is a Gaussian process?",
   text:
-    "A Gaussian process guesses a curve from points. Near a point it is sure; far from all points it " +
-    "is not, and says so: the band is how sure. Drag the points and watch the curve. A few inducing " +
-    "points can stand for all of them.",
+    "A Gaussian process guesses a curve from points. Near a point it is sure; far from all points it is not, and " +
+    "says so: the band is two standard deviations wide on each side. Drag the points and watch the curve. A few " +
+    "inducing points can stand for all of them, and the question itself may be uncertain.",
+  guess: {
+    question: "What does it say at the dotted line, far from all points?",
+    choices: {
+      on: "The curve goes on as before",
+      prior: "Zero, and a wide band",
+      nothing: "Nothing",
+    },
+  },
+  plane: "A Gaussian process of one input",
+  point: (number: number) => `Point ${number}: arrow keys move it`,
+  inducing: (number: number) => `Inducing point ${number}: arrow keys move it`,
+  input: "The input: arrow keys move it",
+  hint: "Drag the points.",
+  exact: "All points",
+  sparse: (count: number) => `${count} inducing points`,
+  spread: "The input is uncertain",
+  reveal: {
+    answer: (mean: string, deviation: string, near: string) =>
+      `There it says ${mean} ± ${deviation}: it goes back to what it knew before it saw a point. At the first point it ` +
+      `is sure to ± ${near}.`,
+    input: (mean: string, deviation: string) => `At the orange input it says ${mean} ± ${deviation}.`,
+  },
+  equation: "The kernel k says how alike the curve is at two inputs.",
 };

@@ -1,7 +1,29 @@
 export const product = {
   title: "Two guesses, one step",
   text:
-    "Two experts speak about the arms’ next step: the arms themselves and the legs. Each gives a " +
-    "guess and says how sure it is, as a circle. The step that is taken lies between, nearer to the " +
-    "one who is surer. Pull at a circle: its radius is alpha, the one number that a coupling has.",
+    "Two experts speak about the arms’ next step: the arms themselves and the legs. Each gives a guess and says " +
+    "how sure it is, as a circle. The step that is taken lies between, nearer to the one who counts more. Pull " +
+    "at a circle: alpha grows with its radius, and an expert with a large alpha counts less.",
+  guess: {
+    question: "We double both alphas. How will the arms move?",
+    choices: {
+      more: "They swing further",
+      same: "Exactly as before",
+      less: "They swing less",
+    },
+  },
+  plane: "The latent space of the arms: two guesses and their product",
+  radius: {
+    arms: (alpha: string) => `Circle of the arms, alpha ${alpha}: arrow keys change it`,
+    legs: (alpha: string) => `Circle of the legs, alpha ${alpha}: arrow keys change it`,
+  },
+  sources: { arms: "arms", legs: "legs" },
+  row: (name: string, alpha: string, percent: string) => `${name}: alpha ${alpha}, counts ${percent} %`,
+  hint: "Pull at the dots on the circles.",
+  learned: "As learned",
+  twice: "Double both",
+  doubled: (millimetres: string, wider: string) =>
+    `In ten seconds, the largest distance of a joint from its old path is ${millimetres} mm. Only the circle of the step is ` +
+    `${wider} times as wide: the ratio of the alphas says where, their size how exactly.`,
+  equation: "The weights w depend only on the ratios of the alphas. The variance of the product does not.",
 };

@@ -1,0 +1,291 @@
+// What is a Gaussian process? One input, points to drag, inducing points, and an input that is uncertain.
+import { html } from "lit";
+import type { Plane } from "../../latents/plane";
+import type { Projection } from "../../latents/projection";
+import { partColourNow, theme } from "../../ui/palette";
+import { Store } from "../../ui/store";
+import type { WordsStore } from "../../words/words";
+import type { Chapter } from "../chapter";
+import { equation } from "../latent/equation";
+import type { Handle, LatentScene } from "../latent/latent-view";
+import { type Point, type Prediction, Process } from "./process";
+
+const KERNEL = { lambda: 0.5, variance: 1 };
+const NOISE = 0.01;
+const START: readonly Point[] = [
+  [-2.4, -0.7],
+  [-1.5, 0.3],
+  [-0.9, 0.9],
+  [0.1, 0.2],
+  [0.8, -0.6],
+];
+const INDUCING = [-2.2, -1, 0.6];
+/** Half the width and height of the drawing. */
+const WIDTH = 4;
+const HEIGHT = 1.9;
+/** The heights of the inducing points and of the uncertain input. */
+const INDUCING_AT = -0.62 * HEIGHT;
+const INPUT_AT = -0.82 * HEIGHT;
+/** The place that the question is about. */
+const ASKED = 2.8;
+/** The step of an arrow key. */
+const STEP = 0.1;
+/** The largest standard deviation of the uncertain input. */
+const MOST = 1;
+
+const within = (value: number, most: number) => Math.max(-most, Math.min(most, value));
+
+export class GaussianChapter extends Store implements Chapter, LatentScene {
+  readonly #words: WordsStore;
+  #points: Point[] = [...START];
+  #inducing = [...INDUCING];
+  /** Whether the inducing points stand for all points. */
+  #sparse = false;
+  #input = -0.4;
+  /** Standard deviation of the input. */
+  #spread = 0;
+  #guessed = false;
+  #process = this.#fit();
+
+  readonly projection: Projection = {
+    centre: Float64Array.of(0, 0),
+    axes: Float64Array.of(1, 0, 0, 1, 0, 0),
+    reach: WIDTH,
+    flat: [0.82 * WIDTH, 0.82 * HEIGHT],
+    dimensions: 2,
+  };
+  readonly moves = false;
+
+  constructor(words: WordsStore) {
+    super();
+    this.#words = words;
+  }
+
+  get #now() {
+    return this.#words.now.chapters.gaussian;
+  }
+
+  /** The process about the place of the question. */
+  get asked(): Prediction {
+    return this.#process.at(ASKED);
+  }
+
+  get handles(): readonly Handle[] {
+    const place = (x: number, y: number) => (plane: Plane) => {
+      const [px, py] = plane.place(Float64Array.of(x, y), 0);
+      return [px, py] as const;
+    };
+    const points = this.#points.map(
+      ([x, y], i): Handle => ({
+        id: `point-${i}`,
+        label: this.#now.point(i + 1),
+        place: place(x, y),
+        drag: (plane, px, py) => this.#movePoint(i, ...this.#at(plane, px, py)),
+        nudge: (right, down) => this.#movePoint(i, x + STEP * right, y - STEP * down),
+      }),
+    );
+    if (!this.#guessed) return points;
+    const inducing = this.#inducing.map(
+      (x, i): Handle => ({
+        id: `inducing-${i}`,
+        label: this.#now.inducing(i + 1),
+        place: place(x, INDUCING_AT),
+        drag: (plane, px, py) => this.#moveInducing(i, this.#at(plane, px, py)[0]),
+        nudge: (right) => this.#moveInducing(i, x + STEP * right),
+      }),
+    );
+    const input: Handle = {
+      id: "input",
+      label: this.#now.input,
+      place: place(this.#input, INPUT_AT),
+      drag: (plane, px, py) => this.#moveInput(this.#at(plane, px, py)[0]),
+      nudge: (right) => this.#moveInput(this.#input + STEP * right),
+    };
+    return [...points, ...(this.#sparse ? inducing : []), input];
+  }
+
+  #at(plane: Plane, px: number, py: number): [number, number] {
+    const [x0, y0] = plane.place(Float64Array.of(0, 0), 0);
+    const [x, y] = plane.latentStep(px - x0, py - y0);
+    return [x!, y!];
+  }
+
+  #fit(): Process {
+    const inducing = this.#sparse ? this.#inducing : this.#points.map(([x]) => x);
+    return new Process(this.#points, inducing, KERNEL, NOISE);
+  }
+
+  #refit(): void {
+    this.#process = this.#fit();
+    this.changed();
+  }
+
+  #movePoint(index: number, x: number, y: number): void {
+    this.#points[index] = [within(x, WIDTH), within(y, HEIGHT)];
+    this.#refit();
+  }
+
+  #moveInducing(index: number, x: number): void {
+    this.#inducing[index] = within(x, WIDTH);
+    this.#refit();
+  }
+
+  #moveInput(x: number): void {
+    this.#input = within(x, WIDTH);
+    this.changed();
+  }
+
+  paint(draw: CanvasRenderingContext2D, plane: Plane, { width }: { width: number; height: number }): void {
+    const { ink, quiet, line } = theme();
+    const colour = partColourNow(0);
+    const pixels = (x: number, y: number): [number, number] => {
+      const [px, py] = plane.place(Float64Array.of(x, y), 0);
+      return [px, py];
+    };
+    const [zero, base] = pixels(0, 0);
+    draw.strokeStyle = line;
+    draw.lineWidth = 1;
+    draw.beginPath();
+    draw.moveTo(0, base);
+    draw.lineTo(width, base);
+    draw.stroke();
+    const perPixel = plane.latentStep(1, 0)[0]!;
+    const columns: [number, Prediction][] = [];
+    for (let px = 0; px < width + 3; px += 3) columns.push([px, this.#process.at((px - zero) * perPixel)]);
+    const y = (value: number) => base - value / perPixel;
+    draw.fillStyle = draw.strokeStyle = colour;
+    for (const deviations of [2, 1]) {
+      draw.globalAlpha = 0.15;
+      draw.beginPath();
+      for (const [px, { mean, variance }] of columns)
+        draw.lineTo(px, y(mean + deviations * Math.sqrt(variance)));
+      for (const [px, { mean, variance }] of columns.toReversed())
+        draw.lineTo(px, y(mean - deviations * Math.sqrt(variance)));
+      draw.fill();
+    }
+    draw.globalAlpha = 1;
+    draw.lineWidth = 3;
+    draw.beginPath();
+    for (const [px, { mean }] of columns) draw.lineTo(px, y(mean));
+    draw.stroke();
+    if (!this.#guessed) {
+      const [px] = pixels(ASKED, 0);
+      draw.strokeStyle = quiet;
+      draw.lineWidth = 2;
+      draw.setLineDash([3, 6]);
+      draw.beginPath();
+      draw.moveTo(px, y(HEIGHT));
+      draw.lineTo(px, y(-HEIGHT));
+      draw.stroke();
+      draw.setLineDash([]);
+    } else this.#paintInput(draw, pixels, perPixel);
+    draw.fillStyle = ink;
+    for (const point of this.#points) {
+      draw.beginPath();
+      draw.arc(...pixels(...point), 9, 0, 2 * Math.PI);
+      draw.fill();
+    }
+    if (!this.#sparse || !this.#guessed) return;
+    draw.fillStyle = "#d55e00";
+    for (const x of this.#inducing) {
+      const [px, py] = pixels(x, INDUCING_AT);
+      draw.beginPath();
+      draw.moveTo(px, py - 11);
+      draw.lineTo(px + 10, py + 8);
+      draw.lineTo(px - 10, py + 8);
+      draw.fill();
+    }
+  }
+
+  /** The uncertain input below, and the prediction there: a bar of two standard deviations to each side. */
+  #paintInput(
+    draw: CanvasRenderingContext2D,
+    pixels: (x: number, y: number) => [number, number],
+    perPixel: number,
+  ): void {
+    const colour = partColourNow(1);
+    const [px, bottom] = pixels(this.#input, INPUT_AT);
+    const { mean, variance } = this.#process.at(this.#input, this.#spread ** 2);
+    const [, middle] = pixels(this.#input, mean);
+    const half = (2 * Math.sqrt(variance)) / perPixel;
+    draw.strokeStyle = draw.fillStyle = colour;
+    draw.lineWidth = 5;
+    draw.beginPath();
+    draw.moveTo(px, middle - half);
+    draw.lineTo(px, middle + half);
+    draw.stroke();
+    draw.beginPath();
+    draw.arc(px, middle, 7, 0, 2 * Math.PI);
+    draw.fill();
+    const wide = (2 * this.#spread) / perPixel;
+    draw.lineWidth = 5;
+    draw.beginPath();
+    draw.moveTo(px - wide, bottom);
+    draw.lineTo(px + wide, bottom);
+    draw.stroke();
+    draw.beginPath();
+    draw.arc(px, bottom, 9, 0, 2 * Math.PI);
+    draw.fill();
+  }
+
+  stage() {
+    return html`<div class="story-single"><pg-latent-space .scene=${this} .label=${this.#now.plane}></pg-latent-space></div>`;
+  }
+
+  guess() {
+    return this.#guessed ? null : this.#now.guess;
+  }
+
+  guessed(): void {
+    this.#guessed = true;
+    this.changed();
+  }
+
+  control() {
+    const { hint, exact, sparse, spread } = this.#now;
+    if (!this.#guessed) return html`<p class="story-hint">${hint}</p>`;
+    const choose = (on: boolean) => () => {
+      this.#sparse = on;
+      this.#refit();
+    };
+    return html`
+      <div class="segments" role="group">
+        <button aria-pressed=${this.#sparse ? "false" : "true"} data-testid="exact" @click=${choose(false)}>${exact}</button>
+        <button aria-pressed=${this.#sparse ? "true" : "false"} data-testid="sparse" @click=${choose(true)}>${sparse(this.#inducing.length)}</button>
+      </div>
+      <label class="story-slider">${spread}
+        <input type="range" min="0" max=${MOST} step="0.02" data-testid="spread" .value=${String(this.#spread)}
+          @input=${({ target }: Event) => {
+            this.#spread = Number((target as HTMLInputElement).value);
+            this.changed();
+          }} /></label>`;
+  }
+
+  reveal() {
+    if (!this.#guessed) return null;
+    const number = (value: number) => (Math.abs(value) < 0.005 ? "0.00" : value.toFixed(2));
+    const far = this.asked;
+    const near = this.#process.at(this.#points[0]![0]);
+    const here = this.#process.at(this.#input, this.#spread ** 2);
+    const { answer, input } = this.#now.reveal;
+    return html`
+      <p data-testid="far">${answer(number(far.mean), number(Math.sqrt(far.variance)), number(Math.sqrt(near.variance)))}</p>
+      <p data-testid="input">${input(number(here.mean), number(Math.sqrt(here.variance)))}</p>`;
+  }
+
+  equation() {
+    return equation("kernel", this.#now.equation);
+  }
+
+  lab() {
+    return { view: "series" as const };
+  }
+
+  arrive(): void {}
+
+  leave(): void {
+    this.#guessed = this.#sparse = false;
+    [this.#points, this.#inducing, this.#spread] = [[...START], [...INDUCING], 0];
+    this.#process = this.#fit();
+  }
+}

@@ -1,0 +1,368 @@
+// Ten poses are enough: inducing points of the legs are taken away until the walk stumbles.
+import { html, nothing } from "lit";
+import { Latest } from "../../engine/latest";
+import { OpenDocument } from "../../engine/open-document";
+import type { Measures, RolloutRequest } from "../../engine/protocol";
+import type { WholeCalls, WholeWorkers } from "../../engine/whole-workers";
+import type { Plane } from "../../latents/plane";
+import type { Projection } from "../../latents/projection";
+import { arrowHead } from "../../latents/shapes";
+import { partColourNow, theme } from "../../ui/palette";
+import { Store } from "../../ui/store";
+import type { WordsStore } from "../../words/words";
+import type { StoryBody } from "../body";
+import type { Chapter } from "../chapter";
+import { attempt } from "../latent/attempt";
+import { equation } from "../latent/equation";
+import type { Handle, LatentScene } from "../latent/latent-view";
+import { PoseStage } from "../latent/pose-stage";
+import { type WalkLoop, walkLoop } from "../latent/walk-loop";
+import {
+  allPoints,
+  bestChoice,
+  choices,
+  count,
+  keptOf,
+  LEGS,
+  type LegPoints,
+  type PointKind,
+  toggled,
+} from "./elimination";
+import { pointsChart } from "./points-chart";
+import type { Trial } from "./trial";
+import { stumbles, walkError } from "./walk-error";
+
+/** The plot shows this many times the width of the loop. */
+const AROUND = 1.6;
+const FRAMES = 240;
+/** Milliseconds between two points that the program takes away. */
+const PAUSE = 250;
+/** The numbers of points that are shown side by side, as in the paper. */
+const PAIR = [10, 4] as const;
+
+export class PointsChapter extends Store implements Chapter, LatentScene {
+  readonly #words: WordsStore;
+  readonly #body: StoryBody;
+  readonly #pose: PoseStage;
+  #loop: WalkLoop | null = null;
+  #points: LegPoints = { poses: [], steps: [] };
+  /** The trial with all points. */
+  #full: Trial | null = null;
+  #now: Trial | null = null;
+  /** The program's trials, from all points to two. */
+  #trials: Trial[] = [];
+  /** The fewest points with which the visitor's walk went on. */
+  #fewest: number | null = null;
+  #guessed = false;
+  #running = 0;
+  #here = false;
+  readonly #asked: Latest<LegPoints, Trial>;
+  readonly #document: OpenDocument<WholeCalls, void>;
+  #modelText: Promise<string> | null = null;
+
+  constructor(words: WordsStore, body: StoryBody, { desk }: Pick<WholeWorkers, "desk">) {
+    super();
+    this.#document = new OpenDocument(desk, (worker, text) => worker.openOutlook(text));
+    this.#words = words;
+    this.#body = body;
+    this.#pose = new PoseStage(body);
+    this.#asked = new Latest(
+      (points) => this.#try(points),
+      (trial) => this.#take(trial),
+      (problem) => attempt(body, Promise.reject(problem)),
+    );
+    body.model.on(() => this.#open());
+    this.#open();
+  }
+
+  get #text() {
+    return this.#words.now.chapters.points;
+  }
+
+  get projection(): Projection | null {
+    return this.#full && (this.#loop?.projection ?? null);
+  }
+
+  get moves(): boolean {
+    return false;
+  }
+
+  /** The program's trials so far. */
+  get trials(): readonly Trial[] {
+    return this.#trials;
+  }
+
+  /** Whether the program is taking points away. */
+  get isRunning(): boolean {
+    return this.#running > 0;
+  }
+
+  get handles(): readonly Handle[] {
+    const { model } = this.#body.model;
+    if (!model || !this.#guessed) return [];
+    const all = allPoints(model.info);
+    const handle = (kind: PointKind, index: number): Handle => ({
+      id: `${kind}-${index}`,
+      label: this.#text.point[kind](index + 1),
+      pressed: this.#points[kind].includes(index),
+      place: (plane) => this.#place(plane, kind, index),
+      press: () => this.#toggle(kind, index),
+    });
+    return [
+      ...all.steps.map((index) => handle("steps", index)),
+      ...all.poses.map((index) => handle("poses", index)),
+    ];
+  }
+
+  /** The place of a point: of a step its prediction. */
+  #place(plane: Plane, kind: PointKind, index: number): [number, number] {
+    const view = this.#body.model.model!;
+    const points = kind === "poses" ? view.poseInducing[LEGS]! : view.dynamicsInducing[LEGS]![LEGS]!.outputs;
+    const [x, y] = plane.place(points, index);
+    return plane.inFrame(x, y);
+  }
+
+  #open(): void {
+    if (this.#loop) return;
+    this.#loop = walkLoop(this.#body, LEGS, AROUND);
+    if (this.#loop) attempt(this.#body, this.#begin());
+  }
+
+  async #begin(): Promise<void> {
+    const { model } = this.#body.model;
+    if (!model) return;
+    this.#points = allPoints(model.info);
+    this.#full = await this.#try(this.#points);
+    this.#now = this.#full;
+    this.changed();
+  }
+
+  #request(): RolloutRequest {
+    return { frames: FRAMES, sequence: 0, alpha: null, reading: "as-learned" };
+  }
+
+  /** Asks a worker of the whole program, which has the model open. */
+  async #ask<Answer>(call: (worker: WholeCalls) => Promise<Answer>): Promise<Answer> {
+    const { engine } = this.#body.engine;
+    if (!engine) throw new Error("There is no model yet.");
+    this.#modelText ??= engine.modelJson();
+    return this.#document.ask(await this.#modelText, call);
+  }
+
+  async #try(points: LegPoints): Promise<Trial> {
+    const { model, learned } = this.#body.model;
+    if (!model || !learned || !this.#loop) throw new Error("There is no model yet.");
+    const kept = keptOf(model.info, points);
+    const report = await this.#ask((worker) => worker.keptRollout(kept, this.#request()));
+    const error = walkError(report.motion, learned.motion, this.#loop.lap);
+    const walk: Measures = this.#full?.report.measures ?? report.measures;
+    return {
+      points,
+      count: count(points),
+      bound: report.bound,
+      error,
+      stumbles: stumbles({ ...report, error }, walk, LEGS),
+      report,
+    };
+  }
+
+  #take(trial: Trial): void {
+    this.#now = trial;
+    if (!trial.stumbles) this.#fewest = Math.min(this.#fewest ?? Infinity, trial.count);
+    this.#body.stage.setColumns(null);
+    if (this.#here) this.#pose.play(trial.report.motion);
+    this.changed();
+  }
+
+  #toggle(kind: PointKind, index: number): void {
+    const next = this.isRunning ? null : toggled(this.#points, kind, index);
+    if (next) this.#set(next);
+  }
+
+  #set(points: LegPoints): void {
+    this.#points = points;
+    this.#asked.request(points);
+    this.changed();
+  }
+
+  guess() {
+    if (this.#guessed || !this.#full) return null;
+    const { poses, steps } = this.#full.points;
+    const { question, choices } = this.#text.guess;
+    return { question: question(poses.length, steps.length), choices };
+  }
+
+  guessed(): void {
+    this.#guessed = true;
+    attempt(this.#body, this.#eliminate());
+  }
+
+  /** Takes away point after point, always the one whose loss costs the bound least. */
+  async #eliminate(): Promise<void> {
+    const { model } = this.#body.model;
+    if (!model || !this.#full) return;
+    this.#running += 1;
+    const running = this.#running;
+    let points = allPoints(model.info);
+    this.#trials = [this.#full];
+    this.changed();
+    while (count(points) > 2) {
+      const all = choices(points);
+      const kept = all.map((choice) => keptOf(model.info, choice));
+      const bounds = await this.#ask((worker) => worker.keptBounds(kept));
+      points = bestChoice(all, bounds);
+      const trial = await this.#try(points);
+      await new Promise((resolve) => setTimeout(resolve, PAUSE));
+      // The visitor may have left or stopped it.
+      if (running !== this.#running || !this.#here) return;
+      this.#points = points;
+      this.#now = trial;
+      this.#trials = [...this.#trials, trial];
+      if (!trial.stumbles || this.#trials.at(-2)?.stumbles === false) this.#pose.play(trial.report.motion);
+      this.changed();
+    }
+    this.#running = 0;
+    const enough = this.#enough;
+    if (enough) this.#set(enough.points);
+  }
+
+  /** The trial with the fewest points before the first stumble. */
+  get #enough(): Trial | null {
+    const first = this.#trials.findIndex((trial) => trial.stumbles);
+    return this.#trials.at(first === -1 ? -1 : first - 1) ?? null;
+  }
+
+  paint(draw: CanvasRenderingContext2D, plane: Plane): void {
+    const { lap } = this.#loop!;
+    const { ink } = theme();
+    const view = this.#body.model.model!;
+    const colour = partColourNow(LEGS);
+    draw.strokeStyle = colour;
+    draw.globalAlpha = 0.3;
+    draw.lineWidth = 3;
+    draw.beginPath();
+    for (let t = 0; t < lap.frames; t++) {
+      const [x, y] = plane.place(lap.path, t);
+      draw.lineTo(x, y);
+    }
+    draw.closePath();
+    draw.stroke();
+    const path = this.#now?.report.latents[LEGS];
+    const q = this.#loop!.projection.dimensions;
+    if (path) {
+      draw.globalAlpha = 0.8;
+      draw.lineWidth = 1.5;
+      draw.beginPath();
+      for (let t = Math.floor(path.length / q / 2); t < path.length / q; t++) {
+        const [x, y] = plane.place(path, t);
+        draw.lineTo(x, y);
+      }
+      draw.stroke();
+    }
+    const { inputs, outputs } = view.dynamicsInducing[LEGS]![LEGS]!;
+    const { order } = view.info;
+    const all = allPoints(view.info);
+    draw.strokeStyle = draw.fillStyle = ink;
+    for (const index of all.steps) {
+      draw.globalAlpha = this.#points.steps.includes(index) ? 1 : 0.16;
+      draw.lineWidth = 2;
+      const from = plane.placeInHistory(inputs, order, index, order - 1);
+      const to = plane.place(outputs, index);
+      draw.beginPath();
+      draw.moveTo(from[0], from[1]);
+      draw.lineTo(to[0], to[1]);
+      draw.stroke();
+      arrowHead(draw, [...from], [...to], 9);
+    }
+    for (const index of all.poses) {
+      draw.globalAlpha = this.#points.poses.includes(index) ? 1 : 0.16;
+      const [x, y] = this.#place(plane, "poses", index);
+      draw.fillStyle = colour;
+      draw.beginPath();
+      draw.moveTo(x, y - 8);
+      draw.lineTo(x + 8, y);
+      draw.lineTo(x, y + 8);
+      draw.lineTo(x - 8, y);
+      draw.closePath();
+      draw.fill();
+    }
+  }
+
+  stage() {
+    const { stage, playback } = this.#body;
+    return html`
+      <div class="story-pair">
+        <pg-latent-space .scene=${this} .label=${this.#text.plane}></pg-latent-space>
+        <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${this.#words.now.chapters.arms.figure}></pg-stage>
+        <p class="story-pair-note">${this.#text.legend} ${this.#state()}</p>
+        ${this.#trials.length > 1 && this.#now ? pointsChart(this.#trials, this.#now, this.#text.chart) : ""}
+      </div>`;
+  }
+
+  /** Bound and error of the walk with the points now. */
+  #state() {
+    const trial = this.#now;
+    if (!this.#guessed || !trial || !this.#full) return nothing;
+    const { found, walks, stumbled } = this.#text;
+    const error = Number.isFinite(trial.error) ? (100 * trial.error).toFixed(1) : "∞";
+    const sentence = found(trial.count, (this.#full.bound - trial.bound).toFixed(0), error);
+    return html`<span data-testid="trial">${sentence} ${trial.stumbles ? stumbled : walks}</span>`;
+  }
+
+  control() {
+    const { all, pair, hint, waiting, removing } = this.#text;
+    if (!this.#full) return html`<p class="story-hint" role="status">${waiting}</p>`;
+    if (!this.#guessed) return null;
+    if (this.isRunning) return html`<p class="story-hint" role="status">${removing}</p>`;
+    return html`<div class="story-row">
+      <button class="story-button" data-testid="all-points" @click=${() => this.#all()}>${all}</button>
+      <button class="story-button" data-testid="pair" @click=${() => this.#showPair()}>${pair(...PAIR)}</button>
+      <p class="story-hint">${hint(this.#fewest)}</p></div>`;
+  }
+
+  #all(): void {
+    const { model } = this.#body.model;
+    if (model) this.#set(allPoints(model.info));
+  }
+
+  #showPair(): void {
+    const trials = PAIR.map((points) => this.#trials.find((trial) => trial.count === points));
+    this.#body.stage.setColumns(
+      trials.flatMap((trial) =>
+        trial ? [{ title: this.#text.column(trial.count), motion: trial.report.motion }] : [],
+      ),
+    );
+  }
+
+  reveal() {
+    const enough = this.#enough;
+    if (!this.#guessed || this.isRunning || !enough || !this.#full) return null;
+    const { enough: sentence } = this.#text;
+    return html`<p data-testid="enough">${sentence(enough.count, this.#full.count, (100 * enough.error).toFixed(1))}</p>`;
+  }
+
+  equation() {
+    return equation("posterior", this.#text.equation);
+  }
+
+  lab() {
+    return { tab: "loops" as const };
+  }
+
+  arrive(): void {
+    this.#here = true;
+    void this.#body.showFirstMotion();
+    this.#body.start().catch(() => {});
+    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.#body.playback.play();
+  }
+
+  leave(): void {
+    this.#here = false;
+    this.#running = 0;
+    this.#asked.drop();
+    [this.#guessed, this.#trials, this.#fewest, this.#now] = [false, [], null, this.#full];
+    if (this.#full) this.#points = this.#full.points;
+    this.#body.stage.setColumns(null);
+    this.#pose.end();
+  }
+}

@@ -1,0 +1,348 @@
+// Two guesses, one step: the experts of the arms and of the legs about the arms, and their product.
+import { html, nothing } from "lit";
+import { Latest } from "../../engine/latest";
+import type { Couplings, RolloutRequest, RolloutResult } from "../../engine/protocol";
+import { ellipseOf, type Plane } from "../../latents/plane";
+import type { Projection } from "../../latents/projection";
+import { traceEllipse } from "../../latents/shapes";
+import { ALPHA_MAX, ALPHA_MIN } from "../../settings/settings";
+import { partColour, partColourNow, theme } from "../../ui/palette";
+import { Store } from "../../ui/store";
+import { partStyle } from "../../ui/styled";
+import type { WordsStore } from "../../words/words";
+import type { StoryBody } from "../body";
+import type { Chapter } from "../chapter";
+import { attempt } from "../latent/attempt";
+import { equation } from "../latent/equation";
+import type { Handle, LatentScene } from "../latent/latent-view";
+import { PoseStage } from "../latent/pose-stage";
+import { type WalkLoop, walkLoop } from "../latent/walk-loop";
+import { type ExpertsNow, expertsOf, type Product, productOf } from "./product";
+
+const LEGS = 0;
+const ARMS = 1;
+/** The plot shows this many times the width of the loop. */
+const AROUND = 1.5;
+const FRAMES = 300;
+/** The factor of alpha for an arrow key. */
+const STEP = 1.25;
+/** The direction of each handle from the middle of its circle, in pixels of length 1. */
+const DIRECTIONS = [
+  [-Math.SQRT1_2, -Math.SQRT1_2],
+  [Math.SQRT1_2, Math.SQRT1_2],
+] as const;
+
+/** The difference between two rollouts, and between their circles. */
+export interface Doubled {
+  /** The largest distance between the same joint of both bodies, in millimetres. */
+  apart: number;
+  /** The deviation of the product under doubled couplings, as a multiple of the one before. */
+  wider: number;
+}
+
+export class ProductChapter extends Store implements Chapter, LatentScene {
+  readonly #words: WordsStore;
+  readonly #body: StoryBody;
+  readonly #pose: PoseStage;
+  #loop: WalkLoop | null = null;
+  #experts: ExpertsNow | null = null;
+  /** The state before the step [Q]. */
+  #before: Float64Array = new Float64Array(0);
+  #learned: number[] = [];
+  #alphas: number[] = [];
+  #guessed = false;
+  #doubled: Doubled | null = null;
+  #here = false;
+  readonly #rollouts: Latest<number[], RolloutResult>;
+
+  constructor(words: WordsStore, body: StoryBody) {
+    super();
+    this.#words = words;
+    this.#body = body;
+    this.#pose = new PoseStage(body);
+    this.#rollouts = new Latest(
+      (alphas) => this.#roll(alphas),
+      (rollout) => this.#here && this.#pose.play(rollout.motion),
+      (problem) => attempt(body, Promise.reject(problem)),
+    );
+    body.model.on(() => this.#open());
+    this.#open();
+  }
+
+  get #now() {
+    return this.#words.now.chapters.product;
+  }
+
+  get projection(): Projection | null {
+    return this.#experts && (this.#loop?.projection ?? null);
+  }
+
+  get moves(): boolean {
+    return false;
+  }
+
+  /** The product under the couplings now; null before the model. */
+  get product(): Product | null {
+    return this.#experts && productOf(this.#experts, this.#alphas);
+  }
+
+  get handles(): readonly Handle[] {
+    if (!this.#experts) return [];
+    return [LEGS, ARMS].map((source) => ({
+      id: `alpha-${source}`,
+      label: this.#now.radius[source === LEGS ? "legs" : "arms"](this.#alphas[source]!.toPrecision(2)),
+      place: (plane) => this.#edge(plane, source),
+      drag: (plane, x, y) => this.#pull(plane, source, x, y),
+      nudge: (right, down) => this.#set(source, this.#alphas[source]! * STEP ** (right - down)),
+    }));
+  }
+
+  #open(): void {
+    if (this.#loop) return;
+    this.#loop = walkLoop(this.#body, ARMS, AROUND);
+    if (this.#loop) attempt(this.#body, this.#measure());
+  }
+
+  #request(alphas: readonly number[] | null): RolloutRequest {
+    const learned = this.#body.model.couplings.learned;
+    const alpha: Couplings | null =
+      alphas &&
+      learned.map((row, source) => row.map((value, target) => (target === ARMS ? alphas[source]! : value)));
+    return { frames: FRAMES, sequence: 0, alpha, reading: "as-learned" };
+  }
+
+  #roll(alphas: readonly number[] | null): Promise<RolloutResult> {
+    const { engine } = this.#body.engine;
+    if (!engine) throw new Error("There is no model yet.");
+    return engine.rollout(this.#request(alphas));
+  }
+
+  /** The experts in the frame of the lap where they disagree most. */
+  async #measure(): Promise<void> {
+    const { engine } = this.#body.engine;
+    const { learned, couplings } = this.#body.model;
+    if (!engine || !learned || !this.#loop) return;
+    const report = await engine.predictions(this.#request(null));
+    const { lap, projection } = this.#loop;
+    const q = projection.dimensions;
+    this.#learned = couplings.learned.map((row) => row[ARMS]!);
+    this.#alphas = [...this.#learned];
+    const first = lap.first - report.firstFrame;
+    const rows = Array.from({ length: lap.frames }, (_, t) => first + t);
+    const all = rows.map((row) => expertsOf(report, ARMS, row, q, this.#learned));
+    const apart = all.map((experts) => this.#apart(experts, projection));
+    const best = apart.indexOf(Math.max(...apart));
+    this.#experts = all[best]!;
+    const path = learned.latents[ARMS]!;
+    const frame = lap.first + best - 1;
+    this.#before = path.slice(frame * q, (frame + 1) * q);
+    this.changed();
+  }
+
+  /** The distance between both means in the plane of the plot. */
+  #apart({ means }: ExpertsNow, { axes, dimensions: q }: Projection): number {
+    const along = (axis: number) =>
+      means[0]!.reduce((sum, value, a) => sum + axes[axis * q + a]! * (value - means[1]![a]!), 0);
+    return Math.hypot(along(0), along(1));
+  }
+
+  #deviation(source: number): number {
+    const [first, , second] = this.#experts!.own;
+    return Math.sqrt(this.#alphas[source]! + (source === LEGS ? first : second));
+  }
+
+  #circle(plane: Plane, mean: Float64Array, variance: number) {
+    return ellipseOf(plane.place(mean, 0), plane.roundSpread(variance));
+  }
+
+  /** The place of the handle of a source, on its circle. */
+  #edge(plane: Plane, source: number): [number, number] {
+    const { x, y, major } = this.#circle(plane, this.#experts!.means[source]!, this.#deviation(source) ** 2);
+    const [right, down] = DIRECTIONS[source]!;
+    return [x + major * right, y + major * down];
+  }
+
+  #pull(plane: Plane, source: number, x: number, y: number): void {
+    const mean = plane.place(this.#experts!.means[source]!, 0);
+    const unit = this.#circle(plane, this.#experts!.means[source]!, 1).major;
+    const radius = Math.hypot(x - mean[0], y - mean[1]) / unit;
+    const [first, , second] = this.#experts!.own;
+    this.#set(source, radius * radius - (source === LEGS ? first : second));
+  }
+
+  #set(source: number, alpha: number): void {
+    this.#alphas[source] = Math.min(ALPHA_MAX, Math.max(ALPHA_MIN, alpha));
+    this.#rollouts.request([...this.#alphas]);
+    this.changed();
+  }
+
+  #setAll(alphas: readonly number[]): void {
+    this.#alphas = [...alphas];
+    this.#rollouts.request([...this.#alphas]);
+    this.changed();
+  }
+
+  guess() {
+    return this.#guessed || !this.#experts ? null : this.#now.guess;
+  }
+
+  guessed(): void {
+    this.#guessed = true;
+    this.#setAll(this.#learned.map((alpha) => 2 * alpha));
+    attempt(this.#body, this.#compare());
+  }
+
+  async #compare(): Promise<void> {
+    if (!this.#experts) return;
+    const twice = this.#learned.map((alpha) => 2 * alpha);
+    const [before, after] = await Promise.all([this.#roll(this.#learned), this.#roll(twice)]);
+    const wider = Math.sqrt(
+      productOf(this.#experts, twice).variance / productOf(this.#experts, this.#learned).variance,
+    );
+    this.#doubled = { apart: 1000 * largestDistance(before, after), wider };
+    this.changed();
+  }
+
+  paint(draw: CanvasRenderingContext2D, plane: Plane): void {
+    const { lap } = this.#loop!;
+    const { ink, quiet } = theme();
+    const experts = this.#experts!;
+    const product = this.product!;
+    draw.strokeStyle = partColourNow(ARMS);
+    draw.globalAlpha = 0.25;
+    draw.lineWidth = 3;
+    draw.beginPath();
+    for (let t = 0; t < lap.frames; t++) {
+      const [x, y] = plane.place(lap.path, t);
+      draw.lineTo(x, y);
+    }
+    draw.closePath();
+    draw.stroke();
+    const [nowX, nowY] = plane.place(this.#before, 0);
+    const result = this.#circle(plane, product.mean, product.variance);
+    for (const source of [LEGS, ARMS]) {
+      const circle = this.#circle(plane, experts.means[source]!, this.#deviation(source) ** 2);
+      draw.fillStyle = draw.strokeStyle = partColourNow(source);
+      draw.lineWidth = 3;
+      draw.globalAlpha = 0.14;
+      draw.beginPath();
+      traceEllipse(draw, circle);
+      draw.fill();
+      draw.globalAlpha = 1;
+      draw.stroke();
+      draw.lineWidth = 1.5;
+      draw.beginPath();
+      draw.moveTo(circle.x, circle.y);
+      draw.lineTo(result.x, result.y);
+      draw.stroke();
+      dot(draw, circle.x, circle.y, 5);
+      const [x, y] = this.#edge(plane, source);
+      dot(draw, x, y, 9);
+      draw.strokeStyle = theme().ground;
+      draw.lineWidth = 2.5;
+      draw.stroke();
+    }
+    draw.strokeStyle = draw.fillStyle = ink;
+    draw.lineWidth = 3;
+    draw.globalAlpha = 0.2;
+    draw.beginPath();
+    traceEllipse(draw, result);
+    draw.fill();
+    draw.globalAlpha = 1;
+    draw.stroke();
+    dot(draw, result.x, result.y, 5);
+    draw.strokeStyle = draw.fillStyle = quiet;
+    draw.lineWidth = 2;
+    draw.beginPath();
+    draw.moveTo(nowX, nowY);
+    draw.lineTo(result.x, result.y);
+    draw.stroke();
+    dot(draw, nowX, nowY, 6);
+  }
+
+  stage() {
+    const { stage, playback } = this.#body;
+    return html`
+      <div class="story-pair">
+        <pg-latent-space .scene=${this} .label=${this.#now.plane}></pg-latent-space>
+        <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${this.#words.now.chapters.arms.figure}></pg-stage>
+        ${this.#weights()}
+      </div>`;
+  }
+
+  control() {
+    if (!this.#guessed) return html`<p class="story-hint">${this.#now.hint}</p>`;
+    const { learned, twice } = this.#now;
+    return html`<div class="story-row">
+      <button class="story-button" data-testid="learned" @click=${() => this.#setAll(this.#learned)}>${learned}</button>
+      <button class="story-button" data-testid="twice" @click=${() => this.#setAll(this.#alphas.map((alpha) => 2 * alpha))}>${twice}</button>
+      </div>`;
+  }
+
+  /** Alpha and weight of both sources. */
+  #weights() {
+    const { product } = this;
+    if (!product) return nothing;
+    const { sources, row } = this.#now;
+    const line = (source: number, name: string) =>
+      html`<li style=${partStyle(partColour(source))}><i class="swatch"></i>${row(
+        name,
+        this.#alphas[source]!.toPrecision(2),
+        (100 * product.weights[source]!).toFixed(0),
+      )}</li>`;
+    return html`<ul class="story-pair-note story-weights" data-testid="weights">
+      ${line(ARMS, sources.arms)}${line(LEGS, sources.legs)}</ul>`;
+  }
+
+  reveal() {
+    if (!this.#guessed || !this.#doubled) return null;
+    const { apart, wider } = this.#doubled;
+    return html`<p data-testid="doubled">${this.#now.doubled(apart === 0 ? "0" : apart.toFixed(3), wider.toFixed(2))}</p>`;
+  }
+
+  equation() {
+    return equation("weights", this.#now.equation);
+  }
+
+  lab() {
+    const altered = this.#alphas.some((alpha, source) => alpha !== this.#learned[source]);
+    if (!altered) return { tab: "listen" as const };
+    const alpha = Object.fromEntries(this.#alphas.map((value, source) => [`${source}.${ARMS}`, value]));
+    return { tab: "listen" as const, alpha, reading: "as-learned" as const, model: this.#body.model.id };
+  }
+
+  arrive(): void {
+    this.#here = true;
+    void this.#body.showFirstMotion();
+    this.#body.start().catch(() => {});
+    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.#body.playback.play();
+  }
+
+  leave(): void {
+    this.#here = false;
+    this.#rollouts.drop();
+    this.#alphas = [...this.#learned];
+    [this.#guessed, this.#doubled] = [false, null];
+    this.#pose.end();
+  }
+}
+
+function dot(draw: CanvasRenderingContext2D, x: number, y: number, radius: number): void {
+  draw.beginPath();
+  draw.arc(x, y, radius, 0, 2 * Math.PI);
+  draw.fill();
+}
+
+/** The largest distance between the same joint of two motions at the same time, in metres. */
+export function largestDistance({ motion: a }: RolloutResult, { motion: b }: RolloutResult): number {
+  let largest = 0;
+  for (let i = 0; i < a.positions.length; i += 3) {
+    const away = Math.hypot(
+      a.positions[i]! - b.positions[i]!,
+      a.positions[i + 1]! - b.positions[i + 1]!,
+      a.positions[i + 2]! - b.positions[i + 2]!,
+    );
+    largest = Math.max(largest, away);
+  }
+  return largest;
+}
