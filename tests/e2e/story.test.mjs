@@ -14,10 +14,15 @@ const { Model, Study } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/
 
 /** Holds the wasm back until it is released. */
 let wasm = Promise.resolve();
+/** @type {string[]} the files sent so far */
+const sent = [];
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
 before(async () => {
-  site = await openSite({ before: (path) => (path.endsWith(".wasm") ? wasm : undefined) });
+  site = await openSite({
+    before: (path) => (path.endsWith(".wasm") ? wasm : undefined),
+    onSend: (path) => void sent.push(path),
+  });
 });
 beforeEach(() => {
   wasm = Promise.resolve();
@@ -160,6 +165,19 @@ describe("the way through the story", () => {
     await page.goto(page.url().replace(/#.*/, "?again"));
     await page.waitForURL(/#story=2$/);
     assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("loads the program of the next chapter before it is opened", async () => {
+    const { page, leave } = await site.visit({ story: true });
+    await page.locator(".story[data-state=open][data-engine=ready]").waitFor();
+    while (!sent.some((path) => /assets\/story\/.*\.js$/.test(path))) await page.waitForTimeout(50);
+    await page.waitForLoadState("networkidle");
+    const before = sent.length;
+    await page.getByTestId("chapter-next").click();
+    await page.getByTestId("choice-pace").waitFor();
+    const programs = sent.slice(before).filter((path) => /assets\/.*chapter.*\.(js|css)$/.test(path));
+    assert.deepEqual(programs, []);
     await leave();
   });
 
