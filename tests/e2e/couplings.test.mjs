@@ -68,6 +68,9 @@ function holds(/** @type {Claim} */ claim, /** @type {Awaited<ReturnType<typeof 
       return found.step.startsWith(from >= 0.95 ? "hands and feet in step" : "hands and feet out of step");
     case "walkingSpeed":
       return still || within(Number(/walks ([\d.]+) × as fast/.exec(found.step)?.[1]));
+    case "elbow":
+      // The page does not measure angles; tests/node/presets.test.mjs does.
+      return true;
     default:
       return false;
   }
