@@ -24,6 +24,7 @@ export const CHAPTERS: readonly ChapterName[] = [
 export const LOAD: Partial<Record<ChapterName, () => Loading>> = {
   arms: () => import("./arms/chapter"),
   belief: () => import("./belief/chapter"),
+  borrow: () => import("./borrow/chapter"),
   computer: () => import("./computer/chapter"),
   loop: () => import("./loop/chapter"),
   next: () => import("./next/chapter"),
