@@ -20,7 +20,8 @@ const LEAD = 3;
 /** An action of the visitor, in frames from the start. */
 export type Mark =
   | { kind: "cut"; source: number; target: number; from: number; to: number | null }
-  | { kind: "push"; part: number; from: number };
+  /** A drag is one push: `began` is its first frame, `from` its last. */
+  | { kind: "push"; part: number; began: number; from: number };
 
 /** The phases and distances of one frame. */
 export interface TracePoint {
@@ -199,7 +200,7 @@ export class LiveStore extends Store {
     const last = this.#marks.at(-1);
     // A drag is many small pushes with one mark.
     if (last?.kind === "push" && last.part === part && from - last.from < 10) last.from = from;
-    else this.#marks.push({ kind: "push", part, from });
+    else this.#marks.push({ kind: "push", part, began: from, from });
     this.changed();
   }
 

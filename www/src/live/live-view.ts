@@ -7,12 +7,11 @@ import type { StageView } from "../stage/stage-view";
 import { clearCanvas } from "../ui/canvas";
 import { onThemeChange, partColourNow } from "../ui/palette";
 import { View } from "../ui/view";
+import { letDragLimbs } from "./drag-limbs";
 import "./live.css";
 import { type LiveStore, type Mark, SHOWN_SECONDS } from "./live-store";
 import { distanceLines, type Pieces, phaseLines, cutsText } from "./strip";
 
-/** Pixels around a node in which the pointer can grab it. */
-const REACH = 26;
 /** The distance at the top of the chart, in radii. */
 const FARTHEST = 1.5;
 
@@ -30,53 +29,10 @@ export class LiveView extends View {
     if (canvas) this.watchSize(canvas, () => this.requestUpdate());
     const stage = this.closest(".stage-area")?.querySelector<StageView>("pg-stage");
     const picture = stage?.querySelector("canvas");
-    if (stage && picture) this.#letDrag(stage, picture);
+    if (stage && picture) this.whenLeaving(letDragLimbs(stage, picture, this.live));
     const page = this.closest("main");
     const push = ({ part, by }: PushPart) => this.live.push(part, by);
     if (page) this.listen(page, "push-part", (event) => push((event as CustomEvent<PushPart>).detail));
-  }
-
-  /** A node near the pointer follows it; anywhere else a drag turns the camera. */
-  #letDrag(stage: StageView, picture: HTMLCanvasElement): void {
-    let grabbed: { node: number; x: number; y: number } | null = null;
-    const at = (event: PointerEvent) => {
-      const { left, top } = picture.getBoundingClientRect();
-      return { x: event.clientX - left, y: event.clientY - top };
-    };
-    const turn = (on: boolean) => {
-      if (stage.scene) stage.scene.turns = on;
-    };
-    // This listener must run before the camera's own listener on the same element.
-    const capture = { capture: true };
-    const grab = (event: PointerEvent) => {
-      const { x, y } = at(event);
-      const node = this.live.running ? (stage.scene?.nodeAt(x, y, REACH) ?? null) : null;
-      if (node === null) return;
-      grabbed = { node, x, y };
-      turn(false);
-      picture.setPointerCapture(event.pointerId);
-    };
-    const drag = (event: PointerEvent) => {
-      if (!grabbed || !stage.scene) return;
-      const { x, y } = at(event);
-      this.live.pull(grabbed.node, stage.scene.dragged(grabbed.node, x - grabbed.x, y - grabbed.y));
-      grabbed = { ...grabbed, x, y };
-    };
-    const drop = () => {
-      grabbed = null;
-      turn(true);
-    };
-    picture.addEventListener("pointerdown", grab, capture);
-    picture.addEventListener("pointermove", drag);
-    picture.addEventListener("pointerup", drop);
-    picture.addEventListener("pointercancel", drop);
-    this.whenLeaving(() => {
-      picture.removeEventListener("pointerdown", grab, capture);
-      picture.removeEventListener("pointermove", drag);
-      picture.removeEventListener("pointerup", drop);
-      picture.removeEventListener("pointercancel", drop);
-      turn(true);
-    });
   }
 
   get #names(): string[] {

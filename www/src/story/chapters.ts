@@ -31,6 +31,7 @@ export const LOAD: Partial<Record<ChapterName, () => Loading>> = {
   points: () => import("./points/chapter"),
   product: () => import("./product/chapter"),
   gaussian: () => import("./gaussian/chapter"),
+  push: () => import("./push/chapter"),
 };
 
 /** Whether chapter N has been written. */

@@ -1,9 +1,33 @@
+import { decimal } from "../decimal";
 import type { Words } from "../en";
 
+const radii = (value: number) => decimal("de", value, value < 1 ? 2 : 1);
+const seconds = (value: number) => `${decimal("de", value, 1)} s`;
+
 export const push: Words["chapters"]["push"] = {
-  title: "Stoß sie an, sei die Beine",
+  title: "Stoß sie an",
   text:
-    "Dieser Gang hat keine Aufnahme, zu der er zurückkehren könnte. Er hat eine Schleife, und die " +
-    "Schleife zieht an: Was auch immer den Körper stört, die nächsten Vermutungen führen zurück. Zieh " +
-    "an einer Hand, lass los und sieh zu. Wie lange dauert es, bis die Arme wieder im Takt sind?",
+    "Dieser Gang folgt keiner Aufnahme. Das Modell schätzt jede Haltung aus den letzten paar Haltungen, " +
+    "und seine Schätzungen führen immer wieder um eine Schleife: eine für die Beine, eine für die Arme. " +
+    "Jetzt ziehen wir an einer Hand, und die Arme verlassen ihre Schleife. Auch von dort kann das Modell " +
+    "die nächste Haltung nur aus den letzten paar schätzen. Dass jemand gezogen hat, weiß es nicht.",
+  guess: {
+    question: "Was wird der Gang tun?",
+    choices: { fall: "Umfallen", stop: "Anhalten", back: "Zurückkommen" },
+  },
+  parts: ["Beine", "Arme"],
+  walk: "Lass sie gehen",
+  pull: "Zieh an einer Hand",
+  drag: "oder zieh selbst",
+  measuring: "Der Heimweg wird gemessen.",
+  away: (part, farthest) => `Die ${part} verließen ihre Schleife um das ${radii(farthest)}-Fache des Radius.`,
+  home: (time, limit) =>
+    `${seconds(time)} später war alles zu Hause: näher als ${radii(limit)} Radien, doppelt so weit wie sonst.`,
+  lost: "Er ist nicht nach Hause gekommen.",
+  back: "Jede Schätzung führt näher an die Schleife.",
+  noFall: "Umfallen kann er nicht: Das Modell kennt Haltungen, kein Gewicht.",
+  equation: (order) => `Der nächste Zustand hängt nur von den letzten ${order} Zuständen ab.`,
+  figure:
+    "Eine gehende Figur. Hand oder Fuß ziehen; an anderer Stelle dreht Ziehen den Blick; Tasten: w, a, s, d, plus und minus.",
+  loops: "Oben die Schleife der Arme, unten die der Beine, jede mit einem Punkt für die Haltung jetzt.",
 };

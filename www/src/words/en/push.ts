@@ -1,7 +1,33 @@
+import { decimal } from "../decimal";
+
+const radii = (value: number) => decimal("en", value, value < 1 ? 2 : 1);
+const seconds = (value: number) => `${decimal("en", value, 1)} s`;
+
 export const push = {
-  title: "Push it, be the legs",
+  title: "Push it",
   text:
-    "This walk has no recording to return to. It has a loop, and the loop attracts: whatever disturbs " +
-    "the body, the next guesses lead back. Drag a hand, let go, and watch. How long will it take " +
-    "until the arms are back in step?",
+    "This walk follows no recording. The model guesses each pose from the last few poses, and its guesses " +
+    "lead round and round a loop: one loop for the legs, one for the arms. Now we pull a hand, and the arms " +
+    "leave their loop. From there, too, the model can only guess the next pose from the last few. It " +
+    "does not know that anybody pulled.",
+  guess: {
+    question: "What will the walk do?",
+    choices: { fall: "Fall over", stop: "Stop", back: "Come back" },
+  },
+  parts: ["legs", "arms"],
+  walk: "Let it walk",
+  pull: "Pull a hand",
+  drag: "or drag one yourself",
+  measuring: "Measuring the way home.",
+  away: (part: string, farthest: number) =>
+    `The ${part} left their loop by ${radii(farthest)} times its radius.`,
+  home: (time: number, limit: number) =>
+    `${seconds(time)} later all was home: within ${radii(limit)} radii, twice as far as usual.`,
+  lost: "It has not come home.",
+  back: "Each guess leads nearer to the loop.",
+  noFall: "It cannot fall: the model knows poses, not weight.",
+  equation: (order: number) => `The next state depends on the last ${order} states alone.`,
+  figure:
+    "A walking figure. Drag a hand or a foot to pull it, drag elsewhere to look from another side; keys: w, a, s, d, plus and minus.",
+  loops: "The loop of the arms above, that of the legs below, each with a dot for the present pose.",
 };

@@ -1,0 +1,71 @@
+// The seventh chapter of the story: a pulled walk comes home, by button, pointer and keyboard.
+import assert from "node:assert/strict";
+import { after, before, it } from "node:test";
+import { openSite } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+/** The seconds of the last way home, and the live walk's distances around it as the library computed them. */
+async function wayHome(/** @type {Page} */ page) {
+  const found = page.getByTestId("homecoming");
+  await found.waitFor();
+  const text = await found.innerText();
+  const seconds = Number(await found.getAttribute("data-seconds"));
+  const measured = await page.locator("pg-push-hands").evaluate((hands) => {
+    const { live, body } = /** @type {any} */ (hands).chapter;
+    const { from } = live.marks.at(-1);
+    return { trace: live.trace, from, frameTime: body.model.model.info.frameTime };
+  });
+  return { text, seconds, ...measured };
+}
+
+it("measures how a pulled hand comes home, and lets the visitor pull again", async () => {
+  const { page, problems, leave } = await site.visit({ moving: true, settings: "story=7" });
+  await page.getByTestId("choice-back").waitFor();
+  // Nothing can be pulled before the guess.
+  assert.equal(await page.getByTestId("pull").count(), 0);
+  await page.getByTestId("choice-back").click();
+  const { text, seconds, trace, from, frameTime } = await wayHome(page);
+  const limit = Number(/within ([\d.]+) radii/.exec(text)?.[1]);
+  assert.ok(limit > 0.01 && limit < 0.3, `home is near the loop: ${text}`);
+  assert.ok(seconds > 0 && seconds < 4, `${seconds} s`);
+  const away = trace.filter((/** @type {any} */ { frame }) => frame >= from && frame < from + 150);
+  const farthest = Math.max(...away.map((/** @type {any} */ { distances }) => distances[1]));
+  assert.ok(farthest > 4 * limit, `the arms left their loop: ${farthest}`);
+  const home = away.filter((/** @type {any} */ { frame }) => (frame - from) * frameTime >= seconds - 1e-6);
+  for (const { distances } of home.slice(0, 30))
+    assert.ok(Math.max(...distances) <= limit + 0.005, `${distances} within ${limit}`);
+
+  // By keyboard.
+  await page.getByTestId("pull").focus();
+  await page.keyboard.press("Enter");
+  await page.getByTestId("homecoming").waitFor({ state: "detached" });
+  await wayHome(page);
+
+  // By pointer.
+  const hand = await page.locator("pg-push-hands").evaluate((hands) => {
+    const { left, top } = hands.getBoundingClientRect();
+    const { x, y } = new DOMMatrix(
+      getComputedStyle(/** @type {Element} */ (hands.querySelector(".push-ring"))).transform,
+    ).transformPoint();
+    return { x: left + x, y: top + y };
+  });
+  await page.mouse.move(hand.x, hand.y);
+  await page.mouse.down();
+  await page.mouse.move(hand.x + 90, hand.y - 90, { steps: 8 });
+  await page.mouse.up();
+  await page.getByTestId("homecoming").waitFor({ state: "detached" });
+  await wayHome(page);
+
+  await page.getByTestId("chapter-next").click();
+  assert.equal(await page.locator("pg-push-hands").count(), 0);
+  assert.deepEqual(problems, []);
+  await leave();
+});

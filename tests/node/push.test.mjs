@@ -1,0 +1,45 @@
+// What the story says of a push: the walk of the first model comes back to its loop.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { it } from "node:test";
+import { at } from "../../scripts/run.mjs";
+import { coupledInfo, installPackage } from "./package.mjs";
+
+/** Frames of a pull, and metres in each of them. */
+const PULL = 10;
+const METRES = 0.08;
+
+it("a pulled hand or foot takes a part off its loop, and four seconds later the walk is back", async () => {
+  const { vcgpdm, remove } = await installPackage();
+  const model = vcgpdm.Model.fromJson(readFileSync(at("www/public/first/model.json"), "utf8"));
+  const info = coupledInfo(model);
+  const rollout = model.rollout({ frames: 300, sequence: 0, alpha: null, reading: "as-learned" });
+  const nodeOf = (/** @type {string} */ name) =>
+    info.figure.nodes.findIndex(({ joint, endSite }) => !endSite && info.joints[joint]?.name === name);
+  for (const [part, name] of /** @type {const} */ ([
+    [1, "RightHand"],
+    [1, "LeftHand"],
+    [0, "RightFoot"],
+  ]))
+    for (const start of [150, 158, 166, 174])
+      for (const direction of [
+        [0, METRES, 0],
+        [METRES, 0, 0],
+        [0, 0, -METRES],
+      ]) {
+        const live = new vcgpdm.LiveRollout(rollout, start);
+        const [x = 0, y = 0, z = 0] = direction;
+        let farthest = 0;
+        for (let frame = 0; frame < PULL; frame++) {
+          live.pull(nodeOf(name), x, y, z);
+          farthest = Math.max(farthest, live.advance(1).distances()[part] ?? 0);
+        }
+        const back = live.advance(150).distances().subarray(-60);
+        assert.ok(farthest > 0.25, `${name} from frame ${start}, ${direction}: ${farthest} off`);
+        assert.ok(
+          Math.max(...back) < 0.12,
+          `${name} from frame ${start}, ${direction}: ${Math.max(...back)}`,
+        );
+      }
+  remove();
+});

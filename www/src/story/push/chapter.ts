@@ -1,0 +1,12 @@
+import type { App } from "../../app/app";
+import "../../stage/stage-view";
+import { storyBody } from "../body";
+import type { Chapter } from "../chapter";
+import { PushChapter } from "./push-chapter";
+import "./push-hands";
+import "./push-loops";
+import "./push.css";
+
+export async function openChapter(app: App): Promise<Chapter> {
+  return new PushChapter(app.words, storyBody(app));
+}

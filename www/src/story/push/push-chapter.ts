@@ -1,0 +1,193 @@
+// Push it: a hand of the walking figure is pulled away, and the walk comes back to its loop.
+import { html, nothing } from "lit";
+import { unsafeHTML } from "lit/directives/unsafe-html.js";
+import type { LiveStore, Mark } from "../../live/live-store";
+import { EQUATIONS } from "../../method/equations";
+import type { Settings } from "../../settings/settings";
+import { eachFrame } from "../../ui/each-frame";
+import { Store } from "../../ui/store";
+import type { WordsStore } from "../../words/words";
+import type { StoryBody } from "../body";
+import type { Chapter } from "../chapter";
+import { type Homecoming, homecoming, homeLimit } from "./homecoming";
+
+/** The pull of the button: a hand, metres upwards for each picture, and pictures. */
+const HAND = "RightHand";
+const METRES = 0.08;
+const PICTURES = 12;
+/** Milliseconds between two looks whether the walk can be pulled. */
+const AGAIN = 100;
+
+type Push = Extract<Mark, { kind: "push" }>;
+
+export class PushChapter extends Store implements Chapter {
+  readonly #words: WordsStore;
+  readonly body: StoryBody;
+  #live: LiveStore | null = null;
+  #guess: string | null = null;
+  #isHere = false;
+  #stop = () => {};
+  #stopPull = () => {};
+  /** The distance within which the walk is home, measured before the first push; in radii of the loop. */
+  #limit: number | null = null;
+  #push: Push | null = null;
+  #way: Homecoming | null = null;
+
+  constructor(words: WordsStore, body: StoryBody) {
+    super();
+    this.#words = words;
+    this.body = body;
+  }
+
+  get #now() {
+    return this.#words.now.chapters.push;
+  }
+
+  /** The live walk; null while it does not run. */
+  get live(): LiveStore | null {
+    return this.#live?.running ? this.#live : null;
+  }
+
+  /** Whether the visitor may pull limbs: not before the guess. */
+  get isOpen(): boolean {
+    return this.#guess !== null;
+  }
+
+  stage() {
+    const { stage, playback } = this.body;
+    const { figure, loops, parts } = this.#now;
+    return html`<div class="push">
+      <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${figure}></pg-stage>
+      <pg-push-hands .chapter=${this}></pg-push-hands>
+      <pg-push-loops .chapter=${this} .label=${loops} .names=${parts}></pg-push-loops>
+    </div>`;
+  }
+
+  guess() {
+    return this.#guess === null ? this.#now.guess : null;
+  }
+
+  guessed(choice: string): void {
+    this.#guess = choice;
+    void this.#walk().catch(() => {});
+    this.pull();
+  }
+
+  control() {
+    const { walk, pull, drag } = this.#now;
+    if (!this.isOpen && this.body.playback.playing) return null;
+    if (!this.isOpen)
+      return html`<button class="story-button" data-testid="walk" @click=${() => void this.#walk()}>${walk}</button>`;
+    return html`<button class="story-button" data-testid="pull" @click=${() => this.pull()}>${pull}</button> <span>${drag}</span>`;
+  }
+
+  reveal() {
+    if (!this.isOpen) return null;
+    const { measuring, parts, away, home, lost, back, noFall } = this.#now;
+    const [push, way] = [this.#push, this.#way];
+    if (!push || !way || (way.seconds === null && !way.isLost)) return html`<p>${measuring}</p>`;
+    return html`
+      <p data-testid="homecoming" data-seconds=${way.seconds ?? "never"}>
+        ${away(parts[push.part] ?? "", way.farthest)}
+        <b>${way.seconds === null ? lost : home(way.seconds, this.#limit ?? 0)}</b>
+        ${this.#guess === "fall" ? noFall : way.seconds === null ? nothing : back}
+      </p>`;
+  }
+
+  equation() {
+    const order = this.body.model.model?.info.order;
+    return html`${unsafeHTML(EQUATIONS.dynamics)}${order === undefined ? nothing : html`<p>${this.#now.equation(order)}</p>`}`;
+  }
+
+  lab(): Partial<Settings> {
+    return {};
+  }
+
+  arrive(): void {
+    this.#isHere = true;
+    const stops = [this.body.model.on(() => this.changed())];
+    this.#stop = () => stops.forEach((stop) => stop());
+    void this.#begin();
+  }
+
+  leave(): void {
+    this.#isHere = false;
+    this.#stop();
+    this.#stopPull();
+    this.body.reset();
+    this.#live = null;
+    [this.#guess, this.#limit, this.#push, this.#way] = [null, null, null, null];
+  }
+
+  /** Pulls a hand upwards, as soon as the walk without a push has been measured. */
+  pull(): void {
+    this.#stopPull();
+    if (!this.#isHere) return;
+    const { stage } = this.body;
+    const live = this.live;
+    if (!live || this.#limit === null) {
+      const timer = setTimeout(() => this.pull(), AGAIN);
+      this.#stopPull = () => clearTimeout(timer);
+      return;
+    }
+    const joint = stage.content?.joints.indexOf(HAND) ?? -1;
+    const node = stage.content?.figure.nodes.findIndex((node) => node.joint === joint && !node.endSite) ?? -1;
+    let left = PICTURES;
+    this.#stopPull = eachFrame(() => {
+      if (node >= 0) live.pull(node, [0, METRES, 0]);
+      left -= 1;
+      if (left === 0) this.#stopPull();
+    });
+  }
+
+  /** The stored walk at once, and the model's as soon as it is there. */
+  async #begin(): Promise<void> {
+    const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    try {
+      await this.body.showFirstMotion();
+      if (!calm) this.body.playback.play();
+      this.changed();
+      await this.body.start();
+      if (this.#isHere && !calm) await this.#walk();
+    } catch {
+      // The frame says why the model cannot run here.
+    }
+  }
+
+  /** Lets the model walk on without an end. */
+  async #walk(): Promise<void> {
+    this.body.playback.play();
+    await this.body.start();
+    const live = await this.body.live.get();
+    if (!this.#isHere) return;
+    if (this.#live !== live) {
+      this.#live = live;
+      const stop = live.on(() => this.#follow(live));
+      const before = this.#stop;
+      this.#stop = () => {
+        before();
+        stop();
+      };
+    }
+    await live.start();
+    this.changed();
+  }
+
+  /** Measures the newest frames. */
+  #follow(live: LiveStore): void {
+    const frameTime = live.track?.motion.frameTime;
+    if (frameTime === undefined) return;
+    const push = live.marks.findLast((mark) => mark.kind === "push") ?? null;
+    if (!push) this.#limit = homeLimit(live.trace, frameTime) ?? this.#limit;
+    if (!push || this.#limit === null) return;
+    const isOther = push !== this.#push;
+    this.#push = push;
+    const isDone = (way: Homecoming | null) => way !== null && (way.seconds !== null || way.isLost);
+    const before = isOther ? null : this.#way;
+    const way = homecoming(live.trace, push, this.#limit, frameTime);
+    // The frames of the push are forgotten after some seconds, and the visitor may pull on.
+    const isForgotten = isDone(before) && (live.trace[0]?.frame ?? 0) > push.began;
+    if (!isForgotten) this.#way = way;
+    if (isOther || isDone(way) !== isDone(before)) this.changed();
+  }
+}
