@@ -1,7 +1,7 @@
 // The phases of all parts over time, with the period and the step that follow from them.
 import type { LearnedCycle } from "./learned-cycle";
 
-/** The period is the mean of this many turns, because a step with one leg differs from that with the other. */
+/** The period is the mean of this many turns: a step with one leg differs from that with the other. */
 const TURNS = 2;
 /** A part that turns less in the time of a learned turn stands still. */
 const STANDING = 0.2;

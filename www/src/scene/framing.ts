@@ -1,5 +1,5 @@
-// The camera's place relative to a figure: as near as the whole motion is visible, and at the same angle to the
-// mean heading of the walk.
+// The camera's place relative to a figure: as near as the whole motion is visible, and at the same angle to
+// the mean heading of the walk.
 import { Vector3 } from "three";
 import type { Motion } from "../engine/protocol";
 import { MeanHeading } from "./mean-heading";

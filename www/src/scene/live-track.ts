@@ -10,7 +10,7 @@ export class LiveTrack {
   readonly #pose: Float32Array;
   /** The latent path of each part, and its dimensions. */
   readonly #latents: readonly { values: Float64Array; width: number }[];
-  /** The latent path of each part; its row k is frame `first` + k. Rows after the newest frame are scratch. */
+  /** The latent path of each part: row k is frame `first` + k. Rows after the newest frame are scratch. */
   readonly paths: readonly Float64Array[];
   #placement: Placement = HERE;
 

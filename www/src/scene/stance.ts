@@ -44,8 +44,9 @@ export interface View {
 }
 
 /**
- * The view in which a camera sees the whole motion from every side, also raised hands. `slope`: the tangent of
- * half its vertical angle; `shift`: the share of the picture's height by which the centre is moved up or down.
+ * The view in which a camera sees the whole motion from every side, also raised hands. `slope`: the tangent
+ * of half its vertical angle; `shift`: the share of the picture's height by which the centre is moved up or
+ * down.
  */
 export function viewOf(
   { positions, frames, nodes }: Motion,

@@ -1,5 +1,5 @@
-// The loop of each part in its latent space, with the last moments of the walk: a push leaves the loop, and the
-// walk leads back.
+// The loop of each part in its latent space, with the last moments of the walk: a push leaves the loop, and
+// the walk leads back.
 import { html } from "lit";
 import { Plane } from "../../latents/plane";
 import { principalAxes, type Projection } from "../../latents/projection";
