@@ -48,7 +48,12 @@ const PAGE_STEPS = [
   { name: "sizes", what: "sizes of a visit", needs: "build", work: async () => weigh() },
   { name: "node", what: "the npm package from Node", needs: "build", work: () => nodeTests("node") },
   { name: "types", what: "TypeScript, strict", needs: "build", work: types },
-  { name: "unit", what: "Vitest", work: () => runModule("vitest/vitest.mjs", "run", "--root", at("www")) },
+  {
+    name: "unit",
+    what: "Vitest",
+    needs: "build",
+    work: () => runModule("vitest/vitest.mjs", "run", "--root", at("www")),
+  },
   { name: "page", what: "the page in Chromium", needs: "build", work: () => nodeTests("e2e", 2) },
 ];
 

@@ -1,0 +1,10 @@
+// For tests: the model that the page opens with, in the library itself.
+import init, { Model } from "../../../../crate/wasm/pkg/inline/vcgpdm.js";
+import text from "../../../first/model.json?raw";
+import type { ModelInfo } from "../../engine/protocol";
+
+export async function startModel() {
+  await init();
+  const model = Model.fromJson(text);
+  return { model, info: model.info() as ModelInfo, text };
+}
