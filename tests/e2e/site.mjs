@@ -90,7 +90,7 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
    * @param {import("playwright-core").BrowserContextOptions & Visit} [options]
    */
   async function visit({
-    settings = "view=play",
+    settings = "",
     story = false,
     query = "",
     cores = 0,
@@ -139,7 +139,7 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
         problems.push(`foreign: ${request.url()}`);
     });
     if (without) await page.route(without, (route) => route.abort());
-    await page.goto(`${server.address}${query}${story ? "" : `#${settings}`}`);
+    await page.goto(`${server.address}${query}${story ? "" : `#${settings || "view=play"}`}`);
     return { page, problems, leave: () => context.close() };
   }
 
