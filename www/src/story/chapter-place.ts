@@ -1,7 +1,7 @@
 // The way from chapter to chapter: back, the list of all chapters, and next.
 import { html, nothing } from "lit";
 import type { Words } from "../words/words";
-import { CHAPTERS, isThere } from "./chapters";
+import { CHAPTERS } from "./chapters";
 
 interface Place {
   words: Words;
@@ -23,10 +23,8 @@ const hide = ({ currentTarget }: Event) =>
 function list({ words, number, count }: Place) {
   return html`
     <ol id="story-chapters" popover data-testid="chapter-list">
-      ${CHAPTERS.map((name, place) =>
-        !isThere(place + 1)
-          ? nothing
-          : html`
+      ${CHAPTERS.map(
+        (name, place) => html`
         <li class=${place < count ? "" : "extra"}>
           <a href="#story=${place + 1}" aria-current=${place + 1 === number ? "step" : "false"} @click=${hide}>
             <span>${place < count ? place + 1 : words.frame.extra}</span> ${words.chapters[name].title}</a>

@@ -70,11 +70,7 @@ export class OpenChapters extends Store {
   #lazy(name: ChapterName): Lazy<Chapter> {
     const before = this.#loaded.get(name);
     if (before) return before;
-    const opened = new Lazy(async () => {
-      const chapter = await LOAD[name]?.();
-      if (!chapter) throw new Error(`expected a chapter ${name}`);
-      return chapter.openChapter(this.#app);
-    });
+    const opened = new Lazy(async () => (await LOAD[name]()).openChapter(this.#app));
     this.#loaded.set(name, opened);
     return opened;
   }
@@ -82,6 +78,6 @@ export class OpenChapters extends Store {
   /** Loads the program of the next chapter. */
   #preload(name: ChapterName): void {
     const next = CHAPTERS[CHAPTERS.indexOf(name) + 1];
-    if (next) LOAD[next]?.().catch(() => {});
+    if (next) LOAD[next]().catch(() => {});
   }
 }

@@ -7,7 +7,7 @@ import { whenIdle } from "../ui/idle";
 import { View } from "../ui/view";
 import { noticeCard } from "../ui/notices-view";
 import { storyBody } from "./body";
-import { CHAPTERS, type ChapterName, isThere } from "./chapters";
+import { CHAPTERS, type ChapterName } from "./chapters";
 import { chapterPlace } from "./chapter-place";
 import { languageSwitch } from "./language-switch";
 import { OpenChapters } from "./open-chapters";
@@ -86,8 +86,7 @@ export class StoryView extends View {
   }
 
   #step(direction: 1 | -1): void {
-    let next = this.#number + direction;
-    while (next >= 1 && next < this.#count && !isThere(next)) next += direction;
+    const next = this.#number + direction;
     if (next >= 1 && next <= this.#count) this.app.settings.change({ chapter: next });
   }
 
