@@ -134,6 +134,66 @@ describe("a preset", () => {
   });
 });
 
+describe("an arrow on the body", () => {
+  const visitor = oneVisitor(() => readyVisitor(site.visit({ hasTouch: true })));
+  const weight = async (/** @type {Page} */ page) =>
+    Number(
+      /weight ([\d.]+)/.exec((await page.getByTestId("knob-0-1").getAttribute("aria-valuetext")) ?? "")?.[1],
+    );
+  const thickness = (/** @type {Page} */ page) =>
+    page
+      .getByTestId("arrow-0-1")
+      .locator(".line")
+      .evaluate((line) => Number(line.getAttribute("stroke-width")));
+
+  it("gets thicker when it is dragged up, and thinner with the keyboard; a double click resets it", async () => {
+    const { page } = visitor;
+    const [weightBefore, widthBefore] = [await weight(page), await thickness(page)];
+    const knob = page.getByTestId("knob-0-1");
+    const { x = 0, y = 0, width = 0, height = 0 } = (await knob.boundingBox()) ?? {};
+    assert.ok(width >= 24 && height >= 24, "large enough for a finger");
+    const [middleX, middleY] = [x + width / 2, y + height / 2];
+    await page.mouse.move(middleX, middleY);
+    await page.mouse.down();
+    await page.mouse.move(middleX, middleY - 40, { steps: 4 });
+    await page.mouse.up();
+    assert.ok((await weight(page)) > weightBefore + 0.2, `${weightBefore} to ${await weight(page)}`);
+    assert.ok((await thickness(page)) > widthBefore + 1, `${widthBefore} to ${await thickness(page)}`);
+    assert.equal(await page.getByTestId("arrow-0-1").locator(".learned").count(), 1, "as thick as learned");
+    assert.match(
+      await page.getByTestId("described").innerText(),
+      /^lower drives upper: weight 0\.\d+ \(learned/,
+    );
+    await page.keyboard.press("ArrowDown");
+    const weaker = await thickness(page);
+    await page.keyboard.press("PageDown");
+    assert.ok((await thickness(page)) < weaker);
+    await knob.dblclick();
+    assert.equal(await weight(page), weightBefore);
+    assert.equal((await alphasOf(page)).size, 0, "as learned again");
+  });
+
+  it("follows a finger", async () => {
+    const { page } = visitor;
+    const before = await weight(page);
+    const { x = 0, y = 0 } = (await page.getByTestId("knob-0-1").boundingBox()) ?? {};
+    const cdp = await page.context().newCDPSession(page);
+    const touch = (
+      /** @type {"touchStart" | "touchMove" | "touchEnd"} */ type,
+      /** @type {number[]} */ ...ups
+    ) =>
+      cdp.send("Input.dispatchTouchEvent", {
+        type,
+        touchPoints: ups.map((up) => ({ x: x + 18, y: y + 18 - up })),
+      });
+    await touch("touchStart", 0);
+    for (const up of [8, 16, 24, 32]) await touch("touchMove", up);
+    await touch("touchEnd");
+    assert.ok((await weight(page)) > before + 0.1, `${before} to ${await weight(page)}`);
+    await page.keyboard.press("0");
+  });
+});
+
 describe("sliders and dividers", () => {
   const visitor = oneVisitor(async () => {
     const visitor = await readyVisitor(site.visit());

@@ -71,7 +71,9 @@ export class BodyMap extends View {
   }
 
   #describe(coupling: Coupling) {
-    return () => {
+    return ({ type }: Event) => {
+      // The pointer often rests on another arrow after a drag.
+      if (type === "pointerenter" && this.querySelector(".knob:focus")) return;
       this.#described = coupling;
       this.requestUpdate();
     };
