@@ -1,7 +1,7 @@
 //! `vcgpdm couple`: combines primitives of a library in a new way.
 
 use crate::numbers::whole;
-use crate::train::train_steps;
+use crate::train::{objective, train_steps};
 use crate::usage::usage;
 use crate::{files, library};
 use serde_json::json;
@@ -67,7 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
                 clips.push(trained.encode(&clip)?);
             }
             let mut trainer = CouplingTrainer::new(&trained, &uses, &clips, arguments.max_iterations)?;
-            reason = Some(train_steps(|| trainer.step(), "bound")?);
+            reason = Some(train_steps(|| trainer.step(), objective(&trained.provenance.settings))?);
             trained = trainer.finish(name)?;
         }
     }

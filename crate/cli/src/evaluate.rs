@@ -3,7 +3,7 @@
 use crate::numbers::{check_fps, whole};
 use crate::progress::{Progress, say};
 use crate::store::{Next, Store};
-use crate::train::{parts, warn_of_cost};
+use crate::train::{parts, pose_weight, warn_of_cost, weight};
 use crate::usage::usage;
 use crate::{files, interrupt};
 use serde_json::json;
@@ -15,7 +15,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use vcgpdm::models::{
-    MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, ModelKind, VariationalSettings,
+    MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, ModelKind, PoseWeight, VariationalSettings,
 };
 use vcgpdm_lab::evaluation::{
     ComparisonPlanError, Finished, Fold, Job, Plan, START_FRAMES, Setting, whole_cycles,
@@ -72,9 +72,12 @@ pub struct Arguments {
     /// Most iterations of the optimiser.
     #[arg(long, value_name = "N", default_value_t = VariationalSettings::default().max_iterations, value_parser = whole::<usize>(0..))]
     max_iterations: usize,
-    /// Balance the dynamics of the MAP models against their many columns.
+    /// Give dynamics and poses of the GPDMs the same weight: balance latent dimensions against the many columns.
     #[arg(long)]
     balanced: bool,
+    /// Multiply the pose terms in the objective of the variational models by this number.
+    #[arg(long, value_name = "W", conflicts_with = "balanced", value_parser = pose_weight)]
+    pose_weight: Option<PoseWeight>,
     /// The MAP models have a linear term in the kernels of their dynamics (Wang et al. 2008).
     #[arg(long)]
     linear: bool,
@@ -315,6 +318,7 @@ fn jobs(arguments: &Arguments, trials: usize, parts: usize) -> Result<Vec<Job>, 
         normalised_time: arguments.normalised_time,
         bases: arguments.bases.clone(),
         balanced: arguments.balanced,
+        pose_weight: weight(arguments.balanced, arguments.pose_weight),
         linear: arguments.linear,
         held_out: folds(&arguments.folds, trials)?,
         seeds: arguments.seeds.clone(),

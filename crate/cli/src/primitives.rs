@@ -3,7 +3,7 @@
 use crate::files;
 use crate::library::{primitives_by_part, read};
 use crate::numbers::whole;
-use crate::train::train_steps;
+use crate::train::{objective, train_steps};
 use crate::usage::usage;
 use serde_json::{Value, json};
 use std::error::Error;
@@ -138,13 +138,13 @@ fn relearn(
         ImportRequest { companions, max_iterations: arguments.max_iterations, seed: arguments.seed };
     let begin = Instant::now();
     let mut trainer = ImportTrainer::new(library, other, frames, &request)?;
-    let reason = train_steps(|| trainer.step(), "bound")?;
+    let reason = train_steps(|| trainer.step(), objective(&library.provenance.settings))?;
     let progress = trainer.progress();
     let parts = library.body.layout.parts().iter().map(|part| part.name.clone());
     let lost: serde_json::Map<String, Value> =
         parts.zip(trainer.lost().into_iter().map(Value::from)).collect();
     let summary = json!({
-        "bound": progress.best,
+        "bound": progress.terms.map(|terms| terms.total()),
         "iterations": progress.iteration,
         "lost": lost,
         "seconds": begin.elapsed().as_secs_f64(),
@@ -186,7 +186,7 @@ fn primitive(library: &TrainedLibrary, index: usize) -> Value {
         "origin": {
             "engine": training.engine,
             "seed": training.seed,
-            "bound": training.objective,
+            "bound": training.bound(),
             "iterations": training.iterations,
             "clips": names(&clips),
             "relearned": relearned,

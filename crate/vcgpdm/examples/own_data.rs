@@ -38,8 +38,14 @@ pub fn run(folder: &Path) -> Result<(), Box<dyn Error>> {
     let dataset = Dataset::of_tables(&recordings, &parts, 50.0)?;
 
     // Two latent dimensions for each part; the last two states predict the next one (order 2).
-    let settings =
-        VariationalSettings { latent: 2, order: 2, dynamics_ips: 10, pose_ips: 10, max_iterations: 200 };
+    let settings = VariationalSettings {
+        latent: 2,
+        order: 2,
+        dynamics_ips: 10,
+        pose_ips: 10,
+        max_iterations: 200,
+        ..Default::default()
+    };
     let mut trainer = Trainer::new(&dataset, &settings.into(), 1)?;
     trainer.run();
     let model = trainer.finish()?;

@@ -190,7 +190,7 @@ about! {
 impl LibraryError for TrainingError {
     fn code(&self) -> ErrorCode {
         match self {
-            TrainingError::Setting { .. } => ErrorCode::Settings,
+            TrainingError::Setting { .. } | TrainingError::PoseWeight { .. } => ErrorCode::Settings,
             TrainingError::Numerics(_) => ErrorCode::Numerics,
             _ => ErrorCode::Training,
         }

@@ -43,6 +43,8 @@ export type Candidate =
         poseIps: number;
         /** Most iterations of the optimiser. */
         maxIterations: number;
+        /** The factor of the pose terms in the objective; absent: 1. */
+        poseWeight?: number | "balanced";
     }
     | {
         model: "map-gpdm" | "map-cgpdm";

@@ -108,6 +108,7 @@ struct Provenance<'a> {
     #[serde(with = "serde_wasm_bindgen::preserve")]
     settings: JsValue,
     bound: f64,
+    objective: f64,
     terms: &'a BoundTerms,
     iterations: usize,
     evaluations: usize,
@@ -318,7 +319,8 @@ fn provenance_info<'a>(
     Provenance {
         engine: &made.engine,
         settings,
-        bound: made.objective,
+        bound: made.bound(),
+        objective: made.objective,
         terms,
         iterations: made.iterations,
         evaluations: made.evaluations,

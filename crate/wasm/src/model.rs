@@ -71,8 +71,10 @@ export interface Provenance {
     /** The program and its version. */
     engine: string;
     settings: TrainingSettings;
-    /** The final bound, in nats. */
+    /** The final bound on the log evidence, in nats. */
     bound: number;
+    /** What training maximised: the bound, or with `poseWeight` the bound with weighted pose terms. */
+    objective: number;
     terms: BoundTerms;
     iterations: number;
     evaluations: number;
@@ -98,6 +100,7 @@ export interface ModelSettings {
     poseIps?: number;
     order?: number;
     maxIterations?: number;
+    poseWeight?: number | "balanced";
 }
 
 /** A part of a model; latent dimensions and pose inducing points only of a vCGPDM or vGPDM. */
@@ -160,6 +163,7 @@ struct ModelProvenance<'a> {
     #[serde(with = "serde_wasm_bindgen::preserve")]
     settings: JsValue,
     bound: f64,
+    objective: f64,
     terms: Option<&'a BoundTerms>,
     iterations: usize,
     evaluations: usize,
@@ -208,7 +212,8 @@ impl<'a> ModelInfo<'a> {
             provenance: ModelProvenance {
                 engine: &made.engine,
                 settings: settings_to_js(&task, &made.settings)?,
-                bound: made.objective,
+                bound: made.bound(),
+                objective: made.objective,
                 terms: model.map(|model| &model.terms),
                 iterations: made.iterations,
                 evaluations: made.evaluations,

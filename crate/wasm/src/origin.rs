@@ -70,9 +70,9 @@ impl From<Origin> for PrimitiveOrigin {
             clips,
         };
         Self {
-            engine: training.engine,
             seed: training.seed,
-            bound: training.objective,
+            bound: training.bound(),
+            engine: training.engine,
             iterations: training.iterations,
             note: training.note,
             clips,

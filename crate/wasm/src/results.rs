@@ -65,6 +65,8 @@ export interface Plan {
     bases: number[];
     /** Whether the dynamics of the MAP models are balanced. */
     balanced: boolean;
+    /** The factor of the pose terms in the objective of the variational models; absent: 1. */
+    poseWeight?: number | "balanced";
     /** Whether the kernels of the MAP models have a linear term. */
     linear?: boolean;
     /** The held-out trials, counted from 0; empty: each trial in turn. */

@@ -26,6 +26,11 @@ export interface VariationalSettings {
     order: number;
     /** Most iterations of the optimiser. */
     maxIterations: number;
+    /**
+     * The factor of the pose terms in the objective: a number from 0.001 to 1000, or "balanced" for Q_i / D_i
+     * (Urtasun, Fleet & Fua 2006). Absent: 1, and the objective is the bound on the log evidence.
+     */
+    poseWeight?: number | "balanced";
 }
 
 /** The settings of a training. */

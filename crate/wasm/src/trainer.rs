@@ -39,11 +39,11 @@ export interface TrainingProgress {
     evaluations: number;
     /** Numerical failures so far that the training survived. */
     setbacks: Setbacks;
-    /** The bound now, in nats. */
+    /** The bound now, in nats; with `poseWeight` the objective, in which the pose terms have this weight. */
     bound: number;
     /** The best so far. */
     best: number;
-    /** The terms of the best. */
+    /** The terms of the bound at the best, without weights. */
     terms: BoundTerms;
     phase: TrainingPhase;
     done: boolean;

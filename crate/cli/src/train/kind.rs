@@ -8,7 +8,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use vcgpdm::models::{
     DmpSettings, MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, MapSettings, ModelKind,
-    Settings, TmpSettings, VariationalSettings,
+    POSE_WEIGHTS, POSE_WEIGHTS_TEXT, PoseWeight, Settings, TmpSettings, VariationalSettings,
 };
 
 /// The options that only some kinds have. Other kinds ignore their defaults.
@@ -35,9 +35,12 @@ pub struct Options {
     /// Most iterations of the optimiser (GPDMs).
     #[arg(long, value_name = "N", default_value_t = VariationalSettings::default().max_iterations, value_parser = whole::<usize>(0..))]
     max_iterations: usize,
-    /// Balance the dynamics against the many columns (map-gpdm, map-cgpdm).
+    /// Give dynamics and poses the same weight: balance latent dimensions against the many columns (GPDMs).
     #[arg(long)]
     balanced: bool,
+    /// Multiply the pose terms of the objective by this number (vcgpdm, vgpdm).
+    #[arg(long, value_name = "W", conflicts_with = "balanced", value_parser = pose_weight)]
+    pose_weight: Option<PoseWeight>,
     /// A linear term in the kernels of the dynamics (map-gpdm, map-cgpdm).
     #[arg(long)]
     linear: bool,
@@ -68,7 +71,7 @@ const TMP: &[ModelKind] = &[ModelKind::Tmp];
 const DMPS: &[ModelKind] = &[ModelKind::DmpDiscrete, ModelKind::DmpRhythmic];
 
 /// The kinds that have an option.
-const KINDS: [(&str, &[ModelKind]); 13] = [
+const KINDS: [(&str, &[ModelKind]); 14] = [
     ("seed", GPDMS),
     ("latent", GPDMS),
     ("dynamics_ips", VARIATIONAL),
@@ -76,7 +79,8 @@ const KINDS: [(&str, &[ModelKind]); 13] = [
     ("order", GPDMS),
     ("max_iterations", GPDMS),
     ("threads", VARIATIONAL),
-    ("balanced", POINT),
+    ("balanced", GPDMS),
+    ("pose_weight", VARIATIONAL),
     ("linear", POINT),
     ("primitives", TMP),
     ("normalised_time", TMP),
@@ -100,7 +104,9 @@ impl Options {
         let &Options {
             latent, order, dynamics_ips, pose_ips, max_iterations, balanced, linear, bases, ..
         } = self;
-        let variational = VariationalSettings { latent, order, dynamics_ips, pose_ips, max_iterations };
+        let pose_weight = weight(balanced, self.pose_weight);
+        let variational =
+            VariationalSettings { latent, order, dynamics_ips, pose_ips, max_iterations, pose_weight };
         let point = MapSettings { latent, order, max_iterations, balanced, linear };
         Ok(match kind {
             ModelKind::Vcgpdm => Settings::Vcgpdm(variational),
@@ -115,6 +121,17 @@ impl Options {
             ModelKind::DmpRhythmic => Settings::DmpRhythmic(DmpSettings { bases }),
         })
     }
+}
+
+/// The weight of the pose terms of `--balanced` and `--pose-weight`.
+pub fn weight(balanced: bool, pose_weight: Option<PoseWeight>) -> PoseWeight {
+    if balanced { PoseWeight::Balanced } else { pose_weight.unwrap_or_default() }
+}
+
+/// Reads the value of `--pose-weight`.
+pub fn pose_weight(text: &str) -> Result<PoseWeight, String> {
+    let number = text.parse().ok().filter(|number| POSE_WEIGHTS.contains(number));
+    number.map(PoseWeight::Fixed).ok_or_else(|| format!("expected {POSE_WEIGHTS_TEXT}"))
 }
 
 /// Reads the value of `--model`.

@@ -6,6 +6,7 @@ use crate::numbers::check_fps;
 use crate::progress::say;
 use crate::train::arguments::Arguments;
 use crate::train::body::{parts, with_hint};
+use crate::train::objective;
 use crate::train::steps::{train_steps, warn_of_training};
 use crate::usage::usage;
 use clap_lex::OsStrExt;
@@ -85,7 +86,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     trainer.use_threads(arguments.options.threads.into());
     let warnings = trainer.warnings();
     warnings.iter().for_each(|warning| say(warning));
-    let reason = train_steps(|| trainer.step(), "bound")?;
+    let reason = train_steps(|| trainer.step(), objective(&model_settings))?;
     let seconds = begin.elapsed().as_secs_f64();
     let mut trained = trainer.finish()?;
     trained.provenance.note.clone_from(&arguments.note);
@@ -114,9 +115,9 @@ fn summary(
             json!({ "name": movement.name, "uses": primitives_by_part(trained, movement), "alpha": files::rows(&movement.alpha) })
         })
         .collect();
-    json!({
+    let mut summary = json!({
         "kind": "library",
-        "elbo": trained.provenance.objective,
+        "elbo": trained.provenance.bound(),
         "terms": library.terms,
         "primitives": primitives,
         "movements": movements,
@@ -126,5 +127,9 @@ fn summary(
         "seconds": seconds,
         "warnings": warnings,
         "reason": reason,
-    })
+    });
+    if trained.provenance.plain_bound.is_some() {
+        summary["objective"] = trained.provenance.objective.into();
+    }
+    summary
 }

@@ -9,6 +9,7 @@ mod steps;
 
 pub use arguments::Arguments;
 pub use body::parts;
+pub use kind::{pose_weight, weight};
 use steps::warn_of_training;
 pub use steps::{train_steps, warn_of_cost};
 
@@ -106,19 +107,20 @@ fn train<S: ColumnMapping>(
     if let Some(path) = &arguments.options.write_start {
         write_start(path, dataset, &settings, seed)?;
     }
-    let reason = train_steps(|| trainer.step(), objective(kind))?;
+    let reason = train_steps(|| trainer.step(), objective(&settings))?;
     let seconds = begin.elapsed().as_secs_f64();
     let setbacks = trainer.progress().setbacks;
 
     let mut trained = trainer.finish()?;
     trained.provenance.note.clone_from(&arguments.note);
     files::write_text(&arguments.out, &to_json(&trained)?)?;
-    let Provenance { objective, iterations, evaluations, .. } = trained.provenance;
+    let bound = trained.provenance.bound();
+    let Provenance { objective, plain_bound, iterations, evaluations, .. } = trained.provenance;
     let summary = match &trained.fitted {
         FittedModel::Vcgpdm(model) => {
-            json!({
+            let mut summary = json!({
                 "kind": kind.id(),
-                "elbo": objective,
+                "elbo": bound,
                 "terms": model.terms,
                 "alpha": files::rows(&model.alpha),
                 "iterations": iterations,
@@ -127,7 +129,11 @@ fn train<S: ColumnMapping>(
                 "seconds": seconds,
                 "warnings": warnings,
                 "reason": reason,
-            })
+            });
+            if plain_bound.is_some() {
+                summary["objective"] = objective.into();
+            }
+            summary
         }
         model => json!({
             "kind": kind.id(),
@@ -158,12 +164,13 @@ fn write_start<S: ColumnMapping>(
     Ok(())
 }
 
-/// The name of the objective that a training of this kind maximises.
-fn objective(kind: ModelKind) -> &'static str {
-    match kind {
-        ModelKind::Vcgpdm | ModelKind::Vgpdm | ModelKind::Tmp => "bound",
-        ModelKind::MapGpdm | ModelKind::MapCgpdm => "log density",
-        ModelKind::DmpDiscrete | ModelKind::DmpRhythmic => "minus the mean squared error",
+/// The name of the objective that a training with these settings maximises.
+pub fn objective(settings: &Settings) -> &'static str {
+    match settings {
+        Settings::Vcgpdm(s) | Settings::Vgpdm(s) if !s.pose_weight.is_plain() => "weighted bound",
+        Settings::Vcgpdm(_) | Settings::Vgpdm(_) | Settings::Tmp(_) => "bound",
+        Settings::MapGpdm(_) | Settings::MapCgpdm(_) => "log density",
+        Settings::DmpDiscrete(_) | Settings::DmpRhythmic(_) => "minus the mean squared error",
     }
 }
 

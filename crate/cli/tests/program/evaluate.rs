@@ -1,7 +1,7 @@
 //! Tests of `vcgpdm evaluate`, `report` and `results merge`.
 
 use crate::call::{run, run_with};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -265,6 +265,27 @@ fn computes_each_job_once_in_two_programs() {
 }
 
 #[test]
+fn stores_objective_and_bound_of_balanced_models() {
+    let out = file("balanced");
+    let models = ["--models", "vgpdm", "--folds", "1"];
+    summary(&evaluate(&out, &[&models[..], &["--balanced"]].concat()));
+    // Jobs of another weight are other jobs.
+    let again = summary(&evaluate(&out, &[&models[..], &["--pose-weight", "0.5"]].concat()));
+    assert_eq!((again["computed"].as_u64(), again["known_before"].as_u64()), (Some(1), Some(0)));
+    let results: Value = serde_json::from_str(&fs::read_to_string(&out).unwrap()).unwrap();
+    let finished = results["finished"].as_array().unwrap();
+    let weights: Vec<&Value> = finished.iter().map(|f| &f["job"]["candidate"]["pose_weight"]).collect();
+    assert_eq!(weights, [&json!("balanced"), &json!(0.5)]);
+    for outcome in finished.iter().map(|finished| &finished["outcome"]) {
+        assert!(outcome["bound"].is_f64() && outcome["objective"].is_f64(), "{outcome}");
+        assert_ne!(outcome["bound"], outcome["objective"]);
+    }
+    let report = String::from_utf8(run(&["report", out.to_str().unwrap()]).stdout).unwrap();
+    assert!(report.contains("inducing points, balanced |"), "{report}");
+    assert!(report.contains("inducing points, pose weight 0.5 |"), "{report}");
+}
+
+#[test]
 fn refuses_bad_input_before_the_first_training() {
     let out = file("refused");
     assert!(refusal(&evaluate(&out, &["--models", "gplvm"])).contains("expected all, or some of vcgpdm"));
@@ -272,6 +293,8 @@ fn refuses_bad_input_before_the_first_training() {
     assert!(refusal(&evaluate(&out, &["--job", "3", "of", "2"])).contains("K of N with K from 1 to N"));
     assert!(refusal(&evaluate(&out, &["--training-trials", "3"])).contains("from 1 to 2 trials"));
     assert!(refusal(&evaluate(&out, &["--primitives", "some"])).contains("expected bound, or a number"));
+    let weight = refusal(&evaluate(&out, &["--pose-weight", "0"]));
+    assert!(weight.contains("expected a number from 0.001 to 1000"), "{weight}");
     assert!(refusal(&evaluate(&out, &["sample:walk-2"])).contains("trials 2 and 4 are the same motion"));
     assert!(!out.exists());
     summary(&evaluate(&out, &["--models", "dmp-rhythmic", "--folds", "1"]));

@@ -5,8 +5,8 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 use vcgpdm::models::{
-    Body, Dataset, DmpSettings, MapSettings, Model, ModelKind, Movements, Sequence, Settings, Source,
-    TmpSettings, VariationalSettings,
+    Body, Dataset, DmpSettings, MapSettings, Model, ModelKind, Movements, PoseWeight, Sequence, Settings,
+    Source, TmpSettings, VariationalSettings,
 };
 use vcgpdm::motion::{Clip, bvh, parts, samples};
 use vcgpdm_lab::evaluation::dtw_mse;
@@ -42,7 +42,14 @@ fn rolled_out(candidate: &Settings, preset: &str, seed: u32, frames: usize) -> n
 
 #[test]
 fn rolls_out_every_kind_of_model_as_it_was_trained() {
-    let gpdm = VariationalSettings { latent: 2, order: 1, dynamics_ips: 4, pose_ips: 5, max_iterations: 8 };
+    let gpdm = VariationalSettings {
+        latent: 2,
+        order: 1,
+        dynamics_ips: 4,
+        pose_ips: 5,
+        max_iterations: 8,
+        ..Default::default()
+    };
     let point = |balanced| MapSettings { latent: 2, order: 1, max_iterations: 8, balanced, linear: false };
     let small = "--latent 2 --order 1 --seed 3 --max-iterations 8";
     let ips = "--dynamics-ips 4 --pose-ips 5";
@@ -132,6 +139,27 @@ fn rolls_out_every_kind_of_model_as_it_was_trained() {
     }
 }
 
+/// The objective is not the bound on the evidence: the program prints and stores both.
+#[test]
+fn trains_with_weighted_pose_terms() {
+    let folder = folder("models-weighted");
+    let few = "--latent 2 --dynamics-ips 3 --pose-ips 3 --max-iterations 4";
+    for (option, pose_weight) in
+        [("--balanced", PoseWeight::Balanced), ("--pose-weight 0.1", PoseWeight::Fixed(0.1))]
+    {
+        let out = folder.join(format!("{pose_weight:?}.json"));
+        let printed = train(&out, &format!("--parts lower,upper {few} {option}"));
+        let model = Model::from_json(&fs::read_to_string(&out).unwrap()).unwrap();
+        assert_eq!(model.provenance.settings.variational().unwrap().pose_weight, pose_weight);
+        assert_eq!(printed["objective"].as_f64(), Some(model.provenance.objective));
+        assert_eq!(printed["elbo"].as_f64(), model.fitted.bound());
+        assert_eq!(model.provenance.plain_bound, model.fitted.bound());
+        assert_ne!(printed["elbo"], printed["objective"]);
+    }
+    let plain = train(&folder.join("plain.json"), &format!("--parts lower,upper {few}"));
+    assert!(plain["objective"].is_null() && plain["elbo"].is_f64(), "{plain}");
+}
+
 #[test]
 fn chooses_the_kind_by_the_parts_unless_it_is_named() {
     let out = folder("models-default").join("model.json");
@@ -169,8 +197,29 @@ fn refuses_options_of_other_kinds() {
             "--bases: expected a model that has it (dmp-discrete, dmp-rhythmic), fou",
         ),
         (
-            "--model vgpdm --balanced",
-            "--balanced: expected a model that has it (map-gpdm, map-cgpdm), found vgpdm",
+            "--model tmp --balanced",
+            "--balanced: expected a model that has it (vcgpdm, vgpdm, map-gpdm, map-cgpdm), found tmp",
+        ),
+        (
+            "--model map-gpdm --pose-weight 0.1",
+            "--pose-weight: expected a model that has it (vcgpdm, vgpdm), found map-gpdm",
+        ),
+        ("--model vgpdm --balanced --pose-weight 0.1", "--pose-weight <W>' cannot be used with '--balanced'"),
+        (
+            "--model vgpdm --pose-weight 0",
+            "'0' for '--pose-weight <W>': expected a number from 0.001 to 1000",
+        ),
+        (
+            "--model vgpdm --pose-weight=-1",
+            "'-1' for '--pose-weight <W>': expected a number from 0.001 to 1000",
+        ),
+        (
+            "--model vgpdm --pose-weight NaN",
+            "'NaN' for '--pose-weight <W>': expected a number from 0.001 to 1000",
+        ),
+        (
+            "--model vgpdm --pose-weight 1e9",
+            "'1e9' for '--pose-weight <W>': expected a number from 0.001 to 1000",
         ),
         (
             "--model tmp --write-start s.json",

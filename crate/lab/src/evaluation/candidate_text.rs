@@ -1,7 +1,7 @@
 //! The settings of a candidate as text.
 
 use vcgpdm::internals::counted;
-use vcgpdm::models::Settings;
+use vcgpdm::models::{PoseWeight, Settings};
 
 /// The settings of a GPDM besides its size.
 #[derive(Clone, Copy, PartialEq)]
@@ -11,6 +11,8 @@ pub(super) struct Common {
     pub max_iterations: usize,
     /// Absent for the variational models.
     pub balanced: Option<bool>,
+    /// Only another weight than 1 is named, which only variational models have.
+    pub pose_weight: PoseWeight,
     /// Whether the dynamics have a linear term. Only a linear term is named.
     pub linear: bool,
 }
@@ -23,6 +25,7 @@ pub(super) fn common(candidate: &Settings) -> Option<Common> {
             order: s.order,
             max_iterations: s.max_iterations,
             balanced: None,
+            pose_weight: s.pose_weight,
             linear: false,
         }),
         Settings::MapGpdm(s) | Settings::MapCgpdm(s) => Some(Common {
@@ -30,6 +33,7 @@ pub(super) fn common(candidate: &Settings) -> Option<Common> {
             order: s.order,
             max_iterations: s.max_iterations,
             balanced: Some(s.balanced),
+            pose_weight: PoseWeight::default(),
             linear: s.linear,
         }),
         Settings::Tmp(_) | Settings::DmpDiscrete(_) | Settings::DmpRhythmic(_) => None,
@@ -61,9 +65,10 @@ pub(super) fn size(candidate: &Settings) -> Option<String> {
 pub(super) fn every_setting(candidate: &Settings) -> String {
     let mut words = vec![candidate.kind().id().to_owned()];
     words.extend(size(candidate));
-    if let Some(Common { latent, order, max_iterations, balanced, linear }) = common(candidate) {
+    if let Some(Common { latent, order, max_iterations, balanced, pose_weight, linear }) = common(candidate) {
         words.push(format!("Q = {latent}, order {order}, {max_iterations} iterations"));
         words.extend(balanced.map(|balanced| balance(balanced).to_owned()));
+        words.extend(weight(pose_weight));
         words.extend(linear.then(|| LINEAR.to_owned()));
     }
     words.join(", ")
@@ -71,6 +76,14 @@ pub(super) fn every_setting(candidate: &Settings) -> String {
 
 /// The name of a linear term of the dynamics.
 pub(super) const LINEAR: &str = "linear term";
+
+/// The name of a weight of the pose terms; absent for the weight 1.
+pub(super) fn weight(pose_weight: PoseWeight) -> Option<String> {
+    (!pose_weight.is_plain()).then(|| match pose_weight {
+        PoseWeight::Balanced => balance(true).to_owned(),
+        PoseWeight::Fixed(factor) => format!("pose weight {factor}"),
+    })
+}
 
 /// The name of balanced dynamics, or of dynamics that are not balanced.
 pub(super) fn balance(balanced: bool) -> &'static str {

@@ -73,7 +73,7 @@ mod tests {
     use crate::evaluation::summary::ClaimAnswer;
     use crate::evaluation::testing::{finished, map, outcome, results, variational};
     use approx::assert_relative_eq;
-    use vcgpdm::models::{DmpSettings, EndReason, ModelKind, VariationalSettings};
+    use vcgpdm::models::{DmpSettings, EndReason, ModelKind, PoseWeight, VariationalSettings};
 
     #[test]
     fn seeds_are_averaged_before_folds() {
@@ -359,5 +359,24 @@ mod tests {
         let found = Comparison::new(&results(7, &jobs));
         assert!(found.models[0].training_mse.is_none());
         assert!(found.claims.iter().all(|claim| !claim.place.contains("6B")), "{:?}", found.claims);
+    }
+
+    /// The plain bound of a model that was trained with another objective is no evidence for its split.
+    #[test]
+    fn bayes_factors_and_claims_need_plain_models() {
+        let found = |pose_weight: PoseWeight| {
+            let mut jobs = Vec::new();
+            for fold in 1..=6 {
+                for (kind, bound) in [(Settings::Vcgpdm as fn(_) -> _, 3.0), (Settings::Vgpdm, 2.0)] {
+                    let candidate = kind(VariationalSettings { pose_weight, ..variational(8) });
+                    jobs.push(finished(candidate, fold, 5, 0, outcome(0.5, Some(bound), 100, 1.0)));
+                }
+            }
+            Comparison::new(&results(6, &jobs))
+        };
+        let plain = found(PoseWeight::default());
+        assert_eq!((plain.evidence.len(), plain.claims.is_empty()), (6, false));
+        let balanced = found(PoseWeight::Balanced);
+        assert_eq!((balanced.models.len(), balanced.evidence.len(), balanced.claims.len()), (2, 0, 0));
     }
 }

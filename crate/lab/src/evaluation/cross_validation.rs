@@ -305,8 +305,14 @@ mod tests {
             &parts::presets(&trials[0].skeleton).into_iter().find(|p| p.id == "lower-upper").unwrap().parts;
         let fold = Fold::new(&trials, 1, 2, parts, 20.0, start_frames).unwrap();
         assert_eq!(fold.movements().sequences.last(), Some(&Sequence { frames: start_frames, whole: false }));
-        let gpdm =
-            VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
+        let gpdm = VariationalSettings {
+            latent: 2,
+            order: 2,
+            dynamics_ips: 6,
+            pose_ips: 6,
+            max_iterations: 40,
+            ..Default::default()
+        };
         let point = MapSettings { latent: 2, order: 2, max_iterations: 3, balanced: false, linear: true };
         for candidate in [
             Settings::Vcgpdm(gpdm.clone()),

@@ -1,5 +1,6 @@
 //! Bayes factors between splits of the body (Velychko 2020, equation 2.12), and the ratios of their errors.
 
+use crate::evaluation::claims::is_plain;
 use crate::evaluation::contender::Contender;
 use crate::evaluation::effect::Errors;
 use crate::evaluation::rows::{Row, settings};
@@ -7,9 +8,10 @@ use crate::evaluation::summary::Evidence;
 use vcgpdm::models::ModelKind;
 
 /// One entry for each fold that both models have. Both are of the same frames and columns, with a noise for
-/// each part or one for all.
+/// each part or one for all. Models with weighted pose terms do not count: their training did not maximise
+/// the bound on the evidence.
 pub(super) fn evidence(rows: &[Row], name: &dyn Fn(usize) -> String) -> Vec<Evidence> {
-    let contender = |kind| Contender::new(settings(rows, kind, &|_| true));
+    let contender = |kind| Contender::new(settings(rows, kind, &is_plain));
     let (Some(parts), Some(whole)) = (contender(ModelKind::Vcgpdm), contender(ModelKind::Vgpdm)) else {
         return Vec::new();
     };

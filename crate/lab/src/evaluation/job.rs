@@ -92,7 +92,7 @@ mod tests {
     use super::*;
     use crate::evaluation::testing::{map, variational};
     use std::collections::BTreeSet;
-    use vcgpdm::models::{DmpSettings, TmpSettings, VariationalSettings};
+    use vcgpdm::models::{DmpSettings, PoseWeight, TmpSettings, VariationalSettings};
 
     #[test]
     fn counts_the_trial_from_0_in_programs_and_from_1_in_files_and_texts() {
@@ -117,7 +117,9 @@ mod tests {
             Vgpdm(VariationalSettings { order: 1, ..settings.clone() }),
             Vgpdm(VariationalSettings { dynamics_ips: 11, ..settings.clone() }),
             Vgpdm(VariationalSettings { pose_ips: 11, ..settings.clone() }),
-            Vgpdm(VariationalSettings { max_iterations: 99, ..settings }),
+            Vgpdm(VariationalSettings { max_iterations: 99, ..settings.clone() }),
+            Vgpdm(VariationalSettings { pose_weight: PoseWeight::Balanced, ..settings.clone() }),
+            Vgpdm(VariationalSettings { pose_weight: PoseWeight::Fixed(0.1), ..settings }),
             MapGpdm(map(false)),
             MapGpdm(map(true)),
             MapCgpdm(map(false)),

@@ -1,6 +1,6 @@
 //! Short names of candidates among others of their kind.
 
-use crate::evaluation::candidate_text::{Common, LINEAR, balance, common, size};
+use crate::evaluation::candidate_text::{Common, LINEAR, balance, common, size, weight};
 use crate::evaluation::results::Results;
 use std::collections::HashMap;
 use vcgpdm::models::{ModelKind, Settings};
@@ -71,6 +71,7 @@ impl Labels {
             differ.order.then(|| format!("order {}", settings.order)),
             differ.max_iterations.then(|| format!("{} iterations", settings.max_iterations)),
             balanced.map(|balanced| balance(balanced).to_owned()),
+            weight(settings.pose_weight),
             settings.linear.then(|| LINEAR.to_owned()),
         ]
         .into_iter()
@@ -84,10 +85,17 @@ mod tests {
     use super::*;
     use crate::evaluation::job::{Finished, Job};
     use crate::evaluation::testing::setting;
-    use vcgpdm::models::{DmpSettings, MapSettings, TmpSettings, VariationalSettings};
+    use vcgpdm::models::{DmpSettings, MapSettings, PoseWeight, TmpSettings, VariationalSettings};
 
     fn gpdm(max_iterations: usize, latent: usize) -> VariationalSettings {
-        VariationalSettings { latent, order: 2, dynamics_ips: 12, pose_ips: 8, max_iterations }
+        VariationalSettings {
+            latent,
+            order: 2,
+            dynamics_ips: 12,
+            pose_ips: 8,
+            max_iterations,
+            ..Default::default()
+        }
     }
 
     fn point(order: usize, balanced: bool) -> MapSettings {
@@ -132,5 +140,14 @@ mod tests {
             ]
         );
         assert_eq!(labels(&[MapGpdm(point(2, true))]), ["balanced"]);
+        let weighted = |pose_weight| Vgpdm(VariationalSettings { pose_weight, ..gpdm(800, 3) });
+        assert_eq!(
+            labels(&[weighted(PoseWeight::Balanced), weighted(PoseWeight::Fixed(0.1)), Vgpdm(gpdm(800, 3))]),
+            [
+                "12 + 8 inducing points, balanced",
+                "12 + 8 inducing points, pose weight 0.1",
+                "12 + 8 inducing points",
+            ]
+        );
     }
 }

@@ -111,7 +111,7 @@ impl LibraryFold {
         let (score, _) = score_and_columns(&trained.body.columns(&predicted), &self.actual)?;
         Ok(LibraryOutcome {
             score,
-            bound: trained.provenance.objective,
+            bound: trained.provenance.bound(),
             stored_numbers: trained.library.stored_numbers(),
             frames: self.dataset.sequences.iter().map(|info| info.frames).sum(),
         })

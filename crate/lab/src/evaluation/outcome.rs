@@ -12,7 +12,7 @@ use vcgpdm::models::variational::BoundTerms;
 pub struct Outcome {
     /// The error of the prediction.
     pub score: Score,
-    /// The bound on the log evidence, where the model has one.
+    /// The bound on the log evidence, where the model has one. Weighted pose terms do not change it.
     pub bound: Option<f64>,
     /// The highest value of the training's objective.
     pub objective: f64,
@@ -93,7 +93,7 @@ impl Outcome {
         if reason == EndReason::Iterations.to_string() {
             return Some(false);
         }
-        let settled = [EndReason::BoundSettled, EndReason::DensitySettled];
+        let settled = [EndReason::BoundSettled, EndReason::WeightedBoundSettled, EndReason::DensitySettled];
         settled.iter().any(|end| reason == end.to_string()).then_some(true)
     }
 }

@@ -4,7 +4,9 @@ use crate::evaluation::job::Job;
 use serde::Deserialize;
 use std::collections::HashSet;
 use thiserror::Error;
-use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, Settings, TmpSettings, VariationalSettings};
+use vcgpdm::models::{
+    DmpSettings, MapSettings, ModelKind, PoseWeight, Settings, TmpSettings, VariationalSettings,
+};
 
 /// The jobs of a comparison: every candidate in every fold with every seed.
 ///
@@ -46,6 +48,9 @@ pub struct Plan {
     pub bases: Vec<usize>,
     /// Whether the dynamics of the MAP models are balanced (Urtasun, Fleet & Fua 2006).
     pub balanced: bool,
+    /// The weight of the pose terms in the objective of the variational models.
+    #[serde(default)]
+    pub pose_weight: PoseWeight,
     /// Whether the dynamics of the MAP models have a linear term (Wang et al. 2008).
     #[serde(default)]
     pub linear: bool,
@@ -76,6 +81,7 @@ impl Default for Plan {
             normalised_time: false,
             bases: vec![DmpSettings::default().bases],
             balanced: false,
+            pose_weight: PoseWeight::default(),
             linear: false,
             held_out: Vec::new(),
             seeds: vec![0],
@@ -120,7 +126,7 @@ impl Plan {
     }
 
     fn candidates_of(&self, kind: ModelKind) -> Vec<Settings> {
-        let (latent, order, max_iterations) = (self.latent, self.order, self.max_iterations);
+        let &Self { latent, order, max_iterations, pose_weight, .. } = self;
         let variational = |candidate: fn(VariationalSettings) -> Settings| {
             let settings = |(dynamics_ips, pose_ips)| VariationalSettings {
                 latent,
@@ -128,6 +134,7 @@ impl Plan {
                 dynamics_ips,
                 pose_ips,
                 max_iterations,
+                pose_weight,
             };
             let pairs = self.ips.iter().flat_map(|&dynamics| {
                 let poses = if self.pose_ips.is_empty() { vec![dynamics] } else { self.pose_ips.clone() };

@@ -23,7 +23,14 @@ pub fn setting(trials: usize) -> Setting {
 
 /// Variational settings of this size.
 pub fn variational(ips: usize) -> VariationalSettings {
-    VariationalSettings { latent: 3, order: 2, dynamics_ips: ips, pose_ips: ips, max_iterations: 100 }
+    VariationalSettings {
+        latent: 3,
+        order: 2,
+        dynamics_ips: ips,
+        pose_ips: ips,
+        max_iterations: 100,
+        ..Default::default()
+    }
 }
 
 /// Settings of a model with point latents.

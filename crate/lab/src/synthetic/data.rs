@@ -100,7 +100,14 @@ impl Synthetic {
     /// The settings of the experiment: two latent dimensions, ten inducing points and second order, as in the
     /// paper, and enough iterations for the bound to converge.
     pub fn settings() -> VariationalSettings {
-        VariationalSettings { latent: 2, order: 2, dynamics_ips: 10, pose_ips: 10, max_iterations: 1500 }
+        VariationalSettings {
+            latent: 2,
+            order: 2,
+            dynamics_ips: 10,
+            pose_ips: 10,
+            max_iterations: 1500,
+            ..Default::default()
+        }
     }
 
     /// A training on the observations, ready to begin.

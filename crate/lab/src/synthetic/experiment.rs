@@ -48,7 +48,8 @@ impl Experiment {
     /// Training cannot start with these settings, or the starting point cannot be rolled out.
     pub fn new(data: Synthetic, settings: &VariationalSettings, seed: u32) -> Result<Self, SyntheticError> {
         let trainer = data.trainer(settings, seed)?;
-        let start = Fit { bound: trainer.progress().best, mse: data.mse(&trainer.model()?)? };
+        let model = trainer.model()?;
+        let start = Fit { bound: model.bound(), mse: data.mse(&model)? };
         Ok(Self { data, trainer, start })
     }
 
@@ -79,7 +80,7 @@ impl Experiment {
     /// The model cannot be fitted or rolled out.
     pub fn findings(&self) -> Result<Findings, SyntheticError> {
         let model = self.trainer.model()?;
-        let fit = Fit { bound: self.trainer.progress().best, mse: self.data.mse(&model)? };
+        let fit = Fit { bound: model.bound(), mse: self.data.mse(&model)? };
         let weights = coupling_weight_matrix(&model.alpha);
         let learned = self.learned(&self.trainer.best())?;
         Ok(Findings { verdict: Verdict::new(&model.alpha), alpha: model.alpha, weights, learned, fit })

@@ -1,7 +1,6 @@
 //! Writes libraries of primitives as documents.
 
 use crate::document::error::{FORMAT, LIBRARY, VERSION};
-use crate::document::settings::write_variational;
 use crate::document::write::{pose_map, sequence_fields, variational_provenance, with_external_evidence};
 use crate::json::Value;
 use crate::models::SequenceInfo;
@@ -46,7 +45,7 @@ pub(super) fn document(trained: &TrainedLibrary) -> Value {
         ("parts", parts),
         ("primitives", primitives),
         ("movements", movements),
-        ("provenance", variational_provenance(provenance, &library.terms)),
+        ("provenance", Value::Object(variational_provenance(provenance, Some(&library.terms)))),
     ])
 }
 
@@ -71,17 +70,9 @@ fn origin(origin: &Origin) -> Value {
             ("clips", clips(&relearned.clips)),
         ])
     });
-    Value::object([
-        ("engine", Value::text(&training.engine)),
-        ("settings", write_variational(&training.settings, training.seed)),
-        ("frames_per_second", Value::Number(training.frames_per_second)),
-        ("bound", Value::Number(training.objective)),
-        ("iterations", Value::whole(training.iterations)),
-        ("evaluations", Value::whole(training.evaluations)),
-        ("note", training.note.as_deref().map_or(Value::Null, Value::text)),
-        ("clips", clips(&origin.clips)),
-        ("relearned", relearned),
-    ])
+    let mut fields = variational_provenance(training, None);
+    fields.extend([("clips".to_owned(), clips(&origin.clips)), ("relearned".to_owned(), relearned)]);
+    Value::Object(fields)
 }
 
 fn excerpt(excerpt: &Excerpt) -> Value {

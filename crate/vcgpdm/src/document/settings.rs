@@ -4,8 +4,8 @@
 use crate::json::checks::count;
 use crate::json::{Field, FieldError, Object, Value};
 use crate::models::{
-    DmpSettings, MOST_DIMENSIONS, MOST_INDUCING, MapSettings, ModelKind, Settings, TmpSettings,
-    VariationalSettings,
+    BALANCED, DmpSettings, MOST_DIMENSIONS, MOST_INDUCING, MapSettings, ModelKind, POSE_WEIGHTS, PoseWeight,
+    Settings, TmpSettings, VariationalSettings,
 };
 use std::ops::RangeInclusive;
 
@@ -57,15 +57,22 @@ pub(super) fn write_variational(settings: &Settings, seed: u32) -> Value {
 }
 
 fn variational_value(settings: &VariationalSettings, seed: u32) -> Value {
-    let VariationalSettings { latent, dynamics_ips, pose_ips, order, max_iterations } = settings;
-    Value::object([
+    let VariationalSettings { latent, dynamics_ips, pose_ips, order, max_iterations, pose_weight } = settings;
+    let fields = [
         ("latent", Value::whole(*latent)),
         ("dynamics_ips", Value::whole(*dynamics_ips)),
         ("pose_ips", Value::whole(*pose_ips)),
         ("order", Value::whole(*order)),
         ("seed", Value::Number(seed.into())),
         ("max_iterations", Value::whole(*max_iterations)),
-    ])
+    ];
+    // Absent if 1, as in documents from before this setting existed.
+    let weight = (!pose_weight.is_plain()).then(|| match pose_weight {
+        PoseWeight::Fixed(factor) => ("pose_weight", Value::Number(*factor)),
+        PoseWeight::Balanced => ("pose_weight", Value::text(BALANCED)),
+    });
+    let fields = fields.into_iter().chain(weight).map(|(name, value)| (name.to_owned(), value));
+    Value::Object(fields.collect())
 }
 
 /// Reads the settings of a variational model or library, and the seed.
@@ -77,10 +84,19 @@ pub(super) fn read_variational(field: Field) -> Result<(VariationalSettings, u32
         pose_ips: in_range(&object.get("pose_ips")?, 1..=MOST_INDUCING)?,
         order: in_range(&object.get("order")?, 1..=MOST_DIMENSIONS)?,
         max_iterations: object.get("max_iterations")?.whole()?,
+        pose_weight: object.optional("pose_weight").map_or(Ok(PoseWeight::default()), pose_weight)?,
     };
     let seed = seed(&mut object)?;
     object.end()?;
     Ok((settings, seed))
+}
+
+fn pose_weight(field: Field) -> Result<PoseWeight, FieldError> {
+    match field.value() {
+        Value::Text(text) if text == BALANCED => Ok(PoseWeight::Balanced),
+        Value::Number(number) if POSE_WEIGHTS.contains(number) => Ok(PoseWeight::Fixed(*number)),
+        _ => Err(field.wrong("balanced, or a number from 0.001 to 1000")),
+    }
 }
 
 /// Reads the settings of a model that is not variational, and the seed, which is 0 for models without one.

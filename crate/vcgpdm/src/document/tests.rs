@@ -1,6 +1,6 @@
 use super::*;
 use crate::models::{
-    Dataset, DmpSettings, MapSettings, ModelKind, RolloutRequest, Settings, TmpSettings, Trainer,
+    Dataset, DmpSettings, MapSettings, ModelKind, PoseWeight, RolloutRequest, Settings, TmpSettings, Trainer,
     VariationalSettings,
 };
 use crate::motion::{parts, samples};
@@ -42,6 +42,37 @@ fn a_model_is_read_as_it_was_written_and_rolls_out_to_the_same_bits() {
     let request = RolloutRequest { frames: 50, ..Default::default() };
     assert_eq!(coupled.rollout(&request).unwrap().y, coupled_again.rollout(&request).unwrap().y);
     assert_eq!(again.to_json().unwrap(), model.to_json().unwrap());
+}
+
+/// A weighted training has two numbers: the objective, and the bound on the evidence.
+#[test]
+fn a_model_of_a_weighted_training_keeps_objective_and_bound() {
+    for (pose_weight, written) in
+        [(PoseWeight::Balanced, json!("balanced")), (PoseWeight::Fixed(0.25), json!(0.25))]
+    {
+        let settings =
+            VariationalSettings { max_iterations: 4, dynamics_ips: 4, pose_weight, ..Default::default() };
+        let model = learned(settings.into(), 40, 2);
+        let text = model.to_json().unwrap();
+        let again = Model::coupled_from_json(&text).unwrap();
+        assert_eq!(again.provenance, model.provenance);
+        assert_eq!(again.to_json().unwrap(), text);
+        let mut value: Value = serde_json::from_str(&text).unwrap();
+        let provenance = &value["provenance"];
+        assert_eq!(provenance["settings"]["pose_weight"], written);
+        assert_eq!(provenance["objective"].as_f64(), Some(model.provenance.objective));
+        assert_eq!(provenance["bound"].as_f64(), model.fitted.bound());
+        assert_ne!(provenance["bound"], provenance["objective"]);
+        for bad in [json!(0), json!(-1), json!(1e9), json!("even"), json!(true), Value::Null] {
+            value["provenance"]["settings"]["pose_weight"] = bad;
+            let error = Model::coupled_from_json(&value.to_string()).unwrap_err().to_string();
+            let expected = "expected balanced, or a number from 0.001 to 1000, found";
+            assert!(error.contains("at provenance.settings.pose_weight: "), "{error}");
+            assert!(error.contains(expected), "{error}");
+        }
+    }
+    let plain = &document()["provenance"];
+    assert!(plain["objective"].is_null() && plain["settings"]["pose_weight"].is_null());
 }
 
 #[test]

@@ -95,7 +95,7 @@ pub(super) fn variational<S: Subject>(coupled: Coupled<S>) -> Value {
         fields.push(("start".to_owned(), Value::list(start, Value::matrix)));
         Value::Object(fields)
     });
-    let provenance = variational_provenance(provenance, &model.terms);
+    let provenance = Value::Object(variational_provenance(provenance, Some(&model.terms)));
     Value::object([
         ("format", Value::text(FORMAT)),
         ("version", Value::whole(version)),
@@ -113,19 +113,23 @@ pub(super) fn variational<S: Subject>(coupled: Coupled<S>) -> Value {
     ])
 }
 
-/// The provenance of a variational model or a library, with the terms of its bound.
-pub(super) fn variational_provenance(provenance: &Provenance, bound: &BoundTerms) -> Value {
-    let settings = write_variational(&provenance.settings, provenance.seed);
-    Value::object([
-        ("engine", Value::text(&provenance.engine)),
-        ("settings", settings),
-        ("frames_per_second", Value::Number(provenance.frames_per_second)),
-        ("bound", Value::Number(provenance.objective)),
-        ("terms", terms(bound)),
-        ("iterations", Value::whole(provenance.iterations)),
-        ("evaluations", Value::whole(provenance.evaluations)),
-        ("note", provenance.note.as_deref().map_or(Value::Null, Value::text)),
-    ])
+/// The provenance of a variational model or a library, with the `terms` of its bound if they are kept.
+pub(super) fn variational_provenance(
+    provenance: &Provenance,
+    terms: Option<&BoundTerms>,
+) -> Vec<(String, Value)> {
+    let fields = [
+        ("engine", Some(Value::text(&provenance.engine))),
+        ("settings", Some(write_variational(&provenance.settings, provenance.seed))),
+        ("frames_per_second", Some(Value::Number(provenance.frames_per_second))),
+        ("bound", Some(Value::Number(provenance.bound()))),
+        ("objective", provenance.plain_bound.map(|_| Value::Number(provenance.objective))),
+        ("terms", terms.map(terms_value)),
+        ("iterations", Some(Value::whole(provenance.iterations))),
+        ("evaluations", Some(Value::whole(provenance.evaluations))),
+        ("note", Some(provenance.note.as_deref().map_or(Value::Null, Value::text))),
+    ];
+    fields.into_iter().filter_map(|(name, value)| Some((name.to_owned(), value?))).collect()
 }
 
 /// The fields of a part with its pose map.
@@ -168,7 +172,7 @@ fn expert(expert: &FittedExpert) -> Value {
     ])
 }
 
-fn terms(terms: &BoundTerms) -> Value {
+fn terms_value(terms: &BoundTerms) -> Value {
     let BoundTerms { kinematics, dynamics, initial, entropy } = terms;
     Value::object([
         ("kinematics", Value::numbers(kinematics)),

@@ -124,7 +124,7 @@ pub struct BoundWorkspace {
     cct: DMatrix<f64>,
     /// (I + B / n)^-1.
     inverse: DMatrix<f64>,
-    adjoint: BoundAdjoint,
+    pub(super) adjoint: BoundAdjoint,
 }
 
 impl BoundWorkspace {

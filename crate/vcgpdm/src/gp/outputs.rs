@@ -46,6 +46,21 @@ impl Outputs {
         }
     }
 
+    /// Multiplies the adjoint by `factor`, for a sum in which the bound has this weight.
+    pub fn weight_adjoint(&mut self, factor: f64) {
+        let adjoint = match self {
+            Self::Best(workspace) => &mut workspace.adjoint,
+            Self::Stored(stored) => &mut stored.adjoint,
+            Self::PartiallyFixed(stack) => &mut stack.adjoint,
+        };
+        adjoint.k *= factor;
+        adjoint.psi2 *= factor;
+        adjoint.b *= factor;
+        for number in [&mut adjoint.psi0, &mut adjoint.second_moment, &mut adjoint.noise] {
+            *number *= factor;
+        }
+    }
+
     /// The adjoint of the last [`bound_and_adjoint`](Self::bound_and_adjoint).
     pub fn adjoint(&self) -> &BoundAdjoint {
         match self {

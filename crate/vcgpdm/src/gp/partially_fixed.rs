@@ -22,7 +22,7 @@ pub struct PartiallyFixed {
     /// Blocks of K, Psi2 and b.
     stored_blocks: Blocks,
     free_blocks: Blocks,
-    adjoint: BoundAdjoint,
+    pub(super) adjoint: BoundAdjoint,
 }
 
 /// One block of the stack.

@@ -23,7 +23,7 @@ pub struct StoredOutputs {
     coefficients: DMatrix<f64>,
     /// H [K x K].
     certainty: DMatrix<f64>,
-    adjoint: BoundAdjoint,
+    pub(super) adjoint: BoundAdjoint,
 }
 
 impl StoredOutputs {

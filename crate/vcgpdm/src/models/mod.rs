@@ -45,6 +45,7 @@ pub use training::error::TrainingError;
 pub use training::kind::ModelKind;
 pub use training::learner::Learner;
 pub use training::parameters::{Group, Kind, Parameters};
+pub use training::pose_weight::{BALANCED, POSE_WEIGHTS, POSE_WEIGHTS_TEXT, PoseWeight};
 pub use training::progress::{EndReason, Progress, Setbacks, TrainingPhase};
 pub use training::settings::{
     DmpSettings, MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, MapSettings, Settings,

@@ -7,7 +7,8 @@ use serde_json::{Map, Value, json};
 use vcgpdm::document::Document;
 use vcgpdm::models::library::TrainedLibrary;
 use vcgpdm::models::{
-    Dataset, DmpSettings, MapSettings, Settings, Source, TmpSettings, Trainer, VariationalSettings,
+    Dataset, DmpSettings, MapSettings, PoseWeight, Settings, Source, TmpSettings, Trainer,
+    VariationalSettings,
 };
 use vcgpdm::motion::{parts, samples};
 
@@ -139,7 +140,12 @@ fn documents_of_new_trainings_are_valid() {
         MapSettings { latent: 2, max_iterations: 3, balanced: true, linear: true, ..Default::default() };
     for (k, settings) in [
         (0, Settings::Vgpdm(variational.clone())),
-        (1, Settings::Vcgpdm(variational)),
+        (1, Settings::Vcgpdm(variational.clone())),
+        (
+            0,
+            Settings::Vgpdm(VariationalSettings { pose_weight: PoseWeight::Balanced, ..variational.clone() }),
+        ),
+        (1, Settings::Vcgpdm(VariationalSettings { pose_weight: PoseWeight::Fixed(0.1), ..variational })),
         (1, Settings::MapCgpdm(point.clone())),
         (0, Settings::MapGpdm(point)),
         (1, Settings::Tmp(TmpSettings { primitives: Some(2), normalised_time: true })),

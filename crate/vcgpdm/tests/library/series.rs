@@ -35,8 +35,14 @@ fn trained(size: f64, settings: Settings, split: &str) -> SeriesModel {
     trainer.finish().unwrap()
 }
 
-const SMALL: VariationalSettings =
-    VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 40 };
+const SMALL: VariationalSettings = VariationalSettings {
+    latent: 2,
+    order: 2,
+    dynamics_ips: 6,
+    pose_ips: 6,
+    max_iterations: 40,
+    pose_weight: vcgpdm::PoseWeight::Fixed(1.0),
+};
 const TWO_PARTS: &str = "machine=x,y;follower=follower";
 
 #[test]

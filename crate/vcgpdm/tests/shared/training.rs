@@ -77,8 +77,14 @@ pub fn a_model_of_sample_walks_walks_and_is_read_from_its_document() {
     assert!(travelled > 3.0, "the body travels {travelled} body heights in ten seconds");
 }
 
-const SMALL: VariationalSettings =
-    VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 6, max_iterations: 5 };
+const SMALL: VariationalSettings = VariationalSettings {
+    latent: 2,
+    order: 2,
+    dynamics_ips: 6,
+    pose_ips: 6,
+    max_iterations: 5,
+    pose_weight: vcgpdm::PoseWeight::Fixed(1.0),
+};
 
 /// The walks with these ids at ten frames a second.
 fn walks(names: &[&str], split: &str) -> Dataset {

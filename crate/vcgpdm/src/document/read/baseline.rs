@@ -58,6 +58,7 @@ pub(super) fn baseline<S: Subject>(mut head: Head<S>) -> Result<Model<S>, Docume
         seed,
         frames_per_second: frames_per_second(&mut object)?,
         objective: object.get("objective")?.number()?,
+        plain_bound: None,
         iterations: object.get("iterations")?.whole()?,
         evaluations: 0,
         note: note(&mut object)?,

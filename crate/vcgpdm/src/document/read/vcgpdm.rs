@@ -250,12 +250,15 @@ pub(super) fn provenance(field: Field, m: usize) -> Result<(Provenance, BoundTer
 pub(super) fn training(object: &mut Object) -> Result<Provenance, FieldError> {
     let engine = object.get("engine")?.text()?.to_owned();
     let (settings, seed) = read_variational(object.get("settings")?)?;
+    let bound = object.get("bound")?.number()?;
+    let objective = object.optional("objective").map(|field| field.number()).transpose()?;
     Ok(Provenance {
         engine,
         settings: Settings::Vcgpdm(settings),
         seed,
         frames_per_second: frames_per_second(object)?,
-        objective: object.get("bound")?.number()?,
+        objective: objective.unwrap_or(bound),
+        plain_bound: objective.map(|_| bound),
         iterations: object.get("iterations")?.whole()?,
         evaluations: object.get("evaluations")?.whole()?,
         note: note(object)?,

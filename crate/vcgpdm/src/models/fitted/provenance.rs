@@ -16,8 +16,12 @@ pub struct Provenance {
     pub seed: u32,
     /// The frame rate asked for, in frames a second.
     pub frames_per_second: f64,
-    /// The highest value of the objective: the bound or a log density in nats, or the negative of an error.
+    /// The highest value of the objective: the bound, a bound with weighted pose terms or a log density in
+    /// nats, or the negative of an error.
     pub objective: f64,
+    /// The bound on the log evidence at that point, in nats, if the objective weights the pose terms; absent
+    /// for all other objectives.
+    pub plain_bound: Option<f64>,
     /// Iterations of the training.
     pub iterations: usize,
     /// Evaluations of the variational bound with its gradient; 0 for models without such a bound.
@@ -27,6 +31,12 @@ pub struct Provenance {
 }
 
 impl Provenance {
+    /// The bound on the log evidence that training reached, in nats; for a model without a bound, the
+    /// objective.
+    pub fn bound(&self) -> f64 {
+        self.plain_bound.unwrap_or(self.objective)
+    }
+
     /// The provenance of a variational model of one part, which is a vGPDM.
     pub(crate) fn of_one_part(self) -> Self {
         let settings = match self.settings {

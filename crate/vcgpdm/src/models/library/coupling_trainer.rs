@@ -9,6 +9,7 @@ use crate::models::search::ascent::Phase;
 use crate::models::training::error::{TrainingError, in_range};
 use crate::models::training::latents::check_training;
 use crate::models::training::parameters::Group;
+use crate::models::training::pose_weight::PoseWeight;
 use crate::models::training::progress::Progress;
 use crate::models::training::trainer::run_with;
 use crate::models::variational::{Objective, Params, VariationalTrainer};
@@ -46,7 +47,7 @@ impl CouplingTrainer {
     ) -> Result<Self, LibraryError> {
         let (y, sequences) = library.library.stack_clips(clips.iter());
         let lengths = sequences.iter().map(|info| info.frames).collect();
-        let trainer = fit_of(&library.library, uses, y, lengths, max_iterations)
+        let trainer = fit_of(&library.library, uses, y, lengths, library.pose_weight(), max_iterations)
             .map_err(|reason| DatasetError::from_training(reason, &sequences))?;
         Ok(Self { trainer, library: library.clone(), uses: uses.to_vec(), sequences })
     }
@@ -96,6 +97,7 @@ pub(super) fn fit_of(
     uses: &[usize],
     y: Vec<DMatrix<f64>>,
     lengths: Vec<usize>,
+    pose_weight: PoseWeight,
     max_iterations: usize,
 ) -> Result<VariationalTrainer, TrainingError> {
     library.check_uses(uses)?;
@@ -116,7 +118,7 @@ pub(super) fn fit_of(
         experts: library.expert_parameters(uses),
         alpha: vec![library.nearest_couplings(uses)],
     };
-    let settings = library.training_settings(&start.experts, max_iterations);
+    let settings = library.training_settings(&start.experts, pose_weight, max_iterations);
     let fixed = library.fixed_outputs(uses)?;
     let objective = Objective::new(y, sequences, library.jitter).under(fixed);
     VariationalTrainer::from_start(objective, start, phases(max_iterations), &settings, 0)
@@ -134,7 +136,10 @@ pub(super) fn fitted_movement(trainer: &VariationalTrainer, uses: &[usize], name
         alpha: best.alpha.swap_remove(0),
         sums: None,
         starts,
-        couplings: CouplingsFrom::Clips { bound: progress.best, iterations: progress.iteration },
+        couplings: CouplingsFrom::Clips {
+            bound: trainer.best_terms().total(),
+            iterations: progress.iteration,
+        },
     }
 }
 

@@ -2,6 +2,7 @@ use super::coupling_trainer::{fit_of, fitted_movement};
 use super::library_trainer::{library_of, trainer_of};
 use super::*;
 use crate::models::rollout::couplings::Reading;
+use crate::models::training::pose_weight::PoseWeight;
 use crate::models::training::settings::VariationalSettings;
 use approx::assert_relative_eq;
 
@@ -28,7 +29,14 @@ fn stacked(sequences: &[Vec<DMatrix<f64>>]) -> Vec<DMatrix<f64>> {
 }
 
 fn settings() -> VariationalSettings {
-    VariationalSettings { latent: 2, order: 2, dynamics_ips: 8, pose_ips: 8, max_iterations: 120 }
+    VariationalSettings {
+        latent: 2,
+        order: 2,
+        dynamics_ips: 8,
+        pose_ips: 8,
+        max_iterations: 120,
+        ..Default::default()
+    }
 }
 
 fn trained(shared: [bool; 2]) -> Library {
@@ -144,7 +152,7 @@ fn a_fit_learns_couplings_and_keeps_the_primitives() {
     // The walk again at another tempo, its columns centred as in the training.
     let all = stacked(&[circles(40, 0.3, false), circles(35, 0.32, false), circles(45, 0.3, true)]);
     let y: Vec<_> = all.iter().map(|y| y.rows(5, 30).into_owned()).collect();
-    let mut fit = fit_of(&library, &[0, 1], y.clone(), vec![30], 150).unwrap();
+    let mut fit = fit_of(&library, &[0, 1], y.clone(), vec![30], PoseWeight::default(), 150).unwrap();
     let begin = fit.progress().objective;
     while !fit.step().done {}
     assert!(fit.progress().best > begin);
@@ -157,7 +165,7 @@ fn a_fit_learns_couplings_and_keeps_the_primitives() {
         assert!((found - y).amax() < 0.3, "{}", (found - y).amax());
     }
     let message = |uses: &[usize], y: Vec<DMatrix<f64>>| {
-        fit_of(&library, uses, y, vec![30], 10).err().unwrap().to_string()
+        fit_of(&library, uses, y, vec![30], PoseWeight::default(), 10).err().unwrap().to_string()
     };
     assert_eq!(message(&[0, 0], y.clone()), "expected a primitive of part 1, found primitive 0");
     assert_eq!(message(&[0], y.clone()), "expected a primitive for each of 2 parts, found 1");

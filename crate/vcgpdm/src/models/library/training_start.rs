@@ -9,10 +9,18 @@ use crate::gp::stored_outputs::StoredOutputs;
 use crate::gp::{Gaussians, NumericsError};
 use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::data::sequences::Sequences;
-use crate::models::library::{EncodedClip, Library};
+use crate::models::library::{EncodedClip, Library, TrainedLibrary};
+use crate::models::training::pose_weight::PoseWeight;
 use crate::models::training::settings::VariationalSettings;
 use crate::models::variational::{Expert, PartParams, PoseMap, StoredMaps, first_variance};
 use nalgebra::DMatrix;
+
+impl TrainedLibrary {
+    /// The weight of the pose terms in the library's training, which trainings on new frames share.
+    pub(super) fn pose_weight(&self) -> PoseWeight {
+        self.provenance.settings.variational().map(|settings| settings.pose_weight).unwrap_or_default()
+    }
+}
 
 impl Library {
     /// The columns of each part [N x D_i] of these clips, stacked, and the sequences.
@@ -72,6 +80,7 @@ impl Library {
     pub(super) fn training_settings(
         &self,
         experts: &[Vec<Expert>],
+        pose_weight: PoseWeight,
         max_iterations: usize,
     ) -> VariationalSettings {
         VariationalSettings {
@@ -80,6 +89,7 @@ impl Library {
             dynamics_ips: experts.iter().flatten().map(|expert| expert.z.nrows()).max().unwrap_or(1),
             pose_ips: self.parts.iter().map(|map| map.r().nrows()).max().unwrap_or(1),
             max_iterations,
+            pose_weight,
         }
     }
 }

@@ -117,8 +117,14 @@ mod tests {
         let clip = samples::clip("walk-1").unwrap();
         let parts = &parts::presets(&clip.skeleton)[1].parts;
         let dataset = Dataset::new(&[(&clip).into()], parts, 30.0).unwrap();
-        let settings =
-            VariationalSettings { latent: 2, order: 2, dynamics_ips: 4, pose_ips: 4, max_iterations: 1 };
+        let settings = VariationalSettings {
+            latent: 2,
+            order: 2,
+            dynamics_ips: 4,
+            pose_ips: 4,
+            max_iterations: 1,
+            ..Default::default()
+        };
         let trainer = Trainer::new(&dataset, &settings.into(), 1).unwrap();
         let model = trainer.finish().unwrap();
         let y = model.body.columns(&dataset.y);

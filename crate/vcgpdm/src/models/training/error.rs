@@ -3,6 +3,7 @@
 use crate::gp::NumericsError;
 use crate::models::data::sequences::{SequencesError, too_few_for_order};
 use crate::models::library::{CombinationError, PlanError};
+use crate::models::training::pose_weight::POSE_WEIGHTS_TEXT;
 use crate::models::variational::RepertoireError;
 use crate::plural::counted;
 use thiserror::Error;
@@ -22,6 +23,12 @@ pub enum TrainingError {
         highest: usize,
         /// The value asked for.
         found: usize,
+    },
+    /// The weight of the pose terms is out of its range.
+    #[error("the weight of the pose terms must be {POSE_WEIGHTS_TEXT}, found {found}")]
+    PoseWeight {
+        /// The weight asked for.
+        found: f64,
     },
     /// The schedule is empty.
     #[error("expected at least one phase in the schedule, found none")]

@@ -7,6 +7,7 @@ pub(crate) mod latents;
 pub(crate) mod learner;
 pub(crate) mod learners;
 pub(crate) mod parameters;
+pub(crate) mod pose_weight;
 pub(crate) mod progress;
 pub(crate) mod settings;
 pub(crate) mod trainer;

@@ -46,11 +46,13 @@ pub struct Progress {
     pub evaluations: usize,
     /// Numerical problems so far.
     pub setbacks: Setbacks,
-    /// The current value of the objective: the bound, a log density, or the negative of an error.
+    /// The current value of the objective: the bound, a bound with weighted pose terms, a log density, or
+    /// the negative of an error.
     pub objective: f64,
     /// The best value so far.
     pub best: f64,
-    /// The terms of the best bound; absent for models without such terms.
+    /// The terms of the bound at the best value; absent for models without such terms. Their sum is the
+    /// bound, also if the objective weights them.
     pub terms: Option<BoundTerms>,
     /// The current phase; absent for models that are not trained in phases.
     pub phase: Option<TrainingPhase>,
@@ -87,6 +89,8 @@ impl fmt::Display for TrainingPhase {
 pub enum EndReason {
     /// The bound no longer rises.
     BoundSettled,
+    /// The bound with weighted pose terms no longer rises.
+    WeightedBoundSettled,
     /// The log density no longer rises.
     DensitySettled,
     /// All iterations are used.
@@ -116,6 +120,7 @@ impl fmt::Display for EndReason {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             EndReason::BoundSettled => f.write_str("the bound no longer rises"),
+            EndReason::WeightedBoundSettled => f.write_str("the weighted bound no longer rises"),
             EndReason::DensitySettled => f.write_str("the density no longer rises"),
             EndReason::Iterations => f.write_str("all iterations used"),
             EndReason::MorePrimitivesAreWorse { best } => {
@@ -145,6 +150,7 @@ mod tests {
         for (reason, message) in [
             (EndReason::BoundSettled, "the bound no longer rises".to_owned()),
             (EndReason::DensitySettled, "the density no longer rises".to_owned()),
+            (EndReason::WeightedBoundSettled, "the weighted bound no longer rises".to_owned()),
             (EndReason::Iterations, "all iterations used".to_owned()),
             (
                 EndReason::MorePrimitivesAreWorse { best: 4 },

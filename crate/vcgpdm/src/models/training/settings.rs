@@ -1,6 +1,7 @@
 //! Settings of a training without the seed: a type for each kind of model, and the enum of all of them.
 
 use crate::models::training::kind::ModelKind;
+use crate::models::training::pose_weight::PoseWeight;
 use serde::{Deserialize, Serialize};
 
 /// The most latent dimensions of a part, and the highest order of the dynamics; more would not fit the memory
@@ -27,11 +28,21 @@ pub struct VariationalSettings {
     pub pose_ips: usize,
     /// Most iterations of the optimiser, all phases together.
     pub max_iterations: usize,
+    /// The weight of the pose terms in the objective; by default 1, and then the objective is the bound.
+    #[serde(default, skip_serializing_if = "PoseWeight::is_plain")]
+    pub pose_weight: PoseWeight,
 }
 
 impl Default for VariationalSettings {
     fn default() -> Self {
-        Self { latent: 3, order: 2, dynamics_ips: 12, pose_ips: 12, max_iterations: 250 }
+        Self {
+            latent: 3,
+            order: 2,
+            dynamics_ips: 12,
+            pose_ips: 12,
+            max_iterations: 250,
+            pose_weight: PoseWeight::default(),
+        }
     }
 }
 

@@ -11,6 +11,7 @@ use crate::models::training::error::TrainingError;
 use crate::models::training::learner::Learner;
 use crate::models::training::progress::Progress;
 use crate::models::training::settings::Settings;
+use crate::models::variational::BoundTerms;
 use crate::motion::pose::PoseMapping;
 use nalgebra::DMatrix;
 use std::ops::ControlFlow;
@@ -95,12 +96,14 @@ impl<S: ColumnMapping> Trainer<S> {
         if let (Settings::Vcgpdm(s), 1) = (&settings, self.body.layout.parts().len()) {
             settings = Settings::Vgpdm(s.clone());
         }
+        let weighted = settings.variational().is_some_and(|s| !s.pose_weight.is_plain());
         let provenance = Provenance {
             engine: ENGINE.to_owned(),
             seed: if settings.is_random() { self.seed } else { 0 },
             settings,
             frames_per_second: self.frames_per_second,
             objective: progress.best,
+            plain_bound: progress.terms.as_ref().filter(|_| weighted).map(BoundTerms::total),
             iterations: progress.iteration,
             evaluations: progress.evaluations,
             note: None,

@@ -79,8 +79,14 @@ mod tests {
     }
 
     fn learned(movements: Movements) -> FittedModel {
-        let settings =
-            VariationalSettings { latent: 2, order: 2, dynamics_ips: 6, pose_ips: 5, max_iterations: 60 };
+        let settings = VariationalSettings {
+            latent: 2,
+            order: 2,
+            dynamics_ips: 6,
+            pose_ips: 5,
+            max_iterations: 60,
+            ..Default::default()
+        };
         let mut learner = VariationalLearner::new(movements, &settings, 1).unwrap();
         let mut best = learner.progress().best;
         while !learner.progress().done {

@@ -40,7 +40,8 @@ pub(super) fn starting_trainer(
     }
     let alpha = vec![starting_couplings(y.len()); movements.len()];
     let start = Params { parts, experts, alpha };
-    let settings = library.training_settings(&start.experts[companions.len()..], request.max_iterations);
+    let new = &start.experts[companions.len()..];
+    let settings = library.training_settings(new, host.pose_weight(), request.max_iterations);
     let mut fixed = start.zeros_like();
     for part in &mut fixed.parts {
         part.r.fill(1.0);

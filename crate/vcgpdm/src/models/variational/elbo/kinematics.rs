@@ -101,7 +101,8 @@ impl Kinematics {
         StoredOutputs::best(&self.gp(objective, params, i).0)
     }
 
-    /// The bound, in nats. [`pull_back`](Self::pull_back) then adds its gradient.
+    /// The bound, in nats. [`pull_back`](Self::pull_back) then adds its gradient, times the weight of the
+    /// pose term in the objective.
     pub fn adjoint(
         &mut self,
         objective: &Objective,
@@ -110,6 +111,10 @@ impl Kinematics {
     ) -> Result<f64, NumericsError> {
         let (gp, outputs) = self.gp(objective, params, i);
         let bound = outputs.bound_and_adjoint(&gp)?;
+        let factor = objective.pose_factor(params, i);
+        if factor != 1.0 {
+            outputs.weight_adjoint(factor);
+        }
         let (part, adjoint) = (&params.parts[i], self.outputs.adjoint());
         let kernel = &mut self.kernel_adjoint;
         kernel.set_zero();
@@ -120,7 +125,7 @@ impl Kinematics {
         Ok(bound)
     }
 
-    /// Adds the gradient of the bound to `into`, that of the `part`; `workspace` is as
+    /// Adds the gradient of the weighted bound to `into`, that of the `part`; `workspace` is as
     /// [`compute`](Self::compute) left it.
     pub fn pull_back(&mut self, part: &PartParams, workspace: &mut PairWorkspace, into: &mut PartParams) {
         let (adjoint, kernel) = (self.outputs.adjoint(), &mut self.kernel_adjoint);

@@ -41,7 +41,7 @@ pub struct BoundTerms {
 }
 
 impl BoundTerms {
-    /// The bound.
+    /// The bound on the log evidence.
     pub fn total(&self) -> f64 {
         self.kinematics.iter().sum::<f64>() + self.dynamics.iter().sum::<f64>() + self.initial + self.entropy
     }
@@ -96,7 +96,7 @@ impl Workspace {
         &self.terms
     }
 
-    /// The last gradient, with respect to the natural parameters. It has entries for the signal variances of
+    /// The last gradient of the objective, with respect to the natural parameters. It has entries for the signal variances of
     /// the dynamics kernels, though these are fixed at 1.
     pub fn gradient(&self) -> &Params {
         &self.gradient
@@ -149,7 +149,7 @@ impl Objective {
         finite(terms)
     }
 
-    /// Computes the terms of the bound at `params` and the gradient of their sum, then [`Workspace::terms`]
+    /// Computes the terms of the bound at `params` and the gradient of the objective, then [`Workspace::terms`]
     /// and [`Workspace::gradient`].
     ///
     /// # Errors
@@ -208,7 +208,7 @@ impl Objective {
         Ok(workspace.terms)
     }
 
-    /// The terms of the bound at `params` and the gradient of their sum, as [`Workspace::gradient`].
+    /// The terms of the bound at `params` and the gradient of the objective, as [`Workspace::gradient`].
     ///
     /// # Errors
     ///

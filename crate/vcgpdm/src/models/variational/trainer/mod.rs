@@ -28,7 +28,7 @@ const JITTER: f64 = 1e-6;
 /// Iterations before everything is optimised together, at most.
 const BLOCK_ITERATIONS: usize = 25;
 
-/// The bound with the memory for computing it.
+/// The objective with the memory for computing it.
 struct Bound {
     objective: Objective,
     workspace: Workspace,
@@ -40,7 +40,7 @@ impl Target for Bound {
 
     fn compute(&mut self, at: &Params) -> Result<f64, NumericsError> {
         self.objective.compute_with_gradient(at, &mut self.workspace)?;
-        Ok(self.workspace.terms().total())
+        Ok(self.objective.value(at, self.workspace.terms()))
     }
 
     fn copy_terms(&self, into: &mut BoundTerms) {
@@ -136,10 +136,11 @@ impl VariationalTrainer {
         if phases.is_empty() {
             return Err(TrainingError::NoPhases);
         }
+        let objective = objective.weighted(settings.pose_weight);
         let mut workspace = objective.workspace(&start);
         objective.compute(&start, &mut workspace)?;
         let terms = workspace.terms().clone();
-        let value = (terms.total(), terms);
+        let value = (objective.value(&start, &terms), terms);
         let bound = Bound { objective, workspace };
         let ascent = Ascent::new(bound, start, value, phases, settings.max_iterations);
         Ok(Self { ascent, settings: settings.clone(), seed, notices: Vec::new() })
@@ -190,7 +191,8 @@ impl VariationalTrainer {
             phase: Some(training_phase(ascent.phase())),
             done: ascent.reason().is_some(),
             reason: ascent.reason().map(|end| match end {
-                SearchEnd::Settled => EndReason::BoundSettled,
+                SearchEnd::Settled if self.settings.pose_weight.is_plain() => EndReason::BoundSettled,
+                SearchEnd::Settled => EndReason::WeightedBoundSettled,
                 SearchEnd::Iterations => EndReason::Iterations,
             }),
             fraction: ascent.fraction(),
@@ -221,13 +223,19 @@ impl VariationalTrainer {
             seed: self.seed,
             frames_per_second,
             objective: progress.best,
+            plain_bound: self.plain_bound(),
             iterations: progress.iteration,
             evaluations: progress.evaluations,
             note: None,
         }
     }
 
-    /// The terms of the best bound so far.
+    /// The bound at the best objective so far, if the objective is another.
+    fn plain_bound(&self) -> Option<f64> {
+        (!self.settings.pose_weight.is_plain()).then(|| self.ascent.search().best_terms.total())
+    }
+
+    /// The terms of the bound at the best objective so far.
     pub(in crate::models) fn best_terms(&self) -> BoundTerms {
         self.ascent.search().best_terms.clone()
     }
@@ -279,7 +287,8 @@ fn training_phase(phase: &Phase) -> TrainingPhase {
 fn check_settings(settings: &VariationalSettings) -> Result<(), TrainingError> {
     check_dimensions(settings.latent, settings.order)?;
     in_range("the number of dynamics inducing points", settings.dynamics_ips, MOST_INDUCING)?;
-    in_range("the number of pose inducing points", settings.pose_ips, MOST_INDUCING)
+    in_range("the number of pose inducing points", settings.pose_ips, MOST_INDUCING)?;
+    settings.pose_weight.check()
 }
 
 /// Two phases: first couplings, kernels and inducing points, with fixed latents; then everything.

@@ -1,5 +1,6 @@
 use super::*;
 use crate::models::rollout::couplings::Reading;
+use crate::models::training::pose_weight::PoseWeight;
 
 /// Two noisy loops, the second half a cycle behind the first.
 fn loops(frames: usize) -> Vec<DMatrix<f64>> {
@@ -17,7 +18,14 @@ fn loops(frames: usize) -> Vec<DMatrix<f64>> {
 }
 
 fn settings() -> VariationalSettings {
-    VariationalSettings { latent: 2, dynamics_ips: 8, pose_ips: 8, order: 2, max_iterations: 250 }
+    VariationalSettings {
+        latent: 2,
+        dynamics_ips: 8,
+        pose_ips: 8,
+        order: 2,
+        max_iterations: 250,
+        ..Default::default()
+    }
 }
 
 #[test]
@@ -95,6 +103,11 @@ fn refuses_bad_settings() {
         wrong_sequences.err().unwrap().to_string(),
         "the number of pose inducing points must be from 1 to 1000, found 0"
     );
+    let none = VariationalSettings { pose_weight: PoseWeight::Fixed(0.0), ..settings() };
+    assert_eq!(
+        wrong(none, vec![60]),
+        "the weight of the pose terms must be a number from 0.001 to 1000, found 0"
+    );
     assert_eq!(wrong(settings(), vec![59, 1]), "sequence 1 has 1 frame; dynamics of order 2 need at least 3");
     assert_eq!(
         wrong(settings(), vec![50]),
@@ -151,4 +164,38 @@ fn a_settled_training_is_not_extended() {
     assert_eq!(settled.reason, Some(EndReason::BoundSettled));
     trainer.extend(10);
     assert_eq!(trainer.step().iteration, settled.iteration);
+}
+
+#[test]
+fn a_weighted_training_raises_its_objective_and_keeps_the_bound() {
+    let balanced = VariationalSettings { pose_weight: PoseWeight::Balanced, ..settings() };
+    let mut trainer = VariationalTrainer::new(loops(90), vec![50, 40], &balanced, 1).unwrap();
+    let start = trainer.progress();
+    while !trainer.step().done {}
+    let (progress, objective, best) = (trainer.progress(), trainer.objective(), trainer.best());
+    assert!(progress.best > start.best + 100.0, "{} to {}", start.best, progress.best);
+    let terms = objective.terms(&best).unwrap();
+    assert!((objective.value(&best, &terms) - progress.best).abs() < 1e-9 * progress.best.abs());
+    // Each part has four columns and two latent dimensions.
+    let poses: f64 = terms.kinematics.iter().sum();
+    assert!((terms.total() - progress.best - 0.5 * poses).abs() < 1e-9 * poses.abs());
+    let model = trainer.model().unwrap();
+    assert!((model.bound() - terms.total()).abs() < 1e-9 * terms.total().abs());
+    let provenance = trainer.provenance(30.0);
+    assert_eq!((provenance.objective, provenance.bound()), (progress.best, model.bound()));
+}
+
+/// A part with as many columns as latent dimensions has the factor 1.
+#[test]
+fn balanced_parts_of_as_many_columns_as_dimensions_train_as_plain_ones() {
+    let run = |pose_weight| {
+        let settings = VariationalSettings { latent: 4, pose_weight, ..settings() };
+        let mut trainer = VariationalTrainer::new(loops(60), vec![60], &settings, 1).unwrap();
+        for _ in 0..30 {
+            trainer.step();
+        }
+        trainer.best()
+    };
+    assert_eq!(run(PoseWeight::Balanced), run(PoseWeight::default()));
+    assert_ne!(run(PoseWeight::Fixed(0.5)), run(PoseWeight::default()));
 }
