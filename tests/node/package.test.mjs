@@ -25,8 +25,11 @@ const walkBvh = () => {
 const read = (/** @type {string} */ name, /** @type {string} */ text) =>
   vcgpdm.Clip.read(name, new TextEncoder().encode(text));
 
-/** A small model of the bundled walk, trained for a few iterations, and how the bound went. */
-function train(/** @type {number} */ seed = 1) {
+/**
+ * A small model of the bundled walk, trained for a few iterations, and how the bound went.
+ * @param {Partial<import("vcgpdm").TrainingSettings>} more
+ */
+function train(seed = 1, more = {}) {
   const clip = read("walk.bvh", walkBvh()).cut(0, 60);
   const clips = new vcgpdm.TrainingSet();
   clips.add(clip);
@@ -42,6 +45,7 @@ function train(/** @type {number} */ seed = 1) {
     framesPerSecond: 30,
     seed,
     maxIterations,
+    ...more,
   });
   const progress = [trainer.step()];
   while (!progress.at(-1)?.done) {
@@ -78,6 +82,38 @@ it("goes on with a training that has used its iterations", () => {
   while (!last.done) last = trainer.step();
   assert.deepEqual([last.iteration, last.maxIterations, last.reason], [16, 16, "iterations"]);
   assert.ok(last.best > before.best, `${before.best} to ${last.best}`);
+});
+
+it("keeps the objective of weighted pose terms next to the bound", () => {
+  const { model, progress } = train(1, { poseWeight: "balanced" });
+  for (const { provenance } of [model, vcgpdm.Model.fromJson(model.toJson())].map(coupledInfo)) {
+    assert.equal(provenance.settings.poseWeight, "balanced");
+    assert.equal(provenance.objective, progress.at(-1)?.best);
+    assert.ok(provenance.terms && provenance.bound !== provenance.objective);
+    const { kinematics, dynamics, initial, entropy } = provenance.terms;
+    const sum = [...kinematics, ...dynamics, initial, entropy].reduce((a, b) => a + b);
+    assert.ok(Math.abs(provenance.bound - sum) < 1e-9 * Math.abs(sum), `${provenance.bound} and ${sum}`);
+  }
+  const plain = coupledInfo(train().model).provenance;
+  assert.equal(plain.bound, plain.objective);
+  assert.ok(!("poseWeight" in plain.settings));
+  for (const poseWeight of [0, -1, Number.NaN, 1e9])
+    assert.throws(() => train(1, { poseWeight }), {
+      name: "VcgpdmError",
+      code: "settings",
+      message: `the weight of the pose terms must be a number from 0.001 to 1000, found ${poseWeight}`,
+    });
+  assert.throws(() => train(1, { poseWeight: /** @type {any} */ ("even") }), {
+    code: "settings",
+    message: /expected balanced, or a number from 0.001 to 1000/,
+  });
+});
+
+it("trains parts that do not listen to each other", () => {
+  const { alpha, provenance } = coupledInfo(train(1, { uncoupled: true }).model);
+  assert.equal(provenance.settings.uncoupled, true);
+  for (const between of [alpha[0]?.[1], alpha[1]?.[0]])
+    assert.ok(Math.abs((between ?? 0) - 10) < 1e-9, `${alpha}`);
 });
 
 it("says which of several models is to be shown", () => {

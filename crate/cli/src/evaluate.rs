@@ -78,6 +78,9 @@ pub struct Arguments {
     /// Multiply the pose terms in the objective of the variational models by this number.
     #[arg(long, value_name = "W", conflicts_with = "balanced", value_parser = pose_weight)]
     pose_weight: Option<PoseWeight>,
+    /// Keep the couplings between the parts of the vCGPDM off.
+    #[arg(long)]
+    uncoupled: bool,
     /// The MAP models have a linear term in the kernels of their dynamics (Wang et al. 2008).
     #[arg(long)]
     linear: bool,
@@ -319,6 +322,7 @@ fn jobs(arguments: &Arguments, trials: usize, parts: usize) -> Result<Vec<Job>, 
         bases: arguments.bases.clone(),
         balanced: arguments.balanced,
         pose_weight: weight(arguments.balanced, arguments.pose_weight),
+        uncoupled: arguments.uncoupled,
         linear: arguments.linear,
         held_out: folds(&arguments.folds, trials)?,
         seeds: arguments.seeds.clone(),

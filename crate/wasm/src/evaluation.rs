@@ -45,6 +45,8 @@ export type Candidate =
         maxIterations: number;
         /** The factor of the pose terms in the objective; absent: 1. */
         poseWeight?: number | "balanced";
+        /** Whether each part of a vCGPDM learns as if it were alone; absent: no. */
+        uncoupled?: boolean;
     }
     | {
         model: "map-gpdm" | "map-cgpdm";

@@ -101,6 +101,7 @@ export interface ModelSettings {
     order?: number;
     maxIterations?: number;
     poseWeight?: number | "balanced";
+    uncoupled?: boolean;
 }
 
 /** A part of a model; latent dimensions and pose inducing points only of a vCGPDM or vGPDM. */

@@ -67,6 +67,8 @@ export interface Plan {
     balanced: boolean;
     /** The factor of the pose terms in the objective of the variational models; absent: 1. */
     poseWeight?: number | "balanced";
+    /** Whether the couplings between the parts of the vCGPDM are off; absent: no. */
+    uncoupled?: boolean;
     /** Whether the kernels of the MAP models have a linear term. */
     linear?: boolean;
     /** The held-out trials, counted from 0; empty: each trial in turn. */

@@ -31,6 +31,8 @@ export interface VariationalSettings {
      * (Urtasun, Fleet & Fua 2006). Absent: 1, and the objective is the bound on the log evidence.
      */
     poseWeight?: number | "balanced";
+    /** Whether each part of a vCGPDM learns as if it were alone; absent: no. */
+    uncoupled?: boolean;
 }
 
 /** The settings of a training. */

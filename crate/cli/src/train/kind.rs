@@ -41,6 +41,9 @@ pub struct Options {
     /// Multiply the pose terms of the objective by this number (vcgpdm, vgpdm).
     #[arg(long, value_name = "W", conflicts_with = "balanced", value_parser = pose_weight)]
     pose_weight: Option<PoseWeight>,
+    /// Keep the couplings between parts off: each part learns as if it were alone (vcgpdm).
+    #[arg(long)]
+    uncoupled: bool,
     /// A linear term in the kernels of the dynamics (map-gpdm, map-cgpdm).
     #[arg(long)]
     linear: bool,
@@ -71,7 +74,7 @@ const TMP: &[ModelKind] = &[ModelKind::Tmp];
 const DMPS: &[ModelKind] = &[ModelKind::DmpDiscrete, ModelKind::DmpRhythmic];
 
 /// The kinds that have an option.
-const KINDS: [(&str, &[ModelKind]); 14] = [
+const KINDS: [(&str, &[ModelKind]); 15] = [
     ("seed", GPDMS),
     ("latent", GPDMS),
     ("dynamics_ips", VARIATIONAL),
@@ -81,6 +84,7 @@ const KINDS: [(&str, &[ModelKind]); 14] = [
     ("threads", VARIATIONAL),
     ("balanced", GPDMS),
     ("pose_weight", VARIATIONAL),
+    ("uncoupled", &[ModelKind::Vcgpdm]),
     ("linear", POINT),
     ("primitives", TMP),
     ("normalised_time", TMP),
@@ -102,11 +106,27 @@ impl Options {
             )));
         }
         let &Options {
-            latent, order, dynamics_ips, pose_ips, max_iterations, balanced, linear, bases, ..
+            latent,
+            order,
+            dynamics_ips,
+            pose_ips,
+            max_iterations,
+            balanced,
+            uncoupled,
+            linear,
+            bases,
+            ..
         } = self;
         let pose_weight = weight(balanced, self.pose_weight);
-        let variational =
-            VariationalSettings { latent, order, dynamics_ips, pose_ips, max_iterations, pose_weight };
+        let variational = VariationalSettings {
+            latent,
+            order,
+            dynamics_ips,
+            pose_ips,
+            max_iterations,
+            pose_weight,
+            uncoupled,
+        };
         let point = MapSettings { latent, order, max_iterations, balanced, linear };
         Ok(match kind {
             ModelKind::Vcgpdm => Settings::Vcgpdm(variational),

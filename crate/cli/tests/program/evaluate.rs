@@ -272,10 +272,14 @@ fn stores_objective_and_bound_of_balanced_models() {
     // Jobs of another weight are other jobs.
     let again = summary(&evaluate(&out, &[&models[..], &["--pose-weight", "0.5"]].concat()));
     assert_eq!((again["computed"].as_u64(), again["known_before"].as_u64()), (Some(1), Some(0)));
+    let coupled = ["--models", "vcgpdm,vgpdm", "--folds", "1", "--uncoupled", "--balanced"];
+    // The vGPDM has nothing to couple: its job is known.
+    assert_eq!(summary(&evaluate(&out, &coupled))["known_before"].as_u64(), Some(1));
     let results: Value = serde_json::from_str(&fs::read_to_string(&out).unwrap()).unwrap();
     let finished = results["finished"].as_array().unwrap();
+    assert_eq!(finished[2]["job"]["candidate"]["uncoupled"], true);
     let weights: Vec<&Value> = finished.iter().map(|f| &f["job"]["candidate"]["pose_weight"]).collect();
-    assert_eq!(weights, [&json!("balanced"), &json!(0.5)]);
+    assert_eq!(weights, [&json!("balanced"), &json!(0.5), &json!("balanced")]);
     for outcome in finished.iter().map(|finished| &finished["outcome"]) {
         assert!(outcome["bound"].is_f64() && outcome["objective"].is_f64(), "{outcome}");
         assert_ne!(outcome["bound"], outcome["objective"]);
@@ -283,6 +287,7 @@ fn stores_objective_and_bound_of_balanced_models() {
     let report = String::from_utf8(run(&["report", out.to_str().unwrap()]).stdout).unwrap();
     assert!(report.contains("inducing points, balanced |"), "{report}");
     assert!(report.contains("inducing points, pose weight 0.5 |"), "{report}");
+    assert!(report.contains("inducing points, balanced, uncoupled |"), "{report}");
 }
 
 #[test]

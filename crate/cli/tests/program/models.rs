@@ -4,6 +4,7 @@ use crate::call::{fails, folder, json_and_stderr, prints, text};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
+use vcgpdm::models::variational::LARGEST_COUPLING;
 use vcgpdm::models::{
     Body, Dataset, DmpSettings, MapSettings, Model, ModelKind, Movements, PoseWeight, Sequence, Settings,
     Source, TmpSettings, VariationalSettings,
@@ -141,7 +142,7 @@ fn rolls_out_every_kind_of_model_as_it_was_trained() {
 
 /// The objective is not the bound on the evidence: the program prints and stores both.
 #[test]
-fn trains_with_weighted_pose_terms() {
+fn trains_with_weighted_pose_terms_and_without_couplings() {
     let folder = folder("models-weighted");
     let few = "--latent 2 --dynamics-ips 3 --pose-ips 3 --max-iterations 4";
     for (option, pose_weight) in
@@ -155,6 +156,12 @@ fn trains_with_weighted_pose_terms() {
         assert_eq!(printed["elbo"].as_f64(), model.fitted.bound());
         assert_eq!(model.provenance.plain_bound, model.fitted.bound());
         assert_ne!(printed["elbo"], printed["objective"]);
+    }
+    let out = folder.join("uncoupled.json");
+    let alpha = train(&out, &format!("--parts lower,upper {few} --uncoupled"))["alpha"].clone();
+    for (j, i) in [(0, 1), (1, 0)] {
+        assert!((alpha[j][i].as_f64().unwrap() - LARGEST_COUPLING).abs() < 1e-9, "{alpha}");
+        assert!(alpha[j][j].as_f64().unwrap() < 5.0, "{alpha}");
     }
     let plain = train(&folder.join("plain.json"), &format!("--parts lower,upper {few}"));
     assert!(plain["objective"].is_null() && plain["elbo"].is_f64(), "{plain}");
@@ -200,6 +207,7 @@ fn refuses_options_of_other_kinds() {
             "--model tmp --balanced",
             "--balanced: expected a model that has it (vcgpdm, vgpdm, map-gpdm, map-cgpdm), found tmp",
         ),
+        ("--model vgpdm --uncoupled", "--uncoupled: expected a model that has it (vcgpdm), found vgpdm"),
         (
             "--model map-gpdm --pose-weight 0.1",
             "--pose-weight: expected a model that has it (vcgpdm, vgpdm), found map-gpdm",

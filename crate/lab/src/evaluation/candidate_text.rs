@@ -13,6 +13,8 @@ pub(super) struct Common {
     pub balanced: Option<bool>,
     /// Only another weight than 1 is named, which only variational models have.
     pub pose_weight: PoseWeight,
+    /// Whether the couplings between parts are off. Only then it is named.
+    pub uncoupled: bool,
     /// Whether the dynamics have a linear term. Only a linear term is named.
     pub linear: bool,
 }
@@ -26,6 +28,7 @@ pub(super) fn common(candidate: &Settings) -> Option<Common> {
             max_iterations: s.max_iterations,
             balanced: None,
             pose_weight: s.pose_weight,
+            uncoupled: s.uncoupled,
             linear: false,
         }),
         Settings::MapGpdm(s) | Settings::MapCgpdm(s) => Some(Common {
@@ -34,6 +37,7 @@ pub(super) fn common(candidate: &Settings) -> Option<Common> {
             max_iterations: s.max_iterations,
             balanced: Some(s.balanced),
             pose_weight: PoseWeight::default(),
+            uncoupled: false,
             linear: s.linear,
         }),
         Settings::Tmp(_) | Settings::DmpDiscrete(_) | Settings::DmpRhythmic(_) => None,
@@ -65,14 +69,20 @@ pub(super) fn size(candidate: &Settings) -> Option<String> {
 pub(super) fn every_setting(candidate: &Settings) -> String {
     let mut words = vec![candidate.kind().id().to_owned()];
     words.extend(size(candidate));
-    if let Some(Common { latent, order, max_iterations, balanced, pose_weight, linear }) = common(candidate) {
+    if let Some(Common { latent, order, max_iterations, balanced, pose_weight, uncoupled, linear }) =
+        common(candidate)
+    {
         words.push(format!("Q = {latent}, order {order}, {max_iterations} iterations"));
         words.extend(balanced.map(|balanced| balance(balanced).to_owned()));
         words.extend(weight(pose_weight));
+        words.extend(uncoupled.then(|| UNCOUPLED.to_owned()));
         words.extend(linear.then(|| LINEAR.to_owned()));
     }
     words.join(", ")
 }
+
+/// The name of a model without couplings between its parts.
+pub(super) const UNCOUPLED: &str = "uncoupled";
 
 /// The name of a linear term of the dynamics.
 pub(super) const LINEAR: &str = "linear term";

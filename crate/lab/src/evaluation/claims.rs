@@ -76,12 +76,12 @@ const LARGEST_P: f64 = 0.05;
 /// The number of basis functions in the papers' claim.
 const OPTIMAL_BASES: usize = 25;
 
-/// Whether a MAP model is neither balanced nor has a linear term, and a variational model has no weighted
-/// pose terms.
+/// Whether a MAP model is neither balanced nor has a linear term, and a variational model has neither
+/// weighted pose terms nor couplings that are off.
 pub(super) fn is_plain(candidate: &Settings) -> bool {
     match candidate {
         Settings::MapGpdm(s) | Settings::MapCgpdm(s) => !s.balanced && !s.linear,
-        Settings::Vcgpdm(s) | Settings::Vgpdm(s) => s.pose_weight.is_plain(),
+        Settings::Vcgpdm(s) | Settings::Vgpdm(s) => s.pose_weight.is_plain() && !s.uncoupled,
         Settings::Tmp(_) | Settings::DmpDiscrete(_) | Settings::DmpRhythmic(_) => true,
     }
 }

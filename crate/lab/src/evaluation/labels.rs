@@ -1,6 +1,6 @@
 //! Short names of candidates among others of their kind.
 
-use crate::evaluation::candidate_text::{Common, LINEAR, balance, common, size, weight};
+use crate::evaluation::candidate_text::{Common, LINEAR, UNCOUPLED, balance, common, size, weight};
 use crate::evaluation::results::Results;
 use std::collections::HashMap;
 use vcgpdm::models::{ModelKind, Settings};
@@ -72,6 +72,7 @@ impl Labels {
             differ.max_iterations.then(|| format!("{} iterations", settings.max_iterations)),
             balanced.map(|balanced| balance(balanced).to_owned()),
             weight(settings.pose_weight),
+            settings.uncoupled.then(|| UNCOUPLED.to_owned()),
             settings.linear.then(|| LINEAR.to_owned()),
         ]
         .into_iter()

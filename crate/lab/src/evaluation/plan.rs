@@ -51,6 +51,9 @@ pub struct Plan {
     /// The weight of the pose terms in the objective of the variational models.
     #[serde(default)]
     pub pose_weight: PoseWeight,
+    /// Whether the couplings between the parts of the vCGPDM are off.
+    #[serde(default)]
+    pub uncoupled: bool,
     /// Whether the dynamics of the MAP models have a linear term (Wang et al. 2008).
     #[serde(default)]
     pub linear: bool,
@@ -82,6 +85,7 @@ impl Default for Plan {
             bases: vec![DmpSettings::default().bases],
             balanced: false,
             pose_weight: PoseWeight::default(),
+            uncoupled: false,
             linear: false,
             held_out: Vec::new(),
             seeds: vec![0],
@@ -135,6 +139,7 @@ impl Plan {
                 pose_ips,
                 max_iterations,
                 pose_weight,
+                uncoupled: self.uncoupled && kind == ModelKind::Vcgpdm,
             };
             let pairs = self.ips.iter().flat_map(|&dynamics| {
                 let poses = if self.pose_ips.is_empty() { vec![dynamics] } else { self.pose_ips.clone() };

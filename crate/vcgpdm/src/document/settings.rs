@@ -57,7 +57,8 @@ pub(super) fn write_variational(settings: &Settings, seed: u32) -> Value {
 }
 
 fn variational_value(settings: &VariationalSettings, seed: u32) -> Value {
-    let VariationalSettings { latent, dynamics_ips, pose_ips, order, max_iterations, pose_weight } = settings;
+    let VariationalSettings { latent, dynamics_ips, pose_ips, order, max_iterations, pose_weight, uncoupled } =
+        settings;
     let fields = [
         ("latent", Value::whole(*latent)),
         ("dynamics_ips", Value::whole(*dynamics_ips)),
@@ -66,12 +67,14 @@ fn variational_value(settings: &VariationalSettings, seed: u32) -> Value {
         ("seed", Value::Number(seed.into())),
         ("max_iterations", Value::whole(*max_iterations)),
     ];
-    // Absent if 1, as in documents from before this setting existed.
+    // Absent if 1 or false, as in documents from before these settings existed.
     let weight = (!pose_weight.is_plain()).then(|| match pose_weight {
         PoseWeight::Fixed(factor) => ("pose_weight", Value::Number(*factor)),
         PoseWeight::Balanced => ("pose_weight", Value::text(BALANCED)),
     });
-    let fields = fields.into_iter().chain(weight).map(|(name, value)| (name.to_owned(), value));
+    let uncoupled = uncoupled.then(|| ("uncoupled", Value::whole(1)));
+    let fields =
+        fields.into_iter().chain(weight).chain(uncoupled).map(|(name, value)| (name.to_owned(), value));
     Value::Object(fields.collect())
 }
 
@@ -85,6 +88,7 @@ pub(super) fn read_variational(field: Field) -> Result<(VariationalSettings, u32
         order: in_range(&object.get("order")?, 1..=MOST_DIMENSIONS)?,
         max_iterations: object.get("max_iterations")?.whole()?,
         pose_weight: object.optional("pose_weight").map_or(Ok(PoseWeight::default()), pose_weight)?,
+        uncoupled: optional_flag(&mut object, "uncoupled")?,
     };
     let seed = seed(&mut object)?;
     object.end()?;

@@ -71,7 +71,13 @@ fn a_model_of_a_weighted_training_keeps_objective_and_bound() {
             assert!(error.contains(expected), "{error}");
         }
     }
+    let uncoupled = VariationalSettings { max_iterations: 2, uncoupled: true, ..Default::default() };
+    let model = learned(uncoupled.into(), 40, 2);
+    let text = model.to_json().unwrap();
+    assert!(text.contains(r#""uncoupled":1"#));
+    assert_eq!(Model::coupled_from_json(&text).unwrap().provenance, model.provenance);
     let plain = &document()["provenance"];
+    assert!(plain["settings"]["uncoupled"].is_null());
     assert!(plain["objective"].is_null() && plain["settings"]["pose_weight"].is_null());
 }
 

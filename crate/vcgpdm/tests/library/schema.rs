@@ -145,7 +145,14 @@ fn documents_of_new_trainings_are_valid() {
             0,
             Settings::Vgpdm(VariationalSettings { pose_weight: PoseWeight::Balanced, ..variational.clone() }),
         ),
-        (1, Settings::Vcgpdm(VariationalSettings { pose_weight: PoseWeight::Fixed(0.1), ..variational })),
+        (
+            1,
+            Settings::Vcgpdm(VariationalSettings {
+                pose_weight: PoseWeight::Fixed(0.1),
+                uncoupled: true,
+                ..variational
+            }),
+        ),
         (1, Settings::MapCgpdm(point.clone())),
         (0, Settings::MapGpdm(point)),
         (1, Settings::Tmp(TmpSettings { primitives: Some(2), normalised_time: true })),

@@ -42,6 +42,7 @@ const SMALL: VariationalSettings = VariationalSettings {
     pose_ips: 6,
     max_iterations: 40,
     pose_weight: vcgpdm::PoseWeight::Fixed(1.0),
+    uncoupled: false,
 };
 const TWO_PARTS: &str = "machine=x,y;follower=follower";
 

@@ -84,6 +84,7 @@ const SMALL: VariationalSettings = VariationalSettings {
     pose_ips: 6,
     max_iterations: 5,
     pose_weight: vcgpdm::PoseWeight::Fixed(1.0),
+    uncoupled: false,
 };
 
 /// The walks with these ids at ten frames a second.

@@ -90,6 +90,7 @@ impl Library {
             pose_ips: self.parts.iter().map(|map| map.r().nrows()).max().unwrap_or(1),
             max_iterations,
             pose_weight,
+            uncoupled: false,
         }
     }
 }

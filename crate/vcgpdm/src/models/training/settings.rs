@@ -31,6 +31,10 @@ pub struct VariationalSettings {
     /// The weight of the pose terms in the objective; by default 1, and then the objective is the bound.
     #[serde(default, skip_serializing_if = "PoseWeight::is_plain")]
     pub pose_weight: PoseWeight,
+    /// Whether the coupling variances between parts stay at their upper limit, so that each part hardly
+    /// listens to the others. Without effect on a model of one part.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub uncoupled: bool,
 }
 
 impl Default for VariationalSettings {
@@ -42,6 +46,7 @@ impl Default for VariationalSettings {
             pose_ips: 12,
             max_iterations: 250,
             pose_weight: PoseWeight::default(),
+            uncoupled: false,
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::models::fitted::provenance::{ENGINE, Provenance};
 use crate::models::search::ascent::{Ascent, Phase, SearchEnd, Target};
 use crate::models::training::error::{TrainingError, in_range};
 use crate::models::training::latents::{check_dimensions, check_training};
-use crate::models::training::parameters::{Group, Parameters};
+use crate::models::training::parameters::{Group, LARGEST_COUPLING, Parameters};
 use crate::models::training::progress::{EndReason, Progress, TrainingPhase};
 use crate::models::training::settings::{MOST_INDUCING, Settings, VariationalSettings};
 use crate::models::variational::elbo::{BoundTerms, Objective, Workspace};
@@ -111,11 +111,20 @@ impl VariationalTrainer {
         seed: u32,
     ) -> Result<Self, TrainingError> {
         let (allowed, notices) = reduce_settings(settings, &repertoire, &y);
-        let params = starting_point_of(&y, &repertoire, &allowed, seed);
+        let mut params = starting_point_of(&y, &repertoire, &allowed, seed);
+        let mut fixed = params.zeros_like();
+        if settings.uncoupled {
+            between_parts(&mut params, LARGEST_COUPLING);
+            between_parts(&mut fixed, 1.0);
+        }
         let phases = schedule(settings.max_iterations);
         let objective = Objective::of_movements(y, repertoire, JITTER);
         // The settings are stored as requested: the same data reduce them again in the same way.
-        Ok(Self { notices, ..Self::from_start(objective, params, phases, settings, seed)? })
+        let mut trainer = Self { notices, ..Self::from_start(objective, params, phases, settings, seed)? };
+        if settings.uncoupled {
+            trainer.fix_parameters(&fixed);
+        }
+        Ok(trainer)
     }
 
     /// Ready to train from the parameters `start` by the given phases, of which there must be one. The
@@ -272,6 +281,15 @@ impl VariationalTrainer {
     pub fn model(&self) -> Result<Vcgpdm, NumericsError> {
         let search = self.ascent.search();
         Vcgpdm::fit(&search.target.objective, &search.best_parameters(), search.best_terms.clone())
+    }
+}
+
+/// Sets all entries of alpha from a part to another part.
+fn between_parts(params: &mut Params, value: f64) {
+    for alpha in &mut params.alpha {
+        let own = alpha.diagonal();
+        alpha.fill(value);
+        alpha.set_diagonal(&own);
     }
 }
 

@@ -199,3 +199,35 @@ fn balanced_parts_of_as_many_columns_as_dimensions_train_as_plain_ones() {
     assert_eq!(run(PoseWeight::Balanced), run(PoseWeight::default()));
     assert_ne!(run(PoseWeight::Fixed(0.5)), run(PoseWeight::default()));
 }
+
+#[test]
+fn without_couplings_each_part_moves_as_if_it_were_alone() {
+    let train = |y: Vec<DMatrix<f64>>, uncoupled| {
+        let settings = VariationalSettings { uncoupled, ..settings() };
+        let mut trainer = VariationalTrainer::new(y, vec![50, 40], &settings, 1).unwrap();
+        while !trainer.step().done {}
+        trainer.model().unwrap()
+    };
+    // How far the first frames of the path of part i change with the first latents of the other part.
+    let listens = |model: &Vcgpdm, i: usize| {
+        let dynamics = model.dynamics(&model.alpha, Reading::AsLearned).unwrap();
+        let mut start = model.start(0, 0).unwrap();
+        let path = dynamics.path(&start, 3).unwrap();
+        start[1 - i].fill(0.0);
+        (&dynamics.path(&start, 3).unwrap()[i] - &path[i]).amax()
+    };
+    let (coupled, uncoupled) = (train(loops(90), false), train(loops(90), true));
+    for i in 0..2 {
+        assert!((uncoupled.alpha[(1 - i, i)] / LARGEST_COUPLING - 1.0).abs() < 1e-12);
+        assert!(uncoupled.alpha[(i, i)] < 1.0, "{}", uncoupled.alpha);
+        assert!(listens(&uncoupled, i) < 0.05, "{}", listens(&uncoupled, i));
+        // The last frames of a long rollout move as much as those of a model of this part alone.
+        let swing = |y: &DMatrix<f64>| y.rows(200, 60).row_variance().sum().sqrt();
+        let alone = train(vec![loops(90).swap_remove(i)], false).rollout(0, 260).unwrap();
+        let together = uncoupled.rollout(0, 260).unwrap();
+        let ratio = swing(&together[i]) / swing(&alone[0]);
+        assert!((0.8..1.25).contains(&ratio), "part {i}: {ratio}");
+    }
+    let most = listens(&coupled, 0).max(listens(&coupled, 1));
+    assert!(most > 0.1, "the coupled parts listen to each other: {most}");
+}
