@@ -10,7 +10,9 @@ mod clips;
 mod effects;
 mod models;
 mod modularity;
+mod objectives;
 mod parallel;
+mod ratio;
 mod scaling;
 mod seeds;
 mod splits;
@@ -31,6 +33,12 @@ enum Measurement {
     },
     /// Primitives learned again under the pose maps of another library.
     Imports,
+    /// Balanced and uncoupled models compared with plain ones.
+    Objectives {
+        /// Folders of clips (.bvh), one for each person.
+        #[arg(required = true)]
+        folders: Vec<PathBuf>,
+    },
     /// How time and memory grow with the size of the data and of the model.
     Scaling(scaling::Arguments),
     /// How many seeds lead to a model that keeps moving.
@@ -51,6 +59,7 @@ fn main() {
         Measurement::Effects(arguments) => effects::run(&arguments),
         Measurement::Modularity { picture } => modularity::run(picture.as_deref()),
         Measurement::Imports => modularity::run_imports(),
+        Measurement::Objectives { folders } => objectives::run(&folders),
         Measurement::Scaling(arguments) => scaling::run(&arguments),
         Measurement::Seeds(arguments) => seeds::run(&arguments),
         Measurement::Splits { folders } => splits::run(&folders),

@@ -6,13 +6,13 @@
 //! or differently in each. All trials have the same length, so that only the relative timing differs.
 
 use crate::clips;
+use crate::ratio::ratio;
 use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
 use vcgpdm::models::{Settings, VariationalSettings};
 use vcgpdm::motion::parts::{PartSpec, presets};
 use vcgpdm::motion::{Clip, samples};
-use vcgpdm_lab::evaluation::stats::{mean, median, median_interval};
 use vcgpdm_lab::evaluation::{Fold, Outcome, START_FRAMES};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
@@ -90,17 +90,6 @@ fn outcomes(trials: &[Clip], parts: &[PartSpec]) -> Vec<[Vec<Outcome>; 2]> {
     (0..trials.len()).map(fold).collect()
 }
 
-/// The median of the ratios over the trials with its interval, and in how many trials it is below 1. Errors
-/// are means over the seeds.
-fn ratio(outcomes: &[[Vec<Outcome>; 2]], error: impl Fn(&Outcome) -> f64) -> String {
-    let of_seeds = |outcomes: &Vec<Outcome>| mean(&outcomes.iter().map(&error).collect::<Vec<f64>>());
-    let logarithm = |[parts, whole]: &[Vec<Outcome>; 2]| (of_seeds(parts) / of_seeds(whole)).ln();
-    let logarithms: Vec<f64> = outcomes.iter().map(logarithm).collect();
-    let range = median_interval(&logarithms).map(|i| format!(" ({})", i.map(f64::exp)));
-    let wins = logarithms.iter().filter(|ratio| **ratio < 0.0).count();
-    format!("{:.2}{}, {wins} of {}", median(&logarithms).exp(), range.unwrap_or_default(), logarithms.len())
-}
-
 fn print(name: &str, trials: &[Clip]) {
     let preset = presets(&trials[0].skeleton).into_iter().find(|preset| preset.id == "lower-upper").unwrap();
     for (title, time) in VARIANTS {
@@ -111,12 +100,14 @@ fn print(name: &str, trials: &[Clip]) {
             .map(|(k, trial)| timed(trial, &preset.parts[1], time(k, trials.len())))
             .collect();
         let found = outcomes(&timed, &preset.parts);
+        let parts: Vec<_> = found.iter().map(|[parts, _]| parts).collect();
+        let whole: Vec<_> = found.iter().map(|[_, whole]| whole).collect();
         println!(
             "| {name} | {title} | {} | {} | {} | {} |",
-            ratio(&found, |o| o.score.dtw_mse),
-            ratio(&found, |o| o.part_errors[0]),
-            ratio(&found, |o| o.part_errors[1]),
-            ratio(&found, |o| o.training_mse.unwrap_or(f64::NAN)),
+            ratio(&parts, &whole, |o| o.score.dtw_mse),
+            ratio(&parts, &whole, |o| o.part_errors[0]),
+            ratio(&parts, &whole, |o| o.part_errors[1]),
+            ratio(&parts, &whole, |o| o.training_mse.unwrap_or(f64::NAN)),
         );
     }
 }
