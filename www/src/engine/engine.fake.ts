@@ -90,6 +90,7 @@ function infoOf(text: string): ModelInfo {
       engine: "fake",
       settings: { ...settings, maxIterations: 100 },
       bound: 0,
+      objective: 0,
       terms,
       iterations: 1,
       evaluations: 1,

@@ -118,9 +118,6 @@ mod tests {
             Vgpdm(VariationalSettings { dynamics_ips: 11, ..settings.clone() }),
             Vgpdm(VariationalSettings { pose_ips: 11, ..settings.clone() }),
             Vgpdm(VariationalSettings { max_iterations: 99, ..settings.clone() }),
-            Vgpdm(VariationalSettings { pose_weight: PoseWeight::Balanced, ..settings.clone() }),
-            Vgpdm(VariationalSettings { pose_weight: PoseWeight::Fixed(0.1), ..settings.clone() }),
-            Vgpdm(VariationalSettings { uncoupled: true, ..settings }),
             MapGpdm(map(false)),
             MapGpdm(map(true)),
             MapCgpdm(map(false)),
@@ -129,6 +126,9 @@ mod tests {
             DmpDiscrete(DmpSettings { bases: 20 }),
             DmpRhythmic(DmpSettings { bases: 20 }),
             DmpRhythmic(DmpSettings { bases: 21 }),
+            Vgpdm(VariationalSettings { pose_weight: PoseWeight::Balanced, ..settings.clone() }),
+            Vgpdm(VariationalSettings { pose_weight: PoseWeight::Fixed(0.1), ..settings.clone() }),
+            Vgpdm(VariationalSettings { uncoupled: true, ..settings }),
         ];
         let job = |candidate: &Settings| Job {
             candidate: candidate.clone(),
