@@ -12,7 +12,7 @@ export const frame: Words["frame"] = {
   extraHint: "Für alle, die noch keinen kennen",
   back: "Voriges Kapitel",
   next: "Weiter",
-  nextChapter: "Nächstes Kapitel",
+  nextChapter: "Weiter zum nächsten Kapitel",
   guessed: (choice) => `Deine Vermutung: ${choice}`,
   equation: "Die Gleichung",
   openInLab: "Im Labor öffnen",
