@@ -29,7 +29,7 @@ impl Model {
         let full = self.model.body()?;
         let fewer = coupled(full)?.model.with_points(&KeptPoints { poses, dynamics })?;
         let mut provenance = full.provenance.clone();
-        provenance.objective = fewer.bound();
+        (provenance.objective, provenance.plain_bound) = (fewer.bound(), None);
         let fitted = FittedModel::Vcgpdm(Box::new(fewer));
         Ok(TrainedModel { fitted, body: full.body.clone(), provenance }.into())
     }
