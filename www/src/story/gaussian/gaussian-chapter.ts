@@ -249,7 +249,7 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
       this.#refit();
     };
     return html`
-      <div class="segments" role="group">
+      <div class="story-row"><div class="segments" role="group">
         <button aria-pressed=${this.#sparse ? "false" : "true"} data-testid="exact" @click=${choose(false)}>${exact}</button>
         <button aria-pressed=${this.#sparse ? "true" : "false"} data-testid="sparse" @click=${choose(true)}>${sparse(this.#inducing.length)}</button>
       </div>
@@ -258,7 +258,7 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
           @input=${({ target }: Event) => {
             this.#spread = Number((target as HTMLInputElement).value);
             this.changed();
-          }} /></label>`;
+          }} /></label></div>`;
   }
 
   reveal() {

@@ -21,12 +21,11 @@ export const gaussian: Words["chapters"]["gaussian"] = {
   hint: "Zieh die Punkte.",
   exact: "Alle Punkte",
   sparse: (count: number) => `${count} Stützpunkte`,
-  spread: "Der Eingang ist unsicher",
+  spread: "Unsicherer Eingang",
   reveal: {
     answer: (mean: string, deviation: string, near: string) =>
-      `Dort sagt er ${mean} ± ${deviation}: Er kehrt zu dem zurück, was er wusste, bevor er einen Punkt sah. Am ersten ` +
-      `Punkt ist er auf ± ${near} sicher.`,
-    input: (mean: string, deviation: string) => `Am orangen Eingang sagt er ${mean} ± ${deviation}.`,
+      `Dort sagt er ${mean} ± ${deviation}, wie vor dem ersten Punkt. Am ersten Punkt ist er auf ± ${near} sicher.`,
+    input: (mean: string, deviation: string) => `Am orangen Eingang: ${mean} ± ${deviation}.`,
   },
   equation: "Der Kern k sagt, wie ähnlich sich die Kurve an zwei Eingängen ist.",
 };

@@ -20,7 +20,7 @@ export const push: Words["chapters"]["push"] = {
   pull: "Zieh an einer Hand",
   drag: "oder zieh selbst",
   measuring: "Der Heimweg wird gemessen.",
-  away: (part, farthest) => `Die ${part} verließen ihre Schleife um das ${radii(farthest)}‑Fache des Radius.`,
+  away: (part, farthest) => `Die ${part} verließen ihre Schleife um das ${radii(farthest)}-Fache des Radius.`,
   home: (time, limit) =>
     `${seconds(time)} später war alles zu Hause: näher als ${radii(limit)} Radien, doppelt so weit wie sonst.`,
   lost: "Er ist nicht nach Hause gekommen.",

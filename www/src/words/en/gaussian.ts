@@ -19,12 +19,11 @@ export const gaussian = {
   hint: "Drag the points.",
   exact: "All points",
   sparse: (count: number) => `${count} inducing points`,
-  spread: "The input is uncertain",
+  spread: "Uncertain input",
   reveal: {
     answer: (mean: string, deviation: string, near: string) =>
-      `There it says ${mean} ± ${deviation}: it goes back to what it knew before it saw a point. At the first point it ` +
-      `is sure to ± ${near}.`,
-    input: (mean: string, deviation: string) => `At the orange input it says ${mean} ± ${deviation}.`,
+      `There it says ${mean} ± ${deviation}, as before it saw a point. At the first point it is sure to ± ${near}.`,
+    input: (mean: string, deviation: string) => `At the orange input: ${mean} ± ${deviation}.`,
   },
   equation: "The kernel k says how alike the curve is at two inputs.",
 };
