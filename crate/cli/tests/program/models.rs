@@ -212,7 +212,7 @@ fn refuses_options_of_other_kinds() {
             "--model map-gpdm --pose-weight 0.1",
             "--pose-weight: expected a model that has it (vcgpdm, vgpdm), found map-gpdm",
         ),
-        ("--model vgpdm --balanced --pose-weight 0.1", "--pose-weight <W>' cannot be used with '--balanced'"),
+        ("--model vgpdm --balanced --pose-weight 0.1", "cannot be used with"),
         (
             "--model vgpdm --pose-weight 0",
             "'0' for '--pose-weight <W>': expected a number from 0.001 to 1000",
