@@ -2,8 +2,8 @@ import { expect, it } from "vitest";
 import { backFrom } from "./back";
 
 it("counts the seconds until a path stays near the loop", () => {
-  expect(backFrom(Float64Array.of(2, 0.05, 0.5, 0.09, 0.01), 0.5)).toBe(1.5);
-  expect(backFrom(Float64Array.of(0.01, 0.02), 0.5)).toBe(0);
+  expect(backFrom(Float64Array.of(2, 0.05, 0.5, 0.09, 0.01), 0.5)).toBe(2);
+  expect(backFrom(Float64Array.of(0.01, 0.02), 0.5)).toBe(0.5);
 });
 
 it("says so when a path does not come back", () => {

@@ -420,7 +420,7 @@ export class NextChapter extends Store implements Chapter, LatentScene {
       <p data-testid="score">${away(deviations.toFixed(1))} ${beat(beaten, futures)}</p>
       ${
         this.#free && this.#drawn === PATH
-          ? html`<p data-testid="back">${this.#free.back === null ? lost : back(this.#free.back.toFixed(1))}</p>`
+          ? html`<p data-testid="back">${this.#free.back === null ? lost : back(this.#free.back.toFixed(2))}</p>`
           : nothing
       }`;
   }
