@@ -173,11 +173,9 @@ describe("the way through the story", () => {
     await page.locator(".story[data-state=open][data-engine=ready]").waitFor();
     while (!sent.some((path) => /assets\/story\/.*\.js$/.test(path))) await page.waitForTimeout(50);
     await page.waitForLoadState("networkidle");
-    const before = sent.length;
+    await page.route("**/assets/**", (route) => route.abort());
     await page.getByTestId("chapter-next").click();
     await page.getByTestId("choice-pace").waitFor();
-    const programs = sent.slice(before).filter((path) => /assets\/.*chapter.*\.(js|css)$/.test(path));
-    assert.deepEqual(programs, []);
     await leave();
   });
 
