@@ -17,6 +17,7 @@ const VIEWS: [Settings["view"], string][] = [
   ["primitives", "Primitives"],
   ["synthetic", "Who drives whom?"],
   ["perception", "Which is natural?"],
+  ["method", "Method"],
   ["series", "Time series"],
 ];
 

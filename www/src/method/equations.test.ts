@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { EQUATIONS, SYMBOLS } from "./equations";
+import { EQUATION_NAMES, EQUATIONS, SYMBOLS } from "./equations";
 
 const all = [...Object.values(EQUATIONS), ...Object.values(SYMBOLS)];
 
@@ -19,4 +19,10 @@ it("puts a space around the name of the logarithm, and no tall brackets around i
 it("has a bold letter for the expectation", () => {
   expect(all.filter((math) => math.includes("mathvariant"))).toEqual([]);
   for (const equation of [EQUATIONS.posterior, EQUATIONS.rollout]) expect(equation).toContain("<mi>𝐄</mi>");
+});
+
+it("gives each equation a name of its own, so that a screen reader can tell them apart", () => {
+  const names = Object.keys(EQUATIONS).map((name) => EQUATION_NAMES[name as keyof typeof EQUATIONS]);
+  expect(new Set(names).size).toBe(names.length);
+  expect(names.every(Boolean)).toBe(true);
 });

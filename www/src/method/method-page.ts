@@ -4,13 +4,15 @@ import { html, LitElement, nothing } from "lit";
 import { unsafeHTML } from "lit/directives/unsafe-html.js";
 import "../terms/term";
 import { download } from "../ui/download";
-import { EQUATIONS, SYMBOLS } from "./equations";
+import { EQUATION_NAMES, EQUATIONS, SYMBOLS } from "./equations";
+import { graphs } from "./graphs";
 import "./method.css";
+import { modelTable } from "./model-table";
 import { bibtex, FURTHER_WORKS, inWords, MODEL_PAPERS, type Work } from "./references";
 import { SYMBOL_ROWS } from "./symbols";
 
 const equation = (name: keyof typeof EQUATIONS) =>
-  html`<div class="equation" tabindex="0" role="region" aria-label="Equation">${unsafeHTML(EQUATIONS[name])}</div>`;
+  html`<div class="equation" tabindex="0" role="region" aria-label="Equation: ${EQUATION_NAMES[name]}">${unsafeHTML(EQUATIONS[name])}</div>`;
 
 export class MethodPage extends LitElement {
   protected override createRenderRoot(): HTMLElement {
@@ -25,6 +27,7 @@ export class MethodPage extends LitElement {
     return html`
       <section class="panel">
         <h2>The model</h2>
+        ${graphs((place) => this.#show(place))}
         <p>A body is split into parts. Each frame of part i is a <pg-term of="latent" text="latent"></pg-term>, a point in a space of Q dimensions. Where the latent goes next is
           predicted by every part j from its own last frames, and the predictions are combined as a <pg-term of="product-of-experts" text="product of experts"></pg-term>:</p>
         ${equation("dynamics")}
@@ -50,6 +53,16 @@ export class MethodPage extends LitElement {
           of the targets, and Δ what the inducing points leave unexplained. The time of an iteration grows linearly with the frames.</p>
       </section>
       <section class="panel">
+        <h2>Where the bound comes from</h2>
+        <ol class="works">
+          <li>Each map gets inducing points: a few inputs, and the outputs there. Given these outputs, the rest of the map does not depend on the data.</li>
+          <li>The true distribution of latents and outputs is replaced by one that factorises: a Gaussian for each latent, and one for the outputs of each map.
+            Jensen’s inequality then bounds the log evidence from below.</li>
+          <li>The maps are integrated out. The best distribution of the inducing outputs has a closed form, the equation of <b>E</b>(u) above, so that it is never searched.</li>
+          <li>Kernel values are averaged over the Gaussian latents. For this kernel the averages are exact, so that nothing is sampled, and the gradient follows.</li>
+        </ol>
+      </section>
+      <section class="panel">
         <h2>Rollout</h2>
         <p>A rollout starts with the first p latents of a clip and then predicts frame after frame, all parts together:</p>
         ${equation("rollout")}
@@ -66,6 +79,23 @@ export class MethodPage extends LitElement {
       </section>`;
   }
 
+  #others() {
+    return html`
+      <section class="panel">
+        <h2>The other models</h2>
+        ${modelTable()}
+        <p><pg-term of="tmp" text="TMP"></pg-term>: every column is a weighted sum of a few curves over a common phase.</p>
+        ${equation("tmp")}
+        <p><pg-term of="dmp" text="DMP"></pg-term>: a spring pulls every column towards a goal g, and a learned force f follows a given clock s.</p>
+        ${equation("dmp")}
+        <p><pg-term of="map" text="MAP"></pg-term>: the same dynamics as above, with all frames in place of inducing points, and the most probable latents in place of distributions.</p>
+        ${equation("map")}
+        <h3>The perception score</h3>
+        <p>How often people take a model’s movement for the natural one falls with its error. Velychko et al. (2018) fit a and c; 0.5 would be perfect.</p>
+        ${equation("score")}
+      </section>`;
+  }
+
   #symbols() {
     return html`
       <section class="panel">
@@ -75,7 +105,7 @@ export class MethodPage extends LitElement {
             <thead><tr><th scope="col">Symbol</th><th scope="col">Meaning</th><th scope="col">On the page</th></tr></thead>
             <tbody>${SYMBOL_ROWS.map(
               ({ symbol, meaning, place, there }) => html`
-              <tr><th scope="row">${unsafeHTML(SYMBOLS[symbol])}</th><td>${meaning}</td>
+              <tr><td>${unsafeHTML(SYMBOLS[symbol])}</td><th scope="row">${meaning}</th>
                 <td>${place ? html`<button class="small" data-place=${place} @click=${() => this.#show(place)}>${there}</button>` : html`<small>not shown</small>`}</td></tr>`,
             )}</tbody>
           </table>
@@ -103,7 +133,7 @@ export class MethodPage extends LitElement {
   }
 
   protected override render() {
-    return html`<div class="method">${this.#model()}${this.#symbols()}${this.#references()}
+    return html`<div class="method">${this.#model()}${this.#others()}${this.#symbols()}${this.#references()}
       <p><button @click=${() => this.#show("stage")}>Back to the walk</button></p></div>`;
   }
 }
