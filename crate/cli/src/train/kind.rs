@@ -148,6 +148,16 @@ pub fn weight(balanced: bool, pose_weight: Option<PoseWeight>) -> PoseWeight {
     if balanced { PoseWeight::Balanced } else { pose_weight.unwrap_or_default() }
 }
 
+/// The name of the objective that a training with these settings maximises.
+pub fn objective(settings: &Settings) -> &'static str {
+    match settings {
+        Settings::Vcgpdm(s) | Settings::Vgpdm(s) if !s.pose_weight.is_plain() => "weighted bound",
+        Settings::Vcgpdm(_) | Settings::Vgpdm(_) | Settings::Tmp(_) => "bound",
+        Settings::MapGpdm(_) | Settings::MapCgpdm(_) => "log density",
+        Settings::DmpDiscrete(_) | Settings::DmpRhythmic(_) => "minus the mean squared error",
+    }
+}
+
 /// Reads the value of `--pose-weight`.
 pub fn pose_weight(text: &str) -> Result<PoseWeight, String> {
     let number = text.parse().ok().filter(|number| POSE_WEIGHTS.contains(number));

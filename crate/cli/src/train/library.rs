@@ -6,7 +6,7 @@ use crate::numbers::check_fps;
 use crate::progress::say;
 use crate::train::arguments::Arguments;
 use crate::train::body::{parts, with_hint};
-use crate::train::objective;
+use crate::train::kind::objective;
 use crate::train::steps::{train_steps, warn_of_training};
 use crate::usage::usage;
 use clap_lex::OsStrExt;

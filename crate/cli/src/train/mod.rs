@@ -9,7 +9,7 @@ mod steps;
 
 pub use arguments::Arguments;
 pub use body::parts;
-pub use kind::{pose_weight, weight};
+pub use kind::{objective, pose_weight, weight};
 use steps::warn_of_training;
 pub use steps::{train_steps, warn_of_cost};
 
@@ -162,16 +162,6 @@ fn write_start<S: ColumnMapping>(
         files::write_text(path, &Case::write(&trainer.best(), &trainer.objective())?)?;
     }
     Ok(())
-}
-
-/// The name of the objective that a training with these settings maximises.
-pub fn objective(settings: &Settings) -> &'static str {
-    match settings {
-        Settings::Vcgpdm(s) | Settings::Vgpdm(s) if !s.pose_weight.is_plain() => "weighted bound",
-        Settings::Vcgpdm(_) | Settings::Vgpdm(_) | Settings::Tmp(_) => "bound",
-        Settings::MapGpdm(_) | Settings::MapCgpdm(_) => "log density",
-        Settings::DmpDiscrete(_) | Settings::DmpRhythmic(_) => "minus the mean squared error",
-    }
 }
 
 /// Reads `CLIP:COUNT`; the path of the clip may have colons too.

@@ -10,7 +10,7 @@ use crate::evaluation::effect::{Effect, Errors};
 use crate::evaluation::evidence::by_preference;
 use crate::evaluation::fixed::fixed;
 use crate::evaluation::labels::Labels;
-use crate::evaluation::rows::{Row, common_folds, groups, settings};
+use crate::evaluation::rows::{Row, common_folds, groups, is_plain, settings};
 use crate::evaluation::stats::Interval;
 use crate::evaluation::summary::{Claim, ClaimAnswer, Correlation, Growth};
 use vcgpdm::models::ModelKind::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
@@ -75,16 +75,6 @@ const NEARLY: f64 = 1.1;
 const LARGEST_P: f64 = 0.05;
 /// The number of basis functions in the papers' claim.
 const OPTIMAL_BASES: usize = 25;
-
-/// Whether a MAP model is neither balanced nor has a linear term, and a variational model has neither
-/// weighted pose terms nor couplings that are off.
-pub(super) fn is_plain(candidate: &Settings) -> bool {
-    match candidate {
-        Settings::MapGpdm(s) | Settings::MapCgpdm(s) => !s.balanced && !s.linear,
-        Settings::Vcgpdm(s) | Settings::Vgpdm(s) => s.pose_weight.is_plain() && !s.uncoupled,
-        Settings::Tmp(_) | Settings::DmpDiscrete(_) | Settings::DmpRhythmic(_) => true,
-    }
-}
 
 /// Claims with their answers.
 struct Claims(Vec<Claim>);

@@ -1,9 +1,8 @@
 //! Bayes factors between splits of the body (Velychko 2020, equation 2.12), and the ratios of their errors.
 
-use crate::evaluation::claims::is_plain;
 use crate::evaluation::contender::Contender;
 use crate::evaluation::effect::Errors;
-use crate::evaluation::rows::{Row, settings};
+use crate::evaluation::rows::{Row, is_plain, settings};
 use crate::evaluation::summary::Evidence;
 use vcgpdm::models::ModelKind;
 

@@ -16,6 +16,16 @@ pub(super) struct Row<'a> {
     outcomes: BTreeMap<usize, Vec<&'a Outcome>>,
 }
 
+/// Whether a MAP model is neither balanced nor has a linear term, and a variational model has neither
+/// weighted pose terms nor couplings that are off.
+pub(super) fn is_plain(candidate: &Settings) -> bool {
+    match candidate {
+        Settings::MapGpdm(s) | Settings::MapCgpdm(s) => !s.balanced && !s.linear,
+        Settings::Vcgpdm(s) | Settings::Vgpdm(s) => s.pose_weight.is_plain() && !s.uncoupled,
+        Settings::Tmp(_) | Settings::DmpDiscrete(_) | Settings::DmpRhythmic(_) => true,
+    }
+}
+
 /// Candidates that were trained on all other trials, in the order of tables: by model, and by size among
 /// those that differ only in size. The numbers of the folds go on from one comparison to the next.
 pub(super) fn rows<'a>(several: &[&'a Results]) -> Vec<Row<'a>> {

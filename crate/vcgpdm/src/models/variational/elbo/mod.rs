@@ -10,6 +10,7 @@ mod kinematics;
 mod objective;
 mod rows;
 mod sums;
+mod terms;
 #[cfg(feature = "threads")]
 mod threads;
 
@@ -22,30 +23,9 @@ use dynamics::Dynamics;
 use kinematics::Kinematics;
 use nalgebra::DMatrix;
 pub use objective::{Objective, StoredMaps};
-use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 pub use sums::{DynamicsSums, stack_offsets};
-
-/// The terms of the bound, in nats.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct BoundTerms {
-    /// The pose map of each part `[M]`.
-    pub kinematics: Vec<f64>,
-    /// The dynamics into each part `[M]`.
-    pub dynamics: Vec<f64>,
-    /// The prior of the first p frames of every sequence.
-    pub initial: f64,
-    /// The entropy of q(x) over all frames.
-    pub entropy: f64,
-}
-
-impl BoundTerms {
-    /// The bound on the log evidence.
-    pub fn total(&self) -> f64 {
-        self.kinematics.iter().sum::<f64>() + self.dynamics.iter().sum::<f64>() + self.initial + self.entropy
-    }
-}
+pub use terms::BoundTerms;
 
 /// The optimal posteriors of all inducing outputs.
 #[derive(Clone, Debug)]

@@ -13,6 +13,7 @@ use crate::models::search::ascent::{Ascent, Phase, SearchEnd, Target};
 use crate::models::training::error::{TrainingError, in_range};
 use crate::models::training::latents::{check_dimensions, check_training};
 use crate::models::training::parameters::{Group, LARGEST_COUPLING, Parameters};
+use crate::models::training::pose_weight::{POSE_WEIGHTS, PoseWeight};
 use crate::models::training::progress::{EndReason, Progress, TrainingPhase};
 use crate::models::training::settings::{MOST_INDUCING, Settings, VariationalSettings};
 use crate::models::variational::elbo::{BoundTerms, Objective, Workspace};
@@ -306,7 +307,12 @@ fn check_settings(settings: &VariationalSettings) -> Result<(), TrainingError> {
     check_dimensions(settings.latent, settings.order)?;
     in_range("the number of dynamics inducing points", settings.dynamics_ips, MOST_INDUCING)?;
     in_range("the number of pose inducing points", settings.pose_ips, MOST_INDUCING)?;
-    settings.pose_weight.check()
+    match settings.pose_weight {
+        PoseWeight::Fixed(found) if !POSE_WEIGHTS.contains(&found) => {
+            Err(TrainingError::PoseWeight { found })
+        }
+        PoseWeight::Fixed(_) | PoseWeight::Balanced => Ok(()),
+    }
 }
 
 /// Two phases: first couplings, kernels and inducing points, with fixed latents; then everything.

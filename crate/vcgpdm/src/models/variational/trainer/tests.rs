@@ -103,11 +103,11 @@ fn refuses_bad_settings() {
         wrong_sequences.err().unwrap().to_string(),
         "the number of pose inducing points must be from 1 to 1000, found 0"
     );
-    let none = VariationalSettings { pose_weight: PoseWeight::Fixed(0.0), ..settings() };
-    assert_eq!(
-        wrong(none, vec![60]),
-        "the weight of the pose terms must be a number from 0.001 to 1000, found 0"
-    );
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e9] {
+        let weighted = VariationalSettings { pose_weight: PoseWeight::Fixed(bad), ..settings() };
+        let expected = "the weight of the pose terms must be a number from 0.001 to 1000";
+        assert_eq!(wrong(weighted, vec![60]), format!("{expected}, found {bad}"));
+    }
     assert_eq!(wrong(settings(), vec![59, 1]), "sequence 1 has 1 frame; dynamics of order 2 need at least 3");
     assert_eq!(
         wrong(settings(), vec![50]),
