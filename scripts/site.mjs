@@ -50,7 +50,10 @@ export function weigh() {
   const primitives = inFolders("assets/primitives/", "primitives/");
   const series = inFolders("assets/series/");
   const glb = inFolders("assets/glb/");
+  // A visit loads one language; the largest counts.
+  const otherLanguages = inFolders("assets/de-", "assets/en-").slice(1);
   const besides = [
+    ...otherLanguages,
     ...lab,
     ...story,
     ...later,
@@ -80,6 +83,7 @@ export function weigh() {
 
   const counted = [
     ...first,
+    ...otherLanguages,
     ...lab,
     ...story,
     ...asked,

@@ -139,7 +139,7 @@ function subject(/** @type {string} */ folder) {
  * Digits that are kept for the page, of the numbers of which differences are shown; of others, FEW.
  * @type {Record<string, number>}
  */
-const DIGITS = { bound: 7, objective: 7, kinematics: 6, dynamics: 6, initial: 6, entropy: 6 };
+const DIGITS = { bound: 7, objective: 7, seconds: 2 };
 const FEW = 4;
 
 /** A number, or each of a list, without the digits that nobody reads. */
