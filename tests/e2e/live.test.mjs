@@ -142,7 +142,7 @@ describe("a live rollout", () => {
     assert.ok(Math.abs(live / alone - 1) < 0.05, `live ${live} s, rollout ${alone} s`);
     await page.getByTestId("reading-learned").click();
     await page
-      .locator("[data-testid=clock-period-1]", { hasText: "stands still" })
+      .locator("[data-testid=clock-period-1]", { hasText: "keeps one pose" })
       .waitFor({ timeout: 6000 });
     await page.keyboard.up("c");
     await page.locator("[data-step='in step']").waitFor();

@@ -29,10 +29,7 @@ const snippets = [...readme.matchAll(/^```(js|ts)\r?\n([\s\S]*?)^```/gm)].map(
 const PRINTS = /** @type {[string, RegExp][]} */ ([
   ["new-walk.bvh", /^\d+ iterations, bound -?\d+ nats: (settled|iterations)\n$/],
   ["Model, Results", /^(?=.*model)(?=.*results)VcgpdmError model .*\nVcgpdmError results .*\n$/s],
-  [
-    "alpha[0][1] *= 10; // the first",
-    /^vcgpdm frame,time,Hips\.yaw_rate,.*\n(moves-on|stands-still|leaves-training-range)\n$/,
-  ],
+  ["alpha[0][1] *= 10; // the first", /^vcgpdm frame,time,Hips\.yaw_rate,.*\n[a-z-]+\n$/],
   ["addTable", /^frame,time,x,y,follower\n0,0,/],
   ["await init();\nconsole", /^252\n$/],
   ["clip.free()", /^freed expected an object in use, found one after its free\(\)\n$/],

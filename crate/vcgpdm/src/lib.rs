@@ -99,10 +99,10 @@ pub use models::variational::{
     BoundTerms, LatentMoments, PartPredictions, Prediction, PredictiveDynamics, VariationalTrainer, Vcgpdm,
 };
 pub use models::{
-    Body, ColumnMapping, Coupled, CouplingsError, Cut, Dataset, DatasetError, DmpSettings, EndReason, Health,
-    LiveFrames, LiveRollout, MapSettings, Model, ModelKind, PoseWeight, Progress, Provenance, Push, Reading,
-    Rollout, RolloutError, RolloutRequest, SequenceInfo, SequencesError, SeriesModel, Setbacks, Settings,
-    Source, TmpSettings, Trainer, TrainingCost, TrainingError, TrainingPhase, VariationalSettings,
+    Body, ColumnMapping, Coupled, CouplingsError, Cut, Dataset, DatasetError, DmpSettings, EndReason, Ending,
+    Health, LiveFrames, LiveRollout, MapSettings, Model, ModelKind, PartPoses, PoseWeight, Progress, Provenance, Push,
+    Reading, Rollout, RolloutError, RolloutRequest, SequenceInfo, SequencesError, SeriesModel, Setbacks,
+    Settings, Source, TmpSettings, Trainer, TrainingCost, TrainingError, TrainingPhase, VariationalSettings,
     coupling_weight_matrix,
 };
 pub use motion::asf::{AsfError, File as AsfFile, read as read_asf};

@@ -11,7 +11,7 @@ use crate::trained::column_names;
 use crate::trained::{Trained, coupled};
 use serde::Serialize;
 use std::rc::Rc;
-use vcgpdm::models::{ColumnMapping, Health, Model, Rollout as Columns, RolloutRequest};
+use vcgpdm::models::{ColumnMapping, Model, Rollout as Columns, RolloutRequest};
 use vcgpdm::motion::bvh;
 use vcgpdm::motion::measures::{PartMeasures, measures};
 use wasm_bindgen::prelude::*;
@@ -83,30 +83,45 @@ export interface Measures {
     footSlide: number | null;
 }
 
+/** The poses of one part in a rollout, compared with those of the clips. */
+export interface PartPoses {
+    /**
+     * The share of the clips' frames whose pose the second half of the rollout visits; null for a model of an
+     * earlier version, which has not kept the frames.
+     */
+    visited: number | null;
+    /** Seconds from the first frame until it keeps one pose to the end; null where it moves on. */
+    stillFrom: number | null;
+}
+
 /** How a rollout ends. */
 export interface Health {
-    /** It rests as recorded where the recording that it begins as comes to rest too, hardly later. */
-    state: "moves-on" | "rests-as-recorded" | "stands-still" | "leaves-training-range" | "not-finite";
-    /** Seconds from the first frame to where it stands still or leaves. */
+    /**
+     * It rests as recorded where the recording that it begins as comes to rest too, hardly later. It keeps
+     * one pose where the body travels or turns in that pose.
+     */
+    state:
+        | "moves-on"
+        | "rests-as-recorded"
+        | "visits-few-poses"
+        | "stands-still"
+        | "keeps-one-pose"
+        | "leaves-training-range"
+        | "not-finite";
+    /** Seconds from the first frame until it keeps one pose or leaves the training range. */
     from: number | null;
-    /** The part that leaves the training range. */
+    /** The part that leaves the training range, or that visits the smallest share of its poses. */
     part: number | null;
-    /** How good it is to show: 2 where it moves on or rests as recorded, 0 where it is not finite. */
+    /** How good it is to show: 3 where it moves on or rests as recorded, 0 where it is not finite. */
     rank: number;
+    /** The poses of each part, in the order of the model. */
+    parts: PartPoses[];
 }
 "#;
 
 #[derive(Serialize)]
 struct Parts {
     parts: Vec<PartMeasures>,
-}
-
-#[derive(Serialize)]
-struct End {
-    state: &'static str,
-    from: Option<f64>,
-    part: Option<usize>,
-    rank: u8,
 }
 
 /// The best to show of several models of the same data: of those of the highest rank (`Health.rank` of
@@ -236,18 +251,11 @@ impl Rollout {
         to_js_joined(&measured, &Parts { parts })
     }
 
-    /// How it ends: moving on, standing still, far from what the model was trained on.
+    /// How it ends, and its poses compared with those of the clips.
     #[wasm_bindgen(unchecked_return_type = "Health")]
     pub fn health(&self) -> Result<JsValue, VcgpdmError> {
         let health = coupled(self.model.body()?)?.health(&self.rollout, &self.request, &self.positions)?;
-        let (state, from, part) = match health {
-            Health::MovesOn => ("moves-on", None, None),
-            Health::StandsStill { from } => ("stands-still", Some(from), None),
-            Health::RestsAsRecorded { from } => ("rests-as-recorded", Some(from), None),
-            Health::LeavesTraining { from, part } => ("leaves-training-range", Some(from), Some(part)),
-            Health::NotFinite => ("not-finite", None, None),
-        };
-        to_js(&End { state, from, part, rank: health.rank() })
+        to_js(&health)
     }
 
     /// The motion as the text of a BVH file.

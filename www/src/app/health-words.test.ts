@@ -15,7 +15,18 @@ it("says from when on there is none", () => {
   expect(healthWords(STANDS_STILL, { ...seen, altered: true })).toMatch(
     /^With these couplings the model stands still/,
   );
-  const away = { state: "leaves-training-range" as const, from: 3, part: 1, rank: 1 };
+  const away = { state: "leaves-training-range" as const, from: 3, part: 1, rank: 1, parts: [] };
   expect(healthWords(away, seen)).toBe("Upper leaves the training range from 3.0 s on.");
   expect(healthWords({ ...away, state: "not-finite", from: null }, seen)).toMatch(/^The model runs away/);
+});
+
+it("says which share of the poses of its clips a motion visits, if it is small", () => {
+  const parts = [{ visited: 0.22, stillFrom: null }];
+  const few = { ...MOVES_ON, state: "visits-few-poses" as const, part: 0, rank: 2, parts };
+  expect(healthWords(few, seen)).toBe("The model visits 22 % of its clips’ poses in lower.");
+});
+
+it("says that a figure which glides keeps one pose", () => {
+  const glides = { ...STANDS_STILL, state: "keeps-one-pose" as const };
+  expect(healthWords(glides, seen)).toBe("The model keeps one pose from 2.4 s on.");
 });

@@ -1,4 +1,5 @@
-// The notice for a motion that is not healthy: its pose stops changing, or leaves what the model has learned.
+// The notice for a motion that is not healthy: its pose stops changing, it visits few poses of its clips, or it
+// leaves what the model has learned.
 import { troubleText } from "../couplings/measures-text";
 import type { BodyReport } from "../engine/protocol";
 import { sentence } from "../ui/format";

@@ -29,7 +29,7 @@ export interface ClockWords {
 const ENGLISH: ClockWords = {
   clock: "Phase clock: one hand for each part, which turns once in each of its periods",
   seconds: (seconds) => `${seconds.toFixed(2)} s`,
-  still: "stands still",
+  still: "keeps one pose",
   step: { "in step": "in step", "partly in step": "partly in step", "out of step": "out of step" },
 };
 

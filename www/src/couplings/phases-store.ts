@@ -59,7 +59,7 @@ export class PhasesStore extends Store {
   }
 
   /**
-   * Seconds of a part's period; "still": it does not move on; null: not yet measured. For a rollout the
+   * Seconds of a part's period; "still": it does not move on; null: not yet measured, or no steady pace. For a rollout the
    * library measures hands and feet; for a live motion it is the mean of the last two turns.
    */
   period(part: number): number | "still" | null {
@@ -73,10 +73,10 @@ export class PhasesStore extends Store {
     const now = reports?.now.measures.parts[part];
     const learned = reports?.learned.measures.parts[part];
     if (!now || !learned) return null;
-    return isSwinging(now, learned) ? (now.period ?? "still") : "still";
+    return isSwinging(now, learned) ? now.period : "still";
   }
 
-  /** How the parts keep step: the least of all parts; null if not yet measured, or if a part stands still. */
+  /** How the parts keep step: the least of all parts; null if not yet measured, or if a part has no period. */
   get step(): Step | null {
     const parts = [...this.parts.keys()];
     if (parts.length < 2 || parts.some((part) => typeof this.period(part) !== "number")) return null;

@@ -14,7 +14,7 @@ it("names the part that rests, and the part that leads it", () => {
   ];
   expect(restingPartsText(info, [0, 1], moves(false, 0.9, false))).toBe("");
   expect(restingPartsText(info, [0, 1], moves(true, 0.9, false))).toBe(
-    "Upper stands still. Lower decides 90 % of what upper does, and lower: walk never learned to drive upper: wave.",
+    "Upper keeps one pose. Lower decides 90 % of what upper does, and lower: walk never learned to drive upper: wave.",
   );
   expect(restingPartsText(info, [0, 1], moves(true, 0.9, true))).toContain(
     "does not drive it under these couplings.",
@@ -23,6 +23,6 @@ it("names the part that rests, and the part that leads it", () => {
     "its own predictions come to rest.",
   );
   expect(restingPartsText(info, [0], [{ share: 0, still: true, leader: null }])).toBe(
-    "Lower stands still. Alone it comes to rest.",
+    "Lower keeps one pose. Alone it comes to rest.",
   );
 });

@@ -20,7 +20,7 @@ export function restingPartsText(
       : `${share}, and ${primitive(leader.part)} never learned to drive ${primitive(part)}`;
   };
   return moves
-    .flatMap((motion, part) => (motion.still ? [`${name(part)} stands still`, why(motion, part)] : []))
+    .flatMap((motion, part) => (motion.still ? [`${name(part)} keeps one pose`, why(motion, part)] : []))
     .map(sentence)
     .join(" ");
 }

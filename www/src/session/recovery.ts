@@ -1,5 +1,6 @@
 // Reads the records of an earlier visit. Records may be junk, half written or of another version of the page,
 // so each piece is checked and left out when it cannot be read.
+import type { Health } from "../engine/protocol";
 import type { Run } from "../training/runs";
 import { type Check, has, isBoolean, isListOf, isNullOr, isNumber, isOneOf, isText } from "./checks";
 import { type Counts, countsOf, contentsText, type Holdings, type StoredLibrary } from "./records";
@@ -19,7 +20,9 @@ const healthState = (state: string) =>
 const HEALTH_STATES = [
   "moves-on",
   "rests-as-recorded",
+  "visits-few-poses",
   "stands-still",
+  "keeps-one-pose",
   "leaves-training-range",
   "not-finite",
 ];
@@ -29,6 +32,7 @@ const isHealth = has({
   from: isNullOr(isNumber),
   part: isNullOr(isNumber),
   rank: isNumber,
+  parts: (value) => value === undefined || isListOf(has({ visited: isNullOr(isNumber) }))(value),
 });
 const isModel = has({
   text: isText,
@@ -69,7 +73,10 @@ const isLibrary = has({ text: isText, title: isText, unsaved: isBoolean });
 function withHealth(model: Run["model"]): Run["model"] {
   if (!model?.health) return model;
   const state = healthState(model.health.state) as typeof model.health.state;
-  return { ...model, health: { ...model.health, state } };
+  // Version 0.2 wrote no poses of the parts, and 2 as the highest rank.
+  const { parts, rank } = model.health as Partial<Health>;
+  const earlier = parts ? {} : { parts: [], rank: rank === 2 ? 3 : rank };
+  return { ...model, health: { ...model.health, state, ...earlier } as Health };
 }
 
 export interface Recovered {

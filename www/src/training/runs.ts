@@ -1,4 +1,5 @@
 // Trainings as data: their comparison, and the time that remains. No rendering, no worker.
+import { troubleText } from "../couplings/measures-text";
 import type { TermName } from "../terms/terms";
 import type { ClipSource, TrainedModel, TrainingProgress, TrainingSettings } from "../engine/protocol";
 
@@ -49,13 +50,16 @@ export function bestRun(runs: readonly Run[]): Run | null {
 }
 
 /** How the rollout of a run's model ends; empty when it moves on. */
-export function endOfMotion({ model }: Pick<Run, "model">): string {
+export function endOfMotion({ model, settings }: Pick<Run, "model" | "settings">): string {
   const health = model?.health;
   if (!model || health?.state === "moves-on") return "";
   if (!health || health.state === "not-finite") return "breaks down";
   if (health.state === "rests-as-recorded") return "rests as recorded";
-  const from = health.from === null ? "" : ` from ${health.from.toFixed(1)} s`;
-  return health.state === "stands-still" ? `stands still${from}` : `gets far from its clips${from}`;
+  const names = settings.parts.map(({ name }) => name);
+  const since = health.from === null ? "" : ` from ${health.from.toFixed(1)} s on`;
+  return health.state === "leaves-training-range"
+    ? `gets far from its clips${since}`
+    : troubleText(health, names);
 }
 
 /** The seeds of several trainings: first, first + 1, ...; after the largest seed comes 0. */

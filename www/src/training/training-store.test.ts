@@ -276,7 +276,7 @@ describe("by default", () => {
     await over;
     expect(seedOnStage()).toBe(6);
     expect(training.ending.words).toBe(
-      "2 done. The best, seed 6, is on the stage: it keeps moving, while seed 5, of a higher bound, stands still from 2.4 s.",
+      "2 done. The best, seed 6, is on the stage: it keeps moving, while seed 5, of a higher bound, stands still from 2.4 s on.",
     );
   });
 });

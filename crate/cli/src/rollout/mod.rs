@@ -2,6 +2,7 @@
 
 mod latents;
 mod parse;
+mod summary;
 
 use crate::files;
 use crate::numbers::whole;
@@ -100,13 +101,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             let motion = |body: &Body, y: &DMatrix<f64>, out: &Path| -> Result<(), Box<dyn Error>> {
                 files::write_text(out, &bvh::write(&body.clip(y, &files::name_of(out))?))
             };
-            roll_out(arguments, *model, &motion)
+            roll_out(arguments, &model, &motion)?;
+            match model.coupled() {
+                Some(model) => summary::print(model, &arguments.request(model)?, arguments.out.as_deref()),
+                None => Ok(()),
+            }
         }
         Document::Series(model) => {
             if arguments.out.is_some() {
                 return Err(usage("--out: expected --columns for a model of tables, which has no motion"));
             }
-            roll_out(arguments, *model, &|_, _, _| Ok(()))
+            roll_out(arguments, &model, &|_, _, _| Ok(()))
         }
     }
 }
@@ -116,7 +121,7 @@ type WriteMotion<'a, S> = &'a dyn Fn(&Body<S>, &DMatrix<f64>, &Path) -> Result<(
 
 fn roll_out<S: ColumnMapping>(
     arguments: &Arguments,
-    model: Model<S>,
+    model: &Model<S>,
     motion: WriteMotion<S>,
 ) -> Result<(), Box<dyn Error>> {
     match model.coupled() {
@@ -179,8 +184,9 @@ impl Arguments {
         Ok(())
     }
 
-    fn request(&self, parts: &[String], alpha: &DMatrix<f64>) -> Result<RolloutRequest, Usage> {
-        let mut alpha = alpha.clone();
+    fn request<S: ColumnMapping>(&self, model: Coupled<S>) -> Result<RolloutRequest, Usage> {
+        let parts = &part_names(model);
+        let mut alpha = model.model.alpha.clone();
         for coupling in &self.alpha {
             let (source, target, value) = parse::coupling(coupling, parts).map_err(Usage)?;
             alpha[(source, target)] = value;
@@ -207,14 +213,18 @@ impl Arguments {
     }
 }
 
+fn part_names<S>(model: Coupled<S>) -> Vec<String> {
+    model.body.layout.parts().iter().map(|part| part.name.clone()).collect()
+}
+
 /// Rolls out a model with couplings, and writes its latents too.
 fn roll_out_coupled<S: ColumnMapping>(
     arguments: &Arguments,
     model: Coupled<S>,
     motion: WriteMotion<S>,
 ) -> Result<(), Box<dyn Error>> {
-    let parts: Vec<String> = model.body.layout.parts().iter().map(|part| part.name.clone()).collect();
-    let request = arguments.request(&parts, &model.model.alpha)?;
+    let parts = part_names(model);
+    let request = arguments.request(model)?;
     let rollout = model.rollout(&request)?;
     let write = |rollout: &Rollout, number: Option<usize>| -> Result<(), Box<dyn Error>> {
         arguments.write(model.body, &rollout.y, number, motion)?;

@@ -210,8 +210,10 @@ fn trains_rolls_out_and_scores() {
     let roll = |more: &[&str]| {
         let mut arguments = vec!["rollout", model, "--frames", "50", "--out", motion, "--latents", latents];
         arguments.extend(more);
-        let output = run(&arguments);
-        assert!(output.status.success() && output.stdout.is_empty() && output.stderr.is_empty());
+        let summary = json(&arguments);
+        let visited = summary["health"]["parts"][1]["visited"].as_f64();
+        assert!(visited.is_some_and(|share| (0.0..=1.0).contains(&share)), "{summary}");
+        assert!(summary["measures"]["walking_speed"].is_number(), "{summary}");
         fs::read_to_string(latents).unwrap()
     };
     let learned = roll(&[]);

@@ -1,13 +1,17 @@
-//! How many seeds lead to a model that keeps moving (docs/training.md). Each clip is trained on alone, with
-//! several splits of the body and several sizes. Bounds are smallest / middle / largest of the seeds; the
-//! ending of each seed is on stderr.
+//! How many seeds lead to a model that keeps moving (docs/training.md), and what the page says about each
+//! (docs/couplings.md). Each clip is trained on alone, with several splits of the body and several sizes.
+//! Bounds are smallest / middle / largest of the seeds. The poses visited are those of the part that visits
+//! least, for each seed, in per cent of its clip's frames.
 
 use crate::clips::read_clips;
+use crate::effects::health_text;
 use crate::parallel::each_seed;
 use clap::Args;
 use std::path::PathBuf;
 use std::time::Instant;
-use vcgpdm::models::{Dataset, Health, RolloutRequest, Source, Trainer, VariationalSettings, best_to_show};
+use vcgpdm::models::{
+    Dataset, Ending, Health, RolloutRequest, Source, Trainer, VariationalSettings, best_to_show,
+};
 use vcgpdm::motion::{Clip, parts, samples};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
@@ -47,16 +51,18 @@ struct Run {
 }
 
 impl Run {
-    fn moves(&self) -> bool {
-        self.health.rank() == Health::MovesOn.rank()
+    /// The smallest share of its clip's poses that a part visits, in per cent.
+    fn visited(&self) -> f64 {
+        let shares = self.health.parts.iter().filter_map(|part| part.visited);
+        100.0 * shares.fold(1.0, f64::min)
     }
 }
 
 pub fn run(arguments: &Arguments) {
     println!(
-        "| clip | parts | points | seeds that keep moving | chosen of {GROUP} seeds | bound | within 0.5 % of the best | s |"
+        "| clip | parts | points | seeds that keep moving | one pose | few poses | poses visited, % | chosen of {GROUP} seeds | bound | within 0.5 % of the best | s |"
     );
-    println!("{}|", "|---".repeat(8));
+    println!("{}|", "|---".repeat(11));
     let mut clips: Vec<Clip> = read_clips(&arguments.clips).collect();
     if clips.is_empty() {
         clips.push(samples::clip("walk-1").unwrap());
@@ -97,13 +103,17 @@ fn train(arguments: &Arguments, dataset: &Dataset, points: usize, seed: u32) -> 
 
 fn print(title: &str, runs: &[Run]) {
     let endings: Vec<String> =
-        runs.iter().map(|run| format!("{:?} ({:.0})", run.health, run.bound)).collect();
+        runs.iter().map(|run| format!("{} ({:.0})", health_text(&run.health), run.bound)).collect();
     eprintln!("{title}: {}", endings.join(", "));
-    let moving = runs.iter().filter(|run| run.moves()).count();
+    let moving = runs.iter().filter(|run| run.health.is_good()).count();
+    let ending = |states: &[Ending]| runs.iter().filter(|run| states.contains(&run.health.state)).count();
+    let one_pose = ending(&[Ending::StandsStill, Ending::KeepsOnePose]);
+    let few_poses = ending(&[Ending::VisitsFewPoses]);
+    let visited: Vec<String> = runs.iter().map(|run| format!("{:.0}", run.visited())).collect();
     let groups: Vec<&[Run]> = runs.chunks_exact(GROUP).collect();
     let chosen = groups.iter().filter(|group| {
-        let best = best_to_show(group.iter().map(|run| (run.health.rank(), run.bound)));
-        best.is_some_and(|place| group[place].moves())
+        let best = best_to_show(group.iter().map(|run| (run.health.rank, run.bound)));
+        best.is_some_and(|place| group[place].health.is_good())
     });
     let chosen = chosen.count();
     let mut bounds: Vec<f64> = runs.iter().map(|run| run.bound).collect();
@@ -112,8 +122,9 @@ fn print(title: &str, runs: &[Run]) {
     let near = bounds.iter().filter(|bound| **bound >= high - 0.005 * high.abs()).count();
     let seconds = runs.iter().map(|run| run.seconds).sum::<f64>() / runs.len() as f64;
     println!(
-        "| {title} | {moving} of {} | {chosen} of {} | {low:.0} / {middle:.0} / {high:.0} | {near} | {seconds:.1} |",
+        "| {title} | {moving} of {} | {one_pose} | {few_poses} | {} | {chosen} of {} | {low:.0} / {middle:.0} / {high:.0} | {near} | {seconds:.1} |",
         runs.len(),
+        visited.join(" "),
         groups.len()
     );
 }

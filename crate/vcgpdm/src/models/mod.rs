@@ -35,7 +35,7 @@ pub use fitted::provenance::{ENGINE, Provenance};
 pub use rollout::couplings::{
     CouplingsError, Reading, check_couplings, coupling_weight_matrix, coupling_weights,
 };
-pub use rollout::health::{Health, best_to_show};
+pub use rollout::health::{Ending, Health, PartPoses, best_to_show};
 pub use rollout::latent_dynamics::LatentDynamics;
 pub use rollout::live::{LiveFrames, LiveRollout};
 pub use rollout::request::{Cut, MOST_SAMPLES, Push, Rollout, RolloutError, RolloutRequest};

@@ -10,6 +10,7 @@ use crate::clips::read_clips;
 use crate::models::{self, lower_upper, train};
 use clap::Args;
 use std::path::PathBuf;
+pub use sweep::health_text;
 use sweep::{Learned, scale};
 use vcgpdm::Model;
 use vcgpdm::models::Reading;

@@ -49,7 +49,7 @@ pub fn print(model: Coupled) {
             effect.feet,
             number(effect.locking),
             effect.measures.walking_speed,
-            health_text(effect.health),
+            health_text(&effect.health),
         );
     }
     println!();

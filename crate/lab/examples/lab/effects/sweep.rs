@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 use vcgpdm::Coupled;
-use vcgpdm::models::{Health, Reading, RolloutRequest};
+use vcgpdm::models::{Ending, Health, Reading, RolloutRequest};
 use vcgpdm::motion::measures::{LimbMeasures, Measures, measures};
 
 const SECONDS: f64 = 20.0;
@@ -34,15 +34,14 @@ impl Effect {
 
     fn cell(&self) -> String {
         let Self { hands, feet, locking, .. } = self;
-        match self.health {
-            Health::StandsStill { from } | Health::RestsAsRecorded { from } => {
-                format!("still from {from:.1} s")
-            }
-            Health::NotFinite => "not finite".to_owned(),
-            Health::LeavesTraining { from, .. } => {
-                format!("{hands:.2} {feet:.2} {}, away from {from:.1} s", number(*locking))
-            }
-            Health::MovesOn => format!("{hands:.2} {feet:.2} {}", number(*locking)),
+        let from = self.health.from.unwrap_or(0.0);
+        let cell = format!("{hands:.2} {feet:.2} {}", number(*locking));
+        match self.health.state {
+            Ending::StandsStill | Ending::RestsAsRecorded => format!("still from {from:.1} s"),
+            Ending::KeepsOnePose => format!("one pose from {from:.1} s"),
+            Ending::NotFinite => "not finite".to_owned(),
+            Ending::LeavesTrainingRange => format!("{cell}, away from {from:.1} s"),
+            Ending::VisitsFewPoses | Ending::MovesOn => cell,
         }
     }
 
@@ -50,7 +49,7 @@ impl Effect {
     fn is_visible(&self) -> bool {
         (self.hands - 1.0).abs().max((self.feet - 1.0).abs()) > SMALLEST
             || self.locking.is_none_or(|locking| locking < 1.0 - SMALLEST)
-            || self.health != Health::MovesOn
+            || !self.health.is_good()
     }
 }
 
@@ -128,7 +127,7 @@ pub fn print(model: Coupled) {
         number(mean(&learned.measures, true, |limb| limb.locking)),
         learned.measures.walking_speed,
         number(learned.measures.foot_slide),
-        health_text(learned.health),
+        health_text(&learned.health),
         model.model.bound(),
     );
     for (reading, title) in READINGS {
@@ -162,13 +161,17 @@ pub fn print(model: Coupled) {
 }
 
 /// The ending of a rollout as text.
-pub fn health_text(health: Health) -> String {
-    match health {
-        Health::MovesOn => "moves on".to_owned(),
-        Health::StandsStill { from } | Health::RestsAsRecorded { from } => {
-            format!("stands still from {from:.1} s")
+pub fn health_text(health: &Health) -> String {
+    let from = health.from.unwrap_or(0.0);
+    match health.state {
+        Ending::MovesOn => "moves on".to_owned(),
+        Ending::VisitsFewPoses => {
+            let share = health.part.and_then(|part| health.parts[part].visited).unwrap_or(0.0);
+            format!("visits {:.0} % of the poses", 100.0 * share)
         }
-        Health::LeavesTraining { from, .. } => format!("leaves the training range from {from:.1} s"),
-        Health::NotFinite => "not finite".to_owned(),
+        Ending::StandsStill | Ending::RestsAsRecorded => format!("stands still from {from:.1} s"),
+        Ending::KeepsOnePose => format!("keeps one pose from {from:.1} s"),
+        Ending::LeavesTrainingRange => format!("leaves the training range from {from:.1} s"),
+        Ending::NotFinite => "not finite".to_owned(),
     }
 }

@@ -1,12 +1,30 @@
-//! Health of a rollout: whether it keeps moving, stands still, leaves the range of its training or breaks
-//! down.
+//! Health of a rollout: whether it keeps moving, keeps one pose, visits few of its clips' poses, leaves the
+//! range of its training or breaks down.
 
 use crate::gp::NumericsError;
+use crate::gp::linalg::stacked;
 use crate::models::fitted::coupled::Coupled;
 use crate::models::rollout::request::{Rollout, RolloutRequest};
-use crate::motion::measures::still_from;
+use crate::motion::measures::poses::Poses;
+use nalgebra::DMatrix;
+use serde::Serialize;
 use std::cmp::Ordering;
 
+/// A body or part keeps one pose while it differs from its last pose by at most this share of the spread of
+/// the clips' poses.
+const ONE_POSE: f64 = 0.1;
+/// Shortest time of one pose until the end, in seconds.
+const STILL_FOR: f64 = 1.0;
+/// A body in one pose stands still if the root mean square speed of its nodes is less; in metres a second.
+const TRAVELS: f64 = 0.1;
+/// A rollout visits a pose when it comes nearer than this share of the spread of the clips' poses.
+const NEAR: f64 = 0.5;
+/// A viewer does not see smaller differences of poses, in metres.
+const SEEN: f64 = 0.02;
+/// A smaller share of the clips' way is few poses.
+const FEW: f64 = 0.5;
+/// The columns of the root's turn and steps.
+const TRAVEL_COLUMNS: usize = 3;
 /// A part is outside the range of its training when its inducing points explain less than this share of the
 /// variance.
 const FAMILIAR: f64 = 0.5;
@@ -15,41 +33,74 @@ const AWAY_FOR: f64 = 1.0;
 /// A rollout rests as recorded when it rests at most this much earlier than its recording; in seconds.
 const EARLY: f64 = 0.5;
 
-/// How a rollout ends, in seconds from its first frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Health {
+/// How a rollout ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Ending {
     /// It keeps moving, with every part in the range of its training.
     MovesOn,
-    /// No joint moves from this time until the end; see `still_from`.
-    StandsStill {
-        /// Seconds.
-        from: f64,
-    },
+    /// The pose hardly changes until the end, and the body neither travels nor turns.
+    StandsStill,
+    /// The pose hardly changes until the end, but the body travels or turns.
+    KeepsOnePose,
     /// It stands still in the end, as does its recording at nearly the same time.
-    RestsAsRecorded {
-        /// Seconds.
-        from: f64,
-    },
-    /// From this time until the end, the latents of a part are far from those of the training; see
-    /// `Vcgpdm::familiarity`.
-    LeavesTraining {
-        /// Seconds.
-        from: f64,
-        /// The first part that leaves, counted from 0.
-        part: usize,
-    },
+    RestsAsRecorded,
+    /// A part visits less than half of its clips' poses; see [`PartPoses::visited`].
+    VisitsFewPoses,
+    /// Until the end, the latents of a part are far from those of the training; see `Vcgpdm::familiarity`.
+    LeavesTrainingRange,
     /// A latent or position is not a finite number.
     NotFinite,
 }
 
-impl Health {
+/// How a rollout ends, and its poses compared with those of the clips.
+///
+/// The distance of two poses is the root mean square distance of their nodes, relative to the root and with
+/// heading 0, in metres for a body 1.7 m tall. For the pose of one part, the others keep their mean pose. The
+/// spread of poses is their distance from their mean.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Health {
+    /// How it ends.
+    pub state: Ending,
+    /// Seconds from the first frame until it keeps one pose or leaves the training range.
+    pub from: Option<f64>,
+    /// The part that leaves the training range, or that visits the smallest share of its poses; counted from
+    /// 0.
+    pub part: Option<usize>,
     /// Rank for the choice among several models of one data set; higher is better. The bound decides between
     /// models of the same rank.
-    pub fn rank(&self) -> u8 {
+    pub rank: u8,
+    /// The poses of each part.
+    pub parts: Vec<PartPoses>,
+}
+
+/// The poses of one part in a rollout.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct PartPoses {
+    /// The share of the clips' poses that the second half of the rollout visits: that has a pose nearer than
+    /// half of the spread of the clips' poses, or than 2 cm. A pose counts as far as the part has moved since
+    /// the frame before, so that rests count nothing. `None`: the model has not kept the latents of its
+    /// clips' frames.
+    pub visited: Option<f64>,
+    /// Seconds until it keeps one pose: from then to the end, and for at least one second, the pose differs
+    /// from the last one by at most a tenth of the spread of the clips' poses. `None`: it moves on.
+    pub still_from: Option<f64>,
+}
+
+impl Health {
+    /// Whether it moves on, or rests as its recording does.
+    pub fn is_good(&self) -> bool {
+        self.rank == Ending::MovesOn.rank()
+    }
+}
+
+impl Ending {
+    fn rank(self) -> u8 {
         match self {
-            Health::MovesOn | Health::RestsAsRecorded { .. } => 2,
-            Health::StandsStill { .. } | Health::LeavesTraining { .. } => 1,
-            Health::NotFinite => 0,
+            Ending::MovesOn | Ending::RestsAsRecorded => 3,
+            Ending::VisitsFewPoses => 2,
+            Ending::StandsStill | Ending::KeepsOnePose | Ending::LeavesTrainingRange => 1,
+            Ending::NotFinite => 0,
         }
     }
 }
@@ -66,7 +117,7 @@ pub fn best_to_show(models: impl IntoIterator<Item = (u8, f64)>) -> Option<usize
 
 impl Coupled<'_> {
     /// The health of the rollout of `request`, with its positions from [`Coupled::positions`]. A rollout that
-    /// both stands still and is far from its training counts as standing still, which a viewer can see.
+    /// both keeps one pose and is far from its training counts as keeping one pose, which a viewer can see.
     ///
     /// # Errors
     ///
@@ -77,28 +128,119 @@ impl Coupled<'_> {
         request: &RolloutRequest,
         positions: &[f32],
     ) -> Result<Health, NumericsError> {
-        let latents = &rollout.latents;
-        if !latents.iter().all(|path| path.iter().all(|x| x.is_finite()))
-            || !positions.iter().all(|place| place.is_finite())
-        {
-            return Ok(Health::NotFinite);
+        let finite = rollout.latents.iter().all(|path| path.iter().all(|x| x.is_finite()))
+            && positions.iter().all(|place| place.is_finite());
+        let health =
+            |state: Ending, from, part, parts| Health { state, from, part, rank: state.rank(), parts };
+        let broken = health(Ending::NotFinite, None, None, Vec::new());
+        if !finite {
+            return Ok(broken);
         }
-        let frame_time = self.body.frame_time;
-        if let Some(from) = still_from(self.body.mapping.skeleton(), positions, frame_time) {
-            let recorded = self.body.sequences.get(request.sequence).and_then(|info| info.rests_from);
-            // The rollout may start at a later frame of the recording.
-            let start = request.frame as f64 * frame_time;
-            let rests = recorded.is_some_and(|rest| start + from >= rest - EARLY);
-            return Ok(if rests { Health::RestsAsRecorded { from } } else { Health::StandsStill { from } });
+        let seconds = |frames: usize| frames as f64 * self.body.frame_time;
+        let still_from = |poses: &Poses, spread: f64| {
+            let frames = poses.last_still(ONE_POSE * spread).saturating_sub(1);
+            (seconds(frames) >= STILL_FOR).then(|| seconds(poses.frames() - 1 - frames))
+        };
+        let (clips, begins) = self.clip_columns();
+        let mut parts = Vec::new();
+        for part in 0..self.body.layout.parts().len() {
+            let (Some(clips), Some(poses)) =
+                (self.poses(&clips, Some(part)), self.poses(&rollout.y, Some(part)))
+            else {
+                return Ok(broken);
+            };
+            let spread = clips.spread();
+            let visited = || clips.visited(&begins, &poses, poses.frames() / 2, (NEAR * spread).max(SEEN));
+            parts.push(PartPoses {
+                visited: (!begins.is_empty()).then(visited),
+                still_from: still_from(&poses, spread),
+            });
         }
-        let familiarity = self.model.familiarity(latents)?;
+        let (Some(clips), Some(body)) = (self.poses(&clips, None), self.poses(&rollout.y, None)) else {
+            return Ok(broken);
+        };
+        if let Some(from) = still_from(&body, clips.spread()) {
+            let state = self.still_state(request, positions, from);
+            return Ok(health(state, Some(from), None, parts));
+        }
+        let familiarity = self.model.familiarity(&rollout.latents)?;
         let away = familiarity.iter().enumerate().filter_map(|(part, shares)| {
             let frames = shares.iter().rev().take_while(|share| **share < FAMILIAR).count();
-            let from = (shares.len() - frames) as f64 * frame_time;
-            (frames as f64 * frame_time >= AWAY_FOR).then_some((from, part))
+            (seconds(frames) >= AWAY_FOR).then_some((seconds(shares.len() - frames), part))
         });
-        let first = away.min_by(|a, b| a.0.total_cmp(&b.0));
-        Ok(first.map_or(Health::MovesOn, |(from, part)| Health::LeavesTraining { from, part }))
+        if let Some((from, part)) = away.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            return Ok(health(Ending::LeavesTrainingRange, Some(from), Some(part), parts));
+        }
+        let shares = parts.iter().enumerate().filter_map(|(part, poses)| Some((poses.visited?, part)));
+        Ok(match shares.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            Some((share, part)) if share < FEW => health(Ending::VisitsFewPoses, None, Some(part), parts),
+            _ => health(Ending::MovesOn, None, None, parts),
+        })
+    }
+
+    /// The state of a rollout that keeps one pose from this second on.
+    fn still_state(&self, request: &RolloutRequest, positions: &[f32], from: f64) -> Ending {
+        let frame_time = self.body.frame_time;
+        let width = 3 * self.body.mapping.skeleton().figure().len();
+        let first = (from / frame_time).round() as usize;
+        let stretch = &positions[first * width..];
+        let steps = stretch.iter().zip(&stretch[width..]);
+        let squares: f64 = steps.clone().map(|(a, b)| f64::from((b - a) * (b - a))).sum();
+        if (3.0 * squares / steps.len() as f64).sqrt() / frame_time >= TRAVELS {
+            return Ending::KeepsOnePose;
+        }
+        let recorded = self.body.sequences.get(request.sequence).and_then(|info| info.rests_from);
+        // The rollout may start at a later frame of the recording.
+        let start = request.frame as f64 * frame_time;
+        if recorded.is_some_and(|rest| start + from >= rest - EARLY) {
+            Ending::RestsAsRecorded
+        } else {
+            Ending::StandsStill
+        }
+    }
+
+    /// The poses of the body in columns [frames x D], or those of one part while the others keep their mean
+    /// pose; `None` if the numbers are too large.
+    fn poses(&self, y: &DMatrix<f64>, part: Option<usize>) -> Option<Poses> {
+        let mut y = y.clone();
+        let own = part.map(|part| self.body.layout.columns(part));
+        for (column, mean) in self.body.column_means.iter().enumerate() {
+            if column < TRAVEL_COLUMNS {
+                y.column_mut(column).fill(0.0);
+            } else if own.is_some_and(|own| !own.contains(&column)) {
+                y.column_mut(column).fill(*mean);
+            }
+        }
+        let figure = self.body.mapping.skeleton().figure();
+        let joints = part.map(|part| &self.body.layout.parts()[part].joints);
+        let is_own = |&node: &usize| joints.is_none_or(|joints| joints.contains(&figure[node].joint));
+        let nodes: Vec<usize> = (0..figure.len()).filter(is_own).collect();
+        Some(Poses::new(&self.body.positions(&y).ok()?, 3 * figure.len(), &nodes))
+    }
+
+    /// The frames of the clips as the pose maps make them [frames x D], and which of them begin a sequence.
+    /// Files of earlier versions have only the first latents of each sequence. For them, the inducing points
+    /// of the pose maps, which training spreads over the clips, stand for the frames, and no sequence begins.
+    fn clip_columns(&self) -> (DMatrix<f64>, Vec<usize>) {
+        let (maps, starts) = (&self.model.parts, &self.model.starts);
+        let least = maps.iter().map(|map| map.r().nrows()).min().unwrap_or(0);
+        let (mut begins, mut frames) = (Vec::new(), 0);
+        let is_kept = |start: &Vec<DMatrix<f64>>| start.iter().any(|x| x.nrows() > self.model.order);
+        if starts.iter().any(is_kept) {
+            for start in starts {
+                begins.push(frames);
+                frames += start.first().map_or(0, DMatrix::nrows);
+            }
+        }
+        let mut latents = Vec::new();
+        for (part, map) in maps.iter().enumerate() {
+            latents.push(if begins.is_empty() {
+                map.r().rows(0, least).into_owned()
+            } else {
+                stacked(starts.iter().map(|start| &start[part]))
+            });
+        }
+        (self.body.columns(&self.model.observations(&latents)), begins)
     }
 }
 
@@ -110,9 +252,8 @@ mod tests {
     use crate::models::training::settings::VariationalSettings;
     use crate::models::training::trainer::Trainer;
     use crate::motion::{parts, samples};
-    use nalgebra::DMatrix;
 
-    /// A model, and a rollout of the recorded walk with its latents at the inducing points.
+    /// A model, and a rollout that repeats the clip as the model makes it, with latents at inducing points.
     fn walk() -> (Model, Rollout) {
         let clip = samples::clip("walk-1").unwrap();
         let parts = &parts::presets(&clip.skeleton)[1].parts;
@@ -127,13 +268,27 @@ mod tests {
         };
         let trainer = Trainer::new(&dataset, &settings.into(), 1).unwrap();
         let model = trainer.finish().unwrap();
-        let y = model.body.columns(&dataset.y);
-        let latents = model.coupled().unwrap().model.parts.iter().map(|part| {
+        let fitted = model.coupled().unwrap().model;
+        let y = model.body.columns(&fitted.observations(&fitted.starts[0]));
+        let latents = fitted.parts.iter().map(|part| {
             let r = part.r();
             DMatrix::from_fn(y.nrows(), r.ncols(), |t, q| r[(t % r.nrows(), q)])
         });
         let rollout = Rollout { latents: latents.collect(), y, weights: DMatrix::from_element(2, 2, 0.5) };
         (model, rollout)
+    }
+
+    /// Keeps the columns of these parts as they are in frame 60, from then on.
+    fn freeze(model: &Model, rollout: &mut Rollout, parts: &[usize]) {
+        for &column in parts.iter().flat_map(|part| model.body.layout.columns(*part)) {
+            let value = rollout.y[(60, column)];
+            rollout.y.column_mut(column).rows_range_mut(60..).fill(value);
+        }
+    }
+
+    /// Neither steps nor turns from frame 60 on.
+    fn stop(rollout: &mut Rollout) {
+        rollout.y.columns_mut(0, TRAVEL_COLUMNS).rows_range_mut(60..).fill(0.0);
     }
 
     fn health(model: &Model, rollout: &Rollout) -> Health {
@@ -142,44 +297,90 @@ mod tests {
     }
 
     #[test]
-    fn a_walk_moves_on_until_it_stands_still() {
+    fn a_walk_moves_on_and_visits_all_poses_of_its_clip() {
+        let (model, rollout) = walk();
+        let found = health(&model, &rollout);
+        assert_eq!((found.state, found.from, found.rank), (Ending::MovesOn, None, 3));
+        assert!(found.parts.iter().all(|part| part.visited == Some(1.0) && part.still_from.is_none()));
+    }
+
+    #[test]
+    fn a_frozen_walk_stands_still_or_glides_in_one_pose() {
         let (model, mut rollout) = walk();
-        assert_eq!(health(&model, &rollout), Health::MovesOn);
-        // From frame 60 on, the pose does not change.
-        let pose = rollout.y.row(60).into_owned();
+        freeze(&model, &mut rollout, &[0, 1]);
+        let glides = health(&model, &rollout);
+        assert_eq!((glides.state, glides.rank), (Ending::KeepsOnePose, 1), "{glides:?}");
+        stop(&mut rollout);
+        let found = health(&model, &rollout);
+        assert_eq!((found.state, found.from), (Ending::StandsStill, glides.from), "{found:?}");
+        assert!((found.from.unwrap() - 2.0).abs() < 0.1, "{found:?}");
+        assert!(found.parts.iter().all(|part| (part.still_from.unwrap() - 2.0).abs() < 0.1), "{found:?}");
+    }
+
+    #[test]
+    fn a_body_is_still_although_one_fingertip_moves() {
+        let (model, mut rollout) = walk();
+        freeze(&model, &mut rollout, &[0, 1]);
+        stop(&mut rollout);
+        // The last joint of the arm turns by 0.2 radians and back, twice a second.
+        let column = rollout.y.ncols() - 1;
         for t in 60..rollout.y.nrows() {
-            rollout.y.set_row(t, &pose);
+            rollout.y[(t, column)] += if t % 15 < 7 { 0.2 } else { 0.0 };
         }
-        let Health::StandsStill { from } = health(&model, &rollout) else { panic!("it stands still") };
-        assert!((from - 2.0).abs() < 0.1, "{from}");
+        assert_eq!(health(&model, &rollout).state, Ending::StandsStill);
+    }
+
+    #[test]
+    fn a_walk_with_frozen_arms_visits_few_poses_of_the_arms() {
+        let (model, mut rollout) = walk();
+        freeze(&model, &mut rollout, &[1]);
+        let found = health(&model, &rollout);
+        assert_eq!((found.state, found.part, found.rank), (Ending::VisitsFewPoses, Some(1), 2), "{found:?}");
+        let [lower, upper] = found.parts[..] else { panic!("two parts") };
+        assert!(lower.still_from.is_none() && (upper.still_from.unwrap() - 2.0).abs() < 0.1, "{found:?}");
+        assert!(lower.visited > Some(0.9) && upper.visited < Some(FEW), "{found:?}");
+    }
+
+    #[test]
+    fn files_of_earlier_versions_have_too_few_frames_for_a_share_of_poses() {
+        let (model, mut rollout) = walk();
+        let mut fitted = model.coupled().unwrap().model.clone();
+        for start in fitted.starts.iter_mut().flatten() {
+            *start = start.rows(0, 2).into_owned();
+        }
+        freeze(&model, &mut rollout, &[1]);
+        let earlier = Coupled::new(&fitted, &model.body, &model.provenance);
+        let positions = earlier.positions(&rollout).unwrap();
+        let found = earlier.health(&rollout, &RolloutRequest::default(), &positions).unwrap();
+        assert_eq!((found.state, found.parts[0].visited), (Ending::MovesOn, None), "{found:?}");
+        assert!((found.parts[1].still_from.unwrap() - 2.0).abs() < 0.1, "{found:?}");
     }
 
     #[test]
     fn a_rollout_may_rest_where_its_recording_rests() {
         let (mut model, mut rollout) = walk();
-        let pose = rollout.y.row(60).into_owned();
-        for t in 60..rollout.y.nrows() {
-            rollout.y.set_row(t, &pose);
-        }
+        freeze(&model, &mut rollout, &[0, 1]);
+        stop(&mut rollout);
         for (recorded, rests) in [(None, false), (Some(1.5), true), (Some(2.3), true), (Some(3.0), false)] {
             model.body.sequences[0].rests_from = recorded;
-            let found = health(&model, &rollout);
-            assert_eq!(matches!(found, Health::RestsAsRecorded { .. }), rests, "{recorded:?} {found:?}");
+            let found = health(&model, &rollout).state;
+            assert_eq!(found == Ending::RestsAsRecorded, rests, "{recorded:?} {found:?}");
         }
         // The same motion, started at a later frame of the recording.
         let request = RolloutRequest { frame: 30, ..RolloutRequest::default() };
         let model = model.coupled().unwrap();
         let found = model.health(&rollout, &request, &model.positions(&rollout).unwrap()).unwrap();
-        assert!(matches!(found, Health::RestsAsRecorded { .. }), "{found:?}");
+        assert_eq!(found.state, Ending::RestsAsRecorded);
     }
 
     #[test]
     fn models_that_keep_moving_come_before_higher_bounds() {
-        let (moves, still) = (Health::MovesOn.rank(), Health::StandsStill { from: 2.0 }.rank());
-        let broken = Health::NotFinite.rank();
+        let [moves, few, still, broken] =
+            [Ending::MovesOn, Ending::VisitsFewPoses, Ending::StandsStill, Ending::NotFinite]
+                .map(Ending::rank);
         assert_eq!(best_to_show([]), None);
         assert_eq!(best_to_show([(still, 30.0), (moves, 10.0), (moves, 20.0), (moves, 20.0)]), Some(2));
-        assert_eq!(best_to_show([(broken, 90.0), (still, 10.0), (still, 20.0)]), Some(2));
+        assert_eq!(best_to_show([(broken, 90.0), (still, 20.0), (few, 10.0)]), Some(2));
     }
 
     #[test]
@@ -188,12 +389,13 @@ mod tests {
         for t in 45..rollout.y.nrows() {
             rollout.latents[1][(t, 0)] += 1000.0;
         }
-        let Health::LeavesTraining { from, part } = health(&model, &rollout) else { panic!("it leaves") };
-        assert!((from - 1.5).abs() < 0.01 && part == 1, "{from} {part}");
+        let found = health(&model, &rollout);
+        assert_eq!((found.state, found.part), (Ending::LeavesTrainingRange, Some(1)), "{found:?}");
+        assert!((found.from.unwrap() - 1.5).abs() < 0.01, "{found:?}");
         // The part returns at the end.
         let last = rollout.y.nrows() - 1;
         rollout.latents[1][(last, 0)] -= 1000.0;
-        assert_eq!(health(&model, &rollout), Health::MovesOn);
+        assert_eq!(health(&model, &rollout).state, Ending::MovesOn);
     }
 
     #[test]
@@ -201,9 +403,8 @@ mod tests {
         let (model, mut rollout) = walk();
         let positions = model.coupled().unwrap().positions(&rollout).unwrap();
         rollout.latents[0][(7, 0)] = f64::NAN;
-        assert_eq!(
-            model.coupled().unwrap().health(&rollout, &RolloutRequest::default(), &positions).unwrap(),
-            Health::NotFinite
-        );
+        let found =
+            model.coupled().unwrap().health(&rollout, &RolloutRequest::default(), &positions).unwrap();
+        assert_eq!((found.state, found.rank, found.parts.len()), (Ending::NotFinite, 0, 0));
     }
 }

@@ -3,23 +3,27 @@
 //! and rollouts alike.
 
 mod limbs;
+pub(crate) mod poses;
 mod rhythm;
 mod speed;
 mod track;
 
 use crate::motion::Skeleton;
 use crate::motion::anatomy::Anatomy;
-use crate::motion::period;
+use crate::motion::{RHYTHMIC, period};
 use limbs::{ends, forward_places};
 use nalgebra::DMatrix;
 use serde::Serialize;
 use track::Track;
 
 pub use limbs::Limb;
-pub use speed::{rests_from, still_from};
+pub use speed::rests_from;
 
 /// A smaller swing, in metres, is noise and has no phase.
 const LEAST_SWING: f64 = 0.01;
+
+/// A motion must contain a period this many times.
+const LEAST_PERIODS: f64 = 3.0;
 
 /// Measures of a whole body over some frames.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -45,7 +49,8 @@ pub struct LimbMeasures {
     /// Standard deviation of the limb's end along the heading, relative to the root, in metres for a body 1.7
     /// m tall.
     pub swing: f64,
-    /// Seconds from one swing to the next; `None` if it does not swing or is not periodic.
+    /// Seconds from one swing to the next; `None` if it does not swing, or not the same way at least three
+    /// times.
     pub period: Option<f64>,
     /// Phase relative to the foot or hand of the *other* side, in cycles from -0.5 to 0.5; 0 when both are in
     /// front at the same time, as in walking. `None` exactly if `locking` is.
@@ -124,9 +129,11 @@ fn limb_measures(skeleton: &Skeleton, anatomy: &Anatomy, track: &Track) -> Vec<L
     for (end, places) in ends.iter().zip(&places) {
         let place = DMatrix::from_column_slice(places.len(), 1, places);
         let swing = place.variance().sqrt();
-        // In frames.
+        let frames = places.len() as f64;
         let repeats = if swing < LEAST_SWING { None } else { period(&[place]) };
-        let repeats = repeats.map(|period| period.frames);
+        let steady =
+            repeats.filter(|found| found.correlation >= RHYTHMIC && LEAST_PERIODS * found.frames <= frames);
+        let repeats = steady.map(|period| period.frames);
         let seconds = repeats.map(|frames| frames * track.frame_time);
         let (limb, joint) = (end.limb, end.joint);
         limbs.push(LimbMeasures { limb, joint, swing, period: seconds, ahead: None, locking: None });

@@ -6,10 +6,6 @@ use crate::motion::anatomy::{Anatomy, Region};
 use crate::motion::measures::track::Track;
 use nalgebra::Vector3;
 
-/// A body stands still if all its joints are slower than this relative to the root; in metres a second.
-const STILL: f64 = 0.1;
-/// Shortest time of standing still at the end of a motion, in seconds.
-const STILL_FOR: f64 = 1.0;
 /// The joints of a standing person are slower than this, in metres a second.
 const SWAY: f64 = 0.2;
 /// Shortest time of standing at the end of a recording, in seconds.
@@ -26,31 +22,16 @@ pub(super) fn joint_speed(track: &Track) -> f64 {
     speeds.sum::<f64>() / count.max(1) as f64
 }
 
-/// Seconds until the body stands still: from then to the end, and for at least one second, no joint is faster
-/// than 0.1 m/s relative to the root. A body that glides in one pose stands still. `None` if it keeps moving.
-///
-/// `positions` [frames x nodes x 3] as for [`measures`](super::measures), `frame_time` in seconds.
-pub fn still_from(skeleton: &Skeleton, positions: &[f32], frame_time: f64) -> Option<f64> {
-    slow_from(skeleton, positions, frame_time, STILL, STILL_FOR)
-}
-
 /// Seconds until a recorded body comes to rest; `None` if it moves to the end. A standing person sways, and
-/// recordings end soon after the movement. So joints may be twice as fast as those of a rollout that [stands
-/// still](still_from), and a quarter of a second is enough.
+/// recordings end soon after the movement: so joints may move at 0.2 m/s relative to the root, and a quarter
+/// of a second is enough.
 ///
 /// `positions` [frames x nodes x 3] as for [`measures`](super::measures), `frame_time` in seconds.
 pub fn rests_from(skeleton: &Skeleton, positions: &[f32], frame_time: f64) -> Option<f64> {
-    slow_from(skeleton, positions, frame_time, SWAY, REST_FOR)
-}
-
-/// Seconds until all joints are slower than `speed`, in metres a second, to the end and for at least `least`
-/// seconds.
-fn slow_from(skeleton: &Skeleton, positions: &[f32], frame_time: f64, speed: f64, least: f64) -> Option<f64> {
     let track = Track::new(skeleton, positions, frame_time);
-    let slow = |&frame: &usize| joint_speeds(&track, frame).all(|found| found < speed);
+    let slow = |&frame: &usize| joint_speeds(&track, frame).all(|speed| speed < SWAY);
     let frames = (1..track.frames()).rev().take_while(slow).count();
-    let seconds = frames as f64 * frame_time;
-    (seconds >= least).then(|| (track.frames() - 1 - frames) as f64 * frame_time)
+    (frames as f64 * frame_time >= REST_FOR).then(|| (track.frames() - 1 - frames) as f64 * frame_time)
 }
 
 /// Speeds relative to the root of all other nodes, from the previous frame to this one.
