@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { correlationFinding, foldWords, growthFinding, rankWords } from "./findings";
+import { correlationFinding, errorFinding, foldWords, growthFinding, rankWords } from "./findings";
 import { bestOf, isSkewed, type Measure, MEASURES, scaleOf } from "./measures";
 import type { Correlation, ModelSummary } from "../engine/whole-protocol";
 
@@ -43,6 +43,7 @@ it("writes a rank correlation", () => {
 
 it("writes nothing for an undefined rank correlation", () => {
   expect(rankWords(correlation(1, 1))).toBe("no rank correlation over 1 setting");
+  expect(rankWords(correlation(1, 4))).toBe("no rank correlation over 4 settings");
   expect(correlationFinding(correlation(Number.NaN))).toContain(
     "no rank correlation over 5 settings; too few",
   );
@@ -67,8 +68,30 @@ it("writes the number of trials of the means", () => {
 it("takes the least error and the greatest bound for the best, of the known ones", () => {
   const models = [summary(0.002, 0, null), summary(0.001, 0, 20), summary(Number.NaN, 0, 30)];
   expect(bestOf(ERROR, models)).toBe(0.001);
-  expect(bestOf(BOUND, models)).toBe(30);
   expect(bestOf(BOUND, models.slice(0, 2))).toBeNull();
+});
+
+it("calls no error the best that differs from the next by less than their standard errors", () => {
+  const close = [summary(0.00073, 0.0003, null), summary(0.00074, 0.00026, null)];
+  expect(bestOf(ERROR, close)).toBeNull();
+  expect(errorFinding(close)).toMatch(/^Which model has the lowest error here is undecided: TMP and TMP differ/);
+  const oneTrial = [summary(0.001, 0, null), summary(0.002, 0, null)].map((model) => ({
+    ...model,
+    mse: spread(model.mse.mean),
+  }));
+  expect(bestOf(ERROR, oneTrial)).toBeNull();
+});
+
+it("says that the model of the page loses here", () => {
+  const own = { ...summary(0.00133, 0.0001, null), model: "vcgpdm" as const, label: "12 + 12" };
+  const models = [own, summary(0.00076, 0.0001, null)];
+  expect(errorFinding(models)).toBe(
+    "TMP has the lowest error here. The error of the vCGPDM is 1.75 times the lowest.",
+  );
+  expect(errorFinding([{ ...own, mse: spread(0.0008, 0.0001) }, summary(0.00076, 0.0001, null)])).toMatch(
+    /1\.05 times the lowest, which is undecided too\.$/,
+  );
+  expect(errorFinding([own])).toBe("");
 });
 
 it("shows all means when an error bar comes near zero", () => {

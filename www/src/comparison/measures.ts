@@ -72,11 +72,22 @@ export function scaleOf(measure: Measure, models: readonly ModelSummary[], width
   return (measure.scale === "log" ? logScale : linearScale)(values, EDGE, width - EDGE);
 }
 
-/** The best mean; null with fewer than two. */
+/** Whether two means differ by more than their standard errors together. A single trial decides nothing. */
+export function differs(a: Spread, b: Spread): boolean {
+  return Math.abs(a.mean - b.mean) > (a.standardError ?? Infinity) + (b.standardError ?? Infinity);
+}
+
+/** The spreads of a measure, the best first. */
+function ranked(measure: Measure, models: readonly ModelSummary[]): Spread[] {
+  const spreads = models.flatMap((summary) => measure.spread(summary) ?? []);
+  const sign = measure.best === "least" ? 1 : -1;
+  return spreads.filter(({ mean }) => Number.isFinite(mean)).sort((a, b) => sign * (a.mean - b.mean));
+}
+
+/** The best mean; null with fewer than two, or if the next one does not differ. */
 export function bestOf(measure: Measure, models: readonly ModelSummary[]): number | null {
-  const means = models.map((summary) => measure.spread(summary)?.mean ?? NaN).filter(Number.isFinite);
-  if (means.length < 2) return null;
-  return measure.best === "least" ? Math.min(...means) : Math.max(...means);
+  const [first, second] = ranked(measure, models);
+  return first && second && differs(first, second) ? first.mean : null;
 }
 
 /** Whether a few trials make most of the error; the median then says more than the mean. */

@@ -5,7 +5,7 @@ import "../terms/term";
 import { errorBar } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
-import { foldWords } from "./findings";
+import { errorFinding, foldWords } from "./findings";
 import { bestOf, ends, isSkewed, type Measure, MEASURES, scaleOf } from "./measures";
 import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { plain, estimateText } from "../figures/numbers";
@@ -186,6 +186,7 @@ export class ModelsTable extends FigureElement<Comparison> {
       };
     });
     return html`
+      <p data-testid="error-finding">${errorFinding(models)}</p>
       <div class="figure-scroll" tabindex="0" role="region" aria-label=${this.heading}>
         <table class="models-table">
           <thead><tr><th scope="col" class="who">Model and settings</th>${measures.map((measure) => this.#axis(measure))}</tr></thead>
