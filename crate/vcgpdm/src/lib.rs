@@ -100,10 +100,10 @@ pub use models::variational::{
 };
 pub use models::{
     Body, ColumnMapping, Coupled, CouplingsError, Cut, Dataset, DatasetError, DmpSettings, EndReason, Ending,
-    Health, LiveFrames, LiveRollout, MapSettings, Model, ModelKind, PartPoses, PoseWeight, Progress, Provenance, Push,
-    Reading, Rollout, RolloutError, RolloutRequest, SequenceInfo, SequencesError, SeriesModel, Setbacks,
-    Settings, Source, TmpSettings, Trainer, TrainingCost, TrainingError, TrainingPhase, VariationalSettings,
-    coupling_weight_matrix,
+    Health, LiveFrames, LiveRollout, MapSettings, Model, ModelKind, PartPoses, PoseWeight, Progress,
+    Provenance, Push, Reading, Rollout, RolloutError, RolloutRequest, SequenceInfo, SequencesError,
+    SeriesModel, Setbacks, Settings, Source, TmpSettings, Trainer, TrainingCost, TrainingError,
+    TrainingPhase, VariationalSettings, coupling_weight_matrix,
 };
 pub use motion::asf::{AsfError, File as AsfFile, read as read_asf};
 pub use motion::bvh::{BvhError, BvhProblem, read as read_bvh, write as write_bvh};

@@ -1,6 +1,7 @@
 // The caption over the figure: a title and a text about the stage.
 import { html, nothing } from "lit";
 import type { ClipEntry } from "../clips/clips-store";
+import { effectText } from "../couplings/measures-text";
 import type { PointingStore } from "../latents/pointing-store";
 import "../terms/term";
 import { View } from "../ui/view";
@@ -16,17 +17,27 @@ export function clipOnStage({ clips, stage }: App): ClipEntry | null {
 
 /** The texts of the page about the stage now. */
 export function wordsNow(app: App): StageWords {
-  const { stage, model, pointing, training } = app;
+  const { stage, model, pointing, training, body } = app;
   const clip = clipOnStage(app);
+  const parts = model.model?.info.parts ?? [];
+  const reports = body.isCurrent ? body.reports : null;
   const run = training.learning;
   const several = training.asked.length > 1;
   return stageWords({
     kind: stage.content?.kind ?? null,
     clip,
     learnedFrom: model.model?.info.sequences.map(({ name }) => name) ?? null,
-    point: pointing.report ? pointWords(pointing, model.model?.info.parts ?? []) : null,
+    point: pointing.report ? pointWords(pointing, parts) : null,
     altered: model.couplings.altered,
     preset: model.preset,
+    effect: reports && {
+      text: effectText(
+        reports.now,
+        reports.learned,
+        parts.map(({ name }) => name),
+      ),
+      reading: reports.now.request.reading,
+    },
     live: stage.content?.live === true,
     twoReadings: stage.columns !== null,
     learning: run && {
@@ -46,19 +57,20 @@ function pointWords({ report }: PointingStore, parts: readonly { name: string }[
 }
 
 /** The stores that those texts depend on. */
-export const wordStores = ({ stage, clips, model, pointing, training }: App) => [
+export const wordStores = ({ stage, clips, model, pointing, training, body }: App) => [
   stage,
   clips,
   model,
   pointing,
   training,
+  body,
 ];
 
 export class CaptionView extends View {
   declare app: App;
 
   protected override stores() {
-    return [...wordStores(this.app), this.app.body];
+    return wordStores(this.app);
   }
 
   /** A notice with buttons, for a motion that is not healthy, such as one whose pose stops changing. */

@@ -12,7 +12,6 @@ export class LeadView extends View {
     return wordStores(this.app);
   }
 
-  /** tests/e2e/couplings.test.mjs measures the promise of the invitation. */
   #next() {
     const { model, stage, training } = this.app;
     const { content } = stage;
@@ -20,10 +19,10 @@ export class LeadView extends View {
     if (model.couplings.altered)
       return html`<button class="link" data-testid="lead-back" @click=${() => model.couplings.resetAll()}>Back to as learned</button>`;
     const preset = model.presets.find(({ id }) => id === INVITATION.preset);
-    return html`${model.preset?.sentence ?? ""}
+    return html`${model.preset?.meaning ?? ""}
       ${
         preset
-          ? html`<button class="link" data-testid="lead-try" @click=${() => model.takePreset(preset)}>${preset.name}</button>, ${INVITATION.promise}.`
+          ? html`<button class="link" data-testid="lead-try" @click=${() => model.takePreset(preset)}>${preset.name}</button>: ${INVITATION.question}`
           : nothing
       }`;
   }

@@ -8,6 +8,7 @@ const walking: OnStage = {
   point: null,
   altered: false,
   preset: null,
+  effect: null,
   live: false,
   twoReadings: false,
   learning: null,
@@ -47,16 +48,23 @@ describe("the words about the stage", () => {
       expect.stringMatching(/is learning/),
     ]);
     expect(stageWords({ ...walking, altered: true }).title).toBe("Couplings changed");
-    const sentence = "The arms keep swinging.";
-    const preset = { name: "Let the arms go", sentence, reading: "re-inferred" as const };
-    const { title, lead } = stageWords({ ...walking, altered: true, preset });
-    expect([title, lead]).toEqual([preset.name, preset.sentence]);
-    // Of the two figures only the right one does what the preset says.
-    const both = stageWords({ ...walking, altered: true, preset, twoReadings: true });
-    expect(both.lead).toBe("Right, re-inferred: the arms keep swinging.");
     expect(stageWords({ ...walking, altered: true, twoReadings: true }).text).not.toMatch(/outline/);
     expect(stageWords({ ...walking, altered: true, live: true }).text).not.toMatch(/outline/);
     expect(stageWords({ ...walking, twoReadings: true }).text).toMatch(/change a coupling/);
     expect(stageWords({ ...walking, altered: true, point: "A pose of lower" }).text).toBe("A pose of lower");
+  });
+
+  it("promise no effect of a preset: its effect is measured, and not of a live motion", () => {
+    const preset = { name: "Let the arms go", meaning: "The arms no longer hear the legs." };
+    const altered = { ...walking, altered: true, preset };
+    const { title, lead } = stageWords(altered);
+    expect([title, lead]).toEqual([preset.name, preset.meaning]);
+    const effect = { text: "Hands and feet out of step.", reading: "re-inferred" as const };
+    expect(stageWords({ ...altered, effect }).lead).toBe(`${preset.meaning} ${effect.text}`);
+    expect(stageWords({ ...altered, effect, live: true }).lead).toBe(preset.meaning);
+    // Of the two figures only the right one is measured.
+    const both = stageWords({ ...altered, effect, twoReadings: true });
+    expect(both.lead).toBe(`${preset.meaning} Right, re-inferred: hands and feet out of step.`);
+    expect(stageWords({ ...altered, preset: null, effect }).lead).toMatch(/of your own.*out of step\.$/);
   });
 });

@@ -16,7 +16,9 @@ export interface OnStage {
   /** Whether a coupling is changed. */
   altered: boolean;
   /** The preset of the couplings. */
-  preset: { name: string; sentence: string; reading: Reading } | null;
+  preset: { name: string; meaning: string } | null;
+  /** The measured effect of the couplings, and the reading of the motion; null while not measured. */
+  effect: { text: string; reading: Reading } | null;
   /** Whether the motion is live. */
   live: boolean;
   /** Whether both readings of the couplings are side by side. */
@@ -48,9 +50,11 @@ export function stageWords(now: OnStage): StageWords {
 const MADE = "This motion was never recorded: a small model made it.";
 const LEARNING = "A model is learning: what it can do so far moves on the stage.";
 
-function alteredLead({ preset, twoReadings }: OnStage): string {
-  if (!preset) return "Couplings of your own, not those that the model learned.";
-  return readingSentence(preset.sentence, preset.reading, twoReadings);
+function alteredLead({ preset, effect, live, twoReadings }: OnStage): string {
+  const meaning = preset?.meaning ?? "Couplings of your own, not those that the model learned.";
+  return effect && !live
+    ? `${meaning} ${readingSentence(effect.text, effect.reading, twoReadings)}`
+    : meaning;
 }
 
 function learned({ learnedFrom }: OnStage): string {

@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
 import type { BodyReport, Health } from "../engine/protocol";
-import { measuresText } from "./measures-text";
+import { effectText, measuresText } from "./measures-text";
 
 type Limbs = BodyReport["measures"]["parts"][number];
 
-const MOVES_ON: Health = { state: "moves-on", from: null, part: null, rank: 2 };
+const MOVES_ON: Health = { state: "moves-on", from: null, part: null, rank: 3, parts: [] };
 const NAMES = ["lower", "upper"];
 
 function report(parts: Partial<Limbs>[], health = MOVES_ON, walkingSpeed = 1.5): BodyReport {
@@ -24,8 +24,8 @@ describe("the text about measures", () => {
   it("gives the swing as a multiple of the learned one, and says once whether all parts are in step", () => {
     expect(textOf(learned)).toEqual({
       parts: [
-        { part: 0, words: "swings 1.00 × as far" },
-        { part: 1, words: "swings 1.00 × as far" },
+        { part: 0, words: "swings 1.00 × as far", changed: false },
+        { part: 1, words: "swings 1.00 × as far", changed: false },
       ],
       step: "hands and feet in step",
       trouble: "",
@@ -46,7 +46,7 @@ describe("the text about measures", () => {
 
   it("leaves out parts without hands and feet, and mentions no step where nothing swings", () => {
     const { parts, step } = textOf(report([{ swing: null }, { swing: 0.002, period: null, locking: null }]));
-    expect(parts).toEqual([{ part: 1, words: "hardly swings, 0.01 × as far" }]);
+    expect(parts).toEqual([{ part: 1, words: "hardly swings, 0.01 × as far", changed: true }]);
     expect(textOf(report([{ locking: null }, { locking: null }])).step).toBe("");
     expect(step).toBe("hands and feet in step");
   });
@@ -64,14 +64,80 @@ describe("the text about measures", () => {
 
   it("says how a motion ends that does not move on", () => {
     const still = textOf(
-      report([{ swing: 0 }, {}], { state: "stands-still", from: 0.71, part: null, rank: 1 }),
+      report([{ swing: 0 }, {}], { state: "stands-still", from: 0.71, part: null, rank: 1, parts: [] }),
     );
     expect(still).toEqual({ parts: [], step: "", trouble: "stands still from 0.7 s on" });
-    const away = textOf(report([{}, {}], { state: "leaves-training-range", from: 3, part: 1, rank: 1 }));
+    const away = textOf(
+      report([{}, {}], { state: "leaves-training-range", from: 3, part: 1, rank: 1, parts: [] }),
+    );
     expect(away.trouble).toBe("upper leaves the training range from 3.0 s on");
     expect(away.parts).toHaveLength(2);
     expect(
-      textOf(report([{}, {}], { state: "not-finite", from: null, part: null, rank: 0 })).trouble,
+      textOf(report([{}, {}], { state: "not-finite", from: null, part: null, rank: 0, parts: [] })).trouble,
     ).toMatch(/runs away/);
+  });
+});
+
+const inPose = (stillFrom: (number | null)[], health: Partial<Health> = {}): Health => ({
+  ...MOVES_ON,
+  ...health,
+  parts: stillFrom.map((seconds) => ({ visited: 1, stillFrom: seconds })),
+});
+
+it("gives the lost step to the part that moves in another way, not to the limb that it swings with", () => {
+  // The left hand (part 0) no longer hears the legs. The right foot (part 1) swings with it, and as before.
+  const five = report([{ swing: 0.17, period: 1.4, locking: 0.2 }, { locking: 0.2 }, {}]);
+  const { parts } = measuresText(five, report([{}, {}, {}]), ["left arm", "right leg", "right arm"]);
+  expect(parts.map(({ words }) => words)).toEqual([
+    "swings 0.85 × as far, slower (1.40 s, not 1.00 s), out of step",
+    "swings 1.00 × as far",
+    "swings 1.00 × as far, in step",
+  ]);
+});
+
+it("says that a swing lost its pace, not that it has a long period", () => {
+  const { parts } = textOf(report([{}, { swing: 0.17, period: null, locking: null }]));
+  expect(parts[1]?.words).toBe("swings 0.85 × as far, without a steady pace");
+});
+
+it("says that arms keep one pose, from when on", () => {
+  const { parts } = textOf(report([{}, { swing: 0.002, period: null, locking: null }], inPose([null, 0.9])));
+  expect(parts.map(({ words }) => words)).toEqual(["swings 1.00 × as far", "keeps one pose from 0.9 s on"]);
+});
+
+it("says that a figure which glides on keeps one pose, and does not say that it stands still", () => {
+  const glides = report(
+    [{ swing: 0 }, { swing: 0 }],
+    inPose([0.7, 0.7], { state: "keeps-one-pose", from: 0.7 }),
+    1.2,
+  );
+  expect(textOf(glides)).toEqual({ parts: [], step: "", trouble: "keeps one pose from 0.7 s on" });
+});
+
+it("says which share of its clips’ poses a part visits, if it is small", () => {
+  const hops: Health = {
+    ...MOVES_ON,
+    state: "visits-few-poses",
+    part: 0,
+    parts: [{ visited: 0.221, stillFrom: null }],
+  };
+  expect(textOf(report([{}, {}], hops)).trouble).toBe("visits 22 % of its clips’ poses in lower");
+});
+
+describe("the effect of couplings", () => {
+  const effect = (now: BodyReport) => effectText(now, learned, NAMES);
+
+  it("is measured: of the same couplings, one model loses the step and another keeps it", () => {
+    expect(effect(report([{ locking: 0.1 }, { swing: 0.16, period: 1.3, locking: 0.1 }]))).toBe(
+      "Upper swings 0.80 × as far, slower (1.30 s, not 1.00 s). Hands and feet out of step.",
+    );
+    expect(effect(learned)).toBe("Hands and feet swing as learned. Hands and feet in step.");
+  });
+
+  it("names a part in one pose, a figure in one pose, and few poses", () => {
+    const arms = report([{ locking: null }, { swing: 0, period: null, locking: null }], inPose([null, 0.9]));
+    expect(effect(arms)).toBe("Upper keeps one pose from 0.9 s on.");
+    const figure = report([{}, {}], inPose([0.7, 0.7], { state: "keeps-one-pose", from: 0.7 }));
+    expect(effect(figure)).toBe("The figure keeps one pose from 0.7 s on.");
   });
 });

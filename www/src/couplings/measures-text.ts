@@ -1,9 +1,10 @@
 // The measures of a motion as text, compared with the motion as learned.
 import type { BodyReport, Health } from "../engine/protocol";
+import { sentence } from "../ui/format";
 
 export interface MeasuresText {
-  /** How the hands and feet of each part swing. */
-  parts: { part: number; words: string }[];
+  /** How the hands and feet of each part swing; `changed`: not as learned. */
+  parts: { part: number; words: string; changed: boolean }[];
   /** Whether hands and feet are in step, if this is the same for all parts; else empty. */
   step: string;
   /** How the motion ends, if it does not move on; else empty. */
@@ -15,6 +16,7 @@ const SWINGS = 0.01;
 /** A smaller share of the learned swing is "hardly" a swing. */
 const HARDLY = 0.1;
 /** Relative differences below these are not reported. */
+const SAME_SWING = 0.1;
 const SAME_PACE = 0.05;
 const SAME_SPEED = 0.1;
 /** Two limbs are in step from the first value of the locking on, and out of step up to the second. */
@@ -25,23 +27,48 @@ type Limbs = BodyReport["measures"]["parts"][number];
 
 export function measuresText(now: BodyReport, learned: BodyReport, names: readonly string[]): MeasuresText {
   const trouble = troubleText(now.health, names);
-  if (now.health.state === "stands-still" || now.health.state === "not-finite")
+  if (IN_ONE_POSE.has(now.health.state) || now.health.state === "not-finite")
     return { parts: [], step: "", trouble };
   const steps = new Set(now.measures.parts.map(stepText).filter(Boolean));
-  const parts = names.flatMap((_, part) => {
+  const all = names.flatMap((_, part) => {
     const [is, was] = [now.measures.parts[part], learned.measures.parts[part]];
     if (!is || !was || is.swing === null || was.swing === null) return [];
-    const texts = [swingText(is.swing, was.swing), paceText(is, was), steps.size > 1 ? stepText(is) : ""];
-    return { part, words: texts.filter(Boolean).join(", ") };
+    const since = now.health.parts[part]?.stillFrom ?? null;
+    const pose = since === null ? "" : `keeps one pose ${sinceText(since)}`;
+    const pace = paceText(is, was);
+    const texts = pose ? [pose] : [swingText(is.swing, was.swing), pace];
+    const changed = pose !== "" || pace !== "" || !isSame(is.swing, was.swing);
+    return { part, texts, changed, step: stepText(is), stepChanged: stepText(is) !== stepText(was) };
+  });
+  // Two parts lose the step with each other. Where only some parts move in another way, the step is theirs.
+  const some = all.some(({ changed }) => changed);
+  const parts = all.map(({ part, texts, changed, step, stepChanged }) => {
+    const own = steps.size > 1 && (changed || !stepChanged || !some);
+    return { part, words: [...texts, own ? step : ""].filter(Boolean).join(", "), changed };
   });
   const common = steps.size === 1 ? [...steps].join() : "";
   const step = [common && `hands and feet ${common}`, speedText(now, learned)].filter(Boolean).join("; ");
   return { parts, step, trouble };
 }
 
+/** The effect of couplings in one or two sentences: what is not as learned, and whether the step is kept. */
+export function effectText(now: BodyReport, learned: BodyReport, names: readonly string[]): string {
+  const { parts, step, trouble } = measuresText(now, learned, names);
+  if (IN_ONE_POSE.has(now.health.state) || now.health.state === "not-finite")
+    return sentence(`the figure ${trouble}`);
+  const changed = parts.filter(({ changed }) => changed);
+  const texts = changed.map(({ part, words }) => `${names[part]} ${words}`);
+  const swings = texts.length > 0 ? texts.join("; ") : "hands and feet swing as learned";
+  return [swings, step, trouble].filter(Boolean).map(sentence).join(" ");
+}
+
 /** Whether hands or feet still swing, compared with the motion as learned. */
 export function isSwinging({ swing: is }: Limbs, { swing: was }: Limbs): boolean {
   return is !== null && was !== null && (was < SWINGS || is / was >= HARDLY);
+}
+
+function isSame(is: number, was: number): boolean {
+  return was < SWINGS ? is < SWINGS : Math.abs(is / was - 1) < SAME_SWING;
 }
 
 function swingText(is: number, was: number): string {
@@ -50,8 +77,11 @@ function swingText(is: number, was: number): string {
   return `${share < HARDLY ? "hardly swings, " : "swings "}${share.toFixed(2)} × as far`;
 }
 
-function paceText({ period: is }: Limbs, { period: was }: Limbs): string {
-  if (is === null || was === null || Math.abs(is / was - 1) < SAME_PACE) return "";
+function paceText(now: Limbs, learned: Limbs): string {
+  const [is, was] = [now.period, learned.period];
+  if (was === null || !isSwinging(now, learned)) return "";
+  if (is === null) return "without a steady pace";
+  if (Math.abs(is / was - 1) < SAME_PACE) return "";
   return `${is > was ? "slower" : "faster"} (${is.toFixed(2)} s, not ${was.toFixed(2)} s)`;
 }
 
@@ -75,17 +105,29 @@ function speedText(
   return was < 0.1 || Math.abs(share - 1) < SAME_SPEED ? "" : `walks ${share.toFixed(2)} × as fast`;
 }
 
+/** The states of a body whose pose hardly changes. */
+const IN_ONE_POSE: ReadonlySet<Health["state"]> = new Set(["stands-still", "keeps-one-pose"]);
+
+const sinceText = (seconds: number) => `from ${seconds.toFixed(1)} s on`;
+
 /** How a motion ends, if it does not move on: the rest of a sentence that begins with "it". Else empty. */
-export function troubleText({ state, from, part }: Health, names: readonly string[]): string {
-  const since = `from ${(from ?? 0).toFixed(1)} s on`;
+export function troubleText({ state, from, part, parts }: Health, names: readonly string[]): string {
+  const since = sinceText(from ?? 0);
+  const name = names[part ?? 0] ?? "a part";
   switch (state) {
     case "stands-still":
       return `stands still ${since}`;
+    case "keeps-one-pose":
+      return `keeps one pose ${since}`;
+    case "visits-few-poses":
+      return `visits ${percent(parts[part ?? 0]?.visited ?? 0)} of its clips’ poses in ${name}`;
     case "leaves-training-range":
-      return `${names[part ?? 0] ?? "a part"} leaves the training range ${since}`;
+      return `${name} leaves the training range ${since}`;
     case "not-finite":
       return "runs away: its numbers are too large to show";
     default:
       return "";
   }
 }
+
+const percent = (share: number) => `${Math.round(100 * share)} %`;

@@ -20,7 +20,7 @@ export class PresetsView extends View {
       <div class="presets" role="group" aria-label="Presets">${model.presets.map(
         (preset) => html`
         <button type="button" class="preset" aria-pressed=${preset === now || preset.id === now?.id ? "true" : "false"}
-          title=${preset.sentence} data-testid="preset-${preset.id}" @click=${() => model.takePreset(preset)}>${preset.name}</button>`,
+          title=${preset.meaning} data-testid="preset-${preset.id}" @click=${() => model.takePreset(preset)}>${preset.name}</button>`,
       )}</div>`;
   }
 }

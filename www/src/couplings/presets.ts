@@ -1,5 +1,5 @@
-// Presets of couplings. Those of the model that the page opens with have measured effects; the others fit any
-// model.
+// Presets of couplings: some for the model that the page opens with, others for any model. A preset promises
+// nothing: the page measures its effect on the model at hand (`effectText`).
 import startPresets from "../../first/presets.json";
 import type { ModelView, Reading } from "../engine/protocol";
 import { type ChangedCouplings, limited } from "../settings/settings";
@@ -8,8 +8,8 @@ import { isClose } from "./couplings-store";
 export interface Preset {
   id: string;
   name: string;
-  /** One sentence: the effect for the first model, else the meaning of the couplings. */
-  sentence: string;
+  /** One or two sentences: the meaning of the couplings, not their effect. */
+  meaning: string;
   reading: Reading;
   /** The factors by which couplings change. */
   couplings: readonly Change[];
@@ -25,24 +25,19 @@ interface Change {
 /** A coupling variance this many times the learned one gives its source almost no weight. */
 const SILENT = 1000;
 
-/**
- * The presets of the model that the page opens with; `tests/node/presets.test.mjs` measures their effects.
- */
-export const START_PRESETS: readonly Preset[] = startPresets.map(({ holds: _, reading, ...preset }) => ({
-  ...preset,
-  reading: reading as Reading,
-}));
+/** The presets of the model that the page opens with. */
+export const START_PRESETS = startPresets as readonly Preset[];
 
-/** The preset that the head of the page offers, and its promised effect. */
-export const INVITATION = { preset: "arms-go", promise: "and they fall out of step" };
+/** The preset that the Lab offers first, and the question that its measured effect answers. */
+export const INVITATION = { preset: "arms-go", question: "do they keep step?" };
 
 /** Presets for any model with these parts; none for a model of one part. */
 export function presetsOf(parts: readonly string[]): Preset[] {
   if (parts.length < 2) return [];
-  const preset = (id: string, name: string, sentence: string, couplings: Change[]): Preset => ({
+  const preset = (id: string, name: string, meaning: string, couplings: Change[]): Preset => ({
     id,
     name,
-    sentence,
+    meaning,
     reading: "re-inferred",
     couplings,
   });
