@@ -74,7 +74,9 @@ it("takes the least error and the greatest bound for the best, of the known ones
 it("calls no error the best that differs from the next by less than their standard errors", () => {
   const close = [summary(0.00073, 0.0003, null), summary(0.00074, 0.00026, null)];
   expect(bestOf(ERROR, close)).toBeNull();
-  expect(errorFinding(close)).toMatch(/^Which model has the lowest error here is undecided: TMP and TMP differ/);
+  expect(errorFinding(close)).toMatch(
+    /^Which model has the lowest error here is undecided: TMP and TMP differ/,
+  );
   const oneTrial = [summary(0.001, 0, null), summary(0.002, 0, null)].map((model) => ({
     ...model,
     mse: spread(model.mse.mean),

@@ -50,7 +50,9 @@ export function foldWords(models: readonly ModelSummary[]): string {
 
 /** Which model has the lowest error here, whether that is decided, and where the vCGPDM is. */
 export function errorFinding(models: readonly ModelSummary[]): string {
-  const ranked = models.filter(({ mse }) => Number.isFinite(mse.mean)).sort((a, b) => a.mse.mean - b.mse.mean);
+  const ranked = models
+    .filter(({ mse }) => Number.isFinite(mse.mean))
+    .sort((a, b) => a.mse.mean - b.mse.mean);
   const [first, second] = ranked;
   if (!first || !second) return "";
   const name = ({ model, label }: ModelSummary) => [modelStyle(model).name, label].filter(Boolean).join(", ");
