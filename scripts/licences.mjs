@@ -8,6 +8,9 @@ import { at, Failure, output } from "./run.mjs";
 /** @typedef {{ name: string, version: string, licence: string, folder: string }} Part */
 
 const IS_LICENCE = /^(licen[cs]e|copying|notice|unlicense)([-._].*)?$/i;
+/** The licence of a part that leaves the choice, and where its text is. */
+const MAY_BE_MIT = /^[^()]*\bMIT\b( OR |\/)|( OR |\/)MIT\b[^()]*$/;
+const IS_MIT_OR_NOTICE = /mit|notice/i;
 
 /** The crates in the wasm, without our own. @returns {Part[]} */
 function crates() {
@@ -21,10 +24,18 @@ function crates() {
   );
   const { packages, resolve } = JSON.parse(text ?? "null") ?? {};
   if (!packages) throw new Failure("cargo metadata failed");
+  /** Macros write source code; nothing of them is in the wasm. */
+  const macros = new Set(
+    packages
+      .filter((/** @type {any} */ { targets }) =>
+        targets.some((/** @type {any} */ { kind }) => kind.includes("proc-macro")),
+      )
+      .map((/** @type {{ id: string }} */ { id }) => id),
+  );
   const nodes = new Map(resolve.nodes.map((/** @type {{ id: string }} */ node) => [node.id, node]));
   const inside = new Set();
   const visit = (/** @type {string} */ id) => {
-    if (inside.has(id)) return;
+    if (inside.has(id) || macros.has(id)) return;
     inside.add(id);
     // Build scripts and tests are not in the wasm.
     for (const { pkg, dep_kinds } of nodes.get(id).deps)
@@ -71,7 +82,9 @@ function notice(/** @type {Part[]} */ parts) {
   const texts = new Map();
   const lines = parts.map((part) => {
     const { name, version, licence, folder } = part;
-    const files = readdirSync(folder).filter((file) => IS_LICENCE.test(file));
+    const all = readdirSync(folder).filter((file) => IS_LICENCE.test(file));
+    const mit = MAY_BE_MIT.test(licence) && all.some((file) => /mit/i.test(file));
+    const files = mit ? all.filter((file) => IS_MIT_OR_NOTICE.test(file)) : all;
     for (const file of files) {
       const text = readFileSync(join(folder, file), "utf8").replaceAll("\r\n", "\n").trim();
       texts.set(text, [...(texts.get(text) ?? []), `${name} ${version}`]);
@@ -79,7 +92,8 @@ function notice(/** @type {Part[]} */ parts) {
     return `${name} ${version}: ${licence}${files.length === 0 ? " (without a licence text)" : ""}`;
   });
   const quoted = [...texts].map(([text, users]) => `${"-".repeat(72)}\n${users.join(", ")}\n\n${text}`);
-  return `This contains software of others:\n\n${lines.join("\n")}\n\n${quoted.join("\n\n")}\n`;
+  const choice = "Parts that may be used under MIT or another licence are used under MIT.";
+  return `This contains software of others. ${choice}\n\n${lines.join("\n")}\n\n${quoted.join("\n\n")}\n`;
 }
 
 const sorted = (/** @type {Part[]} */ parts) => parts.sort((a, b) => a.name.localeCompare(b.name, "en"));
