@@ -5,3 +5,6 @@ export function decimal(language: string, value: number, digits: number): string
   const rounding = { minimumFractionDigits: digits, maximumFractionDigits: digits };
   return value.toLocaleString(language, rounding);
 }
+
+/** A number with a decimal point, written with the comma of German. */
+export const withComma = (number: string): string => number.replace(".", ",");

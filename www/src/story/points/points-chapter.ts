@@ -1,4 +1,4 @@
-// Ten poses are enough: inducing points of the legs are taken away until the walk stumbles.
+// A few poses are enough: inducing points of the legs are taken away until the walk stumbles.
 import { html, nothing } from "lit";
 import { Latest } from "../../engine/latest";
 import { OpenDocument } from "../../engine/open-document";

@@ -1,3 +1,4 @@
+import { withComma } from "../decimal";
 import type { Words } from "../en";
 
 export const gaussian: Words["chapters"]["gaussian"] = {
@@ -24,8 +25,9 @@ export const gaussian: Words["chapters"]["gaussian"] = {
   spread: "Unsicherer Eingang",
   reveal: {
     answer: (mean: string, deviation: string, near: string) =>
-      `Dort sagt er ${mean} ± ${deviation}, wie vor dem ersten Punkt. Am ersten Punkt ist er auf ± ${near} sicher.`,
-    input: (mean: string, deviation: string) => `Am orangen Eingang: ${mean} ± ${deviation}.`,
+      `Dort sagt er ${withComma(mean)} ± ${withComma(deviation)}, wie vor dem ersten Punkt. Am ersten Punkt ist er auf ± ${withComma(near)} sicher.`,
+    input: (mean: string, deviation: string) =>
+      `Am orangen Eingang: ${withComma(mean)} ± ${withComma(deviation)}.`,
   },
   equation: "Der Kern k sagt, wie ähnlich sich die Kurve an zwei Eingängen ist.",
 };

@@ -1,3 +1,4 @@
+import { withComma } from "../decimal";
 import type { Words } from "../en";
 
 export const loop: Words["chapters"]["loop"] = {
@@ -22,10 +23,10 @@ export const loop: Words["chapters"]["loop"] = {
   hintOff: "Zieh den Punkt jetzt irgendwohin. Farbe: wo das Modell die Pose kennt.",
   walk: "Lass ihn gehen",
   offLoop: (here: string, loop: string) =>
-    `Hier ist der Zweifel des Modells an der Pose ${here} % des Zweifels vor dem Training; auf der Schleife sind es ` +
-    `höchstens ${loop} %. Die Beine sind so blass gezeichnet, wie das Modell unsicher ist.`,
+    `Hier ist der Zweifel des Modells an der Pose ${withComma(here)} % des Zweifels vor dem Training; auf der Schleife sind es ` +
+    `höchstens ${withComma(loop)} %. Die Beine sind so blass gezeichnet, wie das Modell unsicher ist.`,
   onLoop: (loop: string) =>
-    `Auf der Schleife ist der Zweifel des Modells an der Pose höchstens ${loop} % des Zweifels vor dem Training.`,
+    `Auf der Schleife ist der Zweifel des Modells an der Pose höchstens ${withComma(loop)} % des Zweifels vor dem Training.`,
   equation:
     "Die Posenabbildung g macht aus einem Punkt x eine Pose y. Ihr Zweifel ist die Standardabweichung von g bei x.",
 };

@@ -1,3 +1,4 @@
+import { withComma } from "../decimal";
 import type { Words } from "../en";
 
 export const next: Words["chapters"]["next"] = {
@@ -18,10 +19,10 @@ export const next: Words["chapters"]["next"] = {
   hintAnywhere: "Drück jetzt irgendwohin: Dort beginnt der Gang, und der Weg biegt in die Schleife ein.",
   again: "Ein anderer Anfang",
   away: (deviations: string) =>
-    `Deine Nadel ist ${deviations} Standardabweichungen vom Mittel der Zukünfte entfernt.`,
+    `Deine Nadel ist ${withComma(deviations)} Standardabweichungen vom Mittel der Zukünfte entfernt.`,
   beat: (beaten: number, futures: number) =>
     `Sie ist dem Mittel näher als ${beaten} von ${futures} Zukünften, die das Modell gezogen hat.`,
-  back: (seconds: string) => `Von dort war der Weg nach ${seconds} s wieder auf der Schleife.`,
+  back: (seconds: string) => `Von dort war der Weg nach ${withComma(seconds)} s wieder auf der Schleife.`,
   lost: "Von dort kam der Weg in vier Sekunden nicht zur Schleife zurück.",
   equation: "Der nächste Punkt eines Teils liegt um die Vermutung der Experten f, mit der Varianz α.",
 };

@@ -1,7 +1,8 @@
+import { withComma } from "../decimal";
 import type { Words } from "../en";
 
 export const points: Words["chapters"]["points"] = {
-  title: "Zehn Posen genügen",
+  title: "Wenige Posen genügen",
   text:
     "Das Modell behält die Aufnahmen nicht. Es behält wenige Posen und wenige Schritte, die Stützpunkte, und " +
     "berechnet alles andere aus ihnen. Hier sind die der Beine. Was geschieht, wenn wir welche wegnehmen? Für " +
@@ -18,11 +19,11 @@ export const points: Words["chapters"]["points"] = {
     steps: (number: number) => `Schritt ${number}`,
   },
   found: (count: number, nats: string, centimetres: string) =>
-    `${count} Punkte: Schranke ${nats} Nats niedriger, Gelenke ${centimetres} cm daneben.`,
+    `${count} Punkte: Schranke ${nats} Nats niedriger, Gelenke ${withComma(centimetres)} cm daneben.`,
   walks: "Der Gang geht weiter.",
   stumbled: "Der Gang stolpert.",
   enough: (enough: number, all: number, centimetres: string) =>
-    `${enough} von ${all} Punkten genügen: Die Gelenke sind im Mittel ${centimetres} cm daneben. Mit einem weniger ` +
+    `${enough} von ${all} Punkten genügen: Die Gelenke sind im Mittel ${withComma(centimetres)} cm daneben. Mit einem weniger ` +
     "stolpert der Gang. Die Seite nahm jedes Mal den Punkt weg, der der Schranke am wenigsten fehlt.",
   hint: (fewest: number | null) =>
     fewest === null

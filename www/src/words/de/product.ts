@@ -1,3 +1,4 @@
+import { withComma } from "../decimal";
 import type { Words } from "../en";
 
 export const product: Words["chapters"]["product"] = {
@@ -17,16 +18,17 @@ export const product: Words["chapters"]["product"] = {
   },
   plane: "Der latente Raum der Arme: zwei Vermutungen und ihr Produkt",
   radius: {
-    arms: (alpha: string) => `Kreis der Arme, Alpha ${alpha}: Pfeiltasten ändern ihn`,
-    legs: (alpha: string) => `Kreis der Beine, Alpha ${alpha}: Pfeiltasten ändern ihn`,
+    arms: (alpha: string) => `Kreis der Arme, Alpha ${withComma(alpha)}: Pfeiltasten ändern ihn`,
+    legs: (alpha: string) => `Kreis der Beine, Alpha ${withComma(alpha)}: Pfeiltasten ändern ihn`,
   },
   sources: { arms: "Arme", legs: "Beine" },
-  row: (name: string, alpha: string, percent: string) => `${name}: Alpha ${alpha}, zählt ${percent} %`,
+  row: (name: string, alpha: string, percent: string) =>
+    `${name}: Alpha ${withComma(alpha)}, zählt ${percent} %`,
   hint: "Zieh an den Punkten auf den Kreisen.",
   learned: "Wie gelernt",
   twice: "Beide verdoppeln",
   doubled: (millimetres: string, wider: string) =>
-    `In zehn Sekunden ist kein Gelenk weiter als ${millimetres} mm von seinem alten Weg. Nur der Kreis des Schritts ist ` +
-    `${wider}-mal so weit: Das Verhältnis der Alphas sagt, wohin, ihre Größe, wie genau.`,
+    `In zehn Sekunden ist kein Gelenk weiter als ${withComma(millimetres)} mm von seinem alten Weg. Nur der Kreis des Schritts ist ` +
+    `${withComma(wider)}-mal so weit: Das Verhältnis der Alphas sagt, wohin, ihre Größe, wie genau.`,
   equation: "Die Gewichte w hängen nur vom Verhältnis der Alphas ab. Die Varianz des Produkts nicht.",
 };

@@ -1,5 +1,5 @@
 export const points = {
-  title: "Ten poses are enough",
+  title: "A few poses are enough",
   text:
     "The model does not keep the recordings. It keeps a few poses and a few steps, the inducing points, and " +
     "computes everything else from them. Here are those of the legs. What happens when we take some away? For " +
