@@ -22,8 +22,12 @@ const MATRIX_DIGITS = /** @type {Record<string, number>} */ ({ u_covariance: 2, 
 const rounded = (/** @type {unknown} */ value, /** @type {number} */ digits) =>
   typeof value === "number" && !Number.isInteger(value) ? Number(value.toPrecision(digits)) : value;
 
-/** A document with fewer digits. */
-const shortened = (/** @type {any} */ value, digits = DIGITS) => {
+/**
+ * A document with fewer digits.
+ * @param {any} value
+ * @returns {any}
+ */
+const shortened = (value, digits = DIGITS) => {
   if (Array.isArray(value)) return value.map((entry) => shortened(entry, digits));
   if (value === null || typeof value !== "object") return rounded(value, digits);
   const entries = Object.entries(value).map(([name, entry]) => [

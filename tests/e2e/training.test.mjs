@@ -101,7 +101,10 @@ describe("after training", () => {
     const { settings } = await provenance(page);
     assert.deepEqual([settings.dynamicsIps, settings.poseIps], [20, 20]);
     assert.equal(await page.getByTestId("setting-poseIps").inputValue(), "20");
-    assert.match((await page.getByTestId("run").first().textContent()) ?? "", /done, (stands still|keeps one pose) from \d/);
+    assert.match(
+      (await page.getByTestId("run").first().textContent()) ?? "",
+      /done, (stands still|keeps one pose) from \d/,
+    );
     assert.deepEqual(problems, []);
     await leave();
   });

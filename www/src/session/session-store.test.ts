@@ -153,7 +153,7 @@ describe("Forget everything", () => {
   });
 
   it("is undone: earlier visits are offered again, and this visit is stored again", async () => {
-    await browser.leave("a", { clips: [clip("walk")] });
+    await browser.leave("a", { clips: [clip("walk")] }, Date.now() - 1000);
     const { visit, store } = await browser.open("b");
     visit.now = { ...nothing, model: "{}", clips: [clip("run")] };
     await store.keepNow();
