@@ -21,7 +21,7 @@ fn summary(output: &Output) -> Value {
 
 fn refusal(output: &Output) -> String {
     let err = String::from_utf8(output.stderr.clone()).unwrap();
-    let status = 1 + i32::from(err.starts_with("vcgpdm: -"));
+    let status = 1 + i32::from(err.starts_with("vcgpdm: -") || err.ends_with("(try --help)\n"));
     assert_eq!((output.status.code(), err.matches('\n').count()), (Some(status), 1), "{err}");
     err
 }
