@@ -366,7 +366,7 @@ mod tests {
     fn bayes_factors_and_claims_need_plain_models() {
         let found = |pose_weight: PoseWeight| {
             let mut jobs = Vec::new();
-            for fold in 1..=6 {
+            for fold in 0..6 {
                 for (kind, bound) in [(Settings::Vcgpdm as fn(_) -> _, 3.0), (Settings::Vgpdm, 2.0)] {
                     let candidate = kind(VariationalSettings { pose_weight, ..variational(8) });
                     jobs.push(finished(candidate, fold, 5, 0, outcome(0.5, Some(bound), 100, 1.0)));
