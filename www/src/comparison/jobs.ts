@@ -48,9 +48,8 @@ export function costOf(
   return cost.words === "" && open.length > 0 ? { ...cost, words: SHORT_WAIT } : cost;
 }
 
-/** The estimate is for an idle core, and neglects TMPs and DMPs. */
-const SHORT_WAIT =
-  "Less than a minute on a fast, idle machine, some minutes on a slow or busy one. The time left is measured once it runs.";
+/** The estimate neglects TMPs and DMPs, so a short one is no promise. */
+const SHORT_WAIT = "How long this takes depends on the machine. The time left is shown while it runs.";
 
 /** The rough work of a job relative to others. It predicts the time before a job of the same kind has run. */
 const WEIGHTS: Record<Job["candidate"]["model"], (trials: number) => number> = {
