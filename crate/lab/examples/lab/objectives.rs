@@ -46,7 +46,7 @@ fn outcomes(name: &str, trials: &[Clip]) -> Vec<[Vec<Outcome>; 5]> {
     let preset = presets(&trials[0].skeleton).into_iter().find(|preset| preset.id == "lower-upper").unwrap();
     let clock = Instant::now();
     let fold = |held_out| {
-        eprintln!("{name}: trial {held_out} of {} held out", trials.len());
+        eprintln!("{name}: trial {} of {} held out", held_out + 1, trials.len());
         let training = trials.len() - 1;
         let fold =
             Fold::new(trials, held_out, training, &preset.parts, FRAMES_PER_SECOND, START_FRAMES).unwrap();
@@ -57,7 +57,7 @@ fn outcomes(name: &str, trials: &[Clip]) -> Vec<[Vec<Outcome>; 5]> {
                 .collect()
         })
     };
-    (1..=trials.len()).map(fold).collect()
+    (0..trials.len()).map(fold).collect()
 }
 
 pub fn run(folders: &[PathBuf]) {
