@@ -17,6 +17,7 @@ import { isEmbedded } from "./settings/settings";
 import { storyBody } from "./story/body";
 import "./story/doors";
 import { whenIdle } from "./ui/idle";
+import { prefersReducedMotion } from "./ui/reduced-motion";
 
 const app = new App(browserAddressBar, isEmbedded(location.search));
 openDoor(app.settings, app.embedded);
@@ -66,7 +67,7 @@ app.engine.on(keepFiles);
 
 /** Starts the engine of the Lab, when the Lab is on the page for the first time. */
 function startLab(page: PageView): void {
-  if (!matchMedia("(prefers-reduced-motion: reduce)").matches) app.playback.play();
+  if (!prefersReducedMotion()) app.playback.play();
   // A load that failed may work now.
   addEventListener("online", () => void (app.engine.state === "failed" && start()));
   void start().then(() => {

@@ -7,6 +7,7 @@ import { distances } from "../scene/motion";
 import { Player } from "../stage/player";
 import { eachFrame } from "../ui/each-frame";
 import { icon } from "../ui/icons";
+import { prefersReducedMotion } from "../ui/reduced-motion";
 import { View } from "../ui/view";
 import type { ReadonlyEntry } from "./comparison-entry";
 import type { ComparisonStore } from "./comparison-store";
@@ -43,8 +44,7 @@ export class SideBySide extends View {
   }
 
   protected override arrived(): void {
-    this.#player.playing =
-      this.comparison.look.playing ?? !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.#player.playing = this.comparison.look.playing ?? !prefersReducedMotion();
     this.whenLeaving(eachFrame((seconds) => this.#tick(seconds)));
     this.whenLeaving(() => this.#leaveCanvas());
     this.requestUpdate();

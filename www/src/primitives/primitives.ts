@@ -4,6 +4,7 @@ import type { EngineStore } from "../engine/engine-store";
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { SettingsStore } from "../settings/settings-store";
 import type { NoticesStore } from "../ui/notices-store";
+import { prefersReducedMotion } from "../ui/reduced-motion";
 import { FittingStore } from "./fitting-store";
 import { FoldStore } from "./fold-store";
 import { ImportStore } from "./import-store";
@@ -30,7 +31,7 @@ export function openPrimitives(
 ) {
   const library = new LibraryStore(whole, notices, fetchLibrary);
   // Later visits of the view continue as the visitor left it.
-  library.walk.player.playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
+  library.walk.player.playing = !prefersReducedMotion();
   return {
     library,
     fitting: new FittingStore(whole, clips, library),

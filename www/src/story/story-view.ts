@@ -4,6 +4,7 @@ import type { App } from "../app/app";
 import { isUsedByControl } from "../app/keyboard";
 import { initialSettings, writeSettings } from "../settings/settings";
 import { whenIdle } from "../ui/idle";
+import { prefersReducedMotion } from "../ui/reduced-motion";
 import { View } from "../ui/view";
 import { noticeCard } from "../ui/notices-view";
 import { storyBody } from "./body";
@@ -77,7 +78,7 @@ export class StoryView extends View {
   /** Fades stage and card, and tells screen readers of the new chapter by its title. */
   async #turn(): Promise<void> {
     await this.updateComplete;
-    if (!matchMedia("(prefers-reduced-motion: reduce)").matches)
+    if (!prefersReducedMotion())
       for (const part of this.querySelectorAll(".story-stage, .story-card"))
         part.animate({ opacity: [0, 1] }, { duration: FADE, easing: "ease-out" });
     this.querySelector<HTMLElement>(".story-card h1")?.focus({ preventScroll: true });

@@ -6,6 +6,7 @@ import { isSwinging, stepOf } from "../../couplings/measures-text";
 import { weights } from "../../couplings/weights";
 import { EQUATIONS } from "../../method/equations";
 import { initialSettings, type Settings } from "../../settings/settings";
+import { prefersReducedMotion } from "../../ui/reduced-motion";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../body";
@@ -149,7 +150,7 @@ export class ArmsChapter extends Store implements Chapter {
 
   /** The stored walk at once, and the model's as soon as it is there. */
   async #begin(): Promise<void> {
-    const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const calm = prefersReducedMotion();
     try {
       await this.body.showFirstMotion();
       if (!calm) this.body.playback.play();

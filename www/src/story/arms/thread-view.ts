@@ -2,6 +2,7 @@
 import { html, svg } from "lit";
 import type { StageView } from "../../stage/stage-view";
 import { eachFrame } from "../../ui/each-frame";
+import { prefersReducedMotion } from "../../ui/reduced-motion";
 import { View } from "../../ui/view";
 import type { ArmsChapter } from "./arms-chapter";
 
@@ -27,7 +28,7 @@ export class ThreadView extends View {
   }
 
   protected override arrived(): void {
-    const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const calm = prefersReducedMotion();
     this.whenLeaving(
       eachFrame((seconds) => {
         const towards = this.chapter.isCut ? 1 : 0;

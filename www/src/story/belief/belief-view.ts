@@ -3,6 +3,7 @@ import { html, nothing, svg } from "lit";
 import { frameOf, linePath } from "../../experiment/paths";
 import { eachFrame } from "../../ui/each-frame";
 import { partColour } from "../../ui/palette";
+import { prefersReducedMotion } from "../../ui/reduced-motion";
 import { partStyle } from "../../ui/styled";
 import { View } from "../../ui/view";
 import type { BeliefChapter } from "./belief-chapter";
@@ -32,7 +33,7 @@ export class BeliefView extends View {
   }
 
   protected override arrived(): void {
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+    if (prefersReducedMotion()) return;
     this.whenLeaving(
       eachFrame((seconds) => {
         this.#seconds += seconds;

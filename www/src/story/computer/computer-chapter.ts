@@ -1,5 +1,6 @@
 // Which one is a computer? Two walkers as points of light: a program's walk, and a model that predicts it.
 import { html, nothing } from "lit";
+import { prefersReducedMotion } from "../../ui/reduced-motion";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { Chapter } from "../chapter";
@@ -101,7 +102,7 @@ export class ComputerChapter extends Store implements Chapter {
   }
 
   arrive(): void {
-    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.#play();
+    if (!prefersReducedMotion()) this.#play();
   }
 
   leave(): void {

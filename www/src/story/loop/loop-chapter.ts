@@ -4,6 +4,7 @@ import { Latest } from "../../engine/latest";
 import type { Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
 import { partColourNow, theme } from "../../ui/palette";
+import { prefersReducedMotion } from "../../ui/reduced-motion";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../body";
@@ -317,7 +318,7 @@ export class LoopChapter extends Store implements Chapter, LatentScene {
     this.#guessed = true;
     this.#walks = false;
     this.#pause();
-    this.#leaving = matchMedia("(prefers-reduced-motion: reduce)").matches ? 0.999 : 0;
+    this.#leaving = prefersReducedMotion() ? 0.999 : 0;
     this.changed();
   }
 
@@ -361,7 +362,7 @@ export class LoopChapter extends Store implements Chapter, LatentScene {
     void this.#body.showFirstMotion();
     this.#body.start().catch(() => {});
     this.#walkOn();
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
+    if (prefersReducedMotion()) {
       this.#walks = false;
       this.#pause();
       if (this.#lap) this.#moveTo([this.#seen[0]!, this.#seen[1]!], Infinity);

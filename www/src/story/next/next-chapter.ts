@@ -5,6 +5,7 @@ import { ellipseOf, type Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
 import { arrowHead, traceEllipse } from "../../latents/shapes";
 import { partColourNow, theme } from "../../ui/palette";
+import { prefersReducedMotion } from "../../ui/reduced-motion";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../body";
@@ -211,7 +212,7 @@ export class NextChapter extends Store implements Chapter, LatentScene {
 
   /** Draws frame after frame. */
   #run(): void {
-    this.#drawn = matchMedia("(prefers-reduced-motion: reduce)").matches ? this.#longest : 0;
+    this.#drawn = prefersReducedMotion() ? this.#longest : 0;
     this.changed();
   }
 
@@ -438,7 +439,7 @@ export class NextChapter extends Store implements Chapter, LatentScene {
     void this.#body.showFirstMotion();
     this.#body.start().catch(() => {});
     if (!this.#start) attempt(this.#body, this.#begin());
-    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.#body.playback.play();
+    if (!prefersReducedMotion()) this.#body.playback.play();
   }
 
   leave(): void {

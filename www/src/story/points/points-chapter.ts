@@ -8,6 +8,7 @@ import type { Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
 import { arrowHead } from "../../latents/shapes";
 import { partColourNow, theme } from "../../ui/palette";
+import { prefersReducedMotion } from "../../ui/reduced-motion";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../body";
@@ -353,7 +354,7 @@ export class PointsChapter extends Store implements Chapter, LatentScene {
     this.#here = true;
     void this.#body.showFirstMotion();
     this.#body.start().catch(() => {});
-    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.#body.playback.play();
+    if (!prefersReducedMotion()) this.#body.playback.play();
   }
 
   leave(): void {

@@ -7,6 +7,7 @@ import type { Projection } from "../../latents/projection";
 import { traceEllipse } from "../../latents/shapes";
 import { ALPHA_MAX, ALPHA_MIN } from "../../settings/settings";
 import { partColour, partColourNow, theme } from "../../ui/palette";
+import { prefersReducedMotion } from "../../ui/reduced-motion";
 import { Store } from "../../ui/store";
 import { partStyle } from "../../ui/styled";
 import type { WordsStore } from "../../words/words";
@@ -315,7 +316,7 @@ export class ProductChapter extends Store implements Chapter, LatentScene {
     this.#here = true;
     void this.#body.showFirstMotion();
     this.#body.start().catch(() => {});
-    if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.#body.playback.play();
+    if (!prefersReducedMotion()) this.#body.playback.play();
   }
 
   leave(): void {

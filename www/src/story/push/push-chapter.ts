@@ -5,6 +5,7 @@ import type { LiveStore, Mark } from "../../live/live-store";
 import { EQUATIONS } from "../../method/equations";
 import type { Settings } from "../../settings/settings";
 import { eachFrame } from "../../ui/each-frame";
+import { prefersReducedMotion } from "../../ui/reduced-motion";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../body";
@@ -142,7 +143,7 @@ export class PushChapter extends Store implements Chapter {
 
   /** The stored walk at once, and the model's as soon as it is there. */
   async #begin(): Promise<void> {
-    const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const calm = prefersReducedMotion();
     try {
       await this.body.showFirstMotion();
       if (!calm) this.body.playback.play();
