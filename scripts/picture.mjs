@@ -19,7 +19,7 @@ const WIDTH = 900;
 const STEP = 3;
 const QUALITY = 60;
 
-/** The number of pictures in which the arrow is dragged down by so many pixels; 0: it rests. */
+/** In this number of pictures the pointer drags the arrow down by `down` pixels; with 0 the arrow rests. */
 const SCENES = [
   { pictures: 14, down: 0 },
   { pictures: 9, down: 170 },

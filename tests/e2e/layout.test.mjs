@@ -43,7 +43,7 @@ const overprints = (/** @type {Page} */ page, /** @type {string} */ selector) =>
     );
   }, selector);
 
-/** A model of so many parts, whose motion does not matter. */
+/** A model with `count` parts. Its motion does not matter. */
 function modelOf(/** @type {number} */ count) {
   const names = ["hips", "left leg", "right leg", "trunk", "arms"];
   const joints = Clip.sample("walk-1").info().joints.length;

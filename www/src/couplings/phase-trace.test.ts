@@ -46,7 +46,7 @@ describe("a learned cycle", () => {
     expect(Math.abs(phases[0]! - phases[1]!)).toBeCloseTo(0.5, 2);
   });
 
-  it("does not exist for a path that stands still, is too short or has no period", () => {
+  it("is null for a path that stands still, for a path that is too short, and without a period", () => {
     expect(LearnedCycle.from(new Float64Array(600), 2, 2, 30)).toBeNull();
     expect(LearnedCycle.from(circle(30).subarray(0, 60), 2, 2, 30)).toBeNull();
     expect(LearnedCycle.from(circle(30), 2, 2, 0)).toBeNull();
