@@ -81,20 +81,7 @@ export function weigh() {
     ["motion as GLB", sum(glb), budget.glb],
   ];
 
-  const counted = [
-    ...first,
-    ...otherLanguages,
-    ...lab,
-    ...story,
-    ...asked,
-    ...later,
-    ...perception,
-    ...study,
-    ...primitives,
-    ...series,
-    ...glb,
-  ];
-  const rows = [...counted.map(({ name, size }) => [name, size, ""]), ...sums];
+  const rows = [...[...first, ...besides].map(({ name, size }) => [name, size, ""]), ...sums];
   const width = Math.max(...rows.map(([name]) => String(name).length));
   console.log(`${"gzipped".padStart(width + 13)}`);
   for (const [name, size, limit] of rows) {
