@@ -37,8 +37,9 @@ const WHEN_ASKED = [
   "ui/part-names",
   "ui/choice-dialog",
 ];
-/** The chapters of the story after the first. */
-const isChapter = (file: string) => /\/src\/story\/(?!computer\/)[a-z]+\//.test(file);
+/** The chapters of the story after the first, and what only they share. */
+const isChapter = (file: string) =>
+  /\/src\/story\/((?!computer\/)[a-z]+\/|endless-walk\.|equation\.)/.test(file);
 const isAsked = (file: string) =>
   WHEN_ASKED.some((name) =>
     name.endsWith("/") ? file.includes(`/src/${name}`) : file.includes(`/src/${name}.`),

@@ -5,7 +5,7 @@ import { spotlight } from "../stage/spotlight";
 import { Plane, type PlotView } from "./plane";
 import { interpolate } from "./prediction-at";
 import { drawPredictions, layOut, type PredictionPicture, type StepBand } from "./prediction-drawing";
-import { arrowHead } from "./shapes";
+import { arrowHead, fillDot } from "./shapes";
 
 /** Inducing points of a coupling from or to another part. */
 export interface Between {
@@ -158,9 +158,7 @@ function drawLit(
     if (light[t]! < 0.05) continue;
     const [x, y] = plane.place(picture.rollout, t);
     draw.globalAlpha = 0.55 * light[t]!;
-    draw.beginPath();
-    draw.arc(x, y, 4.5, 0, 2 * Math.PI);
-    draw.fill();
+    fillDot(draw, x, y, 4.5);
   }
 }
 
@@ -202,9 +200,7 @@ function drawPairs(
     draw.lineTo(end[0], end[1]);
     draw.stroke();
     if (!drawBeyond(draw, plane, end[0], end[1])) arrowHead(draw, last, end, 5.5);
-    draw.beginPath();
-    draw.arc(start[0], start[1], 1.6, 0, 2 * Math.PI);
-    draw.fill();
+    fillDot(draw, start[0], start[1], 1.6);
   }
 }
 
@@ -229,9 +225,7 @@ function drawOutgoing(
     }
     draw.stroke();
     if (drawBeyond(draw, plane, last[0], last[1])) continue;
-    draw.beginPath();
-    draw.arc(last[0], last[1], 2.4, 0, 2 * Math.PI);
-    draw.fill();
+    fillDot(draw, last[0], last[1], 2.4);
   }
 }
 
@@ -294,14 +288,10 @@ function drawNow(draw: CanvasRenderingContext2D, picture: LatentPicture, plane: 
   draw.fillStyle = picture.colour;
   if (!small) {
     draw.globalAlpha = 0.22;
-    draw.beginPath();
-    draw.arc(x, y, 12, 0, 2 * Math.PI);
-    draw.fill();
+    fillDot(draw, x, y, 12);
   }
   draw.globalAlpha = 1;
-  draw.beginPath();
-  draw.arc(x, y, small ? 3.5 : 6, 0, 2 * Math.PI);
-  draw.fill();
+  fillDot(draw, x, y, small ? 3.5 : 6);
   draw.lineWidth = small ? 1 : 2;
   draw.strokeStyle = "#ffffff";
   draw.stroke();

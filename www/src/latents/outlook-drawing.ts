@@ -5,7 +5,7 @@ import { partColourNow, theme } from "../ui/palette";
 import type { OutlookStore } from "./outlook-store";
 import { ellipseOf, type Plane } from "./plane";
 import { interpolate } from "./prediction-at";
-import { type BandPoint, traceBand, traceEllipse } from "./shapes";
+import { type BandPoint, fillDot, traceBand, traceEllipse } from "./shapes";
 
 /** Frames of the drawn trail: half a second. All laps together would be a tangle. */
 const TRAIL = 15;
@@ -55,9 +55,7 @@ export function drawFutures(
     draw.stroke();
     const [x, y] = points.at(-1) ?? [0, 0];
     draw.globalAlpha = 0.8;
-    draw.beginPath();
-    draw.arc(x, y, 2.8, 0, 2 * Math.PI);
-    draw.fill();
+    fillDot(draw, x, y, 2.8);
   }
 }
 

@@ -3,7 +3,7 @@ import type { PredictionsReport } from "../engine/protocol";
 import { partColourNow, theme } from "../ui/palette";
 import { type Ellipse, ellipseOf, type Plane, type PlotView } from "./plane";
 import { interpolate, type Gaussian, type PartPrediction, predictedAt } from "./prediction-at";
-import { type BandPoint, arrowHead, traceBand, traceEllipse } from "./shapes";
+import { type BandPoint, arrowHead, fillDot, traceBand, traceEllipse } from "./shapes";
 
 /** A source with a smaller weight is drawn dashed. */
 const HEARD = 0.01;
@@ -156,7 +156,5 @@ function drawExpert(
   draw.lineTo(product.x, product.y);
   draw.stroke();
   draw.globalAlpha = 1;
-  draw.beginPath();
-  draw.arc(expert.x, expert.y, 2.2, 0, 2 * Math.PI);
-  draw.fill();
+  fillDot(draw, expert.x, expert.y, 2.2);
 }

@@ -12,6 +12,12 @@ export function arrowHead(draw: CanvasRenderingContext2D, from: number[], to: nu
   draw.fill();
 }
 
+export function fillDot(draw: CanvasRenderingContext2D, x: number, y: number, radius: number): void {
+  draw.beginPath();
+  draw.arc(x, y, radius, 0, 2 * Math.PI);
+  draw.fill();
+}
+
 export function traceEllipse(draw: CanvasPath, { x, y, major, minor, angle }: Ellipse, times = 1): void {
   draw.ellipse(x, y, times * major, times * minor, angle, 0, 2 * Math.PI, true);
 }

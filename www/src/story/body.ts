@@ -13,6 +13,7 @@ import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
 import { StageStore } from "../stage/stage-store";
 import { NoticesStore } from "../ui/notices-store";
+import { prefersReducedMotion } from "../ui/reduced-motion";
 
 /** The settings of the story's body are in no address. */
 export const NO_ADDRESS: AddressBar = { read: () => "", write() {}, push() {} };
@@ -39,6 +40,13 @@ export class StoryBody {
     if (this.stage.content) return;
     const motion = await fetchStartMotion();
     if (motion && !this.stage.content) this.stage.showModel(motion);
+  }
+
+  /** Shows the walk, which moves unless the system asks for less motion. The frame says why the model cannot run. */
+  open(): void {
+    void this.showFirstMotion();
+    this.start().catch(() => {});
+    if (!prefersReducedMotion()) this.playback.play();
   }
 
   /** The learned motion, from the place of the figure, without a live motion or changed couplings. */

@@ -1,16 +1,15 @@
 // Who tells the arms when to swing? The coupling from the legs to the arms is cut while the figure walks.
 import { html, nothing } from "lit";
-import { unsafeHTML } from "lit/directives/unsafe-html.js";
 import { couplingsOf, START_PRESETS } from "../../couplings/presets";
 import { isSwinging, stepOf } from "../../couplings/measures-text";
 import { weights } from "../../couplings/weights";
-import { EQUATIONS } from "../../method/equations";
 import { initialSettings, type Settings } from "../../settings/settings";
-import { prefersReducedMotion } from "../../ui/reduced-motion";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../body";
 import type { Chapter } from "../chapter";
+import { EndlessWalk } from "../endless-walk";
+import { equation } from "../equation";
 
 /** The parts of the model, in its order. */
 const [LEGS, ARMS] = [0, 1] as const;
@@ -26,13 +25,14 @@ export class ArmsChapter extends Store implements Chapter {
   readonly body: StoryBody;
   #thread: Thread = "tied";
   #hasGuessed = false;
-  #isHere = false;
   #stop = () => {};
+  readonly #walk: EndlessWalk;
 
   constructor(words: WordsStore, body: StoryBody) {
     super();
     this.#words = words;
     this.body = body;
+    this.#walk = new EndlessWalk(body, () => this.changed());
   }
 
   get #now() {
@@ -66,7 +66,7 @@ export class ArmsChapter extends Store implements Chapter {
   control() {
     if (!this.#hasGuessed) {
       if (this.body.playback.playing) return null;
-      return html`<button class="story-button" data-testid="walk" @click=${() => void this.#walk()}>${this.#now.walk}</button>`;
+      return html`<button class="story-button" data-testid="walk" @click=${() => this.#walk.walk()}>${this.#now.walk}</button>`;
     }
     const { label, ...names } = this.#now.thread;
     return html`<div class="story-choice" role="group" aria-label=${label}>
@@ -109,8 +109,7 @@ export class ArmsChapter extends Store implements Chapter {
 
   equation() {
     const shares = this.#shares();
-    return html`${unsafeHTML(EQUATIONS.dynamics)}${unsafeHTML(EQUATIONS.weights)}
-      ${shares ? html`<p>${this.#now.equation(shares.tied, shares.cut)}</p>` : nothing}`;
+    return equation(["dynamics", "weights"], shares && this.#now.equation(shares.tied, shares.cut));
   }
 
   /** The share of the legs in the steps of the arms. */
@@ -133,48 +132,23 @@ export class ArmsChapter extends Store implements Chapter {
   }
 
   arrive(): void {
-    this.#isHere = true;
     const { measures, model, phases, playback } = this.body;
     const stops = [measures, model, phases].map((store) => store.on(() => this.changed()));
     this.#stop = () => stops.forEach((stop) => stop());
-    void this.#begin();
+    this.#walk.arrive();
     if (playback.playing) this.changed();
   }
 
   leave(): void {
-    this.#isHere = false;
     this.#stop();
-    this.body.reset();
+    this.#walk.leave();
     [this.#thread, this.#hasGuessed] = ["tied", false];
-  }
-
-  /** The stored walk at once, and the model's as soon as it is there. */
-  async #begin(): Promise<void> {
-    const calm = prefersReducedMotion();
-    try {
-      await this.body.showFirstMotion();
-      if (!calm) this.body.playback.play();
-      this.changed();
-      await this.body.start();
-      if (this.#isHere && !calm) await this.#walk();
-    } catch {
-      // The frame says why the model cannot run here.
-    }
-  }
-
-  /** Lets the model walk on without an end. */
-  async #walk(): Promise<void> {
-    this.body.playback.play();
-    await this.body.start();
-    const live = await this.body.live.get();
-    if (this.#isHere) await live.start();
-    this.changed();
   }
 
   /** Ties or cuts the thread. */
   #pull(thread: Thread): void {
     this.#thread = thread;
-    void this.#walk().catch(() => {});
+    this.#walk.walk();
     this.body.model.takePreset(presetOf(thread));
     this.changed();
   }

@@ -1,5 +1,6 @@
 // The thread between the legs and the arms, drawn over the figure. It snaps when it is cut.
 import { html, svg } from "lit";
+import { nodeNamed } from "../../scene/joint-node";
 import type { StageView } from "../../stage/stage-view";
 import { eachFrame } from "../../ui/each-frame";
 import { prefersReducedMotion } from "../../ui/reduced-motion";
@@ -47,8 +48,7 @@ export class ThreadView extends View {
     THREADS.forEach((ends, i) => {
       const path = paths[i];
       const [from, to] = ends.map((name) => {
-        const joint = content?.joints.indexOf(name) ?? -1;
-        const node = content?.figure.nodes.findIndex((node) => node.joint === joint && !node.endSite) ?? -1;
+        const node = nodeNamed(content, name);
         return node < 0 ? null : (scene?.placeOf(node) ?? null);
       });
       if (!path || !from || !to) return;

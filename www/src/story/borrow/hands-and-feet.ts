@@ -1,6 +1,7 @@
 // What the hands and feet of a motion do, measured on its positions.
 import type { LibraryInfo } from "../../engine/library-protocol";
 import type { Motion } from "../../engine/protocol";
+import { nodeOfJoint } from "../../scene/joint-node";
 
 export interface HandsAndFeet {
   /** The mean height of the hands above the hips, in metres. */
@@ -14,7 +15,7 @@ export interface HandsAndFeet {
 /** The node of the joint whose name ends like this; null: the body has no such joint. */
 function nodeOf({ joints, figure }: Pick<LibraryInfo, "joints" | "figure">, end: RegExp): number | null {
   const joint = joints.findIndex(({ name }) => end.test(name));
-  const node = figure.nodes.findIndex((node) => node.joint === joint && !node.endSite);
+  const node = nodeOfJoint(figure, joint);
   return joint < 0 || node < 0 ? null : node;
 }
 

@@ -2,11 +2,12 @@
 import { html } from "lit";
 import type { Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
+import { fillDot } from "../../latents/shapes";
 import { partColourNow, theme } from "../../ui/palette";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { Chapter } from "../chapter";
-import { equation } from "../latent/equation";
+import { equation } from "../equation";
 import type { Handle, LatentScene } from "../latent/latent-view";
 import { type Point, type Prediction, Process } from "./process";
 
@@ -180,11 +181,7 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
       draw.setLineDash([]);
     } else this.#paintInput(draw, pixels, perPixel);
     draw.fillStyle = ink;
-    for (const point of this.#points) {
-      draw.beginPath();
-      draw.arc(...pixels(...point), 9, 0, 2 * Math.PI);
-      draw.fill();
-    }
+    for (const point of this.#points) fillDot(draw, ...pixels(...point), 9);
     if (!this.#sparse || !this.#guessed) return;
     draw.fillStyle = "#d55e00";
     for (const x of this.#inducing) {
@@ -214,18 +211,14 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
     draw.moveTo(px, middle - half);
     draw.lineTo(px, middle + half);
     draw.stroke();
-    draw.beginPath();
-    draw.arc(px, middle, 7, 0, 2 * Math.PI);
-    draw.fill();
+    fillDot(draw, px, middle, 7);
     const wide = (2 * this.#spread) / perPixel;
     draw.lineWidth = 5;
     draw.beginPath();
     draw.moveTo(px - wide, bottom);
     draw.lineTo(px + wide, bottom);
     draw.stroke();
-    draw.beginPath();
-    draw.arc(px, bottom, 9, 0, 2 * Math.PI);
-    draw.fill();
+    fillDot(draw, px, bottom, 9);
   }
 
   stage() {
@@ -274,7 +267,7 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
   }
 
   equation() {
-    return equation("kernel", this.#now.equation);
+    return equation(["kernel"], this.#now.equation);
   }
 
   lab() {

@@ -1,5 +1,4 @@
 // Paints how sure a pose map is over the plane of a plot: dense where the model knows the pose.
-import type { Plane } from "../../latents/plane";
 
 /** Pixels of a cell, which has one colour before the picture is smoothed. */
 const CELL = 8;
@@ -68,17 +67,4 @@ export function drawCertainty(
 export function channels(hex: string): [number, number, number] {
   const value = Number.parseInt(hex.slice(1), 16);
   return [value >> 16, (value >> 8) & 255, value & 255];
-}
-
-/** A place in pixels along the first two axes of the projection. */
-export function axesAt(
-  plane: Plane,
-  { centre, axes, dimensions: q }: { centre: Float64Array; axes: Float64Array; dimensions: number },
-  x: number,
-  y: number,
-): [right: number, up: number] {
-  const [middleX, middleY] = plane.place(centre, 0);
-  const step = plane.latentStep(x - middleX, y - middleY);
-  const along = (axis: number) => step.reduce((sum, value, a) => sum + value * axes[axis * q + a]!, 0);
-  return [along(0), along(1)];
 }

@@ -3,15 +3,15 @@ import { html, nothing } from "lit";
 import { Latest } from "../../engine/latest";
 import type { Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
+import { fillDot } from "../../latents/shapes";
 import { partColourNow, theme } from "../../ui/palette";
 import { prefersReducedMotion } from "../../ui/reduced-motion";
-import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../body";
 import type { Chapter } from "../chapter";
+import { equation } from "../equation";
 import { attempt } from "../latent/attempt";
 import {
-  axesAt,
   type Cells,
   cellPoints,
   cellsOf,
@@ -20,14 +20,14 @@ import {
   drawCertainty,
   strengthOf,
 } from "../latent/certainty-map";
-import { equation } from "../latent/equation";
-import type { Lap } from "../latent/lap";
-import type { Handle, LatentScene } from "../latent/latent-view";
+import { strokeLoop } from "../latent/drawing";
+import { LatentChapter } from "../latent/latent-chapter";
+import type { Handle } from "../latent/latent-view";
 import { lift, nearestRow } from "../latent/lift";
-import { PoseStage } from "../latent/pose-stage";
-import { walkLoop } from "../latent/walk-loop";
+import { axesAt, type Place, pixelsAt } from "../latent/place";
 
 const LEGS = 0;
+const NOTHING = new Float64Array(0);
 /** The plot shows this many times the width of the loop. */
 const AROUND = 1.75;
 /** Pixels within which the dot stays on the loop. */
@@ -38,9 +38,6 @@ const SECONDS = 1.6;
 /** The step of an arrow key off the loop, in radii of the loop. */
 const STEP = 0.12;
 
-/** A point of the plane, along the first two axes. */
-type Place = [right: number, up: number];
-
 interface Known {
   /** The share of the prior variance at the dot. */
   share: number;
@@ -48,14 +45,7 @@ interface Known {
   onLoop: number;
 }
 
-export class LoopChapter extends Store implements Chapter, LatentScene {
-  readonly #words: WordsStore;
-  readonly #body: StoryBody;
-  readonly #pose: PoseStage;
-  #lap: Lap | null = null;
-  #projection: Projection | null = null;
-  /** The lap on the axes of the plot [frames x 3]. */
-  #seen: Float64Array = new Float64Array(0);
+export class LoopChapter extends LatentChapter implements Chapter {
   #place: Place = [0, 0];
   #walks = true;
   #frame = 0;
@@ -66,28 +56,28 @@ export class LoopChapter extends Store implements Chapter, LatentScene {
   #onLoop = 0;
   #map: { picture: HTMLCanvasElement; cells: Cells; colour: string } | null = null;
   #mapAsked = "";
-  readonly #poses: Latest<Place, { positions: Float32Array; share: number; point: Place }>;
+  readonly #poses: Latest<Place, { positions: Float32Array; share: number }>;
 
   constructor(words: WordsStore, body: StoryBody) {
-    super();
-    this.#words = words;
-    this.#body = body;
-    this.#pose = new PoseStage(body);
+    super(words, body);
     this.#poses = new Latest(
       (place) => this.#ask(place),
-      (answer) => this.#take(answer.positions, answer.share),
+      ({ positions, share }) => this.#take(positions, share),
       (problem) => attempt(body, Promise.reject(problem)),
     );
-    body.model.on(() => this.#open());
-    this.#open();
+    this.awaitLoop(LEGS, AROUND);
   }
 
   get #now() {
-    return this.#words.now.chapters.loop;
+    return this.words.now.chapters.loop;
   }
 
   get projection(): Projection | null {
-    return this.#projection;
+    return this.loop?.projection ?? null;
+  }
+
+  get #seen(): Float64Array {
+    return this.loop?.seen ?? NOTHING;
   }
 
   get moves(): boolean {
@@ -112,40 +102,32 @@ export class LoopChapter extends Store implements Chapter, LatentScene {
         id: "dot",
         label: this.#now.dot,
         anywhere: true,
-        place: (plane) => this.#pixels(plane),
+        place: (plane) => pixelsAt(plane, this.loop!.projection, this.#place),
         drag: (plane, x, y) => this.#drag(plane, x, y),
         nudge: (right, down) => this.#nudge(right, down),
       },
     ];
   }
 
-  #open(): void {
-    const loop = this.#lap ? null : walkLoop(this.#body, LEGS, AROUND);
-    if (!loop) return;
-    [this.#lap, this.#projection, this.#seen] = [loop.lap, loop.projection, loop.seen];
-    attempt(this.#body, this.#measureLoop());
+  /** Measures the doubt on the loop. */
+  protected async begin(): Promise<void> {
     this.changed();
-  }
-
-  async #measureLoop(): Promise<void> {
-    const { engine } = this.#body.engine;
-    if (!engine || !this.#lap) return;
-    this.#onLoop = Math.max(...(await engine.poseVariance(LEGS, this.#lap.path)));
+    const { engine } = this.body.engine;
+    if (!engine || !this.loop) return;
+    this.#onLoop = Math.max(...(await engine.poseVariance(LEGS, this.loop.lap.path)));
     this.changed();
   }
 
   async #ask(point: Place) {
-    const { engine } = this.#body.engine;
-    const { learned } = this.#body.model;
-    if (!engine || !learned || !this.#projection || !this.#lap) throw new Error("There is no model yet.");
-    const row = nearestRow(this.#seen, ...point);
-    const onLoop = this.#isOnLoop;
-    const q = this.#projection.dimensions;
-    const legs = onLoop
-      ? this.#lap.path.slice(row * q, (row + 1) * q)
-      : lift(this.#projection, this.#seen, ...point);
+    const { engine } = this.body.engine;
+    const { learned } = this.body.model;
+    if (!engine || !learned || !this.loop) throw new Error("There is no model yet.");
+    const { lap, projection, seen } = this.loop;
+    const row = nearestRow(seen, ...point);
+    const q = projection.dimensions;
+    const legs = this.#isOnLoop ? lap.path.slice(row * q, (row + 1) * q) : lift(projection, seen, ...point);
     // The arms keep to the time of the nearest point of the loop.
-    const frame = this.#lap.first + row;
+    const frame = lap.first + row;
     const others = learned.latents.slice(1).flatMap((path) => {
       const width = path.length / learned.request.frames;
       return [...path.slice(frame * width, (frame + 1) * width)];
@@ -154,26 +136,15 @@ export class LoopChapter extends Store implements Chapter, LatentScene {
       engine.bodyPose(Float64Array.of(...legs, ...others)),
       engine.poseVariance(LEGS, legs),
     ]);
-    return { positions, share: shares[0]!, point };
+    return { positions, share: shares[0]! };
   }
 
   #take(positions: Float32Array, share: number): void {
     if (this.#walks) return;
     this.#known = { share, onLoop: this.#onLoop };
     const opacity = this.#isOnLoop ? 1 : Math.max(0.03, strengthOf(share));
-    this.#pose.show(positions, { part: LEGS, opacity });
+    this.pose.show(positions, { part: LEGS, opacity });
     this.changed();
-  }
-
-  #pixels(plane: Plane): [number, number] {
-    const { centre, axes, dimensions: q } = this.#projection!;
-    const [right, up] = this.#place;
-    const point = Float64Array.from(
-      { length: q },
-      (_, a) => centre[a]! + right * axes[a]! + up * axes[q + a]!,
-    );
-    const [x, y] = plane.place(point, 0);
-    return [x, y];
   }
 
   #stop(): void {
@@ -183,7 +154,7 @@ export class LoopChapter extends Store implements Chapter, LatentScene {
 
   #drag(plane: Plane, x: number, y: number): void {
     this.#stop();
-    this.#moveTo(axesAt(plane, this.#projection!, x, y), this.#snap(plane));
+    this.#moveTo(axesAt(plane, this.loop!.projection, x, y), this.#snap(plane));
   }
 
   /** The distance within which the dot stays on the loop. Before the guess it never leaves. */
@@ -218,7 +189,7 @@ export class LoopChapter extends Store implements Chapter, LatentScene {
   }
 
   #radius(): number {
-    const [right, up] = this.#projection?.flat ?? [1, 1];
+    const [right, up] = this.projection?.flat ?? [1, 1];
     return (right + up) / (2 * AROUND);
   }
 
@@ -234,9 +205,9 @@ export class LoopChapter extends Store implements Chapter, LatentScene {
       return;
     }
     const rows = this.#seen.length / 3;
-    if (!this.#walks || !this.#lap || rows === 0) return;
-    const { frame } = this.#body.playback;
-    const row = (((frame - this.#lap.first) % rows) + rows) % rows;
+    if (!this.#walks || !this.loop) return;
+    const { frame } = this.body.playback;
+    const row = (((frame - this.loop.lap.first) % rows) + rows) % rows;
     this.#frame = Math.floor(row) % rows;
     const after = (this.#frame + 1) % rows;
     const share = row - Math.floor(row);
@@ -246,45 +217,29 @@ export class LoopChapter extends Store implements Chapter, LatentScene {
   }
 
   paint(draw: CanvasRenderingContext2D, plane: Plane, { width, height }: { width: number; height: number }) {
-    const { ink } = theme();
     const colour = partColourNow(LEGS);
     if (this.#guessed) {
-      attempt(this.#body, this.#askMap(plane, width, height, colour));
+      attempt(this.body, this.#askMap(plane, width, height, colour));
       if (this.#map) drawCertainty(draw, this.#map.picture, this.#map.cells);
     }
-    const rows = this.#seen.length / 3;
     draw.strokeStyle = colour;
     draw.lineWidth = 4;
-    draw.beginPath();
-    for (let t = 0; t < rows; t++) draw.lineTo(...this.#row(plane, t));
-    draw.closePath();
-    draw.stroke();
-    const [x, y] = this.#pixels(plane);
+    strokeLoop(draw, plane, this.loop!.lap);
+    const [x, y] = pixelsAt(plane, this.loop!.projection, this.#place);
     draw.globalAlpha = 0.2;
     draw.fillStyle = colour;
-    draw.beginPath();
-    draw.arc(x, y, 22, 0, 2 * Math.PI);
-    draw.fill();
+    fillDot(draw, x, y, 22);
     draw.globalAlpha = 1;
-    draw.beginPath();
-    draw.arc(x, y, 11, 0, 2 * Math.PI);
-    draw.fill();
+    fillDot(draw, x, y, 11);
     draw.lineWidth = 3;
     draw.strokeStyle = theme().ground;
     draw.stroke();
-    draw.strokeStyle = ink;
-  }
-
-  #row(plane: Plane, row: number): [number, number] {
-    const q = this.#projection!.dimensions;
-    const [x, y] = plane.place(this.#lap!.path, row);
-    return q > 0 ? [x, y] : [0, 0];
   }
 
   async #askMap(plane: Plane, width: number, height: number, colour: string): Promise<void> {
     const key = `${width} ${height} ${colour}`;
-    const { engine } = this.#body.engine;
-    const projection = this.#projection;
+    const { engine } = this.body.engine;
+    const { projection } = this;
     if (this.#mapAsked === key || !engine || !projection) return;
     this.#mapAsked = key;
     const cells = cellsOf(width, height);
@@ -299,15 +254,14 @@ export class LoopChapter extends Store implements Chapter, LatentScene {
   }
 
   stage() {
-    const { stage, playback, model } = this.#body;
-    const info = model.model?.info;
-    const columns = info ? columnsOf(info.columns, info.joints, info.parts[LEGS]!.joints) : 0;
-    return html`
-      <div class="story-pair">
-        <pg-latent-space .scene=${this} .label=${this.#now.plane}></pg-latent-space>
-        <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${this.#words.now.chapters.arms.figure}></pg-stage>
-        ${info ? html`<p class="story-pair-note" data-testid="sizes">${this.#now.sizes(columns, info.parts[LEGS]!.latent)}</p>` : nothing}
-      </div>`;
+    const info = this.body.model.model?.info;
+    if (!info) return this.pair(this.#now.plane);
+    const { joints, latent } = info.parts[LEGS]!;
+    const columns = columnsOf(info.columns, info.joints, joints);
+    return this.pair(
+      this.#now.plane,
+      html`<p class="story-pair-note" data-testid="sizes">${this.#now.sizes(columns, latent)}</p>`,
+    );
   }
 
   guess() {
@@ -330,14 +284,14 @@ export class LoopChapter extends Store implements Chapter, LatentScene {
   }
 
   #pause(): void {
-    if (this.#body.playback.playing) this.#body.playback.togglePlay();
+    if (this.body.playback.playing) this.body.playback.togglePlay();
   }
 
   #walkOn(): void {
     this.#stop();
     this.#walks = true;
-    this.#pose.end();
-    this.#body.playback.play();
+    this.pose.end();
+    this.body.playback.play();
     this.changed();
   }
 
@@ -351,29 +305,28 @@ export class LoopChapter extends Store implements Chapter, LatentScene {
   }
 
   equation() {
-    return equation("pose", this.#now.equation);
+    return equation(["pose"], this.#now.equation);
   }
 
   lab() {
     return { tab: "loops" as const };
   }
 
-  arrive(): void {
-    void this.#body.showFirstMotion();
-    this.#body.start().catch(() => {});
+  override arrive(): void {
+    super.arrive();
     this.#walkOn();
     if (prefersReducedMotion()) {
       this.#walks = false;
       this.#pause();
-      if (this.#lap) this.#moveTo([this.#seen[0]!, this.#seen[1]!], Infinity);
+      if (this.loop) this.#moveTo([this.#seen[0]!, this.#seen[1]!], Infinity);
     }
   }
 
-  leave(): void {
+  override leave(): void {
     this.#stop();
     [this.#guessed, this.#known] = [false, null];
     this.#poses.drop();
-    this.#pose.end();
+    super.leave();
   }
 }
 

@@ -3,19 +3,18 @@ import { html, nothing } from "lit";
 import type { PredictionsReport, RolloutRequest, RolloutResult } from "../../engine/protocol";
 import { ellipseOf, type Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
-import { arrowHead, traceEllipse } from "../../latents/shapes";
+import { arrowHead, fillDot, traceEllipse } from "../../latents/shapes";
 import { partColourNow, theme } from "../../ui/palette";
 import { prefersReducedMotion } from "../../ui/reduced-motion";
-import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../body";
 import type { Chapter } from "../chapter";
+import { equation } from "../equation";
 import { attempt } from "../latent/attempt";
-import { equation } from "../latent/equation";
-import type { Handle, LatentScene } from "../latent/latent-view";
-import { PoseStage } from "../latent/pose-stage";
-import { axesAt } from "../latent/certainty-map";
-import { type WalkLoop, walkLoop } from "../latent/walk-loop";
+import { strokeLoop, strokePath, tracePath } from "../latent/drawing";
+import { LatentChapter } from "../latent/latent-chapter";
+import type { Handle } from "../latent/latent-view";
+import { axesAt, type Place, pixelsAt, placeOf } from "../latent/place";
 import { backFrom } from "./back";
 import { type PinScore, scorePin, spreadOf } from "./pin";
 
@@ -51,17 +50,13 @@ interface FreePath {
   back: number | null;
 }
 
-export class NextChapter extends Store implements Chapter, LatentScene {
-  readonly #words: WordsStore;
-  readonly #body: StoryBody;
-  readonly #pose: PoseStage;
-  #loop: WalkLoop | null = null;
+export class NextChapter extends LatentChapter implements Chapter {
   #sequence = 0;
   #start: PredictionsReport | null = null;
   /** The latents of the legs at the start [p x Q]. */
   #history: Float64Array = new Float64Array(0);
   /** Along the first two axes. */
-  #pin: [number, number] | null = null;
+  #pin: Place | null = null;
   #guessed = false;
   #futures: Futures | null = null;
   #free: FreePath | null = null;
@@ -70,23 +65,18 @@ export class NextChapter extends Store implements Chapter, LatentScene {
   /** Frames drawn of the futures or of the path. */
   #drawn = 0;
   #asked = 0;
-  #here = false;
 
   constructor(words: WordsStore, body: StoryBody) {
-    super();
-    this.#words = words;
-    this.#body = body;
-    this.#pose = new PoseStage(body);
-    body.model.on(() => this.#open());
-    this.#open();
+    super(words, body);
+    this.awaitLoop(LEGS, AROUND);
   }
 
   get #now() {
-    return this.#words.now.chapters.next;
+    return this.words.now.chapters.next;
   }
 
   get projection(): Projection | null {
-    return this.#start && (this.#loop?.projection ?? null);
+    return this.#start && (this.loop?.projection ?? null);
   }
 
   get moves(): boolean {
@@ -103,7 +93,7 @@ export class NextChapter extends Store implements Chapter, LatentScene {
 
   /** The last frame of the start: the state now. */
   get #frameNow(): number {
-    return (this.#body.model.model?.info.order ?? 2) - 1;
+    return (this.body.model.model?.info.order ?? 2) - 1;
   }
 
   get handles(): readonly Handle[] {
@@ -111,27 +101,21 @@ export class NextChapter extends Store implements Chapter, LatentScene {
       id: "pin",
       label: this.#guessed ? this.#now.anywhere : this.#now.pin,
       anywhere: true,
-      place: (plane) => this.#pixels(plane, this.#pin ?? [0, 0]),
-      drag: (plane, x, y) => this.#take(axesAt(plane, this.#loop!.projection, x, y)),
+      place: (plane) => pixelsAt(plane, this.loop!.projection, this.#pin ?? [0, 0]),
+      drag: (plane, x, y) => this.#take(axesAt(plane, this.loop!.projection, x, y)),
       nudge: (right, down) => this.#nudge(right, down),
     };
     return [pin];
-  }
-
-  #open(): void {
-    if (this.#loop) return;
-    this.#loop = walkLoop(this.#body, LEGS, AROUND);
-    if (this.#loop && this.#here) attempt(this.#body, this.#begin());
   }
 
   #request(frames: number): RolloutRequest {
     return { frames, sequence: this.#sequence, alpha: null, reading: "as-learned" };
   }
 
-  /** Asks for the first step from the start. */
-  async #begin(): Promise<void> {
-    const { engine } = this.#body.engine;
-    if (!engine || !this.#loop) return;
+  /** Asks for the first step from the start, while the chapter is on screen. */
+  protected async begin(): Promise<void> {
+    const { engine } = this.body.engine;
+    if (!engine || !this.loop || !this.isHere) return;
     this.#asked += 1;
     const asked = this.#asked;
     [this.#guessed, this.#futures, this.#free, this.#past, this.#drawn] = [false, null, null, [], 0];
@@ -141,41 +125,20 @@ export class NextChapter extends Store implements Chapter, LatentScene {
     this.#start = start;
     this.#history = rollout.latents[LEGS]!;
     // The pin waits where the point is now.
-    this.#pin = this.#axes(this.#history, this.#frameNow);
+    this.#pin = placeOf(this.loop!.projection, this.#history, this.#frameNow);
     this.changed();
-  }
-
-  /** Row `row` of latents [frames x Q] along the first two axes. */
-  #axes(latents: Float64Array, row: number): [number, number] {
-    const { centre, axes, dimensions: q } = this.#loop!.projection;
-    const along = (axis: number) => {
-      let sum = 0;
-      for (let a = 0; a < q; a++) sum += axes[axis * q + a]! * (latents[row * q + a]! - centre[a]!);
-      return sum;
-    };
-    return [along(0), along(1)];
-  }
-
-  #pixels(plane: Plane, [right, up]: readonly [number, number]): [number, number] {
-    const { centre, axes, dimensions: q } = this.#loop!.projection;
-    const point = Float64Array.from(
-      { length: q },
-      (_, a) => centre[a]! + right * axes[a]! + up * axes[q + a]!,
-    );
-    const [x, y] = plane.place(point, 0);
-    return [x, y];
   }
 
   /** Moves the pin; after the guess, a path starts from there. */
-  #take(place: [number, number]): void {
+  #take(place: Place): void {
     this.#pin = place;
     this.changed();
-    if (this.#guessed && this.#futures) attempt(this.#body, this.#startFrom(place));
+    if (this.#guessed && this.#futures) attempt(this.body, this.#startFrom(place));
   }
 
   #nudge(right: number, down: number): void {
-    if (!this.#pin || !this.#loop) return;
-    const [width] = this.#loop.projection.flat;
+    if (!this.#pin || !this.loop) return;
+    const [width] = this.loop.projection.flat;
     const step = (STEP * width) / 250;
     this.#take([this.#pin[0] + right * step, this.#pin[1] - down * step]);
   }
@@ -187,12 +150,12 @@ export class NextChapter extends Store implements Chapter, LatentScene {
   guessed(): void {
     this.#guessed = true;
     this.changed();
-    attempt(this.#body, this.#fan());
+    attempt(this.body, this.#fan());
   }
 
   async #fan(): Promise<void> {
-    const { engine } = this.#body.engine;
-    const { stage } = this.#body;
+    const { engine } = this.body.engine;
+    const { stage } = this.body;
     if (!engine || !this.#pin) return;
     const asked = this.#asked;
     const request = this.#request(this.#frameNow + 1 + FAN);
@@ -201,11 +164,11 @@ export class NextChapter extends Store implements Chapter, LatentScene {
       engine.futures(request, FUTURES, seed),
       engine.rollout(request),
     ]);
-    if (asked !== this.#asked || !this.#here) return;
+    if (asked !== this.#asked || !this.isHere) return;
     const frame = this.#frameNow + AHEAD;
-    const places = paths.map(({ latents }) => this.#axes(latents[LEGS]!, frame));
+    const places = paths.map(({ latents }) => placeOf(this.loop!.projection, latents[LEGS]!, frame));
     this.#futures = { paths, mean, score: scorePin(places, this.#pin) };
-    this.#pose.play(mean.motion);
+    this.pose.play(mean.motion);
     stage.setFutures(paths.slice(0, FIGURES).map(({ motion }) => motion));
     this.#run();
   }
@@ -217,21 +180,21 @@ export class NextChapter extends Store implements Chapter, LatentScene {
   }
 
   /** The mean path from a place: legs and their history are moved there. */
-  async #startFrom(place: readonly [number, number]): Promise<void> {
-    const { engine } = this.#body.engine;
-    const { model, stage } = this.#body;
-    if (!engine || !model.learned || !this.#loop) return;
+  async #startFrom(place: Readonly<Place>): Promise<void> {
+    const { engine } = this.body.engine;
+    const { model, stage } = this.body;
+    if (!engine || !model.learned || !this.loop) return;
     this.#asked += 1;
     const asked = this.#asked;
-    const { first } = this.#loop.lap;
-    const { axes, dimensions: q } = this.#loop.projection;
-    const [fromRight, fromUp] = this.#axes(model.learned.latents[LEGS]!, first);
+    const { first } = this.loop.lap;
+    const { axes, dimensions: q } = this.loop.projection;
+    const [fromRight, fromUp] = placeOf(this.loop!.projection, model.learned.latents[LEGS]!, first);
     const [right, up] = [place[0] - fromRight, place[1] - fromUp];
     const by = Array.from({ length: q }, (_, a) => right * axes[a]! + up * axes[q + a]!);
     await engine.startLive(model.learned.request, first);
     const { latents, distances, motion } = await engine.advanceLive([{ kind: "push", part: LEGS, by }], PATH);
     await engine.endLive();
-    if (asked !== this.#asked || !this.#here) return;
+    if (asked !== this.#asked || !this.isHere) return;
     const parts = latents.length;
     const away = Float64Array.from(
       { length: distances.length / parts },
@@ -240,7 +203,7 @@ export class NextChapter extends Store implements Chapter, LatentScene {
     if (this.#free) this.#past = [...this.#past, this.#free.latents].slice(-PATHS);
     this.#free = { latents: latents[LEGS]!, back: backFrom(away, motion.frameTime) };
     stage.setFutures([]);
-    this.#pose.play(motion);
+    this.pose.play(motion);
     this.#run();
   }
 
@@ -255,14 +218,11 @@ export class NextChapter extends Store implements Chapter, LatentScene {
   paint(draw: CanvasRenderingContext2D, plane: Plane): void {
     const { quiet, ink } = theme();
     const colour = partColourNow(LEGS);
-    const { lap, projection } = this.#loop!;
+    const { lap, projection } = this.loop!;
     draw.strokeStyle = colour;
     draw.globalAlpha = 0.25;
     draw.lineWidth = 3;
-    draw.beginPath();
-    for (let t = 0; t < lap.frames; t++) trace(draw, plane, lap.path, t);
-    draw.closePath();
-    draw.stroke();
+    strokeLoop(draw, plane, lap);
     if (this.#free) this.#paintFree(draw, plane, this.#free, colour);
     else if (this.#futures) this.#paintFutures(draw, plane, this.#futures, colour, quiet);
     if (!this.#free) this.#paintStep(draw, plane, colour, ink, projection.dimensions);
@@ -295,14 +255,8 @@ export class NextChapter extends Store implements Chapter, LatentScene {
     draw.stroke();
     arrowHead(draw, [...now], [...to], 10);
     draw.fillStyle = colour;
-    for (const [place, size] of [
-      [from, 5],
-      [now, 9],
-    ] as const) {
-      draw.beginPath();
-      draw.arc(place[0], place[1], size, 0, 2 * Math.PI);
-      draw.fill();
-    }
+    fillDot(draw, from[0], from[1], 5);
+    fillDot(draw, now[0], now[1], 9);
   }
 
   #paintFutures(
@@ -317,28 +271,18 @@ export class NextChapter extends Store implements Chapter, LatentScene {
     draw.lineWidth = 1;
     draw.strokeStyle = draw.fillStyle = quiet;
     draw.globalAlpha = 0.3;
-    for (const { latents } of paths) {
-      draw.beginPath();
-      for (let t = first; t <= last; t++) trace(draw, plane, latents[LEGS]!, t);
-      draw.stroke();
-    }
+    for (const { latents } of paths) strokePath(draw, plane, latents[LEGS]!, first, last);
     draw.globalAlpha = 1;
     draw.lineWidth = 3;
     draw.strokeStyle = colour;
-    draw.beginPath();
-    for (let t = first; t <= last; t++) trace(draw, plane, mean.latents[LEGS]!, t);
-    draw.stroke();
+    strokePath(draw, plane, mean.latents[LEGS]!, first, last);
     if (this.#drawn < AHEAD) return;
     draw.fillStyle = colour;
     const places = paths.map(({ latents }): [number, number] => {
       const [x, y] = plane.place(latents[LEGS]!, first + AHEAD);
       return [x, y];
     });
-    for (const [x, y] of places) {
-      draw.beginPath();
-      draw.arc(x, y, 2.2, 0, 2 * Math.PI);
-      draw.fill();
-    }
+    for (const [x, y] of places) fillDot(draw, x, y, 2.2);
     const { mean: middle, covariance } = spreadOf(places);
     draw.strokeStyle = colour;
     for (const deviations of [1, 2]) {
@@ -354,26 +298,20 @@ export class NextChapter extends Store implements Chapter, LatentScene {
     draw.strokeStyle = draw.fillStyle = colour;
     draw.globalAlpha = 0.35;
     draw.lineWidth = 1.5;
-    for (const path of this.#past) {
-      draw.beginPath();
-      for (let t = 0; t < PATH; t++) trace(draw, plane, path, t);
-      draw.stroke();
-    }
+    for (const path of this.#past) strokePath(draw, plane, path, 0, PATH - 1);
     draw.globalAlpha = 1;
     draw.lineWidth = 3;
     draw.beginPath();
-    if (this.#pin) draw.moveTo(...this.#pixels(plane, this.#pin));
-    for (let t = 0; t <= last; t++) trace(draw, plane, latents, t);
+    if (this.#pin) draw.moveTo(...pixelsAt(plane, this.loop!.projection, this.#pin));
+    tracePath(draw, plane, latents, 0, last);
     draw.stroke();
     const [x, y] = plane.place(latents, last);
-    draw.beginPath();
-    draw.arc(x, y, 8, 0, 2 * Math.PI);
-    draw.fill();
+    fillDot(draw, x, y, 8);
   }
 
   #paintPin(draw: CanvasRenderingContext2D, plane: Plane, ink: string): void {
     if (!this.#pin) return;
-    const [x, y] = this.#pixels(plane, this.#pin);
+    const [x, y] = pixelsAt(plane, this.loop!.projection, this.#pin);
     draw.globalAlpha = 1;
     draw.strokeStyle = ink;
     draw.lineWidth = 2.5;
@@ -382,18 +320,11 @@ export class NextChapter extends Store implements Chapter, LatentScene {
     draw.lineTo(x, y - 26);
     draw.stroke();
     draw.fillStyle = "#d55e00";
-    draw.beginPath();
-    draw.arc(x, y - 30, 9, 0, 2 * Math.PI);
-    draw.fill();
+    fillDot(draw, x, y - 30, 9);
   }
 
   stage() {
-    const { stage, playback } = this.#body;
-    return html`
-      <div class="story-pair">
-        <pg-latent-space .scene=${this} .label=${this.#now.plane}></pg-latent-space>
-        <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${this.#words.now.chapters.arms.figure}></pg-stage>
-      </div>`;
+    return this.pair(this.#now.plane);
   }
 
   control() {
@@ -406,11 +337,11 @@ export class NextChapter extends Store implements Chapter, LatentScene {
   }
 
   #another(): void {
-    const count = this.#body.model.model?.info.sequences.length ?? 1;
+    const count = this.body.model.model?.info.sequences.length ?? 1;
     this.#sequence = (this.#sequence + 1) % count;
-    this.#body.stage.setFutures([]);
-    this.#pose.end();
-    attempt(this.#body, this.#begin());
+    this.body.stage.setFutures([]);
+    this.pose.end();
+    attempt(this.body, this.begin());
   }
 
   reveal() {
@@ -427,33 +358,24 @@ export class NextChapter extends Store implements Chapter, LatentScene {
   }
 
   equation() {
-    return equation("dynamics", this.#now.equation);
+    return equation(["dynamics"], this.#now.equation);
   }
 
   lab() {
     return { tab: "loops" as const, start: this.#sequence };
   }
 
-  arrive(): void {
-    this.#here = true;
-    void this.#body.showFirstMotion();
-    this.#body.start().catch(() => {});
-    if (!this.#start) attempt(this.#body, this.#begin());
-    if (!prefersReducedMotion()) this.#body.playback.play();
+  override arrive(): void {
+    super.arrive();
+    if (!this.#start) attempt(this.body, this.begin());
   }
 
-  leave(): void {
-    this.#here = false;
+  override leave(): void {
     this.#asked += 1;
     [this.#start, this.#guessed, this.#futures, this.#free] = [null, false, null, null];
-    this.#body.stage.setFutures([]);
-    this.#pose.end();
+    this.body.stage.setFutures([]);
+    super.leave();
   }
 }
 
 const crosses = (before: number, after: number, at: number) => before < at && after >= at;
-
-function trace(draw: CanvasRenderingContext2D, plane: Plane, latents: Float64Array, row: number): void {
-  const [x, y] = plane.place(latents, row);
-  draw.lineTo(x, y);
-}

@@ -8,16 +8,14 @@ import type { Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
 import { arrowHead } from "../../latents/shapes";
 import { partColourNow, theme } from "../../ui/palette";
-import { prefersReducedMotion } from "../../ui/reduced-motion";
-import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../body";
 import type { Chapter } from "../chapter";
+import { equation } from "../equation";
 import { attempt } from "../latent/attempt";
-import { equation } from "../latent/equation";
-import type { Handle, LatentScene } from "../latent/latent-view";
-import { PoseStage } from "../latent/pose-stage";
-import { type WalkLoop, walkLoop } from "../latent/walk-loop";
+import { strokeLoop, strokePath } from "../latent/drawing";
+import { LatentChapter } from "../latent/latent-chapter";
+import type { Handle } from "../latent/latent-view";
 import {
   allPoints,
   bestChoice,
@@ -41,11 +39,7 @@ const PAUSE = 250;
 /** The numbers of points that are shown side by side, as in the paper. */
 const PAIR = [10, 4] as const;
 
-export class PointsChapter extends Store implements Chapter, LatentScene {
-  readonly #words: WordsStore;
-  readonly #body: StoryBody;
-  readonly #pose: PoseStage;
-  #loop: WalkLoop | null = null;
+export class PointsChapter extends LatentChapter implements Chapter {
   #points: LegPoints = { poses: [], steps: [] };
   /** The trial with all points. */
   #full: Trial | null = null;
@@ -56,32 +50,27 @@ export class PointsChapter extends Store implements Chapter, LatentScene {
   #fewest: number | null = null;
   #guessed = false;
   #running = 0;
-  #here = false;
   readonly #asked: Latest<LegPoints, Trial>;
   readonly #document: OpenDocument<WholeCalls, void>;
   #modelText: Promise<string> | null = null;
 
   constructor(words: WordsStore, body: StoryBody, { desk }: Pick<WholeWorkers, "desk">) {
-    super();
+    super(words, body);
     this.#document = new OpenDocument(desk, (worker, text) => worker.openOutlook(text));
-    this.#words = words;
-    this.#body = body;
-    this.#pose = new PoseStage(body);
     this.#asked = new Latest(
       (points) => this.#try(points),
       (trial) => this.#take(trial),
       (problem) => attempt(body, Promise.reject(problem)),
     );
-    body.model.on(() => this.#open());
-    this.#open();
+    this.awaitLoop(LEGS, AROUND);
   }
 
   get #text() {
-    return this.#words.now.chapters.points;
+    return this.words.now.chapters.points;
   }
 
   get projection(): Projection | null {
-    return this.#full && (this.#loop?.projection ?? null);
+    return this.#full && (this.loop?.projection ?? null);
   }
 
   get moves(): boolean {
@@ -99,7 +88,7 @@ export class PointsChapter extends Store implements Chapter, LatentScene {
   }
 
   get handles(): readonly Handle[] {
-    const { model } = this.#body.model;
+    const { model } = this.body.model;
     if (!model || !this.#guessed) return [];
     const all = allPoints(model.info);
     const handle = (kind: PointKind, index: number): Handle => ({
@@ -117,20 +106,14 @@ export class PointsChapter extends Store implements Chapter, LatentScene {
 
   /** The place of a point: of a step its prediction. */
   #place(plane: Plane, kind: PointKind, index: number): [number, number] {
-    const view = this.#body.model.model!;
+    const view = this.body.model.model!;
     const points = kind === "poses" ? view.poseInducing[LEGS]! : view.dynamicsInducing[LEGS]![LEGS]!.outputs;
     const [x, y] = plane.place(points, index);
     return plane.inFrame(x, y);
   }
 
-  #open(): void {
-    if (this.#loop) return;
-    this.#loop = walkLoop(this.#body, LEGS, AROUND);
-    if (this.#loop) attempt(this.#body, this.#begin());
-  }
-
-  async #begin(): Promise<void> {
-    const { model } = this.#body.model;
+  protected async begin(): Promise<void> {
+    const { model } = this.body.model;
     if (!model) return;
     this.#points = allPoints(model.info);
     this.#full = await this.#try(this.#points);
@@ -144,18 +127,18 @@ export class PointsChapter extends Store implements Chapter, LatentScene {
 
   /** Asks a worker of the whole program, which has the model open. */
   async #ask<Answer>(call: (worker: WholeCalls) => Promise<Answer>): Promise<Answer> {
-    const { engine } = this.#body.engine;
+    const { engine } = this.body.engine;
     if (!engine) throw new Error("There is no model yet.");
     this.#modelText ??= engine.modelJson();
     return this.#document.ask(await this.#modelText, call);
   }
 
   async #try(points: LegPoints): Promise<Trial> {
-    const { model, learned } = this.#body.model;
-    if (!model || !learned || !this.#loop) throw new Error("There is no model yet.");
+    const { model, learned } = this.body.model;
+    if (!model || !learned || !this.loop) throw new Error("There is no model yet.");
     const kept = keptOf(model.info, points);
     const report = await this.#ask((worker) => worker.keptRollout(kept, this.#request()));
-    const error = walkError(report.motion, learned.motion, this.#loop.lap);
+    const error = walkError(report.motion, learned.motion, this.loop.lap);
     const walk: Measures = this.#full?.report.measures ?? report.measures;
     return {
       points,
@@ -170,8 +153,8 @@ export class PointsChapter extends Store implements Chapter, LatentScene {
   #take(trial: Trial): void {
     this.#now = trial;
     if (!trial.stumbles) this.#fewest = Math.min(this.#fewest ?? Infinity, trial.count);
-    this.#body.stage.setColumns(null);
-    if (this.#here) this.#pose.play(trial.report.motion);
+    this.body.stage.setColumns(null);
+    if (this.isHere) this.pose.play(trial.report.motion);
     this.changed();
   }
 
@@ -195,12 +178,12 @@ export class PointsChapter extends Store implements Chapter, LatentScene {
 
   guessed(): void {
     this.#guessed = true;
-    attempt(this.#body, this.#eliminate());
+    attempt(this.body, this.#eliminate());
   }
 
   /** Takes away point after point, always the one whose loss costs the bound least. */
   async #eliminate(): Promise<void> {
-    const { model } = this.#body.model;
+    const { model } = this.body.model;
     if (!model || !this.#full) return;
     this.#running += 1;
     const running = this.#running;
@@ -215,11 +198,11 @@ export class PointsChapter extends Store implements Chapter, LatentScene {
       const trial = await this.#try(points);
       await new Promise((resolve) => setTimeout(resolve, PAUSE));
       // The visitor may have left or stopped it.
-      if (running !== this.#running || !this.#here) return;
+      if (running !== this.#running || !this.isHere) return;
       this.#points = points;
       this.#now = trial;
       this.#trials = [...this.#trials, trial];
-      if (!trial.stumbles || this.#trials.at(-2)?.stumbles === false) this.#pose.play(trial.report.motion);
+      if (!trial.stumbles || this.#trials.at(-2)?.stumbles === false) this.pose.play(trial.report.motion);
       this.changed();
     }
     this.#running = 0;
@@ -234,31 +217,20 @@ export class PointsChapter extends Store implements Chapter, LatentScene {
   }
 
   paint(draw: CanvasRenderingContext2D, plane: Plane): void {
-    const { lap } = this.#loop!;
+    const { lap, projection } = this.loop!;
     const { ink } = theme();
-    const view = this.#body.model.model!;
+    const view = this.body.model.model!;
     const colour = partColourNow(LEGS);
     draw.strokeStyle = colour;
     draw.globalAlpha = 0.3;
     draw.lineWidth = 3;
-    draw.beginPath();
-    for (let t = 0; t < lap.frames; t++) {
-      const [x, y] = plane.place(lap.path, t);
-      draw.lineTo(x, y);
-    }
-    draw.closePath();
-    draw.stroke();
+    strokeLoop(draw, plane, lap);
     const path = this.#now?.report.latents[LEGS];
-    const q = this.#loop!.projection.dimensions;
     if (path) {
       draw.globalAlpha = 0.8;
       draw.lineWidth = 1.5;
-      draw.beginPath();
-      for (let t = Math.floor(path.length / q / 2); t < path.length / q; t++) {
-        const [x, y] = plane.place(path, t);
-        draw.lineTo(x, y);
-      }
-      draw.stroke();
+      const frames = path.length / projection.dimensions;
+      strokePath(draw, plane, path, Math.floor(frames / 2), frames - 1);
     }
     const { inputs, outputs } = view.dynamicsInducing[LEGS]![LEGS]!;
     const { order } = view.info;
@@ -290,14 +262,11 @@ export class PointsChapter extends Store implements Chapter, LatentScene {
   }
 
   stage() {
-    const { stage, playback } = this.#body;
-    return html`
-      <div class="story-pair">
-        <pg-latent-space .scene=${this} .label=${this.#text.plane}></pg-latent-space>
-        <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${this.#words.now.chapters.arms.figure}></pg-stage>
-        <p class="story-pair-note">${this.#text.legend} ${this.#state()}</p>
-        ${this.#trials.length > 1 && this.#now ? pointsChart(this.#trials, this.#now, this.#text.chart) : ""}
-      </div>`;
+    return this.pair(
+      this.#text.plane,
+      html`<p class="story-pair-note">${this.#text.legend} ${this.#state()}</p>
+        ${this.#trials.length > 1 && this.#now ? pointsChart(this.#trials, this.#now, this.#text.chart) : ""}`,
+    );
   }
 
   /** Bound and error of the walk with the points now. */
@@ -322,13 +291,13 @@ export class PointsChapter extends Store implements Chapter, LatentScene {
   }
 
   #all(): void {
-    const { model } = this.#body.model;
+    const { model } = this.body.model;
     if (model) this.#set(allPoints(model.info));
   }
 
   #showPair(): void {
     const trials = PAIR.map((points) => this.#trials.find((trial) => trial.count === points));
-    this.#body.stage.setColumns(
+    this.body.stage.setColumns(
       trials.flatMap((trial) =>
         trial ? [{ title: this.#text.column(trial.count), motion: trial.report.motion }] : [],
       ),
@@ -343,27 +312,19 @@ export class PointsChapter extends Store implements Chapter, LatentScene {
   }
 
   equation() {
-    return equation("posterior", this.#text.equation);
+    return equation(["posterior"], this.#text.equation);
   }
 
   lab() {
     return { tab: "loops" as const };
   }
 
-  arrive(): void {
-    this.#here = true;
-    void this.#body.showFirstMotion();
-    this.#body.start().catch(() => {});
-    if (!prefersReducedMotion()) this.#body.playback.play();
-  }
-
-  leave(): void {
-    this.#here = false;
+  override leave(): void {
     this.#running = 0;
     this.#asked.drop();
     [this.#guessed, this.#trials, this.#fewest, this.#now] = [false, [], null, this.#full];
     if (this.#full) this.#points = this.#full.points;
-    this.#body.stage.setColumns(null);
-    this.#pose.end();
+    this.body.stage.setColumns(null);
+    super.leave();
   }
 }

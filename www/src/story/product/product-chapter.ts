@@ -4,20 +4,18 @@ import { Latest } from "../../engine/latest";
 import type { Couplings, RolloutRequest, RolloutResult } from "../../engine/protocol";
 import { ellipseOf, type Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
-import { traceEllipse } from "../../latents/shapes";
+import { fillDot, traceEllipse } from "../../latents/shapes";
 import { ALPHA_MAX, ALPHA_MIN } from "../../settings/settings";
 import { partColour, partColourNow, theme } from "../../ui/palette";
-import { prefersReducedMotion } from "../../ui/reduced-motion";
-import { Store } from "../../ui/store";
 import { partStyle } from "../../ui/styled";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../body";
 import type { Chapter } from "../chapter";
+import { equation } from "../equation";
 import { attempt } from "../latent/attempt";
-import { equation } from "../latent/equation";
-import type { Handle, LatentScene } from "../latent/latent-view";
-import { PoseStage } from "../latent/pose-stage";
-import { type WalkLoop, walkLoop } from "../latent/walk-loop";
+import { strokeLoop } from "../latent/drawing";
+import { LatentChapter } from "../latent/latent-chapter";
+import type { Handle } from "../latent/latent-view";
 import { type ExpertsNow, expertsOf, type Product, productOf } from "./product";
 
 const LEGS = 0;
@@ -41,11 +39,7 @@ export interface Doubled {
   wider: number;
 }
 
-export class ProductChapter extends Store implements Chapter, LatentScene {
-  readonly #words: WordsStore;
-  readonly #body: StoryBody;
-  readonly #pose: PoseStage;
-  #loop: WalkLoop | null = null;
+export class ProductChapter extends LatentChapter implements Chapter {
   #experts: ExpertsNow | null = null;
   /** The state before the step [Q]. */
   #before: Float64Array = new Float64Array(0);
@@ -53,29 +47,24 @@ export class ProductChapter extends Store implements Chapter, LatentScene {
   #alphas: number[] = [];
   #guessed = false;
   #doubled: Doubled | null = null;
-  #here = false;
   readonly #rollouts: Latest<number[], RolloutResult>;
 
   constructor(words: WordsStore, body: StoryBody) {
-    super();
-    this.#words = words;
-    this.#body = body;
-    this.#pose = new PoseStage(body);
+    super(words, body);
     this.#rollouts = new Latest(
       (alphas) => this.#roll(alphas),
-      (rollout) => this.#here && this.#pose.play(rollout.motion),
+      (rollout) => this.isHere && this.pose.play(rollout.motion),
       (problem) => attempt(body, Promise.reject(problem)),
     );
-    body.model.on(() => this.#open());
-    this.#open();
+    this.awaitLoop(ARMS, AROUND);
   }
 
   get #now() {
-    return this.#words.now.chapters.product;
+    return this.words.now.chapters.product;
   }
 
   get projection(): Projection | null {
-    return this.#experts && (this.#loop?.projection ?? null);
+    return this.#experts && (this.loop?.projection ?? null);
   }
 
   get moves(): boolean {
@@ -98,14 +87,8 @@ export class ProductChapter extends Store implements Chapter, LatentScene {
     }));
   }
 
-  #open(): void {
-    if (this.#loop) return;
-    this.#loop = walkLoop(this.#body, ARMS, AROUND);
-    if (this.#loop) attempt(this.#body, this.#measure());
-  }
-
   #request(alphas: readonly number[] | null): RolloutRequest {
-    const learned = this.#body.model.couplings.learned;
+    const learned = this.body.model.couplings.learned;
     const alpha: Couplings | null =
       alphas &&
       learned.map((row, source) => row.map((value, target) => (target === ARMS ? alphas[source]! : value)));
@@ -113,18 +96,18 @@ export class ProductChapter extends Store implements Chapter, LatentScene {
   }
 
   #roll(alphas: readonly number[] | null): Promise<RolloutResult> {
-    const { engine } = this.#body.engine;
+    const { engine } = this.body.engine;
     if (!engine) throw new Error("There is no model yet.");
     return engine.rollout(this.#request(alphas));
   }
 
   /** The experts in the frame of the lap where they disagree most. */
-  async #measure(): Promise<void> {
-    const { engine } = this.#body.engine;
-    const { learned, couplings } = this.#body.model;
-    if (!engine || !learned || !this.#loop) return;
+  protected async begin(): Promise<void> {
+    const { engine } = this.body.engine;
+    const { learned, couplings } = this.body.model;
+    if (!engine || !learned || !this.loop) return;
     const report = await engine.predictions(this.#request(null));
-    const { lap, projection } = this.#loop;
+    const { lap, projection } = this.loop;
     const q = projection.dimensions;
     this.#learned = couplings.learned.map((row) => row[ARMS]!);
     this.#alphas = [...this.#learned];
@@ -147,9 +130,15 @@ export class ProductChapter extends Store implements Chapter, LatentScene {
     return Math.hypot(along(0), along(1));
   }
 
-  #deviation(source: number): number {
+  /** The variance of an expert itself, without alpha. */
+  #own(source: number): number {
     const [first, , second] = this.#experts!.own;
-    return Math.sqrt(this.#alphas[source]! + (source === LEGS ? first : second));
+    return source === LEGS ? first : second;
+  }
+
+  /** The circle of a source: its expert's variance and alpha. */
+  #circleOf(plane: Plane, source: number) {
+    return this.#circle(plane, this.#experts!.means[source]!, this.#alphas[source]! + this.#own(source));
   }
 
   #circle(plane: Plane, mean: Float64Array, variance: number) {
@@ -158,23 +147,20 @@ export class ProductChapter extends Store implements Chapter, LatentScene {
 
   /** The place of the handle of a source, on its circle. */
   #edge(plane: Plane, source: number): [number, number] {
-    const { x, y, major } = this.#circle(plane, this.#experts!.means[source]!, this.#deviation(source) ** 2);
+    const { x, y, major } = this.#circleOf(plane, source);
     const [right, down] = DIRECTIONS[source]!;
     return [x + major * right, y + major * down];
   }
 
   #pull(plane: Plane, source: number, x: number, y: number): void {
-    const mean = plane.place(this.#experts!.means[source]!, 0);
-    const unit = this.#circle(plane, this.#experts!.means[source]!, 1).major;
-    const radius = Math.hypot(x - mean[0], y - mean[1]) / unit;
-    const [first, , second] = this.#experts!.own;
-    this.#set(source, radius * radius - (source === LEGS ? first : second));
+    const unit = this.#circle(plane, this.#experts!.means[source]!, 1);
+    const radius = Math.hypot(x - unit.x, y - unit.y) / unit.major;
+    this.#set(source, radius * radius - this.#own(source));
   }
 
   #set(source: number, alpha: number): void {
-    this.#alphas[source] = Math.min(ALPHA_MAX, Math.max(ALPHA_MIN, alpha));
-    this.#rollouts.request([...this.#alphas]);
-    this.changed();
+    const within = Math.min(ALPHA_MAX, Math.max(ALPHA_MIN, alpha));
+    this.#setAll(this.#alphas.with(source, within));
   }
 
   #setAll(alphas: readonly number[]): void {
@@ -190,7 +176,7 @@ export class ProductChapter extends Store implements Chapter, LatentScene {
   guessed(): void {
     this.#guessed = true;
     this.#setAll(this.#learned.map((alpha) => 2 * alpha));
-    attempt(this.#body, this.#compare());
+    attempt(this.body, this.#compare());
   }
 
   async #compare(): Promise<void> {
@@ -205,24 +191,16 @@ export class ProductChapter extends Store implements Chapter, LatentScene {
   }
 
   paint(draw: CanvasRenderingContext2D, plane: Plane): void {
-    const { lap } = this.#loop!;
     const { ink, quiet } = theme();
-    const experts = this.#experts!;
     const product = this.product!;
     draw.strokeStyle = partColourNow(ARMS);
     draw.globalAlpha = 0.25;
     draw.lineWidth = 3;
-    draw.beginPath();
-    for (let t = 0; t < lap.frames; t++) {
-      const [x, y] = plane.place(lap.path, t);
-      draw.lineTo(x, y);
-    }
-    draw.closePath();
-    draw.stroke();
+    strokeLoop(draw, plane, this.loop!.lap);
     const [nowX, nowY] = plane.place(this.#before, 0);
     const result = this.#circle(plane, product.mean, product.variance);
     for (const source of [LEGS, ARMS]) {
-      const circle = this.#circle(plane, experts.means[source]!, this.#deviation(source) ** 2);
+      const circle = this.#circleOf(plane, source);
       draw.fillStyle = draw.strokeStyle = partColourNow(source);
       draw.lineWidth = 3;
       draw.globalAlpha = 0.14;
@@ -236,9 +214,9 @@ export class ProductChapter extends Store implements Chapter, LatentScene {
       draw.moveTo(circle.x, circle.y);
       draw.lineTo(result.x, result.y);
       draw.stroke();
-      dot(draw, circle.x, circle.y, 5);
+      fillDot(draw, circle.x, circle.y, 5);
       const [x, y] = this.#edge(plane, source);
-      dot(draw, x, y, 9);
+      fillDot(draw, x, y, 9);
       draw.strokeStyle = theme().ground;
       draw.lineWidth = 2.5;
       draw.stroke();
@@ -251,24 +229,18 @@ export class ProductChapter extends Store implements Chapter, LatentScene {
     draw.fill();
     draw.globalAlpha = 1;
     draw.stroke();
-    dot(draw, result.x, result.y, 5);
+    fillDot(draw, result.x, result.y, 5);
     draw.strokeStyle = draw.fillStyle = quiet;
     draw.lineWidth = 2;
     draw.beginPath();
     draw.moveTo(nowX, nowY);
     draw.lineTo(result.x, result.y);
     draw.stroke();
-    dot(draw, nowX, nowY, 6);
+    fillDot(draw, nowX, nowY, 6);
   }
 
   stage() {
-    const { stage, playback } = this.#body;
-    return html`
-      <div class="story-pair">
-        <pg-latent-space .scene=${this} .label=${this.#now.plane}></pg-latent-space>
-        <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${this.#words.now.chapters.arms.figure}></pg-stage>
-        ${this.#weights()}
-      </div>`;
+    return this.pair(this.#now.plane, this.#weights());
   }
 
   control() {
@@ -302,36 +274,22 @@ export class ProductChapter extends Store implements Chapter, LatentScene {
   }
 
   equation() {
-    return equation("weights", this.#now.equation);
+    return equation(["weights"], this.#now.equation);
   }
 
   lab() {
     const altered = this.#alphas.some((alpha, source) => alpha !== this.#learned[source]);
     if (!altered) return { tab: "listen" as const };
     const alpha = Object.fromEntries(this.#alphas.map((value, source) => [`${source}.${ARMS}`, value]));
-    return { tab: "listen" as const, alpha, reading: "as-learned" as const, model: this.#body.model.id };
+    return { tab: "listen" as const, alpha, reading: "as-learned" as const, model: this.body.model.id };
   }
 
-  arrive(): void {
-    this.#here = true;
-    void this.#body.showFirstMotion();
-    this.#body.start().catch(() => {});
-    if (!prefersReducedMotion()) this.#body.playback.play();
-  }
-
-  leave(): void {
-    this.#here = false;
+  override leave(): void {
     this.#rollouts.drop();
     this.#alphas = [...this.#learned];
     [this.#guessed, this.#doubled] = [false, null];
-    this.#pose.end();
+    super.leave();
   }
-}
-
-function dot(draw: CanvasRenderingContext2D, x: number, y: number, radius: number): void {
-  draw.beginPath();
-  draw.arc(x, y, radius, 0, 2 * Math.PI);
-  draw.fill();
 }
 
 /** The largest distance between the same joint of two motions at the same time, in metres. */

@@ -1,15 +1,15 @@
 // Push it: a hand of the walking figure is pulled away, and the walk comes back to its loop.
 import { html, nothing } from "lit";
-import { unsafeHTML } from "lit/directives/unsafe-html.js";
 import type { LiveStore, Mark } from "../../live/live-store";
-import { EQUATIONS } from "../../method/equations";
+import { nodeNamed } from "../../scene/joint-node";
 import type { Settings } from "../../settings/settings";
 import { eachFrame } from "../../ui/each-frame";
-import { prefersReducedMotion } from "../../ui/reduced-motion";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../body";
 import type { Chapter } from "../chapter";
+import { EndlessWalk } from "../endless-walk";
+import { equation } from "../equation";
 import { type Homecoming, homecoming, homeLimit } from "./homecoming";
 
 /** The pull of the button: a hand, metres upwards for each picture, and pictures. */
@@ -26,8 +26,8 @@ export class PushChapter extends Store implements Chapter {
   readonly body: StoryBody;
   #live: LiveStore | null = null;
   #guess: string | null = null;
-  #isHere = false;
-  #stop = () => {};
+  readonly #walk: EndlessWalk;
+  #stops: (() => void)[] = [];
   #stopPull = () => {};
   /** The distance within which the walk is home, measured before the first push; in radii of the loop. */
   #limit: number | null = null;
@@ -38,6 +38,11 @@ export class PushChapter extends Store implements Chapter {
     super();
     this.#words = words;
     this.body = body;
+    this.#walk = new EndlessWalk(
+      body,
+      () => this.changed(),
+      (live) => this.#watch(live),
+    );
   }
 
   get #now() {
@@ -70,7 +75,7 @@ export class PushChapter extends Store implements Chapter {
 
   guessed(choice: string): void {
     this.#guess = choice;
-    void this.#walk().catch(() => {});
+    this.#walk.walk();
     this.pull();
   }
 
@@ -78,7 +83,7 @@ export class PushChapter extends Store implements Chapter {
     const { walk, pull, drag } = this.#now;
     if (!this.isOpen && this.body.playback.playing) return null;
     if (!this.isOpen)
-      return html`<button class="story-button" data-testid="walk" @click=${() => void this.#walk()}>${walk}</button>`;
+      return html`<button class="story-button" data-testid="walk" @click=${() => this.#walk.walk()}>${walk}</button>`;
     return html`<button class="story-button" data-testid="pull" @click=${() => this.pull()}>${pull}</button> <span>${drag}</span>`;
   }
 
@@ -97,7 +102,7 @@ export class PushChapter extends Store implements Chapter {
 
   equation() {
     const order = this.body.model.model?.info.order;
-    return html`${unsafeHTML(EQUATIONS.dynamics)}${order === undefined ? nothing : html`<p>${this.#now.equation(order)}</p>`}`;
+    return equation(["dynamics"], order === undefined ? null : this.#now.equation(order));
   }
 
   lab(): Partial<Settings> {
@@ -105,17 +110,14 @@ export class PushChapter extends Store implements Chapter {
   }
 
   arrive(): void {
-    this.#isHere = true;
-    const stops = [this.body.model.on(() => this.changed())];
-    this.#stop = () => stops.forEach((stop) => stop());
-    void this.#begin();
+    this.#stops = [this.body.model.on(() => this.changed())];
+    this.#walk.arrive();
   }
 
   leave(): void {
-    this.#isHere = false;
-    this.#stop();
+    for (const stop of this.#stops) stop();
     this.#stopPull();
-    this.body.reset();
+    this.#walk.leave();
     this.#live = null;
     [this.#guess, this.#limit, this.#push, this.#way] = [null, null, null, null];
   }
@@ -123,7 +125,7 @@ export class PushChapter extends Store implements Chapter {
   /** Pulls a hand upwards, as soon as the walk without a push has been measured. */
   pull(): void {
     this.#stopPull();
-    if (!this.#isHere) return;
+    if (!this.#walk.isHere) return;
     const { stage } = this.body;
     const live = this.live;
     if (!live || this.#limit === null) {
@@ -131,8 +133,7 @@ export class PushChapter extends Store implements Chapter {
       this.#stopPull = () => clearTimeout(timer);
       return;
     }
-    const joint = stage.content?.joints.indexOf(HAND) ?? -1;
-    const node = stage.content?.figure.nodes.findIndex((node) => node.joint === joint && !node.endSite) ?? -1;
+    const node = nodeNamed(stage.content, HAND);
     let left = PICTURES;
     this.#stopPull = eachFrame(() => {
       if (node >= 0) live.pull(node, [0, METRES, 0]);
@@ -141,37 +142,11 @@ export class PushChapter extends Store implements Chapter {
     });
   }
 
-  /** The stored walk at once, and the model's as soon as it is there. */
-  async #begin(): Promise<void> {
-    const calm = prefersReducedMotion();
-    try {
-      await this.body.showFirstMotion();
-      if (!calm) this.body.playback.play();
-      this.changed();
-      await this.body.start();
-      if (this.#isHere && !calm) await this.#walk();
-    } catch {
-      // The frame says why the model cannot run here.
-    }
-  }
-
-  /** Lets the model walk on without an end. */
-  async #walk(): Promise<void> {
-    this.body.playback.play();
-    await this.body.start();
-    const live = await this.body.live.get();
-    if (!this.#isHere) return;
-    if (this.#live !== live) {
-      this.#live = live;
-      const stop = live.on(() => this.#follow(live));
-      const before = this.#stop;
-      this.#stop = () => {
-        before();
-        stop();
-      };
-    }
-    await live.start();
-    this.changed();
+  /** Follows the live motion from its start on. */
+  #watch(live: LiveStore): void {
+    if (this.#live === live) return;
+    this.#live = live;
+    this.#stops.push(live.on(() => this.#follow(live)));
   }
 
   /** Measures the newest frames. */

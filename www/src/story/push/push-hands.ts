@@ -1,6 +1,7 @@
 // Rings around the hands of the figure, which invite to pull them. Limbs follow the pointer.
 import { html } from "lit";
 import { letDragLimbs } from "../../live/drag-limbs";
+import { nodeNamed } from "../../scene/joint-node";
 import type { StageView } from "../../stage/stage-view";
 import { eachFrame } from "../../ui/each-frame";
 import { View } from "../../ui/view";
@@ -36,8 +37,7 @@ export class PushHands extends View {
     const { content } = this.chapter.body.stage;
     const rings = this.querySelectorAll<HTMLElement>(".push-ring");
     HANDS.forEach((name, i) => {
-      const joint = content?.joints.indexOf(name) ?? -1;
-      const node = content?.figure.nodes.findIndex((node) => node.joint === joint && !node.endSite) ?? -1;
+      const node = nodeNamed(content, name);
       const place = node < 0 ? null : this.#stage?.scene?.placeOf(node);
       const ring = rings[i];
       if (ring && place) ring.style.transform = `translate(${place.x}px, ${place.y}px)`;

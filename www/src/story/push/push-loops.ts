@@ -3,6 +3,7 @@
 import { html } from "lit";
 import { Plane } from "../../latents/plane";
 import { principalAxes, type Projection } from "../../latents/projection";
+import { fillDot } from "../../latents/shapes";
 import { clearCanvas } from "../../ui/canvas";
 import { eachFrame } from "../../ui/each-frame";
 import { partColourNow } from "../../ui/palette";
@@ -77,9 +78,7 @@ export class PushLoops extends View {
     draw.lineWidth = 2.5;
     line(draw, plane, path, Math.max(0, now - Math.round(TRAIL_SECONDS / frameTime)), now);
     const [x, y] = plane.inFrame(...plane.place(path, Math.max(0, now)));
-    draw.beginPath();
-    draw.arc(x, y, 6, 0, 2 * Math.PI);
-    draw.fill();
+    fillDot(draw, x, y, 6);
   }
 
   protected override render() {
