@@ -101,17 +101,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             let motion = |body: &Body, y: &DMatrix<f64>, out: &Path| -> Result<(), Box<dyn Error>> {
                 files::write_text(out, &bvh::write(&body.clip(y, &files::name_of(out))?))
             };
-            roll_out(arguments, &model, &motion)?;
-            match model.coupled() {
-                Some(model) => summary::print(model, &arguments.request(model)?, arguments.out.as_deref()),
-                None => Ok(()),
+            let rolled_out = roll_out(arguments, &model, &motion)?;
+            match (model.coupled(), rolled_out) {
+                (Some(model), Some((request, rollout))) => {
+                    summary::print(model, &request, &rollout, arguments.out.as_deref())
+                }
+                _ => Ok(()),
             }
         }
         Document::Series(model) => {
             if arguments.out.is_some() {
                 return Err(usage("--out: expected --columns for a model of tables, which has no motion"));
             }
-            roll_out(arguments, &model, &|_, _, _| Ok(()))
+            roll_out(arguments, &model, &|_, _, _| Ok(())).map(|_| ())
         }
     }
 }
@@ -119,13 +121,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 /// Writes columns [frames x D] as the motion of a body to a file.
 type WriteMotion<'a, S> = &'a dyn Fn(&Body<S>, &DMatrix<f64>, &Path) -> Result<(), Box<dyn Error>>;
 
+/// Writes what the options ask for. Returns the rollout of a model with couplings, and its request.
 fn roll_out<S: ColumnMapping>(
     arguments: &Arguments,
     model: &Model<S>,
     motion: WriteMotion<S>,
-) -> Result<(), Box<dyn Error>> {
+) -> Result<Option<(RolloutRequest, Rollout)>, Box<dyn Error>> {
     match model.coupled() {
-        Some(model) => roll_out_coupled(arguments, model, motion),
+        Some(model) => roll_out_coupled(arguments, model, motion).map(Some),
         None => {
             if let Some(option) = arguments.coupling_option() {
                 let kind = model.kind().id();
@@ -134,7 +137,8 @@ fn roll_out<S: ColumnMapping>(
                 )));
             }
             let y = model.rollout(arguments.from, arguments.frames)?;
-            arguments.write(&model.body, &y, None, motion)
+            arguments.write(&model.body, &y, None, motion)?;
+            Ok(None)
         }
     }
 }
@@ -222,7 +226,7 @@ fn roll_out_coupled<S: ColumnMapping>(
     arguments: &Arguments,
     model: Coupled<S>,
     motion: WriteMotion<S>,
-) -> Result<(), Box<dyn Error>> {
+) -> Result<(RolloutRequest, Rollout), Box<dyn Error>> {
     let parts = part_names(model);
     let request = arguments.request(model)?;
     let rollout = model.rollout(&request)?;
@@ -245,7 +249,7 @@ fn roll_out_coupled<S: ColumnMapping>(
         let moments = model.moments(&request)?;
         files::write_text(path, &latents::moments_csv(&parts, &moments, model.body.frame_time))?;
     }
-    Ok(())
+    Ok((request, rollout))
 }
 
 /// `walk-3.bvh` for `walk.bvh` and 3.

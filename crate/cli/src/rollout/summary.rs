@@ -5,14 +5,18 @@ use crate::progress::say;
 use serde_json::json;
 use std::error::Error;
 use std::path::Path;
-use vcgpdm::models::{Coupled, Ending, Health, RolloutRequest};
+use vcgpdm::models::{Coupled, Ending, Health, Rollout, RolloutRequest};
 use vcgpdm::motion::measures::measures;
 
 /// Prints the summary as JSON, and a warning if the motion does not move on.
-pub fn print(model: Coupled, request: &RolloutRequest, out: Option<&Path>) -> Result<(), Box<dyn Error>> {
-    let rollout = model.rollout(request)?;
-    let positions = model.positions(&rollout)?;
-    let health = model.health(&rollout, request, &positions)?;
+pub fn print(
+    model: Coupled,
+    request: &RolloutRequest,
+    rollout: &Rollout,
+    out: Option<&Path>,
+) -> Result<(), Box<dyn Error>> {
+    let positions = model.positions(rollout)?;
+    let health = model.health(rollout, request, &positions)?;
     let measures = measures(model.body.mapping.skeleton(), &positions, model.body.frame_time);
     let names: Vec<&str> = model.body.layout.parts().iter().map(|part| part.name.as_str()).collect();
     if let Some(words) = warning(&health, &names) {
