@@ -98,6 +98,8 @@ export default defineConfig({
     alias: [
       { find: /^vcgpdm$/, replacement: wasmPackage("web") },
       { find: /^vcgpdm\/player$/, replacement: wasmPackage("player") },
+      // For tests: Node reads no wasm from an address.
+      { find: /^vcgpdm\/inline$/, replacement: wasmPackage("inline") },
     ],
   },
   build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 900, rollupOptions: { output } },

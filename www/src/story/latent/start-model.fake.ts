@@ -1,5 +1,5 @@
 // For tests: the model that the page opens with, in the library itself.
-import init, { Model } from "../../../../crate/wasm/pkg/inline/vcgpdm.js";
+import init, { Model } from "vcgpdm/inline";
 import text from "../../../first/model.json?raw";
 import type { ModelInfo } from "../../engine/protocol";
 
