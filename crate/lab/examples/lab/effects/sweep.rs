@@ -121,7 +121,7 @@ pub fn print(model: Coupled) {
     let names: Vec<&str> = model.body.layout.parts().iter().map(|part| part.name.as_str()).collect();
     let swing = |hands| mean(&learned.measures, hands, |limb| Some(limb.swing)).unwrap_or(0.0);
     println!(
-        "As learned: hands swing {:.3} m, feet {:.3} m, in step {}; {:.2} m/s, the feet slide at {} of that; {}. Bound {:.0} nats.\n",
+        "As learned: hands swing {:.3} m, feet {:.3} m, in step {}; {:.2} m/s, the feet slide at {} of that;\n{}. Bound {:.0} nats.\n",
         swing(true),
         swing(false),
         number(mean(&learned.measures, true, |limb| limb.locking)),
