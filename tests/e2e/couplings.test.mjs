@@ -13,6 +13,7 @@ import {
   ready,
   readyVisitor,
   saved,
+  soon,
 } from "./site.mjs";
 
 /**
@@ -122,6 +123,8 @@ describe("an arrow on the body", () => {
 
   it("gets thicker when it is dragged up, and thinner with the keyboard; a double click resets it", async () => {
     const { page } = visitor;
+    // The words of the measurement can move the arrows.
+    await measured(page);
     const [weightBefore, widthBefore] = [await weight(page), await thickness(page)];
     const knob = page.getByTestId("knob-0-1");
     const { x = 0, y = 0, width = 0, height = 0 } = (await knob.boundingBox()) ?? {};
@@ -131,20 +134,22 @@ describe("an arrow on the body", () => {
     await page.mouse.down();
     await page.mouse.move(middleX, middleY - 40, { steps: 4 });
     await page.mouse.up();
-    assert.ok((await weight(page)) > weightBefore + 0.2, `${weightBefore} to ${await weight(page)}`);
+    await soon(async () =>
+      assert.ok((await weight(page)) > weightBefore + 0.2, `${weightBefore} to ${await weight(page)}`),
+    );
     assert.ok((await thickness(page)) > widthBefore + 1, `${widthBefore} to ${await thickness(page)}`);
     assert.equal(await page.getByTestId("arrow-0-1").locator(".learned").count(), 1, "as thick as learned");
-    assert.match(
-      await page.getByTestId("described").innerText(),
-      /^lower drives upper: weight 0\.\d+ \(learned/,
+    const described = page.getByTestId("described");
+    await soon(async () =>
+      assert.match(await described.innerText(), /^lower drives upper: weight 0\.\d+ \(learned/),
     );
     await page.keyboard.press("ArrowDown");
     const weaker = await thickness(page);
     await page.keyboard.press("PageDown");
-    assert.ok((await thickness(page)) < weaker);
+    await soon(async () => assert.ok((await thickness(page)) < weaker));
     await knob.dblclick();
-    assert.equal(await weight(page), weightBefore);
-    assert.equal((await alphasOf(page)).size, 0, "as learned again");
+    await soon(async () => assert.equal(await weight(page), weightBefore));
+    await soon(async () => assert.equal((await alphasOf(page)).size, 0, "as learned again"));
   });
 
   it("follows a finger", async () => {
@@ -163,7 +168,9 @@ describe("an arrow on the body", () => {
     await touch("touchStart", 0);
     for (const up of [8, 16, 24, 32]) await touch("touchMove", up);
     await touch("touchEnd");
-    assert.ok((await weight(page)) > before + 0.1, `${before} to ${await weight(page)}`);
+    await soon(async () =>
+      assert.ok((await weight(page)) > before + 0.1, `${before} to ${await weight(page)}`),
+    );
     await page.keyboard.press("0");
   });
 });

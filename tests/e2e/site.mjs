@@ -253,6 +253,19 @@ export async function readyVisitor(/** @type {Promise<Visitor>} */ coming) {
   return visitor;
 }
 
+/** Repeats a check until it holds, for 10 seconds at most: a busy machine shows a change late. */
+export async function soon(/** @type {() => Promise<void>} */ check) {
+  const end = performance.now() + 10_000;
+  for (;;) {
+    try {
+      return await check();
+    } catch (problem) {
+      if (performance.now() > end) throw problem;
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+  }
+}
+
 /** The file that a button saves; opens the menu of the page's head for its buttons. */
 export async function saved(/** @type {Page} */ page, /** @type {string} */ button) {
   if (await page.locator(`#save-menu [data-testid=${button}]`).count())

@@ -149,8 +149,18 @@ export class ArmsChapter extends Store implements Chapter {
   #pull(thread: Thread): void {
     this.#thread = thread;
     this.#walk.walk();
-    this.body.model.takePreset(presetOf(thread));
+    void this.#applyThread();
     this.changed();
+  }
+
+  /** Gives the model the couplings of the thread; a guess may come before the model. */
+  async #applyThread(): Promise<void> {
+    try {
+      await this.body.start();
+    } catch {
+      return; // The frame says why the model cannot run here.
+    }
+    if (this.#walk.isHere) this.body.model.takePreset(presetOf(this.#thread));
   }
 }
 
