@@ -5,7 +5,7 @@ import { createRequire } from "node:module";
 import { after, before, beforeEach, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { coupledInfo } from "../node/package.mjs";
-import { barriers, changes, draws, openSite, ready } from "./site.mjs";
+import { barriers, changes, draws, openSite, ready, soon } from "./site.mjs";
 
 /** @type {typeof import("vcgpdm")} */
 const { Model, Study } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
@@ -180,6 +180,31 @@ describe("the way through the story", () => {
     await leave();
   });
 
+  it("measures the time from chapter to chapter", async (test) => {
+    const { page, problems, leave } = await site.visit({ story: true, ...LAPTOP });
+    await page.locator(".story[data-state=open][data-engine=ready]").waitFor();
+    for (let chapter = 2; chapter <= 9; chapter++) {
+      // The program of the next chapter loads when the page is idle.
+      await page.waitForTimeout(500);
+      await page.keyboard.press("ArrowRight");
+      await page.waitForURL(new RegExp(`#story=${chapter}$`));
+      await open(page);
+    }
+    const turns = () =>
+      page.evaluate(() =>
+        performance
+          .getEntriesByName("chapter-turn")
+          .map((entry) => ({ name: /** @type {any} */ (entry).detail, milliseconds: entry.duration })),
+      );
+    await soon(async () => assert.equal((await turns()).length, 9));
+    for (const { name, milliseconds } of await turns()) {
+      assert.ok(milliseconds > 0);
+      test.diagnostic(`${name}: ${milliseconds.toFixed(0)} ms`);
+    }
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
   it("goes by swipes on a phone", async () => {
     const { page, leave } = await site.visit({ story: true, ...PHONE });
     await open(page);
@@ -311,6 +336,31 @@ describe("the numbers on the cards are those of the library", () => {
     assert.deepEqual(problems, []);
     await leave();
   });
+});
+
+describe("on a phone", () => {
+  for (const locale of ["en", "de"])
+    it(`all answers of a question are above the foot: ${locale}`, async () => {
+      const { page, problems, leave } = await site.visit({ story: true, locale, ...PHONE });
+      await open(page);
+      for (let chapter = 1; chapter <= 10; chapter++) {
+        await page.evaluate((chapter) => Object.assign(location, { hash: `story=${chapter}` }), chapter);
+        await page.waitForFunction(
+          (chapter) =>
+            document.querySelector("#story-chapters [aria-current=step]")?.getAttribute("href") ===
+              `#story=${chapter}` && document.querySelector(".story[data-state=open] .story-guess button"),
+          chapter,
+        );
+        const hidden = await page.evaluate(() => {
+          const foot = document.querySelector(".story-place")?.getBoundingClientRect().top ?? 0;
+          const answers = [...document.querySelectorAll(".story-guess button")];
+          return answers.filter((answer) => answer.getBoundingClientRect().bottom > foot).length;
+        });
+        assert.equal(hidden, 0, `chapter ${chapter}`);
+      }
+      assert.deepEqual(problems, []);
+      await leave();
+    });
 });
 
 describe("in German", () => {

@@ -19,6 +19,9 @@ import "./story-foot.css";
 /** Milliseconds from one state to the next. */
 const FADE = 300;
 
+/** A measure in the browser's performance timeline: from the choice of a chapter to its stage and card. */
+const TURN_MEASURE = "chapter-turn";
+
 /** Keys of a keyboard and of a clicker. */
 const STEPS: Record<string, 1 | -1> = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 };
 
@@ -71,8 +74,14 @@ export class StoryView extends View {
   #follow(): void {
     if (!this.app.isStory || this.#chapters.name === this.#name) return;
     const isFirst = this.#chapters.name === null;
-    void this.#chapters.open(this.#name);
+    const [name, start] = [this.#name, performance.now()];
+    const opened = this.#chapters.open(name);
     if (!isFirst) void this.#turn();
+    void opened.then(async () => {
+      await this.updateComplete;
+      if (this.#chapters.chapter && this.#chapters.name === name)
+        performance.measure(TURN_MEASURE, { start, detail: name });
+    });
   }
 
   /** Fades stage and card, and tells screen readers of the new chapter by its title. */

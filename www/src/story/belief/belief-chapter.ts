@@ -10,7 +10,11 @@ import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import { NO_ADDRESS } from "../body";
 import type { Chapter } from "../chapter";
+import { randomNumbers } from "../random-numbers";
 import { type Answer, type Belief, beliefOf, ratiosOf, type Round, threeRounds } from "./rounds";
+
+/** The order of the rounds when a visitor comes for the first time. */
+const SEED = 1;
 
 export class BeliefChapter extends Store implements Chapter {
   readonly #words: WordsStore;
@@ -23,7 +27,7 @@ export class BeliefChapter extends Store implements Chapter {
   #score = { you: 0, model: 0, rounds: 0 };
   #stop = () => {};
 
-  constructor(words: WordsStore, whole: WholeWorkers, random: () => number = Math.random) {
+  constructor(words: WordsStore, whole: WholeWorkers, random = randomNumbers(SEED)) {
     super();
     this.#words = words;
     this.#random = random;

@@ -4,9 +4,13 @@ import { prefersReducedMotion } from "../../ui/reduced-motion";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { Chapter } from "../chapter";
+import { randomNumbers } from "../random-numbers";
 import { meanDistance, type WalkerPair, type Walkers } from "./walkers";
 
 export type WalkerSide = "left" | "right";
+
+/** With this seed the model is not on the same side in both pairs. */
+const SEED = 1;
 
 const otherSide = (side: WalkerSide): WalkerSide => (side === "left" ? "right" : "left");
 
@@ -21,7 +25,7 @@ export class ComputerChapter extends Store implements Chapter {
   #playing = false;
 
   /** `random`: the model is on the left below 0.5. */
-  constructor(words: WordsStore, walkers: Walkers, random = Math.random) {
+  constructor(words: WordsStore, walkers: Walkers, random = randomNumbers(SEED)) {
     super();
     this.#words = words;
     this.#walkers = walkers;
