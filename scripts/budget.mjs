@@ -21,4 +21,6 @@ export const budget = {
   series: 12_000,
   /** The writer of GLB files. */
   glb: 15_000,
+  /** The page for teachers in two languages, with the writer of QR codes. */
+  teach: 30_000,
 };

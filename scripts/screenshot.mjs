@@ -31,7 +31,7 @@ await main(async () => {
       colorScheme: values.dark ? "dark" : "light",
     });
     await page.goto(values.at ? `${address}#${values.at}` : address);
-    await page.waitForSelector("html[data-engine=ready], .story[data-state=open]");
+    await page.waitForSelector("html[data-engine=ready], .story[data-state=open], .teach[data-state=open]");
     await page.waitForTimeout(3000);
     await page.screenshot({ path: out });
     console.log(`wrote ${out}`);

@@ -50,6 +50,7 @@ export function weigh() {
   const primitives = inFolders("assets/primitives/", "primitives/");
   const series = inFolders("assets/series/");
   const glb = inFolders("assets/glb/");
+  const teach = inFolders("assets/teach/");
   // A visit loads one language; the largest counts.
   const otherLanguages = inFolders("assets/de-", "assets/en-").slice(1);
   const besides = [
@@ -63,6 +64,7 @@ export function weigh() {
     ...primitives,
     ...series,
     ...glb,
+    ...teach,
   ];
   const first = files.filter((file) => !besides.includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
@@ -79,6 +81,7 @@ export function weigh() {
     ["primitives", sum(primitives), budget.primitives],
     ["time series", sum(series), budget.series],
     ["motion as GLB", sum(glb), budget.glb],
+    ["for teachers", sum(teach), budget.teach],
   ];
 
   const rows = [...[...first, ...besides].map(({ name, size }) => [name, size, ""]), ...sums];

@@ -49,6 +49,11 @@ const isOnDemand = (file: string) =>
   /\/src\/(comparison|experiment|figures)\/|\/training\/progress-|\/ui\/two-columns|\/pkg\/web\/|\/whole(-engine|-desk)?\.ts$/.test(
     file,
   );
+/** The Lab, and what it shares with chapters of the story. A first visit loads none of it. */
+const isLab = (file: string) => /\/src\/(app\/page|couplings\/body-layout)\.|\/src\/latents\//.test(file);
+/** The page for teachers with its words, and the codes in squares. */
+const isTeaching = (file: string) =>
+  /\/src\/(teach|exercises|words\/(en|de)\/teach)|\/node_modules\/qr\//.test(file);
 /** The graphics Turing test, with jsPsych. */
 const isPerception = (file: string) => /\/src\/perception\/|\/jspsych\//.test(file);
 
@@ -56,6 +61,7 @@ const isPerception = (file: string) => /\/src\/perception\/|\/jspsych\//.test(fi
  * What is loaded after the first visit's page, by the folder of the site; scripts/site.mjs counts it by that.
  */
 const LATER: [folder: string, of: (file: string) => boolean][] = [
+  ["assets/teach", isTeaching],
   ["assets/perception", isPerception],
   ["assets/primitives", (file) => /\/src\/primitives\/|\/docs\/modularity\.svg$/.test(file)],
   ["assets/glb", (file) => file.includes("/src/scene/glb.")],
@@ -63,7 +69,7 @@ const LATER: [folder: string, of: (file: string) => boolean][] = [
   ["assets/on-demand", isOnDemand],
   ["assets/when-asked", isAsked],
   ["assets/story", isChapter],
-  ["assets/lab", (file) => file.includes("/src/app/page.")],
+  ["assets/lab", isLab],
 ];
 const folderOf = (files: readonly string[]) => {
   const plain = files.map((file) => file.replaceAll("\\", "/"));

@@ -375,7 +375,8 @@ describe("in German", () => {
       for (const hash of chapters) {
         await page.evaluate((hash) => Object.assign(location, { hash }), hash);
         await page.waitForFunction(
-          (hash) => document.querySelector(".story-head [aria-current]")?.getAttribute("href") === hash,
+          (hash) =>
+            document.querySelector("#story-chapters [aria-current=step]")?.getAttribute("href") === hash,
           hash,
         );
         await open(page);

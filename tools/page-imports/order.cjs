@@ -17,8 +17,10 @@ const ORDER = [
   ["live"], // the rollout without an end
   ["training"],
   ["comparison", "experiment", "perception", "primitives", "series", "method", "details"],
+  ["exercises"], // what a class does in the Lab, and when it is solved
   ["session"], // the copy of a visit in the browser's database
   ["app"], // creates the stores and connects them
+  ["teach"], // for teachers: plans, slides, codes
   ["story"], // the first view: its frame, and a folder for each chapter
   ["main"],
   ["workers"], // programs of their own, with the wasm in them
@@ -35,6 +37,7 @@ const PACKAGES = [
   { packages: ["comlink"], folders: ["engine", "workers"] },
   { packages: ["three"], folders: ["scene", "stage", "comparison", "perception"] },
   { packages: ["jspsych"], folders: ["perception"] },
+  { packages: ["qr"], folders: ["teach"] },
   { packages: ["idb"], folders: ["session"] },
   { packages: ["workbox-core", "workbox-precaching", "workbox-window"], folders: ["offline"] },
 ];

@@ -14,6 +14,7 @@ import { startEngine } from "./engine/engine";
 import { browserAddressBar } from "./settings/address";
 import { openDoor } from "./settings/door";
 import { isEmbedded } from "./settings/settings";
+import { IN_LAB } from "./settings/settings-store";
 import { storyBody } from "./story/body";
 import "./story/doors";
 import { whenIdle } from "./ui/idle";
@@ -31,16 +32,26 @@ const showType = () => root.toggleAttribute("data-large", app.settings.values.la
 showType();
 app.settings.on(showType);
 
-/** The Lab; null while the story is open, and before the Lab has loaded. */
-const lab = () => (app.isStory ? null : document.querySelector<PageView>("pg-page"));
+/** Shows the QR code of a state. */
+async function showCode(fragment: string): Promise<void> {
+  try {
+    await (await import("./teach/code-dialog")).showCode(app, fragment);
+  } catch {
+    app.notices.addNotLoaded("The QR code");
+  }
+}
 
-listenToKeys(() => !app.isStory, {
+/** The Lab; null while the story is open, and before the Lab has loaded. */
+const lab = () => (!app.isLab ? null : document.querySelector<PageView>("pg-page"));
+
+listenToKeys(() => app.isLab, {
   togglePlay: () => lab()?.clock?.togglePlay(),
   step: (direction) => lab()?.clock?.step(direction),
   resetCouplings: () => app.isPlayView && app.model.couplings.resetAll(),
   help: () => lab()?.openHelp(),
   hold: (held) => lab()?.holdByKey(held),
   projector: () => app.settings.change({ large: !app.settings.values.large }),
+  code: () => void showCode(app.stateFragment),
   leaveProjector() {
     const { large } = app.settings.values;
     if (large) app.settings.change({ large: false });
@@ -95,7 +106,7 @@ function startLab(page: PageView): void {
 
 /** Opens the Lab and waits for its engine. */
 async function goToLab(): Promise<void> {
-  app.settings.change({ chapter: 0 });
+  app.settings.change(IN_LAB);
   while (app.engine.state === "loading")
     await new Promise<void>((changed) => {
       const stop = app.engine.on(() => {
@@ -107,7 +118,7 @@ async function goToLab(): Promise<void> {
 
 listenToDrops(async (dropped, at) => {
   const { files, problems } = await dropped;
-  if (app.isStory) await goToLab();
+  if (!app.isLab) await goToLab();
   await openFiles(app, files, at);
   for (const problem of problems) app.notices.add({ kind: "error", ...problem, at });
 });

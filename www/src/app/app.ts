@@ -13,17 +13,22 @@ import { PointingStore } from "../latents/pointing-store";
 import { PredictionsStore } from "../latents/predictions-store";
 import type { AnswerCounts } from "../session/answer-database";
 import type { AddressBar } from "../settings/address";
-import { SettingsStore } from "../settings/settings-store";
+import { writeSettings } from "../settings/settings";
+import { IN_LAB, SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
+import { momentOf, takeMoment } from "../stage/moment";
 import { StageStore } from "../stage/stage-store";
 import { TrainingStore } from "../training/training-store";
 import { NoticesStore } from "../ui/notices-store";
 import { stageWork } from "../couplings/model-work";
 import { mayLose } from "../ui/unsaved";
+import { Switch } from "../ui/switch";
 import { WordsStore } from "../words/words";
 import { Lazy } from "./lazy";
 
 export class App {
+  /** Whether the chapters are shown as slides of a lecture. */
+  readonly lecture = new Switch();
   readonly words = new WordsStore();
   readonly notices = new NoticesStore();
   readonly engine = new EngineStore();
@@ -167,9 +172,19 @@ export class App {
     return this.settings.values.chapter > 0;
   }
 
+  /** Whether the page for teachers is open. */
+  get isTeaching(): boolean {
+    return this.settings.values.teach;
+  }
+
+  /** Whether the Lab or one of its views is open. */
+  get isLab(): boolean {
+    return !this.isStory && !this.isTeaching;
+  }
+
   /** Whether the Lab is visible, with the stage. */
   get isPlayView(): boolean {
-    return !this.isStory && this.settings.values.view === "play";
+    return this.isLab && this.settings.values.view === "play";
   }
 
   /** Starts the engine and opens the first model, then the sample clips. `text`: null without a model. */
@@ -188,6 +203,7 @@ export class App {
     await this.engine.start(started, async () => {
       const first = await text;
       if (first !== null) await this.model.openStart(first);
+      this.takeMoment();
     });
     if (this.engine.state !== "ready") return;
     try {
@@ -209,6 +225,20 @@ export class App {
   /** The visitor has followed a link or pressed Back. */
   followAddress(): void {
     this.settings.readAddress();
-    if (!this.isStory) this.model.restart();
+    if (!this.isLab) return;
+    this.model.restart();
+    this.takeMoment();
+  }
+
+  /** The fragment of an address with this state of the Lab. */
+  get stateFragment(): string {
+    const { settings, stage, playback, model } = this;
+    const moment = this.isPlayView ? momentOf(stage, playback, model.rollout?.motion ?? null) : {};
+    return writeSettings({ ...settings.written, ...IN_LAB, ...moment });
+  }
+
+  /** Takes camera and time of a link. */
+  takeMoment(): void {
+    if (this.isLab) takeMoment(this.settings, this.stage, this.playback);
   }
 }

@@ -6,6 +6,8 @@ export interface KeyActions {
   resetCouplings(): unknown;
   help(): void;
   projector(): void;
+  /** Shows the QR code of the present state. */
+  code(): void;
   /** Escape. Returns whether there was a projector mode to leave. */
   leaveProjector(): boolean;
   /** The key that cuts a coupling goes down or up. */
@@ -39,6 +41,7 @@ export function listenToKeys(isOn: () => boolean, actions: KeyActions): void {
       "0": () => actions.resetCouplings(),
       "?": () => actions.help(),
       p: () => actions.projector(),
+      q: () => actions.code(),
       c: () => !event.repeat && actions.hold(true),
     }[event.key];
     if (!action) return;

@@ -270,6 +270,14 @@ export class PageView extends View {
       </section>`;
   }
 
+  /** The exercise of a link, loaded at its first use. */
+  #exercise() {
+    const { body, model, settings, notices, words } = this.app;
+    if (settings.values.exercise === 0) return nothing;
+    import("../exercises/exercise-view").catch(() => notices.addNotLoaded("The exercise"));
+    return html`<pg-exercise .body=${body} .model=${model} .settings=${settings} .notices=${notices} .words=${words}></pg-exercise>`;
+  }
+
   #panels() {
     const {
       engine,
@@ -366,6 +374,7 @@ export class PageView extends View {
                 tabindex=${this.#tab === tab ? 0 : -1} @click=${() => settings.change({ tab })}>${TAB_TITLES[tab]}</button>`,
             )}
           </div>
+          ${this.#exercise()}
           ${this.#panels()}
         </main>
         ${
@@ -374,7 +383,7 @@ export class PageView extends View {
             : html`
           <footer>
             <span>Nothing you load leaves your machine. ${this.session ? html`<pg-forget .session=${this.session} .app=${app}></pg-forget>` : nothing}</span>
-            <span><button class="link" data-testid="about" @click=${this.openHelp}>Data</button>, <a href="licences.txt">licences</a></span>
+            <span><a href="#teach" data-testid="to-teach">For teachers</a>, <button class="link" data-testid="about" @click=${this.openHelp}>Data</button>, <a href="licences.txt">licences</a></span>
           </footer>`
         }
         ${

@@ -11,6 +11,8 @@ const SLOPE = 0.1;
 /** Of the way to another view, exp(-RATE) is left after a second. */
 const RATE = 3;
 
+const within = (value: number, least: number, most: number) => Math.min(most, Math.max(least, value));
+
 /**
  * Changes `offset`, the vector from the centre of the picture to the camera. Turns and zooms of the visitor
  * stay, because each change is relative.
@@ -34,6 +36,28 @@ export class Framing {
   aim(angle: number): void {
     const from = this.#heading + angle;
     this.offset.set(Math.sin(from), SLOPE, Math.cos(from)).setLength(this.#now.distance);
+  }
+
+  /**
+   * From where the camera looks: the angle to the mean heading and the angle above the ground in radians, and
+   * the distance as a multiple of the present view's.
+   */
+  get look(): readonly number[] {
+    const { x, y, z } = this.offset;
+    const turn = Math.atan2(x, z) - this.#heading;
+    const distance = this.offset.length();
+    return [
+      Math.atan2(Math.sin(turn), Math.cos(turn)),
+      Math.asin(y / distance),
+      distance / this.#now.distance,
+    ];
+  }
+
+  set look([turn = 0, rise = 0, far = 1]: readonly number[]) {
+    const [from, up] = [this.#heading + turn, within(rise, 0, 1.4)];
+    this.offset
+      .set(Math.sin(from) * Math.cos(up), Math.sin(up), Math.cos(from) * Math.cos(up))
+      .setLength(within(far, 0.3, 3) * this.#now.distance);
   }
 
   /** Another motion begins, at its own place: the camera keeps its angle to the mean heading. */

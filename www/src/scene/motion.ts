@@ -94,6 +94,20 @@ function distance(a: Float32Array, b: Float32Array): number {
   return sum;
 }
 
+/** The largest distance between the same node of two motions at the same time, in metres. */
+export function largestDistance({ positions: a }: Motion, { positions: b }: Motion): number {
+  let largest = 0;
+  for (let i = 0; i < a.length; i += 3)
+    largest = Math.max(largest, Math.hypot(a[i]! - b[i]!, a[i + 1]! - b[i + 1]!, a[i + 2]! - b[i + 2]!));
+  return largest;
+}
+
+/** The squared distance between a frame of a motion and a pose, with equal roots and headings. */
+export function distanceTo(motion: Motion, frame: number, pose: Float32Array): number {
+  const own = poseAt(motion, frame, HERE, new Float32Array(motion.nodes * 3));
+  return distance(poseAt(motion, frame, placeOnto(own, pose), own), pose);
+}
+
 export interface Loop {
   /** The frame from which the motion continues as from frame 0. */
   end: number;

@@ -16,8 +16,8 @@ export function openDoor(settings: SettingsStore, embedded: boolean): void {
     settings.takeFragment(`story=${lastChapter()}`);
   let before = settings.values.chapter;
   settings.on(() => {
-    const { chapter } = settings.values;
-    if (chapter === before) return;
+    const { chapter, teach } = settings.values;
+    if (chapter === before || teach) return;
     keep(DOOR, chapter > 0 ? "story" : LAB);
     if (chapter > 0) keep(CHAPTER, String(chapter));
     before = chapter;

@@ -3,6 +3,12 @@ import { Store } from "../ui/store";
 import { Address, type AddressBar } from "./address";
 import { limited, readSettings, type Settings, writeSettings } from "./settings";
 
+/** A change of one of these begins an entry in the browser's history. */
+const PAGES = ["view", "chapter", "teach"] as const;
+
+/** The settings of an address in the Lab. */
+export const IN_LAB = { chapter: 0, teach: false, cut: "" } as const satisfies Partial<Settings>;
+
 export class SettingsStore extends Store {
   #values: Settings;
   #waiting: Partial<Settings> = {};
@@ -25,7 +31,7 @@ export class SettingsStore extends Store {
 
   /** The address of the Lab or another view with these settings, also while a chapter is open. */
   get labFragment(): string {
-    return writeSettings({ ...this.written, chapter: 0 });
+    return writeSettings({ ...this.written, ...IN_LAB });
   }
 
   /** Keeps settings of a link in the address that do not apply yet; `{}`: there are none. */
@@ -40,7 +46,7 @@ export class SettingsStore extends Store {
    */
   change(change: Partial<Settings>, turnsPage = false): void {
     const next = { ...this.#values, ...limited(change) };
-    const isOther = turnsPage || next.view !== this.#values.view || next.chapter !== this.#values.chapter;
+    const isOther = turnsPage || PAGES.some((name) => next[name] !== this.#values[name]);
     this.#values = next;
     if (isOther) this.address.push(this.written);
     else this.address.writeSoon(this.written);
@@ -62,9 +68,10 @@ export class SettingsStore extends Store {
 
   #take(fragment: string): void {
     const read = readSettings(fragment);
-    // The address of a chapter does not have the settings of the Lab, which waits as it is.
-    if (read.chapter > 0) {
-      this.#values = { ...this.#values, chapter: read.chapter };
+    const { chapter, teach, camera, time, cut } = read;
+    // These addresses do not have the settings of the Lab, which waits as it is.
+    if (chapter > 0 || teach) {
+      this.#values = { ...this.#values, chapter: teach ? 0 : chapter, teach, camera, time, cut };
       return;
     }
     this.#values = read;

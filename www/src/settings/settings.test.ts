@@ -23,10 +23,25 @@ describe("settings in the URL", () => {
     expect(readSettings("#story=77").chapter).toBe(10);
   });
 
+  it("has camera, time and cut in the link of a chapter, and names the page for teachers in one word", () => {
+    const moment = { camera: [1.2, 0.1, 0.9], time: 2.5, cut: "kept" as const };
+    const settings = { ...initialSettings(), chapter: 2, latent: 2, ...moment };
+    const fragment = writeSettings(settings);
+    expect(fragment).toBe("story=2&camera=1.2,0.1,0.9&time=2.5&cut=kept");
+    expect(readSettings(fragment)).toEqual({ ...initialSettings(), chapter: 2, ...moment });
+    expect(writeSettings({ ...settings, teach: true })).toBe("teach");
+    expect(readSettings("#teach").teach).toBe(true);
+    for (const camera of ["1,2", "1,2,x", "1,2,1e999", "NaN,0,0"])
+      expect(readSettings(`#camera=${camera}`).camera).toEqual([]);
+  });
+
   it("brings every setting of the Lab back", () => {
-    const { chapter, ...lab } = initialSettings();
+    const { chapter, teach, cut, ...lab } = initialSettings();
     const settings = {
       ...lab,
+      camera: [1.2, 0.1, 0.9],
+      time: 2.5,
+      exercise: 3,
       tab: "loops" as const,
       parts: "hand",
       split: [
@@ -68,7 +83,12 @@ describe("settings in the URL", () => {
         JSON.stringify(value) === JSON.stringify(SETTINGS[name as keyof typeof SETTINGS].initial),
     );
     expect(untouched).toEqual([]);
-    expect(readSettings(`#${writeSettings({ ...settings, chapter })}`)).toEqual({ ...settings, chapter });
+    expect(readSettings(`#${writeSettings({ ...settings, chapter, teach, cut })}`)).toEqual({
+      ...settings,
+      chapter,
+      teach,
+      cut,
+    });
   });
 
   it("counts the trial held out from 0, and in the URL from 1", () => {

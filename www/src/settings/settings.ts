@@ -33,6 +33,27 @@ function whole(key: string, initial: number, min: number, max: number, step = 1)
   };
 }
 
+/** Three numbers from which the camera looks at the figure; none: from the usual side. */
+const look: Setting<readonly number[]> = {
+  key: "camera",
+  initial: [],
+  read(text) {
+    const numbers = text.split(",").map(Number);
+    return numbers.length === 3 && text.length < 60 ? numbers : null;
+  },
+  write: (numbers) => numbers.map((number) => Number(number.toFixed(3))).join(),
+  limit: (numbers) => (numbers.every(Number.isFinite) && [0, 3].includes(numbers.length) ? numbers : null),
+};
+
+/** Seconds of the motion. */
+const time: Setting<number> = {
+  key: "time",
+  initial: 0,
+  read: (text) => (/^\d{1,4}(\.\d{1,4})?$/.test(text) ? Number(text) : null),
+  write: (seconds) => String(Number(seconds.toFixed(3))),
+  limit: (seconds) => (Number.isFinite(seconds) ? Math.max(0, seconds) : null),
+};
+
 function choice<T extends string | number>(
   key: string,
   initial: T,
@@ -279,9 +300,21 @@ export const BY_HAND = "hand";
 /** The last chapter of the story. */
 const LAST_CHAPTER = 10;
 
+/** The exercises for a class. */
+export const EXERCISES = 6;
+
 export const SETTINGS = {
   /** The open chapter of the story; 0: the Lab or another view is open. */
   chapter: whole("story", 0, 0, LAST_CHAPTER),
+  /** Whether the page for teachers is open. */
+  teach: flag("teach", false),
+  // Of a link: the page takes these at once, and leaves them out of its address.
+  camera: look,
+  time,
+  /** The thread of the second chapter: tied as learned, or cut. */
+  cut: choice("cut", "", ["", "relearned", "kept"] as const),
+  /** The exercise for a class that the Lab shows; 0: none. */
+  exercise: whole("exercise", 0, 0, EXERCISES),
   view: choice("view", "play", VIEWS),
   tab: choice("tab", "listen", TABS),
   parts: preset,
@@ -331,6 +364,9 @@ export type SettingName = keyof Settings;
 type Row = Setting<Settings[SettingName]>;
 const ROWS = Object.entries(SETTINGS) as unknown as [SettingName, Row][];
 
+/** What the address of a chapter has. */
+const OF_CHAPTERS: ReadonlySet<SettingName> = new Set(["chapter", "camera", "time", "cut"]);
+
 export function initialSettings(): Settings {
   return Object.fromEntries(ROWS.map(([name, row]) => [name, row.initial])) as unknown as Settings;
 }
@@ -348,14 +384,14 @@ export function readSettings(fragment: string): Settings {
 }
 
 /**
- * The URL fragment of these settings, without "#" and without initial values. A chapter has no other settings.
+ * The URL fragment of these settings, without "#" and without initial values. A chapter has few settings.
  * The Lab names its view, because a page without a fragment opens where the visitor was.
  */
 export function writeSettings(settings: Settings): string {
-  const { chapter } = SETTINGS;
-  if (settings.chapter > 0) return `${chapter.key}=${chapter.write(settings.chapter)}`;
+  if (settings.teach) return SETTINGS.teach.key;
   const given = new URLSearchParams();
   for (const [name, row] of ROWS) {
+    if (settings.chapter > 0 && !OF_CHAPTERS.has(name)) continue;
     const text = row.write(settings[name]);
     if (text !== row.write(row.initial)) given.set(row.key, text);
   }

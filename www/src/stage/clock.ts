@@ -57,6 +57,13 @@ export class Clock extends Store {
     this.changed();
   }
 
+  /** Goes to a frame, and plays on if the motion plays. */
+  seek(frame: number): void {
+    this.player.scrub(frame);
+    this.jumped();
+    this.changed();
+  }
+
   /** Called when laps have ended, before the listeners. */
   protected lapped(_laps: number): void {}
 

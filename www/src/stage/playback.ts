@@ -25,6 +25,16 @@ export class Playback extends Clock {
     return (this.#live ?? this.#walk)?.at(this.player.frame) ?? null;
   }
 
+  /** Seconds of the motion now. */
+  get seconds(): number {
+    return this.frame * (this.#walk?.motion.frameTime ?? 0);
+  }
+
+  /** Goes to a time of the motion, in seconds. */
+  seekSeconds(seconds: number): void {
+    if (this.#walk) this.seek(seconds / this.#walk.motion.frameTime);
+  }
+
   /**
    * Plays a motion. `whole`: a lap has all frames, however different the ends are. `goesOn`: a motion of the
    * same figure continues at the same place and time.

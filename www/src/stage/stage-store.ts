@@ -54,6 +54,23 @@ export class StageStore extends Store {
   #futures: readonly Motion[] = [];
   #fade: Fade | null = null;
 
+  #look: readonly number[] | null = null;
+  /** From where the camera looks (`Framing.look`); null while no stage draws. The stage that draws sets it. */
+  camera: () => readonly number[] | null = () => null;
+
+  /** Turns the camera of the stage that draws, or of the next one. */
+  lookFrom(look: readonly number[]): void {
+    this.#look = look;
+    this.changed();
+  }
+
+  /** The wanted look of the camera, once; null: none. */
+  takeLook(): readonly number[] | null {
+    const look = this.#look;
+    this.#look = null;
+    return look;
+  }
+
   constructor(playback: Playback) {
     super();
     this.#playback = playback;

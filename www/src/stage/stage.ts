@@ -73,11 +73,20 @@ export class Stage {
     controls.target.copy(this.#focus);
     this.#scene.add(this.#ground.group);
     this.#viewport.resize();
+    store.camera = this.#camera;
     this.update();
   }
 
+  /** From where the camera looks; null before the first figure. */
+  readonly #camera = () => {
+    const { camera, controls } = this.#viewport;
+    this.#framing.offset.subVectors(camera.position, controls.target);
+    return this.#placed ? this.#framing.look : null;
+  };
+
   /** Frees the graphics memory. */
   dispose(): void {
+    if (this.#store.camera === this.#camera) this.#store.camera = () => null;
     this.#clear();
     this.#lights.dispose();
     this.#ground.dispose();
@@ -117,6 +126,7 @@ export class Stage {
     const { content } = this.#store;
     if (!content) return;
     this.#updateFigure(content);
+    this.#takeLook();
     this.#updateGhost(content);
     this.#updateFutures(content);
     this.#updateMarked(content);
@@ -223,6 +233,17 @@ export class Stage {
     });
     controls.update();
     this.#placed = true;
+  }
+
+  /** Turns the camera as a link wants it. */
+  #takeLook(): void {
+    const look = this.#placed ? this.#store.takeLook() : null;
+    if (!look) return;
+    this.#moveCamera(() => {
+      this.#framing.approach();
+      this.#framing.look = look;
+    });
+    this.#viewport.controls.update();
   }
 
   /** The place of a node in the picture, in pixels of the page; null before the first pose. */

@@ -28,6 +28,10 @@ export interface Chapter extends Observed {
   equation(): TemplateResult | null;
   /** The settings with which the Lab shows this state. */
   lab(): Partial<Settings>;
+  /** What a link says of this state besides the chapter, the camera and the time. */
+  link?(): Pick<Settings, "cut">;
+  /** Shows the state of a link. */
+  restore?(link: Pick<Settings, "cut">): void;
   /** The chapter comes on screen: its motion starts. */
   arrive(): void;
   /** The chapter leaves the screen: everything stops, and shared stores are as before. The chapter may arrive again. */

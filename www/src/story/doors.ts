@@ -6,15 +6,18 @@ import { View } from "../ui/view";
 import "./story-view";
 
 export class DoorsView extends View {
-  static override properties = { lab: { state: true } };
+  static override properties = { lab: { state: true }, isTeachMissing: { state: true } };
   declare app: App;
   /** Called once, when the Lab is on the page. */
   declare startLab: (page: PageView) => void;
   declare lab: "closed" | "loading" | "open" | "failed";
 
+  declare isTeachMissing: boolean;
+
   constructor() {
     super();
     this.lab = "closed";
+    this.isTeachMissing = false;
   }
 
   protected override stores() {
@@ -29,7 +32,7 @@ export class DoorsView extends View {
   }
 
   #follow(): void {
-    if (!this.app.isStory && this.lab === "closed") void this.#openLab();
+    if (this.app.isLab && this.lab === "closed") void this.#openLab();
   }
 
   async #openLab(): Promise<void> {
@@ -47,15 +50,27 @@ export class DoorsView extends View {
 
   #labView() {
     const { frame } = this.app.words.now;
-    if (this.lab === "open") return html`<pg-page .app=${this.app} ?hidden=${this.app.isStory}></pg-page>`;
-    if (this.lab === "failed" && !this.app.isStory)
+    if (this.lab === "open") return html`<pg-page .app=${this.app} ?hidden=${!this.app.isLab}></pg-page>`;
+    if (this.lab === "failed" && this.app.isLab)
       return html`<p class="banner" role="alert">${frame.labNotLoaded}
         <button class="small" @click=${() => location.reload()}>${frame.tryAgain}</button></p>`;
     return nothing;
   }
 
+  /** The page for teachers, loaded at its first use. */
+  #teach() {
+    if (!this.app.isTeaching) return nothing;
+    const { frame } = this.app.words.now;
+    import("../teach/teach-page").catch(() => {
+      this.isTeachMissing = true;
+    });
+    return this.isTeachMissing
+      ? html`<p class="banner" role="alert">${frame.notLoaded} <button class="small" @click=${() => location.reload()}>${frame.tryAgain}</button></p>`
+      : html`<pg-teach .app=${this.app}></pg-teach>`;
+  }
+
   protected override render() {
-    return html`${this.app.isStory ? html`<pg-story .app=${this.app}></pg-story>` : nothing}${this.#labView()}`;
+    return html`${this.app.isStory ? html`<pg-story .app=${this.app}></pg-story>` : nothing}${this.#teach()}${this.#labView()}`;
   }
 }
 customElements.define("pg-doors", DoorsView);

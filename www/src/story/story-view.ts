@@ -3,15 +3,19 @@ import { html, nothing } from "lit";
 import type { App } from "../app/app";
 import { isUsedByControl } from "../app/keyboard";
 import { initialSettings, writeSettings } from "../settings/settings";
+import { IN_LAB } from "../settings/settings-store";
+import { momentOf, takeMoment } from "../stage/moment";
 import { whenIdle } from "../ui/idle";
 import { prefersReducedMotion } from "../ui/reduced-motion";
 import { View } from "../ui/view";
 import { noticeCard } from "../ui/notices-view";
 import { storyBody } from "./body";
+import type { Guess } from "./chapter";
 import { CHAPTERS, type ChapterName } from "./chapters";
 import { chapterPlace } from "./chapter-place";
-import { languageSwitch } from "./language-switch";
+import { siteHead } from "../app/site-head";
 import { OpenChapters } from "./open-chapters";
+import { Slides } from "./slides";
 import { swipes } from "./swipe";
 import "./story.css";
 import "./story-foot.css";
@@ -28,18 +32,25 @@ const STEPS: Record<string, 1 | -1> = { ArrowRight: 1, PageDown: 1, ArrowLeft: -
 export class StoryView extends View {
   declare app: App;
   #chapters!: OpenChapters;
-  /** The labels of the last guess in each chapter. */
+  #slides!: Slides;
+  /** The sentence about the last guess in each chapter. */
   readonly #guesses = new Map<ChapterName, string>();
 
   override connectedCallback(): void {
     this.#chapters ??= new OpenChapters(this.app);
+    this.#slides ??= new Slides(this.app, storyBody(this.app).notices, {
+      slide: () => ({ chapter: this.#name, choices: this.#chapters.chapter?.guess()?.choices ?? {} }),
+      fragment: () => this.#fragment(),
+      key: (event) => this.#obey(event),
+      changed: () => this.requestUpdate(),
+    });
     super.connectedCallback();
   }
 
   protected override stores() {
-    const { settings, words } = this.app;
+    const { settings, words, lecture } = this.app;
     const { notices, engine } = storyBody(this.app);
-    return [settings, words, this.#chapters, notices, engine];
+    return [settings, words, lecture, this.#chapters, notices, engine];
   }
 
   protected override arrived(): void {
@@ -52,11 +63,13 @@ export class StoryView extends View {
           .catch(() => {}),
     );
     this.whenLeaving(this.app.settings.on(() => this.#follow()));
+    this.whenLeaving(storyBody(this.app).stage.on(() => this.#restore()));
     this.whenLeaving(() => this.#chapters.leave());
-    this.listen(document, "keydown", (event) => this.#stepByKey(event as KeyboardEvent));
+    this.listen(document, "keydown", (event) => this.#obey(event as KeyboardEvent));
     const card = this.querySelector<HTMLElement>(".story-card");
     if (card) this.whenLeaving(swipes(card, (direction) => this.#step(direction)));
     this.listen(this, "story-guess", (event) => this.#guess((event as CustomEvent<string>).detail));
+    this.listen(document, "fullscreenchange", () => !document.fullscreenElement && this.#slides.end());
     // A failed download may work now.
     this.listen(window, "online", () => this.#chapters.state === "failed" && location.reload());
   }
@@ -81,7 +94,43 @@ export class StoryView extends View {
       await this.updateComplete;
       if (this.#chapters.chapter && this.#chapters.name === name)
         performance.measure(TURN_MEASURE, { start, detail: name });
+      this.#restore();
     });
+  }
+
+  /** Shows the state of a link, once its chapter and its motion are there. */
+  #restore(): void {
+    const { settings } = this.app;
+    const { cut } = settings.values;
+    const { chapter, name } = this.#chapters;
+    if (!chapter || name !== this.#name) return;
+    if (cut !== "") {
+      settings.change({ cut: "" });
+      chapter.restore?.({ cut });
+    }
+    const { stage, playback } = storyBody(this.app);
+    takeMoment(settings, stage, playback);
+  }
+
+  /** The fragment of an address with this state. */
+  #fragment(): string {
+    const { stage, playback } = storyBody(this.app);
+    const { chapter } = this.#chapters;
+    const moment = stage.live ? { camera: stage.camera() ?? [] } : momentOf(stage, playback, null);
+    return writeSettings({
+      ...initialSettings(),
+      ...(stage.content ? moment : {}),
+      ...chapter?.link?.(),
+      chapter: this.#number,
+    });
+  }
+
+  /** The fragment with which the Lab shows this state, with camera and time. */
+  #labFragment(): string {
+    const { model, stage, playback } = storyBody(this.app);
+    const lab = { ...UNCOUPLED, ...this.#chapters.chapter?.lab(), ...IN_LAB };
+    const moment = lab.view === "play" ? momentOf(stage, playback, model.rollout?.motion ?? null) : {};
+    return writeSettings({ ...this.app.settings.written, ...lab, ...moment });
   }
 
   /** Fades stage and card, and tells screen readers of the new chapter by its title. */
@@ -105,39 +154,34 @@ export class StoryView extends View {
     return CHAPTERS.length - 1;
   }
 
-  #stepByKey(event: KeyboardEvent): void {
+  #obey(event: KeyboardEvent): void {
+    if (event.defaultPrevented || isUsedByControl(event)) return;
     const direction = STEPS[event.key];
-    if (!direction || event.defaultPrevented || isUsedByControl(event)) return;
+    if (direction) this.#step(direction);
+    else if (!this.#slides.key(event)) return;
     event.preventDefault();
-    this.#step(direction);
+  }
+
+  /** The visitor's guess, or that of most hands of a class. */
+  #said({ choices }: Guess, choice: string): string {
+    const { frame } = this.app.words.now;
+    const favourite = this.#slides.favourite ?? choice;
+    const label = choices[favourite] ?? favourite;
+    const { count, total } = this.#slides.hands(favourite);
+    return total > 0 ? frame.hands(count, total, label) : frame.guessed(label);
   }
 
   #guess(choice: string): void {
     const { chapter } = this.#chapters;
     const guess = chapter?.guess();
     if (!chapter || !guess) return;
-    this.#guesses.set(this.#name, guess.choices[choice] ?? choice);
+    this.#guesses.set(this.#name, this.#said(guess, choice));
     chapter.guessed(choice);
     // The pressed button leaves; the focus stays in the card.
     void this.updateComplete.then(() => {
       this.querySelector<HTMLElement>(".story-answer")?.focus({ preventScroll: true });
       scrollTo(0, 0);
     });
-  }
-
-  #head() {
-    const { words, settings, embedded } = this.app;
-    const { frame } = words.now;
-    if (embedded) return nothing;
-    return html`
-      <header class="story-head">
-        <p>${frame.page}</p>
-        <nav aria-label=${frame.views}>
-          <a href="#story=${this.#number}" aria-current="page">${frame.story}</a>
-          <a href="#${settings.labFragment}" data-testid="to-lab">${frame.lab}</a>
-        </nav>
-        ${languageSwitch(words)}
-      </header>`;
   }
 
   /** A message in place of a chapter that is not there. */
@@ -166,6 +210,12 @@ export class StoryView extends View {
     return chapter !== null && chapter.guess() === null && this.#guesses.has(this.#name);
   }
 
+  /** The number of hands for an answer, once one was counted. */
+  #hands(choice: string) {
+    const { count, total } = this.#slides.hands(choice);
+    return total > 0 ? html` <b class="story-hands" data-testid="hands-${choice}">${count}</b>` : nothing;
+  }
+
   #question() {
     const guess = this.#chapters.chapter?.guess();
     if (!guess) return nothing;
@@ -174,21 +224,20 @@ export class StoryView extends View {
         <legend>${guess.question}</legend>
         <div>${Object.entries(guess.choices).map(
           ([choice, label]) =>
-            html`<button class="story-button" data-testid="choice-${choice}" @click=${() => this.#guess(choice)}>${label}</button>`,
+            html`<button class="story-button" data-testid="choice-${choice}" @click=${() => this.#guess(choice)}>${label}${this.#hands(choice)}</button>`,
         )}</div>
       </fieldset>`;
   }
 
   /** What follows a guess: the guess, the measured answer, and the control. */
   #answer() {
-    const { frame } = this.app.words.now;
     const { chapter } = this.#chapters;
     const guess = chapter?.guess();
     const said = this.#guesses.get(this.#name);
     const reveal = chapter?.reveal();
     return html`
       <div class="story-answer" tabindex="-1" data-testid="answer">
-        ${!guess && said ? html`<p class="story-said">${frame.guessed(said)}</p>` : nothing}
+        ${!guess && said ? html`<p class="story-said">${said}</p>` : nothing}
         <div aria-live="polite" data-testid="reveal">${reveal ?? nothing}</div>
       </div>
       <div class="story-control">${chapter?.control() ?? nothing}</div>`;
@@ -200,29 +249,28 @@ export class StoryView extends View {
     // Both would give an answer away.
     if (!chapter || (chapter.guess() && !chapter.reveal())) return nothing;
     const equation = chapter.equation();
-    const fragment = writeSettings({
-      ...this.app.settings.written,
-      ...UNCOUPLED,
-      ...chapter.lab(),
-      chapter: 0,
-    });
+    // The time of the motion goes on: the link takes it when it is used.
+    const update = ({ currentTarget }: Event) => {
+      (currentTarget as HTMLAnchorElement).href = `#${this.#labFragment()}`;
+    };
     return html`
       <div class="story-more">
         ${equation ? html`<details><summary>${frame.equation}</summary><div class="story-equation">${equation}</div></details>` : nothing}
-        <a href="#${fragment}" data-testid="open-in-lab">${frame.openInLab}</a>
+        <a href="#${this.#labFragment()}" data-testid="open-in-lab" @pointerdown=${update} @focus=${update} @click=${update}>${frame.openInLab}</a>
       </div>`;
   }
 
   protected override updated(): void {
+    this.#slides.update();
     document.title = `${this.app.words.now.chapters[this.#name].title} · ${this.app.words.now.frame.page}`;
   }
 
   protected override render() {
-    const { embedded, words } = this.app;
+    const { embedded, lecture, words } = this.app;
     const { title, text } = words.now.chapters[this.#name];
     return html`
       <div class="story" data-embed=${embedded ? "1" : "0"} data-state=${this.#chapters.state} data-engine=${storyBody(this.app).engine.state} data-chapter=${this.#name}>
-        ${this.#head()}
+        ${embedded || lecture.isOn ? nothing : siteHead(this.app, "story")}
         <main>
           <section class="story-stage" aria-label=${words.now.frame.stage}>
             ${this.#chapters.chapter?.stage() ?? this.#missing()}

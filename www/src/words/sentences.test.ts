@@ -1,10 +1,9 @@
 import { expect, it } from "vitest";
 
-const SOURCES = import.meta.glob<string>(["../story/**/*.ts", "!../story/**/*.test.ts"], {
-  query: "?raw",
-  import: "default",
-  eager: true,
-});
+const SOURCES = import.meta.glob<string>(
+  ["../{story,teach,exercises}/**/*.ts", "../app/site-head.ts", "!../**/*.test.ts"],
+  { query: "?raw", import: "default", eager: true },
+);
 
 /** The end of a template or of an expression in it that begins at `start`, and the template's own text. */
 function template(source: string, start: number): { end: number; text: string } {
@@ -55,7 +54,7 @@ it("finds a sentence in a template, also in one within another, and in a label",
   expect(wordsInTemplates(source)).toEqual(["Close it", "Hello"]);
 });
 
-it("keeps all sentences of the story in the folder of words", () => {
+it("keeps all sentences of the story and for teachers in the folder of words", () => {
   expect(Object.keys(SOURCES).length).toBeGreaterThan(10);
   const found = Object.entries(SOURCES).flatMap(([file, source]) =>
     wordsInTemplates(source).map((words) => `${file}: ${words}`),

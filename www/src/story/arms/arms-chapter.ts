@@ -131,6 +131,16 @@ export class ArmsChapter extends Store implements Chapter {
     return this.isCut ? { alpha, reading, model: model.id } : { reading: initialSettings().reading };
   }
 
+  link() {
+    return { cut: this.#thread === "tied" ? ("" as const) : this.#thread };
+  }
+
+  restore({ cut }: Pick<Settings, "cut">): void {
+    if (cut === "") return;
+    this.#hasGuessed = true;
+    this.#pull(cut);
+  }
+
   arrive(): void {
     const { measures, model, phases, playback } = this.body;
     const stops = [measures, model, phases].map((store) => store.on(() => this.changed()));

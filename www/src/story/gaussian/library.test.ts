@@ -1,6 +1,6 @@
 // The kernel and the variance of the chapter against the library.
 import { expect, it } from "vitest";
-import { startModel } from "../latent/start-model.fake";
+import { startModel } from "../../engine/start-model.fake";
 import { kernel } from "./process";
 
 it("has the kernel of the library", async () => {

@@ -4,7 +4,7 @@ import { principalAxes } from "../../latents/projection";
 import { distances } from "../../scene/motion";
 import { lapOf } from "../latent/lap";
 import { lift, projectPath } from "../latent/lift";
-import { startModel } from "../latent/start-model.fake";
+import { startModel } from "../../engine/start-model.fake";
 import { columnsOf } from "./loop-chapter";
 
 const LEGS = 0;

@@ -1,6 +1,6 @@
 // The spread of the futures against the moments that the library computes without sampling.
 import { expect, it } from "vitest";
-import { startModel } from "../latent/start-model.fake";
+import { startModel } from "../../engine/start-model.fake";
 import { deviationsFrom, scorePin, spreadOf } from "./pin";
 
 const LEGS = 0;

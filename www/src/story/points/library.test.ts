@@ -1,7 +1,7 @@
 // The choices of inducing points against the library.
 import { expect, it } from "vitest";
 import { lapOf } from "../latent/lap";
-import { startModel } from "../latent/start-model.fake";
+import { startModel } from "../../engine/start-model.fake";
 import { allPoints, bestChoice, choices, count, keptOf, LEGS, type LegPoints } from "./elimination";
 import { stumbles, walkError } from "./walk-error";
 

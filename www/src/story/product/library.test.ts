@@ -1,8 +1,8 @@
 // The numbers of the chapter against the library.
 import { expect, it } from "vitest";
 import type { PredictionsReport } from "../../engine/protocol";
-import { startModel } from "../latent/start-model.fake";
-import { largestDistance } from "./product-chapter";
+import { startModel } from "../../engine/start-model.fake";
+import { largestDistance } from "../../scene/motion";
 import { expertsOf, productOf } from "./product";
 
 const ARMS = 1;
@@ -40,8 +40,7 @@ it("finds that doubled couplings move no joint, and that another ratio does", ()
   const walk = (alphas: readonly number[]) => {
     const rollout = model.rollout({ frames: 300, sequence: 0, alpha: withAlphas(alphas) });
     const positions = rollout.positions();
-    const motion = { positions, frames: 300, nodes: info.figure.nodes.length, frameTime: info.frameTime };
-    return { motion } as Parameters<typeof largestDistance>[0];
+    return { positions, frames: 300, nodes: info.figure.nodes.length, frameTime: info.frameTime };
   };
   expect(largestDistance(walk(learned), walk(learned.map((alpha) => 2 * alpha)))).toBe(0);
   expect(largestDistance(walk(learned), walk([2 * learned[0]!, learned[1]!]))).toBeGreaterThan(0.01);

@@ -5,6 +5,7 @@ import type { Couplings, RolloutRequest, RolloutResult } from "../../engine/prot
 import { ellipseOf, type Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
 import { fillDot, traceEllipse } from "../../latents/shapes";
+import { largestDistance } from "../../scene/motion";
 import { ALPHA_MAX, ALPHA_MIN } from "../../settings/settings";
 import { partColour, partColourNow, theme } from "../../ui/palette";
 import { partStyle } from "../../ui/styled";
@@ -186,7 +187,7 @@ export class ProductChapter extends LatentChapter implements Chapter {
     const wider = Math.sqrt(
       productOf(this.#experts, twice).variance / productOf(this.#experts, this.#learned).variance,
     );
-    this.#doubled = { apart: 1000 * largestDistance(before, after), wider };
+    this.#doubled = { apart: 1000 * largestDistance(before.motion, after.motion), wider };
     this.changed();
   }
 
@@ -290,18 +291,4 @@ export class ProductChapter extends LatentChapter implements Chapter {
     [this.#guessed, this.#doubled] = [false, null];
     super.leave();
   }
-}
-
-/** The largest distance between the same joint of two motions at the same time, in metres. */
-export function largestDistance({ motion: a }: RolloutResult, { motion: b }: RolloutResult): number {
-  let largest = 0;
-  for (let i = 0; i < a.positions.length; i += 3) {
-    const away = Math.hypot(
-      a.positions[i]! - b.positions[i]!,
-      a.positions[i + 1]! - b.positions[i + 1]!,
-      a.positions[i + 2]! - b.positions[i + 2]!,
-    );
-    largest = Math.max(largest, away);
-  }
-  return largest;
 }

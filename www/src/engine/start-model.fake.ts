@@ -1,7 +1,7 @@
 // For tests: the model that the page opens with, in the library itself.
 import init, { Model } from "vcgpdm/inline";
-import text from "../../../first/model.json?raw";
-import type { ModelInfo } from "../../engine/protocol";
+import text from "../../first/model.json?raw";
+import type { ModelInfo } from "./protocol";
 
 export async function startModel() {
   await init();

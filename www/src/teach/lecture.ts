@@ -1,0 +1,108 @@
+// The chapters as slides of a lecture: hands are counted by keys, and the notes are in a second window.
+import { html, nothing, render } from "lit";
+import type { App } from "../app/app";
+import type { NoticesStore } from "../ui/notices-store";
+import { Store } from "../ui/store";
+import { teachWords } from "../words/teach";
+import { chapterOf, type Step } from "./plans";
+import "./notes.css";
+import { Tally } from "./tally";
+
+/** What the story shows. */
+export interface Shown {
+  slide(): Slide;
+  /** A key of the window with the notes. */
+  key(event: KeyboardEvent): void;
+}
+
+/** The open chapter of the story, and its open question. */
+export interface Slide {
+  chapter: Step;
+  /** The answers by id; none after the answer. */
+  choices: Readonly<Record<string, string>>;
+}
+
+const WINDOW = "popup,width=520,height=720";
+
+export class Lecture extends Store {
+  readonly #app: App;
+  readonly #words: ReturnType<typeof teachWords>;
+  readonly #notices: NoticesStore;
+  readonly #shown: Shown;
+  readonly tally = new Tally();
+  #window: Window | null = null;
+
+  private constructor(app: App, notices: NoticesStore, shown: Shown) {
+    super();
+    [this.#app, this.#notices, this.#shown] = [app, notices, shown];
+    this.#words = teachWords(app.words);
+    for (const store of [this.tally, this.#words]) store.on(() => this.changed());
+    this.on(() => this.showSlide());
+  }
+
+  static async open(app: App, notices: NoticesStore, shown: Shown): Promise<Lecture> {
+    const lecture = new Lecture(app, notices, shown);
+    await lecture.#words.load();
+    return lecture;
+  }
+
+  /** Does what a key asks for. */
+  key(key: string): void {
+    const { chapter, choices } = this.#shown.slide();
+    const answer = Object.keys(choices)[Number(key) - 1];
+    if (key === "n") this.#openNotes();
+    else if (answer !== undefined) this.tally.add(chapter, answer);
+    else if (key === "Backspace") this.tally.takeBack(chapter);
+  }
+
+  #openNotes(): void {
+    const { notes } = this.#words.now;
+    if (this.#window && !this.#window.closed) {
+      this.#window.focus();
+      return;
+    }
+    this.#window = window.open("", "vcgpdm-notes", WINDOW);
+    if (!this.#window) {
+      this.#notices.addError(notes.title, notes.blocked);
+      return;
+    }
+    const { document: page } = this.#window;
+    for (const link of document.querySelectorAll<HTMLLinkElement>("link[rel=stylesheet]")) {
+      const copy = page.createElement("link");
+      Object.assign(copy, { rel: "stylesheet", href: link.href });
+      page.head.append(copy);
+    }
+    page.addEventListener("keydown", (event) => this.#shown.key(event));
+    this.showSlide();
+  }
+
+  /** Shows the notes of the open chapter. */
+  showSlide(): void {
+    if (!this.#window || this.#window.closed) return;
+    const { document: page } = this.#window;
+    const { notes, steps } = this.#words.now;
+    const words = this.#app.words.now;
+    const { chapter, choices } = this.#shown.slide();
+    const titles = Object.values(words.chapters).map(({ title }) => title);
+    const number = chapterOf(words, chapter);
+    const { say, wrong } = steps[chapter];
+    const next = titles[number];
+    page.documentElement.lang = this.#app.words.language;
+    page.title = notes.title;
+    const hands = Object.entries(choices);
+    render(
+      html`<main class="notes">
+        <h1>${titles[number - 1]}</h1>
+        <h2>${notes.say}</h2><p>${say}</p>
+        <h2>${notes.wrong}</h2><p>${wrong}</p>
+        ${
+          hands.length > 0
+            ? html`<h2>${notes.hands}</h2><ol>${hands.map(([id, label]) => html`<li>${label}: <b>${this.tally.count(chapter, id)}</b></li>`)}</ol>`
+            : nothing
+        }
+        ${next ? html`<p class="notes-next">${notes.next(next)}</p>` : nothing}
+      </main>`,
+      page.body,
+    );
+  }
+}

@@ -1,0 +1,152 @@
+// The page for teachers: slides, plans, exercises and the codes of a class.
+import { html, nothing } from "lit";
+import type { App } from "../app/app";
+import { siteHead } from "../app/site-head";
+import { EXERCISE_NAMES } from "../exercises/exercises";
+import { keep, kept } from "../ui/kept";
+import { View } from "../ui/view";
+import { teachWords } from "../words/teach";
+import { addressOf } from "./code";
+import { codePicture, showCode } from "./code-dialog";
+import { chapterOf, type PlanLength, type Step, timesOf } from "./plans";
+import "./teach.css";
+
+const LENGTHS: readonly PlanLength[] = [45, 90];
+/** The name under which the browser keeps the length of the plan. */
+const KEPT = "plan";
+
+/** The addresses of steps that are no chapters. */
+const ADDRESSES: Partial<Record<Step, string>> = { compare: "view=compare" };
+
+const addressOfExercise = (place: number) =>
+  `exercise=${place + 1}${EXERCISE_NAMES[place] === "few" ? "&tab=learn&dynamics=6" : ""}`;
+
+export class TeachPage extends View {
+  static override properties = { length: { state: true } };
+  declare app: App;
+  declare length: PlanLength;
+  #section!: ReturnType<typeof teachWords>;
+
+  constructor() {
+    super();
+    this.length = kept(KEPT) === "90" ? 90 : 45;
+  }
+
+  override connectedCallback(): void {
+    this.#section ??= teachWords(this.app.words);
+    super.connectedCallback();
+  }
+
+  protected override stores() {
+    return [this.app.settings, this.app.words, this.#section];
+  }
+
+  protected override arrived(): void {
+    void this.#section.load().catch(() => this.app.notices.addNotLoaded(this.app.words.now.frame.teach));
+  }
+
+  #choose(length: PlanLength): void {
+    this.length = length;
+    keep(KEPT, String(length));
+  }
+
+  /** The chapters on the whole screen, from the first one. */
+  #startSlides(): void {
+    // A browser that refuses shows the slides in the window.
+    document.documentElement.requestFullscreen?.().catch(() => {});
+    this.app.lecture.turn(true);
+    this.app.settings.change({ teach: false, chapter: 1 });
+  }
+
+  #plan() {
+    const { plan, steps } = this.#section.now;
+    const words = this.app.words.now;
+    const title = (step: Step) => {
+      const number = chapterOf(words, step);
+      const { title } = words.chapters[step as keyof typeof words.chapters] ?? {};
+      if (title) return html`<a href="#story=${number}">${title}</a>`;
+      const name = plan.do[step as keyof typeof plan.do];
+      return ADDRESSES[step] ? html`<a href="#${ADDRESSES[step]}">${name}</a>` : name;
+    };
+    const [minutes, ...others] = plan.columns;
+    return html`
+      <section aria-labelledby="teach-plan">
+        <h2 id="teach-plan">${plan.title}</h2>
+        <div class="story-choice" role="group" aria-label=${plan.length}>
+          ${LENGTHS.map(
+            (length) =>
+              html`<button aria-pressed=${this.length === length ? "true" : "false"} data-testid="plan-${length}" @click=${() => this.#choose(length)}>${plan.minutes(length)}</button>`,
+          )}
+        </div>
+        <table class="teach-plan">
+          <thead><tr><th scope="col">${minutes}</th>${others.map((column) => html`<th scope="col">${column}</th>`)}</tr></thead>
+          <tbody>${timesOf(this.length).map(
+            ({ step, from, to }) => html`
+            <tr><td>${from}–${to}</td><th scope="row">${title(step)}</th><td>${steps[step].say}</td><td>${steps[step].wrong}</td></tr>`,
+          )}</tbody>
+        </table>
+      </section>`;
+  }
+
+  #exercises() {
+    const { exercises } = this.#section.now;
+    return html`
+      <section class="teach-sheet" aria-labelledby="teach-exercises">
+        <h2 id="teach-exercises">${exercises.title}</h2>
+        <p>${exercises.lead}</p>
+        <ol>
+          ${EXERCISE_NAMES.map((name, place) => {
+            const fragment = addressOfExercise(place);
+            return html`
+            <li>
+              <div>
+                <p>${exercises.tasks[name]}</p>
+                <p class="teach-why">${exercises.whys[name]}</p>
+                <p class="teach-links"><a href="#${fragment}" data-testid="try-${name}">${exercises.try}</a>
+                  <button class="link" @click=${() => void showCode(this.app, fragment)}>${exercises.code}</button></p>
+              </div>
+              <div class="teach-code">${codePicture(addressOf(fragment), exercises.number(place + 1))}</div>
+            </li>`;
+          })}
+        </ol>
+        <button class="story-button" data-testid="print" @click=${() => print()}>${exercises.print}</button>
+      </section>`;
+  }
+
+  #content() {
+    const { title, lead, slides, codes } = this.#section.now;
+    return html`
+      <main class="teach-main" tabindex="-1">
+        <h1>${title}</h1>
+        <p class="teach-lead">${lead}</p>
+        <section aria-labelledby="teach-slides">
+          <h2 id="teach-slides">${slides.title}</h2>
+          <dl>${Object.values(slides.keys).map(
+            ([keys = "", meaning = ""]) =>
+              html`<div><dt>${keys.split(" ").map((key) => html`<kbd>${key}</kbd> `)}</dt><dd>${meaning}</dd></div>`,
+          )}</dl>
+          <button class="story-button" data-testid="start-slides" @click=${() => this.#startSlides()}>${slides.start}</button>
+        </section>
+        ${this.#plan()}
+        ${this.#exercises()}
+        <section aria-labelledby="teach-codes">
+          <h2 id="teach-codes">${codes.title}</h2>
+          <p>${codes.text}</p>
+          <p><a href="#view=perception">${codes.open}</a></p>
+        </section>
+      </main>`;
+  }
+
+  protected override updated(): void {
+    if (this.#section.loaded)
+      document.title = `${this.#section.now.title} · ${this.app.words.now.frame.page}`;
+  }
+
+  protected override render() {
+    return html`<div class="teach" data-state=${this.#section.loaded ? "open" : "loading"}>
+      ${siteHead(this.app, "teach")}
+      ${this.#section.loaded ? this.#content() : nothing}
+    </div>`;
+  }
+}
+customElements.define("pg-teach", TeachPage);

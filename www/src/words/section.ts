@@ -1,0 +1,36 @@
+// The words of a part of the page that few visitors open. They load at their first use, in the page's language.
+import { Store } from "../ui/store";
+import type { Language, WordsStore } from "./words";
+
+export class SectionWords<Section> extends Store {
+  readonly #words: WordsStore;
+  readonly #load: Readonly<Record<Language, () => Promise<Section>>>;
+  #now: Section | null = null;
+  #language: Language | null = null;
+
+  constructor(words: WordsStore, load: Readonly<Record<Language, () => Promise<Section>>>) {
+    super();
+    [this.#words, this.#load] = [words, load];
+    // The words before stay where the new ones cannot be loaded.
+    words.on(() => void this.load().catch(() => {}));
+  }
+
+  /** The words, in the language of the page or, while that loads, in the one before. */
+  get now(): Section {
+    if (this.#now === null) throw new Error("these words have not loaded yet");
+    return this.#now;
+  }
+
+  get loaded(): boolean {
+    return this.#now !== null;
+  }
+
+  async load(): Promise<void> {
+    const { language } = this.#words;
+    if (language === this.#language) return;
+    const section = await this.#load[language]();
+    if (this.#words.language !== language) return;
+    [this.#now, this.#language] = [section, language];
+    this.changed();
+  }
+}
