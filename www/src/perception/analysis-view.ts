@@ -30,6 +30,9 @@ export const readAnswers = (files: readonly File[]): Promise<AnswersFile[]> =>
     }),
   );
 
+/** The name of the answers from codes in the list of files. */
+const CODES_FILE = "codes.csv";
+
 const COLUMNS = ["Participant", "Answers", "Attention checks passed", "Median answer, s", "Left", "Counts"];
 
 function participantRow(participant: Participant) {
@@ -95,6 +98,19 @@ export class AnalysisView extends View {
     );
   }
 
+  /** Adds the answers of the pasted codes; they replace the codes before. */
+  async #addCodes(): Promise<void> {
+    const { study } = this.perception;
+    const text = this.querySelector<HTMLTextAreaElement>("[data-testid=codes]")?.value ?? "";
+    try {
+      const participations = await this.perception.fromCodes(text);
+      if (!study || participations.length === 0) return;
+      await this.analysis.add(study.text, [{ name: CODES_FILE, text: csvFile(participations).text }]);
+    } catch (problem) {
+      this.notices.addError("The codes were not read", sentence(messageOf(problem)));
+    }
+  }
+
   #analyseHere(): void {
     const { study } = this.perception;
     const files = this.#here().map((participation) => csvFile([participation]));
@@ -130,6 +146,12 @@ export class AnalysisView extends View {
         })}
         <button class="small" data-testid="save-analysis" ?disabled=${analysis.results === null || analysis.busy} @click=${() => void this.#save()}>${icon("save")} Save results</button>
       </div>
+      <details class="advanced">
+        <summary>Codes of a class</summary>
+        <label class="field wide"><span>One code in each line</span>
+          <textarea rows="4" data-testid="codes" spellcheck="false" autocomplete="off"></textarea></label>
+        <button class="small" data-testid="add-codes" ?disabled=${study === null || analysis.busy} @click=${() => void this.#addCodes()}>Analyse the codes</button>
+      </details>
       ${
         analysis.files.length > 0
           ? html`<ul class="answer-files" aria-label="Files">${analysis.files.map(

@@ -4,6 +4,7 @@ import type { AnswersFile } from "../engine/whole-protocol";
 import { download } from "../ui/download";
 import { icon } from "../ui/icons";
 import { csvFile, jsonFile } from "./answer-files";
+import { answersOf, codeOf } from "./class-code";
 import { answered, isComplete, type StoredParticipation } from "./participation";
 import type { PerceptionStore } from "./perception-store";
 
@@ -16,7 +17,7 @@ const save = ({ name, text }: AnswersFile) =>
 const COLUMNS = ["Participant", "Study", "Answered", ""];
 
 function row(store: PerceptionStore, participation: StoredParticipation) {
-  const { key, participant, title, trials, simulated } = participation;
+  const { key, participant, title, trials, simulated, seed, study, rows } = participation;
   const done = answered(participation);
   const forget = () => {
     if (
@@ -27,9 +28,12 @@ function row(store: PerceptionStore, participation: StoredParticipation) {
     )
       void store.forget(key);
   };
+  const answers = isComplete(participation) ? answersOf(rows) : null;
+  const code = answers && codeOf(study, { seed, simulated, answers });
   return html`
     <tr data-testid="participant" data-complete=${isComplete(participation)}>
-      <th scope="row">${participant}${simulated ? html` <small>simulated</small>` : nothing}</th>
+      <th scope="row">${participant}${simulated ? html` <small>simulated</small>` : nothing}
+        ${code ? html`<code class="class-code" data-testid="class-code" title="The answers in one code, for a class">${code}</code>` : nothing}</th>
       <td>${title}</td>
       <td>${done} of ${trials}</td>
       <td class="row-buttons">

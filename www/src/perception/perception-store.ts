@@ -18,7 +18,8 @@ import {
   type Row,
   sessionCount,
 } from "./participation";
-import { type Step, stepsOf } from "./steps";
+import { codesOf } from "./class-code";
+import { type Step, stepsOf, trialColumns } from "./steps";
 
 /** The participant who answers now. */
 export interface ActiveParticipation {
@@ -194,6 +195,37 @@ export class PerceptionStore extends Store {
         this.#release();
         throw problem;
       }
+    });
+  }
+
+  /**
+   * The answers of a class to the open study, from codes, one in each line. A code that comes twice counts once.
+   * Throws with the line of a code that cannot be read.
+   */
+  async fromCodes(text: string): Promise<StoredParticipation[]> {
+    const { study } = this;
+    if (!study) throw new Error("There is no study yet.");
+    const { info } = study;
+    const coded = codesOf(info.hash, text);
+    const trials = await this.#whole.desk.run((worker) =>
+      Promise.all(coded.map(({ seed }) => worker.drawTrials(study.text, seed))),
+    );
+    return coded.map(({ seed, simulated, answers }, i) => {
+      const drawn = trials[i] ?? [];
+      const participation = newParticipation(info, {
+        participant: `code-${seed.toString(36)}`,
+        trials: drawn.length,
+        seed,
+        simulated,
+      });
+      const columns = columnsOf(participation, 1);
+      const rows = drawn.slice(0, answers.length).map((trial, position) => ({
+        ...columns,
+        ...trialColumns(info, { position, trial }),
+        response: answers[position],
+        trial_index: position,
+      }));
+      return { ...participation, rows };
     });
   }
 

@@ -5,7 +5,7 @@ import { pairPlugin } from "./pair-plugin";
 import type { PairStage } from "./pair-stage";
 import type { Row } from "./participation";
 import { confusionOf, simulatedAnswer } from "./simulated";
-import type { PairStep, Step } from "./steps";
+import { type Step, trialColumns } from "./steps";
 import { TextPlugin } from "./text-plugin";
 
 export interface Experiment {
@@ -25,16 +25,6 @@ export interface Running {
   /** Ends after the last step, or when the participant has left. */
   over: Promise<void>;
   leave(): void;
-}
-
-/** The columns of a trial besides the answer. */
-function trialColumns({ stimuli }: StudyInfo, { position, trial }: PairStep): Row {
-  const { block, kind, left, right, naturalSide, headingDegrees } = trial;
-  const id = (stimulus: number) => stimuli[stimulus]?.id ?? "";
-  return {
-    ...{ position, block, kind, left: id(left), right: id(right) },
-    ...{ natural_side: naturalSide, heading: headingDegrees },
-  };
 }
 
 /** Runs the steps in the element. */

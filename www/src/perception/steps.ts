@@ -1,5 +1,6 @@
 // The steps of a participant: pages of text and pairs of movements. No rendering.
 import type { StudyInfo, StudyTrial } from "../engine/whole-protocol";
+import type { Row } from "./participation";
 
 /** The purpose of a page of text. */
 export type TextPage = "consent" | "instructions" | "pause" | "end";
@@ -22,6 +23,16 @@ export interface PairStep {
 }
 
 export type Step = TextStep | PairStep;
+
+/** The columns of a trial besides the answer. */
+export function trialColumns({ stimuli }: StudyInfo, { position, trial }: Omit<PairStep, "kind">): Row {
+  const { block, kind, left, right, naturalSide, headingDegrees } = trial;
+  const id = (stimulus: number) => stimuli[stimulus]?.id ?? "";
+  return {
+    ...{ position, block, kind, left: id(left), right: id(right) },
+    ...{ natural_side: naturalSide, heading: headingDegrees },
+  };
+}
 
 /** The paragraphs of a text; empty lines separate them. */
 export const paragraphsOf = (text: string): string[] =>
