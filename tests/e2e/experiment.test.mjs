@@ -52,6 +52,34 @@ describe("the synthetic experiment", () => {
     await leave();
   });
 
+  it("hides the truth of a riddle until the visitor has voted and draws the curtain", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "view=synthetic", cores: 1 });
+    await drawn(page);
+    await page.getByTestId("riddle").click();
+    await page.getByTestId("riddle-yes").waitFor();
+    await drawn(page);
+    assert.equal(await page.getByTestId("experiment-driving").count(), 0);
+    assert.doesNotMatch(await page.locator("pg-synthetic").innerText(), /part 2 does not drive|control/);
+    assert.match(page.url(), /#view=synthetic$/);
+    assert.deepEqual(await barriers(page), []);
+    await page.getByTestId("riddle-yes").click();
+    const curtain = page.getByTestId("riddle-curtain");
+    await curtain.and(page.locator(":enabled")).waitFor({ timeout: 240_000 });
+    assert.equal(await page.getByTestId("experiment-verdict").count(), 0);
+    await curtain.click();
+    const told = await page.getByTestId("riddle-told").innerText();
+    const driving = await page.getByTestId("experiment-driving").isChecked();
+    assert.match(
+      told,
+      driving
+        ? /^The truth: Part 1 drives part 2. You were right\./
+        : /^The truth: Neither .* You were wrong\./,
+    );
+    await page.getByTestId("experiment-verdict").waitFor();
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
   it("keeps the best so far when it is cancelled, and does not count it", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "view=synthetic&draw=9&driving=0",

@@ -61,8 +61,12 @@ describe("after the first visit", () => {
     }
     for (const chapter of [1, 2]) {
       await page.evaluate((chapter) => Object.assign(location, { hash: `story=${chapter}` }), chapter);
-      await page.locator(`.story[data-state=open] .story-head [href="#story=${chapter}"]`).waitFor();
+      await page
+        .locator(`.story[data-state=open] #story-chapters [aria-current=step][href="#story=${chapter}"]`)
+        .waitFor({ state: "attached" });
     }
+    await page.evaluate(() => Object.assign(location, { hash: "teach" }));
+    await page.locator(".teach[data-state=open]").waitFor();
     assert.deepEqual(problems, []);
     await leave();
   });

@@ -6,6 +6,7 @@ import type { SettingsStore } from "../settings/settings-store";
 import { restOf, shareOf } from "../training/runs";
 import { sentence, timeLeft } from "../ui/format";
 import { progressBar } from "../ui/progress-bar";
+import { randomNumbers } from "../ui/random-numbers";
 import "../ui/two-columns.css";
 import { View } from "../ui/view";
 import "./experiment.css";
@@ -17,10 +18,25 @@ import { runsTable } from "./runs-table";
 
 const PARTS = [0, 1];
 
+/** The riddles come in this order. */
+const RIDDLES = 1;
+
 /** x of a part at a frame, or at the frame before. */
 const state = (part: number, before: boolean) => html`x<sub>${part}</sub>(t${before ? html` − 1` : nothing})`;
 
 export class ExperimentPage extends View {
+  static override properties = { vote: { state: true }, told: { state: true } };
+  /** What the visitor thinks of the riddle: whether part 1 drives part 2; null: no vote yet. */
+  declare vote: boolean | null;
+  /** The sentence about the last riddle, when its curtain is drawn. */
+  declare told: string;
+  readonly #random = randomNumbers(RIDDLES);
+
+  constructor() {
+    super();
+    [this.vote, this.told] = [null, ""];
+  }
+
   declare experiment: ExperimentStore;
   declare settings: SettingsStore;
 
@@ -30,6 +46,45 @@ export class ExperimentPage extends View {
 
   protected override arrived(): void {
     this.whenLeaving(this.experiment.follow());
+    this.whenLeaving(() => this.experiment.setRiddle(null));
+  }
+
+  #beginRiddle(): void {
+    [this.vote, this.told] = [null, ""];
+    const driving = this.#random() < 0.5;
+    // The findings of an earlier training would tell the answer.
+    const unknown = this.experiment.open(TEN_SEEDS.map((seed) => ({ seed, driving })));
+    const riddles = unknown.length > 0 ? unknown : [{ seed: 0, driving }];
+    this.experiment.setRiddle(riddles[Math.floor(this.#random() * riddles.length)] ?? null);
+  }
+
+  /** Shows the truth of the riddle, which the address names from now on. */
+  #drawCurtain(): void {
+    const { experiment, shown } = this.experiment;
+    const { seed, driving } = experiment;
+    const found = shown?.findings ? ` ${headline(shown.findings, driving)}` : "";
+    const truth = driving ? "Part 1 drives part 2." : "Neither drives the other.";
+    this.told = `The truth: ${truth} You were ${this.vote === driving ? "right" : "wrong"}.${found}`;
+    this.settings.change({ drawn: seed, driving });
+    this.experiment.setRiddle(null);
+  }
+
+  /** The question of the riddle, and what follows the vote. */
+  #riddle() {
+    const store = this.experiment;
+    const vote = (answer: boolean) => {
+      this.vote = answer;
+      void store.train([store.experiment]);
+    };
+    if (this.vote === null)
+      return html`
+        <fieldset class="riddle"><legend>Does part 1 drive part 2? Look at both, and vote. Then a model learns.</legend>
+          <button data-testid="riddle-yes" ?disabled=${store.busy} @click=${() => vote(true)}>Yes</button>
+          <button data-testid="riddle-no" ?disabled=${store.busy} @click=${() => vote(false)}>No</button>
+        </fieldset>`;
+    return html`
+      <p>You say ${this.vote ? "yes" : "no"}. ${store.shown?.state === "done" ? "What do you read in the α of step 3?" : ""}</p>
+      <button data-testid="riddle-curtain" ?disabled=${store.shown?.state !== "done"} @click=${() => this.#drawCurtain()}>Draw the curtain</button>`;
   }
 
   /** The status next to the button: the plan, the progress or the end. */
@@ -58,6 +113,7 @@ export class ExperimentPage extends View {
     const { asked, runs, shown, status, busy } = this.experiment;
     if (status === "running") return `Training, ${Math.floor(shareOf(asked) * 10) * 10} per cent done`;
     if (busy) return "Stopping";
+    if (this.experiment.isRiddle) return shown?.ending ? "Training ended." : "";
     if (asked.length > 1) return `Training ended. ${tally(runs)}`;
     return shown?.findings && shown.ending
       ? `Training ended. ${headline(shown.findings, shown.driving)}`
@@ -81,32 +137,47 @@ export class ExperimentPage extends View {
   }
 
   #setup() {
-    const { experiment: store, settings } = this;
-    const { busy, problem, asked } = store;
-    const { driving } = store.experiment;
-    const ten = TEN_SEEDS.map((seed) => ({ seed, driving }));
+    const { experiment: store } = this;
+    const { busy, asked } = store;
     return html`
       <header class="panel-head"><h2>Who drives whom?</h2></header>
+      ${store.isRiddle ? this.#riddle() : this.told ? html`<p data-testid="riddle-told">${this.told}</p>` : nothing}
       <div class="train-row">
-        ${this.#button()}
+        ${store.isRiddle ? nothing : this.#button()}
         <p class="hint words" data-testid="experiment-progress">${this.#status()}</p>
       </div>
       ${progressBar("Training", busy ? shareOf(asked) : null)}
       <div class="visually-hidden" role="status" aria-live="polite">${this.#announcement()}</div>
+      ${store.isRiddle ? nothing : this.#choice()}`;
+  }
+
+  /** The choice of the experiment. */
+  #choice() {
+    const { experiment: store, settings } = this;
+    const { busy, problem } = store;
+    const { driving } = store.experiment;
+    const ten = TEN_SEEDS.map((seed) => ({ seed, driving }));
+    return html`
       ${settingField(settings, "drawn", { label: "Seed", hint: "", testId: "experiment-seed", disabled: false })}
       <label class="choice">
         <input type="checkbox" data-testid="experiment-driving" .checked=${driving}
           @change=${(event: Event) => settings.change({ driving: (event.target as HTMLInputElement).checked })} />
         <span>Part 1 drives part 2 <small>Untick it for the control: two systems that have nothing to do with each other.</small></span>
       </label>
+      <button class="small" data-testid="riddle" ?disabled=${busy} title="An experiment whose truth stays behind a curtain" @click=${() => this.#beginRiddle()}>Give me a riddle</button>
       <button class="small" data-testid="experiment-ten" ?disabled=${busy || problem !== "" || store.open(ten).length === 0}
         @click=${() => void store.train(ten)}>Train seeds 0 to 9${driving ? "" : " without driving"}</button>
       <p class="hint">The experiment is that of Velychko et al. (2018), section 5.1. Their draws are not known; these are ours.</p>`;
   }
 
   #made() {
-    const { truth, experiment } = this.experiment;
+    const { truth, experiment, isRiddle } = this.experiment;
     const { driving } = experiment;
+    if (isRiddle)
+      return html`
+        <h2><span class="step">1</span> What was made</h2>
+        <p>Two systems, each a point that moves in the plane. Whether part 1 drives part 2 is behind a curtain.</p>
+        <div class="pictures">${PARTS.map((part) => latentPicture(part, truth, null, null))}</div>`;
     return html`
       <h2><span class="step">1</span> What was made</h2>
       <p>Two systems, each a point that moves in the plane for ${truth?.frames ?? 300} frames.
@@ -148,7 +219,7 @@ export class ExperimentPage extends View {
           <p class="hint">A small α is a large influence; the weights w into a part sum to 1.
             They need not be the 0.1 and 0.9 of step 1: a larger function makes up for a smaller weight.
             ${truth ? `No α can be larger than ${truth.largestAlpha}.` : ""}</p>
-          ${verdictWords(shown, truth)}
+          ${this.experiment.isRiddle ? nothing : verdictWords(shown, truth)}
           ${fitTable(shown)}
           <p class="hint">${truth ? `The noise alone makes an MSE of ${truth.noise}.` : ""}</p>
         </div>
@@ -185,7 +256,7 @@ export class ExperimentPage extends View {
         <section class="panel made-panel" aria-label="What was made">${this.#made()}</section>
         <section class="panel" aria-label="What the model sees">${this.#seen()}</section>
         <section class="panel wide-panel" aria-label="What training finds">${this.#found()}</section>
-        <section class="panel wide-panel" aria-label="Try it yourself">${this.#others()}</section>
+        ${this.experiment.isRiddle ? nothing : html`<section class="panel wide-panel" aria-label="Try it yourself">${this.#others()}</section>`}
       </div>`;
   }
 }

@@ -54,6 +54,23 @@ describe("the data", () => {
     expect(program.draws).toHaveLength(2);
   });
 
+  it("of a riddle are drawn in place of the chosen ones, and no setting names them", async () => {
+    experiments.follow();
+    await settled();
+    program.draws[0]?.end(truth(300));
+    await settled();
+    experiments.setRiddle({ seed: 5, driving: false });
+    await settled();
+    expect(program.draws[1]?.request).toEqual({ seed: 5, driving: false });
+    expect([settings.values.drawn, settings.values.driving]).toEqual([0, true]);
+    expect([experiments.isRiddle, experiments.experiment]).toEqual([true, { seed: 5, driving: false }]);
+    program.draws[1]?.end(truth(300));
+    await settled();
+    experiments.setRiddle(null);
+    await settled();
+    expect([experiments.isRiddle, program.draws[2]?.request]).toEqual([false, seeds(0)[0]]);
+  });
+
   it("of an older experiment never replace those of a newer one", async () => {
     experiments.follow();
     await settled();

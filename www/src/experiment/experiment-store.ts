@@ -18,6 +18,7 @@ export class ExperimentStore extends Store {
   #problem = "";
   /** The experiment whose data were requested last, and the one whose data have arrived. */
   #wanted: Experiment | null = null;
+  #riddle: Experiment | null = null;
   #drawn: { experiment: Experiment; truth: SyntheticTruth } | null = null;
   #stop = new AbortController();
   #width = 1;
@@ -68,10 +69,21 @@ export class ExperimentStore extends Store {
     return this.#width;
   }
 
-  /** The experiment that the settings name. */
+  /** The experiment on screen: that of the riddle, else the one that the settings name. */
   get experiment(): Experiment {
     const { drawn: seed, driving } = this.#settings.values;
-    return { seed, driving };
+    return this.#riddle ?? { seed, driving };
+  }
+
+  /** Whether the experiment is behind a curtain, and in no address. */
+  get isRiddle(): boolean {
+    return this.#riddle !== null;
+  }
+
+  /** Shows an experiment without its name; null: the one that the settings name again. */
+  setRiddle(experiment: Experiment | null): void {
+    this.#riddle = experiment;
+    this.draw();
   }
 
   /** The training on that experiment; null: there is none. */

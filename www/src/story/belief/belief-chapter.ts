@@ -10,7 +10,7 @@ import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import { NO_ADDRESS } from "../body";
 import type { Chapter } from "../chapter";
-import { randomNumbers } from "../random-numbers";
+import { randomNumbers } from "../../ui/random-numbers";
 import { type Answer, type Belief, beliefOf, ratiosOf, type Round, threeRounds } from "./rounds";
 
 /** The order of the rounds when a visitor comes for the first time. */

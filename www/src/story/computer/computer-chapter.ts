@@ -4,7 +4,7 @@ import { prefersReducedMotion } from "../../ui/reduced-motion";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { Chapter } from "../chapter";
-import { randomNumbers } from "../random-numbers";
+import { randomNumbers } from "../../ui/random-numbers";
 import { meanDistance, type WalkerPair, type Walkers } from "./walkers";
 
 export type WalkerSide = "left" | "right";

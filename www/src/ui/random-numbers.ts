@@ -1,4 +1,4 @@
-// Random numbers of a chapter. They follow from a seed, so that a whole class votes on the same riddle.
+// Random numbers of a riddle. They follow from a seed, so that a whole class votes on the same riddle.
 
 /** The first numbers of a small seed are small. */
 const SKIPPED = 16;
