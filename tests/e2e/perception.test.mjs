@@ -292,22 +292,6 @@ describe("the graphics Turing test", () => {
     assert.equal(await page.getByTestId("analysed").count(), 1);
     assert.deepEqual(await barriers(page), []);
 
-    // The same from the code of the answers, pasted twice.
-    const words = await page.getByTestId("analysis-words").innerText();
-    const code = await page.getByTestId("class-code").innerText();
-    await page.reload();
-    await page.getByTestId("begin").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
-    await open(page, whole);
-    await page.getByText("Codes of a class").click();
-    await page.getByTestId("codes").fill(`${code}\n${code.toUpperCase()}\n`);
-    await page.getByTestId("add-codes").click();
-    await page.getByTestId("analysis-words").waitFor({ timeout: 60_000 });
-    assert.equal(await page.getByTestId("analysis-words").innerText(), words);
-    await page.getByTestId("codes").fill(`${code}\n${code.slice(0, -3)}\n`);
-    await page.getByTestId("add-codes").click();
-    await page.getByText(/Line 2: expected a whole code/).waitFor();
-    assert.deepEqual(await barriers(page), []);
-
     // The same from its file, with that of another participant in JSON who fails the attention checks.
     const wrong = (/** @type {Record<string, string>} */ row) =>
       row.natural_side === "left" ? "right" : "left";

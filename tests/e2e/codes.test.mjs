@@ -1,0 +1,59 @@
+// The answers of a class as codes: a participant gets one, and pasted codes give the same results.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, it } from "node:test";
+import { at } from "../../scripts/run.mjs";
+import { barriers, openSite } from "./site.mjs";
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+/** A study so short that a test can wait for it. */
+function shortStudy() {
+  const study = JSON.parse(readFileSync(at("www/dist/study/walks.study.json"), "utf8"));
+  const design = { ...study.design, comparisons: 6, attention_checks: 2, catch_trials: 1 };
+  return JSON.stringify({ ...study, seconds: 0.2, cross_seconds: 0.02, design });
+}
+
+it("gives each participant a code, and analyses pasted codes as it does the answers", async () => {
+  const { page, problems, leave } = await site.visit({ settings: "view=perception" });
+  const begin = page.getByTestId("begin").and(page.locator(":enabled"));
+  await begin.waitFor({ timeout: 30_000 });
+  const study = { name: "s.json", mimeType: "application/json", buffer: Buffer.from(shortStudy()) };
+  await page.getByTestId("open-study").setInputFiles(study);
+  await page.getByText("9 trials").first().waitFor();
+  await begin.waitFor();
+  for (const _ of [1, 2]) {
+    await page.getByTestId("simulate").and(page.locator(":enabled")).click();
+    await page.getByTestId("run-progress").waitFor();
+    await page.getByTestId("run-progress").waitFor({ state: "hidden", timeout: 120_000 });
+  }
+  const codes = await page.getByTestId("class-code").allInnerTexts();
+  assert.equal(new Set(codes).size, 2);
+  await page.getByTestId("analyse-here").click();
+  const words = page.getByTestId("analysis-words");
+  await words.waitFor({ timeout: 60_000 });
+  const found = await words.innerText();
+
+  await page.reload();
+  await begin.waitFor({ timeout: 30_000 });
+  await page.getByTestId("open-study").setInputFiles(study);
+  await page.getByText("9 trials").first().waitFor();
+  await begin.waitFor();
+  await page.getByText("Codes of a class").click();
+  const [first = "", second = ""] = codes;
+  await page.getByTestId("codes").fill(`${first}\n${second.toUpperCase()}\n${first}\n`);
+  await page.getByTestId("add-codes").click();
+  await words.waitFor({ timeout: 60_000 });
+  assert.equal(await words.innerText(), found);
+  assert.deepEqual(await barriers(page), []);
+  await page.getByTestId("codes").fill(`${first}\n${second.slice(0, -3)}\n`);
+  await page.getByTestId("add-codes").click();
+  await page.getByText(/Line 2: expected a whole code/).waitFor();
+  assert.deepEqual(problems, []);
+  await leave();
+});
