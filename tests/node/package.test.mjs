@@ -117,9 +117,9 @@ it("trains parts that do not listen to each other", () => {
 });
 
 it("says which of several models is to be shown", () => {
-  const best = (/** @type {number[]} */ ranks, /** @type {number[]} */ bounds) =>
-    vcgpdm.bestToShow(Uint8Array.from(ranks), Float64Array.from(bounds));
-  assert.deepEqual([best([1, 2, 2], [30, 10, 20]), best([1, 1], [5, 5]), best([], [])], [2, 0, -1]);
+  const best = (/** @type {number[]} */ ranks, /** @type {number[]} */ errors) =>
+    vcgpdm.bestToShow(Uint8Array.from(ranks), Float64Array.from(errors));
+  assert.deepEqual([best([1, 2, 2], [1, 3, 2]), best([1, 1], [5, 5]), best([], [])], [2, 0, -1]);
 });
 
 describe("the package", () => {

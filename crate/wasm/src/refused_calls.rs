@@ -80,12 +80,12 @@ fn measures_begin_at_an_existing_frame() {
 }
 
 #[wasm_bindgen_test]
-fn there_is_one_bound_for_each_rank() {
-    let best = |ranks: &[f64], bounds: &[f64]| best_to_show(ranks, bounds);
-    assert_eq!(best(&[1.0, 2.0, 2.0], &[30.0, 10.0, 20.0]).ok(), Some(2));
+fn there_is_one_error_for_each_rank() {
+    let best = |ranks: &[f64], errors: &[f64]| best_to_show(ranks, errors);
+    assert_eq!(best(&[1.0, 2.0, 2.0], &[0.1, 0.3, 0.2]).ok(), Some(2));
     assert_eq!(
         message_of(best(&[1.0, 2.0], &[30.0])),
-        "the ranks: expected as many as there are bounds, found 2"
+        "the ranks: expected as many as there are errors, found 2"
     );
     for rank in [256.0, 1.5, -1.0, f64::NAN] {
         let expected = format!("the ranks: expected whole numbers from 0 to 255, found {rank}");

@@ -124,26 +124,26 @@ struct Parts {
     parts: Vec<PartMeasures>,
 }
 
-/// The best to show of several models of the same data: of those of the highest rank (`Health.rank` of
-/// their rollouts) the one of the highest bound. A place in the lists, which are as long; -1 where they are
-/// empty.
+/// The model to show among several of the same data: of those with the highest rank (`Health.rank` of their
+/// rollouts) the one with the smallest error (`Trainer.rolloutError`, infinite if unknown). A place in the
+/// lists, which have the same length; -1 if they are empty.
 #[wasm_bindgen(js_name = bestToShow)]
 pub fn best_to_show(
     // As bytes, 256 would become 0.
     #[wasm_bindgen(unchecked_param_type = "Uint8Array")] ranks: &[f64],
-    bounds: &[f64],
+    errors: &[f64],
 ) -> Result<i32, VcgpdmError> {
     let refused = |expected: &str, found: f64| {
         let words = format_args!("the ranks: expected {expected}, found {found}");
         Err(VcgpdmError::new(ErrorCode::Rollout, &words))
     };
-    if ranks.len() != bounds.len() {
-        return refused("as many as there are bounds", ranks.len() as f64);
+    if ranks.len() != errors.len() {
+        return refused("as many as there are errors", ranks.len() as f64);
     }
     if let Some(found) = ranks.iter().find(|rank| f64::from(**rank as u8) != **rank) {
         return refused("whole numbers from 0 to 255", *found);
     }
-    let models = ranks.iter().map(|rank| *rank as u8).zip(bounds.iter().copied());
+    let models = ranks.iter().map(|rank| *rank as u8).zip(errors.iter().copied());
     Ok(vcgpdm::models::best_to_show(models).map_or(-1, |place| place as i32))
 }
 

@@ -13,6 +13,7 @@ use std::rc::Rc;
 use vcgpdm::Trainer as BodyTrainer;
 use vcgpdm::models::{Dataset, DatasetError, Source};
 use vcgpdm::series::Columns;
+use vcgpdm_lab::evaluation::TrainingTrials;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -55,16 +56,16 @@ export interface TrainingProgress {
 "#;
 
 enum Training {
-    Body(BodyTrainer),
-    Tables(BodyTrainer<Columns>),
+    Body(BodyTrainer, TrainingTrials),
+    Tables(BodyTrainer<Columns>, TrainingTrials<Columns>),
 }
 
 /// Calls the training of a body or of tables.
 macro_rules! either {
     ($training:expr, $trainer:ident => $call:expr) => {
         match $training {
-            Training::Body($trainer) => $call,
-            Training::Tables($trainer) => $call,
+            Training::Body($trainer, _) => $call,
+            Training::Tables($trainer, _) => $call,
         }
     };
 }
@@ -90,12 +91,14 @@ impl Trainer {
             let (Task { parts, frames_per_second, seed }, settings) = settings_from_js(&settings)?;
             let sources: Vec<Source> = set.clips.iter().map(Source::from).collect();
             let dataset = Dataset::new(&sources, &parts, frames_per_second)?;
-            Training::Body(BodyTrainer::new(&dataset, &settings.into(), seed)?)
+            let trainer = BodyTrainer::new(&dataset, &settings.into(), seed)?;
+            Training::Body(trainer, TrainingTrials::new(&dataset))
         } else {
             let (task, settings) = settings_from_js(&settings)?;
             let parts = parts_of_columns(&set.tables, &task.parts)?;
             let dataset = Dataset::of_tables(&set.tables, &parts, task.frames_per_second)?;
-            Training::Tables(BodyTrainer::new(&dataset, &settings.into(), task.seed)?)
+            let trainer = BodyTrainer::new(&dataset, &settings.into(), task.seed)?;
+            Training::Tables(trainer, TrainingTrials::new(&dataset))
         };
         Ok(Trainer { training })
     }
@@ -123,10 +126,20 @@ impl Trainer {
     /// The best model so far, at any time.
     pub fn model(&self) -> Result<Model, VcgpdmError> {
         let model = match &self.training {
-            Training::Body(trainer) => Trained::Body(Rc::new(trainer.finish()?)),
-            Training::Tables(trainer) => Trained::Table(Rc::new(trainer.finish()?)),
+            Training::Body(trainer, _) => Trained::Body(Rc::new(trainer.finish()?)),
+            Training::Tables(trainer, _) => Trained::Table(Rc::new(trainer.finish()?)),
         };
         Ok(Model { model })
+    }
+
+    /// How well rollouts of the best model so far repeat the clips or tables: the mean over them of the
+    /// squared error after time warping. Undefined if a rollout cannot be scored.
+    #[wasm_bindgen(js_name = rolloutError)]
+    pub fn rollout_error(&self) -> Result<Option<f64>, VcgpdmError> {
+        Ok(match &self.training {
+            Training::Body(trainer, trials) => trials.error(&trainer.finish()?.fitted),
+            Training::Tables(trainer, trials) => trials.error(&trainer.finish()?.fitted),
+        })
     }
 
     /// Latent means of the training frames of one part at the best bound so far [frames x Q], sequences one

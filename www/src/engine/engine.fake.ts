@@ -202,11 +202,11 @@ export class FakeEngine implements Partial<Engine> {
     return this.#answer("documentKind", [], text.startsWith("[") ? "list" : kind);
   }
 
-  bestToShow(ranks: number[], bounds: number[]): Promise<number> {
+  bestToShow(ranks: number[], errors: number[]): Promise<number> {
     const places = ranks.map((_, place) => place);
-    const value = (place: number) => (ranks[place] ?? 0) * 1e9 + (bounds[place] ?? 0);
+    const value = (place: number) => (ranks[place] ?? 0) * 1e9 - (errors[place] ?? 0);
     places.sort((a, b) => value(b) - value(a));
-    return this.#answer("bestToShow", [ranks, bounds], places[0] ?? -1);
+    return this.#answer("bestToShow", [ranks, errors], places[0] ?? -1);
   }
 
   trainingCost({ settings, frames }: CostQuestion): Promise<TrainingCost> {
@@ -317,7 +317,7 @@ interface HeldTraining {
    * Sends a report with this iteration, its bound and, if given, the best model so far. Returns whether the
    * page asks for the best model.
    */
-  report(iteration: number, bound: number, model?: string, health?: Health): boolean;
+  report(iteration: number, bound: number, model?: string, health?: Health, error?: number): boolean;
   /** Sends the first report with these notices. */
   begin(notices: string[]): void;
   end(outcome: TrainingOutcome): void;
@@ -349,8 +349,14 @@ export class FakeTrainers {
     const hold = (job: TrainingJob, more: number | null, send: Report<TrainedModel>, signal: AbortSignal) =>
       new Promise<TrainingOutcome>((end, fail) => {
         last = job;
-        const report = (iteration: number, bound: number, text?: string, health: Health = MOVES_ON) => {
-          const found = text === undefined ? null : { text, latents: [], health };
+        const report = (
+          iteration: number,
+          bound: number,
+          text?: string,
+          health: Health = MOVES_ON,
+          error = -bound,
+        ) => {
+          const found = text === undefined ? null : { text, latents: [], health, error };
           const step = progress(iteration, bound);
           return send({ steps: [step], progress: step, elapsed: iteration, found }) === true;
         };

@@ -200,6 +200,8 @@ export interface TrainedModel {
   latents: Float64Array[];
   /** The health of the model's rollout; null if unknown. */
   health: Health | null;
+  /** The error of the model's rollouts on the clips; null if unknown, as before the end of the training. */
+  error: number | null;
 }
 
 /** A report of a training. The worker sends it about ten times a second, and when the training ends. */
@@ -271,9 +273,9 @@ export interface Workbench {
   checkTogether(ids: number[], firstBones: boolean): Clash | null;
   /**
    * The index of the model to show, among several models of the same data. The choice uses the ranks of their
-   * rollouts' health and their bounds.
+   * rollouts' health, and the errors of their rollouts on the clips.
    */
-  bestToShow(ranks: number[], bounds: number[]): number;
+  bestToShow(ranks: number[], errors: number[]): number;
   /** The estimated cost of a training in the browser. */
   trainingCost(question: CostQuestion): TrainingCost;
   /** Opens a model. The model and its rollouts get the number `revision`. */

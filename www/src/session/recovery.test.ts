@@ -43,6 +43,7 @@ it("the state of a motion that version 0.2 wrote with spaces has hyphens now", (
   change("run 1", { model: { text: "{}", latents: [new Float64Array(6)], health } });
   const { whole, holdings } = recover(records);
   expect([whole, holdings.runs[0]?.model?.health?.state]).toEqual([true, "leaves-training-range"]);
+  expect(holdings.runs[0]?.model?.error).toBe(null);
 });
 
 describe("a damaged record is left out and the rest recovered:", () => {

@@ -1,6 +1,6 @@
 // Reads the records of an earlier visit. Records may be junk, half written or of another version of the page,
 // so each piece is checked and left out when it cannot be read.
-import type { Health } from "../engine/protocol";
+import type { Health, TrainedModel } from "../engine/protocol";
 import type { Run } from "../training/runs";
 import { type Check, has, isBoolean, isListOf, isNullOr, isNumber, isOneOf, isText } from "./checks";
 import { type Counts, countsOf, contentsText, type Holdings, type StoredLibrary } from "./records";
@@ -38,6 +38,7 @@ const isModel = has({
   text: isText,
   latents: isListOf((value) => value instanceof Float64Array),
   health: isNullOr(isHealth),
+  error: (value) => value === undefined || isNullOr(isNumber)(value),
 });
 const isSettings = has({
   parts: isListOf(has({ name: isText, joints: isListOf(isNumber) })),
@@ -70,8 +71,13 @@ const isRun = has({
 });
 const isLibrary = has({ text: isText, title: isText, unsaved: isBoolean });
 
-function withHealth(model: Run["model"]): Run["model"] {
-  if (!model?.health) return model;
+/** A model with the fields of today. Earlier versions wrote no error. */
+function upToDate(model: Run["model"]): Run["model"] {
+  return model && withHealth({ ...model, error: model.error ?? null });
+}
+
+function withHealth(model: TrainedModel): TrainedModel {
+  if (!model.health) return model;
   const state = healthState(model.health.state) as typeof model.health.state;
   // Version 0.2 wrote no poses of the parts, and 2 as the highest rank.
   const { parts, rank } = model.health as Partial<Health>;
@@ -131,7 +137,7 @@ export function recover(records: ReadonlyMap<string, unknown>): Recovered {
     if (!run) return [];
     const clips = clipsOf<Run["clips"][number]>(run.clips, has(clipFields));
     // A training without one of its clips is another training.
-    return clips.length === run.clips.length ? [{ ...run, clips, model: withHealth(run.model) }] : [];
+    return clips.length === run.clips.length ? [{ ...run, clips, model: upToDate(run.model) }] : [];
   });
   const chosen = field<number | null>("chosen", isNullOr(isNumber), null);
   const holdings: Holdings = {

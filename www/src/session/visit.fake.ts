@@ -70,7 +70,7 @@ export const run = (id: number, iterations: number) =>
     ...{ id, state: "running", elapsed: 1, ending: "", portion: 600, open: false, catchingUp: false },
     settings: { ...numbers, seed: id, parts: [{ name: "lower", joints: [1, 2] }] },
     clips: [],
-    model: { text: "{}", latents: [new Float64Array(6)], health: null },
+    model: { text: "{}", latents: [new Float64Array(6)], health: null, error: null },
     steps: Array.from({ length: iterations }, (_, i) => ({ ...step, iteration: i + 1 })),
   }) as unknown as Holdings["runs"][number];
 

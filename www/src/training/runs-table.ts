@@ -74,7 +74,7 @@ export class RunsView extends View {
           <tbody>${runs.map((run) => this.#row(run, columns, run === best))}</tbody>
         </table>
       </div>
-      ${alike.length < runs.length ? html`<p class="hint">Bounds can be compared between trainings on the same frames only; the chart shows those.</p>` : nothing}`;
+      ${alike.length < runs.length ? html`<p class="hint">Bounds can be compared between trainings on the same frames with the same weight of the poses only; the chart shows those.</p>` : nothing}`;
   }
 }
 customElements.define("pg-runs", RunsView);

@@ -61,6 +61,8 @@ it("compares bounds of the same data only", () => {
   expect(other({ parts: [{ name: "whole", joints: [3, 2, 1, 0] }] })).toBe(same);
   expect(other({ parts: [{ name: "lower", joints: [0, 1] }] })).not.toBe(same);
   expect(other({ framesPerSecond: 15 })).not.toBe(same);
+  expect(other({ poseWeight: 1 })).toBe(same);
+  expect(other({ poseWeight: "balanced" })).not.toBe(same);
   expect(dataOf(run({ clips: [{ ...run().clips[0]!, first: 3 }] }))).not.toBe(same);
 });
 

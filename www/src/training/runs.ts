@@ -67,13 +67,17 @@ export function seedsFrom(first: number, count: number): number[] {
   return Array.from({ length: count }, (_, i) => (first + i) % 2 ** 32);
 }
 
-/** The training data as a text. Bounds can be compared only between runs of the same data. */
+/**
+ * The training data and the weight of the poses as a text. Bounds can be compared only between runs of the same
+ * data and weight.
+ */
 export function dataOf({ settings, clips }: Run): string {
   const joints = [...new Set(settings.parts.flatMap(({ joints }) => joints))].sort((a, b) => a - b);
   return JSON.stringify([
     clips.map(({ id, first, end, firstBones }) => [id, first, end, firstBones === true]),
     settings.framesPerSecond,
     joints,
+    settings.poseWeight ?? 1,
   ]);
 }
 
@@ -91,7 +95,7 @@ export interface Column {
 const count = (
   head: string,
   meaning: string,
-  of: (settings: TrainingSettings) => number,
+  of: (settings: TrainingSettings) => number | string,
   term?: TermName,
 ): Column => {
   const text = ({ settings }: Run) => String(of(settings));
@@ -118,6 +122,7 @@ const COLUMNS: Column[] = [
   count("p", "Frames of history", ({ order }) => order, "order"),
   count("fps", "Frames a second", ({ framesPerSecond }) => framesPerSecond),
   count("at most", "Iterations at most", ({ maxIterations }) => maxIterations, "iterations"),
+  count("weight", "Weight of the poses", ({ poseWeight = 1 }) => poseWeight),
 ];
 
 /** The settings in which the runs differ, without the seed. */

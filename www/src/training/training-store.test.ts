@@ -279,6 +279,20 @@ describe("by default", () => {
       "2 done. The best, seed 6, is on the stage: it keeps moving, while seed 5, of a higher bound, stands still from 2.4 s on.",
     );
   });
+
+  it("of two models that keep moving, the one whose motion is closer to the clips is shown", async () => {
+    await begin("seed=5", 2);
+    const over = training.start();
+    await settled();
+    worker(0).report(9, -10, modelText(5), undefined, 0.04);
+    worker(1).report(9, -30, modelText(6), undefined, 0.03);
+    for (const index of [0, 1]) worker(index).end(done);
+    await over;
+    expect(seedOnStage()).toBe(6);
+    expect(training.ending.words).toBe(
+      "2 done. The best, seed 6, is on the stage: its motion is closer to the clips than that of seed 5, of a higher bound.",
+    );
+  });
 });
 
 describe("a run that stopped before its bound had settled", () => {

@@ -285,7 +285,7 @@ export class TrainingStore extends Store {
   }
 
   #newRuns(): Run[] {
-    const { latent, dynamicsIps, poseIps, order, framesPerSecond, maxIterations, seed } =
+    const { latent, dynamicsIps, poseIps, order, framesPerSecond, maxIterations, seed, poseWeight } =
       this.#settings.values;
     const { parts, toTrainOn: clips } = this.#clips;
     return seedsFrom(seed, this.count).map((seed): Run => {
@@ -298,6 +298,7 @@ export class TrainingStore extends Store {
         framesPerSecond,
         seed,
         maxIterations,
+        poseWeight,
       };
       this.#lastId += 1;
       const course = {
@@ -406,10 +407,13 @@ export class TrainingStore extends Store {
     this.changed();
   }
 
-  /** The run to show: the library chooses by the ends of the rollouts and by the bounds. */
+  /** The run to show: the library chooses by the ends of the rollouts and by their errors on the clips. */
   async #bestToShow(runs: readonly Run[]): Promise<Run | null> {
     const ranks = runs.map(({ model }) => model?.health?.rank ?? 0);
-    const place = await this.#engine.engine?.bestToShow(ranks, runs.map(bestBound));
+    const place = await this.#engine.engine?.bestToShow(
+      ranks,
+      runs.map(({ model }) => model?.error ?? Infinity),
+    );
     return runs[place ?? -1] ?? null;
   }
 

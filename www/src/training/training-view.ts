@@ -3,7 +3,7 @@ import { html, nothing } from "lit";
 import type { ClipsStore } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import { type NumberName, settingField, settingInput } from "../settings/setting-field";
-import { BY_HAND } from "../settings/settings";
+import { BY_HAND, POSE_WEIGHTS } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import { sentence, timeLeft } from "../ui/format";
 import { icon } from "../ui/icons";
@@ -165,6 +165,11 @@ export class TrainingView extends View {
           ${this.#count("trainings", "Trainings", "One for each seed from this one on, as many at once as this machine has cores; 0: as many as cores, up to 4")}
           ${this.#count("order", "Frames of history", "The order of the dynamics", "order", "p")}
           ${this.#count("maxIterations", "Iterations at most", "The optimiser stops here at the latest", "iterations")}
+          <label class="field"><span>Weight of the poses</span>
+            <select data-testid="setting-poseWeight" title="1: training maximises the bound. Less: the latents become easier to predict, and the poses less exact"
+              @change=${(event: Event) => settings.change({ poseWeight: POSE_WEIGHTS[(event.target as HTMLSelectElement).selectedIndex] ?? 1 })}>
+              ${POSE_WEIGHTS.map((weight) => html`<option ?selected=${weight === settings.values.poseWeight}>${weight}</option>`)}
+            </select></label>
         </div>
       </details>
       <pg-bound-chart .training=${training}></pg-bound-chart>`;

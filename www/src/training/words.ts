@@ -70,7 +70,9 @@ function reasonToShow(best: Run, runs: readonly Run[]): string {
   const higher = runs.find(
     (run) => run.model !== null && run.state !== "failed" && bestBound(run) > bestBound(best),
   );
-  const ends = higher ? endOfMotion(higher) : "";
-  if (!higher || !ends) return "";
+  if (!higher) return "";
+  const ends = endOfMotion(higher);
+  if (!ends)
+    return `: its motion is closer to the clips than that of seed ${higher.settings.seed}, of a higher bound`;
   return `: it ${endOfMotion(best) || "keeps moving"}, while seed ${higher.settings.seed}, of a higher bound, ${ends}`;
 }

@@ -21,3 +21,13 @@ it("sends the notices with the first report alone, and with the outcome", async 
   expect(sent.slice(1).flat()).toEqual([]);
   expect(outcome.notices).toEqual(["the clip a does not move"]);
 });
+
+it("asks for the result at the end as such", async () => {
+  const training = {
+    step: () => ({ iteration: 1, done: true, reason: null }) as unknown as TrainingProgress,
+    find: (isEnd: boolean) => (isEnd ? "result" : "best so far"),
+  };
+  const found: (string | null)[] = [];
+  await follow(training, (report) => void found.push(report.found), new AbortController().signal);
+  expect(found).toEqual(["result"]);
+});

@@ -6,8 +6,8 @@ interface Training<Found> {
   step(): TrainingProgress;
   /** What the visitor should know of the data and the settings. */
   notices?(): string[];
-  /** The best so far; null while there is nothing worth showing. */
-  find(): Found | null;
+  /** The best so far, or the result at the end; null while there is nothing worth showing. */
+  find(isEnd: boolean): Found | null;
 }
 
 /** Trains to the end, or until the signal is aborted. `start`: when the work began. */
@@ -22,8 +22,8 @@ export async function follow<Found>(
   let wanted = false;
   const notices = training.notices?.() ?? [];
   let unsent = notices;
-  const send = async (withBest: boolean) => {
-    const found = withBest ? training.find() : null;
+  const send = async (withBest: boolean, isEnd = false) => {
+    const found = withBest ? training.find(isEnd) : null;
     const elapsed = (performance.now() - start) / 1000;
     const answer = report({ steps, progress, elapsed, found, notices: unsent });
     steps = [];
@@ -42,7 +42,7 @@ export async function follow<Found>(
     if (!last) void send(wanted);
   });
   // Waits until the page has the report: reports and the outcome travel on different ports.
-  await send(true);
+  await send(true, true);
   const reason = done ? progress.reason : null;
   return { cancelled: !done, reason, notices };
 }

@@ -17,10 +17,12 @@ function healthOf(model: Model, frames: number): Health | null {
   }
 }
 
-function bestSoFar(trainer: Trainer, { settings, frames }: TrainingJob): TrainedModel {
+/** The best model so far. Its error takes longest, and decides only after the end. */
+function bestSoFar(trainer: Trainer, { settings, frames }: TrainingJob, isEnd: boolean): TrainedModel {
+  const error = (isEnd && trainer.rolloutError()) || null;
   return using(trainer.model(), (model) => {
     const latents = settings.parts.map((_, part) => trainer.latents(part));
-    return { text: model.toJson(), latents, health: healthOf(model, frames) };
+    return { text: model.toJson(), latents, health: healthOf(model, frames), error };
   });
 }
 
@@ -34,7 +36,7 @@ function carryOut(
   const training = {
     step: () => trainer.step(),
     notices: () => trainer.notices(),
-    find: () => bestSoFar(trainer, job),
+    find: (isEnd: boolean) => bestSoFar(trainer, job, isEnd),
   };
   return follow(training, report, signal, start);
 }

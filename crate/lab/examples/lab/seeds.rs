@@ -10,9 +10,10 @@ use clap::Args;
 use std::path::PathBuf;
 use std::time::Instant;
 use vcgpdm::models::{
-    Dataset, Ending, Health, RolloutRequest, Source, Trainer, VariationalSettings, best_to_show,
+    Dataset, Ending, Health, PoseWeight, RolloutRequest, Source, Trainer, VariationalSettings, best_to_show,
 };
 use vcgpdm::motion::{Clip, parts, samples};
+use vcgpdm_lab::evaluation::TrainingTrials;
 
 const FRAMES_PER_SECOND: f64 = 30.0;
 
@@ -32,6 +33,9 @@ pub struct Arguments {
     /// Presets of parts.
     #[arg(long, value_delimiter = ',', default_values_t = ["whole", "lower-upper", "legs-trunk-arms"].map(str::to_owned))]
     parts: Vec<String>,
+    /// Weights of the pose terms in the objective: numbers, or "balanced".
+    #[arg(long, value_delimiter = ',', default_value = "1", value_parser = pose_weight)]
+    pose_weights: Vec<PoseWeight>,
     /// Most iterations.
     #[arg(long, default_value_t = 600)]
     iterations: usize,
@@ -46,6 +50,8 @@ pub struct Arguments {
 /// How one training ended.
 struct Run {
     bound: f64,
+    /// The error of rollouts on the clip, infinite if unknown.
+    error: f64,
     seconds: f64,
     health: Health,
 }
@@ -60,9 +66,9 @@ impl Run {
 
 pub fn run(arguments: &Arguments) {
     println!(
-        "| clip | parts | points | seeds that keep moving | one pose | few poses | poses visited, % | chosen of {GROUP} seeds | bound | within 0.5 % of the best | s |"
+        "| clip | parts | points | weight of the poses | seeds that keep moving | one pose | few poses | poses visited, % | chosen of {GROUP} seeds | bound | within 0.5 % of the best | s |"
     );
-    println!("{}|", "|---".repeat(11));
+    println!("{}|", "|---".repeat(12));
     let mut clips: Vec<Clip> = read_clips(&arguments.clips).collect();
     if clips.is_empty() {
         clips.push(samples::clip("walk-1").unwrap());
@@ -73,32 +79,50 @@ pub fn run(arguments: &Arguments) {
             let source = Source { clip, first_frames: None };
             let dataset = Dataset::new(&[source], &preset.parts, FRAMES_PER_SECOND).unwrap();
             for &points in &arguments.points {
-                let train = |seed| train(arguments, &dataset, points, seed);
-                let runs = each_seed(0..arguments.seeds, arguments.threads, train);
-                print(&format!("{} | {} | {points}", clip.name, preset.id), &runs);
+                for &pose_weight in &arguments.pose_weights {
+                    let settings = VariationalSettings {
+                        dynamics_ips: points,
+                        pose_ips: points,
+                        max_iterations: arguments.iterations,
+                        pose_weight,
+                        ..VariationalSettings::default()
+                    };
+                    let train = |seed| train(&settings, arguments.frames, &dataset, seed);
+                    let runs = each_seed(0..arguments.seeds, arguments.threads, train);
+                    let weight = match pose_weight {
+                        PoseWeight::Fixed(weight) => weight.to_string(),
+                        PoseWeight::Balanced => "balanced".to_owned(),
+                    };
+                    print(&format!("{} | {} | {points} | {weight}", clip.name, preset.id), &runs);
+                }
             }
         }
     }
 }
 
-fn train(arguments: &Arguments, dataset: &Dataset, points: usize, seed: u32) -> Run {
-    let settings = VariationalSettings {
-        dynamics_ips: points,
-        pose_ips: points,
-        max_iterations: arguments.iterations,
-        ..VariationalSettings::default()
-    };
+fn pose_weight(text: &str) -> Result<PoseWeight, String> {
+    match text {
+        "balanced" => Ok(PoseWeight::Balanced),
+        number => number
+            .parse()
+            .map(PoseWeight::Fixed)
+            .map_err(|_| format!("expected a number or \"balanced\", found {text:?}")),
+    }
+}
+
+fn train(settings: &VariationalSettings, frames: usize, dataset: &Dataset, seed: u32) -> Run {
     let begin = Instant::now();
-    let mut trainer = Trainer::new(dataset, &settings.into(), seed).unwrap();
+    let mut trainer = Trainer::new(dataset, &settings.clone().into(), seed).unwrap();
     trainer.run();
     let seconds = begin.elapsed().as_secs_f64();
     let model = trainer.finish().unwrap();
-    let request = RolloutRequest { frames: arguments.frames, ..Default::default() };
+    let error = TrainingTrials::new(dataset).error(&model.fitted).unwrap_or(f64::INFINITY);
+    let request = RolloutRequest { frames, ..Default::default() };
     let model = model.coupled().unwrap();
     let rollout = model.rollout(&request).unwrap();
     let positions = model.positions(&rollout).unwrap();
     let health = model.health(&rollout, &request, &positions).unwrap();
-    Run { bound: model.model.bound(), seconds, health }
+    Run { bound: model.model.bound(), error, seconds, health }
 }
 
 fn print(title: &str, runs: &[Run]) {
@@ -112,7 +136,7 @@ fn print(title: &str, runs: &[Run]) {
     let visited: Vec<String> = runs.iter().map(|run| format!("{:.0}", run.visited())).collect();
     let groups: Vec<&[Run]> = runs.chunks_exact(GROUP).collect();
     let chosen = groups.iter().filter(|group| {
-        let best = best_to_show(group.iter().map(|run| (run.health.rank, run.bound)));
+        let best = best_to_show(group.iter().map(|run| (run.health.rank, run.error)));
         best.is_some_and(|place| group[place].health.is_good())
     });
     let chosen = chosen.count();

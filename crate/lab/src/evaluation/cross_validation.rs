@@ -2,17 +2,16 @@
 //! on the first frames of the trial held out as one more sequence; roll out from these frames for the length
 //! of the trial; score.
 
-use crate::evaluation::dtw::{ScoreError, dtw_mse, score_and_columns};
+use crate::evaluation::dtw::{ScoreError, score_and_columns};
 use crate::evaluation::outcome::Outcome;
-use crate::evaluation::stats::mean;
+use crate::evaluation::training_trials::TrainingTrials;
 use nalgebra::DMatrix;
 use thiserror::Error;
 use vcgpdm::gp::NumericsError;
 use vcgpdm::internals::dataset_error;
 use vcgpdm::models::library::{CombinationError, PlanError};
 use vcgpdm::models::{
-    Body, Dataset, DatasetError, FittedModel, Learner, Movements, Progress, RolloutError, Sequence, Settings,
-    Source,
+    Body, Dataset, DatasetError, FittedModel, Learner, Movements, Progress, RolloutError, Settings, Source,
 };
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::pose::PoseError;
@@ -90,8 +89,8 @@ pub enum EvaluationError {
 /// One trial held out: the training data, and the trial to predict.
 #[derive(Clone, Debug)]
 pub struct Fold {
-    body: Body,
-    movements: Movements,
+    /// The trials trained on, and the first frames of the trial held out as the last sequence.
+    training: TrainingTrials,
     /// All columns of the trial held out [T x D].
     actual: DMatrix<f64>,
 }
@@ -123,22 +122,17 @@ impl Fold {
         sources.push(Source { clip: trial, first_frames: Some(start_frames) });
         let dataset = Dataset::new(&sources, parts, frames_per_second)?;
         let actual = dataset.mapping.encode(&trial.resample(1.0 / dataset.frame_time)?)?.y;
-        let lengths = dataset.lengths();
-        let last = lengths.len() - 1;
-        let sequences =
-            lengths.iter().enumerate().map(|(k, frames)| Sequence { frames: *frames, whole: k != last });
-        let movements = Movements { y: dataset.y.clone(), sequences: sequences.collect() };
-        Ok(Self { body: Body::new(&dataset), movements, actual })
+        Ok(Self { training: TrainingTrials::new(&dataset), actual })
     }
 
     /// The training data; the last sequence has the first frames of the trial held out.
     pub fn movements(&self) -> &Movements {
-        &self.movements
+        self.training.movements()
     }
 
     /// Converts columns to poses.
     pub fn body(&self) -> &Body {
-        &self.body
+        self.training.body()
     }
 
     /// All columns of the trial held out [T x D].
@@ -151,43 +145,7 @@ impl Fold {
     /// # Errors
     /// The model cannot be rolled out for the length of the trial.
     pub fn predict(&self, model: &FittedModel) -> Result<DMatrix<f64>, RolloutError> {
-        self.generate(model, self.movements.sequences.len() - 1, self.actual.nrows())
-    }
-
-    /// All columns [frames x D] of a rollout from the beginning of a sequence.
-    fn generate(
-        &self,
-        model: &FittedModel,
-        sequence: usize,
-        frames: usize,
-    ) -> Result<DMatrix<f64>, RolloutError> {
-        let rollout = model.rollout(sequence, frames)?;
-        // A model of the whole body has one part with the columns of all parts side by side.
-        if rollout.len() == self.movements.y.len() {
-            return Ok(self.body.columns(&rollout));
-        }
-        let mut at = 0;
-        let parts = self.movements.y.iter().map(|y| {
-            at += y.ncols();
-            rollout[0].columns(at - y.ncols(), y.ncols()).into_owned()
-        });
-        Ok(self.body.columns(&parts.collect::<Vec<_>>()))
-    }
-
-    /// The mean error of the model on the training trials; absent if one of them cannot be scored.
-    fn training_mse(&self, model: &FittedModel) -> Option<f64> {
-        let mut begin = 0;
-        let mut errors = Vec::new();
-        for (place, Sequence { frames, whole }) in self.movements.sequences.iter().enumerate() {
-            if *whole {
-                let rows = |y: &DMatrix<f64>| y.rows(begin, *frames).into_owned();
-                let actual = self.body.columns(&self.movements.y.iter().map(rows).collect::<Vec<_>>());
-                let made = self.generate(model, place, *frames).ok()?;
-                errors.push(dtw_mse(&made, &actual).ok()?.dtw_mse);
-            }
-            begin += frames;
-        }
-        Some(mean(&errors)).filter(|error| error.is_finite())
+        self.training.rollout(model, self.movements().sequences.len() - 1, self.actual.nrows())
     }
 
     /// The training of a candidate in this fold, before its first step.
@@ -197,11 +155,11 @@ impl Fold {
     /// reason.
     pub fn learner(&self, candidate: &Settings, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
         let kind = candidate.kind();
-        if kind.is_coupled() && self.movements.y.len() == 1 {
+        if kind.is_coupled() && self.movements().y.len() == 1 {
             return Err(EvaluationError::OnePart { model: kind.id() });
         }
-        let learner = candidate.learner(&self.movements, seed);
-        Ok(learner.map_err(|reason| dataset_error(reason, &self.body.sequences))?)
+        let learner = candidate.learner(self.movements(), seed);
+        Ok(learner.map_err(|reason| dataset_error(reason, &self.body().sequences))?)
     }
 
     /// Trains a candidate and scores its prediction. `watch` is called after every step; if it returns false,
@@ -244,7 +202,7 @@ impl Fold {
             return Err(EvaluationError::Seconds(seconds));
         }
         let (score, columns) = score_and_columns(&self.predict(model)?, &self.actual)?;
-        let layout = &self.body.layout;
+        let layout = &self.body().layout;
         let part = |part: usize| {
             let columns = layout.columns(part).iter().map(|column| columns[*column]);
             columns.sum::<f64>() / layout.columns(part).len().max(1) as f64
@@ -252,15 +210,15 @@ impl Fold {
         let outcome = Outcome {
             score,
             terms: model.terms().cloned(),
-            part_errors: (0..self.movements.y.len()).map(part).collect(),
+            part_errors: (0..self.movements().y.len()).map(part).collect(),
             bound: model.bound(),
             objective: training.best,
             iterations: training.iteration,
             seconds,
-            frames: self.movements.sequences.iter().map(|s| s.frames).sum(),
+            frames: self.movements().sequences.iter().map(|s| s.frames).sum(),
             stored_numbers: model.stored_numbers(),
             reason: training.reason.as_ref().map(ToString::to_string),
-            training_mse: self.training_mse(model),
+            training_mse: self.training.error(model),
         };
         // JSON cannot store such numbers. Squares can overflow though the predicted columns are finite.
         for (what, found) in [
@@ -281,7 +239,9 @@ impl Fold {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, Setbacks, TmpSettings, VariationalSettings};
+    use vcgpdm::models::{
+        DmpSettings, MapSettings, ModelKind, Sequence, Setbacks, TmpSettings, VariationalSettings,
+    };
     use vcgpdm::motion::{parts, samples};
 
     fn trials() -> Vec<Clip> {

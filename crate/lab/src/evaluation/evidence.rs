@@ -1,6 +1,6 @@
 //! Bayes factors between splits of the body (Velychko 2020, equation 2.12), and the ratios of their errors.
 
-use crate::evaluation::contender::Contender;
+use crate::evaluation::contender::{Choice, Contender};
 use crate::evaluation::effect::Errors;
 use crate::evaluation::rows::{Row, is_plain, settings};
 use crate::evaluation::summary::Evidence;
@@ -10,7 +10,7 @@ use vcgpdm::models::ModelKind;
 /// each part or one for all. Models with weighted pose terms do not count: their training did not maximise
 /// the bound on the evidence.
 pub(super) fn evidence(rows: &[Row], name: &dyn Fn(usize) -> String) -> Vec<Evidence> {
-    let contender = |kind| Contender::new(settings(rows, kind, &is_plain));
+    let contender = |kind| Contender::new(settings(rows, kind, &is_plain), Choice::Bound);
     let (Some(parts), Some(whole)) = (contender(ModelKind::Vcgpdm), contender(ModelKind::Vgpdm)) else {
         return Vec::new();
     };

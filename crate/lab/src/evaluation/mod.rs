@@ -30,6 +30,7 @@ pub mod stats;
 mod summary;
 #[cfg(test)]
 pub(crate) mod testing;
+mod training_trials;
 
 pub use comparison::Comparison;
 pub use cross_validation::{EvaluationError, Fold, START_FRAMES};
@@ -48,3 +49,4 @@ pub use summary::{
     BoundAndError, Claim, ClaimAnswer, Correlation, Evidence, FramesAndTime, Growth, ModelSummary, Spread,
     TermMeans,
 };
+pub use training_trials::TrainingTrials;

@@ -389,7 +389,7 @@ mod tests {
             outcome.seconds = 9.0;
             outcome.reason = Some("stopped".to_owned());
             outcome.score.dtw_mse *= 1.0 + 1e-9;
-            outcome.training_mse = Some(1.0);
+            outcome.training_mse = None;
             outcome.part_errors.clear();
         };
         assert_eq!(found(&seconds), None);

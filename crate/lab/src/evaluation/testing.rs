@@ -38,7 +38,7 @@ pub fn map(balanced: bool) -> MapSettings {
     MapSettings { latent: 3, order: 2, max_iterations: 100, balanced, linear: false }
 }
 
-/// An outcome with these numbers.
+/// An outcome with these numbers, and the same error on the training trials as on the trial held out.
 pub fn outcome(dtw_mse: f64, bound: Option<f64>, frames: usize, seconds: f64) -> Outcome {
     Outcome {
         score: Score { dtw_mse, mse: 2.0 * dtw_mse, variance: 0.05 },
@@ -51,7 +51,7 @@ pub fn outcome(dtw_mse: f64, bound: Option<f64>, frames: usize, seconds: f64) ->
         reason: None,
         terms: None,
         part_errors: Vec::new(),
-        training_mse: None,
+        training_mse: Some(dtw_mse),
     }
 }
 

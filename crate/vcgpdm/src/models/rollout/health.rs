@@ -105,10 +105,11 @@ impl Ending {
     }
 }
 
-/// The model to show among several of one data set, each given as its [rank](Health::rank) and its bound in
-/// nats: the highest bound of the highest rank, the first of equals. `None` without a model.
+/// The model to show among several of one data set, each given as its [rank](Health::rank) and the error of
+/// its rollouts on the trials trained on, infinite if unknown: the smallest error of the highest rank, the
+/// first of equals. `None` without a model.
 pub fn best_to_show(models: impl IntoIterator<Item = (u8, f64)>) -> Option<usize> {
-    let better = |a: (u8, f64), b: (u8, f64)| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1));
+    let better = |a: (u8, f64), b: (u8, f64)| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1));
     let first = |best: (usize, (u8, f64)), next: (usize, (u8, f64))| {
         if better(next.1, best.1) == Ordering::Greater { next } else { best }
     };
