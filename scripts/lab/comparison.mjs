@@ -35,6 +35,10 @@ const MADE = [
   },
 ];
 
+/** The heading of the tables over all trials of a report, and its name in the documents. */
+const TOGETHER = "### All together";
+const RECORDED = "### Recorded trials together";
+
 /** @typedef {{ name: string, clips: string[] }} Subject */
 /**
  * The MAP models have a limit of their own: they do not converge (docs/comparison/method.md), and each of their
@@ -184,14 +188,21 @@ export async function comparison(/** @type {string[]} */ ...words) {
   for (const one of times(extent, first.clips.length)) await evaluate(first, one);
   const timed = files.splice(0);
   for (const one of subjects) for (const sweep of sweeps(extent)) await evaluate(one, sweep);
+  const report = (/** @type {string[]} */ ...files) => {
+    const text = output(program, "report", ...files);
+    if (text === null) throw new Failure("the report could not be made");
+    return text;
+  };
+  // Recorded and made trials are never put together.
+  const isMade = (/** @type {string} */ file) => MADE.some(({ name }) => basename(file).startsWith(name));
   // The report puts the times of the first subject's trials together with its other results.
-  const report = output(program, "report", ...files, ...timed);
-  if (report === null) throw new Failure("the report could not be made");
-  if (quick) return console.log(report);
+  const recorded = report(...files.filter((file) => !isMade(file)), ...timed).replace(TOGETHER, RECORDED);
+  const [made = ""] = report(...files.filter(isMade)).split(TOGETHER);
+  if (quick) return console.log(`${recorded}\n${made}`);
   mkdirSync(dirname(shown), { recursive: true });
   writeFileSync(
     shown,
     together([join(folder, `${first.name}.json`), join(folder, `${first.name}-times.json`)]),
   );
-  writeSections(folder, "npm run lab -- comparison", report);
+  for (const sections of [recorded, made]) writeSections(folder, "npm run lab -- comparison", sections);
 }
