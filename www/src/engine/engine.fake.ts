@@ -25,6 +25,7 @@ import type {
   TrainingJob,
   TrainingOutcome,
   TrainingProgress,
+  UpAxis,
 } from "./protocol";
 
 /** Two joints and two nodes that do not move. */
@@ -116,6 +117,7 @@ function loadedClip(id: number, frames = 60): LoadedClip {
     figure,
     frames,
     frameTime: 1 / 30,
+    upAxis: "y",
     warnings: [],
     presets: [{ id: "lower-upper", title: "", parts }],
   };
@@ -177,9 +179,11 @@ export class FakeEngine implements Partial<Engine> {
     return clip;
   }
 
-  readClip(name: string, bytes: Uint8Array): Promise<LoadedClip> {
+  readClip(name: string, bytes: Uint8Array, up?: UpAxis): Promise<LoadedClip> {
     if (bytes.length === 0) return Promise.reject(new Error("the file is empty"));
-    return this.#answer("readClip", [name], this.#open());
+    const loaded = this.#open();
+    if (up) loaded.info.upAxis = up;
+    return this.#answer("readClip", [name, up], loaded);
   }
 
   sampleClip(id: string): Promise<LoadedClip> {
