@@ -273,7 +273,7 @@ fn claims(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     }
     writeln!(
         text,
-        "\nErrors are compared trial by trial: \"0.90 times\" is the error of the first model divided by that of the second. Intervals cover at least 95 %: that of the median by the sign test, that of the mean (of the logarithms) by Student's t. The answer follows from the interval of the median, with fewer than six trials from that of the mean; it is yes or no only if the whole interval says so. Trials share their training data, so that the intervals are a little too narrow. Settings are chosen for each trial by the bound, or without a bound by the error on the other trials.\n"
+        "\nErrors are compared trial by trial: \"0.90 times\" is the error of the first model divided by that of the second. Intervals cover at least 95 %: that of the median by the sign test, that of the mean (of the logarithms) by Student's t. The answer follows from the interval of the median, with fewer than six trials from that of the mean; it is yes or no only if the whole interval says so. Trials share their training data, so that the intervals are a little too narrow. Settings are chosen for each trial by the error of rollouts on the training trials; claims about the bound take the highest bound.\n"
     )
 }
 
