@@ -234,7 +234,7 @@ describe("the declared types", () => {
     const model = trainer.model();
     /** @type {[string, object, (value: any) => unknown][]} */
     const inputs = [
-      ["TrainingOptions", settings, (value) => new Trainer(clips, value)],
+      ["TrainingSettings", settings, (value) => new Trainer(clips, value)],
       [
         "ComparisonSettings",
         { parts, framesPerSecond: 15 },

@@ -8,7 +8,7 @@
 //!
 //! ```
 //! use vcgpdm::{
-//!     Dataset, RolloutRequest, VariationalSettings, Vcgpdm, part_presets, sample_clip, write_bvh,
+//!     Dataset, RolloutRequest, Settings, Trainer, VariationalSettings, part_presets, sample_clip, write_bvh,
 //! };
 //!
 //! let clip = sample_clip("walk-1").ok_or("no such sample")?;
@@ -16,7 +16,9 @@
 //! let dataset = Dataset::new(&[(&clip).into()], parts, 30.0)?;
 //!
 //! let settings = VariationalSettings { max_iterations: 20, ..VariationalSettings::default() };
-//! let model = Vcgpdm::fit(&dataset, &settings, 0)?;
+//! let mut trainer = Trainer::new(&dataset, &Settings::Vcgpdm(settings), 0)?;
+//! trainer.run();
+//! let model = trainer.finish()?;
 //!
 //! let coupled = model.coupled().ok_or("a vCGPDM has couplings")?;
 //! let rollout = coupled.rollout(&RolloutRequest { frames: 60, ..RolloutRequest::default() })?;
@@ -32,7 +34,7 @@
 //! | data | [`read_bvh`] or [`read_asf`], then [`Clip`] | [`read_csv`], [`Table`] |
 //! | parts | [`part_presets`] or own [`PartSpec`]s | [`column_parts`] |
 //! | data set | [`Dataset::new`] | [`Dataset::of_tables`] |
-//! | training | [`Vcgpdm::fit`]; or [`Settings`], [`Trainer`], [`Progress`] | the same |
+//! | training | [`Settings`], [`Trainer`], [`Progress`] | the same |
 //! | model | [`Model`], [`Coupled`], [`Rollout`] | [`SeriesModel`], the same |
 //! | file | [`Document`], [`write_bvh`] | [`Document`], [`write_csv`] |
 //!
@@ -109,7 +111,6 @@ pub use motion::parts::{PartSpec, PartsError, PartsLayout, PartsPreset, presets 
 pub use motion::pose::{Column, ColumnKind, PoseError, PoseMapping};
 pub use motion::samples::{SampleInfo, clip as sample_clip, list as sample_clips};
 pub use motion::skeleton::{Channel, FigureNode, Joint, LocalPose, Skeleton, SkeletonError, WorldPose};
-pub use motion::stage::UpAxis;
 pub use motion::{BodyMismatch, Clip, ClipError, Recording};
 pub use series::{
     Columns, SeriesError, Table, parse_parts as column_parts, read as read_csv, write as write_csv,
@@ -142,8 +143,3 @@ pub mod internals {
 
 /// The version of nalgebra whose matrices are in the signatures.
 pub use nalgebra;
-
-/// The examples of the README are tests.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;

@@ -2,14 +2,11 @@
 
 use crate::arguments::{Bytes, Text, Whole};
 use crate::body::BodyInfo;
-#[cfg(feature = "training")]
-use crate::convert::from_js;
 use crate::convert::{to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
 use vcgpdm::models::{same_body, with_bones_of};
 use vcgpdm::motion::parts::PartsPreset;
-use vcgpdm::motion::stage::UpAxis;
 use vcgpdm::motion::{Clip as MotionClip, bvh, parts, samples};
 use wasm_bindgen::prelude::*;
 
@@ -21,9 +18,6 @@ export interface PartsPreset {
     title: string;
     parts: PartSpec[];
 }
-
-/** The axis that points up in a file; "-z": z points down. */
-export type UpAxis = "x" | "y" | "z" | "-x" | "-y" | "-z";
 
 /** The name, size, body and warnings of a clip. */
 export interface ClipInfo {
@@ -37,26 +31,11 @@ export interface ClipInfo {
     frameTime: number;
     /** Height of the body in the file's own units. */
     height: number;
-    upAxis: UpAxis;
+    upAxis: "x" | "y" | "z";
     /** What was odd about the file but could be read. */
     warnings: string[];
     /** Ways to split the body; at least "whole". */
     presets: PartsPreset[];
-}
-
-/** A clip as plain data that `postMessage` can send to a worker. */
-export interface ClipState {
-    name: string;
-    bvh: string;
-    sha256: string;
-    warnings: string[];
-    /** The frames of the file that a cut clip contains; null if it was not cut. */
-    piece: [number, number] | null;
-    /** Seconds from one frame of the file to the next. */
-    fileFrameTime: number;
-    bonesOf: string | null;
-    /** The axis that points up, if it was stated. */
-    up: UpAxis | null;
 }
 
 /** A clip that the project makes itself. */
@@ -79,20 +58,6 @@ struct ClipInfo<'a> {
     presets: Vec<PartsPreset>,
 }
 
-#[cfg(feature = "training")]
-#[derive(Serialize, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ClipState {
-    name: String,
-    bvh: String,
-    sha256: String,
-    warnings: Vec<String>,
-    piece: Option<(usize, usize)>,
-    file_frame_time: f64,
-    bones_of: Option<String>,
-    up: Option<String>,
-}
-
 /// A recorded motion.
 #[wasm_bindgen]
 pub struct Clip {
@@ -101,8 +66,8 @@ pub struct Clip {
 
 #[wasm_bindgen]
 impl Clip {
-    /// Reads a BVH file. A leading T-pose is left out, and a root that only carries a child that moves, each
-    /// with a warning. The error names the file, the line, what was expected and what was found.
+    /// Reads a BVH file; a leading T-pose is dropped, with a warning. The error names the file, the line,
+    /// what was expected and what was found.
     pub fn read(name: &Text, bytes: &Bytes) -> Result<Clip, VcgpdmError> {
         let name = name.get(ErrorCode::Clip, "the name")?;
         Ok(Clip { clip: bvh::read(&name, &bytes.get(ErrorCode::Clip, "the file")?)?.into_clip() })
@@ -142,7 +107,7 @@ impl Clip {
             frames: clip.frames(),
             frame_time: clip.frame_time,
             height: stage.height,
-            up_axis: stage.up.name(),
+            up_axis: stage.up.letter(),
             warnings: &clip.warnings,
             presets: parts::presets(&clip.skeleton),
         };
@@ -169,19 +134,6 @@ impl Clip {
         Ok(Clip { clip: with_bones_of(&self.clip, &other.clip)? })
     }
 
-    /// The clip in which this axis points up, where another one was found.
-    #[wasm_bindgen(js_name = withUp)]
-    pub fn with_up(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "UpAxis")] axis: &Text,
-    ) -> Result<Clip, VcgpdmError> {
-        let up = UpAxis::from_name(&axis.get(ErrorCode::Clip, "the axis that points up")?);
-        let up = up.ok_or_else(|| {
-            VcgpdmError::new(ErrorCode::Clip, &"the axis that points up: expected x, y, z, -x, -y or -z")
-        })?;
-        Ok(Clip { clip: MotionClip { up: Some(up), ..self.clip.clone() } })
-    }
-
     /// The clip as the text of a BVH file.
     #[wasm_bindgen(js_name = toBvh)]
     pub fn to_bvh(&self) -> String {
@@ -191,49 +143,6 @@ impl Clip {
     /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
     pub fn positions(&self) -> Vec<f32> {
         self.clip.stage_positions()
-    }
-}
-
-#[cfg(feature = "training")]
-#[wasm_bindgen]
-impl Clip {
-    /// The clip as plain data, for a worker: `Clip.fromState` makes the same clip there.
-    #[wasm_bindgen(unchecked_return_type = "ClipState")]
-    pub fn state(&self) -> Result<JsValue, VcgpdmError> {
-        let clip = &self.clip;
-        to_js(&ClipState {
-            name: clip.name.clone(),
-            bvh: bvh::write(clip),
-            sha256: clip.sha256.clone(),
-            warnings: clip.warnings.clone(),
-            piece: clip.piece,
-            file_frame_time: clip.file_frame_time,
-            bones_of: clip.bones_of.clone(),
-            up: clip.up.map(|up| up.name().to_owned()),
-        })
-    }
-
-    /// The clip of a state.
-    #[wasm_bindgen(js_name = fromState)]
-    pub fn from_state(
-        #[wasm_bindgen(unchecked_param_type = "ClipState")] state: JsValue,
-    ) -> Result<Clip, VcgpdmError> {
-        let state: ClipState = from_js(ErrorCode::Clip, "state", &state)?;
-        // As it is: the rows belong to the motion already.
-        let recording = bvh::read(&state.name, state.bvh.as_bytes())?;
-        let clip = MotionClip {
-            name: state.name,
-            skeleton: recording.skeleton,
-            frame_time: recording.frame_time,
-            values: recording.values,
-            warnings: state.warnings,
-            sha256: state.sha256,
-            piece: state.piece,
-            file_frame_time: state.file_frame_time,
-            bones_of: state.bones_of,
-            up: state.up.as_deref().and_then(UpAxis::from_name),
-        };
-        Ok(Clip { clip })
     }
 }
 

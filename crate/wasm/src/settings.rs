@@ -6,14 +6,10 @@ use crate::convert::from_js_split;
 use crate::convert::{from_js, to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
 #[cfg(feature = "training")]
-use js_sys::{Array, Object, Reflect};
-#[cfg(feature = "training")]
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use vcgpdm::models::{ModelKind, Settings, TrainingCost, VariationalSettings};
 use vcgpdm::motion::parts::PartSpec;
-#[cfg(feature = "training")]
-use vcgpdm::motion::{Skeleton, parts};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -39,46 +35,13 @@ export interface VariationalSettings {
     uncoupled?: boolean;
 }
 
-/** A part by the names or indices of its joints. */
-export interface NamedPart {
-    name: string;
-    joints: (string | number)[];
-}
-
-/** The complete settings of a training. */
+/** The settings of a training. */
 export interface TrainingSettings extends VariationalSettings {
     parts: PartSpec[];
     /** The clips are brought to about this rate. */
     framesPerSecond: number;
     /** The seed of everything random, a whole number from 0 to 4294967295. */
     seed: number;
-}
-
-/** The settings of a training that a caller gives. Each has a default. */
-export interface TrainingOptions {
-    /**
-     * How the body is split: a preset by its id or the names of its parts ("lower-upper", "lower,upper",
-     * "whole"), or a list of parts. Absent: lower and upper body, or the whole body if no legs were found.
-     */
-    parts?: string | NamedPart[];
-    /** Latent dimensions Q of every part; absent: 3. */
-    latent?: number;
-    /** Dynamics inducing points K of every expert; absent: 12. */
-    dynamicsIps?: number;
-    /** Pose inducing points L of every part; absent: 12. */
-    poseIps?: number;
-    /** Order p of the dynamics; absent: 2. */
-    order?: number;
-    /** Most iterations of the optimiser; absent: 250. */
-    maxIterations?: number;
-    /** As in `VariationalSettings`. */
-    poseWeight?: number | "balanced";
-    /** As in `VariationalSettings`. */
-    uncoupled?: boolean;
-    /** The clips are brought to about this rate; absent: 30. */
-    framesPerSecond?: number;
-    /** The seed of everything random, a whole number from 0 to 4294967295; absent: 0. */
-    seed?: number;
 }
 
 /** The cost of a training here, on one core; right to a factor of about two. */
@@ -144,50 +107,10 @@ pub fn settings_to_js(task: &Task, settings: &Settings) -> Result<JsValue, Vcgpd
     }
 }
 
-/// The settings of a training from JavaScript. Fields that are absent have defaults, the parts those of
-/// `parts`.
+/// The settings of a training from JavaScript.
 #[cfg(feature = "training")]
-pub fn settings_from_js<P: DeserializeOwned + Serialize>(
+pub fn settings_from_js<P: DeserializeOwned>(
     value: &JsValue,
-    parts: impl FnOnce(&JsValue) -> Result<Vec<P>, VcgpdmError>,
 ) -> Result<(Task<P>, VariationalSettings), VcgpdmError> {
-    let given = if value.is_undefined() { Object::new().into() } else { value.clone() };
-    if !given.is_object() {
-        return from_js_split(ErrorCode::Settings, "settings", &given);
-    }
-    let field = |name: &str| Reflect::get(&given, &name.into()).map_err(VcgpdmError::Thrown);
-    let parts = parts(&field("parts")?)?;
-    let task = Task { parts, frames_per_second: 30.0, seed: 0 };
-    let complete: Object = to_js_joined(&task, &VariationalSettings::default())?.unchecked_into();
-    for name in Object::keys(given.unchecked_ref::<Object>()).iter() {
-        let value = Reflect::get(&given, &name).map_err(VcgpdmError::Thrown)?;
-        if !value.is_undefined() && name != "parts" {
-            // A new plain object accepts any field.
-            let _ = Reflect::set(&complete, &name, &value);
-        }
-    }
-    from_js_split(ErrorCode::Settings, "settings", &complete)
-}
-
-/// The parts of a body from JavaScript: a preset by its id or by the names of its parts, or a list with joints
-/// by name or index. Absent: lower and upper body, or else the whole body.
-#[cfg(feature = "training")]
-pub fn body_parts(value: &JsValue, skeleton: &Skeleton) -> Result<Vec<PartSpec>, VcgpdmError> {
-    if value.is_undefined() {
-        let usual = ["lower-upper", "whole"].iter().find_map(|id| parts::preset_parts(id, skeleton));
-        return Ok(usual.unwrap_or_default());
-    }
-    let splits = || parts::preset_names(skeleton);
-    if let Some(text) = value.as_string() {
-        return parts::preset_parts(&text, skeleton).ok_or_else(|| {
-            let expected = format_args!("expected a split of this body ({}), found {text:?}", splits());
-            VcgpdmError::new(ErrorCode::Parts, &expected)
-        });
-    }
-    if !Array::is_array(value) {
-        let expected = format_args!("expected a list of parts, or a split of this body ({})", splits());
-        return Err(VcgpdmError::new(ErrorCode::Parts, &expected));
-    }
-    let text = js_sys::JSON::stringify(value).map_err(VcgpdmError::Thrown)?;
-    Ok(parts::from_json(&String::from(text), skeleton)?)
+    from_js_split(ErrorCode::Settings, "settings", value)
 }

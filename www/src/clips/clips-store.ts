@@ -1,6 +1,6 @@
 // The clips, made by the project or opened by the visitor: which are ticked, cut and on the stage.
 import type { EngineStore } from "../engine/engine-store";
-import type { Clash, ClipSource, LoadedClip, PartSpec, TrainingClip, UpAxis } from "../engine/protocol";
+import type { Clash, ClipSource, LoadedClip, PartSpec, TrainingClip } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import type { StageStore } from "../stage/stage-store";
 import { clipTitle, messageOf } from "../ui/format";
@@ -29,8 +29,6 @@ export interface ClipEntry {
 
 /** A clip for a later visit. */
 export type StoredClip = Pick<ClipEntry, "key" | "title" | "origin" | "source" | "ticked" | "first" | "end">;
-
-const bytesOf = async (file: Blob) => new Uint8Array(await file.arrayBuffer());
 
 export class ClipsStore extends Store {
   readonly #engine: EngineStore;
@@ -164,7 +162,7 @@ export class ClipsStore extends Store {
     if (!engine) throw new Error("The page is still getting ready; try again in a moment.");
     let now = origin === "made" ? key : null;
     if (now === null && "file" in source) {
-      const loaded = await engine.readClip(source.name, await bytesOf(source.file), source.up);
+      const loaded = await engine.readClip(source.name, new Uint8Array(await source.file.arrayBuffer()));
       now = `own-${loaded.id}`;
       this.#add({ key: now, title, origin, source, loaded, ticked });
     }
@@ -194,21 +192,6 @@ export class ClipsStore extends Store {
     const to = Math.min(Math.max(from + fewest, Math.round(end)), frames);
     this.#update(key, { first: from, end: to });
     if (this.#stage.clip === key) this.show(key);
-  }
-
-  /** States the axis that points up in an own clip; its parts, its cut and its place in the list stay. */
-  async setUp(key: string, up: UpAxis): Promise<void> {
-    const { engine } = this.#engine;
-    const clip = this.#find(key);
-    if (!engine || !clip || !("file" in clip.source)) return;
-    const source = { ...clip.source, up };
-    const loaded = await engine.readClip(source.name, await bytesOf(source.file), up);
-    // The visitor may have removed the clip meanwhile.
-    const dropped = this.#find(key) ? clip.loaded.id : loaded.id;
-    this.#update(key, { source, loaded });
-    await engine.dropClip(dropped);
-    if (this.#stage.clip === key) this.show(key);
-    await this.checkClash();
   }
 
   /** Plays a clip on the stage as it was recorded. */

@@ -25,7 +25,6 @@ import type {
   TrainingJob,
   TrainingOutcome,
   TrainingProgress,
-  UpAxis,
 } from "./protocol";
 
 /** Two joints and two nodes that do not move. */
@@ -117,7 +116,6 @@ function loadedClip(id: number, frames = 60): LoadedClip {
     figure,
     frames,
     frameTime: 1 / 30,
-    upAxis: "y",
     warnings: [],
     presets: [{ id: "lower-upper", title: "", parts }],
   };
@@ -179,11 +177,9 @@ export class FakeEngine implements Partial<Engine> {
     return clip;
   }
 
-  readClip(name: string, bytes: Uint8Array, up?: UpAxis): Promise<LoadedClip> {
+  readClip(name: string, bytes: Uint8Array): Promise<LoadedClip> {
     if (bytes.length === 0) return Promise.reject(new Error("the file is empty"));
-    const loaded = this.#open();
-    if (up) loaded.info.upAxis = up;
-    return this.#answer("readClip", [name, up], loaded);
+    return this.#answer("readClip", [name], this.#open());
   }
 
   sampleClip(id: string): Promise<LoadedClip> {

@@ -9,7 +9,6 @@ import type {
   TrainingCost,
   TrainingProgress,
   TrainingSettings,
-  UpAxis,
   VariationalSettings,
 } from "vcgpdm";
 import type { Calls } from "./calls";
@@ -31,7 +30,6 @@ export type {
   TrainingCost,
   TrainingProgress,
   TrainingSettings,
-  UpAxis,
 } from "vcgpdm";
 
 /** The effect of changed couplings on the experts. */
@@ -161,7 +159,7 @@ export interface OpenedModel {
 }
 
 /** The source of a clip. Each worker that trains on the clip reads the source. */
-export type ClipSource = { sample: string } | { name: string; file: Blob; up?: UpAxis };
+export type ClipSource = { sample: string } | { name: string; file: Blob };
 
 /** A clip chosen for training: the frames from `first` (counted from 0) up to but not including `end`. */
 export interface TrainingClip {
@@ -265,8 +263,7 @@ export interface Workbench {
   start(wasm: WebAssembly.Module): Promise<{ version: string; samples: SampleInfo[] }>;
   freshSeed(): number;
   documentKind(text: string): DocumentKind;
-  /** `up`: the axis that the visitor states. */
-  readClip(name: string, bytes: Uint8Array, up?: UpAxis): LoadedClip;
+  readClip(name: string, bytes: Uint8Array): LoadedClip;
   sampleClip(id: string): LoadedClip;
   dropClip(id: number): void;
   /**

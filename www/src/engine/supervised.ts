@@ -51,10 +51,10 @@ export class SupervisedEngine {
     this.#watch(first);
     // These calls change the clips and the model, which a replacement worker must get too.
     const own: Partial<Engine> = {
-      readClip: (name, bytes, ...up) => {
+      readClip: (name, bytes) => {
         const file = new Blob([bytes as Uint8Array<ArrayBuffer>]);
         return this.#addClip(async (remote) =>
-          remote.readClip(name, new Uint8Array(await file.arrayBuffer()), ...up),
+          remote.readClip(name, new Uint8Array(await file.arrayBuffer())),
         );
       },
       sampleClip: (id) => this.#addClip((remote) => remote.sampleClip(id)),

@@ -5,7 +5,6 @@ import { Live } from "./live";
 import { OpenClips } from "./open-clips";
 import { serve, start } from "./serve";
 import { ShownModel } from "./shown-model";
-import { using } from "./using";
 
 const clips = new OpenClips();
 const model = new ShownModel();
@@ -18,10 +17,7 @@ const workbench: Workbench = {
   },
   freshSeed: () => freshSeed(),
   documentKind: (text) => documentKind(text),
-  readClip: (name, bytes, up) => {
-    const clip = Clip.read(name, bytes);
-    return clips.open(up ? using(clip, (found) => found.withUp(up)) : clip);
-  },
+  readClip: (name, bytes) => clips.open(Clip.read(name, bytes)),
   sampleClip: (id) => clips.open(Clip.sample(id)),
   dropClip: (id) => clips.drop(id),
   checkTogether: (ids, firstBones) => clips.checkTogether(ids, firstBones),

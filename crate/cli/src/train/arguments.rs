@@ -1,6 +1,5 @@
 //! The arguments of `vcgpdm train`.
 
-use crate::files;
 use crate::train::kind;
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -48,8 +47,6 @@ pub struct Arguments {
     /// angles stay; the path of the root is scaled with its height above the ground.
     #[arg(long)]
     pub(super) first_bones: bool,
-    #[command(flatten)]
-    pub(super) up: files::Up,
     /// Store a note in the model, such as an acknowledgement.
     #[arg(long, value_name = "TEXT")]
     pub(super) note: Option<String>,

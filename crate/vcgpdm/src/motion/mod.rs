@@ -26,17 +26,14 @@ mod anatomy;
 pub mod asf;
 mod bones;
 pub mod bvh;
-mod carrying_root;
 pub(crate) mod clip;
 mod foreign;
 mod joint_names;
 pub mod landmarks;
-mod limbs;
 pub mod measures;
 pub mod parts;
 mod percentile;
 mod period;
-mod plain_names;
 pub mod pose;
 mod recording;
 mod rotation;
@@ -44,7 +41,6 @@ mod same_body;
 pub mod samples;
 pub mod skeleton;
 pub mod stage;
-mod stage_axes;
 #[cfg(test)]
 mod testing;
 
