@@ -10,7 +10,7 @@ export const budget = {
   /** Help, method and details of the Lab. */
   whenAsked: 70_000,
   /** The whole program, and the comparison of models. */
-  onDemand: 806_000,
+  onDemand: 808_000,
   /** The graphics Turing test with jsPsych. */
   perception: 50_000,
   /** The movements of the page's own study. */
