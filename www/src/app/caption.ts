@@ -3,14 +3,12 @@ import { html, nothing } from "lit";
 import type { ClipEntry } from "../clips/clips-store";
 import { effectText } from "../couplings/measures-text";
 import type { PointingStore } from "../latents/pointing-store";
-import { presetWords } from "../couplings/presets";
-import { withTerms } from "../terms/term";
+import "../terms/term";
 import { View } from "../ui/view";
 import type { App } from "./app";
 import "./caption.css";
 import { healthWords } from "./health-words";
-import { type StageWords, stageWords } from "./stage-words";
-import { lab } from "../words/lab";
+import { MODEL_TITLE, type StageWords, stageWords } from "./stage-words";
 
 /** The clip on the stage; null: the model's motion is there. */
 export function clipOnStage({ clips, stage }: App): ClipEntry | null {
@@ -31,7 +29,7 @@ export function wordsNow(app: App): StageWords {
     learnedFrom: model.model?.info.sequences.map(({ name }) => name) ?? null,
     point: pointing.report ? pointWords(pointing, parts) : null,
     altered: model.couplings.altered,
-    preset: model.preset && presetWords(model.preset),
+    preset: model.preset,
     effect: reports && {
       text: effectText(
         reports.now,
@@ -53,10 +51,9 @@ function pointWords({ report }: PointingStore, parts: readonly { name: string }[
   const name = (part: number) => parts[part]?.name ?? "";
   if (!report) return "";
   const { point } = report;
-  const { posePoint, stepPoint } = lab().stage;
   return point.kind === "pose"
-    ? posePoint(name(point.part))
-    : stepPoint(name(point.source), name(point.target));
+    ? `A pose of ${name(point.part)}`
+    : `From this pose of ${name(point.source)} to that of ${name(point.target)}`;
 }
 
 /** The stores that those texts depend on. */
@@ -92,16 +89,16 @@ export class CaptionView extends View {
     const run = training.chosen;
     const points = run && training.morePoints(run);
     const buttons = model.couplings.altered
-      ? html`<button class="small" @click=${() => model.couplings.resetAll()}>${lab().stage.asLearned}</button>`
+      ? html`<button class="small" @click=${() => model.couplings.resetAll()}>Couplings as learned</button>`
       : run && !embedded && !training.busy && training.whyNot() === ""
         ? html`${
             points === null
               ? nothing
-              : html`<button class="small" data-testid="more-points" title=${lab().stage.morePointsMeaning(points)}
-                @click=${() => void training.trainWithMorePoints(run)}>${lab().stage.morePoints}</button>`
+              : html`<button class="small" data-testid="more-points" title="Trains anew with ${points} points in each map"
+                @click=${() => void training.trainWithMorePoints(run)}>Train with more points</button>`
           }
-          <button class="small" data-testid="other-seeds" title=${lab().stage.otherSeedsMeaning}
-            @click=${() => void training.trainOtherSeeds()}>${lab().stage.otherSeeds}</button>`
+          <button class="small" data-testid="other-seeds" title="Trains anew from the next seeds"
+            @click=${() => void training.trainOtherSeeds()}>Try other seeds</button>`
         : nothing;
     return html`<div class="stage-health" role="status" data-testid="health"><p>${words}</p>${buttons}</div>`;
   }
@@ -113,13 +110,13 @@ export class CaptionView extends View {
       <div class="stage-caption">
         <strong data-testid="stage-title">${title}</strong>
         <span>${
-          stage.content?.kind === "model" && title === lab().stage.made
-            ? html`${withTerms(lab().stage.rollout)}${text ? ", " : ""}`
+          stage.content?.kind === "model" && title === MODEL_TITLE
+            ? html`A <pg-term of="rollout" text="rollout"></pg-term>${text ? ", " : ""}`
             : nothing
         }${text}</span>
         ${
           stage.clip !== null && model.model
-            ? html`<button class="small" @click=${() => stage.endClip()}>${lab().stage.backToModel}</button>`
+            ? html`<button class="small" @click=${() => stage.endClip()}>Back to the model</button>`
             : nothing
         }
         ${this.#healthNotice()}

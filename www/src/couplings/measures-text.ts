@@ -1,7 +1,6 @@
 // The measures of a motion as text, compared with the motion as learned.
 import type { BodyReport, Health } from "../engine/protocol";
 import { sentence } from "../ui/format";
-import { lab } from "../words/lab";
 
 export interface MeasuresText {
   /** How the hands and feet of each part swing; `changed`: not as learned. */
@@ -35,7 +34,7 @@ export function measuresText(now: BodyReport, learned: BodyReport, names: readon
     const [is, was] = [now.measures.parts[part], learned.measures.parts[part]];
     if (!is || !was || is.swing === null || was.swing === null) return [];
     const since = now.health.parts[part]?.stillFrom ?? null;
-    const pose = since === null ? "" : lab().measured.pose(sinceText(since));
+    const pose = since === null ? "" : `keeps one pose ${sinceText(since)}`;
     const pace = paceText(is, was);
     const texts = pose ? [pose] : [swingText(is.swing, was.swing), pace];
     const changed = pose !== "" || pace !== "" || !isSame(is.swing, was.swing);
@@ -48,7 +47,7 @@ export function measuresText(now: BodyReport, learned: BodyReport, names: readon
     return { part, words: [...texts, own ? step : ""].filter(Boolean).join(", "), changed };
   });
   const common = steps.size === 1 ? [...steps].join() : "";
-  const step = [common && lab().measured.common(common), speedText(now, learned)].filter(Boolean).join("; ");
+  const step = [common && `hands and feet ${common}`, speedText(now, learned)].filter(Boolean).join("; ");
   return { parts, step, trouble };
 }
 
@@ -56,10 +55,10 @@ export function measuresText(now: BodyReport, learned: BodyReport, names: readon
 export function effectText(now: BodyReport, learned: BodyReport, names: readonly string[]): string {
   const { parts, step, trouble } = measuresText(now, learned, names);
   if (IN_ONE_POSE.has(now.health.state) || now.health.state === "not-finite")
-    return sentence(lab().measured.figure(trouble));
+    return sentence(`the figure ${trouble}`);
   const changed = parts.filter(({ changed }) => changed);
   const texts = changed.map(({ part, words }) => `${names[part]} ${words}`);
-  const swings = texts.length > 0 ? texts.join("; ") : lab().measured.asLearned;
+  const swings = texts.length > 0 ? texts.join("; ") : "hands and feet swing as learned";
   return [swings, step, trouble].filter(Boolean).map(sentence).join(" ");
 }
 
@@ -73,16 +72,17 @@ function isSame(is: number, was: number): boolean {
 }
 
 function swingText(is: number, was: number): string {
-  const { swings, swingsBy } = lab().measured;
-  return was < SWINGS ? swingsBy(100 * is) : swings(is / was, is / was < HARDLY);
+  if (was < SWINGS) return `swings ${(100 * is).toFixed(0)} cm`;
+  const share = is / was;
+  return `${share < HARDLY ? "hardly swings, " : "swings "}${share.toFixed(2)} × as far`;
 }
 
 function paceText(now: Limbs, learned: Limbs): string {
   const [is, was] = [now.period, learned.period];
   if (was === null || !isSwinging(now, learned)) return "";
-  if (is === null) return lab().measured.noPace;
+  if (is === null) return "without a steady pace";
   if (Math.abs(is / was - 1) < SAME_PACE) return "";
-  return lab().measured.pace(is, was);
+  return `${is > was ? "slower" : "faster"} (${is.toFixed(2)} s, not ${was.toFixed(2)} s)`;
 }
 
 export type Step = "in step" | "partly in step" | "out of step";
@@ -93,7 +93,7 @@ export function stepOf(locking: number): Step {
 }
 
 function stepText({ locking }: Limbs): string {
-  return locking === null ? "" : lab().measured.step[stepOf(locking)];
+  return locking === null ? "" : stepOf(locking);
 }
 
 /** The ratio of the speeds; empty for a body that walks on the spot. */
@@ -102,31 +102,32 @@ function speedText(
   { measures: { walkingSpeed: was } }: BodyReport,
 ): string {
   const share = is / was;
-  return was < 0.1 || Math.abs(share - 1) < SAME_SPEED ? "" : lab().measured.speed(share);
+  return was < 0.1 || Math.abs(share - 1) < SAME_SPEED ? "" : `walks ${share.toFixed(2)} × as fast`;
 }
 
 /** The states of a body whose pose hardly changes. */
 const IN_ONE_POSE: ReadonlySet<Health["state"]> = new Set(["stands-still", "keeps-one-pose"]);
 
-const sinceText = (seconds: number) => lab().measured.since(seconds);
+const sinceText = (seconds: number) => `from ${seconds.toFixed(1)} s on`;
 
 /** How a motion ends, if it does not move on: the rest of a sentence that begins with "it". Else empty. */
 export function troubleText({ state, from, part, parts }: Health, names: readonly string[]): string {
-  const words = lab().measured;
   const since = sinceText(from ?? 0);
-  const name = names[part ?? 0] ?? words.aPart;
+  const name = names[part ?? 0] ?? "a part";
   switch (state) {
     case "stands-still":
-      return words.standsStill(since);
+      return `stands still ${since}`;
     case "keeps-one-pose":
-      return words.pose(since);
+      return `keeps one pose ${since}`;
     case "visits-few-poses":
-      return words.visits(parts[part ?? 0]?.visited ?? 0, name);
+      return `visits ${percent(parts[part ?? 0]?.visited ?? 0)} of its clips’ poses in ${name}`;
     case "leaves-training-range":
-      return words.leaves(name, since);
+      return `${name} leaves the training range ${since}`;
     case "not-finite":
-      return words.runsAway;
+      return "runs away: its numbers are too large to show";
     default:
       return "";
   }
 }
+
+const percent = (share: number) => `${Math.round(100 * share)} %`;

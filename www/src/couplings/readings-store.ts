@@ -5,8 +5,7 @@ import type { Reading, RolloutResult } from "../engine/protocol";
 import type { StageStore } from "../stage/stage-store";
 import { Store } from "../ui/store";
 import type { ModelStore } from "./model-store";
-import { readingText } from "./reading-text";
-import { lab } from "../words/lab";
+import { READING_TEXT } from "./reading-text";
 
 /** From left to right. */
 const READINGS: readonly Reading[] = ["as-learned", "re-inferred"];
@@ -75,7 +74,7 @@ export class ReadingsStore extends Store {
 
   #show(rollout: RolloutResult, other: RolloutResult): void {
     const columns = READINGS.map((reading) => ({
-      title: lab().readings.experts(readingText(reading)),
+      title: `Experts ${READING_TEXT[reading]}`,
       motion: (rollout.request.reading === reading ? rollout : other).motion,
     }));
     this.#stage.setColumns(columns);

@@ -38,10 +38,7 @@ export class DoorsView extends View {
   async #openLab(): Promise<void> {
     this.lab = "loading";
     try {
-      await Promise.all([
-        import("../app/page"),
-        import("../words/lab").then(({ loadLab }) => loadLab(this.app.words)),
-      ]);
+      await import("../app/page");
       this.lab = "open";
       await this.updateComplete;
       const page = this.querySelector<PageView>("pg-page");
