@@ -375,13 +375,13 @@ mod tests {
     }
 
     #[test]
-    fn models_that_keep_moving_come_before_higher_bounds() {
+    fn models_that_keep_moving_come_before_smaller_errors() {
         let [moves, few, still, broken] =
             [Ending::MovesOn, Ending::VisitsFewPoses, Ending::StandsStill, Ending::NotFinite]
                 .map(Ending::rank);
         assert_eq!(best_to_show([]), None);
-        assert_eq!(best_to_show([(still, 30.0), (moves, 10.0), (moves, 20.0), (moves, 20.0)]), Some(2));
-        assert_eq!(best_to_show([(broken, 90.0), (still, 20.0), (few, 10.0)]), Some(2));
+        assert_eq!(best_to_show([(still, 0.1), (moves, 0.3), (moves, 0.2), (moves, 0.2)]), Some(2));
+        assert_eq!(best_to_show([(broken, 0.1), (still, 0.2), (few, 0.3)]), Some(2));
     }
 
     #[test]
