@@ -8,7 +8,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use vcgpdm::document::Document;
 use vcgpdm::models::{Body, Coupled, RolloutRequest};
-use vcgpdm::motion::{Clip, bvh};
+use vcgpdm::motion::bvh;
 
 /// Infer the other parts of a clip from the given ones, and print their errors as one JSON object.
 ///
@@ -50,7 +50,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let read = [arguments.model.as_path(), arguments.clip.as_path()];
     files::check_outs(arguments.out.iter().map(|out| ("--out", out)), read)?;
     let clip = files::read_clip(&arguments.clip)?;
-    let completed = complete(coupled, &clip, &given)?;
+    let columns = crate::rollout::columns(&model.body, &arguments.model, &clip)?;
+    let completed = complete(coupled, &clip.name, &columns, &given)?;
     let parts = model.body.layout.parts();
     let names: Vec<&str> = given.iter().map(|&part| parts[part].name.as_str()).collect();
     if let Some(out) = &arguments.out {
@@ -96,9 +97,15 @@ struct Completed {
     scores: Map<String, serde_json::Value>,
 }
 
-fn complete(model: Coupled, clip: &Clip, given: &[usize]) -> Result<Completed, Box<dyn Error>> {
+/// Completes the recorded columns [frames x D] of a clip.
+fn complete(
+    model: Coupled,
+    clip: &str,
+    columns: &DMatrix<f64>,
+    given: &[usize],
+) -> Result<Completed, Box<dyn Error>> {
     let body = model.body;
-    let recorded = body.centred(&body.encoded(clip)?);
+    let recorded = body.centred(columns);
     let mut observed = recorded.clone();
     let mut shown = recorded.clone();
     let others: Vec<usize> = (0..recorded.len()).filter(|part| !given.contains(part)).collect();
@@ -106,7 +113,7 @@ fn complete(model: Coupled, clip: &Clip, given: &[usize]) -> Result<Completed, B
         observed[part].fill(f64::NAN);
     }
     let filter = model.filter(&RolloutRequest::default())?;
-    let latents = model.infer(&filter, &observed).map_err(|error| format!("{}: {error}", clip.name))?;
+    let latents = model.infer(&filter, &observed).map_err(|error| format!("{clip}: {error}"))?;
     let mut scores = Map::new();
     for &part in &others {
         shown[part] = filter.mean_columns(part, &latents)?;

@@ -1,7 +1,7 @@
 //! The body of a model: from centred columns of its parts to all columns, poses, positions and clips.
 
 use crate::models::data::column_mapping::ColumnMapping;
-use crate::models::data::dataset::{Dataset, DatasetError};
+use crate::models::data::dataset::Dataset;
 use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::data::sequences::MOST_FRAMES;
 use crate::models::rollout::request::RolloutError;
@@ -80,17 +80,6 @@ impl<S: ColumnMapping> Body<S> {
 }
 
 impl Body {
-    /// All columns of a clip of this body [frames x D], at the frame rate of the model.
-    ///
-    /// # Errors
-    ///
-    /// When the clip has another body, or cannot be resampled or turned into rows; the error names the clip.
-    pub fn encoded(&self, clip: &Clip) -> Result<DMatrix<f64>, DatasetError> {
-        let pose = |reason| DatasetError::Pose { clip: clip.name.clone(), reason: Box::new(reason) };
-        let encoded = self.mapping.encode(&clip.resample(1.0 / self.frame_time)?).map_err(pose)?;
-        Ok(encoded.y)
-    }
-
     /// All columns [frames x D] as a clip, starting at the origin.
     ///
     /// # Errors
