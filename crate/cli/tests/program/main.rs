@@ -4,7 +4,6 @@
 mod call;
 mod columns;
 mod commands;
-mod complete;
 mod evaluate;
 mod files;
 mod library;
