@@ -166,43 +166,44 @@ export async function comparison(/** @type {string[]} */ ...words) {
   const onlyTables = words.includes("--tables");
   const folders = words.filter((word) => !word.startsWith("--"));
   const named = (/** @type {string} */ folder) => ({ name: basename(resolve(folder)), clips: [] });
-  const subjects = /** @type {Subject[]} */ ([...folders.map(onlyTables ? named : subject), ...MADE]);
+  const recorded = folders.map(onlyTables ? named : subject);
+  const subjects = /** @type {Subject[]} */ ([...recorded, ...MADE]);
   if (new Set(subjects.map(({ name }) => name)).size < subjects.length)
     throw new Failure("expected folders of different names: they are the names of the subjects");
   const extent = quick ? QUICK : WHOLE;
   const folder = at(quick ? "target/comparison-quick" : "docs/comparison");
   await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
   mkdirSync(folder, { recursive: true });
-  /** @type {string[]} */
-  const files = [];
   const evaluate = async (
     /** @type {Subject} */ { name, clips },
     /** @type {{ file: string, parts?: string, options: string[] }} */ { file, parts = PARTS, options },
   ) => {
     const path = join(folder, `${name}${file}.json`);
     if (!onlyTables) await run(program, "evaluate", ...clips, "--parts", parts, ...options, "--out", path);
-    if (!files.includes(path)) files.push(path);
+    return path;
   };
   const [first] = subjects;
   if (!first) throw new Failure("expected a subject");
-  for (const one of times(extent, first.clips.length)) await evaluate(first, one);
-  const timed = files.splice(0);
-  for (const one of subjects) for (const sweep of sweeps(extent)) await evaluate(one, sweep);
-  const report = (/** @type {string[]} */ ...files) => {
-    const text = output(program, "report", ...files);
+  /** @type {string[]} */
+  const timed = [];
+  for (const one of times(extent, first.clips.length)) timed.push(await evaluate(first, one));
+  const report = async (/** @type {Subject[]} */ some) => {
+    const files = [];
+    for (const one of some) for (const sweep of sweeps(extent)) files.push(await evaluate(one, sweep));
+    // The report puts the times of the first subject's trials together with its other results.
+    if (some.includes(first)) files.push(...timed);
+    const text = output(program, "report", ...new Set(files));
     if (text === null) throw new Failure("the report could not be made");
     return text;
   };
   // Recorded and made trials are never put together.
-  const isMade = (/** @type {string} */ file) => MADE.some(({ name }) => basename(file).startsWith(name));
-  // The report puts the times of the first subject's trials together with its other results.
-  const recorded = report(...files.filter((file) => !isMade(file)), ...timed).replace(TOGETHER, RECORDED);
-  const [made = ""] = report(...files.filter(isMade)).split(TOGETHER);
-  if (quick) return console.log(`${recorded}\n${made}`);
+  const reports = recorded.length > 0 ? [(await report(recorded)).replace(TOGETHER, RECORDED)] : [];
+  reports.push(...(await report(MADE)).split(TOGETHER).slice(0, 1));
+  if (quick) return console.log(reports.join("\n"));
   mkdirSync(dirname(shown), { recursive: true });
   writeFileSync(
     shown,
     together([join(folder, `${first.name}.json`), join(folder, `${first.name}-times.json`)]),
   );
-  for (const sections of [recorded, made]) writeSections(folder, "npm run lab -- comparison", sections);
+  for (const sections of reports) writeSections(folder, "npm run lab -- comparison", sections);
 }
