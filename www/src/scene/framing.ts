@@ -1,6 +1,6 @@
 // The camera's place relative to a figure: as near as the whole motion is visible, and at the same angle to
 // the mean heading of the walk.
-import { Vector3 } from "three";
+import { MathUtils, Vector3 } from "three";
 import type { Motion } from "../engine/protocol";
 import { MeanHeading } from "./mean-heading";
 import { headingOf, MIDDLE, type View } from "./stance";
@@ -10,8 +10,6 @@ const UP = new Vector3(0, 1, 0);
 const SLOPE = 0.1;
 /** Of the way to another view, exp(-RATE) is left after a second. */
 const RATE = 3;
-
-const within = (value: number, least: number, most: number) => Math.min(most, Math.max(least, value));
 
 /**
  * Changes `offset`, the vector from the centre of the picture to the camera. Turns and zooms of the visitor
@@ -54,10 +52,10 @@ export class Framing {
   }
 
   set look([turn = 0, rise = 0, far = 1]: readonly number[]) {
-    const [from, up] = [this.#heading + turn, within(rise, 0, 1.4)];
+    const [from, up] = [this.#heading + turn, MathUtils.clamp(rise, 0, 1.4)];
     this.offset
       .set(Math.sin(from) * Math.cos(up), Math.sin(up), Math.cos(from) * Math.cos(up))
-      .setLength(within(far, 0.3, 3) * this.#now.distance);
+      .setLength(MathUtils.clamp(far, 0.3, 3) * this.#now.distance);
   }
 
   /** Another motion begins, at its own place: the camera keeps its angle to the mean heading. */

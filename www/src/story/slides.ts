@@ -1,16 +1,13 @@
 // The keys of a lecturer in the story: hands, notes and the QR code. Their program loads at its first use.
 import type { App } from "../app/app";
 import { Lazy } from "../app/lazy";
-import type { Lecture, Slide } from "../teach/lecture";
+import type { Lecture, Shown as ShownInLecture } from "../teach/lecture";
 import type { NoticesStore } from "../ui/notices-store";
 
 /** What the story shows now. */
-export interface Shown {
-  slide(): Slide;
+export interface Shown extends ShownInLecture {
   /** The fragment of an address with this state. */
   fragment(): string;
-  /** A key of the window with the notes. */
-  key(event: KeyboardEvent): void;
   changed(): void;
 }
 

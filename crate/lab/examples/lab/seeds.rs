@@ -100,14 +100,10 @@ pub fn run(arguments: &Arguments) {
     }
 }
 
-fn pose_weight(text: &str) -> Result<PoseWeight, String> {
-    match text {
-        "balanced" => Ok(PoseWeight::Balanced),
-        number => number
-            .parse()
-            .map(PoseWeight::Fixed)
-            .map_err(|_| format!("expected a number or \"balanced\", found {text:?}")),
-    }
+/// Reads a weight as files have it.
+fn pose_weight(text: &str) -> Result<PoseWeight, serde_json::Error> {
+    let value = text.parse::<f64>().map_or_else(|_| text.into(), serde_json::Value::from);
+    serde_json::from_value(value)
 }
 
 fn train(settings: &VariationalSettings, frames: usize, dataset: &Dataset, seed: u32) -> Run {
