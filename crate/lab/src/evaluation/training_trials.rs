@@ -32,7 +32,7 @@ impl<S: ColumnMapping> TrainingTrials<S> {
     /// All columns [frames x D] of a rollout from the beginning of a sequence.
     ///
     /// # Errors
-    /// The model cannot be rolled out for so many frames.
+    /// The model cannot be rolled out for this number of frames.
     pub fn rollout(
         &self,
         model: &FittedModel,
