@@ -61,7 +61,8 @@ async function goOn(/** @type {Page} */ page, frames = 45) {
 /**
  * Gives a part another primitive by mouse or keyboard. Returns the milliseconds from the event to the request
  * to the worker, to its answer and to the first picture with the new frames; also the number of display
- * frames until that picture, and how many of these came after the answer.
+ * frames until that picture, and how many of these came after the answer with a frame that the figure had not
+ * reached before it. Frames that were reached stay as they are: on a busy machine the answer comes late.
  */
 async function redrawn(/** @type {Page} */ page, /** @type {string} */ id, /** @type {boolean} */ byKey) {
   const button = page.getByTestId(id);
@@ -69,6 +70,7 @@ async function redrawn(/** @type {Page} */ page, /** @type {string} */ id, /** @
     const { walk } = /** @type {any} */ (document.querySelector("pg-walk")).library;
     const { track, player } = walk;
     const found = { drawn: 0, asked: 0, answered: 0, frames: 0, waited: 0 };
+    let reached = 0;
     const begin = (/** @type {Event} */ { timeStamp }) => {
       const since = () => performance.now() - timeStamp;
       const known = new Map();
@@ -81,6 +83,7 @@ async function redrawn(/** @type {Page} */ page, /** @type {string} */ id, /** @
           const answered = (/** @type {MessageEvent} */ { data }) => {
             if (data?.id !== message.id) return;
             found.answered = since();
+            reached = Math.max(reached, Math.ceil(player.frame));
             this.removeEventListener("message", answered);
           };
           this.addEventListener("message", answered);
@@ -89,9 +92,10 @@ async function redrawn(/** @type {Page} */ page, /** @type {string} */ id, /** @
       };
       const look = () => {
         found.frames += 1;
-        if (found.answered > 0) found.waited += 1;
         // The frame that the picture shows.
         const newest = Math.ceil(player.frame);
+        if (found.answered === 0) reached = Math.max(reached, newest);
+        else if (newest > reached) found.waited += 1;
         const before = known.get(newest);
         const isNew =
           !before ||
@@ -151,7 +155,7 @@ describe("a library of primitives", () => {
     await goOn(page);
     await page.getByTestId("primitive-1-3").click();
     await goOn(page);
-    // Each is in the first picture after the worker's answer.
+    // Each is in the first picture that can show the worker's answer.
     /** @type {Awaited<ReturnType<typeof redrawn>>[]} */
     const redraws = [];
     for (let k = 0; k < 5; k++) {
@@ -159,7 +163,7 @@ describe("a library of primitives", () => {
       await goOn(page, 12);
     }
     assert.ok(
-      redraws.every(({ waited }) => waited === 1),
+      redraws.every(({ waited }) => waited <= 1),
       JSON.stringify(redraws),
     );
     const of = (/** @type {(redraw: (typeof redraws)[number]) => number} */ what) =>

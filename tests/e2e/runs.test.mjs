@@ -218,14 +218,10 @@ describe("several trainings", () => {
       ["cancelled", "cancelled"],
       JSON.stringify(rows),
     );
+    // The first cell is the setting in which they differ. Other cells, as the iterations, may equal it by chance.
     assert.deepEqual(
-      rows.map(({ cells }) => cells.includes("12")),
-      [true, false],
-      JSON.stringify(rows),
-    );
-    assert.deepEqual(
-      rows.map(({ cells }) => cells.includes("8")),
-      [false, true],
+      rows.map(({ cells }) => cells[0]),
+      ["12", "8"],
       JSON.stringify(rows),
     );
     assert.equal(rows.filter(({ best }) => best).length, 1);
