@@ -15,6 +15,7 @@ const MEASUREMENTS = {
     clips.length > 0
       ? printTables("effects", ...clips)
       : putTables(at("docs/couplings.md"), measured("effects")),
+  completing: (...folders) => putTables(at("docs/completing.md"), measured("completing", ...folders)),
   objectives: (...folders) => printTables("objectives", ...folders),
   scaling: () => printTables("scaling"),
   seeds: (...words) => printTables("seeds", ...words),

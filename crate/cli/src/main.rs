@@ -6,6 +6,7 @@
 
 mod bound;
 mod clip;
+mod complete;
 mod couple;
 mod evaluate;
 mod files;
@@ -54,6 +55,7 @@ enum Command {
     Bound(bound::Arguments),
     Clip(clip::Arguments),
     Train(train::Arguments),
+    Complete(complete::Arguments),
     Couple(couple::Arguments),
     Primitives(primitives::Arguments),
     Reproduce(reproduce::Arguments),
@@ -108,6 +110,7 @@ fn run(command: Command) -> Result<(), Box<dyn Error>> {
         Command::Bound(arguments) => bound::run(&arguments),
         Command::Clip(arguments) => clip::run(&arguments),
         Command::Train(arguments) => train::run(&arguments),
+        Command::Complete(arguments) => complete::run(&arguments),
         Command::Couple(arguments) => couple::run(&arguments),
         Command::Primitives(arguments) => primitives::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),

@@ -24,12 +24,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = crate::rollout::read_model(&arguments.model)?;
     let body = &model.body;
     let clip = files::read_clip(&arguments.clip)?;
-    let in_clip = |reason: &dyn Error| format!("{}: {reason}", clip.name);
-    body.mapping.skeleton().same_body(&clip.skeleton).map_err(|reason| {
-        format!("{} is not the body of {}: {reason}", clip.name, arguments.model.display())
-    })?;
-    let trial = clip.resample(1.0 / body.frame_time)?;
-    let actual = body.mapping.encode(&trial).map_err(|e| in_clip(&e))?.y;
+    let actual = crate::rollout::columns(body, &arguments.model, &clip)?;
     let predicted = model.rollout(arguments.from, actual.nrows())?;
     files::print_json(&dtw_mse(&predicted, &actual)?)
 }

@@ -89,5 +89,23 @@ fn rollout(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, bound, rollout);
+/// A frame of a recording that moves a model: predicted, then corrected by the columns of both parts.
+fn observed(criterion: &mut Criterion) {
+    let dataset = dataset();
+    let model = trained(dataset.y.clone(), dataset.lengths(), 12).finish(&dataset).unwrap();
+    let filter = model.coupled().unwrap().filter(&RolloutRequest::default()).unwrap();
+    let first: Vec<_> = dataset.y.iter().map(|y| y.rows(0, 30).into_owned()).collect();
+    let run = filter.run_from_best(&first, 15).unwrap();
+    let row: Vec<Vec<f64>> = dataset.y.iter().map(|y| y.row(30).iter().copied().collect()).collect();
+    let belief = run.beliefs.last().unwrap();
+    criterion.bench_function("observed frame of both parts", |bench| {
+        bench.iter(|| {
+            let mut next = filter.predict(black_box(belief)).unwrap();
+            filter.correct(&mut next, 0, &row).unwrap();
+            next
+        });
+    });
+}
+
+criterion_group!(benches, bound, rollout, observed);
 criterion_main!(benches);

@@ -6,16 +6,18 @@ mod summary;
 
 use crate::files;
 use crate::numbers::whole;
+use crate::rollout::parse::Start;
 use crate::usage::{Usage, first_given, usage};
 use nalgebra::DMatrix;
 use std::error::Error;
 use std::iter::once;
 use std::path::{Path, PathBuf};
 use vcgpdm::document::Document;
+use vcgpdm::internals::counted;
 use vcgpdm::models::{
     Body, ColumnMapping, Coupled, MOST_FRAMES, MOST_SAMPLES, Model, Reading, Rollout, RolloutRequest,
 };
-use vcgpdm::motion::bvh;
+use vcgpdm::motion::{Clip, bvh};
 use vcgpdm::series;
 
 /// Roll a model out and write the motion as BVH, or its columns as CSV.
@@ -27,9 +29,11 @@ pub struct Arguments {
     /// Number of frames, with the start.
     #[arg(long, value_name = "N", value_parser = whole(1..=MOST_FRAMES))]
     frames: usize,
-    /// Start where this training sequence starts, counted from 0 in the order of the training.
-    #[arg(long, value_name = "SEQUENCE", default_value_t = 0, value_parser = whole::<usize>(0..))]
-    from: usize,
+    /// Start where this training sequence starts, counted from 0 in the order of the training; or with the
+    /// first frames of a clip of the same body, which need not be a training clip: the model infers its latents
+    /// from them and goes on.
+    #[arg(long, value_name = "SEQUENCE|CLIP:FRAMES", default_value = "0", value_parser = parse::start)]
+    from: Start,
     /// Start at this frame of the sequence, counted from 0. Models of earlier versions have the first frames
     /// only.
     #[arg(long, value_name = "FRAME", default_value_t = 0, value_parser = whole::<usize>(0..))]
@@ -95,13 +99,26 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     if arguments.samples.is_some() && outs.clone().any(|out| files::is_standard(out)) {
         return Err(usage("--samples: expected files to be numbered, found stdout"));
     }
-    files::check_outs(arguments.outs(), [arguments.model.as_path()])?;
+    let mut read = vec![arguments.model.as_path()];
+    if let Start::Clip { clip, .. } = &arguments.from {
+        if let Some(option) = arguments.sequence_option() {
+            return Err(usage(format!("{option}: expected --from SEQUENCE, found --from CLIP:FRAMES")));
+        }
+        read.push(clip);
+    }
+    files::check_outs(arguments.outs(), read)?;
     match document {
         Document::Body(model) => {
             let motion = |body: &Body, y: &DMatrix<f64>, out: &Path| -> Result<(), Box<dyn Error>> {
                 files::write_text(out, &bvh::write(&body.clip(y, &files::name_of(out))?))
             };
-            let rolled_out = roll_out(arguments, &model, &motion)?;
+            let given = match (&arguments.from, model.coupled()) {
+                (Start::Clip { clip, frames }, Some(model)) => {
+                    Some(observed(model, &arguments.model, clip, *frames)?)
+                }
+                _ => None,
+            };
+            let rolled_out = roll_out(arguments, &model, given.as_deref(), &motion)?;
             match (model.coupled(), rolled_out) {
                 (Some(model), Some((request, rollout))) => {
                     summary::print(model, &request, &rollout, arguments.out.as_deref())
@@ -113,9 +130,38 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             if arguments.out.is_some() {
                 return Err(usage("--out: expected --columns for a model of tables, which has no motion"));
             }
-            roll_out(arguments, &model, &|_, _, _| Ok(())).map(|_| ())
+            if matches!(arguments.from, Start::Clip { .. }) {
+                return Err(usage(
+                    "--from: expected a training sequence for a model of tables, found a clip",
+                ));
+            }
+            roll_out(arguments, &model, None, &|_, _, _| Ok(())).map(|_| ())
         }
     }
+}
+
+/// The latents [frames x Q_i] of each part in the first frames of a clip.
+fn observed(
+    model: Coupled,
+    path: &Path,
+    clip: &Path,
+    frames: usize,
+) -> Result<Vec<DMatrix<f64>>, Box<dyn Error>> {
+    let clip = files::read_clip(clip)?;
+    let columns = columns(model.body, path, &clip)?;
+    let found = columns.nrows();
+    if found < frames {
+        let found = counted(found, "frame");
+        return Err(format!(
+            "{}: expected {frames} frames or more to start from, found {found} at the frame rate of the model",
+            clip.name
+        )
+        .into());
+    }
+    let first = model.body.centred(&columns.rows(0, frames).into_owned());
+    let filter = model.filter(&RolloutRequest::default())?;
+    let latents = model.infer(&filter, &first).map_err(|error| format!("{}: {error}", clip.name))?;
+    Ok(latents.means)
 }
 
 /// Writes columns [frames x D] as the motion of a body to a file.
@@ -125,10 +171,11 @@ type WriteMotion<'a, S> = &'a dyn Fn(&Body<S>, &DMatrix<f64>, &Path) -> Result<(
 fn roll_out<S: ColumnMapping>(
     arguments: &Arguments,
     model: &Model<S>,
+    given: Option<&[DMatrix<f64>]>,
     motion: WriteMotion<S>,
 ) -> Result<Option<(RolloutRequest, Rollout)>, Box<dyn Error>> {
     match model.coupled() {
-        Some(model) => roll_out_coupled(arguments, model, motion).map(Some),
+        Some(model) => roll_out_coupled(arguments, model, given, motion).map(Some),
         None => {
             if let Some(option) = arguments.coupling_option() {
                 let kind = model.kind().id();
@@ -136,7 +183,7 @@ fn roll_out<S: ColumnMapping>(
                     "{option}: expected a vcgpdm or vgpdm model, found a {kind} model"
                 )));
             }
-            let y = model.rollout(arguments.from, arguments.frames)?;
+            let y = model.rollout(arguments.sequence(), arguments.frames)?;
             arguments.write(&model.body, &y, None, motion)?;
             Ok(None)
         }
@@ -144,9 +191,27 @@ fn roll_out<S: ColumnMapping>(
 }
 
 impl Arguments {
+    /// The training sequence that the rollout starts as; with a clip, one that no model has.
+    fn sequence(&self) -> usize {
+        match self.from {
+            Start::Sequence(sequence) => sequence,
+            Start::Clip { .. } => usize::MAX,
+        }
+    }
+
+    /// The first option on the command line that needs a start from a training sequence.
+    fn sequence_option(&self) -> Option<&'static str> {
+        first_given([
+            ("--frame", self.frame > 0),
+            ("--samples", self.samples.is_some()),
+            ("--variance", self.variance.is_some()),
+        ])
+    }
+
     /// The first option on the command line that only models with couplings have.
     fn coupling_option(&self) -> Option<&'static str> {
         let options = [
+            ("--from", matches!(self.from, Start::Clip { .. })),
             ("--frame", self.frame > 0),
             ("--alpha", !self.alpha.is_empty()),
             ("--latents", self.latents.is_some()),
@@ -197,7 +262,7 @@ impl Arguments {
         }
         Ok(RolloutRequest {
             frames: self.frames,
-            sequence: self.from,
+            sequence: self.sequence(),
             frame: self.frame,
             alpha: Some(alpha),
             reading: self.reading.into(),
@@ -225,11 +290,15 @@ fn part_names<S>(model: Coupled<S>) -> Vec<String> {
 fn roll_out_coupled<S: ColumnMapping>(
     arguments: &Arguments,
     model: Coupled<S>,
+    given: Option<&[DMatrix<f64>]>,
     motion: WriteMotion<S>,
 ) -> Result<(RolloutRequest, Rollout), Box<dyn Error>> {
     let parts = part_names(model);
     let request = arguments.request(model)?;
-    let rollout = model.rollout(&request)?;
+    let rollout = match given {
+        Some(given) => model.rollout_after(given, &request)?,
+        None => model.rollout(&request)?,
+    };
     let write = |rollout: &Rollout, number: Option<usize>| -> Result<(), Box<dyn Error>> {
         arguments.write(model.body, &rollout.y, number, motion)?;
         if let Some(path) = &arguments.latents {
@@ -258,6 +327,17 @@ fn numbered(path: &Path, number: Option<usize>) -> PathBuf {
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let extension = path.extension().map_or_else(String::new, |e| format!(".{}", e.to_string_lossy()));
     path.with_file_name(format!("{stem}-{number}{extension}"))
+}
+
+/// All columns of a clip of the body of a model [frames x D], at the frame rate of the model.
+pub fn columns(body: &Body, model: &Path, clip: &Clip) -> Result<DMatrix<f64>, Box<dyn Error>> {
+    let name = &clip.name;
+    body.mapping
+        .skeleton()
+        .same_body(&clip.skeleton)
+        .map_err(|reason| format!("{name} is not the body of {}: {reason}", model.display()))?;
+    let clip = clip.resample(1.0 / body.frame_time)?;
+    Ok(body.mapping.encode(&clip).map_err(|reason| format!("{name}: {reason}"))?.y)
 }
 
 /// Reads a model document of any kind.

@@ -1,6 +1,34 @@
 //! Reads couplings, cuts and pushes from the command line.
 
+use std::path::PathBuf;
 use vcgpdm::models::{Cut, Push};
+
+/// The value of `--from`: what a rollout starts as.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Start {
+    /// This training sequence, counted from 0.
+    Sequence(usize),
+    /// The first frames of this clip.
+    Clip { clip: PathBuf, frames: usize },
+}
+
+/// Reads `SEQUENCE` or `CLIP:FRAMES`; the path of the clip may have colons too.
+pub fn start(text: &str) -> Result<Start, String> {
+    if let Ok(sequence) = text.trim().parse() {
+        return Ok(Start::Sequence(sequence));
+    }
+    let parsed = text.rsplit_once(':').and_then(|(clip, frames)| Some((clip, frames.parse::<usize>().ok()?)));
+    match parsed {
+        Some((clip, frames)) if frames > 0 && !clip.is_empty() => {
+            Ok(Start::Clip { clip: clip.into(), frames })
+        }
+        _ => {
+            Err("expected a training sequence, a whole number from 0, or CLIP:FRAMES, a clip and the number \
+                  of its first frames, from 1"
+                .to_owned())
+        }
+    }
+}
 
 /// Reads `SOURCE:TARGET=VALUE`: the indices of two parts, and the variance.
 pub fn coupling(text: &str, parts: &[String]) -> Result<(usize, usize, f64), String> {
@@ -71,6 +99,17 @@ mod tests {
 
     fn parts() -> Vec<String> {
         ["lower", "upper", "a:b"].map(str::to_owned).to_vec()
+    }
+
+    #[test]
+    fn reads_what_a_rollout_starts_as() {
+        assert_eq!(start("3"), Ok(Start::Sequence(3)));
+        let clip = |clip: &str, frames| Ok(Start::Clip { clip: clip.into(), frames });
+        assert_eq!(start("walk.bvh:5"), clip("walk.bvh", 5));
+        assert_eq!(start("sample:walk-1:12"), clip("sample:walk-1", 12));
+        for wrong in ["-1", "walk.bvh", "walk.bvh:", "walk.bvh:0", "sample:walk-1", ":5", "1.5"] {
+            assert!(start(wrong).unwrap_err().starts_with("expected a training sequence"), "{wrong}");
+        }
     }
 
     #[test]

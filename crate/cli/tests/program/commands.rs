@@ -56,7 +56,6 @@ fn states_the_range_of_an_option_in_the_error() {
         ),
         ("primitives l --max-iterations", "--max-iterations <N>", "-1 0 10001", "from 1 to 10000"),
         ("rollout m --out o --frames", "--frames <N>", "-1 0 99999999999999999999", "from 1 to 1000000"),
-        ("rollout m --out o --frames 9 --from", "--from <SEQUENCE>", "-1", "from 0"),
         ("rollout m --out o --frames 9 --seed 1 --samples", "--samples <N>", "-1 0 1001", "from 1 to 1000"),
         ("score m c.bvh --from", "--from <SEQUENCE>", "-1", "from 0"),
         ("bound c.json --repeat", "--repeat <N>", "-1 0", "from 1 to 4294967295"),
@@ -72,6 +71,10 @@ fn states_the_range_of_an_option_in_the_error() {
     }
     for (line, found) in [
         ("score m c.bvh --from 99999999999999999999", "expected a smaller number (try --help)"),
+        (
+            "rollout m --out o --frames 9 --from -1",
+            "expected a training sequence, a whole number from 0, or CLIP",
+        ),
         ("clip c.bvh --fps many", "'many' for '--fps <F>': expected a number (try --help)"),
         // No option: it is still taken for one.
         ("clip -1", "unexpected argument '-1'"),

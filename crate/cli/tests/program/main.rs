@@ -4,6 +4,7 @@
 mod call;
 mod columns;
 mod commands;
+mod complete;
 mod evaluate;
 mod files;
 mod library;

@@ -113,3 +113,43 @@ fn refuses_options_that_do_not_fit_the_model() {
         assert!(error.contains(found) && error.matches('\n').count() == 1, "{options:?}: {error}");
     }
 }
+
+#[test]
+fn starts_with_frames_of_a_clip_that_was_not_trained_on() {
+    let folder = folder("from-clip");
+    let (model, out, file) = (folder.join("model.json"), folder.join("out.bvh"), folder.join("latents.csv"));
+    let train = "train sample:walk-1 --parts lower,upper --max-iterations 30 --out";
+    assert!(run(&train.split(' ').chain([text(&model)]).collect::<Vec<_>>()).status.success());
+    let rollout = |more: &[&str]| {
+        let whole =
+            ["rollout", text(&model), "--frames", "90", "--out", text(&out), "--latents", text(&file)];
+        run(&[&whole[..], more].concat())
+    };
+    let latents = |more: &[&str]| {
+        let output = rollout(more);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        rows(&file)
+    };
+    let plain = latents(&[]);
+    let start = latents(&["--from", "sample:walk-5:10"]);
+    assert_eq!(start.len(), 90);
+    assert_ne!(start, plain);
+    // The first frames are inferred, and do not depend on how long the rollout is or on what happens later.
+    let cut = latents(&["--from", "sample:walk-5:10", "--cut", "lower:upper@20-40"]);
+    assert_eq!(cut[..20], start[..20]);
+    assert_ne!(cut[20], start[20]);
+    assert_ne!(latents(&["--from", "sample:walk-5:20"])[15], start[15]);
+    for (options, status, found) in [
+        (&["--from", "sample:walk-5:1"][..], 1, "expected at least 2 frames"),
+        (&["--from", "sample:walk-5:9999"], 1, "expected 9999 frames or more to start from, found"),
+        (&["--from", "sample:walk-5"], 2, "or CLIP:FRAMES"),
+        (&["--from", "sample:walk-5:9", "--frame", "3"], 2, "--frame: expected --from SEQUENCE"),
+        (&["--from", "sample:walk-5:9", "--samples", "1", "--seed", "1"], 2, "--samples: expected"),
+        (&["--from", "sample:walk-5:9", "--push", "upper@3=3f"], 1, "from 9 on and before 90, found 3"),
+    ] {
+        let output = rollout(options);
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(status), "{options:?}: {error}");
+        assert!(error.contains(found) && error.matches('\n').count() == 1, "{options:?}: {error}");
+    }
+}

@@ -64,6 +64,19 @@ impl<S: ColumnMapping> Body<S> {
         }
         columns
     }
+
+    /// Centred columns of each part [frames x D_i] from all columns, means included [frames x D]: the inverse of
+    /// [`columns`](Self::columns). A missing number is NaN.
+    pub fn centred(&self, y: &DMatrix<f64>) -> Vec<DMatrix<f64>> {
+        let part = |part: usize| {
+            let columns = self.layout.columns(part);
+            DMatrix::from_fn(y.nrows(), columns.len(), |t, c| {
+                let column = columns[c];
+                (y[(t, column)] - self.column_means[column]) / self.mapping.unit(column)
+            })
+        };
+        (0..self.layout.parts().len()).map(part).collect()
+    }
 }
 
 impl Body {

@@ -111,7 +111,7 @@ impl<'a, S: ColumnMapping> Coupled<'a, S> {
         self.model.predictive_dynamics(request.alpha_or(&self.model.alpha), request.reading)
     }
 
-    fn rollout_along(&self, latents: Vec<DMatrix<f64>>, request: &RolloutRequest) -> Rollout {
+    pub(super) fn rollout_along(&self, latents: Vec<DMatrix<f64>>, request: &RolloutRequest) -> Rollout {
         let y = self.body.columns(&self.model.observations(&latents));
         Rollout { latents, y, weights: coupling_weight_matrix(request.alpha_or(&self.model.alpha)) }
     }

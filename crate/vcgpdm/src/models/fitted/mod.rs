@@ -5,4 +5,5 @@ pub(crate) mod coupled;
 pub(crate) mod fitted_model;
 pub(crate) mod json;
 pub(crate) mod model;
+mod observed;
 pub(crate) mod provenance;

@@ -49,10 +49,24 @@ impl Vcgpdm {
     /// When the couplings, cuts or pushes do not fit the model, a cut or a push has no frame in which it
     /// acts, or there is no such sequence.
     pub fn path(&self, request: &RolloutRequest) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        self.path_after(&self.start(request.sequence, request.frame)?, request)
+    }
+
+    /// As [`path`](Self::path), but the path begins with these latents [frames x Q_i] of each part, p frames or
+    /// more, in place of a training sequence.
+    ///
+    /// # Errors
+    ///
+    /// As [`path`](Self::path), and when the latents do not fit the model.
+    pub fn path_after(
+        &self,
+        given: &[DMatrix<f64>],
+        request: &RolloutRequest,
+    ) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         let alpha = request.alpha_or(&self.alpha);
-        let frames = request.frames.max(self.order);
         let latent = self.latent_dimensions();
-        let (first, end) = (self.order, request.frames);
+        let (first, end) = (given.iter().map(DMatrix::nrows).min().unwrap_or(0), request.frames);
+        let frames = end.max(first);
         let unfelt = |what, found| RolloutError::Unfelt { what, first, end, found };
         for push in &request.pushes {
             push.check(&latent)?;
@@ -66,7 +80,12 @@ impl Vcgpdm {
                 return Err(unfelt("cut", cut.from));
             }
         }
-        let mut paths = LatentPaths::new(&self.start(request.sequence, request.frame)?, self.order, &latent)?;
+        let start = |x: &DMatrix<f64>| x.rows(0, self.order.min(first)).into_owned();
+        let mut paths = LatentPaths::new(&given.iter().map(start).collect::<Vec<_>>(), self.order, &latent)?;
+        for t in self.order..first {
+            let rows = given.iter().map(|x| x.row(t).iter().copied().collect());
+            paths.append(&rows.collect::<Vec<_>>());
+        }
         let changes = request.cuts.iter().flat_map(|cut| [cut.from, cut.to]);
         let changes: Vec<usize> = changes.chain(request.pushes.iter().map(|push| push.frame)).collect();
         let mut seen = paths.clone();
@@ -122,6 +141,24 @@ mod tests {
             model.dynamics(&model.alpha, Reading::AsLearned).unwrap().path(&model.start(0, 0).unwrap(), 15);
         assert_eq!(model.path(&request(15)), expected);
         assert_eq!(model.path(&request(1)).unwrap()[0], model.start(0, 0).unwrap()[0].rows(0, 1));
+    }
+
+    #[test]
+    fn a_path_goes_on_after_given_latents() {
+        let model = fitted(3);
+        let given: Vec<_> = model.starts[0].iter().map(|x| x.rows(1, 6).into_owned()).collect();
+        let path = model.path_after(&given, &request(15)).unwrap();
+        let last: Vec<_> = given.iter().map(|x| x.rows(4, 2).into_owned()).collect();
+        let expected = model.dynamics(&model.alpha, Reading::AsLearned).unwrap().path(&last, 11).unwrap();
+        for part in 0..3 {
+            assert_eq!(path[part].rows(0, 6), given[part]);
+            assert_eq!(path[part].rows(4, 11), expected[part]);
+        }
+        let early = Push { part: 0, frame: 5, by: vec![1.0], ahead: 0.0 };
+        let error = model.path_after(&given, &RolloutRequest { pushes: vec![early], ..request(15) });
+        let words = "expected a push in a frame that is predicted, from 6 on and before 15, found 5";
+        assert_eq!(error.unwrap_err().to_string(), words);
+        assert!(model.path_after(&given[..2], &request(15)).is_err());
     }
 
     #[test]

@@ -18,10 +18,13 @@ pub struct LatentMoments {
     pub covariances: Vec<Vec<DMatrix<f64>>>,
 }
 
-/// A Gaussian about the histories of all parts, part by part, oldest frame first.
-struct Belief {
-    mean: DVector<f64>,
-    covariance: DMatrix<f64>,
+/// A Gaussian about the last p latents of all parts, the history of the next frame.
+#[derive(Clone, Debug)]
+pub struct Belief {
+    /// The mean `[sum p Q_i]`, part by part, oldest frame first.
+    pub mean: DVector<f64>,
+    /// The covariance [sum p Q_i x sum p Q_i].
+    pub covariance: DMatrix<f64>,
 }
 
 impl PredictiveDynamics {
@@ -46,7 +49,7 @@ impl PredictiveDynamics {
         let size = history.len();
         let mut belief = Belief { mean: DVector::from_vec(history), covariance: DMatrix::zeros(size, size) };
         for _ in self.order..frames {
-            belief = self.step(&belief)?;
+            belief = self.advanced(&self.joint(&belief)?);
             for (part, &q) in self.latent.iter().enumerate() {
                 let newest = self.inputs(part).end - q;
                 means[part].extend(belief.mean.rows(newest, q).iter());
@@ -58,8 +61,8 @@ impl PredictiveDynamics {
         Ok(LatentMoments { means, covariances })
     }
 
-    /// The Gaussian about the history of the next frame.
-    fn step(&self, belief: &Belief) -> Result<Belief, NumericsError> {
+    /// The Gaussian about a history and, after it, the next latents of all parts `[Q_i]`, part by part.
+    pub(super) fn joint(&self, belief: &Belief) -> Result<Belief, NumericsError> {
         let (m, width) = (self.latent.len(), self.latent.iter().sum::<usize>());
         let size = belief.mean.len();
         // The history, then the next latents of all parts.
@@ -101,15 +104,28 @@ impl PredictiveDynamics {
         for k in size..size + width {
             covariance[(k, k)] = covariance[(k, k)].max(0.0);
         }
-        // The next frame of each part replaces its oldest one.
-        let mut places = Vec::with_capacity(size);
+        Ok(Belief { mean, covariance })
+    }
+
+    /// The history of the next frame in the [`joint`](Self::joint) Gaussian.
+    pub(super) fn advanced(&self, joint: &Belief) -> Belief {
+        let places = self.advanced_places();
+        let mean = DVector::from_fn(places.len(), |k, _| joint.mean[places[k]]);
+        Belief { mean, covariance: select(&joint.covariance, &places) }
+    }
+
+    /// The places of the next history among those of a history and the next latents: the next frame of each
+    /// part replaces its oldest one.
+    pub(super) fn advanced_places(&self) -> Vec<usize> {
+        let mut next = self.latent.iter().sum::<usize>() * self.order;
+        let mut places = Vec::with_capacity(next);
         for (i, &q) in self.latent.iter().enumerate() {
             let inputs = self.inputs(i);
             places.extend(inputs.start + q..inputs.end);
-            places.extend(next[i]..next[i] + q);
+            places.extend(next..next + q);
+            next += q;
         }
-        let mean = DVector::from_fn(size, |k, _| mean[places[k]]);
-        Ok(Belief { mean, covariance: select(&covariance, &places) })
+        places
     }
 
     /// `E[x x'^T]` [Q_i x Q_i'] of the next latents of the parts i and i'.
@@ -119,7 +135,9 @@ impl PredictiveDynamics {
         // The variance of the functions, and of the noise around them, is the part's own.
         let mut variance = target.noise + target.weights.iter().map(|w| w * w).sum::<f64>();
         for (j, a) in target.experts.iter().enumerate() {
-            for (l, b) in other_target.experts.iter().enumerate() {
+            // Of two experts about the same part, the products in one order are those in the other.
+            let first = if i == other { j } else { 0 };
+            for (l, b) in other_target.experts.iter().enumerate().skip(first) {
                 let places: Vec<usize> = self.inputs(j).chain(self.inputs(l)).collect();
                 let mean =
                     |part| belief.mean.rows(self.inputs(part).start, self.inputs(part).len()).into_owned();
@@ -129,11 +147,16 @@ impl PredictiveDynamics {
                 for (q, r) in (0..self.latent[i]).flat_map(|q| (0..self.latent[other]).map(move |r| (q, r))) {
                     let (a, b) = (a.coefficients.column(q), b.coefficients.column(r));
                     let columns = products.column_iter().zip(b.iter());
-                    second[(q, r)] += columns.map(|(column, b)| b * column.dot(&a)).sum::<f64>();
+                    let product = columns.map(|(column, b)| b * column.dot(&a)).sum::<f64>();
+                    second[(q, r)] += product;
+                    if i == other && j != l {
+                        second[(r, q)] += product;
+                    }
                 }
                 if i == other {
                     let place = (target.offsets[j], target.offsets[l]);
-                    variance -= target.certainty.view(place, products.shape()).dot(&products);
+                    let explained = target.certainty.view(place, products.shape()).dot(&products);
+                    variance -= if j == l { explained } else { 2.0 * explained };
                 }
             }
         }
@@ -146,14 +169,14 @@ impl PredictiveDynamics {
     }
 
     /// The place of the history of a part among those of all parts.
-    fn inputs(&self, part: usize) -> Range<usize> {
+    pub(super) fn inputs(&self, part: usize) -> Range<usize> {
         let begin = self.latent[..part].iter().sum::<usize>() * self.order;
         begin..begin + self.latent[part] * self.order
     }
 }
 
 /// The rows and columns of a symmetric matrix at these places.
-fn select(matrix: &DMatrix<f64>, places: &[usize]) -> DMatrix<f64> {
+pub(super) fn select(matrix: &DMatrix<f64>, places: &[usize]) -> DMatrix<f64> {
     DMatrix::from_fn(places.len(), places.len(), |row, column| matrix[(places[row], places[column])])
 }
 

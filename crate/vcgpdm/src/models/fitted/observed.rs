@@ -1,0 +1,57 @@
+//! Models that follow a recording: latents of observed columns, and rollouts that go on from them.
+
+use crate::models::data::column_mapping::ColumnMapping;
+use crate::models::fitted::coupled::Coupled;
+use crate::models::rollout::request::{Rollout, RolloutError, RolloutRequest};
+use crate::models::variational::{Filter, LatentMoments, ObservationError};
+use nalgebra::DMatrix;
+
+/// Where in the movement a recording starts follows from this time of it, in seconds.
+const SEARCHED: f64 = 0.5;
+
+impl<S: ColumnMapping> Coupled<'_, S> {
+    /// The model as a filter of observed columns, under the couplings of a request.
+    ///
+    /// # Errors
+    ///
+    /// When the couplings do not fit the model, or a covariance cannot be factorised.
+    #[doc(hidden)]
+    pub fn filter(&self, request: &RolloutRequest) -> Result<Filter, RolloutError> {
+        let weight = self.provenance.settings.variational().map(|settings| settings.pose_weight);
+        let alpha = request.alpha_or(&self.model.alpha);
+        self.model.filter(alpha, request.reading, weight.unwrap_or_default())
+    }
+
+    /// The latents of all frames given all observed columns, [frames x D_i] of each part: centred, with NaN for
+    /// a missing number.
+    ///
+    /// # Errors
+    ///
+    /// When the columns do not fit the model, there are fewer than p frames, a number is infinite, or a
+    /// covariance cannot be factorised.
+    #[doc(hidden)]
+    pub fn infer(
+        &self,
+        filter: &Filter,
+        observed: &[DMatrix<f64>],
+    ) -> Result<LatentMoments, ObservationError> {
+        let searched = (SEARCHED / self.body.frame_time).round() as usize;
+        Ok(filter.smoothed(&filter.run_from_best(observed, searched)?)?)
+    }
+
+    /// The mean rollout that begins with these latents [frames x Q_i] of each part, p frames or more, in place
+    /// of a training sequence. The frames of the request include them.
+    ///
+    /// # Errors
+    ///
+    /// As [`Coupled::rollout`], and when the latents do not fit the model.
+    #[doc(hidden)]
+    pub fn rollout_after(
+        &self,
+        given: &[DMatrix<f64>],
+        request: &RolloutRequest,
+    ) -> Result<Rollout, RolloutError> {
+        self.check_frames(request.frames)?;
+        Ok(self.rollout_along(self.model.path_after(given, request)?, request))
+    }
+}

@@ -1,0 +1,132 @@
+//! Where in the movement a recording starts.
+
+use crate::models::variational::filter::error::ObservationError;
+use crate::models::variational::filter::run::Filtered;
+use crate::models::variational::filter::step::Filter;
+use crate::models::variational::moments::Belief;
+use nalgebra::{DMatrix, DVector};
+
+/// Starting points that are tried.
+const STARTS: usize = 8;
+/// The covariance of a starting point is that of all histories of the training times this.
+const SPREAD: f64 = 0.1;
+/// The least variance of a latent at a starting point.
+const LEAST: f64 = 1e-3;
+
+/// A frame of a reference path.
+#[derive(Clone, Copy)]
+struct Place {
+    path: usize,
+    frame: usize,
+    /// The mean squared error of the observed columns, in units of the observation noise.
+    error: f64,
+}
+
+impl Filter {
+    /// Filters observed columns, [frames x D_i] of each part, from the likeliest place of the movement.
+    ///
+    /// The prior of the first latents has many modes: the histories of the training. Those whose next `window`
+    /// frames are nearest to the observed ones are starting points; the filter runs over the window from each
+    /// of them, and the one under which these frames are likeliest is the start.
+    ///
+    /// # Errors
+    ///
+    /// As [`run`](Self::run).
+    pub fn run_from_best(&self, y: &[DMatrix<f64>], window: usize) -> Result<Filtered, ObservationError> {
+        let frames = self.check(y)?;
+        let first = (0..frames).find(|&t| y.iter().any(|y| y.row(t).iter().any(|value| !value.is_nan())));
+        let window = (first.unwrap_or(0) + window).clamp(self.order(), frames);
+        let part: Vec<DMatrix<f64>> = y.iter().map(|y| y.rows(0, window).into_owned()).collect();
+        let mut best: Option<(f64, Belief)> = None;
+        for start in self.starts(&part) {
+            // A start from which the numbers run away is not the place.
+            let Ok(run) = self.run(start.clone(), &part) else { continue };
+            let evidence = run.evidence();
+            if evidence.is_finite() && best.as_ref().is_none_or(|(most, _)| evidence > *most) {
+                best = Some((evidence, start));
+            }
+        }
+        let start = best.map_or_else(|| self.unknown(), |(_, start)| start);
+        self.run(start, y)
+    }
+
+    /// Beliefs about the first p frames of these observed columns.
+    fn starts(&self, y: &[DMatrix<f64>]) -> Vec<Belief> {
+        let covariance = self.history_covariance();
+        let mut places = self.places_by_error(y);
+        places.sort_by(|a, b| a.error.total_cmp(&b.error));
+        let apart = (y[0].nrows() / 4).max(1);
+        let mut chosen: Vec<Place> = Vec::new();
+        for place in places {
+            let near = |other: &Place| other.path == place.path && other.frame.abs_diff(place.frame) < apart;
+            if chosen.len() < STARTS && !chosen.iter().any(near) {
+                chosen.push(place);
+            }
+        }
+        let belief = |place: &Place| Belief {
+            mean: self.history(place.path, place.frame),
+            covariance: covariance.clone(),
+        };
+        chosen.iter().map(belief).collect()
+    }
+
+    /// The error at every frame of the reference paths that has a whole history after it.
+    fn places_by_error(&self, y: &[DMatrix<f64>]) -> Vec<Place> {
+        let observed: Vec<Vec<Vec<usize>>> = y
+            .iter()
+            .map(|y| y.row_iter().map(|row| (0..row.len()).filter(|&c| !row[c].is_nan()).collect()).collect())
+            .collect();
+        let mut places = Vec::new();
+        for (path, latents) in self.references.iter().enumerate() {
+            let frames = latents.first().map_or(0, DMatrix::nrows);
+            let poses: Vec<DMatrix<f64>> =
+                self.poses.iter().zip(latents).map(|(map, x)| map.observations(x)).collect();
+            for frame in 0..(frames + 1).saturating_sub(self.order()) {
+                let (mut error, mut count) = (0.0, 0);
+                for t in 0..y[0].nrows().min(frames - frame) {
+                    for (part, (y, map)) in y.iter().zip(&self.poses).enumerate() {
+                        let columns = &observed[part][t];
+                        let square =
+                            |c: &usize| (y[(t, *c)] - poses[part][(frame + t, *c)]).powi(2) / map.noise();
+                        error += columns.iter().map(square).sum::<f64>();
+                        count += columns.len();
+                    }
+                }
+                places.push(Place { path, frame, error: error / count.max(1) as f64 });
+            }
+        }
+        places
+    }
+
+    /// The means of p frames of a reference path from `frame` on.
+    fn history(&self, path: usize, frame: usize) -> DVector<f64> {
+        let p = self.order();
+        let part = |x: &DMatrix<f64>| x.rows(frame, p).transpose().as_slice().to_vec();
+        DVector::from_vec(self.references[path].iter().flat_map(part).collect())
+    }
+
+    /// The covariance of a starting point: the histories of the training are far apart along the movement, and
+    /// near each other across it.
+    fn history_covariance(&self) -> DMatrix<f64> {
+        let p = self.order();
+        let frames = |path: &Vec<DMatrix<f64>>| path.first().map_or(0, |x| (x.nrows() + 1).saturating_sub(p));
+        let all = self.references.iter().enumerate();
+        let all: Vec<DVector<f64>> =
+            all.flat_map(|(k, path)| (0..frames(path)).map(move |frame| self.history(k, frame))).collect();
+        let size = self.unknown().mean.len();
+        let count = all.len().max(1) as f64;
+        let mean = all.iter().fold(DVector::zeros(size), |sum: DVector<f64>, h| sum + h) / count;
+        let mut covariance = DMatrix::identity(size, size) * LEAST;
+        for history in &all {
+            let apart = history - &mean;
+            covariance.ger(SPREAD / count, &apart, &apart, 1.0);
+        }
+        covariance
+    }
+
+    /// The prior of the first p frames, N(0, I).
+    pub fn unknown(&self) -> Belief {
+        let size = self.poses.iter().map(|map| map.latent()).sum::<usize>() * self.order();
+        Belief { mean: DVector::zeros(size), covariance: DMatrix::identity(size, size) }
+    }
+}
