@@ -1,4 +1,5 @@
 import { fileURLToPath } from "node:url";
+/// <reference types="vitest/config" />
 import { defineConfig, type Plugin } from "vite";
 import { policy } from "../scripts/policy.mjs";
 import { offline } from "./offline.ts";
@@ -50,7 +51,8 @@ const isOnDemand = (file: string) =>
     file,
   );
 /** The Lab, and what it shares with chapters of the story. A first visit loads none of it. */
-const isLab = (file: string) => /\/src\/(app\/page|couplings\/body-layout)\.|\/src\/latents\//.test(file);
+const isLab = (file: string) =>
+  /\/src\/(app\/page|words\/(en|de)\/lab|couplings\/body-layout)\.|\/src\/latents\//.test(file);
 /** The page for teachers with its words, and the codes in squares. */
 const isTeaching = (file: string) =>
   /\/src\/(teach|exercises|words\/(en|de)\/teach)|\/node_modules\/qr\//.test(file);
@@ -109,6 +111,7 @@ export default defineConfig({
     ],
   },
   build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 900, rollupOptions: { output } },
+  test: { setupFiles: ["src/words/lab.setup.ts"] },
   worker: { format: "es", rollupOptions: { output } },
   server: { fs: { allow: [".."] } },
 });

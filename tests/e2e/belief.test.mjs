@@ -41,7 +41,16 @@ it("reveals what the library finds, has each answer once in three rounds, and gi
     truths.push(truth);
     assert.equal(await page.getByTestId("truth-row").getAttribute("data-answer"), truth);
     assert.match(await page.getByTestId("truth").innerText(), new RegExp(`you [01] of ${round}, the model`));
-    if (round === 1) assert.deepEqual(await barriers(page), []);
+    if (round === 1) {
+      // What couplings are worth on recordings, with the equations.
+      await page.locator(".story-more summary").click();
+      assert.match(
+        await page.getByTestId("worth").innerText(),
+        /without couplings 1\.67 times.*1\.40 times.*undecided.*1\.24 times/s,
+      );
+      assert.deepEqual(await barriers(page), []);
+      await page.locator(".story-more summary").click();
+    }
     await page.getByTestId("another-pair").click();
   }
   assert.deepEqual(truths.sort(), ["ab", "ba", "none"]);

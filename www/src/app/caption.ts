@@ -3,12 +3,14 @@ import { html, nothing } from "lit";
 import type { ClipEntry } from "../clips/clips-store";
 import { effectText } from "../couplings/measures-text";
 import type { PointingStore } from "../latents/pointing-store";
-import "../terms/term";
+import { presetWords } from "../couplings/presets";
+import { withTerms } from "../terms/term";
 import { View } from "../ui/view";
 import type { App } from "./app";
 import "./caption.css";
 import { healthWords } from "./health-words";
-import { MODEL_TITLE, type StageWords, stageWords } from "./stage-words";
+import { type StageWords, stageWords } from "./stage-words";
+import { lab } from "../words/lab";
 
 /** The clip on the stage; null: the model's motion is there. */
 export function clipOnStage({ clips, stage }: App): ClipEntry | null {
@@ -29,7 +31,7 @@ export function wordsNow(app: App): StageWords {
     learnedFrom: model.model?.info.sequences.map(({ name }) => name) ?? null,
     point: pointing.report ? pointWords(pointing, parts) : null,
     altered: model.couplings.altered,
-    preset: model.preset,
+    preset: model.preset && presetWords(model.preset),
     effect: reports && {
       text: effectText(
         reports.now,
@@ -51,9 +53,10 @@ function pointWords({ report }: PointingStore, parts: readonly { name: string }[
   const name = (part: number) => parts[part]?.name ?? "";
   if (!report) return "";
   const { point } = report;
+  const { posePoint, stepPoint } = lab().stage;
   return point.kind === "pose"
-    ? `A pose of ${name(point.part)}`
-    : `From this pose of ${name(point.source)} to that of ${name(point.target)}`;
+    ? posePoint(name(point.part))
+    : stepPoint(name(point.source), name(point.target));
 }
 
 /** The stores that those texts depend on. */
@@ -89,16 +92,16 @@ export class CaptionView extends View {
     const run = training.chosen;
     const points = run && training.morePoints(run);
     const buttons = model.couplings.altered
-      ? html`<button class="small" @click=${() => model.couplings.resetAll()}>Couplings as learned</button>`
+      ? html`<button class="small" @click=${() => model.couplings.resetAll()}>${lab().stage.asLearned}</button>`
       : run && !embedded && !training.busy && training.whyNot() === ""
         ? html`${
             points === null
               ? nothing
-              : html`<button class="small" data-testid="more-points" title="Trains anew with ${points} points in each map"
-                @click=${() => void training.trainWithMorePoints(run)}>Train with more points</button>`
+              : html`<button class="small" data-testid="more-points" title=${lab().stage.morePointsMeaning(points)}
+                @click=${() => void training.trainWithMorePoints(run)}>${lab().stage.morePoints}</button>`
           }
-          <button class="small" data-testid="other-seeds" title="Trains anew from the next seeds"
-            @click=${() => void training.trainOtherSeeds()}>Try other seeds</button>`
+          <button class="small" data-testid="other-seeds" title=${lab().stage.otherSeedsMeaning}
+            @click=${() => void training.trainOtherSeeds()}>${lab().stage.otherSeeds}</button>`
         : nothing;
     return html`<div class="stage-health" role="status" data-testid="health"><p>${words}</p>${buttons}</div>`;
   }
@@ -110,13 +113,13 @@ export class CaptionView extends View {
       <div class="stage-caption">
         <strong data-testid="stage-title">${title}</strong>
         <span>${
-          stage.content?.kind === "model" && title === MODEL_TITLE
-            ? html`A <pg-term of="rollout" text="rollout"></pg-term>${text ? ", " : ""}`
+          stage.content?.kind === "model" && title === lab().stage.made
+            ? html`${withTerms(lab().stage.rollout)}${text ? ", " : ""}`
             : nothing
         }${text}</span>
         ${
           stage.clip !== null && model.model
-            ? html`<button class="small" @click=${() => stage.endClip()}>Back to the model</button>`
+            ? html`<button class="small" @click=${() => stage.endClip()}>${lab().stage.backToModel}</button>`
             : nothing
         }
         ${this.#healthNotice()}

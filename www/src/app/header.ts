@@ -2,33 +2,17 @@
 import { html, nothing } from "lit";
 import { guard } from "lit/directives/guard.js";
 import { lastChapter } from "../settings/door";
-import { type Settings, writeSettings } from "../settings/settings";
-import "../terms/term";
+import { writeSettings } from "../settings/settings";
+import { withTerms } from "../terms/term";
 import { fileButton } from "../ui/file-button";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 import type { App } from "./app";
 import { loadNewVersion } from "./leaving";
 import "./save-menu";
+import { lab } from "../words/lab";
 
-const VIEWS: [Settings["view"], string][] = [
-  ["play", "Lab"],
-  ["compare", "Compare models"],
-  ["primitives", "Primitives"],
-  ["synthetic", "Who drives whom?"],
-  ["perception", "Which is natural?"],
-  ["method", "Method"],
-  ["series", "Time series"],
-];
-
-const LEADS = {
-  compare: "Which model foresees a walk best, and what does it cost?",
-  primitives: "Parts learned once, put together in new ways: legs of one movement, arms of another.",
-  synthetic: "Two made-up systems of which the truth is known: does training find it?",
-  series: "Curves that are no body: which parts they have, and which part drives which.",
-  perception: "The graphics Turing test: can people tell a model’s movement from a natural one?",
-  method: "The model in equations, and where each symbol is to be seen.",
-};
+const VIEWS = ["play", "compare", "primitives", "synthetic", "perception", "method", "series"] as const;
 
 export class HeaderView extends View {
   declare app: App;
@@ -48,18 +32,19 @@ export class HeaderView extends View {
    */
   #views() {
     const { settings, words } = this.app;
+    const { views } = lab();
     return html`
-      <nav class="segments" aria-label="Views">
+      <nav class="segments" aria-label=${words.now.frame.views}>
         <a href="#story=${lastChapter()}" data-testid="view-story">${words.now.frame.story}</a>
-        ${VIEWS.filter(([view]) => view !== "series" || this.#hasSeries).map(
-          ([view, title]) => html`
+        ${VIEWS.filter((view) => view !== "series" || this.#hasSeries).map(
+          (view) => html`
           <a href=${guard([settings.address.fragment], () => `#${writeSettings({ ...settings.written, view })}`)}
             data-testid="view-${view}" aria-current=${settings.values.view === view ? "page" : "false"}
             @click=${(event: MouseEvent) => {
               if (event.ctrlKey || event.metaKey || event.shiftKey) return;
               event.preventDefault();
               settings.change({ view });
-            }}>${title}</a>`,
+            }}>${views[view]}</a>`,
         )}
       </nav>`;
   }
@@ -73,23 +58,25 @@ export class HeaderView extends View {
   #newVersion() {
     const { offline } = this.app;
     if (!offline.hasNewVersion) return nothing;
-    return html`<button data-testid="new-version" title="A new version of this page is there. Loading it begins anew: save first what you want to keep."
-      @click=${() => void loadNewVersion(this.app)}>Load new version</button>`;
+    const { newVersion, newVersionMeaning } = lab().header;
+    return html`<button data-testid="new-version" title=${newVersionMeaning}
+      @click=${() => void loadNewVersion(this.app)}>${newVersion}</button>`;
   }
 
   protected override render() {
     const { view } = this.app.settings.values;
+    const { title, leads, header } = lab();
     return html`
       <div class="title">
-        <h1>Coupled <pg-term of="movement-primitive" text="movement primitives"></pg-term></h1>
-        ${view === "play" ? nothing : html`<p>${LEADS[view]}</p>`}
+        <h1>${withTerms(title)}</h1>
+        ${view === "play" ? nothing : html`<p>${leads[view]}</p>`}
       </div>
       ${this.#views()}
-      <div class="actions" role="group" aria-label="Files">
+      <div class="actions" role="group" aria-label=${header.files}>
         ${this.#newVersion()}
         ${fileButton({
-          label: "Open",
-          meaning: "Open a model (.json), clips (.bvh) or tables (.csv)",
+          label: header.open,
+          meaning: header.openMeaning,
           testId: "open-model",
           accept: ".json,.bvh,.csv,.JSON,.BVH,.CSV,application/json,text/csv",
           multiple: true,
@@ -97,7 +84,7 @@ export class HeaderView extends View {
           chosen: (files) => this.#tell("open-files", files),
         })}
         <pg-save-menu .app=${this.app}></pg-save-menu>
-        <button class="round" aria-label="Help and keys" title="Help and keys (?)" data-testid="help" @click=${() => this.#tell("show-help")}>${icon("help")}</button>
+        <button class="round" aria-label=${header.help} title="${header.help} (?)" data-testid="help" @click=${() => this.#tell("show-help")}>${icon("help")}</button>
       </div>`;
   }
 }

@@ -3,6 +3,7 @@
 import { troubleText } from "../couplings/measures-text";
 import type { BodyReport } from "../engine/protocol";
 import { sentence } from "../ui/format";
+import { lab } from "../words/lab";
 
 /** The motion on the stage. */
 interface StageMotion {
@@ -20,5 +21,5 @@ export function healthWords(health: BodyReport["health"], { seconds, parts, alte
   // The measured motion may be longer than the shown one.
   if (!words || (health.from ?? 0) >= seconds) return "";
   if (health.state === "leaves-training-range") return sentence(words);
-  return sentence(`${altered ? "With these couplings the model" : "The model"} ${words}`);
+  return sentence(lab().stage.health(words, altered));
 }

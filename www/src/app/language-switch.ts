@@ -2,7 +2,7 @@
 import { html } from "lit";
 import { LANGUAGES, type Language, type WordsStore } from "../words/words";
 
-export function languageSwitch(words: WordsStore) {
+export function languageSwitch(words: WordsStore, style = "story-language") {
   const other = Object.keys(LANGUAGES).find((language) => language !== words.language) as Language;
-  return html`<button class="story-language" lang=${other} data-testid="language" @click=${() => void words.choose(other)}>${LANGUAGES[other]}</button>`;
+  return html`<button class=${style} lang=${other} data-testid="language" @click=${() => void words.choose(other)}>${LANGUAGES[other]}</button>`;
 }

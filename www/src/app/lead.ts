@@ -1,9 +1,10 @@
 // The first sentences of the Lab: what moves on the stage, and what to try next.
 import { html, nothing } from "lit";
-import { INVITATION } from "../couplings/presets";
+import { INVITATION, presetWords } from "../couplings/presets";
 import { View } from "../ui/view";
 import type { App } from "./app";
 import { wordStores, wordsNow } from "./caption";
+import { lab } from "../words/lab";
 
 export class LeadView extends View {
   declare app: App;
@@ -15,14 +16,15 @@ export class LeadView extends View {
   #next() {
     const { model, stage, training } = this.app;
     const { content } = stage;
+    const { lead } = lab().stage;
     if (content?.kind !== "model" || training.learning || !model.model) return nothing;
     if (model.couplings.altered)
-      return html`<button class="link" data-testid="lead-back" @click=${() => model.couplings.resetAll()}>Back to as learned</button>`;
+      return html`<button class="link" data-testid="lead-back" @click=${() => model.couplings.resetAll()}>${lead.back}</button>`;
     const preset = model.presets.find(({ id }) => id === INVITATION.preset);
-    return html`${model.preset?.meaning ?? ""}
+    return html`${model.preset ? presetWords(model.preset).meaning : ""}
       ${
         preset
-          ? html`<button class="link" data-testid="lead-try" @click=${() => model.takePreset(preset)}>${preset.name}</button>: ${INVITATION.question}`
+          ? html`<button class="link" data-testid="lead-try" @click=${() => model.takePreset(preset)}>${presetWords(preset).name}</button>: ${lead.question}`
           : nothing
       }`;
   }

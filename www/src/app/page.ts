@@ -22,14 +22,10 @@ import "./header";
 import "./lead";
 import type { HelpView } from "./help";
 import { openFiles, openModel } from "./open-files";
+import { lab } from "../words/lab";
+import { languageSwitch } from "./language-switch";
 
 type Tab = Settings["tab"];
-const TAB_TITLES: Record<Tab, string> = {
-  listen: "Listen",
-  loops: "Loops",
-  learn: "Learn",
-  numbers: "Numbers",
-};
 /** The tabs in a frame of another page. */
 const EMBEDDED_TABS: readonly Tab[] = ["listen", "loops"];
 
@@ -150,8 +146,8 @@ export class PageView extends View {
   }
 
   protected override stores() {
-    const { engine, settings, model, stage } = this.app;
-    return [engine, settings, model, stage, this.app.clips];
+    const { engine, settings, model, stage, clips, words } = this.app;
+    return [engine, settings, model, stage, clips, words];
   }
 
   protected override arrived(): void {
@@ -219,10 +215,10 @@ export class PageView extends View {
     const loaded = this.#loaded.get(view);
     if (typeof loaded === "function") return loaded();
     if (loaded === "failed")
-      return html`<p class="empty" role="alert">This part of the page could not be loaded.
-        <button class="small" @click=${() => location.reload()}>Reload the page</button></p>`;
+      return html`<p class="empty" role="alert">${lab().page.notLoaded}
+        <button class="small" @click=${() => location.reload()}>${lab().page.reload}</button></p>`;
     if (!loaded) queueMicrotask(() => this.#load(view));
-    return html`<p class="empty" role="status">Loading</p>`;
+    return html`<p class="empty" role="status">${lab().page.loading}</p>`;
   }
 
   #load(view: keyof typeof ON_DEMAND): void {
@@ -256,14 +252,14 @@ export class PageView extends View {
   }
 
   #stageArea() {
-    const { stage, playback, settings, clips, model, phases, isPlayView } = this.app;
+    const { stage, playback, settings, clips, model, phases, words, isPlayView } = this.app;
     // The first clip on the stage loads the handles; after a failure the next clip tries again.
     if (stage.clip !== null) import("../clips/trim-view").catch(() => {});
     return html`
-      <section class="stage-area" aria-label="Stage">
-        <pg-stage .stage=${stage} .playback=${playback} .running=${isPlayView}></pg-stage>
+      <section class="stage-area" aria-label=${words.now.frame.stage}>
+        <pg-stage .stage=${stage} .playback=${playback} .running=${isPlayView} .label=${lab().stage.figure}></pg-stage>
         <pg-caption .app=${this.app}></pg-caption>
-        <pg-phase-clock .phases=${phases} .playback=${playback}></pg-phase-clock>
+        <pg-phase-clock .phases=${phases} .playback=${playback} .words=${lab().clock}></pg-phase-clock>
         ${stage.clip === null ? nothing : html`<pg-trim .clips=${clips} .stage=${stage} .playback=${playback}></pg-trim>`}
         <div>${this.liveView ? this.liveView() : nothing}</div>
         <pg-timeline @set-seconds=${({ detail }: CustomEvent<number>) => model.setSeconds(detail)} .stage=${stage} .playback=${playback} .settings=${settings}></pg-timeline>
@@ -330,6 +326,7 @@ export class PageView extends View {
     const { engine, settings, model, notices, embedded, isPlayView } = app;
     const { model: linked } = model.link;
     const { view } = settings.values;
+    const { page } = lab();
     return html`
       <div class="page" data-embed=${embedded ? "1" : "0"} @show-help=${this.openHelp} @show-method=${this.#showMethod} @show-series=${() => settings.change({ view: "series" })}
         @show-place=${({ detail }: CustomEvent<string>) => void this.#showPlace(detail)}
@@ -342,36 +339,35 @@ export class PageView extends View {
           embedded
             ? nothing
             : html`
-          <button class="skip" @click=${() => void this.#skip()}>${isPlayView ? "Skip to the couplings" : "Skip to the content"}</button>
+          <button class="skip" @click=${() => void this.#skip()}>${isPlayView ? page.skipToCouplings : page.skipToContent}</button>
           <pg-header .app=${app} role="banner"></pg-header>`
         }
         ${this.session ? html`<pg-session .session=${this.session}></pg-session>` : nothing}
         ${
           linked === null
             ? nothing
-            : html`<p class="banner" role="alert" data-testid="foreign-link">This link’s couplings belong to another model (${linked}), not to the one on
-              the stage (${model.id}). They are applied when that model is opened.
-              <button class="small" @click=${() => model.forgetLink()}>Forget them</button></p>`
+            : html`<p class="banner" role="alert" data-testid="foreign-link">${page.foreignLink(linked, model.id)}
+              <button class="small" @click=${() => model.forgetLink()}>${page.forgetLink}</button></p>`
         }
         ${
           engine.state === "failed"
-            ? html`<p class="banner" role="alert">The model cannot run here: ${engine.problem} The walk below is a stored rollout; sliders and training need the model.</p>`
+            ? html`<p class="banner" role="alert">${page.failed(engine.problem)}</p>`
             : nothing
         }
         ${
           engine.state === "stopped"
-            ? html`<p class="banner" role="alert" data-testid="stopped">${engine.problem} Load the page again: it then offers to bring back your clips and models.
-              <button class="small" @click=${() => void this.app.reload()}>Keep everything and reload</button></p>`
+            ? html`<p class="banner" role="alert" data-testid="stopped">${page.stopped(engine.problem)}
+              <button class="small" @click=${() => void this.app.reload()}>${page.keepAndReload}</button></p>`
             : nothing
         }
         ${isPlayView || view === "play" ? nothing : html`<main class="on-demand" tabindex="-1">${this.#onDemand(view)}</main>`}
         <main class="lab" ?hidden=${!isPlayView}>
           ${this.#stageArea()}
-          <div class="tabs" role="tablist" aria-label="Panels" @keydown=${this.#tabKeys}>
+          <div class="tabs" role="tablist" aria-label=${page.panels} @keydown=${this.#tabKeys}>
             ${this.#tabs.map(
               (tab) => html`
               <button role="tab" id="tab-${tab}" aria-controls="panel-${tab}" aria-selected=${this.#tab === tab ? "true" : "false"}
-                tabindex=${this.#tab === tab ? 0 : -1} @click=${() => settings.change({ tab })}>${TAB_TITLES[tab]}</button>`,
+                tabindex=${this.#tab === tab ? 0 : -1} @click=${() => settings.change({ tab })}>${page.tabs[tab]}</button>`,
             )}
           </div>
           ${this.#exercise()}
@@ -382,19 +378,19 @@ export class PageView extends View {
             ? nothing
             : html`
           <footer>
-            <span>Nothing you load leaves your machine. ${this.session ? html`<pg-forget .session=${this.session} .app=${app}></pg-forget>` : nothing}</span>
-            <span><a href="#teach" data-testid="to-teach">For teachers</a>, <button class="link" data-testid="about" @click=${this.openHelp}>Data</button>, <a href="licences.txt">licences</a></span>
+            <span>${page.local} ${this.session ? html`<pg-forget .session=${this.session} .app=${app}></pg-forget>` : nothing}</span>
+            <span><a href="#teach" data-testid="to-teach">${app.words.now.frame.teach}</a>, <button class="link" data-testid="about" @click=${this.openHelp}>${page.data}</button>, <a href="licences.txt">${page.licences}</a>, ${languageSwitch(app.words, "link")}</span>
           </footer>`
         }
         ${
           settings.values.large
-            ? html`<button class="round leave-large" data-testid="leave-large" aria-label="Leave the projector mode" title="Leave the projector mode (Escape)"
+            ? html`<button class="round leave-large" data-testid="leave-large" aria-label=${page.leaveLarge} title=${page.leaveLargeKey}
               @click=${() => settings.change({ large: false })}>${icon("close")}</button>`
             : nothing
         }
         <pg-notices .notices=${notices} .inLab=${isPlayView}></pg-notices>
         <pg-help .model=${model} .engine=${engine}></pg-help>
-        <div class="drop-hint" aria-hidden="true"><p>Drop motion clips (.bvh), tables (.csv) or a model (.json)</p></div>
+        <div class="drop-hint" aria-hidden="true"><p>${page.drop}</p></div>
       </div>`;
   }
 }

@@ -3,6 +3,7 @@
 import { readingSentence } from "../couplings/reading-text";
 import type { Reading } from "../engine/protocol";
 import { clipTitle } from "../ui/format";
+import { lab } from "../words/lab";
 
 /** The state of the stage that the texts need. */
 export interface OnStage {
@@ -33,25 +34,19 @@ export interface StageWords {
   lead: string;
 }
 
-/** The title of a motion of the model, as learned. */
-export const MODEL_TITLE = "Made by the model";
-
 /** The most clips that are named; more are counted. */
 const NAMED = 2;
 
 export function stageWords(now: OnStage): StageWords {
   const { kind, clip } = now;
-  if (kind === null) return { title: "", text: "", lead: MADE };
+  if (kind === null) return { title: "", text: "", lead: lab().stage.lead.made };
   if (kind === "clip") return clipWords(clip);
-  const lead = now.altered ? alteredLead(now) : now.learning ? LEARNING : learned(now);
+  const lead = now.altered ? alteredLead(now) : now.learning ? lab().stage.lead.learning : learned(now);
   return { ...modelWords(now), lead };
 }
 
-const MADE = "This motion was never recorded: a small model made it.";
-const LEARNING = "A model is learning: what it can do so far moves on the stage.";
-
 function alteredLead({ preset, effect, live, twoReadings }: OnStage): string {
-  const meaning = preset?.meaning ?? "Couplings of your own, not those that the model learned.";
+  const meaning = preset?.meaning ?? lab().stage.lead.own;
   return effect && !live
     ? `${meaning} ${readingSentence(effect.text, effect.reading, twoReadings)}`
     : meaning;
@@ -59,48 +54,43 @@ function alteredLead({ preset, effect, live, twoReadings }: OnStage): string {
 
 function learned({ learnedFrom }: OnStage): string {
   const count = learnedFrom?.length ?? 0;
-  return count === 0
-    ? MADE
-    : `This motion was never recorded: a small model learned it from ${clipCount(count)}.`;
+  const { lead, clips } = lab().stage;
+  return count === 0 ? lead.made : lead.learned(clips(count));
 }
 
 function clipWords(clip: OnStage["clip"]): StageWords {
-  const origin = clip?.origin === "made" ? "made by a procedural walker" : "as it was recorded";
+  const words = lab().stage;
   return {
-    title: clip?.title ?? "Clip",
-    text: `A clip, ${origin}: not the model`,
-    lead: "This is a clip: what a model learns from, not what it made.",
+    title: clip?.title ?? words.clip,
+    text: clip?.origin === "made" ? words.madeClip : words.ownClip,
+    lead: words.lead.clip,
   };
 }
 
 function modelWords(now: OnStage): { title: string; text: string } {
   const { point, altered, preset, twoReadings, live, learning, learnedFrom } = now;
-  if (point !== null) return { title: "What an inducing point stands for", text: point };
+  const words = lab().stage;
+  if (point !== null) return { title: words.point, text: point };
   if (altered) {
-    const title = preset?.name ?? "Couplings changed";
-    if (live) return { title, text: "The model goes on live" };
+    const title = preset?.name ?? words.changed;
+    if (live) return { title, text: words.live };
     return {
       title,
-      text: twoReadings
-        ? "The same couplings, read in two ways"
-        : "The outline moves as the model learned it",
+      text: twoReadings ? words.twoReadings : words.outline,
     };
   }
-  if (twoReadings) return { title: MODEL_TITLE, text: "change a coupling to see two readings of it" };
+  if (twoReadings) return { title: words.made, text: words.changeOne };
   if (learning) {
-    const seed = learning.seed === null ? "" : `, seed ${learning.seed}`;
-    const text = learning.iteration === null ? "Starting" : `Iteration ${learning.iteration}${seed}`;
-    return { title: "The model while it learns", text };
+    const { iteration, seed } = learning;
+    const text = iteration === null ? words.starting : words.iteration(iteration, seed);
+    return { title: words.learning, text };
   }
-  return { title: MODEL_TITLE, text: namesOf(learnedFrom ?? []) };
+  return { title: words.made, text: namesOf(learnedFrom ?? []) };
 }
 
 function namesOf(names: readonly string[]): string {
   if (names.length === 0) return "";
   const titles = names.map(clipTitle);
-  return `learned from ${titles.length > NAMED ? clipCount(titles.length) : titles.join(" and ")}`;
-}
-
-function clipCount(count: number): string {
-  return count === 1 ? "one clip" : `${count} clips`;
+  const { learnedFrom, clips, and } = lab().stage;
+  return learnedFrom(titles.length > NAMED ? clips(titles.length) : and(titles));
 }

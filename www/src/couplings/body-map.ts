@@ -3,7 +3,7 @@
 import { html, svg } from "lit";
 import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
-import "../terms/term";
+import { withTerms } from "../terms/term";
 import { short } from "../ui/format";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
@@ -12,6 +12,7 @@ import { type Arrow, type Body, bodyOf, bowBetween, HEIGHT, loopAt, NODE, WIDTH 
 import type { ModelStore } from "./model-store";
 import { alphaOf, placeOf, STRONGEST, strengthOf, WEAKEST } from "./strength";
 import { weights, weightText } from "./weights";
+import { lab } from "../words/lab";
 
 /** Pixels of drag for a factor of ten in alpha. */
 const DECADE = 50;
@@ -133,7 +134,8 @@ export class BodyMap extends View {
 
   #names({ source, target }: Coupling): string {
     const name = (part: number) => this.model.model?.info.parts[part]?.name ?? "";
-    return `${name(source)} drives ${source === target ? "itself" : name(target)}`;
+    const { drives, itself } = lab().couplings;
+    return drives(name(source), source === target ? itself : name(target));
   }
 
   #isHeld({ source, target }: Coupling): boolean {
@@ -178,7 +180,7 @@ export class BodyMap extends View {
       <span class="knob" role="slider" tabindex="0" style=${partStyle(partColour(source), place)} data-testid="knob-${source}-${target}"
         data-source=${source} data-target=${target} aria-orientation="vertical" aria-label=${this.#names(coupling)}
         aria-valuemin="0" aria-valuemax="100" aria-valuenow=${(100 * placeOf(alpha)).toFixed(0)}
-        aria-valuetext="weight ${weightText(couplings.weight(source, target))}, alpha ${short(alpha)}; learned ${short(couplings.learnedAlpha(source, target))}"
+        aria-valuetext=${lab().couplings.knob(weightText(couplings.weight(source, target)), short(alpha), short(couplings.learnedAlpha(source, target)))}
         @pointerdown=${this.#grab(coupling)} @pointermove=${this.#move} @pointerup=${this.#drop} @pointercancel=${this.#drop}
         @pointerenter=${this.#describe(coupling)} @focus=${this.#describe(coupling)} @keydown=${this.#keys(coupling)}
         @dblclick=${() => couplings.reset(source, target)}></span>`;
@@ -187,16 +189,12 @@ export class BodyMap extends View {
   /** The weight of the coupling that was last pointed at, at first what an arrow is. */
   #description() {
     const coupling = this.#described;
-    if (!coupling)
-      return html`Arrows: which <pg-term of="part" text="part"></pg-term> drives which (<pg-term of="coupling" text="coupling"></pg-term>).
-        Drag one up or down: thicker, thinner. Hold it: cut.`;
+    if (!coupling) return withTerms(lab().couplings.arrows);
     const { couplings } = this.model;
     const { source, target } = coupling;
     const now = weightText(couplings.weight(source, target));
-    const learned = couplings.isChanged(source, target)
-      ? ` (learned: ${weightText(this.#learnedWeight(coupling))})`
-      : "";
-    return `${this.#names(coupling)}: weight ${now}${learned}`;
+    const learned = couplings.isChanged(source, target) ? weightText(this.#learnedWeight(coupling)) : null;
+    return lab().couplings.weight(this.#names(coupling), now, learned);
   }
 
   protected override render() {
@@ -209,7 +207,7 @@ export class BodyMap extends View {
       })),
     );
     return html`
-      <div class="body-map" data-testid="body-map" data-parts=${parts.length} role="group" aria-label="Couplings on the body">
+      <div class="body-map" data-testid="body-map" data-parts=${parts.length} role="group" aria-label=${lab().couplings.map}>
         <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="presentation">
           ${bones.map(({ a, b, part }) => svg`<line class="map-bone" style=${partStyle(partColour(part))} x1=${a.x} y1=${a.y} x2=${b.x} y2=${b.y} />`)}
           ${arrows.map(({ coupling, arrow }) => this.#line(coupling, arrow))}

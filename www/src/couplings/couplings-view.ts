@@ -5,7 +5,7 @@ import type { ModelInfo } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
 import { clipTitle } from "../ui/format";
-import "../terms/term";
+import { withTerms } from "../terms/term";
 import { View } from "../ui/view";
 import "./body-map";
 import type { BodyStore } from "./body-store";
@@ -17,6 +17,7 @@ import "./presets-view";
 import type { ReadingsStore } from "./readings-store";
 import "./readings-view";
 import "./weight-bar";
+import { lab } from "../words/lab";
 
 export class CouplingsView extends View {
   declare model: ModelStore;
@@ -51,13 +52,13 @@ export class CouplingsView extends View {
     };
     const frames =
       last > 0
-        ? html`<label class="start">from frame <input type="range" min="0" max=${last} .value=${String(frame)} data-testid="start-frame"
-            aria-valuetext="Frame ${frame + 1} of ${last + 1}" @input=${from} /><output>${frame + 1}</output></label>`
+        ? html`<label class="start">${lab().couplings.fromFrame} <input type="range" min="0" max=${last} .value=${String(frame)} data-testid="start-frame"
+            aria-valuetext=${lab().couplings.frame(frame + 1, last + 1)} @input=${from} /><output>${frame + 1}</output></label>`
         : nothing;
     if (sequences.length < 2) return frames;
     return html`
-      <label class="start">Start as clip
-        <select aria-label="Start as in" @change=${(event: Event) =>
+      <label class="start">${lab().couplings.startAs}
+        <select aria-label=${lab().couplings.startLabel} @change=${(event: Event) =>
           this.model.setStart(Number((event.target as HTMLSelectElement).value))}>
           ${sequences.map(({ name }, i) => html`<option value=${i} ?selected=${i === start}>${clipTitle(name)}</option>`)}
         </select>
@@ -67,9 +68,8 @@ export class CouplingsView extends View {
   #numbers(info: ModelInfo) {
     return html`
       <details class="advanced" data-testid="coupling-numbers">
-        <summary>Numbers</summary>
-        <p class="hint">A row decides about a column. Right is strong: small
-          <pg-term of="alpha" text="α"></pg-term>, large <pg-term of="weight" text="w"></pg-term>.</p>
+        <summary>${lab().couplings.numbers}</summary>
+        <p class="hint">${withTerms(lab().couplings.table)}</p>
         ${this.#table(info)}
         <div class="starts">${this.#starts(info)}</div>
       </details>`;
@@ -79,14 +79,11 @@ export class CouplingsView extends View {
     const info = this.model.model?.info;
     if (!info)
       return html`<p class="empty">${
-        this.engine.state === "failed"
-          ? "The model could not be started, so its couplings cannot be changed."
-          : "How the parts drive each other appears here."
+        this.engine.state === "failed" ? lab().couplings.failed : lab().couplings.empty
       }</p>`;
     if (info.parts.length < 2)
       return html`
-        <p data-testid="one-part">This model has one <pg-term of="part" text="part"></pg-term>, so no part drives another. Train one with
-          two parts or more.</p>
+        <p data-testid="one-part">${withTerms(lab().couplings.onePart)}</p>
         ${this.#numbers(info)}`;
     return html`
       <div class="couplings-body">

@@ -1,6 +1,6 @@
 // The measures of the motion under the couplings now.
 import { html, nothing } from "lit";
-import "../terms/term";
+import { withTerms } from "../terms/term";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
@@ -8,8 +8,9 @@ import type { BodyStore } from "./body-store";
 import { measuresText } from "./measures-text";
 import "./measured-view.css";
 import type { ModelStore } from "./model-store";
-import { READING_TEXT } from "./reading-text";
+import { readingText } from "./reading-text";
 import type { ReadingsStore } from "./readings-store";
+import { lab } from "../words/lab";
 
 export class MeasuredView extends View {
   declare model: ModelStore;
@@ -25,14 +26,14 @@ export class MeasuredView extends View {
     if (!reports) return nothing;
     const names = (this.model.model?.info.parts ?? []).map(({ name }) => name);
     const { parts, step, trouble } = measuresText(reports.now, reports.learned, names);
-    const which = this.readings.bothShown ? ` ${READING_TEXT[reports.now.request.reading]}` : "";
+    const which = this.readings.bothShown ? readingText(reports.now.request.reading) : "";
     const end = [
       step && html`<span data-testid="measured-step">${step}</span>`,
       trouble && html`<strong class="bad" data-testid="measured-trouble">${trouble}</strong>`,
     ];
     return html`
       <p class="measured" role="status" data-testid="measured" data-current=${isCurrent ? "yes" : "no"}>
-        <span><pg-term of="measured" text="Measured"></pg-term>${which}, compared with as learned:</span>
+        <span>${withTerms(lab().measured.compared(which))}</span>
         ${parts.map(
           ({ part, words }) => html`
           <span class="limbs" data-testid="measured-${part}" style=${partStyle(partColour(part))}><i class="swatch"></i>${names[part]} ${words}</span>`,

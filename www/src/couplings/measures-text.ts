@@ -1,6 +1,7 @@
 // The measures of a motion as text, compared with the motion as learned.
 import type { BodyReport, Health } from "../engine/protocol";
 import { sentence } from "../ui/format";
+import { lab } from "../words/lab";
 
 export interface MeasuresText {
   /** How the hands and feet of each part swing; `changed`: not as learned. */
@@ -34,7 +35,7 @@ export function measuresText(now: BodyReport, learned: BodyReport, names: readon
     const [is, was] = [now.measures.parts[part], learned.measures.parts[part]];
     if (!is || !was || is.swing === null || was.swing === null) return [];
     const since = now.health.parts[part]?.stillFrom ?? null;
-    const pose = since === null ? "" : `keeps one pose ${sinceText(since)}`;
+    const pose = since === null ? "" : lab().measured.pose(sinceText(since));
     const pace = paceText(is, was);
     const texts = pose ? [pose] : [swingText(is.swing, was.swing), pace];
     const changed = pose !== "" || pace !== "" || !isSame(is.swing, was.swing);
@@ -47,7 +48,7 @@ export function measuresText(now: BodyReport, learned: BodyReport, names: readon
     return { part, words: [...texts, own ? step : ""].filter(Boolean).join(", "), changed };
   });
   const common = steps.size === 1 ? [...steps].join() : "";
-  const step = [common && `hands and feet ${common}`, speedText(now, learned)].filter(Boolean).join("; ");
+  const step = [common && lab().measured.common(common), speedText(now, learned)].filter(Boolean).join("; ");
   return { parts, step, trouble };
 }
 
@@ -55,10 +56,10 @@ export function measuresText(now: BodyReport, learned: BodyReport, names: readon
 export function effectText(now: BodyReport, learned: BodyReport, names: readonly string[]): string {
   const { parts, step, trouble } = measuresText(now, learned, names);
   if (IN_ONE_POSE.has(now.health.state) || now.health.state === "not-finite")
-    return sentence(`the figure ${trouble}`);
+    return sentence(lab().measured.figure(trouble));
   const changed = parts.filter(({ changed }) => changed);
   const texts = changed.map(({ part, words }) => `${names[part]} ${words}`);
-  const swings = texts.length > 0 ? texts.join("; ") : "hands and feet swing as learned";
+  const swings = texts.length > 0 ? texts.join("; ") : lab().measured.asLearned;
   return [swings, step, trouble].filter(Boolean).map(sentence).join(" ");
 }
 
@@ -72,17 +73,16 @@ function isSame(is: number, was: number): boolean {
 }
 
 function swingText(is: number, was: number): string {
-  if (was < SWINGS) return `swings ${(100 * is).toFixed(0)} cm`;
-  const share = is / was;
-  return `${share < HARDLY ? "hardly swings, " : "swings "}${share.toFixed(2)} × as far`;
+  const { swings, swingsBy } = lab().measured;
+  return was < SWINGS ? swingsBy(100 * is) : swings(is / was, is / was < HARDLY);
 }
 
 function paceText(now: Limbs, learned: Limbs): string {
   const [is, was] = [now.period, learned.period];
   if (was === null || !isSwinging(now, learned)) return "";
-  if (is === null) return "without a steady pace";
+  if (is === null) return lab().measured.noPace;
   if (Math.abs(is / was - 1) < SAME_PACE) return "";
-  return `${is > was ? "slower" : "faster"} (${is.toFixed(2)} s, not ${was.toFixed(2)} s)`;
+  return lab().measured.pace(is, was);
 }
 
 export type Step = "in step" | "partly in step" | "out of step";
@@ -93,7 +93,7 @@ export function stepOf(locking: number): Step {
 }
 
 function stepText({ locking }: Limbs): string {
-  return locking === null ? "" : stepOf(locking);
+  return locking === null ? "" : lab().measured.step[stepOf(locking)];
 }
 
 /** The ratio of the speeds; empty for a body that walks on the spot. */
@@ -102,32 +102,31 @@ function speedText(
   { measures: { walkingSpeed: was } }: BodyReport,
 ): string {
   const share = is / was;
-  return was < 0.1 || Math.abs(share - 1) < SAME_SPEED ? "" : `walks ${share.toFixed(2)} × as fast`;
+  return was < 0.1 || Math.abs(share - 1) < SAME_SPEED ? "" : lab().measured.speed(share);
 }
 
 /** The states of a body whose pose hardly changes. */
 const IN_ONE_POSE: ReadonlySet<Health["state"]> = new Set(["stands-still", "keeps-one-pose"]);
 
-const sinceText = (seconds: number) => `from ${seconds.toFixed(1)} s on`;
+const sinceText = (seconds: number) => lab().measured.since(seconds);
 
 /** How a motion ends, if it does not move on: the rest of a sentence that begins with "it". Else empty. */
 export function troubleText({ state, from, part, parts }: Health, names: readonly string[]): string {
+  const words = lab().measured;
   const since = sinceText(from ?? 0);
-  const name = names[part ?? 0] ?? "a part";
+  const name = names[part ?? 0] ?? words.aPart;
   switch (state) {
     case "stands-still":
-      return `stands still ${since}`;
+      return words.standsStill(since);
     case "keeps-one-pose":
-      return `keeps one pose ${since}`;
+      return words.pose(since);
     case "visits-few-poses":
-      return `visits ${percent(parts[part ?? 0]?.visited ?? 0)} of its clips’ poses in ${name}`;
+      return words.visits(parts[part ?? 0]?.visited ?? 0, name);
     case "leaves-training-range":
-      return `${name} leaves the training range ${since}`;
+      return words.leaves(name, since);
     case "not-finite":
-      return "runs away: its numbers are too large to show";
+      return words.runsAway;
     default:
       return "";
   }
 }
-
-const percent = (share: number) => `${Math.round(100 * share)} %`;

@@ -8,7 +8,7 @@ import { Playback } from "../stage/playback";
 import { StageStore } from "../stage/stage-store";
 import { NoticesStore } from "../ui/notices-store";
 import { ModelStore } from "./model-store";
-import { START_PRESETS } from "./presets";
+import { presetWords, START_PRESETS } from "./presets";
 
 let engine: FakeEngine;
 let settings: SettingsStore;
@@ -163,25 +163,21 @@ describe("a coupling", () => {
 
 describe("presets", () => {
   it("fit the parts, and set couplings and reading at once", async () => {
-    expect(model.presets.map(({ name }) => name)).toContain("Upper on its own");
+    expect(model.presets.map((preset) => presetWords(preset).name)).toContain("Upper on its own");
     expect(model.preset?.id).toBe("as-learned");
     model.couplings.setReading("as-learned");
     stage.showClip(clip());
     const before = engine.rollouts.length;
-    model.takePreset(model.presets.find(({ name }) => name === "Upper on its own")!);
+    model.takePreset(model.presets.find(({ id }) => id === "1-alone")!);
     await settled();
-    expect([model.preset?.name, settings.values.reading, stage.clip]).toEqual([
-      "Upper on its own",
-      "re-inferred",
-      null,
-    ]);
+    expect([model.preset?.id, settings.values.reading, stage.clip]).toEqual(["1-alone", "re-inferred", null]);
     expect(engine.rollouts.length - before).toBe(1);
     model.couplings.setReading("as-learned");
     expect(model.preset).toBeNull();
   });
 
   it("give the visitor's reading back with a reset", () => {
-    const other = model.presets.find(({ name }) => name === "Upper on its own")!;
+    const other = model.presets.find(({ id }) => id === "1-alone")!;
     model.couplings.setReading("as-learned");
     model.takePreset(other);
     model.couplings.set(0, 1, 8);

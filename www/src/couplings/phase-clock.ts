@@ -26,24 +26,17 @@ export interface ClockWords {
   step: Readonly<Record<"in step" | "partly in step" | "out of step", string>>;
 }
 
-const ENGLISH: ClockWords = {
-  clock: "Phase clock: one hand for each part, which turns once in each of its periods",
-  seconds: (seconds) => `${seconds.toFixed(2)} s`,
-  still: "keeps one pose",
-  step: { "in step": "in step", "partly in step": "partly in step", "out of step": "out of step" },
-};
-
 /**
- * `<pg-phase-clock .phases=${app.phases} .playback=${app.playback}>`; the CSS variable `--clock-size` is its
+ * `<pg-phase-clock .phases=${app.phases} .playback=${app.playback} .words=${...}>`; the CSS variable `--clock-size` is its
  * width. The hands of parts that keep step as learned lie on each other. A hand is shorter the farther its
- * part is from the learned cycle. `names` (of the parts) and `words` are optional, for another language.
+ * part is from the learned cycle. `names` of the parts are optional, for another language.
  */
 export class PhaseClock extends View {
   static override properties = { names: {}, words: {} };
   declare phases: PhasesStore;
   declare playback: Playback;
   declare names: readonly string[] | undefined;
-  declare words: ClockWords | undefined;
+  declare words: ClockWords;
   #hands: SVGLineElement[] = [];
   #updatedAt = 0;
 
@@ -78,7 +71,7 @@ export class PhaseClock extends View {
   protected override render() {
     const { parts, step, isCurrent } = this.phases;
     if (parts.length === 0) return nothing;
-    const words = this.words ?? ENGLISH;
+    const { words } = this;
     return html`
       <svg class="clock-face" viewBox="${-HALF} ${-HALF} ${2 * HALF} ${2 * HALF}" role="img" aria-label=${words.clock}>
         <circle class="clock-ring" r=${HALF - 3}></circle>

@@ -4,6 +4,8 @@ import type { SettingsStore } from "../settings/settings-store";
 import { View } from "../ui/view";
 import type { ModelStore } from "./model-store";
 import "./presets-view.css";
+import { lab } from "../words/lab";
+import { presetWords } from "./presets";
 
 export class PresetsView extends View {
   declare model: ModelStore;
@@ -17,10 +19,10 @@ export class PresetsView extends View {
     const { model } = this;
     const now = model.preset;
     return html`
-      <div class="presets" role="group" aria-label="Presets">${model.presets.map(
+      <div class="presets" role="group" aria-label=${lab().presets.label}>${model.presets.map(
         (preset) => html`
         <button type="button" class="preset" aria-pressed=${preset === now || preset.id === now?.id ? "true" : "false"}
-          title=${preset.meaning} data-testid="preset-${preset.id}" @click=${() => model.takePreset(preset)}>${preset.name}</button>`,
+          title=${presetWords(preset).meaning} data-testid="preset-${preset.id}" @click=${() => model.takePreset(preset)}>${presetWords(preset).name}</button>`,
       )}</div>`;
   }
 }

@@ -1,6 +1,15 @@
 import { expect, it } from "vitest";
 import type { ModelView } from "../engine/protocol";
-import { couplingsOf, INVITATION, isPreset, type Preset, presetsOf, START_PRESETS } from "./presets";
+import { lab as german } from "../words/de/lab";
+import {
+  couplingsOf,
+  INVITATION,
+  isPreset,
+  type Preset,
+  presetsOf,
+  presetWords,
+  START_PRESETS,
+} from "./presets";
 
 /** The fields of a model that presets read. */
 function info(names: string[], alpha: number[][]): ModelView["info"] {
@@ -19,6 +28,12 @@ it("fits the presets of the first model to its parts, one of them as learned", (
   const changes = START_PRESETS.map((preset) => couplingsOf(preset, first));
   expect(changes.every((changed) => changed !== null)).toBe(true);
   expect(changes.filter((changed) => Object.keys(changed ?? {}).length === 0)).toHaveLength(1);
+});
+
+it("has German words for each preset of the first model, and its own words for those of any model", () => {
+  expect(Object.keys(german.presets.start).sort()).toEqual(START_PRESETS.map(({ id }) => id).sort());
+  expect(presetWords(START_PRESETS[0]!).meaning).toBe("Legs and arms as training coupled them.");
+  expect(presetWords(presetsOf(["a", "b"])[0]!).meaning).toBe("The parts as training coupled them.");
 });
 
 it("offers a preset that exists at the head of the page", () => {
@@ -45,7 +60,7 @@ it("recognises a preset by its couplings and reading, with the precision of a li
 it("gives any model the preset as-learned and two presets for each part", () => {
   const names = ["legs", "trunk", "left arm"];
   const presets = presetsOf(names);
-  expect(presets.map(({ name }) => name).slice(5)).toEqual([
+  expect(presets.map((preset) => presetWords(preset).name).slice(5)).toEqual([
     "Left arm on its own",
     "Left arm follows the others",
   ]);

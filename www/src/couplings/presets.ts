@@ -4,12 +4,12 @@ import startPresets from "../../first/presets.json";
 import type { ModelView, Reading } from "../engine/protocol";
 import { type ChangedCouplings, limited } from "../settings/settings";
 import { isClose } from "./couplings-store";
+import { lab } from "../words/lab";
 
 export interface Preset {
   id: string;
-  name: string;
-  /** One or two sentences: the meaning of the couplings, not their effect. */
-  meaning: string;
+  /** The part that a preset of any model is about; null: all parts. The first model's presets have none. */
+  part?: string | null;
   reading: Reading;
   /** The factors by which couplings change. */
   couplings: readonly Change[];
@@ -28,38 +28,29 @@ const SILENT = 1000;
 /** The presets of the model that the page opens with. */
 export const START_PRESETS = startPresets as readonly Preset[];
 
-/** The preset that the Lab offers first, and the question that its measured effect answers. */
-export const INVITATION = { preset: "arms-go", question: "do they keep step?" };
+/** The preset that the Lab offers first. */
+export const INVITATION = { preset: "arms-go" };
+
+/** The name of a preset and the meaning of its couplings, not their effect. */
+export function presetWords({ id, part }: Preset): { name: string; meaning: string } {
+  const { start, learned, alone, follows } = lab().presets;
+  if (part) return id.endsWith("-alone") ? alone(part) : follows(part);
+  return (part === undefined && start[id]) || learned;
+}
 
 /** Presets for any model with these parts; none for a model of one part. */
 export function presetsOf(parts: readonly string[]): Preset[] {
   if (parts.length < 2) return [];
-  const preset = (id: string, name: string, meaning: string, couplings: Change[]): Preset => ({
-    id,
-    name,
-    meaning,
-    reading: "re-inferred",
-    couplings,
-  });
+  const reading = "re-inferred";
   const changed = parts.flatMap((target, place) => {
     const others = parts.filter((part) => part !== target);
     const silent = (source: string) => ({ source, target, factor: SILENT });
     return [
-      preset(
-        `${place}-alone`,
-        `${capital(target)} on its own`,
-        `What the other parts say about ${target} hardly counts.`,
-        others.map(silent),
-      ),
-      preset(
-        `${place}-follows`,
-        `${capital(target)} follows the others`,
-        `What ${target} says about itself hardly counts.`,
-        [silent(target)],
-      ),
+      { id: `${place}-alone`, part: target, reading, couplings: others.map(silent) } as const,
+      { id: `${place}-follows`, part: target, reading, couplings: [silent(target)] } as const,
     ];
   });
-  return [preset("as-learned", "As learned", "The parts as training coupled them.", []), ...changed];
+  return [{ id: "as-learned", part: null, reading, couplings: [] }, ...changed];
 }
 
 /** The couplings of a preset within the limits of the settings; null if the model lacks one of its parts. */
@@ -92,8 +83,4 @@ export function isPreset(
     (pairs.length === 0 || preset.reading === reading) &&
     pairs.every((pair) => isClose(alpha[pair] ?? Number.POSITIVE_INFINITY, wanted[pair] ?? 0))
   );
-}
-
-function capital(name: string): string {
-  return name.charAt(0).toUpperCase() + name.slice(1);
 }

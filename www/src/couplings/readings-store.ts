@@ -5,7 +5,8 @@ import type { Reading, RolloutResult } from "../engine/protocol";
 import type { StageStore } from "../stage/stage-store";
 import { Store } from "../ui/store";
 import type { ModelStore } from "./model-store";
-import { READING_TEXT } from "./reading-text";
+import { readingText } from "./reading-text";
+import { lab } from "../words/lab";
 
 /** From left to right. */
 const READINGS: readonly Reading[] = ["as-learned", "re-inferred"];
@@ -74,7 +75,7 @@ export class ReadingsStore extends Store {
 
   #show(rollout: RolloutResult, other: RolloutResult): void {
     const columns = READINGS.map((reading) => ({
-      title: `Experts ${READING_TEXT[reading]}`,
+      title: lab().readings.experts(readingText(reading)),
       motion: (rollout.request.reading === reading ? rollout : other).motion,
     }));
     this.#stage.setColumns(columns);

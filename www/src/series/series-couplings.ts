@@ -2,7 +2,7 @@
 import { html, nothing } from "lit";
 import "../couplings/couplings.css";
 import { couplingsTable } from "../couplings/couplings-table";
-import { READING_TEXT } from "../couplings/reading-text";
+import { readingText } from "../couplings/reading-text";
 import type { Reading } from "../engine/protocol";
 import type { SeriesStore } from "./series-store";
 
@@ -31,7 +31,7 @@ export function seriesCouplings(model: SeriesStore) {
             reading,
             meaning,
           ]) => html`<button title=${meaning} aria-pressed=${couplings.reading === reading ? "true" : "false"}
-            @click=${() => couplings.setReading(reading)}>${READING_TEXT[reading]}</button>`,
+            @click=${() => couplings.setReading(reading)}>${readingText(reading)}</button>`,
         )}</span>
       <button class="small" data-testid="series-reset" ?disabled=${!couplings.altered} @click=${() => couplings.resetAll()}>All as learned</button>
     </div>

@@ -10,6 +10,7 @@ import { View } from "../ui/view";
 import type { Playback } from "./playback";
 import { spotlight } from "./spotlight";
 import type { Marks, StageStore } from "./stage-store";
+import { lab } from "../words/lab";
 
 export class TimelineView extends View {
   declare stage: StageStore;
@@ -55,8 +56,8 @@ export class TimelineView extends View {
       const limits = { min: Number(seconds(min)), max: Number(seconds(max)) };
       if (words) words.textContent = limitWords(detail, limits);
     };
-    return html`<label title="How long the model goes on, ${seconds(min)} to ${seconds(max)} seconds"> /
-      <input type="number" data-testid="length" aria-label="Length of the motion in seconds" min=${seconds(min)} max=${seconds(max)}
+    return html`<label title=${lab().time.lengthMeaning(seconds(min), seconds(max))}> /
+      <input type="number" data-testid="length" aria-label=${lab().time.length} min=${seconds(min)} max=${seconds(max)}
         step="1" .value=${seconds(frames)} @change=${change} /> s</label><small class="limit" role="status" data-testid="length-limit"></small>`;
   }
 
@@ -65,41 +66,43 @@ export class TimelineView extends View {
     const { content } = this.stage;
     if (content?.kind !== "model") return nothing;
     const live = content.live === true;
+    const words = lab().time;
     const turn = (on: boolean) => () =>
       live !== on && this.dispatchEvent(new CustomEvent("switch-live", { detail: on, bubbles: true }));
     return html`
-      <div class="segments modes" role="group" aria-label="Clip or live">
-        <button type="button" aria-pressed=${live ? "false" : "true"} title="A motion of some seconds, again and again" @click=${turn(false)}>clip</button>
+      <div class="segments modes" role="group" aria-label=${words.modes}>
+        <button type="button" aria-pressed=${live ? "false" : "true"} title=${words.clipMeaning} @click=${turn(false)}>${words.clip}</button>
         <button type="button" aria-pressed=${live ? "true" : "false"} data-testid="live-on" @click=${turn(true)}
-          title="The model goes on from here without an end: cut couplings and push parts while it moves">live</button>
+          title=${words.liveMeaning}>${words.live}</button>
       </div>`;
   }
 
   protected override render() {
     const { playback, settings } = this;
     const { playing, lastFrame } = playback;
+    const words = lab().time;
     const { loop, speed: now } = settings.values;
     const frameTime = this.stage.content?.motion.frameTime ?? 1 / 30;
     const frame = Math.min(Math.floor(playback.frame + 1e-6), lastFrame);
     const seconds = (value: number) => (value * frameTime).toFixed(1);
     return html`
-      <div class="timeline" role="group" aria-label="Time">
-        <button class="round primary" data-testid="play" aria-label=${playing ? "Pause" : "Play"} title=${playing ? "Pause (space)" : "Play (space)"}
+      <div class="timeline" role="group" aria-label=${words.label}>
+        <button class="round primary" data-testid="play" aria-label=${playing ? words.pause : words.play} title=${playing ? words.pauseMeaning : words.playMeaning}
           @click=${() => playback.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
-        <button class="round step" aria-label="One frame back" title="One frame back (left arrow)" @click=${() => playback.step(-1)}>${icon("back")}</button>
-        <button class="round step" aria-label="One frame forward" title="One frame forward (right arrow)" @click=${() => playback.step(1)}>${icon("forward")}</button>
+        <button class="round step" aria-label=${words.back} title=${words.backMeaning} @click=${() => playback.step(-1)}>${icon("back")}</button>
+        <button class="round step" aria-label=${words.forward} title=${words.forwardMeaning} @click=${() => playback.step(1)}>${icon("forward")}</button>
         ${this.#modes()}
         <div class="scrub">
           <canvas aria-hidden="true"></canvas>
-          <input type="range" aria-label="Frame" data-testid="scrub" ?disabled=${this.stage.content?.live === true} min="0" max=${lastFrame} step="1" .value=${String(frame)}
-            aria-valuetext="Frame ${frame + 1} of ${lastFrame + 1}"
+          <input type="range" aria-label=${words.frame} data-testid="scrub" ?disabled=${this.stage.content?.live === true} min="0" max=${lastFrame} step="1" .value=${String(frame)}
+            aria-valuetext=${words.frameOf(frame + 1, lastFrame + 1)}
             @input=${(event: Event) => playback.scrub((event.target as HTMLInputElement).valueAsNumber)} />
         </div>
         <span class="clock"><output aria-hidden="true">${seconds(frame)}</output>${this.#length(frameTime, seconds(lastFrame))}</span>
-        <button class="round toggle" aria-label="Loop" title="Loop" aria-pressed=${loop ? "true" : "false"}
+        <button class="round toggle" aria-label=${words.loop} title=${words.loop} aria-pressed=${loop ? "true" : "false"}
           @click=${() => settings.change({ loop: !loop })}>${icon("loop")}</button>
-        <label class="speed"><span class="hidden">Speed</span>
-          <select aria-label="Speed" @change=${(event: Event) => {
+        <label class="speed"><span class="hidden">${words.speed}</span>
+          <select aria-label=${words.speed} @change=${(event: Event) => {
             const chosen = SETTINGS.speed.read((event.target as HTMLSelectElement).value);
             if (chosen !== null) settings.change({ speed: chosen });
           }}>

@@ -38,7 +38,10 @@ export class DoorsView extends View {
   async #openLab(): Promise<void> {
     this.lab = "loading";
     try {
-      await import("../app/page");
+      await Promise.all([
+        import("../app/page"),
+        import("../words/lab").then(({ loadLab }) => loadLab(this.app.words)),
+      ]);
       this.lab = "open";
       await this.updateComplete;
       const page = this.querySelector<PageView>("pg-page");

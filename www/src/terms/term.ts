@@ -4,6 +4,16 @@ import { html, LitElement, nothing } from "lit";
 import "./term.css";
 import type { TermName } from "./terms";
 
+/** A sentence in which each [text|term] in brackets is a term. */
+export function withTerms(sentence: string) {
+  const [first = "", ...pieces] = sentence.split("[");
+  return html`${first}${pieces.map((piece) => {
+    const [marked = "", after = ""] = piece.split("]");
+    const [text = "", term = ""] = marked.split("|");
+    return html`<pg-term of=${term} text=${text}></pg-term>${after}`;
+  })}`;
+}
+
 export class Term extends LitElement {
   static override properties = { of: {}, text: {}, about: {} };
   /** The key of the term. */

@@ -1,6 +1,7 @@
 // The base of all components: redraws when one of its stores changes. It has no shadow DOM, so that the
 // styles of the page apply.
 import { LitElement } from "lit";
+import { languageChanges } from "./language";
 import type { Observed } from "./store";
 
 export abstract class View extends LitElement {
@@ -37,7 +38,8 @@ export abstract class View extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    for (const store of this.stores()) this.whenLeaving(store.on(() => this.requestUpdate()));
+    for (const store of [languageChanges, ...this.stores()])
+      this.whenLeaving(store.on(() => this.requestUpdate()));
     if (this.hasUpdated) this.arrived();
   }
 

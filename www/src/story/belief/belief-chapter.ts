@@ -13,6 +13,8 @@ import type { Chapter } from "../chapter";
 import { randomNumbers } from "../../ui/random-numbers";
 import { type Answer, type Belief, beliefOf, ratiosOf, type Round, threeRounds } from "./rounds";
 
+import { TO_RHYTHMIC_DMP, WITHOUT_COUPLINGS } from "./worth";
+
 /** The order of the rounds when a visitor comes for the first time. */
 const SEED = 1;
 
@@ -106,7 +108,12 @@ export class BeliefChapter extends Store implements Chapter {
   }
 
   equation() {
-    return html`${unsafeHTML(EQUATIONS.dynamics)}${unsafeHTML(EQUATIONS.weights)}`;
+    const worth = this.#now.closing(
+      WITHOUT_COUPLINGS.training[0],
+      WITHOUT_COUPLINGS.heldOut[0],
+      TO_RHYTHMIC_DMP[0],
+    );
+    return html`${unsafeHTML(EQUATIONS.dynamics)}${unsafeHTML(EQUATIONS.weights)}<p data-testid="worth">${worth}</p>`;
   }
 
   lab(): Partial<Settings> {

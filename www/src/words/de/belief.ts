@@ -34,6 +34,9 @@ export const belief: Words["chapters"]["belief"] = {
   },
   score: (you, model, rounds) =>
     `Bisher richtig: du ${you} von ${rounds}, das Modell ${model} von ${rounds}.`,
+  closing: (learned, fresh, dmp) =>
+    `Bei Aufnahmen: ohne Kopplungen ${decimal("de", learned, 2)}-facher Fehler bei gelernten Gängen, ` +
+    `${decimal("de", fresh, 2)}-facher bei neuen (unentschieden). Besser ist eine rhythmische DMP: Unser Fehler ist ${decimal("de", dmp, 2)}-mal so groß.`,
   again: "Ein anderes Paar",
   modelRow: "das Modell glaubt",
   truthRow: "die Wahrheit",

@@ -32,6 +32,9 @@ export const belief = {
   },
   score: (you: number, model: number, rounds: number) =>
     `Right so far: you ${you} of ${rounds}, the model ${model} of ${rounds}.`,
+  closing: (learned: number, fresh: number, dmp: number) =>
+    `On recordings: without couplings ${decimal("en", learned, 2)} times the error on learned walks, ` +
+    `${decimal("en", fresh, 2)} times on new ones (undecided). A rhythmic DMP is better: ours has ${decimal("en", dmp, 2)} times its error.`,
   again: "Another pair",
   modelRow: "the model believes",
   truthRow: "the truth",

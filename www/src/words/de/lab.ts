@@ -1,0 +1,230 @@
+import { decimal } from "../decimal";
+import type { LabWords } from "../en/lab";
+
+const number = (value: number, digits: number) => decimal("de", value, digits);
+
+export const lab: LabWords = {
+  title: "Gekoppelte [Bewegungs\u00adprimitive|movement-primitive]",
+  views: {
+    play: "Labor",
+    compare: "Modelle vergleichen",
+    primitives: "Primitive",
+    synthetic: "Wer treibt wen?",
+    perception: "Was ist natürlich?",
+    method: "Methode",
+    series: "Zeitreihen",
+  },
+  leads: {
+    compare: "Welches Modell sieht einen Gang am besten voraus, und was kostet es?",
+    primitives: "Teile, einmal gelernt und neu zusammengesetzt: Beine einer Bewegung, Arme einer anderen.",
+    synthetic: "Zwei erdachte Systeme, deren Wahrheit bekannt ist: Findet das Training sie?",
+    series: "Kurven, die kein Körper sind: welche Teile sie haben, und welcher Teil welchen treibt.",
+    perception:
+      "Der grafische Turing-Test: Unterscheiden Menschen die Bewegung eines Modells von einer natürlichen?",
+    method: "Das Modell in Gleichungen, und wo jedes Zeichen zu sehen ist.",
+  },
+  header: {
+    files: "Dateien",
+    open: "Öffnen",
+    openMeaning: "Ein Modell (.json), Clips (.bvh) oder Tabellen (.csv) öffnen",
+    help: "Hilfe und Tasten",
+    newVersion: "Neue Version laden",
+    newVersionMeaning:
+      "Es gibt eine neue Version dieser Seite. Sie beginnt von vorn: Speichere zuerst, was du behalten willst.",
+  },
+  page: {
+    tabs: { listen: "Hören", loops: "Schleifen", learn: "Lernen", numbers: "Zahlen" },
+    panels: "Tafeln",
+    skipToCouplings: "Zu den Kopplungen",
+    skipToContent: "Zum Inhalt",
+    loading: "Wird geladen",
+    notLoaded: "Dieser Teil der Seite konnte nicht geladen werden.",
+    reload: "Seite neu laden",
+    foreignLink: (linked, here) =>
+      `Die Kopplungen dieses Links gehören zu einem anderen Modell (${linked}), nicht zu dem auf der Bühne (${here}). Sie gelten, sobald jenes Modell geöffnet ist.`,
+    forgetLink: "Vergessen",
+    failed: (why) =>
+      `Das Modell läuft hier nicht: ${why} Der Gang unten ist gespeichert; Regler und Training brauchen das Modell.`,
+    stopped: (why) => `${why} Lade die Seite neu: Sie bietet dann deine Clips und Modelle wieder an.`,
+    keepAndReload: "Alles behalten und neu laden",
+    local: "Was du lädst, bleibt auf deinem Gerät.",
+    data: "Daten",
+    licences: "Lizenzen",
+    leaveLarge: "Projektormodus verlassen",
+    leaveLargeKey: "Projektormodus verlassen (Escape)",
+    drop: "Clips (.bvh), Tabellen (.csv) oder ein Modell (.json) hier ablegen",
+  },
+  stage: {
+    made: "Vom Modell gemacht",
+    lead: {
+      made: "Diese Bewegung wurde nie aufgenommen: Ein kleines Modell hat sie gemacht.",
+      learned: (clips) =>
+        `Diese Bewegung wurde nie aufgenommen: Ein kleines Modell hat sie aus ${clips} gelernt.`,
+      learning: "Ein Modell lernt: Auf der Bühne bewegt sich, was es schon kann.",
+      own: "Eigene Kopplungen, nicht die vom Modell gelernten.",
+      clip: "Das ist ein Clip: woraus ein Modell lernt, nicht was es macht.",
+      back: "Zurück zum Gelernten",
+      question: "Bleiben sie im Gleichschritt?",
+    },
+    rollout: "Ein [Rollout|rollout]",
+    clip: "Clip",
+    madeClip: "Ein Clip, von einem Programm gemacht: nicht das Modell",
+    ownClip: "Ein Clip, wie aufgenommen: nicht das Modell",
+    point: "Wofür ein Stützpunkt steht",
+    posePoint: (part) => `Eine Pose von ${part}`,
+    stepPoint: (source, target) => `Von dieser Pose von ${source} zu jener von ${target}`,
+    changed: "Kopplungen geändert",
+    live: "Das Modell läuft live weiter",
+    twoReadings: "Dieselben Kopplungen, auf zwei Arten gelesen",
+    outline: "Der Umriss bewegt sich, wie das Modell es gelernt hat",
+    changeOne: "Ändere eine Kopplung, um zwei Lesarten zu sehen",
+    learning: "Das Modell, während es lernt",
+    starting: "Beginnt",
+    iteration: (iteration, seed) => `Iteration ${iteration}${seed === null ? "" : `, Startwert ${seed}`}`,
+    learnedFrom: (names) => `gelernt aus ${names}`,
+    clips: (count) => (count === 1 ? "einem Clip" : `${count} Clips`),
+    and: (names) => names.join(" und "),
+    backToModel: "Zurück zum Modell",
+    health: (words, altered) => `${altered ? "Mit diesen Kopplungen: Das Modell" : "Das Modell"} ${words}`,
+    asLearned: "Kopplungen wie gelernt",
+    morePoints: "Mit mehr Punkten trainieren",
+    morePointsMeaning: (points) => `Trainiert neu mit ${points} Punkten in jeder Abbildung`,
+    otherSeeds: "Andere Startwerte",
+    otherSeedsMeaning: "Trainiert neu mit den nächsten Startwerten",
+    figure:
+      "Eine gehende Figur. Ziehen dreht die Ansicht, Scrollen holt sie näher; Tasten: w, a, s, d, plus und minus.",
+  },
+  clock: {
+    clock: "Phasenuhr: ein Zeiger für jeden Teil, der sich in jeder Periode einmal dreht",
+    seconds: (seconds) => `${number(seconds, 2)} s`,
+    still: "behält eine Pose",
+    step: {
+      "in step": "im Gleichschritt",
+      "partly in step": "teils im Gleichschritt",
+      "out of step": "nicht im Gleichschritt",
+    },
+  },
+  presets: {
+    label: "Vorgaben",
+    start: {
+      "as-learned": { name: "Wie gelernt", meaning: "Beine und Arme, wie das Training sie gekoppelt hat." },
+      "arms-go": {
+        name: "Arme loslassen",
+        meaning: "Die Arme hören die Beine nicht mehr. Was sie allein tun, wird neu aus den Clips bestimmt.",
+      },
+      "arms-hang": {
+        name: "Arme loslassen, wie sie sind",
+        meaning:
+          "Die Arme hören die Beine nicht mehr. Sie tun, was sie mit den Beinen zusammen gelernt haben.",
+      },
+      "arms-follow": {
+        name: "Arme folgen nur den Beinen",
+        meaning: "Die Arme hören nicht mehr auf sich selbst, nur auf die Beine.",
+      },
+      "arms-lead": {
+        name: "Arme führen die Beine",
+        meaning: "Die Beine hören nicht mehr auf sich selbst, nur auf die Arme.",
+      },
+      "untrained-advice": {
+        name: "Beine hören die Arme ein wenig",
+        meaning: "Die Arme haben über Beine nichts gelernt. Die Beine hören sie ein wenig.",
+      },
+      "legs-lost": {
+        name: "Beine hören sich selbst kaum",
+        meaning: "Die Arme haben über Beine nichts gelernt. Die Beine hören halb sich selbst, halb die Arme.",
+      },
+    },
+    learned: { name: "Wie gelernt", meaning: "Die Teile, wie das Training sie gekoppelt hat." },
+    alone: (part) => ({
+      name: `${part}: allein`,
+      meaning: `Was die anderen Teile über ${part} sagen, zählt kaum.`,
+    }),
+    follows: (part) => ({
+      name: `${part}: folgt den anderen`,
+      meaning: `Was ${part} über sich selbst sagt, zählt kaum.`,
+    }),
+  },
+  couplings: {
+    map: "Kopplungen am Körper",
+    drives: (source, target) => `${source} treibt ${target}`,
+    itself: "sich selbst",
+    arrows:
+      "Pfeile: welcher [Teil|part] welchen treibt ([Kopplung|coupling]). Nach oben oder unten ziehen: dicker, dünner. Halten: abschneiden.",
+    weight: (names, now, learned) =>
+      `${names}: Gewicht ${now}${learned === null ? "" : ` (gelernt: ${learned})`}`,
+    knob: (weight, alpha, learned) => `Gewicht ${weight}, Alpha ${alpha}; gelernt ${learned}`,
+    failed: "Das Modell konnte nicht starten, also sind seine Kopplungen nicht zu ändern.",
+    empty: "Hier erscheint, wie die Teile einander treiben.",
+    onePart:
+      "Dieses Modell hat einen [Teil|part], also treibt keiner einen anderen. Trainiere eines mit zwei Teilen oder mehr.",
+    numbers: "Zahlen",
+    table: "Eine Zeile entscheidet über eine Spalte. Rechts ist stark: kleines [α|alpha], großes [w|weight].",
+    startAs: "Beginn wie Clip",
+    startLabel: "Beginn wie in",
+    fromFrame: "ab Bild",
+    frame: (frame, count) => `Bild ${frame} von ${count}`,
+  },
+  readings: {
+    label: "[Experten|expert], wenn sich eine Kopplung ändert",
+    about: "Was bedeuten wie gelernt und neu bestimmt?",
+    text: { "re-inferred": "neu bestimmt", "as-learned": "wie gelernt" },
+    side: { "as-learned": "Links, wie gelernt", "re-inferred": "Rechts, neu bestimmt" },
+    experts: (reading) => `Experten ${reading}`,
+    meaning: {
+      "re-inferred":
+        "Was dieselben Clips die Vorhersagen jedes Teils unter diesen Kopplungen gelehrt hätten.",
+      "as-learned":
+        "Nur die Gewichte ändern sich: Jeder Teil sagt voraus wie zuvor und zählt mehr oder weniger.",
+    },
+    both: "Links: Das Training machte die Experten zum Team, und einer allein tut nur seinen Anteil. Rechts: wie dieselben Clips einen lehren, der immer allein war.",
+    bothButton: "Beide nebeneinander",
+    resetAll: "Alles zurück",
+  },
+  measured: {
+    compared: (reading) => `[Gemessen|measured]${reading && `, ${reading}`}, verglichen mit gelernt:`,
+    since: (seconds) => `ab ${number(seconds, 1)} s`,
+    pose: (since) => `behält eine Pose ${since}`,
+    figure: (trouble) => `die Figur ${trouble}`,
+    asLearned: "Hände und Füße schwingen wie gelernt",
+    common: (step) => `Hände und Füße ${step}`,
+    swingsBy: (centimetres) => `schwingt ${number(centimetres, 0)} cm`,
+    swings: (share, hardly) => `${hardly ? "schwingt kaum, " : "schwingt "}${number(share, 2)} × so weit`,
+    noPace: "ohne festes Tempo",
+    pace: (is, was) =>
+      `${is > was ? "langsamer" : "schneller"} (${number(is, 2)} s statt ${number(was, 2)} s)`,
+    speed: (share) => `geht ${number(share, 2)} × so schnell`,
+    step: {
+      "in step": "im Gleichschritt",
+      "partly in step": "teils im Gleichschritt",
+      "out of step": "nicht im Gleichschritt",
+    },
+    aPart: "ein Teil",
+    standsStill: (since) => `steht still ${since}`,
+    visits: (share, part) => `besucht ${Math.round(100 * share)} % der Posen seiner Clips in ${part}`,
+    leaves: (part, since) => `${part} verlässt den gelernten Bereich ${since}`,
+    runsAway: "läuft davon: Die Zahlen sind zu groß, um sie zu zeigen",
+  },
+  time: {
+    label: "Zeit",
+    play: "Abspielen",
+    pause: "Pause",
+    playMeaning: "Abspielen (Leertaste)",
+    pauseMeaning: "Pause (Leertaste)",
+    back: "Ein Bild zurück",
+    backMeaning: "Ein Bild zurück (Pfeil links)",
+    forward: "Ein Bild vor",
+    forwardMeaning: "Ein Bild vor (Pfeil rechts)",
+    modes: "Clip oder live",
+    clip: "Clip",
+    clipMeaning: "Eine Bewegung von einigen Sekunden, immer wieder",
+    live: "live",
+    liveMeaning:
+      "Das Modell läuft von hier ohne Ende weiter: Kopplungen abschneiden und Teile schieben, während es geht",
+    frame: "Bild",
+    frameOf: (frame, count) => `Bild ${frame} von ${count}`,
+    length: "Länge der Bewegung in Sekunden",
+    lengthMeaning: (least, most) => `Wie lange das Modell läuft, ${least} bis ${most} Sekunden`,
+    loop: "Schleife",
+    speed: "Tempo",
+  },
+};
