@@ -1,6 +1,7 @@
 import { expect, it } from "vitest";
 import type { ModelView } from "../engine/protocol";
 import { lab as german } from "../words/de/lab";
+import { lab as english } from "../words/en/lab";
 import {
   couplingsOf,
   INVITATION,
@@ -30,8 +31,12 @@ it("fits the presets of the first model to its parts, one of them as learned", (
   expect(changes.filter((changed) => Object.keys(changed ?? {}).length === 0)).toHaveLength(1);
 });
 
-it("has German words for each preset of the first model, and its own words for those of any model", () => {
-  expect(Object.keys(german.presets.start).sort()).toEqual(START_PRESETS.map(({ id }) => id).sort());
+it("has words for each preset of the first model, and its own words for those of any model", () => {
+  for (const { id } of START_PRESETS)
+    for (const { start } of [english.presets, german.presets]) {
+      expect(start[id]?.name, id).toMatch(/^\p{Lu}/u);
+      expect(start[id]?.meaning, id).toMatch(/^\p{Lu}.*\.$/u);
+    }
   expect(presetWords(START_PRESETS[0]!).meaning).toBe("Legs and arms as training coupled them.");
   expect(presetWords(presetsOf(["a", "b"])[0]!).meaning).toBe("The parts as training coupled them.");
 });

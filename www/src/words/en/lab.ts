@@ -6,6 +6,17 @@ type PresetWords = { name: string; meaning: string };
 const number = (value: number, digits: number) => decimal("en", value, digits);
 const capital = (name: string) => name.charAt(0).toUpperCase() + name.slice(1);
 
+/** The meanings of the presets of the model that the page opens with, by id. */
+const START_MEANINGS: Record<string, string> = {
+  "as-learned": "Legs and arms as training coupled them.",
+  "arms-go": "The arms no longer hear the legs. What they do alone is inferred again from the clips.",
+  "arms-hang": "The arms no longer hear the legs. They do what they learned together with the legs.",
+  "arms-follow": "The arms no longer hear themselves, only the legs.",
+  "arms-lead": "The legs no longer hear themselves, only the arms.",
+  "untrained-advice": "Arms learned nothing about legs. The legs hear them a little.",
+  "legs-lost": "Arms learned nothing about legs. The legs hear half themselves, half the arms.",
+};
+
 /** The Lab: its frame, the stage, and the tab Listen. A [text|term] in brackets is a term with an explanation. */
 export const lab = {
   title: "Coupled [movement primitives|movement-primitive]",
@@ -108,10 +119,9 @@ export const lab = {
   presets: {
     label: "Presets",
     /** Of the model that the page opens with, by id. */
-    start: Object.fromEntries(startPresets.map(({ id, name, meaning }) => [id, { name, meaning }])) as Record<
-      string,
-      PresetWords
-    >,
+    start: Object.fromEntries(
+      startPresets.map(({ id, name }) => [id, { name, meaning: START_MEANINGS[id] ?? "" }]),
+    ) as Record<string, PresetWords>,
     learned: { name: "As learned", meaning: "The parts as training coupled them." },
     alone: (part: string) => ({
       name: `${capital(part)} on its own`,
