@@ -12,7 +12,6 @@ import { NO_ADDRESS } from "../body";
 import type { Chapter } from "../chapter";
 import { randomNumbers } from "../../ui/random-numbers";
 import { type Answer, type Belief, beliefOf, ratiosOf, type Round, threeRounds } from "./rounds";
-
 import { TO_RHYTHMIC_DMP, WITHOUT_COUPLINGS } from "./worth";
 
 /** The order of the rounds when a visitor comes for the first time. */
@@ -108,11 +107,8 @@ export class BeliefChapter extends Store implements Chapter {
   }
 
   equation() {
-    const worth = this.#now.closing(
-      WITHOUT_COUPLINGS.training[0],
-      WITHOUT_COUPLINGS.heldOut[0],
-      TO_RHYTHMIC_DMP[0],
-    );
+    const { training, heldOut } = WITHOUT_COUPLINGS;
+    const worth = this.#now.closing(training, heldOut, TO_RHYTHMIC_DMP);
     return html`${unsafeHTML(EQUATIONS.dynamics)}${unsafeHTML(EQUATIONS.weights)}<p data-testid="worth">${worth}</p>`;
   }
 

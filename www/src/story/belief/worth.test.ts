@@ -1,15 +1,35 @@
 import { expect, it } from "vitest";
 import comparison from "../../../../docs/comparison.md?raw";
+import together from "../../../../docs/comparison/recorded-trials-together.md?raw";
+import { belief as german } from "../../words/de/belief";
+import { belief as english, type Ratio } from "../../words/en/belief";
 import { TO_RHYTHMIC_DMP, WITHOUT_COUPLINGS } from "./worth";
 
-it("has the numbers of the document", () => {
-  const written = ([median = 0, low = 0, high = 0]: readonly number[]) =>
-    `${median.toFixed(2)} (${low.toFixed(2)} to ${high.toFixed(2)})`;
+const { training, heldOut } = WITHOUT_COUPLINGS;
+const fixed = (ratio: Ratio) => ratio.map((value) => value.toFixed(2));
+
+it("has the numbers of the tables", () => {
+  const written = (ratio: Ratio) => {
+    const [median, low, high] = fixed(ratio);
+    return `${median} (${low} to ${high})`;
+  };
   const row = comparison.split("\n").find((line) => line.includes("uncoupled : coupled")) ?? "";
   const cells = row.split("|").map((cell) => cell.trim());
-  expect(cells[3]).toContain(written(WITHOUT_COUPLINGS.heldOut));
-  expect(cells[6]).toContain(written(WITHOUT_COUPLINGS.training));
-  const [median, low, high] = TO_RHYTHMIC_DMP;
-  const text = comparison.replace(/\s+/g, " ");
-  expect(text).toContain(`${median} times (${low} to ${high}) that of the rhythmic DMP`);
+  expect(cells[3]).toContain(written(heldOut));
+  expect(cells[6]).toContain(written(training));
+
+  const [median, low, high] = fixed(TO_RHYTHMIC_DMP);
+  const best = together.split("\n").find((line) => line.includes("the 2-part vCGPDM performs best")) ?? "";
+  expect(best).toContain(`${median} times (${low} to ${high}) DMP (rhythmic)`);
+});
+
+it("calls a ratio undecided where its interval contains 1, and no other", () => {
+  const isUndecided = ([, low, high]: Ratio) => low <= 1 && high >= 1;
+  expect([training, heldOut, TO_RHYTHMIC_DMP].map(isUndecided)).toEqual([false, true, true]);
+  expect(english.closing(training, heldOut, TO_RHYTHMIC_DMP)).toMatch(
+    /1\.67 times \(1\.26 to 1\.99\) .*1\.40 times .*: undecided\..*0\.99 times .*: undecided too\./,
+  );
+  expect(german.closing(training, heldOut, TO_RHYTHMIC_DMP)).toMatch(
+    /1,67-mal .*1,40-mal .*: unentschieden\..*0,99-mal .*: auch unentschieden\./,
+  );
 });

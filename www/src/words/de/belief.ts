@@ -1,6 +1,11 @@
 import { decimal } from "../decimal";
 import type { Words } from "../en";
+import type { Ratio } from "../en/belief";
 
+const ratio = (numbers: Ratio) => {
+  const [median, low, high] = numbers.map((value) => decimal("de", value, 2));
+  return `${median}-mal so groß (${low} bis ${high})`;
+};
 const times = (value: number) => decimal("de", value, value < 10 ? 1 : 0);
 
 export const belief: Words["chapters"]["belief"] = {
@@ -34,9 +39,10 @@ export const belief: Words["chapters"]["belief"] = {
   },
   score: (you, model, rounds) =>
     `Bisher richtig: du ${you} von ${rounds}, das Modell ${model} von ${rounds}.`,
-  closing: (learned, fresh, dmp) =>
-    `Bei Aufnahmen: ohne Kopplungen ${decimal("de", learned, 2)}-facher Fehler bei gelernten Gängen, ` +
-    `${decimal("de", fresh, 2)}-facher bei neuen (unentschieden). Besser ist eine rhythmische DMP: Unser Fehler ist ${decimal("de", dmp, 2)}-mal so groß.`,
+  closing: (learned, heldOut, dmp) =>
+    `Bei aufgenommenen Gängen ist der Fehler eines Modells ohne Kopplungen ${ratio(learned)} bei ` +
+    `gelernten Gängen und ${ratio(heldOut)} bei einem neuen: unentschieden. Mit Kopplungen ist er ` +
+    `${ratio(dmp)} wie der einer rhythmischen DMP: auch unentschieden.`,
   again: "Ein anderes Paar",
   modelRow: "das Modell glaubt",
   truthRow: "die Wahrheit",

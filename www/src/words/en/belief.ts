@@ -1,5 +1,12 @@
 import { decimal } from "../decimal";
 
+/** The median of the ratios of two errors, and the ends of its interval. */
+export type Ratio = readonly [median: number, low: number, high: number];
+
+const ratio = (numbers: Ratio) => {
+  const [median, low, high] = numbers.map((value) => decimal("en", value, 2));
+  return `${median} times (${low} to ${high})`;
+};
 const times = (value: number) => decimal("en", value, value < 10 ? 1 : 0);
 
 export const belief = {
@@ -32,9 +39,10 @@ export const belief = {
   },
   score: (you: number, model: number, rounds: number) =>
     `Right so far: you ${you} of ${rounds}, the model ${model} of ${rounds}.`,
-  closing: (learned: number, fresh: number, dmp: number) =>
-    `On recordings: without couplings ${decimal("en", learned, 2)} times the error on learned walks, ` +
-    `${decimal("en", fresh, 2)} times on new ones (undecided). A rhythmic DMP is better: ours has ${decimal("en", dmp, 2)} times its error.`,
+  closing: (learned: Ratio, heldOut: Ratio, dmp: Ratio) =>
+    `On recorded walks a model without couplings has ${ratio(learned)} the error on walks that it ` +
+    `learned, and ${ratio(heldOut)} on a walk held out: undecided. With couplings it has ` +
+    `${ratio(dmp)} the error of a rhythmic DMP: undecided too.`,
   again: "Another pair",
   modelRow: "the model believes",
   truthRow: "the truth",
