@@ -27,6 +27,11 @@ impl LatentPaths {
         Ok(Self { order, latent: latent.to_vec(), paths })
     }
 
+    /// The same paths with another order, which is at most the number of frames.
+    pub(crate) fn of_order(self, order: usize) -> Self {
+        Self { order, ..self }
+    }
+
     /// Latent dimensions Q of each part.
     pub(crate) fn latent(&self) -> &[usize] {
         &self.latent

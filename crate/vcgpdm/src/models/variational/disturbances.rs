@@ -65,7 +65,7 @@ impl Vcgpdm {
     ) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         let alpha = request.alpha_or(&self.alpha);
         let latent = self.latent_dimensions();
-        let (first, end) = (given.iter().map(DMatrix::nrows).min().unwrap_or(0), request.frames);
+        let (first, end) = (given.first().map_or(0, DMatrix::nrows), request.frames);
         let frames = end.max(first);
         let unfelt = |what, found| RolloutError::Unfelt { what, first, end, found };
         for push in &request.pushes {
@@ -80,12 +80,7 @@ impl Vcgpdm {
                 return Err(unfelt("cut", cut.from));
             }
         }
-        let start = |x: &DMatrix<f64>| x.rows(0, self.order.min(first)).into_owned();
-        let mut paths = LatentPaths::new(&given.iter().map(start).collect::<Vec<_>>(), self.order, &latent)?;
-        for t in self.order..first {
-            let rows = given.iter().map(|x| x.row(t).iter().copied().collect());
-            paths.append(&rows.collect::<Vec<_>>());
-        }
+        let mut paths = LatentPaths::new(given, first.max(self.order), &latent)?.of_order(self.order);
         let changes = request.cuts.iter().flat_map(|cut| [cut.from, cut.to]);
         let changes: Vec<usize> = changes.chain(request.pushes.iter().map(|push| push.frame)).collect();
         let mut seen = paths.clone();
