@@ -35,8 +35,12 @@ const WHEN_ASKED = [
   "training/bound-drawing",
   "training/runs-table",
   "ui/dialog",
-  "ui/part-names",
-  "ui/choice-dialog",
+  "clips/part-names",
+  "unsaved/choice-dialog",
+  "words/help",
+  "words/session",
+  "words/terms",
+  ...["help", "numbers", "session", "terms"].flatMap((name) => [`words/en/${name}`, `words/de/${name}`]),
 ];
 /** The chapters of the story after the first, and what only they share. */
 const isChapter = (file: string) =>

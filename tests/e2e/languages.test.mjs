@@ -1,7 +1,9 @@
-// The Lab in two languages: its frame, the stage and the tab Listen.
+// The Lab in two languages: the words of each tab, and their place on the screen.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { barriers, openSite, ready } from "./site.mjs";
+import { barriers, openSite, openTab, ready } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -10,22 +12,136 @@ before(async () => {
 });
 after(() => site?.close());
 
+const TABS = /** @type {const} */ (["listen", "loops", "learn", "numbers"]);
+const SIZES = [
+  { width: 1440, height: 900 },
+  { width: 1280, height: 720 },
+  { width: 390, height: 844 },
+];
+
+/** Texts of the library, which are English everywhere: titles of samples, of splits and of channels; and the credit of the recordings. */
+const OF_LIBRARY = [
+  /^Walk/,
+  /^(Whole|Lower and upper) body$/,
+  /^(Body|Legs), .*left arm, right arm$/,
+  /^\w+ [XYZ]rotation/,
+  /mocap\.cs\.cmu\.edu/,
+];
+
+/** The texts of two or more words that a visitor of the page sees or hears. */
+const textsOf = (/** @type {Page} */ page) =>
+  page.evaluate(() => {
+    const found = new Set();
+    const add = (/** @type {string | null} */ text) => {
+      const words = (text ?? "").replace(/\s+/g, " ").trim();
+      if (/\p{L}{2,}[’']? \p{L}{2,}/u.test(words)) found.add(words);
+    };
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    while (walker.nextNode()) {
+      const parent = walker.currentNode.parentElement;
+      if (parent && !parent.closest("script, style, noscript")) add(walker.currentNode.nodeValue);
+    }
+    for (const element of document.querySelectorAll("[aria-label], [aria-valuetext], [title]"))
+      for (const name of ["aria-label", "aria-valuetext", "title"]) add(element.getAttribute(name));
+    return [...found];
+  });
+
+/** Texts that leave their button or the window, or that a box cuts off, but not those in boxes that scroll. */
+const cutTexts = (/** @type {Page} */ page) =>
+  page.evaluate(() => {
+    const leaves = (/** @type {Node} */ text) => {
+      const range = document.createRange();
+      range.selectNodeContents(text);
+      const { left, right, width } = range.getBoundingClientRect();
+      if (width === 0 || text.parentElement?.closest(".visually-hidden, .hidden, .skip")) return false;
+      for (let box = text.parentElement; box; box = box.parentElement) {
+        const { overflowX, textOverflow } = getComputedStyle(box);
+        const edge = box.getBoundingClientRect();
+        const isOutside = left < edge.left - 1 || right > edge.right + 1;
+        if (overflowX === "auto" || overflowX === "scroll" || textOverflow === "ellipsis") return false;
+        if (isOutside && (overflowX !== "visible" || box.matches("button, select, td, th, body")))
+          return true;
+      }
+      return false;
+    };
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    const found = [];
+    while (walker.nextNode()) {
+      const text = walker.currentNode;
+      if (text.nodeValue?.trim() && !text.parentElement?.closest("script, style, option") && leaves(text))
+        found.push(text.nodeValue.trim());
+    }
+    return found;
+  });
+
+/** Opens everything that is folded in the tab on screen. */
+const unfold = (/** @type {Page} */ page) =>
+  page.evaluate(() => {
+    /** @type {HTMLDetailsElement} */ for (const folded of document.querySelectorAll(
+      ".panel:not([hidden]) details",
+    ))
+      folded.open = true;
+  });
+
+/** What the page says in each tab. */
+async function wordsOfTabs(/** @type {Page} */ page, /** @type {(tab: string) => Promise<void>} */ inTab) {
+  /** @type {Set<string>} */
+  const words = new Set();
+  for (const tab of TABS) {
+    await openTab(page, tab);
+    if (tab === "numbers") await page.getByTestId("pose-kernels").waitFor();
+    await unfold(page);
+    await page.waitForTimeout(300);
+    for (const text of await textsOf(page)) words.add(text);
+    await inTab(tab);
+  }
+  // The help, and the explanation of a term.
+  await page.getByTestId("help").click();
+  await page.locator("pg-help dialog[open]").waitFor();
+  for (const text of await textsOf(page)) words.add(text);
+  await inTab("help");
+  await page.keyboard.press("Escape");
+  await page.locator(".panel:not([hidden]) .term").first().click();
+  await page.locator(".term-card").waitFor();
+  for (const text of await textsOf(page)) words.add(text);
+  await inTab("a term");
+  await page.keyboard.press("Escape");
+  return words;
+}
+
 describe("the Lab in German", () => {
-  for (const viewport of [
-    { width: 1280, height: 720 },
-    { width: 390, height: 844 },
-  ])
+  for (const viewport of SIZES)
     it(`fits, and says what it measures: ${viewport.width} x ${viewport.height}`, async () => {
       const { page, problems, leave } = await site.visit({ locale: "de-DE", viewport });
       await ready(page);
       await page.getByTestId("preset-arms-go").click();
       await page.getByText("nicht im Gleichschritt").first().waitFor();
       assert.match(await page.getByTestId("measured").innerText(), /schwingt 0,8\d × so weit/);
-      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), viewport.width);
-      assert.deepEqual(await barriers(page), []);
+      await wordsOfTabs(page, async (tab) => {
+        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), viewport.width, tab);
+        assert.deepEqual(await cutTexts(page), [], tab);
+        assert.deepEqual(await barriers(page), [], tab);
+      });
       assert.deepEqual(problems, []);
       await leave();
     });
+
+  it("says nothing that it says in English too", async () => {
+    const words = [];
+    for (const locale of ["en-GB", "de-DE"]) {
+      const { page, leave } = await site.visit({ locale });
+      await ready(page);
+      words.push(await wordsOfTabs(page, async () => {}));
+      await leave();
+    }
+    const [english, german] = words;
+    assert.ok((english?.size ?? 0) > 100 && (german?.size ?? 0) > 100);
+    const same = [...(german ?? [])].filter((text) => english?.has(text));
+    assert.deepEqual(
+      same.filter((text) => !OF_LIBRARY.some((of) => of.test(text))),
+      [],
+    );
+  });
 
   it("follows the switch, and keeps the couplings", async () => {
     const { page, problems, leave } = await site.visit({ locale: "en-GB" });

@@ -8,6 +8,7 @@ const ORDER = [
   ["ui"], // what all stores and views are made of. No model
   ["words"], // the sentences of the page, one folder for each language
   ["engine", "terms", "offline"], // messages to the workers; the meaning of terms; the service worker
+  ["unsaved"], // asks before work is lost
   ["settings"], // settings and the page's address
   ["scene", "figures"], // three.js and skeletons; charts and tables
   ["stage"], // the moving figures and their clock

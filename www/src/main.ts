@@ -37,7 +37,7 @@ async function showCode(fragment: string): Promise<void> {
   try {
     await (await import("./teach/code-dialog")).showCode(app, fragment);
   } catch {
-    app.notices.addNotLoaded("The QR code");
+    app.notices.addError("QR", app.words.now.frame.notLoaded);
   }
 }
 

@@ -3,13 +3,13 @@ import { FakeEngine, FakeTrainers, modelText, settled, started } from "../engine
 import { FakeAddressBar } from "../settings/address.fake";
 import { App } from "./app";
 import { download } from "../ui/download";
-import { visitor } from "../ui/choice-dialog.fake";
+import { visitor } from "../unsaved/choice-dialog.fake";
 import { openFiles, openModel } from "./open-files";
 import { nothing } from "../session/visit.fake";
 import { visitOf } from "./holdings";
 import { loadNewVersion, wouldLose } from "./leaving";
 
-vi.mock("../ui/choice-dialog", () => import("../ui/choice-dialog.fake"));
+vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));
 vi.mock("../ui/download", () => ({ download: vi.fn() }));
 
 let engine: FakeEngine;

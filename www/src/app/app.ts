@@ -21,10 +21,11 @@ import { StageStore } from "../stage/stage-store";
 import { TrainingStore } from "../training/training-store";
 import { NoticesStore } from "../ui/notices-store";
 import { stageWork } from "../couplings/model-work";
-import { mayLose } from "../ui/unsaved";
+import { mayLose } from "../unsaved/unsaved";
 import { Switch } from "../ui/switch";
 import { WordsStore } from "../words/words";
 import { Lazy } from "./lazy";
+import { lab } from "../words/lab";
 
 export class App {
   /** Whether the chapters are shown as slides of a lecture. */
@@ -59,10 +60,12 @@ export class App {
 
   /** Stores this visit in the browser from now on. */
   readonly session = new Lazy(async () => {
-    const [{ openSession }, { visitOf }] = await Promise.all([
+    const [{ openSession }, { visitOf }, { loadSession }] = await Promise.all([
       import("../session/session"),
       import("./holdings"),
+      import("../words/session"),
     ]);
+    await loadSession(this.words);
     const session = await openSession(visitOf(this));
     for (const store of [this.clips, this.training, this.model]) store.on(this.#touched);
     return session;
@@ -195,8 +198,7 @@ export class App {
     // When the engine cannot start, nobody waits for the model.
     text.catch(() => {});
     const events: SupervisedEvents = {
-      restarted: (why) =>
-        this.notices.addError("The program was started again", `${why}. Clips and model are as they were.`),
+      restarted: (why) => this.notices.addError(lab().files.startedAgain, lab().files.startedAgainWhy(why)),
       stopped: (problem) => this.engine.stop(problem),
     };
     const started = () => startEngine(events);
@@ -218,7 +220,8 @@ export class App {
    */
   readonly openOutlook = () =>
     this.#outlook.get().catch(() => {
-      this.notices.addNotLoaded("What may come");
+      const { outlook, why } = lab().files.notLoaded;
+      this.notices.addError(outlook, why);
       return null;
     });
 

@@ -1,5 +1,6 @@
 // The files of a drop, those in folders included.
 import { messageOf } from "../ui/format";
+import { lab } from "../words/lab";
 
 /** A folder with more files than that was hardly meant. */
 const MOST_FILES = 500;
@@ -52,8 +53,7 @@ async function collect(
     }
     try {
       const found = await filesIn(entry);
-      if (found.length === 0)
-        throw new Error("Expected a folder with motion clips (.bvh), models (.json) or tables (.csv).");
+      if (found.length === 0) throw new Error(lab().files.expectedFolder);
       files.push(...found);
     } catch (problem) {
       problems.push({ title: entry.name, text: messageOf(problem) });
@@ -71,8 +71,7 @@ async function filesIn(folder: FolderEntry): Promise<File[]> {
       if (entry.isDirectory) folders.push(entry);
       else if (isOurs(entry.name))
         files.push(await new Promise<File>((found, failed) => entry.file(found, failed)));
-      if (files.length + folders.length > MOST_FILES)
-        throw new Error(`Expected a folder with at most ${MOST_FILES} files and folders in it.`);
+      if (files.length + folders.length > MOST_FILES) throw new Error(lab().files.largeFolder(MOST_FILES));
     }
   }
   return files.sort((a, b) => a.name.localeCompare(b.name, "en", { numeric: true }));

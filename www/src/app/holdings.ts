@@ -12,8 +12,9 @@ import type { SettingsStore } from "../settings/settings-store";
 import type { TrainingStore } from "../training/training-store";
 import { messageOf, sentence } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
-import { mayLose } from "../ui/unsaved";
+import { mayLose } from "../unsaved/unsaved";
 import type { Lazy } from "./lazy";
+import { sessionWords } from "../words/session";
 
 /** The stores whose work a session stores. */
 interface Stores {
@@ -61,11 +62,11 @@ function holdingsOf({ settings, clips, training, model, comparison, primitives }
 async function takeUp(stores: Stores, holdings: Holdings): Promise<string[]> {
   const { settings, clips, training, model, engine } = stores;
   const { chosen, library, unsaved } = holdings;
+  const words = sessionWords();
   const bringsModel = holdings.model !== null || Boolean(chosen?.model);
   // The model of a training takes the stage without a question.
-  if (bringsModel && training.busy)
-    throw new Error("A training is running: cancel it first, or bring the visit back when it is over.");
-  const keepsPresent = () => new Error("You keep the work on this page.");
+  if (bringsModel && training.busy) throw new Error(words.trainingRuns);
+  const keepsPresent = () => new Error(words.keepsPresent);
   if (bringsModel && !(await mayLose(stageWork(model, engine)))) throw keepsPresent();
   if (holdings.results !== null) {
     const comparison = await stores.comparison.get();
@@ -87,7 +88,7 @@ async function takeUp(stores: Stores, holdings: Holdings): Promise<string[]> {
   /** The ids of the clips in this visit, by their ids in the earlier one. */
   const ids = new Map<number, number>();
   for (const clip of holdings.clips)
-    await attempt(`The clip ${clip.title}`, async () => {
+    await attempt(words.theClip(clip.title), async () => {
       const id = await clips.takeUp(clip);
       if (id !== null) ids.set(clip.id, id);
     });
@@ -101,16 +102,16 @@ async function takeUp(stores: Stores, holdings: Holdings): Promise<string[]> {
     ...run,
     clips: run.clips.map((clip) => ({ ...clip, id: idNow(clip.id) })),
   }));
-  await attempt("The trainings", () => training.takeUp(runs, chosen ? holdings.runs.indexOf(chosen) : -1));
+  await attempt(words.theTrainings, () => training.takeUp(runs, chosen ? holdings.runs.indexOf(chosen) : -1));
   const { model: text } = holdings;
   if (text !== null)
-    await attempt("The model", async () => {
+    await attempt(words.theModel, async () => {
       await model.open(text, { couplings: "visitor", clip: true });
       training.unchoose();
       if (unsaved.model) model.markMadeHere();
     });
   if (library !== null)
-    await attempt("The library of primitives", async () => {
+    await attempt(words.theLibrary, async () => {
       const primitives = await stores.primitives.get();
       await primitives.library.open(library.text, library.title, library.unsaved);
     });

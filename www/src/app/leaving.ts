@@ -1,6 +1,7 @@
 // What the visitor would lose by leaving or reloading the page.
-import { isConfirmed } from "../ui/unsaved";
+import { isConfirmed } from "../unsaved/unsaved";
 import type { App } from "./app";
+import { lab } from "../words/lab";
 
 /**
  * Whether leaving the page would lose work. The browser stores what a visit holds, where it can, except for
@@ -28,11 +29,12 @@ export function wouldLose(app: App): boolean {
 function workUnderWay({ training, comparison, experiment, primitives, series, perception }: App): string[] {
   const { learning, fitting, imports, fold } = primitives.loaded ?? {};
   const isBusy = (...stores: ({ busy: boolean } | null | undefined)[]) => stores.some((store) => store?.busy);
+  const { running } = lab().files.newVersion;
   return [
-    isBusy(training, learning, fitting, imports, fold, series.loaded?.training) ? "a training" : "",
-    isBusy(comparison.loaded) ? "a comparison" : "",
-    isBusy(experiment.loaded) ? "an experiment" : "",
-    perception.loaded?.active ? "an experiment with a participant" : "",
+    isBusy(training, learning, fitting, imports, fold, series.loaded?.training) ? running.training : "",
+    isBusy(comparison.loaded) ? running.comparison : "",
+    isBusy(experiment.loaded) ? running.experiment : "",
+    perception.loaded?.active ? running.participant : "",
   ].filter(Boolean);
 }
 
@@ -40,8 +42,8 @@ function workUnderWay({ training, comparison, experiment, primitives, series, pe
 export async function loadNewVersion(app: App): Promise<void> {
   const running = workUnderWay(app);
   if (running.length > 0) {
-    const text = `Loading it ends what runs here: ${running.join(" and ")}.`;
-    if (!(await isConfirmed("Load the new version now?", text, "Load it now"))) return;
+    const { title, text, load } = lab().files.newVersion;
+    if (!(await isConfirmed(title, text(running), load))) return;
   }
   await app.session.loaded?.keepNow();
   app.offline.takeNewVersion();

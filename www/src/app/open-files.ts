@@ -4,9 +4,10 @@ import { LARGEST_FILE } from "../clips/clips-store";
 import { messageOf, sentence } from "../ui/format";
 import type { Place } from "../ui/notices-store";
 import { stageWork } from "../couplings/model-work";
-import { mayLose } from "../ui/unsaved";
+import { mayLose } from "../unsaved/unsaved";
 import type { DocumentKind } from "../engine/protocol";
 import type { App } from "./app";
+import { lab } from "../words/lab";
 
 /** In bytes. */
 const LONGEST_HEADER = 100_000;
@@ -21,16 +22,15 @@ export async function openFiles(app: App, files: readonly File[], at: Place | nu
   notices.clear();
   const refuse = (title: string, text: string) => notices.add({ kind: "error", title, text, at });
   if (!engine) {
-    const text = sentence(problem) || "The page is still getting ready; try again in a moment.";
-    return refuse("Nothing was opened", text);
+    const text = sentence(problem) || lab().files.gettingReady;
+    return refuse(lab().files.nothingOpened, text);
   }
   let opened = 0;
   const answers: File[] = [];
   const tables: File[] = [];
   for (const file of files) {
     try {
-      if (file.size > LARGEST_FILE)
-        throw new Error("This file has more than 200 MB; expected a motion clip or a model.");
+      if (file.size > LARGEST_FILE) throw new Error(lab().files.tooLarge);
       if (/\.csv$/i.test(file.name)) {
         ((await isAnswersTable(app, file)) ? answers : tables).push(file);
       } else if (/\.json$/i.test(file.name)) {
@@ -42,7 +42,7 @@ export async function openFiles(app: App, files: readonly File[], at: Place | nu
         opened += 1;
         await clips.open(file, opened === 1);
       } else {
-        throw new Error("Expected a motion clip (.bvh), a model (.json) or a table (.csv).");
+        throw new Error(lab().files.expected);
       }
     } catch (problem) {
       refuse(file.name, messageOf(problem));
@@ -109,7 +109,7 @@ async function openJson(app: App, kind: DocumentKind, name: string, text: string
  */
 export async function openModel(app: App, text: string, made = false): Promise<boolean> {
   const refuse = () => {
-    if (app.training.busy) throw new Error("A training is running: cancel it before opening a model.");
+    if (app.training.busy) throw new Error(lab().files.trainingRuns);
   };
   refuse();
   if (!(await mayLose(stageWork(app.model, app.engine)))) return false;

@@ -23,6 +23,7 @@ import "./lead";
 import type { HelpView } from "./help";
 import { openFiles, openModel } from "./open-files";
 import { lab } from "../words/lab";
+import { loadNumbers } from "../words/numbers";
 import { languageSwitch } from "./language-switch";
 
 type Tab = Settings["tab"];
@@ -140,7 +141,7 @@ export class PageView extends View {
       this.liveView ??= () => html`<pg-live .live=${live} .model=${this.app.model}></pg-live>`;
       return live;
     } catch {
-      this.app.notices.addNotLoaded("The live motion");
+      this.#notLoaded("live");
       return null;
     }
   }
@@ -164,15 +165,22 @@ export class PageView extends View {
       : this.querySelector<HTMLElement & Clock>("pg-side-by-side, pg-walk, pg-series");
   }
 
+  #notLoaded(what: "live" | "help" | "exercise" | "tab"): void {
+    const { notLoaded } = lab().files;
+    this.app.notices.addError(notLoaded[what], notLoaded.why);
+  }
+
   /** Loads the help at its first use. */
   async openHelp(): Promise<void> {
     try {
+      const { loadHelp } = await import("../words/help");
+      await loadHelp(this.app.words);
       await import("./help");
       const help = this.querySelector<HelpView>("pg-help");
       await help?.updateComplete;
       help?.open();
     } catch {
-      this.app.notices.addNotLoaded("Help");
+      this.#notLoaded("help");
     }
   }
 
@@ -203,7 +211,7 @@ export class PageView extends View {
       if (!(await openModel(this.app, text, made))) return;
       settings.change({ view: "play" });
     } catch (problem) {
-      notices.addError("This model was not taken up", messageOf(problem));
+      notices.addError(lab().files.notTakenUp, messageOf(problem));
     }
   }
 
@@ -270,7 +278,7 @@ export class PageView extends View {
   #exercise() {
     const { body, model, settings, notices, words } = this.app;
     if (settings.values.exercise === 0) return nothing;
-    import("../exercises/exercise-view").catch(() => notices.addNotLoaded("The exercise"));
+    import("../exercises/exercise-view").catch(() => this.#notLoaded("exercise"));
     return html`<pg-exercise .body=${body} .model=${model} .settings=${settings} .notices=${notices} .words=${words}></pg-exercise>`;
   }
 
@@ -315,9 +323,12 @@ export class PageView extends View {
 
   /** Loaded when the tab is opened for the first time. */
   #numbers() {
-    const { engine, model, playback } = this.app;
+    const { engine, model, playback, words } = this.app;
     const visible = this.app.isPlayView && this.#tab === "numbers";
-    if (visible) import("../details/numbers-view").catch(() => this.app.notices.addNotLoaded("This tab"));
+    if (visible)
+      loadNumbers(words)
+        .then(() => import("../details/numbers-view"))
+        .catch(() => this.#notLoaded("tab"));
     return html`<pg-numbers .engine=${engine} .model=${model} .playback=${playback} .clip=${clipOnStage(this.app)} .visible=${visible}></pg-numbers>`;
   }
 
@@ -388,7 +399,7 @@ export class PageView extends View {
               @click=${() => settings.change({ large: false })}>${icon("close")}</button>`
             : nothing
         }
-        <pg-notices .notices=${notices} .inLab=${isPlayView}></pg-notices>
+        <pg-notices .notices=${notices} .inLab=${isPlayView} .dismiss=${app.words.now.frame.dismiss}></pg-notices>
         <pg-help .model=${model} .engine=${engine}></pg-help>
         <div class="drop-hint" aria-hidden="true"><p>${page.drop}</p></div>
       </div>`;

@@ -7,6 +7,7 @@ import type { App } from "./app";
 import { clipOnStage } from "./caption";
 import "./save-menu.css";
 import type { Saved } from "./saving";
+import { lab } from "../words/lab";
 
 /** The width of the menu in rem; its style has the same. */
 const WIDTH = 17;
@@ -30,36 +31,38 @@ export class SaveMenu extends View {
     currentTarget.style.top = `${bottom + 4}px`;
   }
 
-  #item(what: Saved, title: string, kind: string, about: string, possible: boolean) {
+  #item(what: Saved, kind: string, possible: boolean, instead?: string) {
+    const { title, about } = lab().files[what];
     const chosen = () => {
       this.querySelector<HTMLElement>("#save-menu")?.hidePopover();
       import("./saving").then(
         ({ save }) => save(this.app, what),
-        (problem: unknown) => this.app.notices.addError("Nothing was saved", messageOf(problem)),
+        (problem: unknown) => this.app.notices.addError(lab().files.nothingSaved, messageOf(problem)),
       );
     };
     return html`
       <button data-testid="save-${what}" ?disabled=${!possible} @click=${chosen}>
-        <span>${title}<small>${about}</small></span><small>${kind}</small></button>`;
+        <span>${title}<small>${instead ?? about}</small></span><small>${kind}</small></button>`;
   }
 
   protected override render() {
     const { engine, model } = this.app;
     const clip = clipOnStage(this.app);
     const hasModel = engine.engine !== null && model.rollout !== null;
-    const noRollout = clip ? "Go back to the model first" : "";
+    const words = lab().files;
+    const noRollout = clip ? words.modelFirst : undefined;
     // Other views save their own files: the stage is not visible there.
     const { isPlayView } = this.app;
     return html`
-      <button class="small" data-testid="save" popovertarget="save-menu" title=${isPlayView ? nothing : "Saves what is on the stage: go to the Lab"}
-        ?disabled=${!isPlayView || (!hasModel && !clip)}>${icon("save")} Save</button>
-      <div id="save-menu" class="menu" popover role="group" aria-label="Save" @beforetoggle=${this.#place}>
-        ${this.#item("motion", "Motion", "BVH", clip ? `The clip ${clip.title}` : "As it moves on the stage", hasModel || clip !== null)}
-        ${this.#item("glb", "Motion with a skin", "GLB", "For Blender and viewers", hasModel || clip !== null)}
-        ${this.#item("positions", "Joint positions", "CSV", "A row a frame, in metres, y up", hasModel || clip !== null)}
-        ${this.#item("latents", "Latents and weights", "CSV", noRollout || "A row a frame", hasModel && !clip)}
-        ${this.#item("account", "How the motion was made", "JSON", noRollout || "Model, clips, seed, couplings, start", hasModel && !clip)}
-        ${this.#item("model", "Model", "JSON", "Opens here and in the terminal", hasModel)}
+      <button class="small" data-testid="save" popovertarget="save-menu" title=${isPlayView ? nothing : words.saveElsewhere}
+        ?disabled=${!isPlayView || (!hasModel && !clip)}>${icon("save")} ${words.save}</button>
+      <div id="save-menu" class="menu" popover role="group" aria-label=${words.save} @beforetoggle=${this.#place}>
+        ${this.#item("motion", "BVH", hasModel || clip !== null, clip ? words.motion.ofClip(clip.title) : undefined)}
+        ${this.#item("glb", "GLB", hasModel || clip !== null)}
+        ${this.#item("positions", "CSV", hasModel || clip !== null)}
+        ${this.#item("latents", "CSV", hasModel && !clip, noRollout)}
+        ${this.#item("account", "JSON", hasModel && !clip, noRollout)}
+        ${this.#item("model", "JSON", hasModel)}
       </div>`;
   }
 }

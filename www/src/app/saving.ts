@@ -7,6 +7,7 @@ import { messageOf } from "../ui/format";
 import type { App } from "./app";
 import { clipOnStage } from "./caption";
 import { motionName } from "./file-names";
+import { lab } from "../words/lab";
 
 /** The kinds of files: of the clip on the stage, or of the model and its motion. */
 export type Saved = "model" | "motion" | "glb" | "positions" | "latents" | "account";
@@ -33,7 +34,7 @@ export async function save(app: App, what: Saved): Promise<void> {
     download(file.name, new Blob([await file.content()], { type: file.type }));
     if (what === "model") app.model.markSaved();
   } catch (problem) {
-    app.notices.addError(`${file.name} was not saved`, messageOf(problem));
+    app.notices.addError(lab().files.notSaved(file.name), messageOf(problem));
   }
 }
 

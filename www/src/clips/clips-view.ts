@@ -7,6 +7,7 @@ import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 import type { ClipEntry, ClipsStore } from "./clips-store";
 import "./clips.css";
+import { lab } from "../words/lab";
 
 export class ClipsView extends View {
   declare clips: ClipsStore;
@@ -37,15 +38,16 @@ export class ClipsView extends View {
       input.value = String(now[side] + from);
     };
     return html`<input type="number" min="1" max=${loaded.info.frames} .value=${String(clip[side] + from)} ?disabled=${clips.locked}
-      aria-label="${side === "first" ? "First" : "Last"} frame of ${title}" @change=${change} />`;
+      aria-label=${lab().learn.clips.side[side](title)} @change=${change} />`;
   }
 
   #cutFields(clip: ClipEntry) {
+    const words = lab().learn.clips;
     return html`
-      <div class="cut" role="group" aria-label="Frames of ${clip.title} to use">
-        <label>from ${this.#cutField(clip, "first")}</label>
-        <label>to ${this.#cutField(clip, "end")}</label>
-        <span>of ${clip.loaded.info.frames} frames</span>
+      <div class="cut" role="group" aria-label=${words.frames(clip.title)}>
+        <label>${words.from} ${this.#cutField(clip, "first")}</label>
+        <label>${words.to} ${this.#cutField(clip, "end")}</label>
+        <span>${words.of(clip.loaded.info.frames)}</span>
       </div>`;
   }
 
@@ -54,27 +56,27 @@ export class ClipsView extends View {
     const { clips, stage } = this;
     const shown = stage.clip === key;
     const { frameTime, warnings } = loaded.info;
-    const seconds = ((end - first) * frameTime).toFixed(1);
+    const words = lab().learn.clips;
     return html`
       <li class="clip ${shown ? "shown" : ""}">
         <label class="tick-label">
-          <input type="checkbox" aria-label="Train on ${title}" .checked=${ticked} ?disabled=${clips.locked}
+          <input type="checkbox" aria-label=${words.tick(title)} .checked=${ticked} ?disabled=${clips.locked}
             @change=${(event: Event) => void clips.tick(key, (event.target as HTMLInputElement).checked)} />
           <span class="clip-title" title=${title}>${title}</span>
         </label>
-        <span class="clip-length">${seconds} s</span>
-        <button class="round" aria-label="Cut ${title}" title="Cut" aria-expanded=${this.#cutting.has(key) ? "true" : "false"} @click=${() => this.#toggleCut(key)}>${icon("cut")}</button>
-        <button class="round" aria-label=${shown ? `Stop showing ${title}` : `Show ${title}`} title=${shown ? "Back to the model" : "Show on the stage"} aria-pressed=${shown ? "true" : "false"}
+        <span class="clip-length">${words.seconds((end - first) * frameTime)}</span>
+        <button class="round" aria-label=${words.cutOf(title)} title=${words.cut} aria-expanded=${this.#cutting.has(key) ? "true" : "false"} @click=${() => this.#toggleCut(key)}>${icon("cut")}</button>
+        <button class="round" aria-label=${shown ? words.stopShowing(title) : words.show(title)} title=${shown ? words.backToModel : words.onStage} aria-pressed=${shown ? "true" : "false"}
           @click=${() => (shown ? stage.endClip() : clips.show(key))}>${icon("eye")}</button>
         ${
           origin === "own"
-            ? html`<button class="round" aria-label="Remove ${title}" title="Remove" ?disabled=${clips.locked} @click=${() => void clips.remove(key)}>${icon("close")}</button>`
+            ? html`<button class="round" aria-label=${words.removeOf(title)} title=${words.remove} ?disabled=${clips.locked} @click=${() => void clips.remove(key)}>${icon("close")}</button>`
             : html`<span class="round"></span>`
         }
         ${this.#cutting.has(key) ? this.#cutFields(clip) : nothing}
         ${
           warnings.length > 0
-            ? html`<details class="warnings"><summary>${warnings.length} ${warnings.length === 1 ? "notice" : "notices"}</summary>
+            ? html`<details class="warnings"><summary>${words.notices(warnings.length)}</summary>
               <ul>${warnings.map((warning) => html`<li>${warning}</li>`)}</ul></details>`
             : nothing
         }
@@ -96,39 +98,40 @@ export class ClipsView extends View {
     const { bonesClash, firstBones, ticked, locked } = clips;
     const [first] = ticked;
     const change = (to: boolean) => () => void clips.setFirstBones(to);
+    const words = lab().learn.clips;
     if (bonesClash) {
-      return html`<p class="hint">Their joints are the same, only their bones differ.
-        <button class="small" data-testid="first-bones" ?disabled=${locked} @click=${change(true)}>Use the first clip’s bones</button></p>`;
+      return html`<p class="hint">${words.bonesClash}
+        <button class="small" data-testid="first-bones" ?disabled=${locked} @click=${change(true)}>${words.firstBones}</button></p>`;
     }
     if (!firstBones || !first || ticked.length < 2) return nothing;
-    return html`<p class="hint" data-testid="bones">All ticked clips are trained on with the bones of ${first.title}: joint angles stay, the way over the
-      ground is scaled by the length of the legs.
-      <button class="small" ?disabled=${locked} @click=${change(false)}>Use their own bones</button></p>`;
+    return html`<p class="hint" data-testid="bones">${words.bones(first.title)}
+      <button class="small" ?disabled=${locked} @click=${change(false)}>${words.ownBones}</button></p>`;
   }
 
   protected override render() {
     const { clips } = this;
     const own = clips.all.filter(({ origin }) => origin === "own");
     const made = clips.all.filter(({ origin }) => origin === "made");
+    const words = lab().learn.clips;
     return html`
-      <h2>Clips</h2>
+      <h2>${words.title}</h2>
       ${clips.clash ? html`<p class="bad" role="alert" data-testid="clash">${clips.clash}</p>` : nothing}
       ${this.#bones()}
       ${
         own.length > 0
           ? html`<ul class="clip-list" data-testid="own-clips">${this.#rows(own)}</ul>`
-          : html`<p class="hint">Open your own motion clips (.bvh) or a model (.json), or drop them anywhere. They stay on this machine.
-            <button class="link" data-testid="show-series" @click=${() => this.dispatchEvent(new CustomEvent("show-series", { bubbles: true }))}>Time series</button>
-            that are no body (.csv) have a view of their own.</p>`
+          : html`<p class="hint">${words.openOwn}
+            <button class="link" data-testid="show-series" @click=${() => this.dispatchEvent(new CustomEvent("show-series", { bubbles: true }))}>${words.series}</button>
+            ${words.seriesView}</p>`
       }
       ${
         made.length > 0
           ? html`<details class="made">
-            <summary>Samples, made by a procedural walker
-              <small>${made.filter(({ ticked }) => ticked).length} of ${made.length} ticked, to train a new model on</small></summary>
+            <summary>${words.samples}
+              <small>${words.ticked(made.filter(({ ticked }) => ticked).length, made.length)}</small></summary>
             <ul class="clip-list" data-testid="made-clips">${this.#rows(made)}</ul></details>`
           : this.engine.state === "loading"
-            ? html`<p class="empty">Getting the sample clips ready</p>`
+            ? html`<p class="empty">${words.gettingReady}</p>`
             : nothing
       }`;
   }

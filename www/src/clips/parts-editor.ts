@@ -5,11 +5,12 @@ import { partOfJoints } from "../scene/part-of-joints";
 import { MAX_PARTS } from "../engine/limits";
 import { partName } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
-import { freeName, memberRow, partColours, partNames, renamed, nameProblem } from "../ui/part-names";
+import { freeName, memberRow, partColours, partNames, renamed, nameProblem } from "./part-names";
 import { View } from "../ui/view";
 import type { ClipsStore } from "./clips-store";
 import { filledSplit, moveBranch } from "./parts";
 import "./parts-editor.css";
+import { lab } from "../words/lab";
 
 export class PartsEditor extends View {
   declare settings: SettingsStore;
@@ -80,8 +81,8 @@ export class PartsEditor extends View {
           remove: (place) => this.#removePart(place),
           add: () => this.#change([...this.#split, { name: freeName(this.#split), joints: [] }]),
         })}
-        <p class="hint">Choose a joint’s part; the joints below it go along.</p>
-        <ul class="joint-tree" tabindex="0" aria-label="Joints and their parts">${joints.map(joint)}</ul>
+        <p class="hint">${lab().learn.parts.choose}</p>
+        <ul class="joint-tree" tabindex="0" aria-label=${lab().learn.parts.joints}>${joints.map(joint)}</ul>
       </div>`;
   }
 }

@@ -6,6 +6,7 @@ import { View } from "../ui/view";
 import type { ClipEntry, ClipsStore } from "./clips-store";
 import "./trim.css";
 import { styled } from "../ui/styled";
+import { lab } from "../words/lab";
 
 export class TrimView extends View {
   declare clips: ClipsStore;
@@ -37,20 +38,21 @@ export class TrimView extends View {
     if (!clip) return html``;
     const { title, first, end, loaded } = clip;
     const { frames, frameTime } = loaded.info;
-    const seconds = (frame: number) => `${(frame * frameTime).toFixed(1)} s`;
+    const words = lab().learn.clips;
+    const seconds = (frame: number) => words.seconds(frame * frameTime);
     const share = (frame: number) => `${((100 * frame) / frames).toFixed(2)}%`;
     return html`
-      <div class="trim" role="group" aria-label="Trim ${title}">
-        <span>Keep</span>
+      <div class="trim" role="group" aria-label=${words.trim(title)}>
+        <span>${words.keep}</span>
         <div class="handles" style=${styled({ "--from": share(first), "--to": share(end) })}>
-          <input type="range" data-testid="trim-first" aria-label="Trim the start of ${title}" min="0" max=${frames} .value=${String(first)}
-            aria-valuetext="frame ${first + 1}, ${seconds(first)}" ?disabled=${this.clips.locked}
+          <input type="range" data-testid="trim-first" aria-label=${words.trimSide.first(title)} min="0" max=${frames} .value=${String(first)}
+            aria-valuetext=${words.frame(first + 1, seconds(first))} ?disabled=${this.clips.locked}
             @input=${(event: Event) => this.#cut(event, "first")} />
-          <input type="range" data-testid="trim-end" aria-label="Trim the end of ${title}" min="0" max=${frames} .value=${String(end)}
-            aria-valuetext="frame ${end}, ${seconds(end)}" ?disabled=${this.clips.locked}
+          <input type="range" data-testid="trim-end" aria-label=${words.trimSide.end(title)} min="0" max=${frames} .value=${String(end)}
+            aria-valuetext=${words.frame(end, seconds(end))} ?disabled=${this.clips.locked}
             @input=${(event: Event) => this.#cut(event, "end")} />
         </div>
-        <output>${seconds(first)} to ${seconds(end)}</output>
+        <output>${words.range(seconds(first), seconds(end))}</output>
       </div>`;
   }
 }

@@ -6,7 +6,7 @@ import { BY_HAND, MODELS, numberOf, type SettingName, trialNumber, trialOf } fro
 import type { SettingsStore } from "../settings/settings-store";
 import "../terms/term";
 import type { TermName } from "../terms/terms";
-import { numberField } from "../ui/number-field";
+import { numberField } from "../settings/number-field";
 import { View } from "../ui/view";
 import type { ComparisonStore } from "./comparison-store";
 import { modelStyle } from "../figures/model-style";

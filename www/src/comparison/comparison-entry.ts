@@ -1,7 +1,7 @@
 // A comparison of this visit: its results, the progress of its trainings, and the predicted motions.
 import type { AddedResult, Evaluated, Job, ResultsView } from "../engine/whole-protocol";
 import { download } from "../ui/download";
-import type { Work } from "../ui/unsaved";
+import type { Work } from "../unsaved/unsaved";
 import type { JobProgress } from "./jobs";
 import type { ComparisonRequest } from "./comparison-request";
 

@@ -4,7 +4,7 @@ import { type ClipsStore, LARGEST_FILE } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import type { SettingsStore } from "../settings/settings-store";
 import { fileButton } from "../ui/file-button";
-import { messageOf, sentence, timeLeft } from "../ui/format";
+import { messageOf, sentence } from "../ui/format";
 import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";
 import { noticeCard } from "../ui/notices-view";
@@ -21,6 +21,8 @@ import type { ComparisonStore } from "./comparison-store";
 import { secondsLeft, share } from "./jobs";
 import { modelStyle } from "../figures/model-style";
 import "./side-by-side";
+import { timeLeft } from "../training/words";
+import { lab } from "../words/lab";
 
 /** On narrower pages the results are below the choices. */
 const NARROW = "(max-width: 759.98px)";
@@ -72,7 +74,7 @@ export class ComparisonPage extends View {
     if (status === "running") {
       const jobs = comparison.shown?.jobs ?? [];
       const over = jobs.filter(({ state }) => state === "done" || state === "failed").length;
-      const left = timeLeft(secondsLeft(jobs, comparison.width), "about");
+      const left = timeLeft(secondsLeft(jobs, comparison.width), true);
       return html`<span>${over} of ${jobs.length} trainings done</span><span>${sentence(left)}</span>`;
     }
     const ended = comparison.failed
@@ -191,7 +193,7 @@ export class ComparisonPage extends View {
       <section class="card setup" aria-label="What to compare"><h2>Compare models</h2>${this.#setup()}</section>
       <section class="found" aria-label="What came of it">
         <div class="card stage-card"><pg-side-by-side .comparison=${comparison}></pg-side-by-side></div>
-        ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice))}
+        ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice, lab().files.dismiss))}
         ${this.#failures()}
         ${comparison.shown?.given ? html`<p class="hint" data-testid="given">All models on ten recorded walks of one person (CMU subject 35), measured before. What you compare takes their place.</p>` : nothing}
         <div class="card"><comparison-figures .comparison=${comparison.shown?.results.comparison ?? null} @save-failed=${saveFailed}></comparison-figures></div>

@@ -4,10 +4,10 @@ import type { PartSpec } from "../engine/protocol";
 import { clip, evaluated, FakeProgram, savedResults, settled } from "../engine/whole-workers.fake";
 import { initialSettings, type Settings } from "../settings/settings";
 import { Store } from "../ui/store";
-import { visitor } from "../ui/choice-dialog.fake";
+import { visitor } from "../unsaved/choice-dialog.fake";
 import { type ClipsNow, ComparisonStore, type EngineState, type SettingsNow } from "./comparison-store";
 
-vi.mock("../ui/choice-dialog", () => import("../ui/choice-dialog.fake"));
+vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));
 
 class FakeEngine extends Store implements EngineState {
   state: EngineState["state"] = "ready";

@@ -9,7 +9,7 @@ import type { SettingsStore } from "../settings/settings-store";
 import type { CostWords } from "../training/cost";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
-import { mayLose } from "../ui/unsaved";
+import { mayLose } from "../unsaved/unsaved";
 import {
   type ComparisonEntry,
   givenEntry,

@@ -6,6 +6,7 @@ import { partStyle, styled } from "../ui/styled";
 import type { CouplingsStore } from "./couplings-store";
 import { alphaOf, placeOf, STRONGEST, strengthOf, WEAKEST } from "./strength";
 import { isOff, weightText } from "./weights";
+import { lab } from "../words/lab";
 
 export interface CouplingCell {
   couplings: CouplingsStore;
@@ -23,7 +24,8 @@ export function couplingCell({ couplings, source, target, names, trained, prefix
   const alpha = couplings.alphaOf(source, target);
   const learned = couplings.learnedAlpha(source, target);
   const weight = couplings.weight(source, target);
-  const label = names.join(" to ");
+  const words = lab().couplings;
+  const label = words.pair(...names);
   const isChanged = trained && couplings.isChanged(source, target);
   const classes = `${isChanged ? "changed" : ""} ${isOff(weight) ? "off" : ""}`;
   const testId = (what: string) => `${prefix}${what}-${source}-${target}`;
@@ -37,17 +39,17 @@ export function couplingCell({ couplings, source, target, names, trained, prefix
     <td style=${partStyle(partColour(source))} class=${classes}>
       <div class="slider">
         <span class="fill" style=${styled({ "--at": placeOf(alpha).toFixed(4) })}></span>
-        <span class="tick" style=${styled({ "--at": placeOf(learned).toFixed(4) })} title="${trained ? "As learned" : "As it was"}: ${short(learned)}"></span>
+        <span class="tick" style=${styled({ "--at": placeOf(learned).toFixed(4) })} title=${words.tick(short(learned), trained)}></span>
         <input type="range" min=${WEAKEST} max=${STRONGEST} step="0.01" .value=${strengthOf(alpha).toFixed(2)}
-          aria-label=${label} aria-valuetext="alpha ${short(alpha)}, weight ${weightText(weight)}${trained ? `; learned ${short(learned)}` : ""}"
-          data-source=${source} data-target=${target} data-testid=${testId("coupling")} title="${label}: drag to change, double click to reset"
+          aria-label=${label} aria-valuetext=${words.value(short(alpha), weightText(weight), trained ? short(learned) : null)}
+          data-source=${source} data-target=${target} data-testid=${testId("coupling")} title=${words.slider(label)}
           @input=${(event: Event) => couplings.set(source, target, alphaOf((event.target as HTMLInputElement).valueAsNumber))}
           @keydown=${keys}
           @dblclick=${reset} />
       </div>
       <div class="numbers">
-        <span title="alpha, the variance of this prediction: small means influential"><i>α</i> <output data-testid=${testId("alpha")}>${short(alpha)}</output></span>
-        <span title="weight of this prediction; the weights into a part sum to 1"><i>w</i> <output data-testid=${testId("weight")}>${weightText(weight)}</output></span>
+        <span title=${words.alphaMeaning}><i>α</i> <output data-testid=${testId("alpha")}>${short(alpha)}</output></span>
+        <span title=${words.weightMeaning}><i>w</i> <output data-testid=${testId("weight")}>${weightText(weight)}</output></span>
       </div>
     </td>`;
 }

@@ -4,6 +4,7 @@ import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { type CouplingCell, couplingCell } from "./coupling-cell";
 import type { CouplingsStore } from "./couplings-store";
+import { lab } from "../words/lab";
 
 export interface CouplingsTable extends Partial<Pick<CouplingCell, "trained" | "prefix">> {
   couplings: CouplingsStore;
@@ -14,6 +15,7 @@ export interface CouplingsTable extends Partial<Pick<CouplingCell, "trained" | "
 }
 
 export function couplingsTable({ couplings, parts, above, trained = true, prefix = "" }: CouplingsTable) {
+  const words = lab().couplings;
   const head = (part: number) =>
     html`<span class="part-name" style=${partStyle(partColour(part))}><i class="swatch"></i>${parts[part] ?? ""}</span>`;
   const cell = (source: number, target: number) => {
@@ -25,8 +27,8 @@ export function couplingsTable({ couplings, parts, above, trained = true, prefix
       <table class="couplings" data-parts=${parts.length}>
         <thead>
           <tr>
-            <td><small>who decides</small></td>
-            ${parts.map((_, target) => html`<th scope="col"><small>about</small> ${head(target)}</th>`)}
+            <td><small>${words.decides}</small></td>
+            ${parts.map((_, target) => html`<th scope="col"><small>${words.about}</small> ${head(target)}</th>`)}
           </tr>
           ${above ? html`<tr><td></td>${parts.map((_, target) => html`<td>${above(target)}</td>`)}</tr>` : nothing}
         </thead>

@@ -6,6 +6,7 @@ import type { ModelStore } from "./model-store";
 import "./weight-bar.css";
 import { dividers, weightText } from "./weights";
 import { partStyle, styled } from "../ui/styled";
+import { lab } from "../words/lab";
 
 /** How far a key moves a divider. */
 const STEPS: Record<string, number> = {
@@ -95,9 +96,10 @@ export class WeightBar extends View {
     const { model, target } = this;
     const names = (model.model?.info.parts ?? []).map(({ name }) => name);
     const weights = model.couplings.weightsInto(target);
+    const words = lab().couplings;
     const text = (source: number) => `${names[source]} ${weightText(weights[source] ?? 0)}`;
     return html`
-      <div class="weight-bar" data-testid="shares-${target}" title="Drag a border: one gains what the other loses. Double click to reset."
+      <div class="weight-bar" data-testid="shares-${target}" title=${words.bar}
         @pointerdown=${this.#grab} @pointermove=${this.#move} @pointerup=${this.#drop} @pointercancel=${this.#drop}
         @dblclick=${() => model.couplings.resetInto(target)}>
         <div class="shares">${weights.map(
@@ -107,7 +109,7 @@ export class WeightBar extends View {
         ${dividers(weights).map(
           (place, divider) => html`
           <span class="divider" role="slider" tabindex="0" style=${styled({ "--at": place.toFixed(5) })} data-testid="divider-${target}-${divider}"
-            aria-label="Who decides where ${names[target]} goes next: ${names[divider]} or ${names[divider + 1]}"
+            aria-label=${words.border(names[target] ?? "", names[divider] ?? "", names[divider + 1] ?? "")}
             aria-valuemin="0" aria-valuemax="100" aria-valuenow=${(100 * place).toFixed(0)}
             aria-valuetext="${text(divider)}, ${text(divider + 1)}"
             @keydown=${this.#keys(divider, place)}></span>`,

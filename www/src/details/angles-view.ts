@@ -6,12 +6,22 @@ import type { Playback } from "../stage/playback";
 import { download } from "../ui/download";
 import { View } from "../ui/view";
 import { type Channel, courseOf, plottedCsv, type Recorded, speedOf } from "./channels";
+import { numbers } from "../words/numbers";
 
 /** A motion of the body on the stage. */
 export interface PlottedMotion {
   name: string;
   motion: Recorded;
 }
+
+type Axes = ReturnType<typeof numbers>["angles"]["axes"];
+
+/** The heads in a file do not depend on the language of the page. */
+const FILE_AXES: Axes = {
+  time: "time (s)",
+  speed: (channel, unit) => `speed of ${channel} (${unit}/s)`,
+  fileUnits: "file units",
+};
 
 const HEIGHT = 260;
 const TYPE = 12;
@@ -83,17 +93,18 @@ export class AnglesView extends View {
     return { x: other ? courseOf(motion, other) : [], y };
   }
 
-  get #titles(): { x: string; y: string } {
+  #titles(axes: Axes): { x: string; y: string } {
+    const unit = ({ isAngle }: Channel) => (isAngle ? "°" : axes.fileUnits);
     const title = (column: number) => {
       const channel = this.channels[column];
       return channel ? `${channel.joint} ${channel.channel} (${unit(channel)})` : "";
     };
     const own = title(this.chosen);
-    if (this.across === "time") return { x: "time (s)", y: own };
+    if (this.across === "time") return { x: axes.time, y: own };
     if (this.across === "speed") {
       const { joint = "", channel = "" } = this.channels[this.chosen] ?? {};
       const [of] = this.channels.filter(({ column }) => column === this.chosen).map(unit);
-      return { x: own, y: `speed of ${joint} ${channel} (${of}/s)` };
+      return { x: own, y: axes.speed(`${joint} ${channel}`, of ?? "") };
     }
     return { x: title(this.across), y: own };
   }
@@ -110,7 +121,8 @@ export class AnglesView extends View {
       bottom,
       top,
     );
-    const { x, y } = this.#titles;
+    const words = numbers().angles;
+    const { x, y } = this.#titles(words.axes);
     const upward = { scale: up, title: y };
     const space = { right: this.width - 8, top, bottom, type: TYPE };
     const plot = { ...space, left: labelsWidth(upward, space) };
@@ -125,7 +137,7 @@ export class AnglesView extends View {
     this.#places = placed[0] ?? [];
     // The motion on the stage is drawn last, above the others.
     return svg`
-      <svg width=${this.width} height=${HEIGHT} viewBox="0 0 ${this.width} ${HEIGHT}" role="img" aria-label="${y} against ${x}">
+      <svg width=${this.width} height=${HEIGHT} viewBox="0 0 ${this.width} ${HEIGHT}" role="img" aria-label=${words.chart(y, x)}>
         ${axes(plot, { scale: right, title: x }, upward)}
         ${placed.map((points, i) => svg`<g class="line-${i}">${path(points)}</g>`).reverse()}
         <circle class="now" r="5"></circle>
@@ -134,7 +146,7 @@ export class AnglesView extends View {
 
   #save(): void {
     const motions = this.motions.map((plotted) => ({ name: plotted.name, ...this.#courses(plotted) }));
-    const text = plottedCsv(this.motions[0]?.motion.frameTime ?? 0, motions, this.#titles);
+    const text = plottedCsv(this.motions[0]?.motion.frameTime ?? 0, motions, this.#titles(FILE_AXES));
     const { joint = "", channel = "" } = this.channels[this.chosen] ?? {};
     download(`${joint}-${channel}.csv`, new Blob([text], { type: "text/csv" }));
   }
@@ -159,16 +171,17 @@ export class AnglesView extends View {
       const chosen = value(event);
       this.across = chosen === "time" || chosen === "speed" ? chosen : Number(chosen);
     };
+    const words = numbers().angles;
     return html`
       <div class="details-choice">
-        <label>Joint and channel <select data-testid="angle" @change=${(event: Event) => {
+        <label>${words.channel} <select data-testid="angle" @change=${(event: Event) => {
           this.chosen = Number(value(event));
         }}>${this.#options(this.chosen)}</select></label>
-        <label>against <select data-testid="across" @change=${against}>
-          <option value="time" ?selected=${this.across === "time"}>time</option>
-          <option value="speed" ?selected=${this.across === "speed"}>its speed (phase plot)</option>
+        <label>${words.against} <select data-testid="across" @change=${against}>
+          <option value="time" ?selected=${this.across === "time"}>${words.time}</option>
+          <option value="speed" ?selected=${this.across === "speed"}>${words.speed}</option>
           ${this.#options(this.across)}</select></label>
-        <button class="small" data-testid="save-angles" @click=${this.#save}>Save CSV</button>
+        <button class="small" data-testid="save-angles" @click=${this.#save}>${words.save}</button>
       </div>
       <div class="details-chart" data-testid="angle-chart" data-frames=${this.motions[0]?.motion.rows.length ?? 0}>${this.#chart()}</div>
       ${
@@ -176,10 +189,9 @@ export class AnglesView extends View {
           ? html`<p class="details-legend">${this.motions.map(({ name }, i) => html`<span class="line-${i}"><i></i>${name}</span>`)}</p>`
           : nothing
       }
-      <p class="hint">As in the BVH file: ${this.motions[0]?.name ?? ""}, angles in degrees. The dot is now; it moves while the stage plays.</p>`;
+      <p class="hint">${words.about(this.motions[0]?.name ?? "")}</p>`;
   }
 }
 customElements.define("pg-angles", AnglesView);
 
 const isKnee = ({ joint, channel }: Channel) => /leg|knee|shin/i.test(joint) && channel === "Xrotation";
-const unit = ({ isAngle }: Channel) => (isAngle ? "°" : "file units");

@@ -1,16 +1,16 @@
 // Tables of the learned kernels, lengthscales and noise.
 import { html } from "lit";
-import "../terms/term";
+import { withTerms } from "../terms/term";
 import { short } from "../ui/format";
 import { partColour } from "../ui/palette";
 import type { Kernels } from "./kernels";
 import { partStyle } from "../ui/styled";
+import { numbers as words } from "../words/numbers";
 
 /** The name of a part with its colour. */
 export const partCell = (name: string, part: number) =>
   html`<span class="part-name" style=${partStyle(partColour(part))}><i class="swatch"></i>${name}</span>`;
 const numbers = (values: readonly number[]) => values.map((value) => html`<td>${short(value)}</td>`);
-const lengthscale = html`<pg-term of="lengthscale" text="Lengthscale"></pg-term>`;
 
 /** The number of dimensions of the widest latent space; parts with fewer have empty cells. */
 const widest = (rows: readonly { lengthscales: readonly number[] }[]) =>
@@ -25,16 +25,17 @@ export function kernelTables({ poses, experts, order }: Kernels) {
   const history = (q: number) =>
     `${(q % (inputs / order)) + 1}, t−${order - Math.floor((q * order) / inputs)}`;
   const name = (part: number) => poses[part]?.part ?? "";
+  const { couplings, kernels: heads } = words();
   return html`
     <section>
-      <h2><pg-term of="pose-map" text="Pose maps"></pg-term>: from latent to pose</h2>
-      <div class="table-scroll" tabindex="0" role="region" aria-label="Kernels of the pose maps">
+      <h2>${withTerms(heads.poses)}</h2>
+      <div class="table-scroll" tabindex="0" role="region" aria-label=${heads.posesLabel}>
         <table data-testid="pose-kernels">
           <thead>
-            <tr><th rowspan="2" scope="col">part</th>
+            <tr><th rowspan="2" scope="col">${heads.part}</th>
               <th rowspan="2" scope="col"><pg-term of="signal-variance" text="σ²"></pg-term></th>
               <th rowspan="2" scope="col"><pg-term of="noise-variance" text="β"></pg-term></th>
-              <th colspan=${across} scope="colgroup">${lengthscale} √λ along</th></tr>
+              <th colspan=${across} scope="colgroup">${withTerms(heads.along)}</th></tr>
             <tr>${latents(across, (q) => String(q + 1))}</tr>
           </thead>
           <tbody>${poses.map(
@@ -45,13 +46,13 @@ export function kernelTables({ poses, experts, order }: Kernels) {
       </div>
     </section>
     <section>
-      <h2><pg-term of="expert" text="Experts"></pg-term>: from the last ${order === 1 ? "frame" : `${order} frames`} to the next latent</h2>
-      <div class="table-scroll" tabindex="0" role="region" aria-label="Kernels of the experts">
+      <h2>${withTerms(heads.experts(order))}</h2>
+      <div class="table-scroll" tabindex="0" role="region" aria-label=${heads.expertsLabel}>
         <table data-testid="expert-kernels">
           <thead>
-            <tr><th rowspan="2" scope="col">from</th><th rowspan="2" scope="col">about</th>
-              <th rowspan="2" scope="col"><pg-term of="alpha" text="α"></pg-term> learned</th>
-              <th colspan=${inputs} scope="colgroup">${lengthscale} √λ along</th></tr>
+            <tr><th rowspan="2" scope="col">${heads.from}</th><th rowspan="2" scope="col">${couplings.about}</th>
+              <th rowspan="2" scope="col">${withTerms(couplings.alphaLearned)}</th>
+              <th colspan=${inputs} scope="colgroup">${withTerms(heads.along)}</th></tr>
             <tr>${latents(inputs, history)}</tr>
           </thead>
           <tbody>${experts.map(
@@ -61,7 +62,6 @@ export function kernelTables({ poses, experts, order }: Kernels) {
           )}</tbody>
         </table>
       </div>
-      <p class="hint">Every kernel is squared exponential, without a linear part. The signal variance of every expert is 1: otherwise its scale
-        could be traded for its coupling.</p>
+      <p class="hint">${heads.note}</p>
     </section>`;
 }

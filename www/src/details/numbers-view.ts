@@ -7,15 +7,16 @@ import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
 import type { Engine, LoadedClip } from "../engine/protocol";
 import type { Playback } from "../stage/playback";
-import "../terms/term";
+import { withTerms } from "../terms/term";
 import { short } from "../ui/format";
 import { View } from "../ui/view";
 import "./angles-view";
 import type { PlottedMotion } from "./angles-view";
-import { channelsOf, readMotion } from "./channels";
+import { channelsOf, type Recorded, readMotion } from "./channels";
 import "./details.css";
 import { type Kernels, kernelsOf } from "./kernels";
 import { kernelTables, partCell } from "./kernels-view";
+import { numbers as words } from "../words/numbers";
 
 /** A clip on the stage, with its frames from `first` up to, not including, `end`. */
 interface Clip {
@@ -23,6 +24,11 @@ interface Clip {
   loaded: LoadedClip;
   first: number;
   end: number;
+}
+
+interface ReadMotion {
+  of: "model now" | "model as learned" | { clip: string };
+  motion: Recorded;
 }
 
 export class NumbersView extends View {
@@ -41,7 +47,7 @@ export class NumbersView extends View {
   /** Whether the tab is open. Nothing is computed for a closed tab. */
   declare visible: boolean;
   declare kernels: Kernels | null;
-  declare motions: readonly PlottedMotion[];
+  declare motions: readonly ReadMotion[];
   declare problem: string;
   /** The model and the motion that were asked for last. */
   #asked: unknown[] = [];
@@ -49,7 +55,7 @@ export class NumbersView extends View {
     (engine: Engine) => this.#read(engine),
     ({ kernels, motions }) => Object.assign(this, { kernels, motions, problem: "" }),
     () => {
-      this.problem = "These numbers could not be computed.";
+      this.problem = words().failed;
     },
   );
 
@@ -75,34 +81,45 @@ export class NumbersView extends View {
     this.#latest.request(engine.engine);
   }
 
-  async #read(engine: Engine): Promise<{ kernels: Kernels; motions: PlottedMotion[] }> {
+  async #read(engine: Engine): Promise<{ kernels: Kernels; motions: ReadMotion[] }> {
     const { model, clip } = this;
     const kernels = kernelsOf(await engine.modelJson());
     if (clip) {
       const bvh = await engine.clipBvh(clip.loaded.id, clip.first, clip.end);
-      return { kernels, motions: [{ name: clip.title, motion: readMotion(bvh) }] };
+      return { kernels, motions: [{ of: { clip: clip.title }, motion: readMotion(bvh) }] };
     }
     const now = {
-      name: "the model now",
+      of: "model now" as const,
       motion: readMotion(await engine.rolloutBvh(model.rolloutRequest())),
     };
     if (!model.couplings.altered || !model.learned) return { kernels, motions: [now] };
     const learned = readMotion(await engine.rolloutBvh(model.learned.request));
-    return { kernels, motions: [now, { name: "as learned", motion: learned }] };
+    return { kernels, motions: [now, { of: "model as learned", motion: learned }] };
+  }
+
+  /** The motions with their names in the language of the page. */
+  get #plotted(): PlottedMotion[] {
+    const { modelNow, asLearned } = words();
+    const names = { "model now": modelNow, "model as learned": asLearned };
+    return this.motions.map(({ of, motion }) => ({
+      name: typeof of === "string" ? names[of] : of.clip,
+      motion,
+    }));
   }
 
   #couplings() {
     const { couplings, model } = this.model;
     const names = model?.info.parts.map(({ name }) => name) ?? [];
     const pairs = names.flatMap((_, target) => names.map((__, source) => ({ source, target })));
+    const { couplings: heads } = words();
     return html`
       <section>
-        <h2><pg-term of="coupling" text="Couplings"></pg-term></h2>
-        <div class="table-scroll" tabindex="0" role="region" aria-label="Couplings">
+        <h2>${withTerms(heads.title)}</h2>
+        <div class="table-scroll" tabindex="0" role="region" aria-label=${heads.label}>
           <table data-testid="coupling-numbers-table">
-            <thead><tr><th scope="col">who decides</th><th scope="col">about</th>
-              <th scope="col"><pg-term of="alpha" text="α"></pg-term> learned</th><th scope="col">α now</th>
-              <th scope="col"><pg-term of="weight" text="w"></pg-term> now</th></tr></thead>
+            <thead><tr><th scope="col">${heads.decides}</th><th scope="col">${heads.about}</th>
+              <th scope="col">${withTerms(heads.alphaLearned)}</th><th scope="col">${heads.alphaNow}</th>
+              <th scope="col">${withTerms(heads.weightNow)}</th></tr></thead>
             <tbody>${pairs.map(
               ({ source, target }) => html`
               <tr><th scope="row">${partCell(names[source] ?? "", source)}</th><th scope="row">${partCell(names[target] ?? "", target)}</th>
@@ -115,14 +132,14 @@ export class NumbersView extends View {
   }
 
   protected override render() {
-    const { kernels, motions, model, clip, problem } = this;
+    const { kernels, model, clip, problem } = this;
     const joints = clip?.loaded.info.joints ?? model.model?.info.joints ?? [];
     if (problem) return html`<p class="bad" role="alert">${problem}</p>`;
-    if (!kernels) return html`<p class="empty">The numbers of the model and its motion appear here.</p>`;
+    if (!kernels) return html`<p class="empty">${words().empty}</p>`;
     return html`
       <section>
-        <h2>Joint angles</h2>
-        <pg-angles .playback=${this.playback} .motions=${motions} .channels=${channelsOf(joints)}></pg-angles>
+        <h2>${words().angles.title}</h2>
+        <pg-angles .playback=${this.playback} .motions=${this.#plotted} .channels=${channelsOf(joints)}></pg-angles>
       </section>
       ${model.model ? this.#couplings() : nothing}
       ${kernelTables(kernels)}`;

@@ -11,6 +11,7 @@ import { teachWords } from "../words/teach";
 import type { WordsStore } from "../words/words";
 import { EXERCISE_NAMES, type Facts, type Finding, judge } from "./exercises";
 import "./exercise.css";
+import { lab } from "../words/lab";
 
 export class ExerciseView extends View {
   declare body: BodyStore;
@@ -32,7 +33,8 @@ export class ExerciseView extends View {
   }
 
   protected override arrived(): void {
-    this.#section?.load().catch(() => this.notices.addNotLoaded("The exercise"));
+    const { exercise, why } = lab().files.notLoaded;
+    this.#section?.load().catch(() => this.notices.addError(exercise, why));
   }
 
   /** What the page measures now; null while it measures. */

@@ -4,7 +4,7 @@ import { html, nothing } from "lit";
 import { settingField } from "../settings/setting-field";
 import type { SettingsStore } from "../settings/settings-store";
 import { restOf, shareOf } from "../training/runs";
-import { sentence, timeLeft } from "../ui/format";
+import { sentence } from "../ui/format";
 import { progressBar } from "../ui/progress-bar";
 import { randomNumbers } from "../ui/random-numbers";
 import "../ui/two-columns.css";
@@ -15,6 +15,7 @@ import { headline, tally, TEN_SEEDS } from "./experiments";
 import { alphaTable, fitTable, verdictWords } from "./findings-tables";
 import { CURVE_FRAMES, curvesPicture, latentPicture } from "./pictures";
 import { runsTable } from "./runs-table";
+import { timeLeft } from "../training/words";
 
 const PARTS = [0, 1];
 

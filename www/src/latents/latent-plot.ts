@@ -15,6 +15,7 @@ import { type PointingStore, samePoint } from "./pointing-store";
 import type { PushHandle } from "./push-handle";
 import { type Projection, principalAxes, type Turn } from "./projection";
 import { partStyle } from "../ui/styled";
+import { lab } from "../words/lab";
 
 /** The inducing points that the plots show. */
 export interface Layers {
@@ -119,6 +120,7 @@ export class LatentPlot extends View {
     const { parts, order } = model.info;
     const name = (index: number) => parts[index]?.name ?? "";
     const marks: Mark[] = [];
+    const words = lab().loops;
     parts.forEach((_, target) => {
       const own = target === part;
       const inducing = model.dynamicsInducing[part]?.[target];
@@ -127,7 +129,7 @@ export class LatentPlot extends View {
         marks.push({
           key: `d${target}-${i}`,
           point: { kind: "dynamics", source: part, target, index: i },
-          label: `Dynamics inducing point ${i + 1} of ${name(part)}${own ? "" : ` about ${name(target)}`}`,
+          label: words.dynamicsPoint(i + 1, name(part), own ? null : name(target)),
           points: own ? inducing.outputs : inducing.inputs,
           row: own ? i : i * order + order - 1,
         });
@@ -136,7 +138,7 @@ export class LatentPlot extends View {
     // Last, so that their buttons lie on top.
     const poses = model.poseInducing[part];
     for (let i = 0; this.layers.pose && poses && i < (parts[part]?.poseIps ?? 0); i++) {
-      const label = `Pose inducing point ${i + 1} of ${name(part)}`;
+      const label = words.posePoint(i + 1, name(part));
       marks.push({ key: `p${i}`, point: { kind: "pose", part, index: i }, label, points: poses, row: i });
     }
     return marks;
@@ -301,7 +303,7 @@ export class LatentPlot extends View {
     return html`
       <figure class="latent" style=${partStyle(partColour(this.bodyPart))}>
         <figcaption><i class="swatch"></i>${name}</figcaption>
-        <div class="plot" tabindex="0" role="group" aria-label="Latent space of ${name}. Drag, or use the arrow keys, to turn it."
+        <div class="plot" tabindex="0" role="group" aria-label=${lab().loops.plotOf(name)}
           data-testid="latent-${this.bodyPart}"
           @pointerdown=${this.#grab} @pointermove=${this.#move} @pointerup=${this.#drop} @pointercancel=${this.#drop}
           @keydown=${this.#keys}>

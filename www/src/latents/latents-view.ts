@@ -5,7 +5,7 @@ import type { EngineStore } from "../engine/engine-store";
 import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
-import "../terms/term";
+import { withTerms } from "../terms/term";
 import { View } from "../ui/view";
 import type { Behind } from "./latent-drawing";
 import type { Layers } from "./latent-plot";
@@ -14,6 +14,7 @@ import "./latents.css";
 import type { Outlook, OutlookStore } from "./outlook-store";
 import type { PointingStore } from "./pointing-store";
 import type { PredictionsStore } from "./predictions-store";
+import { lab } from "../words/lab";
 
 export class LatentsView extends View {
   declare model: ModelStore;
@@ -70,28 +71,23 @@ export class LatentsView extends View {
 
   /** The chips of futures and uncertainty. */
   #outlookChips() {
-    const chip = (outlook: Outlook, title: string, label: string = outlook) => html`
-      <button class="chip" aria-pressed=${this.#outlook?.isShown(outlook) ? "true" : "false"} title=${title}
+    return (["futures", "uncertainty", "certainty"] as const).map((outlook) => {
+      const { label, meaning } = lab().loops[outlook];
+      return html`
+      <button class="chip" aria-pressed=${this.#outlook?.isShown(outlook) ? "true" : "false"} title=${meaning}
         @click=${() => void this.#toggleOutlook(outlook)}>${label}</button>`;
-    return [
-      chip("futures", "Five motions that the model could make as well, drawn at random"),
-      chip("uncertainty", "Where the state is, as far as one Gaussian can say"),
-      chip(
-        "certainty",
-        "Colour: poses that the model is sure about. Arrows: where its dynamics lead. In the 2-D plots",
-        "where the model is sure",
-      ),
-    ];
+    });
   }
 
   protected override render() {
     const { model, pointing, predictions, settings, stage, playback } = this;
     const parts = model.model?.info.parts ?? [];
+    const words = lab().loops;
     const pressed = (kind: keyof Layers) => (this.layers[kind] ? "true" : "false");
     return html`
       <header class="panel-head">
-        <h2><pg-term of="latent-space" text="Latent spaces"></pg-term></h2>
-        <div class="segments" role="group" aria-label="Plot">
+        <h2>${withTerms(words.title)}</h2>
+        <div class="segments" role="group" aria-label=${words.plot}>
           ${(["2d", "3d"] as const).map(
             (plot) => html`
             <button aria-pressed=${settings.values.plot === plot ? "true" : "false"}
@@ -101,11 +97,7 @@ export class LatentsView extends View {
       </header>
       ${
         parts.length === 0
-          ? html`<p class="empty">${
-              this.engine.state === "failed"
-                ? "The model could not be started, so there are no latents to show."
-                : "Each part's path through its latent space appears here."
-            }</p>`
+          ? html`<p class="empty">${this.engine.state === "failed" ? words.failed : words.empty}</p>`
           : html`
           <div class="plots" data-count=${Math.min(parts.length, 5)}>
             ${parts.map(
@@ -114,23 +106,23 @@ export class LatentsView extends View {
                 .settings=${settings} .stage=${stage} .playback=${playback}></pg-latent-plot>`,
             )}
           </div>
-          <div class="marks" role="group" aria-label="Show in the plots">
-            <button class="chip" aria-pressed=${pressed("pose")} @click=${this.#toggle("pose")} title="Pose inducing points: poses that the pose map is pinned to">
-              <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M6 1.8L10.2 6 6 10.2 1.8 6z" /></svg>poses</button>
-            <button class="chip" aria-pressed=${pressed("dynamics")} @click=${this.#toggle("dynamics")} title="Dynamics inducing points: a history in, its prediction out">
-              <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M1.5 10.5L9.5 2.5M5 2.2h4.8V7" /></svg>dynamics</button>
+          <div class="marks" role="group" aria-label=${words.layers}>
+            <button class="chip" aria-pressed=${pressed("pose")} @click=${this.#toggle("pose")} title=${words.pose.meaning}>
+              <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M6 1.8L10.2 6 6 10.2 1.8 6z" /></svg>${words.pose.label}</button>
+            <button class="chip" aria-pressed=${pressed("dynamics")} @click=${this.#toggle("dynamics")} title=${words.dynamics.meaning}>
+              <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M1.5 10.5L9.5 2.5M5 2.2h4.8V7" /></svg>${words.dynamics.label}</button>
             ${
               parts.length > 1
                 ? html`
-              <button class="chip" aria-pressed=${pressed("between")} @click=${this.#toggle("between")} title="Dynamics inducing points of the couplings between parts: dots are histories that predict another part, triangles are predictions by another part">
-                <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M2 9.8L6 3l4 6.8z" /></svg>couplings</button>`
+              <button class="chip" aria-pressed=${pressed("between")} @click=${this.#toggle("between")} title=${words.between.meaning}>
+                <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M2 9.8L6 3l4 6.8z" /></svg>${words.between.label}</button>`
                 : ""
             }
-            <pg-term of="inducing-point" text="?" about="What are inducing points?"></pg-term>
+            <pg-term of="inducing-point" text="?" about=${words.aboutPoints}></pg-term>
             <button class="chip" aria-pressed=${predictions.visible ? "true" : "false"} @click=${() => predictions.show(!predictions.visible)}
-              title="What each part predicts about the next state, one standard deviation wide, in its colour; in black their product, to which the step goes. Dashed: hardly heard">
-              <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M1 6a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0 -6.4 0M4.6 6a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0 -6.4 0" /></svg>predictions</button>
-            <pg-term of="predictions" text="?" about="What do the predictions show?"></pg-term>
+              title=${words.predictions.meaning}>
+              <svg viewBox="0 0 12 12" aria-hidden="true"><path d="M1 6a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0 -6.4 0M4.6 6a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0 -6.4 0" /></svg>${words.predictions.label}</button>
+            <pg-term of="predictions" text="?" about=${words.aboutPredictions}></pg-term>
             ${this.#outlookChips()}
           </div>
           ${this.#outlook ? html`<pg-outlook .outlook=${this.#outlook}></pg-outlook>` : ""}`

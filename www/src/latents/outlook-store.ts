@@ -13,17 +13,12 @@ import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import { sameTimes } from "../couplings/same-times";
 import { PlanePictures } from "./plane-pictures";
+import { lab } from "../words/lab";
 
 export const FUTURES = 5;
 
 /** Motions drawn at random, the band of moment matching, or the picture of how sure the model is. */
 export type Outlook = "futures" | "uncertainty" | "certainty";
-
-const FAILED: Record<Outlook, string> = {
-  futures: "No futures",
-  uncertainty: "No uncertainty",
-  certainty: "No picture of where the model is sure",
-};
 
 /** The moments of a rollout. */
 interface Moments {
@@ -153,7 +148,7 @@ export class OutlookStore extends Store {
 
   #textOf(revision: number): Promise<string> {
     const { engine } = this.#engine;
-    if (!engine) throw new Error("The model cannot run in this browser.");
+    if (!engine) throw new Error(lab().learn.training.whyNot.cannotRun);
     if (this.#text?.revision !== revision) this.#text = { revision, text: engine.modelJson() };
     return this.#text.text;
   }
@@ -176,7 +171,7 @@ export class OutlookStore extends Store {
   #fail(outlook: Outlook, problem: unknown): void {
     this.#shown.delete(outlook);
     this.#ask();
-    this.#notices.addError(FAILED[outlook], messageOf(problem));
+    this.#notices.addError(lab().loops.none[outlook], messageOf(problem));
     this.changed();
   }
 }

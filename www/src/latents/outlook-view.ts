@@ -1,9 +1,10 @@
 // The text below the plots about futures and uncertainty, with the seeds of the futures.
 import { html, nothing } from "lit";
-import "../terms/term";
+import { withTerms } from "../terms/term";
 import { View } from "../ui/view";
 import "./outlook.css";
 import { FUTURES, type OutlookStore } from "./outlook-store";
+import { lab } from "../words/lab";
 
 export class OutlookView extends View {
   declare outlook: OutlookStore;
@@ -15,18 +16,19 @@ export class OutlookView extends View {
   protected override render() {
     const { outlook } = this;
     const { seed, moments } = outlook;
+    const words = lab().loops;
     return html`
       ${
         outlook.isShown("futures")
           ? html`<p class="outlook" data-testid="futures">
-              <span><pg-term of="future" text="Five futures"></pg-term>, seeds ${seed} to ${seed + FUTURES - 1}</span>
-              <button class="small" data-testid="other-futures" @click=${() => outlook.drawOthers()}>Five others</button></p>`
+              <span>${withTerms(words.fiveFutures(seed, seed + FUTURES - 1))}</span>
+              <button class="small" data-testid="other-futures" @click=${() => outlook.drawOthers()}>${words.fiveOthers}</button></p>`
           : nothing
       }
       ${
         outlook.isShown("uncertainty")
           ? html`<p class="outlook" data-testid="uncertainty">
-              <span>Grey: <pg-term of="moment-matching" text="what a Gaussian knows"></pg-term>, ±1 and ±2 σ${moments ? "" : " (loading)"}</span></p>`
+              <span>${withTerms(words.gaussian(!moments))}</span></p>`
           : nothing
       }`;
   }

@@ -4,6 +4,7 @@ import { html } from "lit";
 import { View } from "../ui/view";
 import type { Plane } from "./plane";
 import "./push-handle.css";
+import { lab } from "../words/lab";
 
 /** Pixels of one press of an arrow key. */
 const STEP = 8;
@@ -72,8 +73,8 @@ export class PushHandle extends View {
   }
 
   protected override render() {
-    const label = `State of ${this.name} now. Drag it, or use the arrow keys, to push this part.`;
-    return html`<button type="button" aria-label=${label} title="Drag to push ${this.name}" data-testid="push-${this.bodyPart}"
+    const { state, drag } = lab().loops.push;
+    return html`<button type="button" aria-label=${state(this.name)} title=${drag(this.name)} data-testid="push-${this.bodyPart}"
       @pointerdown=${this.#grab} @pointermove=${this.#drag} @pointerup=${this.#drop} @pointercancel=${this.#drop}
       @keydown=${this.#keys}></button>`;
   }

@@ -11,6 +11,7 @@ import { LONGEST_PICTURE } from "../ui/each-frame";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
+import { lab } from "../words/lab";
 
 /** Seconds that are stored, and shown in the strip chart. */
 export const SHOWN_SECONDS = 12;
@@ -114,7 +115,7 @@ export class LiveStore extends Store {
       this.#stage.showLive(track);
       this.#playback.play();
     } catch (problem) {
-      this.#notices.addError("The live motion could not begin", messageOf(problem));
+      this.#notices.addError(lab().live.notBegun, messageOf(problem));
     } finally {
       this.#starting = false;
     }
@@ -160,7 +161,7 @@ export class LiveStore extends Store {
         (_, other) => other !== source && !this.isCut(other, target),
       );
       if (!others) {
-        this.#notices.addError("This coupling stays", "Nothing else would say where the part goes next.");
+        this.#notices.addError(lab().live.stays, lab().live.staysWhy);
         return;
       }
       const mark = { kind: "cut" as const, source, target, from, to: null };
@@ -247,7 +248,7 @@ export class LiveStore extends Store {
       }
     } catch (problem) {
       if (this.#track === track) {
-        this.#notices.addError("The live motion has ended", messageOf(problem));
+        this.#notices.addError(lab().live.ended, messageOf(problem));
         this.stop();
       }
     } finally {

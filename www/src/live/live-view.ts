@@ -11,6 +11,7 @@ import { letDragLimbs } from "./drag-limbs";
 import "./live.css";
 import { type LiveStore, type Mark, SHOWN_SECONDS } from "./live-store";
 import { distanceLines, type Pieces, phaseLines, cutsText } from "./strip";
+import { lab } from "../words/lab";
 
 /** The distance at the top of the chart, in radii. */
 const FARTHEST = 1.5;
@@ -47,20 +48,19 @@ export class LiveView extends View {
   protected override render() {
     const { live } = this;
     const names = this.#names;
+    const words = lab().live;
     if (!live.running) return nothing;
     const isCyclic = (live.trace.at(-1)?.phases.length ?? 0) > 0;
-    const text =
-      cutsText(live.marks, names) ??
-      "Hold an arrow of the body map to cut that coupling. Drag a limb or the dot of a latent plot to push a part.";
+    const text = cutsText(live.marks, names) ?? words.hint;
     return html`
       <div class="live-strip" data-testid="live">
         <p role="status">${text}</p>
         ${
           isCyclic
             ? html`
-          <p class="strip-legend"><span>ahead of ${names[0]}, in turns</span><span>distance from the learned cycle</span></p>
-          <canvas role="img" aria-label="Strip chart: how far ${names.slice(1).join(", ")} ${names.length > 2 ? "are" : "is"} ahead of ${names[0]}, and how far each part is from the learned cycle"></canvas>`
-            : html`<p>This motion does not repeat itself, so there is no phase to show.</p>`
+          <p class="strip-legend"><span>${words.ahead(names[0] ?? "")}</span><span>${words.distance}</span></p>
+          <canvas role="img" aria-label=${words.chart(names[0] ?? "", names.slice(1))}></canvas>`
+            : html`<p>${words.noPhase}</p>`
         }
       </div>`;
   }

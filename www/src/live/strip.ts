@@ -1,5 +1,6 @@
 // The data of the strip chart: phase differences and distances over time. No DOM.
 import type { Mark, TracePoint } from "./live-store";
+import { lab } from "../words/lab";
 
 /** A difference of two phases in turns, -0.5 to 0.5. */
 export function phaseDifference(a: number, b: number): number {
@@ -44,7 +45,6 @@ export function cutsText(marks: readonly Mark[], names: readonly string[]): stri
   const [cut] = cuts;
   if (!cut) return null;
   const name = (part: number) => names[part] ?? "";
-  return cuts.length > 1
-    ? `${cuts.length} couplings are cut`
-    : `${name(cut.target)} does not hear ${name(cut.source)}`;
+  const words = lab().live;
+  return cuts.length > 1 ? words.cuts(cuts.length) : words.cut(name(cut.source), name(cut.target));
 }

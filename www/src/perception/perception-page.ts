@@ -18,6 +18,7 @@ import type { PerceptionStore } from "./perception-store";
 import "./run-dialog";
 import { studyCard } from "./study-card";
 import { STUDY_OF_THE_PAGE } from "./study-of-the-page";
+import { lab } from "../words/lab";
 
 async function chosenStudy(file: File): Promise<string> {
   if (file.size > LARGEST_FILE) throw new Error("This file has more than 200 MB; expected a study.");
@@ -96,7 +97,7 @@ export class PerceptionPage extends View {
     return html`
       <section class="card setup" aria-label="The experiment">${this.#setup()}</section>
       <section class="found" aria-label="Answers">
-        ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice))}
+        ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice, lab().files.dismiss))}
         <div class="card"><h2>On this machine</h2>${participants(perception)}</div>
         <div class="card"><h2>What the answers say</h2>
           <pg-perception-analysis .analysis=${analysis} .perception=${perception} .notices=${notices}></pg-perception-analysis></div>

@@ -3,10 +3,10 @@ import { FakeProgram } from "../engine/whole-workers.fake";
 import { type AnswerDatabase, answered, isComplete, type Participation, type Row } from "./participation";
 import { PerceptionStore } from "./perception-store";
 import { download } from "../ui/download";
-import { visitor } from "../ui/choice-dialog.fake";
+import { visitor } from "../unsaved/choice-dialog.fake";
 import { study, trialsOf } from "./study.fake";
 
-vi.mock("../ui/choice-dialog", () => import("../ui/choice-dialog.fake"));
+vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));
 vi.mock("../ui/download", () => ({ download: vi.fn() }));
 
 class FakeDatabase implements AnswerDatabase {

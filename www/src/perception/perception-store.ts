@@ -4,7 +4,7 @@ import type { StudyChange, StudyInfo, StudyView } from "../engine/whole-protocol
 import { download } from "../ui/download";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
-import { mayLose, type Work } from "../ui/unsaved";
+import { mayLose, type Work } from "../unsaved/unsaved";
 import {
   type AnswerDatabase,
   answered,

@@ -19,6 +19,7 @@ import "./morph-view";
 import type { Primitives } from "./primitives";
 import "./primitives.css";
 import "./walk-view";
+import { lab } from "../words/lab";
 
 /** A model for the stage. `made`: it was made here and is on no disk. */
 export interface StagedModel {
@@ -115,7 +116,7 @@ export class PrimitivesPage extends View {
     return html`
       <div class="primitives">
         ${this.#head()}
-        ${here.length > 0 ? html`<div class="library-notices">${here.map((notice) => noticeCard(this.notices, notice))}</div>` : nothing}
+        ${here.length > 0 ? html`<div class="library-notices">${here.map((notice) => noticeCard(this.notices, notice, lab().files.dismiss))}</div>` : nothing}
         <section class="panel walk-panel" aria-label="The figure"><pg-walk .library=${library}></pg-walk></section>
         <div class="beside-figure">
           <section class="panel" aria-label="Primitives"><pg-drawer .library=${library} .playing=${playing} .notices=${this.notices}></pg-drawer></section>

@@ -1,7 +1,7 @@
 // The parts of the columns: a first guess from the names of the columns, and the changes of the visitor.
 import { MAX_PARTS } from "../engine/limits";
 import type { TablePart } from "../engine/series-protocol";
-import { freeName } from "../ui/part-names";
+import { freeName } from "../clips/part-names";
 
 /**
  * Parts by the prefixes of the column names: "arm_x" and "arm.y" belong to "arm". If the prefixes do not give

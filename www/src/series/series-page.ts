@@ -20,6 +20,7 @@ import { seriesCouplings } from "./series-couplings";
 import "./series-curves";
 import "./series-latent";
 import "./tables-view";
+import { lab } from "../words/lab";
 
 const COUNTS: [NumberName, string, string][] = [
   ["latent", "Latent dimensions", "The dimensions of each part's latent space"],
@@ -84,7 +85,7 @@ export class SeriesPage extends View {
           chosen: (files) => this.#open(files),
         })}
       </header>
-      ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice))}
+      ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice, lab().files.dismiss))}
       <p class="hint">Drop CSV files anywhere, one a trial: names in the first row, then a row of numbers a moment. A column <code>time</code> holds seconds.
         They stay on this machine, and only as long as this page is open.</p>
       <pg-tables .tables=${tables} ?busy=${busy}></pg-tables>

@@ -7,7 +7,7 @@ import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
 import { download } from "../ui/download";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
-import { mayLose, type Work } from "../ui/unsaved";
+import { mayLose, type Work } from "../unsaved/unsaved";
 import { SeriesClock } from "./series-clock";
 import type { TableEntry, TablesStore } from "./tables-store";
 

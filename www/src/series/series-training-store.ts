@@ -3,7 +3,7 @@ import type { TrainedSeries } from "../engine/series-protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { SettingsStore } from "../settings/settings-store";
 import { ProgressStore } from "../training/progress-store";
-import { mayLose } from "../ui/unsaved";
+import { mayLose } from "../unsaved/unsaved";
 import type { SeriesStore } from "./series-store";
 import type { TablesStore } from "./tables-store";
 

@@ -7,11 +7,11 @@ import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import { FakeAddressBar } from "../settings/address.fake";
 import { SettingsStore } from "../settings/settings-store";
 import { download } from "../ui/download";
-import { visitor } from "../ui/choice-dialog.fake";
+import { visitor } from "../unsaved/choice-dialog.fake";
 import { curvesOf } from "./curves";
 import { openSeries, type Series } from "./series";
 
-vi.mock("../ui/choice-dialog", () => import("../ui/choice-dialog.fake"));
+vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));
 vi.mock("../ui/download", () => ({ download: vi.fn() }));
 
 const CSV = "arm_x,arm_y,leg_x\n1,2,3\n4,5,6\n";

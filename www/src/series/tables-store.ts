@@ -2,7 +2,7 @@
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { ReadTable, TablePart, TableSource } from "../engine/series-protocol";
 import { messageOf } from "../ui/format";
-import { renamed, nameProblem } from "../ui/part-names";
+import { renamed, nameProblem } from "../clips/part-names";
 import { Store } from "../ui/store";
 import { added, moved, partsByName, without } from "./parts-of-columns";
 

@@ -3,11 +3,12 @@ import { html } from "lit";
 import { messageOf } from "../ui/format";
 import { forgetKept } from "../ui/kept";
 import type { NoticesStore } from "../ui/notices-store";
-import { isConfirmed } from "../ui/unsaved";
+import { isConfirmed } from "../unsaved/unsaved";
 import { View } from "../ui/view";
 import type { AnswerCounts } from "./answer-database";
 import { forgottenText, lossText } from "./forget-text";
 import type { SessionStore } from "./session-store";
+import { sessionWords } from "../words/session";
 
 /** The page as this view sees it. */
 interface Page {
@@ -39,10 +40,11 @@ export class ForgetView extends View {
     const { session, app } = this;
     const { forgettable } = session;
     const answers = await app.countAnswers().catch(() => null);
-    const text = `${lossText(forgettable, answers)} You can undo this until you leave or reload the page. Other open tabs, a participant who answers now, and the files on your disk stay as they are.`;
-    if (!(await isConfirmed("Forget everything?", text, "Forget everything"))) return;
+    const words = sessionWords();
+    const text = `${lossText(forgettable, answers)} ${words.undoable}`;
+    if (!(await isConfirmed(words.forgetTitle, text, words.forget))) return;
     this.#forgotten = forgottenText(forgettable, answers);
-    await this.#act("Not all was forgotten", async () => {
+    await this.#act(words.notForgotten, async () => {
       const undoes: (() => Promise<void>)[] = [];
       try {
         const restore = forgetKept();
@@ -78,11 +80,12 @@ export class ForgetView extends View {
 
   protected override render() {
     const { undo, busy } = this;
+    const words = sessionWords();
     return html`<span role="status" data-testid="forgotten">${undo ? this.#forgotten : ""}</span>
       ${
         undo
-          ? html`<button class="small" data-testid="undo-forget" ?disabled=${busy} @click=${() => void this.#act("Not all came back", undo)}>Undo</button>`
-          : html`<button class="link" data-testid="forget" ?disabled=${busy} @click=${() => void this.#forget()}>Forget everything</button>`
+          ? html`<button class="small" data-testid="undo-forget" ?disabled=${busy} @click=${() => void this.#act(words.notBack, undo)}>${words.undo}</button>`
+          : html`<button class="link" data-testid="forget" ?disabled=${busy} @click=${() => void this.#forget()}>${words.forget}</button>`
       }`;
   }
 }

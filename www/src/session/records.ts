@@ -3,6 +3,7 @@
 import type { StoredClip } from "../clips/clips-store";
 import type { ClipSource } from "../engine/protocol";
 import type { Run } from "../training/runs";
+import { sessionWords } from "../words/session";
 
 /** How many things of each kind a visit holds. */
 export interface Counts {
@@ -65,9 +66,6 @@ export const countsOf = ({ clips, runs, model, results, library }: Holdings): Co
   libraries: library === null ? 0 : 1,
 });
 
-const enumerate = (words: readonly string[]) =>
-  words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`;
-
 /** The counts of several visits together. */
 export const sumOf = (all: readonly Counts[]): Counts => ({
   clips: all.reduce((sum, { clips }) => sum + clips, 0),
@@ -78,16 +76,10 @@ export const sumOf = (all: readonly Counts[]): Counts => ({
 });
 
 /** "2 clips and a training"; empty when the counts are 0. */
-export function contentsText({ clips, runs, models, results, libraries }: Counts): string {
-  const counted = (count: number, singular: string, plural: string) =>
-    count === 0 ? [] : [count === 1 ? singular : `${count} ${plural}`];
-  return enumerate([
-    ...counted(clips, "a clip", "clips"),
-    ...counted(runs, "a training", "trainings"),
-    ...counted(models, "a model", "models"),
-    ...counted(results, "a comparison", "comparisons"),
-    ...counted(libraries, "a library of primitives", "libraries"),
-  ]);
+export function contentsText(counts: Counts): string {
+  const words = sessionWords();
+  const kinds = ["clips", "runs", "models", "results", "libraries"] as const;
+  return words.listed(kinds.flatMap((kind) => (counts[kind] === 0 ? [] : [words[kind](counts[kind])])));
 }
 
 /** Writes a visit as records. What has not changed since the last time is left out. */

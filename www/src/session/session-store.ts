@@ -4,6 +4,7 @@ import { Store } from "../ui/store";
 import { contentsText, type Counts, countsOf, type Holdings, RecordWriter, sumOf } from "./records";
 import { type Recovered, recover } from "./recovery";
 import type { VisitDatabase } from "./visit-database";
+import { sessionWords } from "../words/session";
 
 /** Milliseconds between two writes: a crash loses no more. */
 const BETWEEN_WRITES = 4000;
@@ -162,10 +163,7 @@ export class SessionStore extends Store {
       // Once, not every few seconds.
       if (this.#refused) return;
       this.#refused = true;
-      this.#visit.showError(
-        "This visit cannot be kept",
-        `The browser does not store it: ${storageProblem(problem)}. Save what you want to have after closing or reloading the page.`,
-      );
+      this.#visit.showError(sessionWords().notKept, sessionWords().notKeptWhy(storageProblem(problem)));
     }
   }
 
@@ -177,7 +175,7 @@ export class SessionStore extends Store {
     try {
       await this.#inTurn(() => this.#bringBack(offer));
     } catch (problem) {
-      this.#visit.showError("The earlier visit could not be brought back", messageOf(problem));
+      this.#visit.showError(sessionWords().notBroughtBack, messageOf(problem));
     }
     this.#busy = false;
     this.changed();
@@ -192,14 +190,13 @@ export class SessionStore extends Store {
       const { contents, holdings, whole } = recover(await this.#database.read(visit, true));
       if (contents === "") {
         this.#drop(visit);
-        throw new Error("Another tab has brought it back or removed it.");
+        throw new Error(sessionWords().otherTab);
       }
       const problems = await this.#visit.takeUp(holdings);
       this.#broughtBack.add(visit);
       this.#drop(visit);
       await this.keepNow();
-      if (problems.length > 0)
-        this.#visit.showError("Not all of the earlier visit was brought back", problems.join(" "));
+      if (problems.length > 0) this.#visit.showError(sessionWords().notAllBroughtBack, problems.join(" "));
       const isStoredAgain = this.keeps && whole && problems.length === 0;
       if (isStoredAgain && this.#locks.tellTabsApart) await this.#database.forget(visit);
     } catch (problem) {
@@ -270,6 +267,6 @@ export class SessionStore extends Store {
 /** The browser's own message is often empty. */
 function storageProblem(problem: unknown): string {
   const { name } = problem as { name?: unknown };
-  if (name === "QuotaExceededError") return "its storage for this page is full";
+  if (name === "QuotaExceededError") return sessionWords().full;
   return messageOf(problem).replace(/\.$/, "") || String(name);
 }

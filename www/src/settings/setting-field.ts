@@ -1,6 +1,6 @@
 // A field for a setting that is a number.
 import type { TemplateResult } from "lit";
-import { type NumberField, numberField, numberInput } from "../ui/number-field";
+import { type NumberField, numberField, numberInput } from "./number-field";
 import { type NumberSetting, SETTINGS } from "./settings";
 import type { SettingsStore } from "./settings-store";
 

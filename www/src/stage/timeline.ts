@@ -5,7 +5,7 @@ import type { SettingsStore } from "../settings/settings-store";
 import { clearCanvas } from "../ui/canvas";
 import { icon } from "../ui/icons";
 import { onThemeChange, partColourNow } from "../ui/palette";
-import { limitWords } from "../ui/number-field";
+import { limitWords } from "../settings/number-field";
 import { View } from "../ui/view";
 import type { Playback } from "./playback";
 import { spotlight } from "./spotlight";

@@ -69,6 +69,7 @@ export class Slides {
   }
 
   #try(work: Promise<void>): void {
-    work.catch(() => this.#notices.addNotLoaded(this.#app.words.now.frame.teach));
+    const { teach, notLoaded } = this.#app.words.now.frame;
+    work.catch(() => this.#notices.addError(teach, notLoaded));
   }
 }

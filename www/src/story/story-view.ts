@@ -201,7 +201,7 @@ export class StoryView extends View {
     return html`
       <div class="story-notices">
         ${isBroken ? html`<p class="banner" role="alert">${frame.noModel(engine.problem)}</p>` : nothing}
-        ${notices.all.map((notice) => noticeCard(notices, notice))}
+        ${notices.all.map((notice) => noticeCard(notices, notice, frame.dismiss))}
       </div>`;
   }
 

@@ -42,7 +42,8 @@ export class TeachPage extends View {
   }
 
   protected override arrived(): void {
-    void this.#section.load().catch(() => this.app.notices.addNotLoaded(this.app.words.now.frame.teach));
+    const { teach, notLoaded } = this.app.words.now.frame;
+    void this.#section.load().catch(() => this.app.notices.addError(teach, notLoaded));
   }
 
   #choose(length: PlanLength): void {

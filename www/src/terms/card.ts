@@ -1,5 +1,6 @@
 // The card that explains a term. The page has one, a popover, which Escape and a click outside close.
 import { showPopoverAt } from "../ui/popover";
+import { termWords } from "../words/terms";
 import { TERMS, type TermName } from "./terms";
 
 let card: HTMLElement | null = null;
@@ -17,9 +18,11 @@ function made(): HTMLElement {
 }
 
 /** Explains a term next to the button that was pressed. */
-export function showTerm(name: TermName, asked: HTMLElement): void {
+export async function showTerm(name: TermName, asked: HTMLElement): Promise<void> {
+  const { more: moreText, texts } = await termWords();
   card ??= made();
-  const { title, symbol, words } = TERMS[name];
+  const { symbol } = TERMS[name];
+  const { title, words } = texts[name];
   const heading = document.createElement("h3");
   heading.id = "term-title";
   heading.append(title);
@@ -34,7 +37,7 @@ export function showTerm(name: TermName, asked: HTMLElement): void {
   const more = document.createElement("button");
   more.type = "button";
   more.className = "small";
-  more.textContent = "The method, with its equations";
+  more.textContent = moreText;
   more.addEventListener("click", () => {
     card?.hidePopover();
     asked.closest("dialog")?.close();

@@ -29,7 +29,7 @@ export class Term extends LitElement {
 
   async #ask({ currentTarget }: Event): Promise<void> {
     const { showTerm } = await import("./card");
-    showTerm(this.of, currentTarget as HTMLElement);
+    await showTerm(this.of, currentTarget as HTMLElement);
   }
 
   protected override render() {

@@ -1,261 +1,52 @@
-// The terms of the field, each with an explanation of two sentences. `glossary`: the entry of
+// The terms of the field. Their explanations are in the words of each language. `glossary`: the entry of
 // docs/glossary.md for readers of the code, a name or a symbol.
 
-export interface TermText {
-  title: string;
+export interface TermEntry {
   symbol?: string;
-  words: string;
   glossary: string;
 }
 
-const TEXTS = {
-  alpha: {
-    title: "coupling variance",
-    symbol: "α",
-    words:
-      "The variance of what one part predicts about another: the smaller it is, the more that prediction counts. Training keeps it between 0.001 and 10, so a learned 10 means that the prediction was not needed.",
-    glossary: "alpha^{ji}",
-  },
-  weight: {
-    title: "weight",
-    symbol: "w",
-    words:
-      "The share of one prediction in the combined one, from 0 to 1. The weights into a part add up to 1: where one rises, the others fall.",
-    glossary: "weight",
-  },
-  coupling: {
-    title: "coupling",
-    symbol: "α, w",
-    words:
-      "How strongly one part drives another, or itself. Every part predicts the next state of every part, and the couplings say whose word counts.",
-    glossary: "coupling",
-  },
-  expert: {
-    title: "expert",
-    symbol: "f",
-    words:
-      "What one part predicts about the next latent of one part, itself included. Each expert is a Gaussian process that sees only its own part’s last frames.",
-    glossary: "expert",
-  },
-  "product-of-experts": {
-    title: "product of experts",
-    words:
-      "The rule that combines the experts: their Gaussian predictions are multiplied. The result is their weighted mean, and the expert with the smallest variance α has the largest weight.",
-    glossary: "product of experts",
-  },
-  predictions: {
-    title: "predictions, drawn",
-    words:
-      "Each part’s prediction of the state now is a circle in its colour, with a radius of one standard deviation; thin lines lead to their product in black (white on a dark page), dashed ones have a weight below 0.01 and are hardly heard. The arrow is the step from the state before, and the band around the path is as wide as the product is unsure.",
-    glossary: "product of experts",
-  },
-  reading: {
-    title: "as learned, re-inferred",
-    words:
-      "As learned: a slider changes the weights only, and every expert predicts as before. Re-inferred: the experts are computed again, as the same data would have taught them under these couplings; often the motion then stays nearly the same, because other experts take over.",
-    glossary: "reading",
-  },
-  measured: {
-    title: "measures",
-    words:
-      "Taken from 20 seconds of this motion, without the first 5, in which it finds its pace: how far hands and feet swing, as a multiple of the motion as learned. In step means that each hand keeps its place in the cycle of the foot of the other side.",
-    glossary: "measures",
-  },
-  part: {
-    title: "part",
-    symbol: "i, j",
-    words:
-      "A group of joints, such as the legs, that shares one latent space and has one colour here. A body can be split into up to eight parts.",
-    glossary: "part",
-  },
-  latent: {
-    title: "latent",
-    symbol: "x",
-    words:
-      "A point that stands for one pose of a part, with a few numbers instead of many joint angles. The model finds the latents of all frames by itself.",
-    glossary: "latent",
-  },
-  "latent-space": {
-    title: "latent space",
-    symbol: "Q",
-    words:
-      "The space of a part’s latents: near points are similar poses, and a walk is a loop in it. It has Q dimensions; the plots here show it from the side where it is widest.",
-    glossary: "latent space",
-  },
-  "inducing-point": {
-    title: "inducing point",
-    symbol: "r, z",
-    words:
-      "One of the few examples that the model keeps in place of all frames. Those of the pose map are poses; those of the dynamics are short pieces of movement with what comes next.",
-    glossary: "inducing point",
-  },
-  "dynamics-points": {
-    title: "dynamics inducing points",
-    symbol: "K",
-    words:
-      "How many short pieces of movement each expert keeps. More of them can describe a richer movement, and training takes longer.",
-    glossary: "K",
-  },
-  "pose-points": {
-    title: "pose inducing points",
-    symbol: "L",
-    words:
-      "How many poses the pose map of each part keeps. More of them give finer poses, and training takes longer.",
-    glossary: "L",
-  },
-  "pose-map": {
-    title: "pose map",
-    symbol: "g",
-    words:
-      "The Gaussian process that turns a latent into a pose of its part. It is learned together with the latents and the dynamics.",
-    glossary: "pose map",
-  },
-  lengthscale: {
-    title: "lengthscale",
-    symbol: "√λ",
-    words:
-      "How far one must go along a latent dimension before the function of a Gaussian process has become another. A dimension with a lengthscale much longer than the latent path hardly matters.",
-    glossary: "lambda",
-  },
-  "signal-variance": {
-    title: "signal variance",
-    symbol: "σ²",
-    words:
-      "How far the function of a Gaussian process goes up and down, as a variance. For a pose map it is in the squared units of the pose’s columns, mostly radians.",
-    glossary: "sigma^2",
-  },
-  "noise-variance": {
-    title: "observation noise",
-    symbol: "β",
-    words:
-      "The variance of what the pose map of a part leaves unexplained in its columns. It is small where the recorded poses are followed closely.",
-    glossary: "beta",
-  },
-  order: {
-    title: "order of the dynamics",
-    symbol: "p",
-    words:
-      "How many earlier frames predict the next one. With two, the model knows where a part is and how fast it moves.",
-    glossary: "order",
-  },
-  bound: {
-    title: "evidence lower bound",
-    symbol: "ELBO",
-    words:
-      "The number that training makes as large as it can: how well the model explains the clips, less what it takes to say so. Bounds can be compared between models of the same frames only.",
-    glossary: "ELBO",
-  },
-  "bound-terms": {
-    title: "terms of the bound",
-    words:
-      "The bound is a sum: how well poses and dynamics of each part are explained, the first frames, and the entropy of the latents. Knopp et al. (2019) found that the dynamics say most about how natural a motion looks.",
-    glossary: "bound, terms",
-  },
-  nats: {
-    title: "nat",
-    words: "The unit of the bound: information counted with the natural logarithm. One nat is 1.44 bits.",
-    glossary: "nat",
-  },
-  iterations: {
-    title: "iteration",
-    words:
-      "One step of the optimiser, which changes all numbers of the model so that the bound rises. Training ends when the bound no longer rises, or after this many.",
-    glossary: "iteration",
-  },
-  seed: {
-    title: "seed",
-    words:
-      "The number from which all random numbers of a training follow. The same seed gives the same model; another one may find a better or a worse one.",
-    glossary: "seed",
-  },
-  "movement-primitive": {
-    title: "movement primitive",
-    words:
-      "A building block of movement, such as one step cycle of the legs. This model learns one for each part, and couplings make one movement of them.",
-    glossary: "movement primitive",
-  },
-  rollout: {
-    title: "rollout",
-    words:
-      "A motion that the model makes: it begins with a few frames of a clip and then predicts frame after frame from its own predictions. Here each step is the mean of the prediction.",
-    glossary: "rollout",
-  },
-  future: {
-    title: "future",
-    words:
-      "A motion drawn at random: at every frame the next state is not the mean of the prediction but a draw from it. The same seed draws the same one; in the plots a future is shown with the last half second of its path.",
-    glossary: "future",
-  },
-  "moment-matching": {
-    title: "moment matching",
-    words:
-      "What is known of the state if only the first frames are certain: mean and spread, carried from frame to frame as a Gaussian. A Gaussian cannot bend around a loop; in the legs of the start model, after about two thirds of a second, more futures fall out of time than it knows of, and then the futures say more.",
-    glossary: "moment matching",
-  },
-  map: {
-    title: "MAP models",
-    words:
-      "Gaussian process dynamical models with one best value for each latent (maximum a posteriori), instead of a distribution. They keep all frames, and so become slow with many.",
-    glossary: "MAP",
-  },
-  tmp: {
-    title: "temporal movement primitives",
-    symbol: "TMP",
-    words:
-      "A model of curves over time: each joint’s curve is a weighted sum of a few smooth ones. It knows no state, so nothing drives anything.",
-    glossary: "TMP",
-  },
-  dmp: {
-    title: "dynamic movement primitives",
-    symbol: "DMP",
-    words:
-      "A spring for each joint that is pulled to a goal, or around a cycle, by a learned force. The force is a weighted sum of bases.",
-    glossary: "DMP",
-  },
-  bases: {
-    title: "bases",
-    words:
-      "The bumps over time whose weighted sum is the force of a DMP. More of them follow the clip more closely.",
-    glossary: "bases",
-  },
-  dtw: {
-    title: "DTW MSE",
-    words:
-      "How far a prediction is from the real trial: the mean squared error after dynamic time warping. The warping forgives a prediction that is a little early or late.",
-    glossary: "DTW MSE",
-  },
-  fold: {
-    title: "fold",
-    words:
-      "One trial held out, while the models learn from the others. Each trial is held out in turn, so that no model is scored on what it has seen.",
-    glossary: "fold",
-  },
-  "confusion-rate": {
-    title: "confusion rate",
-    words:
-      "How often people take a model’s movement for the natural one. At one half nobody can tell them apart; at 0 everybody can.",
-    glossary: "confusion rate",
-  },
-  "attention-check": {
-    title: "attention check",
-    words:
-      "A trial with a movement that has obviously failed: who looks sees it. Who misses too many of them is left out of the analysis.",
-    glossary: "attention check",
-  },
-  "catch-trial": {
-    title: "catch trial",
-    words:
-      "Two natural movements, of which one was not shown before. Who only knows the natural ones by heart prefers the one that was.",
-    glossary: "catch trial",
-  },
-  "ln-k": {
-    title: "ln K",
-    words:
-      "How much better a score predicts people’s answers than a constant does, in nats a block of answers. Curve and constant are tried on answers that they were not fitted to.",
-    glossary: "ln K",
-  },
-} satisfies Record<string, TermText>;
+const ENTRIES = {
+  alpha: { symbol: "α", glossary: "alpha^{ji}" },
+  weight: { symbol: "w", glossary: "weight" },
+  coupling: { symbol: "α, w", glossary: "coupling" },
+  expert: { symbol: "f", glossary: "expert" },
+  "product-of-experts": { glossary: "product of experts" },
+  predictions: { glossary: "product of experts" },
+  reading: { glossary: "reading" },
+  measured: { glossary: "measures" },
+  part: { symbol: "i, j", glossary: "part" },
+  latent: { symbol: "x", glossary: "latent" },
+  "latent-space": { symbol: "Q", glossary: "latent space" },
+  "inducing-point": { symbol: "r, z", glossary: "inducing point" },
+  "dynamics-points": { symbol: "K", glossary: "K" },
+  "pose-points": { symbol: "L", glossary: "L" },
+  "pose-map": { symbol: "g", glossary: "pose map" },
+  lengthscale: { symbol: "√λ", glossary: "lambda" },
+  "signal-variance": { symbol: "σ²", glossary: "sigma^2" },
+  "noise-variance": { symbol: "β", glossary: "beta" },
+  order: { symbol: "p", glossary: "order" },
+  bound: { symbol: "ELBO", glossary: "ELBO" },
+  "bound-terms": { glossary: "bound, terms" },
+  nats: { glossary: "nat" },
+  iterations: { glossary: "iteration" },
+  seed: { glossary: "seed" },
+  "movement-primitive": { glossary: "movement primitive" },
+  rollout: { glossary: "rollout" },
+  future: { glossary: "future" },
+  "moment-matching": { glossary: "moment matching" },
+  map: { glossary: "MAP" },
+  tmp: { symbol: "TMP", glossary: "TMP" },
+  dmp: { symbol: "DMP", glossary: "DMP" },
+  bases: { glossary: "bases" },
+  dtw: { glossary: "DTW MSE" },
+  fold: { glossary: "fold" },
+  "confusion-rate": { glossary: "confusion rate" },
+  "attention-check": { glossary: "attention check" },
+  "catch-trial": { glossary: "catch trial" },
+  "ln-k": { glossary: "ln K" },
+} satisfies Record<string, TermEntry>;
 
-export type TermName = keyof typeof TEXTS;
+export type TermName = keyof typeof ENTRIES;
 
-export const TERMS: Readonly<Record<TermName, TermText>> = TEXTS;
+export const TERMS: Readonly<Record<TermName, TermEntry>> = ENTRIES;

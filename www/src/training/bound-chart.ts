@@ -6,7 +6,7 @@ import { onThemeChange } from "../ui/palette";
 import { View } from "../ui/view";
 import { termLines } from "./bound-lines";
 import type { TrainingStore } from "./training-store";
-import { phaseWords } from "./words";
+import { lab } from "../words/lab";
 import { partStyle } from "../ui/styled";
 
 export class BoundChart extends View {
@@ -43,22 +43,23 @@ export class BoundChart extends View {
     const { charted, learning, runs } = this.training;
     const last = charted?.steps.at(-1);
     const parts = charted?.settings.parts.map(({ name }) => name) ?? [];
+    const words = lab().learn.bound;
     // The line is too short for both.
-    const phase = learning && last ? `, ${phaseWords(last.phase)}` : "";
-    const which = runs.length > 1 ? `, seed ${charted?.settings.seed}` : phase;
+    const phase = learning && last ? `, ${lab().learn.phases[last.phase]}` : "";
+    const which = runs.length > 1 ? `, ${words.seed(charted?.settings.seed ?? 0)}` : phase;
     // The size stays while the next training sets up.
     const isEmpty = runs.every(({ steps }) => steps.length === 0);
     const drawing = charted && last && this.clientWidth > 0 ? this.#drawing : null;
     return html`
       <figure class="chart" data-testid="bound-chart">
-        <figcaption><span><pg-term of="bound" text="Evidence lower bound"></pg-term><small>, in <pg-term of="nats" text="nats"></pg-term>${which}</small></span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
+        <figcaption><span><pg-term of="bound" text=${words.name}></pg-term><small>, ${words.in} <pg-term of="nats" text=${words.nats}></pg-term>${which}</small></span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
         <div class="bound-box">
-          <div class="bound" role="img" aria-label="The bound over the iterations">${drawing && charted ? drawing.boundPicture(charted, runs, this.clientWidth) : nothing}</div>
-          ${isEmpty ? html`<p class="empty">It rises here while a model trains.</p>` : nothing}
+          <div class="bound" role="img" aria-label=${words.overIterations}>${drawing && charted ? drawing.boundPicture(charted, runs, this.clientWidth) : nothing}</div>
+          ${isEmpty ? html`<p class="empty">${words.empty}</p>` : nothing}
         </div>
         <pg-runs .training=${this.training}></pg-runs>
-        <figcaption ?hidden=${isEmpty}><pg-term of="bound-terms" text="Its terms"></pg-term></figcaption>
-        <div class="terms" ?hidden=${isEmpty} role="img" aria-label="The terms of the bound over the iterations">${drawing && charted ? drawing.termsPicture(charted, this.clientWidth) : nothing}</div>
+        <figcaption ?hidden=${isEmpty}><pg-term of="bound-terms" text=${words.terms}></pg-term></figcaption>
+        <div class="terms" ?hidden=${isEmpty} role="img" aria-label=${words.termsOverIterations}>${drawing && charted ? drawing.termsPicture(charted, this.clientWidth) : nothing}</div>
         <ul ?hidden=${isEmpty} class="term-list">
           ${termLines(parts).map(
             ({ label, colour, dash, value }) => html`

@@ -1,6 +1,7 @@
 // The terms of a bound, each a line of the chart.
 import type { TrainingProgress } from "../engine/protocol";
 import { partColourNow, theme } from "../ui/palette";
+import { lab } from "../words/lab";
 
 export interface Stroke {
   colour: string;
@@ -15,23 +16,24 @@ export interface Line extends Stroke {
 
 export function termLines(parts: readonly string[]): Line[] {
   const { quiet, faint } = theme();
+  const words = lab().learn.bound;
   return [
     ...parts.map(
       (name, i): Line => ({
-        label: `poses, ${name}`,
+        label: words.poses(name),
         colour: partColourNow(i),
         value: ({ terms }) => terms.kinematics[i] ?? 0,
       }),
     ),
     ...parts.map(
       (name, i): Line => ({
-        label: `dynamics, ${name}`,
+        label: words.dynamics(name),
         colour: partColourNow(i),
         dash: [5, 4],
         value: ({ terms }) => terms.dynamics[i] ?? 0,
       }),
     ),
-    { label: "entropy", colour: quiet, value: ({ terms }) => terms.entropy },
-    { label: "first frames", colour: faint, dash: [2, 3], value: ({ terms }) => terms.initial },
+    { label: words.entropy, colour: quiet, value: ({ terms }) => terms.entropy },
+    { label: words.firstFrames, colour: faint, dash: [2, 3], value: ({ terms }) => terms.initial },
   ];
 }

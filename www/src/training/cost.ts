@@ -5,6 +5,7 @@ import { Latest } from "../engine/latest";
 import type { CostQuestion, TrainingCost } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import { duration } from "../ui/format";
+import { lab } from "../words/lab";
 
 /** Limits of a warning, in seconds and bytes: a lecture is over, or the memory of a tab is full. */
 const LONG = 45 * 60;
@@ -66,7 +67,7 @@ export function costWords(cost: TrainingCost | null, count: number, workers: num
   const { seconds, bytes } = cost;
   return waitWords(
     { seconds: seconds * Math.ceil(count / Math.max(1, workers)), bytes: bytes * Math.min(count, workers) },
-    "Fewer frames a second, points or iterations make it shorter.",
+    lab().learn.training.shorter,
   );
 }
 
@@ -74,15 +75,13 @@ export function costWords(cost: TrainingCost | null, count: number, workers: num
 export function waitWords({ seconds, bytes }: TrainingCost, shorter: string): CostWords {
   const absurd = seconds > LONG || bytes > LARGE;
   if (!absurd && seconds < SHORT) return { words: "", absurd };
-  const time = `At most about ${rounded(seconds)}.`;
-  if (!absurd) return { words: time, absurd };
-  const memory = bytes > LARGE ? ` It needs about ${(bytes / 1e9).toFixed(1)} GB of memory.` : "";
-  return { words: `${time}${memory} ${shorter}`, absurd };
+  const words = lab().learn.training.cost(rounded(seconds), bytes > LARGE ? bytes / 1e9 : null);
+  return { words: absurd ? `${words} ${shorter}` : words, absurd };
 }
 
 function rounded(seconds: number): string {
-  if (seconds >= 48 * 3600) return `${Math.round(seconds / 86400)} days`;
-  if (seconds >= 3600) return `${Math.round(seconds / 360) / 10} hours`;
+  if (seconds >= 48 * 3600) return lab().learn.training.days(Math.round(seconds / 86400));
+  if (seconds >= 3600) return lab().learn.training.hours(Math.round(seconds / 360) / 10);
   const step = seconds > 600 ? 60 : seconds > 60 ? 10 : 5;
   return duration(Math.ceil(seconds / step) * step);
 }

@@ -1,9 +1,11 @@
 // The button, the status text and the progress bar of a training in its own view.
 import { html } from "lit";
-import { sentence, timeLeft } from "../ui/format";
+import { sentence } from "../ui/format";
 import { progressBar } from "../ui/progress-bar";
 import type { ProgressStore } from "./progress-store";
+import { lab } from "../words/lab";
 import { restOf } from "./runs";
+import { timeLeft } from "./words";
 
 type Progress = Pick<
   ProgressStore<unknown>,
@@ -13,9 +15,13 @@ type Progress = Pick<
 /** The status of a training as a list of phrases; empty when no training runs. */
 export function goingWords({ status, iteration, elapsed, fraction }: Progress): string[] {
   if (status === "idle") return [];
-  if (status === "cancelling") return ["Stopping"];
-  if (iteration === 0) return ["Setting up"];
-  return [`Iteration ${iteration}`, sentence(timeLeft(restOf([{ state: "running", elapsed, fraction }], 1)))];
+  const words = lab().learn.training;
+  if (status === "cancelling") return [words.stopping];
+  if (iteration === 0) return [words.settingUp];
+  return [
+    words.iteration(iteration),
+    sentence(timeLeft(restOf([{ state: "running", elapsed, fraction }], 1))),
+  ];
 }
 
 export interface ProgressRow {
@@ -49,10 +55,10 @@ export function progressRow({
   };
   return html`
     <div class="train-row">
-      <button class="primary big" data-testid=${testIds[busy ? 1 : 0]} title=${busy ? "Stops here and keeps the best so far" : whyNot}
-        ?disabled=${busy ? status === "cancelling" : whyNot !== ""} @click=${() => (busy ? progress.cancel() : start())}>${busy ? "Cancel" : now}</button>
+      <button class="primary big" data-testid=${testIds[busy ? 1 : 0]} title=${busy ? lab().learn.training.stopsHere : whyNot}
+        ?disabled=${busy ? status === "cancelling" : whyNot !== ""} @click=${() => (busy ? progress.cancel() : start())}>${busy ? lab().learn.training.cancel : now}</button>
       <p class="hint words" data-testid=${testIds[2]}>${words()}</p>
     </div>
     ${progressBar(going, busy ? fraction : null)}
-    <div class="visually-hidden" role="status">${busy ? `${going}, ${Math.floor(fraction * 10) * 10} per cent done` : ""}</div>`;
+    <div class="visually-hidden" role="status">${busy ? lab().learn.training.goingShare(going, Math.floor(fraction * 10) * 10) : ""}</div>`;
 }

@@ -2,6 +2,7 @@
 import { troubleText } from "../couplings/measures-text";
 import type { TermName } from "../terms/terms";
 import type { ClipSource, TrainedModel, TrainingProgress, TrainingSettings } from "../engine/protocol";
+import { lab } from "../words/lab";
 
 export interface RunClip {
   id: number;
@@ -53,13 +54,12 @@ export function bestRun(runs: readonly Run[]): Run | null {
 export function endOfMotion({ model, settings }: Pick<Run, "model" | "settings">): string {
   const health = model?.health;
   if (!model || health?.state === "moves-on") return "";
-  if (!health || health.state === "not-finite") return "breaks down";
-  if (health.state === "rests-as-recorded") return "rests as recorded";
+  const { motion } = lab().learn.ending;
+  if (!health || health.state === "not-finite") return motion.breaksDown;
+  if (health.state === "rests-as-recorded") return motion.rests;
   const names = settings.parts.map(({ name }) => name);
-  const since = health.from === null ? "" : ` from ${health.from.toFixed(1)} s on`;
-  return health.state === "leaves-training-range"
-    ? `gets far from its clips${since}`
-    : troubleText(health, names);
+  const since = health.from === null ? "" : lab().measured.since(health.from);
+  return health.state === "leaves-training-range" ? motion.farFromClips(since) : troubleText(health, names);
 }
 
 /** The seeds of several trainings: first, first + 1, ...; after the largest seed comes 0. */
@@ -102,32 +102,40 @@ const count = (
   return { head, meaning, text, key: text, ...(term && { term }) };
 };
 
-const COLUMNS: Column[] = [
-  {
-    head: "Clips",
-    meaning: "Clips",
-    text: ({ clips }) => (clips.length === 1 ? (clips[0]?.title ?? "") : String(clips.length)),
-    key: ({ clips }) => clips.map(({ title, first, end }) => `${title} ${first + 1}-${end}`).join(", "),
-  },
-  {
-    head: "Parts",
-    meaning: "Parts",
-    text: ({ settings }) => settings.parts.map(({ name }) => name).join(", "),
-    key: ({ settings }) =>
-      settings.parts.map(({ name, joints }) => `${name} (${joints.length} joints)`).join(", "),
-  },
-  count("Q", "Latent dimensions", ({ latent }) => latent, "latent-space"),
-  count("K", "Dynamics points", ({ dynamicsIps }) => dynamicsIps, "dynamics-points"),
-  count("L", "Pose points", ({ poseIps }) => poseIps, "pose-points"),
-  count("p", "Frames of history", ({ order }) => order, "order"),
-  count("fps", "Frames a second", ({ framesPerSecond }) => framesPerSecond),
-  count("at most", "Iterations at most", ({ maxIterations }) => maxIterations, "iterations"),
-  count("weight", "Weight of the poses", ({ poseWeight = 1 }) => poseWeight),
-];
+function allColumns(): Column[] {
+  const { settings: words, runs } = lab().learn;
+  return [
+    {
+      head: runs.clips,
+      meaning: runs.clips,
+      text: ({ clips }) => (clips.length === 1 ? (clips[0]?.title ?? "") : String(clips.length)),
+      key: ({ clips }) => clips.map(({ title, first, end }) => `${title} ${first + 1}-${end}`).join(", "),
+    },
+    {
+      head: words.parts,
+      meaning: words.parts,
+      text: ({ settings }) => settings.parts.map(({ name }) => name).join(", "),
+      key: ({ settings }) =>
+        settings.parts.map(({ name, joints }) => runs.joints(name, joints.length)).join(", "),
+    },
+    count("Q", words.latent.label, ({ latent }) => latent, "latent-space"),
+    count("K", words.dynamicsIps.label, ({ dynamicsIps }) => dynamicsIps, "dynamics-points"),
+    count("L", words.poseIps.label, ({ poseIps }) => poseIps, "pose-points"),
+    count("p", words.order.label, ({ order }) => order, "order"),
+    count(runs.heads.framesPerSecond, words.framesPerSecond.label, ({ framesPerSecond }) => framesPerSecond),
+    count(
+      runs.heads.maxIterations,
+      words.maxIterations.label,
+      ({ maxIterations }) => maxIterations,
+      "iterations",
+    ),
+    count(runs.heads.poseWeight, words.poseWeight.label, ({ poseWeight = 1 }) => poseWeight),
+  ];
+}
 
 /** The settings in which the runs differ, without the seed. */
 export function differences(runs: readonly Run[]): Column[] {
-  return COLUMNS.filter(({ key }) => new Set(runs.map(key)).size > 1);
+  return allColumns().filter(({ key }) => new Set(runs.map(key)).size > 1);
 }
 
 /** The progress of one of several trainings of about the same length. */

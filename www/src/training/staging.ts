@@ -5,6 +5,7 @@ import type { TrainedModel } from "../engine/protocol";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import type { Run } from "./runs";
+import { lab } from "../words/lab";
 
 /** Milliseconds between two models of a running training. */
 const BETWEEN = 1000;
@@ -58,7 +59,7 @@ export class Staging {
       await this.#model.open(model.text, keep, model.latents);
       this.#staged = model;
     } catch (problem) {
-      this.#notices.addError(`The model of seed ${run.settings.seed} was not taken up`, messageOf(problem));
+      this.#notices.addError(lab().learn.training.notTakenUp(run.settings.seed), messageOf(problem));
     }
   }
 }

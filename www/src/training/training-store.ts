@@ -11,7 +11,8 @@ import { Cost, type CostWords, costWords } from "./cost";
 import { PausedRuns, type Send } from "./paused-runs";
 import { bestBound, bestRun, isOver, type Run, seedsFrom } from "./runs";
 import { Staging } from "./staging";
-import { endingOfRuns, endingWords, LEFT, STOPPED } from "./words";
+import { endingOfRuns, endingWords } from "./words";
+import { lab } from "../words/lab";
 
 /** The runs from a press of Train until all are over. */
 interface Session {
@@ -134,12 +135,13 @@ export class TrainingStore extends Store {
 
   /** Why Train cannot be pressed now; empty when it can. */
   whyNot(): string {
-    if (this.#engine.state === "loading") return "Getting ready";
-    if (!this.#engine.engine) return "The model cannot run in this browser";
+    const words = lab().learn.training.whyNot;
+    if (this.#engine.state === "loading") return words.gettingReady;
+    if (!this.#engine.engine) return words.cannotRun;
     // The sample clips arrive one by one: an early press would train on some of them only.
-    if (!this.#clips.samplesLoaded) return "Getting the sample clips ready";
-    if (this.#clips.ticked.length === 0) return "Tick at least one clip to train on";
-    return this.#clips.clash ? "The ticked clips do not go together; Clips says why" : "";
+    if (!this.#clips.samplesLoaded) return words.samples;
+    if (this.#clips.ticked.length === 0) return words.tick;
+    return this.#clips.clash ? words.clash : "";
   }
 
   /**
@@ -269,7 +271,12 @@ export class TrainingStore extends Store {
       this.#lastId += 1;
       const over = isOver(run)
         ? run
-        : { ...run, state: "cancelled" as const, ending: LEFT, open: run.steps.length > 0 };
+        : {
+            ...run,
+            state: "cancelled" as const,
+            ending: lab().learn.ending.left,
+            open: run.steps.length > 0,
+          };
       return { ...over, id: this.#lastId, catchingUp: false };
     });
     this.#runs = [...added, ...this.#runs];
@@ -375,7 +382,8 @@ export class TrainingStore extends Store {
       run.state = stopped ? "cancelled" : "failed";
       // A run that has a model can be trained again up to that model.
       run.open = run.model !== null;
-      run.ending = stopped ? (run.open ? STOPPED : "You cancelled before it began.") : messageOf(problem);
+      const { ending } = lab().learn;
+      run.ending = stopped ? (run.open ? ending.stopped : ending.notBegun) : messageOf(problem);
     }
     run.catchingUp = false;
     this.changed();
@@ -387,7 +395,7 @@ export class TrainingStore extends Store {
     const shown = infos.flatMap(({ name, warnings }) => warnings.map((text) => `${name}: ${text}`));
     const text = sentence(warning);
     if (shown.includes(warning) || this.#notices.all.some((notice) => notice.text === text)) return;
-    this.#notices.addError("About this training", text);
+    this.#notices.addError(lab().learn.training.about, text);
   }
 
   /** Waits for all runs, also for those that join meanwhile, and puts the best on the stage. */

@@ -1,13 +1,15 @@
 import { describe, expect, it } from "vitest";
 import { progress } from "../engine/engine.fake";
 import { costWords } from "./cost";
-import { endingWords, newModelWords } from "./words";
+import { lab } from "../words/lab";
+import { endingWords, timeLeft } from "./words";
 
 describe("the plan of a training", () => {
   it("names one clip or counts several", () => {
-    expect(newModelWords(2, 1, false)).toBe("2 new models, of the ticked clip and its body.");
-    expect(newModelWords(1, 1, true)).toBe("A new model, of the ticked sample clip and its body.");
-    expect(newModelWords(4, 3, false)).toBe("4 new models, of the 3 ticked clips and their body.");
+    const { newModels } = lab().learn.training;
+    expect(newModels(2, 1, false)).toBe("2 new models, of the ticked clip and its body.");
+    expect(newModels(1, 1, true)).toBe("A new model, of the ticked sample clip and its body.");
+    expect(newModels(4, 3, false)).toBe("4 new models, of the 3 ticked clips and their body.");
   });
 });
 
@@ -49,4 +51,12 @@ describe("the cost of a training", () => {
     expect(words(1e7).words).toContain("116 days");
     expect(words(60, 1e9, 2, 2).words).toContain("2.0 GB of memory");
   });
+});
+
+it("rounds the remaining time, and says when it is not known yet", () => {
+  expect(timeLeft(null)).toBe("estimating the time left");
+  expect(timeLeft(0.2)).toBe("at most 1 s left");
+  expect(timeLeft(10)).toBe("at most 10 s left");
+  expect(timeLeft(97)).toBe("at most 1 min 40 s left");
+  expect(timeLeft(97, true)).toBe("about 1 min 40 s left");
 });

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { duration, grouped, short, timeLeft, weight } from "./format";
+import { duration, grouped, short, weight } from "./format";
 
 it("writes numbers shortly", () => {
   expect([0, 0.00012, 0.0123, 0.456, 4.56, 45.6, 456, 45678].map(short)).toEqual([
@@ -16,11 +16,4 @@ it("writes numbers shortly", () => {
   expect(grouped(-124275.4)).toBe("−124,275");
   expect([grouped(1234.567, 2), grouped(-0.001, 2)]).toEqual(["1,234.57", "0.00"]);
   expect([4.4, 80, 7510].map(duration)).toEqual(["4 s", "1 min 20 s", "2 h 5 min"]);
-});
-
-it("rounds the remaining time, and says when it is not known yet", () => {
-  expect(timeLeft(null)).toBe("estimating the time left");
-  expect(timeLeft(0.2)).toBe("at most 1 s left");
-  expect(timeLeft(10)).toBe("at most 10 s left");
-  expect(timeLeft(97)).toBe("at most 1 min 40 s left");
 });

@@ -39,13 +39,6 @@ export function duration(seconds: number): string {
   return whole % 60 === 0 ? minutes : `${minutes} ${whole % 60} s`;
 }
 
-/** The remaining time, rounded so that it does not flicker; null: not known yet. */
-export function timeLeft(left: number | null, word = "at most"): string {
-  if (left === null) return "estimating the time left";
-  const step = left > 60 ? 10 : left > 20 ? 5 : 1;
-  return `${word} ${duration(Math.max(1, Math.ceil(left / step) * step))} left`;
-}
-
 /** A clip's name without its file extension. */
 export function clipTitle(name: string): string {
   return name.replace(/\.bvh$/i, "");

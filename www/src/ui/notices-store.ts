@@ -38,14 +38,6 @@ export class NoticesStore extends Store {
     this.add({ kind: "error", title, text, at: null });
   }
 
-  /** Adds the error that a part of the page could not be loaded. */
-  addNotLoaded(what: string): void {
-    this.addError(
-      `${what} could not be loaded`,
-      "Is this machine offline? Reload the page when it is online.",
-    );
-  }
-
   dismiss(id: number): void {
     this.#notices = this.#notices.filter((notice) => notice.id !== id);
     this.changed();

@@ -6,26 +6,34 @@ import type { Notice, NoticesStore } from "./notices-store";
 import { View } from "./view";
 import { styled } from "./styled";
 
-export function noticeCard(notices: NoticesStore, { id, kind, title, text }: Notice): TemplateResult {
+/** `dismiss`: the label of the button. */
+export function noticeCard(
+  notices: NoticesStore,
+  { id, kind, title, text }: Notice,
+  dismiss: string,
+): TemplateResult {
   return html`
     <div class="notice ${kind}" role=${kind === "error" ? "alert" : "status"} data-testid="notice">
       <div><strong>${title}</strong><p>${text}</p></div>
-      <button class="round" aria-label="Dismiss" @click=${() => notices.dismiss(id)}>${icon("close")}</button>
+      <button class="round" aria-label=${dismiss} @click=${() => notices.dismiss(id)}>${icon("close")}</button>
     </div>`;
 }
 
 export class NoticesView extends View {
-  static override properties = { inLab: { type: Boolean } };
+  static override properties = { inLab: { type: Boolean }, dismiss: {} };
   declare notices: NoticesStore;
   /** Other views show the notices without a place themselves. */
   declare inLab: boolean;
+  /** The label of the buttons. */
+  declare dismiss: string;
 
   protected override stores() {
     return [this.notices];
   }
 
   protected override render() {
-    const cards = (notices: readonly Notice[]) => notices.map((notice) => noticeCard(this.notices, notice));
+    const cards = (notices: readonly Notice[]) =>
+      notices.map((notice) => noticeCard(this.notices, notice, this.dismiss));
     const dropped = this.notices.all.filter(({ at }) => at !== null);
     const others = this.inLab ? this.notices.all.filter(({ at }) => at === null) : [];
     const at = dropped.at(-1)?.at;

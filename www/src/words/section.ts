@@ -1,4 +1,5 @@
 // The words of a part of the page that few visitors open. They load at their first use, in the page's language.
+import { languageChanges } from "../ui/language";
 import { Store } from "../ui/store";
 import type { Language, WordsStore } from "./words";
 
@@ -33,4 +34,22 @@ export class SectionWords<Section> extends Store {
     [this.#now, this.#language] = [section, language];
     this.changed();
   }
+}
+
+/** The words of a view, which load before the view. All views are drawn again in another language. */
+export function viewWords<Section>(loaders: Readonly<Record<Language, () => Promise<Section>>>) {
+  let section: SectionWords<Section> | null = null;
+  return {
+    now(): Section {
+      if (!section) throw new Error("these words have not loaded yet");
+      return section.now;
+    },
+    async load(words: WordsStore): Promise<void> {
+      if (!section) {
+        section = new SectionWords(words, loaders);
+        section.on(() => languageChanges.tell());
+      }
+      await section.load();
+    },
+  };
 }

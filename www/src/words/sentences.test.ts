@@ -3,9 +3,11 @@ import { expect, it } from "vitest";
 const SOURCES = import.meta.glob<string>(
   [
     "../{story,teach,exercises}/**/*.ts",
-    // The frame of the Lab, its stage and the tab Listen.
-    "../app/{site-head,page,header,lead,caption,stage-words,health-words}.ts",
-    "../couplings/{couplings-view,presets-view,readings-view,measured-view,body-map,phase-clock}.ts",
+    // The frame of the Lab, its stage and the tabs.
+    "../app/{site-head,page,header,lead,caption,stage-words,health-words,save-menu,help}.ts",
+    "../couplings/**/*.ts",
+    "../{clips,details,latents,live,session,training,unsaved}/**/*.ts",
+    "../settings/*-field.ts",
     "../stage/timeline.ts",
     "!../**/*.test.ts",
   ],
@@ -61,7 +63,7 @@ it("finds a sentence in a template, also in one within another, and in a label",
   expect(wordsInTemplates(source)).toEqual(["Close it", "Hello"]);
 });
 
-it("keeps the sentences of the story, for teachers, and of the Lab's first tab in the folder of words", () => {
+it("keeps the sentences of the story, for teachers, and of the Lab in the folder of words", () => {
   expect(Object.keys(SOURCES).length).toBeGreaterThan(10);
   const found = Object.entries(SOURCES).flatMap(([file, source]) =>
     wordsInTemplates(source).map((words) => `${file}: ${words}`),

@@ -19,7 +19,7 @@ export const frame: Words["frame"] = {
   equation: "Die Gleichung",
   openInLab: "Im Labor öffnen",
   loading: "Wird geladen",
-  notLoaded: "Diese Seite konnte nicht geladen werden. Ist dieses Gerät offline?",
+  notLoaded: "Dieser Teil der Seite konnte nicht geladen werden. Ist dieses Gerät offline?",
   labNotLoaded: "Das Labor konnte nicht geladen werden. Ist dieses Gerät offline?",
   tryAgain: "Noch einmal versuchen",
   noModel: (why) => `Das Modell läuft hier nicht: ${why}`,

@@ -1,9 +1,15 @@
 import { decimal } from "../decimal";
 import type { LabWords } from "../en/lab";
+import { learn } from "./learn";
+import { loops } from "./loops";
+import { files } from "./files";
 
 const number = (value: number, digits: number) => decimal("de", value, digits);
 
 export const lab: LabWords = {
+  files,
+  learn,
+  loops,
   title: "Gekoppelte [Bewegungs\u00adprimitive|movement-primitive]",
   views: {
     play: "Labor",
@@ -163,6 +169,31 @@ export const lab: LabWords = {
     startLabel: "Beginn wie in",
     fromFrame: "ab Bild",
     frame: (frame, count) => `Bild ${frame} von ${count}`,
+    decides: "wer",
+    about: "über",
+    pair: (source, target) => `${source} über ${target}`,
+    tick: (alpha, trained) => `${trained ? "Wie gelernt" : "Wie zuvor"}: ${alpha}`,
+    value: (alpha, weight, learned) =>
+      `Alpha ${alpha}, Gewicht ${weight}${learned === null ? "" : `; gelernt ${learned}`}`,
+    slider: (pair) => `${pair}: Ziehen ändert, Doppelklick setzt zurück`,
+    alphaMeaning: "Alpha, die Varianz dieser Vorhersage: Klein heißt einflussreich",
+    weightMeaning: "Gewicht dieser Vorhersage; die Gewichte eines Teils ergeben zusammen 1",
+    bar: "Zieh an einer Grenze: Der eine gewinnt, was der andere verliert. Doppelklick setzt zurück.",
+    border: (target, one, other) => `Wer entscheidet, wohin ${target} geht: ${one} oder ${other}`,
+  },
+  live: {
+    hint: "Halte einen Pfeil des Körperbilds, um diese Kopplung abzuschneiden. Zieh ein Glied oder den Punkt eines latenten Raums, um einen Teil zu schieben.",
+    cuts: (count) => `${count} Kopplungen sind abgeschnitten`,
+    cut: (source, target) => `${target} hört ${source} nicht`,
+    ahead: (part) => `Vorsprung vor ${part}, in Umläufen`,
+    distance: "Abstand vom gelernten Zyklus",
+    chart: (first, others) =>
+      `Verlauf: wie weit ${others.join(", ")} vor ${first} ${others.length > 1 ? "sind" : "ist"}, und wie weit jeder Teil vom gelernten Zyklus entfernt ist`,
+    noPhase: "Diese Bewegung wiederholt sich nicht, also gibt es keine Phase zu zeigen.",
+    notBegun: "Die Live-Bewegung konnte nicht beginnen",
+    ended: "Die Live-Bewegung ist zu Ende",
+    stays: "Diese Kopplung bleibt",
+    staysWhy: "Nichts anderes würde sagen, wohin der Teil geht.",
   },
   readings: {
     label: "[Experten|expert], wenn sich eine Kopplung ändert",

@@ -18,7 +18,7 @@ export const frame = {
   equation: "The equation",
   openInLab: "Open in the lab",
   loading: "Loading",
-  notLoaded: "This page could not be loaded. Is this machine offline?",
+  notLoaded: "This part of the page could not be loaded. Is this machine offline?",
   labNotLoaded: "The Lab could not be loaded. Is this machine offline?",
   tryAgain: "Try again",
   noModel: (why: string) => `The model cannot run here: ${why}`,

@@ -1,5 +1,8 @@
 import startPresets from "../../../first/presets.json";
 import { decimal } from "../decimal";
+import { learn } from "./learn";
+import { loops } from "./loops";
+import { files } from "./files";
 
 type PresetWords = { name: string; meaning: string };
 
@@ -19,6 +22,9 @@ const START_MEANINGS: Record<string, string> = {
 
 /** The Lab: its frame, the stage, and the tab Listen. A [text|term] in brackets is a term with an explanation. */
 export const lab = {
+  files,
+  learn,
+  loops,
   title: "Coupled [movement primitives|movement-primitive]",
   views: {
     play: "Lab",
@@ -151,6 +157,32 @@ export const lab = {
     startLabel: "Start as in",
     fromFrame: "from frame",
     frame: (frame: number, count: number) => `Frame ${frame} of ${count}`,
+    decides: "who decides",
+    about: "about",
+    pair: (source: string, target: string) => `${source} to ${target}`,
+    tick: (alpha: string, trained: boolean) => `${trained ? "As learned" : "As it was"}: ${alpha}`,
+    value: (alpha: string, weight: string, learned: string | null) =>
+      `alpha ${alpha}, weight ${weight}${learned === null ? "" : `; learned ${learned}`}`,
+    slider: (pair: string) => `${pair}: drag to change, double click to reset`,
+    alphaMeaning: "alpha, the variance of this prediction: small means influential",
+    weightMeaning: "weight of this prediction; the weights into a part sum to 1",
+    bar: "Drag a border: one gains what the other loses. Double click to reset.",
+    border: (target: string, one: string, other: string) =>
+      `Who decides where ${target} goes next: ${one} or ${other}`,
+  },
+  live: {
+    hint: "Hold an arrow of the body map to cut that coupling. Drag a limb or the dot of a latent plot to push a part.",
+    cuts: (count: number) => `${count} couplings are cut`,
+    cut: (source: string, target: string) => `${target} does not hear ${source}`,
+    ahead: (part: string) => `ahead of ${part}, in turns`,
+    distance: "distance from the learned cycle",
+    chart: (first: string, others: readonly string[]) =>
+      `Strip chart: how far ${others.join(", ")} ${others.length > 1 ? "are" : "is"} ahead of ${first}, and how far each part is from the learned cycle`,
+    noPhase: "This motion does not repeat itself, so there is no phase to show.",
+    notBegun: "The live motion could not begin",
+    ended: "The live motion has ended",
+    stays: "This coupling stays",
+    staysWhy: "Nothing else would say where the part goes next.",
   },
   readings: {
     label: "[Experts|expert], when a coupling changes",

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { partColour } from "./palette";
+import { partColour } from "../ui/palette";
 import { freeName, partColours, renamed, nameProblem } from "./part-names";
 
 const PARTS = [{ name: "legs" }, { name: "part 3" }];

@@ -1,8 +1,9 @@
 // The editor of part names, a row for each part, and the choice of the part of a joint or column.
 import { html, nothing, type TemplateResult } from "lit";
-import { icon } from "./icons";
-import { partColour } from "./palette";
-import { partStyle } from "./styled";
+import { icon } from "../ui/icons";
+import { partColour } from "../ui/palette";
+import { partStyle } from "../ui/styled";
+import { lab } from "../words/lab";
 
 interface Named {
   name: string;
@@ -26,10 +27,9 @@ export interface PartNames {
 
 /** Why a part cannot have this name; empty when it can. */
 export function nameProblem(parts: readonly Named[], place: number, name: string): string {
-  if (name === "") return "A part needs a name.";
-  return parts.some((other, i) => i !== place && other.name === name)
-    ? `Another part is called “${name}”.`
-    : "";
+  const { noName, taken } = lab().learn.parts;
+  if (name === "") return noName;
+  return parts.some((other, i) => i !== place && other.name === name) ? taken(name) : "";
 }
 
 /** The parts with a new name for one of them. */
@@ -39,7 +39,7 @@ export const renamed = <Part extends Named>(parts: readonly Part[], place: numbe
 /** A free name for a new part. */
 export function freeName(parts: readonly Named[]): string {
   for (let i = parts.length + 1; ; i++) {
-    const name = `part ${i}`;
+    const name = lab().learn.parts.free(i);
     if (!parts.some((part) => part.name === name)) return name;
   }
 }
@@ -56,24 +56,25 @@ export function partColours(sizes: readonly number[]): string[] {
 
 export function partNames({ parts, of, most, disabled, refused, ...change }: PartNames): TemplateResult {
   const colours = partColours(parts.map(({ size }) => size));
+  const words = lab().learn.parts;
   const row = ({ name, size }: PartNames["parts"][number], place: number) => html`
     <div style=${partStyle(colours[place] ?? "")}>
       <i class="swatch"></i>
-      <input type="text" maxlength="24" aria-label="Name of part ${place + 1}" .value=${name} ?disabled=${disabled}
+      <input type="text" maxlength="24" aria-label=${words.name(place + 1)} .value=${name} ?disabled=${disabled}
         @change=${(event: Event) => {
           const input = event.target as HTMLInputElement;
           // Lit does not draw an unchanged name again.
           input.value = change.rename(place, input.value);
         }} />
-      <button class="round" aria-label="Remove part ${name}" title="Its ${of} go to another" ?disabled=${disabled || parts.length < 2}
+      <button class="round" aria-label=${words.remove(name)} title=${words.heir[of]} ?disabled=${disabled || parts.length < 2}
         @click=${() => change.remove(place)}>${icon("close")}</button>
-      ${size === 0 ? html`<small>No ${of}: left out of training</small>` : nothing}
+      ${size === 0 ? html`<small>${words.empty[of]}</small>` : nothing}
     </div>`;
   return html`
     <div class="part-names">
       ${parts.map(row)}
       <small class="limit" role="status">${refused}</small>
-      <button class="small" data-testid="add-part" ?disabled=${disabled || parts.length >= most} @click=${() => change.add()}>Add a part</button>
+      <button class="small" data-testid="add-part" ?disabled=${disabled || parts.length >= most} @click=${() => change.add()}>${words.add}</button>
     </div>`;
 }
 
@@ -95,7 +96,7 @@ export const memberRow = (
 ): TemplateResult => html`
   <li style=${partStyle(colours[part] ?? "", more)}>
     <i class="swatch"></i><span title=${title ?? nothing}>${name}</span>
-    <select aria-label="Part of ${name}" ?disabled=${disabled}
+    <select aria-label=${lab().learn.parts.member(name)} ?disabled=${disabled}
       @change=${(event: Event) => move(Number((event.target as HTMLSelectElement).value))}>
       ${parts.map((to, i) => html`<option value=${i} .selected=${i === part}>${to.name}</option>`)}
     </select>

@@ -1,4 +1,5 @@
 // Work of the visitor that is on no disk: the visitor is asked before something else takes its place.
+import { lab } from "../words/lab";
 
 export interface Work {
   /** "the model that was trained here" */
@@ -20,23 +21,23 @@ export async function mayLose(...works: readonly (Work | null)[]): Promise<boole
 }
 
 async function askAbout(works: readonly string[]): Promise<"save" | "discard" | "keep" | null> {
-  const [it, its] = works.length === 1 ? ["it", "its"] : ["them", "their"];
-  const text = `Not saved: ${works.join(", and ")}.`;
+  const words = lab().files.unsaved;
+  const text = words.text(works);
   try {
     const { choose } = await import("./choice-dialog");
     return await choose({
       testId: "unsaved",
-      title: `Save ${it} first?`,
-      text: `${text} What comes now takes ${its} place.`,
+      title: words.title(works.length),
+      text: `${text} ${words.takesPlace(works.length)}`,
       answers: [
-        ["save", `Save ${it} first`],
-        ["discard", "Discard"],
-        ["keep", `Keep ${it}`],
+        ["save", words.save(works.length)],
+        ["discard", words.discard],
+        ["keep", words.keep(works.length)],
       ],
     });
   } catch {
     // Without a network the dialog may not load; the browser's own asks the same in short.
-    return confirm(`${text} Discard?`) ? "discard" : "keep";
+    return confirm(`${text} ${words.discard}?`) ? "discard" : "keep";
   }
 }
 
@@ -44,7 +45,7 @@ async function askAbout(works: readonly string[]): Promise<"save" | "discard" | 
 export async function isConfirmed(title: string, text: string, action: string): Promise<boolean> {
   try {
     const { choose } = await import("./choice-dialog");
-    const answers = [["yes", action] as const, ["no", "Not now"] as const];
+    const answers = [["yes", action] as const, ["no", lab().files.unsaved.notNow] as const];
     return (await choose({ testId: "confirm", title, text, answers })) === "yes";
   } catch {
     return confirm(`${title} ${text}`);

@@ -1,7 +1,8 @@
 // A labelled field for a number. A value beyond the limits is not changed silently: the field says which
 // limit it met.
 import { html, nothing, type TemplateResult } from "lit";
-import { grouped } from "./format";
+import { grouped } from "../ui/format";
+import { lab } from "../words/lab";
 
 interface NumberInput {
   /** For a label elsewhere. */
@@ -24,8 +25,9 @@ export interface NumberField extends Omit<NumberInput, "id"> {
 
 /** The limit that changed a value; empty when the value is within the limits. */
 export function limitWords(asked: number, { min, max }: { min: number; max: number }): string {
-  if (asked > max) return `At most ${grouped(max)}.`;
-  return asked < min ? `At least ${grouped(min)}.` : "";
+  const { atMost, atLeast } = lab().learn.field;
+  if (asked > max) return atMost(grouped(max));
+  return asked < min ? atLeast(grouped(min)) : "";
 }
 
 export function numberInput({ id, testId, limits, value, disabled, change }: NumberInput): TemplateResult {

@@ -1,6 +1,6 @@
 // A question with a few answers, in a dialog. Loaded when it is first asked.
 import { html, render } from "lit";
-import "./dialog.css";
+import "../ui/dialog.css";
 
 export interface Choice<Answer extends string> {
   /** Of the dialog, and the beginning of those of the answers. */

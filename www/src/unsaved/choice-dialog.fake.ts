@@ -1,5 +1,5 @@
-// For tests: a visitor who is asked without a dialog. Use it as vi.mock("../ui/choice-dialog", () =>
-// import("../ui/choice-dialog.fake")).
+// For tests: a visitor who is asked without a dialog. Use it as vi.mock("../unsaved/choice-dialog", () =>
+// import("../unsaved/choice-dialog.fake")).
 import type { Choice } from "./choice-dialog";
 
 export const visitor = {
