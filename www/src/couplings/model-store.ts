@@ -19,7 +19,7 @@ import { AwaitedLink } from "./awaited-link";
 import { type CouplingsChange, CouplingsStore } from "./couplings-store";
 import { couplingsOf, isPreset, type Preset, presetsOf, START_PRESETS } from "./presets";
 import { sameTimes } from "./same-times";
-import { lab } from "../words/lab";
+import { withLab } from "../words/lab";
 
 /** A measure in the browser's performance timeline: from the change of a coupling to the new motion. */
 export const REDRAW_MEASURE = "coupling-redraw";
@@ -82,7 +82,7 @@ export class ModelStore extends Store {
           // The worker may have opened another model whose answer has not arrived.
           if (result.revision === this.#model?.revision) done(result);
         },
-        (problem) => this.#notices.addError(lab().files.rolloutFailed, messageOf(problem)),
+        (problem) => withLab(({ files }) => this.#notices.addError(files.rolloutFailed, messageOf(problem))),
       );
     this.#rollouts = queue((result) => this.#takeRollout(result));
     this.#learnedRollouts = queue((result) => this.#takeLearned(result));

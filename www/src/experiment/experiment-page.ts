@@ -16,6 +16,7 @@ import { alphaTable, fitTable, verdictWords } from "./findings-tables";
 import { CURVE_FRAMES, curvesPicture, latentPicture } from "./pictures";
 import { runsTable } from "./runs-table";
 import { timeLeft } from "../training/words";
+import { endingOf } from "./ending";
 
 const PARTS = [0, 1];
 
@@ -104,8 +105,8 @@ export class ExperimentPage extends View {
     }
     if (shown?.state === "failed")
       return html`<span class="bad">${sentence(`Training failed: ${shown.ending}`)}</span>`;
-    if (shown?.ending)
-      return html`<span>Iteration ${shown.iteration}.</span><span>${sentence(shown.ending)}</span>`;
+    if (shown?.outcome)
+      return html`<span>Iteration ${shown.iteration}.</span><span>${sentence(endingOf(shown))}</span>`;
     return "The seed decides the data and the training.";
   }
 
@@ -114,9 +115,9 @@ export class ExperimentPage extends View {
     const { asked, runs, shown, status, busy } = this.experiment;
     if (status === "running") return `Training, ${Math.floor(shareOf(asked) * 10) * 10} per cent done`;
     if (busy) return "Stopping";
-    if (this.experiment.isRiddle) return shown?.ending ? "Training ended." : "";
+    if (this.experiment.isRiddle) return shown?.outcome || shown?.ending ? "Training ended." : "";
     if (asked.length > 1) return `Training ended. ${tally(runs)}`;
-    return shown?.findings && shown.ending
+    return shown?.findings && (shown.outcome || shown.ending)
       ? `Training ended. ${headline(shown.findings, shown.driving)}`
       : "";
   }

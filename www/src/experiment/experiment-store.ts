@@ -3,7 +3,6 @@ import { Latest } from "../engine/latest";
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { Experiment, SyntheticTruth } from "../engine/whole-protocol";
 import type { SettingsStore } from "../settings/settings-store";
-import { endingWords } from "../training/words";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import { type ExperimentRun, isSame, newRun } from "./experiments";
@@ -166,7 +165,7 @@ export class ExperimentStore extends Store {
         );
       }, signal);
       run.state = outcome.cancelled ? "cancelled" : "done";
-      run.ending = endingWords(outcome);
+      run.outcome = outcome;
     } catch (problem) {
       // A training that was cancelled before it began leaves the list.
       if (problem === signal.reason) this.#runs = this.#runs.filter((other) => other !== run);

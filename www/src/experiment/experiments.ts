@@ -1,4 +1,5 @@
 // Trainings on synthetic experiments and sentences about their findings. No rendering, no worker.
+import type { TrainingOutcome } from "../engine/protocol";
 import type { Experiment, SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
 import type { Course } from "../training/runs";
 import { ratio } from "../figures/numbers";
@@ -8,7 +9,9 @@ export interface ExperimentRun extends Experiment, Course {
   iteration: number;
   /** The findings at the best bound so far; null before the first report. */
   findings: SyntheticFindings | null;
-  /** How it ended. */
+  /** How it ended; null before, and when it failed. */
+  outcome: TrainingOutcome | null;
+  /** Why it failed; empty when it did not. */
   ending: string;
 }
 
@@ -24,6 +27,7 @@ export function newRun({ seed, driving }: Experiment): ExperimentRun {
     fraction: 0,
     iteration: 0,
     findings: null,
+    outcome: null,
     ending: "",
   };
 }

@@ -3,18 +3,20 @@ import { html, nothing } from "lit";
 import { grouped, short } from "../ui/format";
 import { type ExperimentRun, inOrder, isFound } from "./experiments";
 import { percent, ratio } from "../figures/numbers";
+import { endingOf } from "./ending";
 
 /** Whether the truth was found, or the progress of the training. */
-function answer({ state, findings, fraction, seed, ending }: ExperimentRun) {
+function answer(run: ExperimentRun) {
+  const { state, findings, fraction, seed } = run;
   switch (state) {
     case "waiting":
       return "waiting";
     case "running":
       return html`<progress max="1" .value=${fraction} aria-label="Training of seed ${seed}"></progress>`;
     case "failed":
-      return html`<span class="bad" title=${ending}>failed</span>`;
+      return html`<span class="bad" title=${endingOf(run)}>failed</span>`;
     case "cancelled":
-      return html`<span title=${ending}>stopped early</span>`;
+      return html`<span title=${endingOf(run)}>stopped early</span>`;
     case "done":
       return findings && isFound(findings) ? "yes" : html`<strong class="bad">no</strong>`;
   }

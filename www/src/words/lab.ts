@@ -11,4 +11,6 @@ const words = viewWords({
 
 /** The words in the present language. */
 export const lab = words.now;
+/** For notices that the story may show too, where the words may not have loaded yet. */
+export const withLab = words.soon;
 export const loadLab = words.load;

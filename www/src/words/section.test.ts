@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { SectionWords } from "./section";
+import { SectionWords, viewWords } from "./section";
 import { WordsStore } from "./words";
 
 it("loads the words at the first use, and again in another language", async () => {
@@ -14,4 +14,19 @@ it("loads the words at the first use, and again in another language", async () =
   await words.load("de");
   await changed;
   expect(section.now).toBe("ja");
+});
+
+it("gives the words of a view to a notice before they have loaded, in the language of the document", async () => {
+  Object.assign(globalThis, { document: { documentElement: { lang: "de" } } });
+  const view = viewWords({ en: async () => "yes", de: async () => "ja" });
+  expect(() => view.now()).toThrow("not loaded");
+  expect(await new Promise((resolve) => view.soon(resolve))).toBe("ja");
+  const words = new WordsStore();
+  await words.load("en");
+  await view.load(words);
+  let given = "";
+  view.soon((now) => {
+    given = now;
+  });
+  expect(given).toBe("yes");
 });

@@ -44,6 +44,12 @@ export function viewWords<Section>(loaders: Readonly<Record<Language, () => Prom
       if (!section) throw new Error("these words have not loaded yet");
       return section.now;
     },
+    /** Gives the words to `use`; in the story they load first, in the language of the document. */
+    soon(use: (words: Section) => void): void {
+      const language = document.documentElement.lang === "de" ? "de" : "en";
+      if (section?.loaded) use(section.now);
+      else void loaders[language]().then(use);
+    },
     async load(words: WordsStore): Promise<void> {
       if (!section) {
         section = new SectionWords(words, loaders);
