@@ -3,6 +3,7 @@ import { html, nothing } from "lit";
 import { SETTINGS } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import { clearCanvas } from "../ui/canvas";
+import { fixed } from "../ui/format";
 import { icon } from "../ui/icons";
 import { onThemeChange, partColourNow } from "../ui/palette";
 import { limitWords } from "../settings/number-field";
@@ -84,7 +85,7 @@ export class TimelineView extends View {
     const { loop, speed: now } = settings.values;
     const frameTime = this.stage.content?.motion.frameTime ?? 1 / 30;
     const frame = Math.min(Math.floor(playback.frame + 1e-6), lastFrame);
-    const seconds = (value: number) => (value * frameTime).toFixed(1);
+    const seconds = (value: number) => fixed(value * frameTime, 1);
     return html`
       <div class="timeline" role="group" aria-label=${words.label}>
         <button class="round primary" data-testid="play" aria-label=${playing ? words.pause : words.play} title=${playing ? words.pauseMeaning : words.playMeaning}

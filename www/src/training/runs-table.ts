@@ -42,7 +42,7 @@ export class RunsView extends View {
         ${columns.map((column) => html`<td class="differs" title=${column.key(run)}>${column.text(run)}</td>`)}
         <td class=${best ? "best" : ""}>${steps.length > 0 ? grouped(bestBound(run)) : ""}${best ? html`<span class="visually-hidden">, ${words.best}</span>` : nothing}</td>
         <td>${steps.at(-1)?.iteration ?? ""}</td>
-        <td>${elapsed === 0 ? "" : elapsed < 10 ? `${elapsed.toFixed(1)} s` : duration(elapsed)}</td>
+        <td>${elapsed === 0 ? "" : elapsed < 10 ? lab().learn.clips.seconds(elapsed) : duration(elapsed)}</td>
         <td class="state">${this.#state(run)}</td>
         <td>${
           training.canRemove(run)

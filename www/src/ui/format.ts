@@ -1,22 +1,30 @@
-// Formats numbers and texts for the page.
+// Formats numbers and texts for the page, in its language.
+import { languageChanges } from "./language";
+
+/** The text of a number in the language of the page. */
+export const localNumber = (number: string): string =>
+  languageChanges.language === "de" ? number.replace(".", ",") : number;
+
+/** A number with this many decimals. */
+export const fixed = (value: number, decimals: number): string => localNumber(value.toFixed(decimals));
 
 /** Three significant digits, without an exponent between 0.001 and 10,000. */
 export function short(value: number): string {
   if (value === 0) return "0";
   const size = Math.abs(value);
-  if (size >= 1e4 || size < 1e-3) return value.toExponential(1).replace("e+", "e");
-  return size >= 100 ? value.toFixed(0) : size >= 10 ? value.toFixed(1) : value.toPrecision(2);
+  if (size >= 1e4 || size < 1e-3) return localNumber(value.toExponential(1).replace("e+", "e"));
+  return localNumber(size >= 100 ? value.toFixed(0) : size >= 10 ? value.toFixed(1) : value.toPrecision(2));
 }
 
 /** A weight between 0 and 1. */
 export function weight(value: number): string {
-  return value > 0 && value < 0.005 ? "<0.01" : value.toFixed(2);
+  return localNumber(value > 0 && value < 0.005 ? "<0.01" : value.toFixed(2));
 }
 
 /** All digits before the point in groups of three, and `decimals` after it. */
 export function grouped(value: number, decimals = 0): string {
   const digits = { minimumFractionDigits: decimals, maximumFractionDigits: decimals };
-  const text = value.toLocaleString("en", digits);
+  const text = value.toLocaleString(languageChanges.language, digits);
   return /^-[0.,]+$/.test(text) ? text.slice(1) : text.replace("-", "\u2212");
 }
 

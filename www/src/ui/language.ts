@@ -1,6 +1,9 @@
 import { Store } from "./store";
 
 class LanguageChanges extends Store {
+  /** The language of the words, in which numbers are written too. */
+  language = "en";
+
   tell(): void {
     this.changed();
   }

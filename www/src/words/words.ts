@@ -1,5 +1,6 @@
 // The sentences of the page in the visitor's language. Only the language in use is loaded.
 import { keep, kept } from "../ui/kept";
+import { languageChanges } from "../ui/language";
 import { Store } from "../ui/store";
 import type { Words } from "./en";
 
@@ -50,6 +51,7 @@ export class WordsStore extends Store {
     // The visitor may have chosen another language since.
     if (this.#asked !== language) return;
     this.#language = language;
+    languageChanges.language = language;
     this.#words = words;
     document.documentElement.lang = language;
     this.changed();
