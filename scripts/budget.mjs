@@ -9,14 +9,14 @@ export const budget = {
   story: 60_000,
   /** Help, method and details of the Lab. */
   whenAsked: 70_000,
-  /** The whole program, and the comparison of models. */
-  onDemand: 808_000,
+  /** The whole program, and the comparison of models with its words in two languages. */
+  onDemand: 814_000,
   /** The graphics Turing test with jsPsych. */
   perception: 50_000,
   /** The movements of the page's own study. */
   study: 170_000,
-  /** The view of primitives with its library. */
-  primitives: 75_000,
+  /** The view of primitives with its library, and its words in two languages. */
+  primitives: 79_000,
   /** The view of time series. */
   series: 12_000,
   /** The writer of GLB files. */

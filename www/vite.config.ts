@@ -51,7 +51,7 @@ const isAsked = (file: string) =>
   );
 /** The whole program and the views that need it, when they are opened. */
 const isOnDemand = (file: string) =>
-  /\/src\/(comparison|experiment|figures)\/|\/training\/progress-|\/ui\/two-columns|\/pkg\/web\/|\/whole(-engine|-desk)?\.ts$/.test(
+  /\/src\/(comparison|experiment|figures)\/|\/src\/words\/((en|de)\/)?compare\.|\/training\/progress-|\/ui\/two-columns|\/pkg\/web\/|\/whole(-engine|-desk)?\.ts$/.test(
     file,
   );
 /** The Lab, and what it shares with chapters of the story. A first visit loads none of it. */
@@ -69,9 +69,12 @@ const isPerception = (file: string) => /\/src\/perception\/|\/jspsych\//.test(fi
 const LATER: [folder: string, of: (file: string) => boolean][] = [
   ["assets/teach", isTeaching],
   ["assets/perception", isPerception],
-  ["assets/primitives", (file) => /\/src\/primitives\/|\/docs\/modularity\.svg$/.test(file)],
+  [
+    "assets/primitives",
+    (file) => /\/src\/(words\/((en|de)\/)?)?primitives[/.]|\/docs\/modularity\.svg$/.test(file),
+  ],
   ["assets/glb", (file) => file.includes("/src/scene/glb.")],
-  ["assets/series", (file) => file.includes("/src/series/")],
+  ["assets/series", (file) => /\/src\/(words\/((en|de)\/)?)?series[/.]/.test(file)],
   ["assets/on-demand", isOnDemand],
   ["assets/when-asked", isAsked],
   ["assets/story", isChapter],

@@ -52,7 +52,11 @@ export class App {
   });
 
   readonly comparison = new Lazy(async () => {
-    const { ComparisonStore } = await import("../comparison/comparison-store");
+    const [{ ComparisonStore }, { loadCompare }] = await Promise.all([
+      import("../comparison/comparison-store"),
+      import("../words/compare"),
+    ]);
+    await loadCompare(this.words);
     const comparison = new ComparisonStore(this.engine, this.settings, this.clips, wholeWorkers());
     comparison.on(this.#touched);
     return comparison;
@@ -74,14 +78,22 @@ export class App {
   readonly #touched = () => this.session.loaded?.touched();
 
   readonly primitives = new Lazy(async () => {
-    const { openPrimitives } = await import("../primitives/primitives");
+    const [{ openPrimitives }, { loadPrimitives }] = await Promise.all([
+      import("../primitives/primitives"),
+      import("../words/primitives"),
+    ]);
+    await loadPrimitives(this.words);
     const primitives = openPrimitives(wholeWorkers(), this.engine, this.settings, this.clips, this.notices);
     primitives.library.on(this.#touched);
     return primitives;
   });
 
   readonly series = new Lazy(async () => {
-    const { openSeries } = await import("../series/series");
+    const [{ openSeries }, { loadSeries }] = await Promise.all([
+      import("../series/series"),
+      import("../words/series"),
+    ]);
+    await loadSeries(this.words);
     return openSeries(wholeWorkers(), this.settings);
   });
 

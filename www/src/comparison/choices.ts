@@ -4,23 +4,17 @@ import type { ClipsStore } from "../clips/clips-store";
 import { type NumberName, settingField } from "../settings/setting-field";
 import { BY_HAND, MODELS, numberOf, type SettingName, trialNumber, trialOf } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
-import "../terms/term";
+import { withTerms } from "../terms/term";
 import type { TermName } from "../terms/terms";
 import { numberField } from "../settings/number-field";
 import { View } from "../ui/view";
 import type { ComparisonStore } from "./comparison-store";
 import { modelStyle } from "../figures/model-style";
+import { type CompareWords, compareWords } from "../words/compare";
+import { lab } from "../words/lab";
 
-/** A line about each kind of model. */
-const ABOUT: Record<(typeof MODELS)[number], string> = {
-  vcgpdm: "The coupled model of this page",
-  vgpdm: "The same, with the whole body as one part",
-  "map-gpdm": "Point latents instead of distributions; slow",
-  "map-cgpdm": "The same, with coupled parts; slowest",
-  tmp: "Weighted curves over a common phase",
-  "dmp-discrete": "A spring pulled towards a goal",
-  "dmp-rhythmic": "A spring pulled around a cycle",
-};
+/** The settings with a label. */
+type FieldName = Exclude<keyof CompareWords["fields"], "byHand" | "growthNeeds" | "growthTimes">;
 
 const isTicked = (event: Event): boolean => (event.target as HTMLInputElement).checked;
 
@@ -45,22 +39,22 @@ export class ComparisonChoices extends View {
     this.unfolded = false;
   }
 
-  #field(name: SettingName, label: string, hint: string, term?: TermName, symbol = "?") {
-    const afterLabel =
-      term && html`<pg-term of=${term} text=${symbol} about="${label}: what is that?"></pg-term>`;
+  #field(name: SettingName & FieldName, term?: TermName, symbol = "?") {
+    const { label, hint } = compareWords().fields[name];
+    const about = lab().learn.field.about(label);
+    const afterLabel = term && html`<pg-term of=${term} text=${symbol} about=${about}></pg-term>`;
     const field = { label, hint, testId: `compare-${name}`, disabled: this.comparison.busy };
     return { ...field, ...(afterLabel && { afterLabel }) };
   }
 
-  #number(name: NumberName, label: string, hint: string, term?: TermName, symbol?: string) {
-    return settingField(this.settings, name, this.#field(name, label, hint, term, symbol));
+  #number(name: NumberName & FieldName, term?: TermName, symbol?: string) {
+    return settingField(this.settings, name, this.#field(name, term, symbol));
   }
 
   #heldOut() {
     const { settings } = this;
-    const hint = "The trial held out, counted from 1; 0: each in turn";
     return numberField({
-      ...this.#field("heldOut", "Only trial (0: each)", hint, "fold"),
+      ...this.#field("heldOut", "fold"),
       limits: trialNumber,
       value: numberOf(settings.values.heldOut),
       change(number) {
@@ -70,7 +64,9 @@ export class ComparisonChoices extends View {
     });
   }
 
-  #numbers(name: "ips" | "bases", label: string, hint: string, term: TermName) {
+  #numbers(name: "ips" | "bases", term: TermName) {
+    const { label, hint } = compareWords().fields[name];
+    const about = lab().learn.field.about(label);
     const { settings, comparison } = this;
     const change = (event: Event) => {
       const input = event.target as HTMLInputElement;
@@ -82,13 +78,14 @@ export class ComparisonChoices extends View {
       input.value = settings.values[name].join(", ");
     };
     return html`
-      <div class="field" title=${hint}><span><label for="field-${name}">${label}</label> <pg-term of=${term} text="?" about="${label}: what is that?"></pg-term></span>
+      <div class="field" title=${hint}><span><label for="field-${name}">${label}</label> <pg-term of=${term} text="?" about=${about}></pg-term></span>
         <input type="text" id="field-${name}" inputmode="numeric" data-testid="compare-${name}" .value=${settings.values[name].join(", ")}
           ?disabled=${comparison.busy} @change=${change} />
       </div>`;
   }
 
-  #flag(name: "balanced" | "growth", label: string, hint: string) {
+  #flag(name: "balanced" | "growth") {
+    const { label, hint } = compareWords().fields[name];
     const { settings, comparison } = this;
     return html`
       <label class="check" title=${hint}>
@@ -100,18 +97,18 @@ export class ComparisonChoices extends View {
   #models() {
     const { settings, comparison } = this;
     const { models } = settings.values;
+    const words = compareWords().models;
     const change = (kind: (typeof MODELS)[number], on: boolean) =>
       settings.change({ models: MODELS.filter((other) => (other === kind ? on : models.includes(other))) });
     return html`
       <fieldset class="models">
-        <legend>Models <small>What is <pg-term of="map" text="MAP"></pg-term>, <pg-term of="tmp" text="TMP"></pg-term>,
-          <pg-term of="dmp" text="DMP"></pg-term>?</small></legend>
+        <legend>${words.title} <small>${withTerms(words.whatIs)}</small></legend>
         ${MODELS.map(
           (kind) => html`
           <label class="check">
             <input type="checkbox" data-testid="model-${kind}" .checked=${models.includes(kind)} ?disabled=${comparison.busy}
               @change=${(event: Event) => change(kind, isTicked(event))} />
-            <span>${modelStyle(kind).name} <small>${ABOUT[kind]}</small></span>
+            <span>${modelStyle(kind).name} <small>${words.about[kind]}</small></span>
           </label>`,
         )}
       </fieldset>`;
@@ -119,16 +116,17 @@ export class ComparisonChoices extends View {
 
   #trials() {
     const { clips, comparison } = this;
+    const words = compareWords().trials;
     return html`
       <details class="trials">
-        <summary>Trials <small>${clips.ticked.length} of ${clips.all.length} clips ticked</small></summary>
+        <summary>${words.title} <small>${words.ticked(clips.ticked.length, clips.all.length)}</small></summary>
         <ul>${clips.all.map(
           ({ key, title, ticked }) => html`
           <li><label class="check"><input type="checkbox" .checked=${ticked} ?disabled=${comparison.busy || clips.locked}
             @change=${(event: Event) => void clips.tick(key, isTicked(event))} /> ${title}</label></li>`,
         )}
         </ul>
-        <p class="hint">Drop your own clips (.bvh) anywhere on the page.</p>
+        <p class="hint">${words.drop}</p>
       </details>`;
   }
 
@@ -137,12 +135,13 @@ export class ComparisonChoices extends View {
     const [clip] = clips.ticked;
     const { parts } = settings.values;
     const names = clips.parts.map(({ name }) => name).join(", ");
+    const words = compareWords().fields;
     return html`
-      <label class="field wide" title="How the coupled models split the body"><span>Parts of the coupled models</span>
+      <label class="field wide" title=${words.parts.hint}><span>${words.parts.label}</span>
         <select data-testid="compare-parts" ?disabled=${comparison.busy || !clip}
           @change=${(event: Event) => settings.change({ parts: (event.target as HTMLSelectElement).value })}>
           ${(clip?.loaded.info.presets ?? []).map(({ id, title }) => html`<option value=${id} ?selected=${id === parts}>${title}</option>`)}
-          ${parts === BY_HAND ? html`<option value=${BY_HAND} selected>By hand: ${names}</option>` : nothing}
+          ${parts === BY_HAND ? html`<option value=${BY_HAND} selected>${words.byHand(names)}</option>` : nothing}
         </select>
       </label>`;
   }
@@ -151,9 +150,8 @@ export class ComparisonChoices extends View {
   #growthWords(): string {
     const { outlook } = this.comparison;
     if (!this.settings.values.growth) return "";
-    return outlook && !outlook.growth
-      ? "Needs the vCGPDM or the MAP CGPDM, and four trials or more."
-      : "Times are taken with all workers busy; the terminal can measure alone.";
+    const { growthNeeds, growthTimes } = compareWords().fields;
+    return outlook && !outlook.growth ? growthNeeds : growthTimes;
   }
 
   protected override render() {
@@ -162,28 +160,28 @@ export class ComparisonChoices extends View {
     };
     return html`
       <details class="choices" ?open=${this.unfolded} @toggle=${toggle}>
-        <summary>What to compare</summary>
+        <summary>${compareWords().setup}</summary>
         ${this.#models()}
         ${this.#trials()}
         <div class="fields">
           ${this.#parts()}
-          ${this.#numbers("ips", "Inducing points", "Of every dynamics map and every pose map of the variational models; several to compare", "inducing-point")}
-          ${this.#numbers("bases", "DMP bases", "Basis functions of every column of the DMPs; several to compare", "bases")}
-          ${this.#number("comparedIterations", "Iterations at most", "Of the optimiser, for every model that has one", "iterations")}
+          ${this.#numbers("ips", "inducing-point")}
+          ${this.#numbers("bases", "bases")}
+          ${this.#number("comparedIterations", "iterations")}
           ${this.#heldOut()}
         </div>
-        ${this.#flag("growth", "Learning time against frames", "Trains the vCGPDM and the MAP CGPDM also on fewer trials")}
+        ${this.#flag("growth")}
         <p class="hint">${this.#growthWords()}</p>
         <details class="advanced">
-          <summary>Advanced</summary>
+          <summary>${lab().learn.settings.advanced}</summary>
           <div class="fields">
-            ${this.#number("seed", "First seed", "Of everything random", "seed")}
-            ${this.#number("seeds", "Seeds", "How many, from the first on")}
-            ${this.#number("latent", "Latent dimensions", "Of every part", "latent-space", "Q")}
-            ${this.#number("order", "Frames of history", "The order of the dynamics", "order", "p")}
-            ${this.#number("framesPerSecond", "Frames a second", "Clips are resampled to this rate")}
+            ${this.#number("seed", "seed")}
+            ${this.#number("seeds")}
+            ${this.#number("latent", "latent-space", "Q")}
+            ${this.#number("order", "order", "p")}
+            ${this.#number("framesPerSecond")}
           </div>
-          ${this.#flag("balanced", "Balanced MAP models", "Their dynamics weigh as much as their many columns (Urtasun, Fleet and Fua 2006)")}
+          ${this.#flag("balanced")}
         </details>
       </details>`;
   }

@@ -2,15 +2,16 @@
 import { html } from "lit";
 import { FigureElement } from "../figures/figure-element";
 import type { Comparison } from "../engine/whole-protocol";
+import { compareWords } from "../words/compare";
 
 export class ClaimsTable extends FigureElement<Comparison> {
-  protected readonly heading = "What the papers say";
+  protected get heading() {
+    return compareWords().claims.heading;
+  }
   protected readonly file = "claims-of-the-papers";
 
   protected missing({ claims }: Comparison): string | null {
-    return claims.length === 0
-      ? "No claim of the papers can be checked with the models scored so far."
-      : null;
+    return claims.length === 0 ? compareWords().claims.none : null;
   }
 
   protected table({ claims }: Comparison) {
@@ -27,18 +28,19 @@ export class ClaimsTable extends FigureElement<Comparison> {
   }
 
   protected figure({ claims }: Comparison) {
+    const words = compareWords().claims;
     // A narrow page shows the rows as blocks, which then need their roles.
     return html`
       <table class="claims-table" role="table">
-        <thead role="rowgroup"><tr role="row"><th scope="col" role="columnheader">The papers say</th><th scope="col" role="columnheader">We find</th><th scope="col" role="columnheader">Holds here</th></tr></thead>
+        <thead role="rowgroup"><tr role="row">${words.heads.map((head) => html`<th scope="col" role="columnheader">${head}</th>`)}</tr></thead>
         <tbody role="rowgroup">${claims.map(
           ({ claim, place, criterion, found, answer }) => html`
-          <tr role="row"><th scope="row" role="rowheader">${claim} <small>(${place})</small></th>
-            <td role="cell" class="found">${found} <small>Our criterion: ${criterion}.</small></td>
-            <td role="cell" class="holds"><span class=${answer}>${answer}</span></td></tr>`,
+          <tr role="row"><th scope="row" role="rowheader" lang="en">${claim} <small>(${place})</small></th>
+            <td role="cell" class="found"><span lang="en">${found}</span> <small>${words.criterion} <span lang="en">${criterion}.</span></small></td>
+            <td role="cell" class="holds"><span class=${answer}>${words.answers[answer]}</span></td></tr>`,
         )}</tbody>
       </table>
-      <figcaption>Errors are held against each other trial by trial; the intervals cover 95 %. Yes and no are said only where the whole interval says so.</figcaption>`;
+      <figcaption>${words.caption}</figcaption>`;
   }
 }
 customElements.define("comparison-claims", ClaimsTable);

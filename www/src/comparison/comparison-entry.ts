@@ -4,6 +4,7 @@ import { download } from "../ui/download";
 import type { Work } from "../unsaved/unsaved";
 import type { JobProgress } from "./jobs";
 import type { ComparisonRequest } from "./comparison-request";
+import { compareWords } from "../words/compare";
 
 /** The most stored motions, of some hundred kilobytes each. */
 const MOST_MOTIONS = 400;
@@ -87,7 +88,7 @@ export function workOf(entry: ComparisonEntry | null): Work | null {
   if (!entry || entry.results.finished.length === 0 || entry.results.text === entry.onDisk) return null;
   const { length } = entry.results.finished;
   return {
-    what: `a comparison of ${length} ${length === 1 ? "training" : "trainings"}`,
+    what: compareWords().work(length),
     save: () => saveResults(entry),
   };
 }

@@ -1,16 +1,18 @@
 // All figures of a comparison: <comparison-figures .comparison=${comparison}>. The event `save-failed`
 // reports a file that could not be made, with a SaveFailure.
-import { html, LitElement } from "lit";
+import { html } from "lit";
+import { View } from "../ui/view";
 import "./comparison-figures.css";
 import type { Comparison } from "../engine/whole-protocol";
 import "./claims";
 import "./correlations";
 import "./growth";
 import "./models-table";
+import { compareWords } from "../words/compare";
 
 export type { SaveFailure } from "../figures/figure-element";
 
-export class ComparisonFigures extends LitElement {
+export class ComparisonFigures extends View {
   static override properties = { comparison: { attribute: false } };
   declare comparison: Comparison | null;
 
@@ -19,15 +21,15 @@ export class ComparisonFigures extends LitElement {
     this.comparison = null;
   }
 
-  protected override createRenderRoot(): HTMLElement {
-    return this;
+  protected override stores() {
+    return [];
   }
 
   protected override render() {
     const { comparison } = this;
     const found = comparison && [comparison.models, comparison.growth, comparison.claims];
     if (!found?.some((list) => list.length > 0)) {
-      return html`<p class="empty">Nothing to compare yet. Each model appears here when its first trial has been predicted.</p>`;
+      return html`<p class="empty">${compareWords().empty}</p>`;
     }
     return html`
       <div class="figures">

@@ -11,7 +11,7 @@ import { noticeCard } from "../ui/notices-view";
 import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import "../ui/two-columns.css";
-import "../terms/term";
+import { withTerms } from "../terms/term";
 import "./choices";
 import type { ComparisonChoices } from "./choices";
 import "./comparison.css";
@@ -23,6 +23,7 @@ import { modelStyle } from "../figures/model-style";
 import "./side-by-side";
 import { timeLeft } from "../training/words";
 import { lab } from "../words/lab";
+import { compareWords } from "../words/compare";
 
 /** On narrower pages the results are below the choices. */
 const NARROW = "(max-width: 759.98px)";
@@ -36,7 +37,7 @@ async function recordedWalks(): Promise<string> {
 
 async function chosenResults(file: File): Promise<string> {
   if (file.size > LARGEST_FILE) {
-    throw new Error("This file has more than 200 MB; expected the results of a comparison.");
+    throw new Error(compareWords().tooLarge);
   }
   return file.text();
 }
@@ -68,34 +69,34 @@ export class ComparisonPage extends View {
   #status() {
     const { comparison } = this;
     const { status, ending, whyNot, outlook } = comparison;
+    const words = compareWords();
     if (this.#problem) return html`<span class="bad" role="alert">${sentence(this.#problem)}</span>`;
-    if (status === "starting") return "Loading the other models";
-    if (status === "cancelling") return "Cancelling";
+    if (status === "starting") return words.loadingModels;
+    if (status === "cancelling") return words.cancelling;
     if (status === "running") {
       const jobs = comparison.shown?.jobs ?? [];
       const over = jobs.filter(({ state }) => state === "done" || state === "failed").length;
       const left = timeLeft(secondsLeft(jobs, comparison.width), true);
-      return html`<span>${over} of ${jobs.length} trainings done</span><span>${sentence(left)}</span>`;
+      return html`<span>${words.done(over, jobs.length)}</span><span>${sentence(left)}</span>`;
     }
     const ended = comparison.failed
-      ? html`<span class="bad" role="alert">The comparison failed. ${sentence(ending)}</span>`
+      ? html`<span class="bad" role="alert">${words.failed(sentence(ending))}</span>`
       : html`<span>${sentence(ending)}</span>`;
     if (whyNot) return html`${ended}<span>${sentence(whyNot)}</span>`;
     if (!outlook) return ended;
     const { asked, open, goesOn, cost } = outlook;
-    const known = open < asked ? `, ${asked - open} finished before` : "";
-    const words = open > 0 ? `${open} ${open === 1 ? "training" : "trainings"}${known}.` : "";
-    const apart = goesOn ? "" : " Other trials, parts or frame rate than below: a comparison of its own.";
+    const plan = open > 0 ? words.plan(open, asked - open) : "";
+    const apart = goesOn ? "" : words.ofItsOwn;
     const wait = html`<span class=${cost.absurd ? "bad" : ""} data-testid="comparison-cost">${cost.words}</span>`;
-    return html`${ended}<span>${words}${apart}</span>${wait}`;
+    return html`${ended}<span>${plan}${apart}</span>${wait}`;
   }
 
   /** Screen readers read the state, not each training. */
   #announcement(): string {
     const { status, shown, failed, ending } = this.comparison;
-    if (status === "running")
-      return `Comparing, ${Math.floor(share(shown?.jobs ?? []) * 10) * 10} per cent done`;
-    if (status === "cancelling") return "Cancelling";
+    const words = compareWords();
+    if (status === "running") return words.share(Math.floor(share(shown?.jobs ?? []) * 10) * 10);
+    if (status === "cancelling") return words.cancelling;
     return status === "idle" && !failed ? ending : "";
   }
 
@@ -122,52 +123,55 @@ export class ComparisonPage extends View {
       const detail = await this.comparison.makeStudy();
       this.dispatchEvent(new CustomEvent<string>("study-made", { detail, bubbles: true }));
     } catch (problem) {
-      this.#problem = `No study was made: ${messageOf(problem)}`;
+      this.#problem = compareWords().noStudy(messageOf(problem));
       this.requestUpdate();
     }
   }
 
   #button() {
     const { comparison } = this;
+    const words = compareWords();
     return comparison.busy
       ? html`<button class="primary big" data-testid="compare-cancel" ?disabled=${comparison.status === "cancelling"}
-          title="Stops; finished trainings are kept" @click=${() => comparison.cancel()}>Cancel</button>`
-      : html`<button class="primary big" data-testid="compare" ?disabled=${comparison.whyNot !== ""} @click=${() => this.#begin()}>Compare</button>`;
+          title=${words.cancelMeaning} @click=${() => comparison.cancel()}>${words.cancel}</button>`
+      : html`<button class="primary big" data-testid="compare" ?disabled=${comparison.whyNot !== ""} @click=${() => this.#begin()}>${words.compare}</button>`;
   }
 
   #files() {
     const { busy, shown } = this.comparison;
+    const words = compareWords();
     const canSave = shown !== null && shown.results.finished.length > 0;
     return html`
       <div class="files">
         ${fileButton({
-          label: "Open results",
-          meaning: "Open results (.json) of this page or of the terminal",
+          label: words.openResults,
+          meaning: words.openResultsMeaning,
           testId: "open-results",
           accept: ".json,application/json",
           multiple: false,
           disabled: busy,
           chosen: ([file]) => file && void this.#open(file.name, () => chosenResults(file)),
         })}
-        <button class="small" data-testid="save-results" ?disabled=${!canSave} @click=${() => this.comparison.save()}>${icon("save")} Save results</button>
-        <button class="small" data-testid="open-walks" ?disabled=${busy || !this.engine.engine} title="All models, ten walks of one person, 30 frames a second"
-          @click=${() => void this.#open("Ten recorded walks", recordedWalks)}>${icon("eye")} Ten recorded walks</button>
-        <button class="small" data-testid="make-study" ?disabled=${busy || !this.comparison.canMakeStudy} title="Ask people which movement is the more natural: a study of the movements compared here"
-          @click=${() => void this.#makeStudy()}>${icon("play")} Make a study</button>
+        <button class="small" data-testid="save-results" ?disabled=${!canSave} @click=${() => this.comparison.save()}>${icon("save")} ${words.saveResults}</button>
+        <button class="small" data-testid="open-walks" ?disabled=${busy || !this.engine.engine} title=${words.walksMeaning}
+          @click=${() => void this.#open(words.walks, recordedWalks)}>${icon("eye")} ${words.walks}</button>
+        <button class="small" data-testid="make-study" ?disabled=${busy || !this.comparison.canMakeStudy} title=${words.makeStudyMeaning}
+          @click=${() => void this.#makeStudy()}>${icon("play")} ${words.makeStudy}</button>
       </div>`;
   }
 
   #setup() {
     const { comparison, settings, clips } = this;
     const { busy } = comparison;
+    const words = compareWords();
     return html`
       <div class="begin">
         ${this.#button()}
         <p class="hint words" data-testid="compare-progress">${this.#status()}</p>
       </div>
-      ${progressBar("Comparing", busy ? share(comparison.shown?.jobs ?? []) : null)}
+      ${progressBar(words.comparing, busy ? share(comparison.shown?.jobs ?? []) : null)}
       <div class="visually-hidden" role="status" aria-live="polite">${this.#announcement()}</div>
-      <p class="hint">Each trial is <pg-term of="fold" text="held out in turn"></pg-term>. Every model learns from the others, sees the trial’s first five frames, and predicts the rest.</p>
+      <p class="hint">${withTerms(words.about)}</p>
       <pg-comparison-choices .comparison=${comparison} .settings=${settings} .clips=${clips}></pg-comparison-choices>
       ${this.#files()}`;
   }
@@ -181,21 +185,22 @@ export class ComparisonPage extends View {
     if (failed.length === 0) return nothing;
     return html`<ul class="failures card">${failed.map(
       ({ job, why }) => html`
-      <li class="bad">${modelStyle(job.candidate.model).name}, trial ${job.heldOut + 1} held out: ${sentence(why ?? "")}</li>`,
+      <li class="bad">${compareWords().failure(modelStyle(job.candidate.model).name, job.heldOut + 1, sentence(why ?? ""))}</li>`,
     )}</ul>`;
   }
 
   protected override render() {
     const { comparison, notices } = this;
+    const words = compareWords();
     const saveFailed = ({ detail }: CustomEvent<SaveFailure>) =>
-      notices.addError(`${detail.name} was not saved`, detail.message);
+      notices.addError(lab().files.notSaved(detail.name), detail.message);
     return html`
-      <section class="card setup" aria-label="What to compare"><h2>Compare models</h2>${this.#setup()}</section>
-      <section class="found" aria-label="What came of it">
+      <section class="card setup" aria-label=${words.setup}><h2>${words.title}</h2>${this.#setup()}</section>
+      <section class="found" aria-label=${words.found}>
         <div class="card stage-card"><pg-side-by-side .comparison=${comparison}></pg-side-by-side></div>
         ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice, lab().files.dismiss))}
         ${this.#failures()}
-        ${comparison.shown?.given ? html`<p class="hint" data-testid="given">All models on ten recorded walks of one person (CMU subject 35), measured before. What you compare takes their place.</p>` : nothing}
+        ${comparison.shown?.given ? html`<p class="hint" data-testid="given">${words.given}</p>` : nothing}
         <div class="card"><comparison-figures .comparison=${comparison.shown?.results.comparison ?? null} @save-failed=${saveFailed}></comparison-figures></div>
       </section>`;
   }

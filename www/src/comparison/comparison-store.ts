@@ -23,6 +23,8 @@ import {
 import { costOf, type JobProgress, openJobs, summary, waiting } from "./jobs";
 import { type ComparisonRequest, comparisonRequest } from "./comparison-request";
 import { studyRequestOf } from "./study-request";
+import { compareWords } from "../words/compare";
+import { lab } from "../words/lab";
 
 /** The most stored comparisons. They let the visitor change settings and return. */
 const MOST_ENTRIES = 4;
@@ -132,7 +134,7 @@ export class ComparisonStore extends Store {
   /** The text of a study of these movements. Fails with the reason when there is none. */
   async makeStudy(): Promise<string> {
     const request = this.#shown && studyRequestOf(this.#shown);
-    if (!request) throw new Error("No model was trained here yet.");
+    if (!request) throw new Error(compareWords().noModelYet);
     return this.#whole.desk.run((worker) => worker.makeStudy(request));
   }
 
@@ -169,7 +171,7 @@ export class ComparisonStore extends Store {
   get whyNot(): string {
     const obstacle = this.#obstacle();
     if (obstacle !== "") return obstacle;
-    if (this.#planned?.planned.jobs.length === 0) return "The ticked models need two parts or more";
+    if (this.#planned?.planned.jobs.length === 0) return compareWords().whyNot.twoParts;
     return this.#planProblem;
   }
 
@@ -177,16 +179,16 @@ export class ComparisonStore extends Store {
   #obstacle(): string {
     const { state } = this.#engine;
     const clips = this.#clips;
-    if (state === "loading") return "Getting ready";
-    if (state === "failed") return "The models cannot run in this browser";
-    if (!clips.samplesLoaded) return "Getting the sample clips ready";
+    const { whyNot } = compareWords();
+    if (state === "loading") return whyNot.gettingReady;
+    if (state === "failed") return whyNot.cannotRun;
+    if (!clips.samplesLoaded) return lab().learn.training.whyNot.samples;
     const { models, heldOut } = this.#settings.values;
     const ticked = clips.ticked.length;
-    if (ticked < 2) return "Tick at least two clips: one is held out, the others are trained on";
+    if (ticked < 2) return whyNot.twoClips;
     if (clips.clash) return clips.clash;
-    if (heldOut !== "each" && heldOut >= ticked)
-      return `There is no trial ${heldOut + 1}: ${ticked} clips are ticked`;
-    return models.length === 0 ? "Tick at least one model" : "";
+    if (heldOut !== "each" && heldOut >= ticked) return whyNot.noTrial(heldOut + 1, ticked);
+    return models.length === 0 ? whyNot.oneModel : "";
   }
 
   /** Updates the plan with settings and clips, until the returned function is called. */
@@ -226,7 +228,7 @@ export class ComparisonStore extends Store {
       this.#ending = summary(jobs);
     } catch (problem) {
       this.#failed = !signal.aborted;
-      this.#ending = this.#failed ? messageOf(problem) : "You cancelled before it began.";
+      this.#ending = this.#failed ? messageOf(problem) : compareWords().notBegun;
     }
     this.#rest();
   }
@@ -274,7 +276,7 @@ export class ComparisonStore extends Store {
     if (!(await mayLose(workOf(this.#shown)))) return false;
     this.#refuseWhileBusy();
     this.#shown = newEntry(null, results, onDisk ? results.text : "");
-    [this.#ending, this.#failed] = [`${results.finished.length} results opened.`, false];
+    [this.#ending, this.#failed] = [compareWords().opened(results.finished.length), false];
     this.#askAnew();
     return true;
   }
@@ -291,7 +293,7 @@ export class ComparisonStore extends Store {
   }
 
   #refuseWhileBusy(): void {
-    if (this.busy) throw new Error("A comparison is running: cancel it before opening results.");
+    if (this.busy) throw new Error(compareWords().running);
   }
 
   /** The request of the settings and the ticked clips. */

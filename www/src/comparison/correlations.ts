@@ -10,6 +10,7 @@ import { linearScale, logScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
 import type { Comparison, Correlation } from "../engine/whole-protocol";
 import { styled } from "../ui/styled";
+import { compareWords } from "../words/compare";
 
 const GAP = 28;
 const LEAST = 250;
@@ -18,12 +19,14 @@ const drawable = ({ points }: Correlation) =>
   points.filter(({ bound, mse }) => Number.isFinite(bound) && mse > 0 && Number.isFinite(mse));
 
 export class CorrelationsFigure extends FigureElement<Comparison> {
-  protected readonly heading = "Error against bound";
+  protected get heading() {
+    return compareWords().correlation.heading;
+  }
   protected readonly file = "error-against-bound";
 
   protected missing({ correlations }: Comparison): string | null {
     return correlations.every((correlation) => drawable(correlation).length === 0)
-      ? "Needs a model with a bound, scored under three or more settings, such as numbers of inducing points."
+      ? compareWords().correlation.none
       : null;
   }
 
@@ -44,6 +47,7 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
 
   #panel(correlation: Correlation, width: number) {
     const { model } = correlation;
+    const words = compareWords().correlation;
     const points = drawable(correlation);
     const { type } = this;
     const height = Math.round(Math.min(0.72 * width, 250) + 2 * type);
@@ -53,10 +57,10 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
       bottom,
       top,
     );
-    const up = { scale: y, title: "DTW MSE, log scale" };
+    const up = { scale: y, title: words.error };
     const left = labelsWidth(up, { right, top, bottom, type });
     const { short, units, all } = shortenLabels(points.map(({ label }) => label));
-    const note = [units && `Labels: ${units}.`, all && `All with ${all}.`].filter(Boolean).join(" ");
+    const note = [units && words.labels(units), all && words.allWith(all)].filter(Boolean).join(" ");
     const widths = short.map((label) => textWidth(label, type));
     // The outermost points have short labels at their sides too.
     const x = linearScale(
@@ -76,7 +80,7 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
         <p><svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${modelMark(model, 7, 7, 4.6)}</svg>
           <span class="name">${modelStyle(model).name}</span> <small>${[correlation.label, rankWords(correlation)].filter(Boolean).join(", ")}</small></p>
         <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${correlationFinding(correlation)}>
-          ${axes({ left, right, top, bottom, type }, { scale: x, title: "Bound, nats" }, up)}
+          ${axes({ left, right, top, bottom, type }, { scale: x, title: words.bound }, up)}
           ${places.map((place) => modelMark(model, place.x, place.y, MARK_SIZE * type))}
           ${boxes.map((box, i) => (box ? svg`<text class="label" font-size=${type} x=${box.x + box.width / 2} y=${box.y + 0.93 * type} text-anchor="middle">${short[i]}</text>` : nothing))}
         </svg>
@@ -92,7 +96,7 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
       <div class="panels" style=${styled({ "grid-template-columns": `repeat(${columns}, minmax(0, ${width}px))`, gap: `18px ${GAP}px` })}>
         ${drawn.map((correlation) => this.#panel(correlation, width))}
       </div>
-      <figcaption>Where the bound is a good guide, the points fall from left to right: rank correlation near −1. Each panel has scales of its own.</figcaption>`;
+      <figcaption>${compareWords().correlation.caption}</figcaption>`;
   }
 }
 customElements.define("comparison-correlations", CorrelationsFigure);

@@ -10,6 +10,7 @@ import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { plain } from "../figures/numbers";
 import { linearScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
+import { compareWords } from "../words/compare";
 
 export interface Distances {
   /** Seconds between frames. */
@@ -26,12 +27,14 @@ const NARROW = 640;
 const mean = (values: Float64Array) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
 export class DistanceFigure extends FigureElement<Distances> {
-  protected readonly heading = "Distance from the real trial";
+  protected get heading() {
+    return compareWords().distance.heading;
+  }
   protected readonly file = "distance-from-the-trial";
   #place: (frame: number) => number = () => 0;
 
   protected missing({ lines }: Distances): string | null {
-    return lines.length === 0 ? "Nothing is shown." : null;
+    return lines.length === 0 ? compareWords().distance.none : null;
   }
 
   protected table({ lines, frameTime, trial }: Distances) {
@@ -62,6 +65,7 @@ export class DistanceFigure extends FigureElement<Distances> {
 
   protected figure({ lines, frameTime }: Distances) {
     const { type, width } = this;
+    const texts = compareWords().distance;
     const narrow = width < NARROW;
     const words = lines.map(({ model, label }) =>
       narrow || !label ? modelStyle(model).name : `${modelStyle(model).name}, ${label}`,
@@ -74,7 +78,7 @@ export class DistanceFigure extends FigureElement<Distances> {
       bottom,
       top,
     );
-    const up = { scale: y, least: 0, title: "Mean distance of the joints, cm" };
+    const up = { scale: y, least: 0, title: texts.axis };
     const left = labelsWidth(up, { right, top, bottom, type });
     const last = Math.max(...lines.map(({ metres }) => metres.length)) - 1;
     const x = linearScale([0, last * frameTime], left, right);
@@ -91,11 +95,11 @@ export class DistanceFigure extends FigureElement<Distances> {
       bottom,
     );
     const found = lines
-      .map(({ model, metres }) => `${modelStyle(model).name} ${plain(100 * mean(metres))} centimetres`)
+      .map(({ model, metres }) => texts.centimetres(modelStyle(model).name, plain(100 * mean(metres))))
       .join(", ");
     return html`
-      <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label="Mean distance of the joints from the real trial: ${found}.">
-        ${axes({ left, right, top, bottom, type }, { scale: x, least: 0, title: "Time, seconds" }, up)}
+      <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${texts.label(found)}>
+        ${axes({ left, right, top, bottom, type }, { scale: x, least: 0, title: texts.time }, up)}
         <line class="playhead" data-not-in-picture x1=${left} x2=${left} y1=${top} y2=${bottom}></line>
         ${drawn.map(({ model, name, places }, i) => {
           const [endX, endY] = places.at(-1) ?? [right, bottom];
@@ -108,7 +112,7 @@ export class DistanceFigure extends FigureElement<Distances> {
           </g>`;
         })}
       </svg>
-      <figcaption>Of a body 1.7 m tall, with the hips laid on the real ones. The error in the table is that of joint rotations and the root’s movement after warping in time: to be early or late counts here, and little there.</figcaption>`;
+      <figcaption>${texts.caption}</figcaption>`;
   }
 }
 customElements.define("comparison-distance", DistanceFigure);

@@ -3,49 +3,48 @@ import { modelStyle } from "../figures/model-style";
 import { twoDecimals } from "../figures/numbers";
 import { differs } from "./measures";
 import type { Correlation, Growth, ModelSummary } from "../engine/whole-protocol";
+import { compareWords } from "../words/compare";
 
 /** Of fewer settings, even a perfect order is likely by chance: 1 in 12 for four settings. */
 const FEWEST_SETTINGS = 5;
 
 /** "rank correlation −0.90 over 5 settings" */
 export function rankWords({ rank, settings }: Correlation): string {
-  const over = `over ${settings} ${settings === 1 ? "setting" : "settings"}`;
-  return settings < FEWEST_SETTINGS || !Number.isFinite(rank)
-    ? `no rank correlation ${over}`
-    : `rank correlation ${twoDecimals(rank)} ${over}`;
+  const known = settings >= FEWEST_SETTINGS && Number.isFinite(rank);
+  return compareWords().correlation.rank(known ? twoDecimals(rank) : null, settings);
 }
 
 export function correlationFinding(correlation: Correlation): string {
   const { model, rank, settings } = correlation;
+  const words = compareWords().correlation;
   const says =
     settings < FEWEST_SETTINGS || !Number.isFinite(rank)
-      ? "too few settings to say more"
+      ? words.tooFew
       : rank <= -0.5
-        ? "a higher bound goes with a smaller error"
+        ? words.smaller
         : rank >= 0.5
-          ? "a higher bound goes with a larger error"
-          : "the bound says little about the error";
-  return `${modelStyle(model).name}, error against bound: ${rankWords(correlation)}; ${says}.`;
+          ? words.larger
+          : words.little;
+  return words.finding(modelStyle(model).name, rankWords(correlation), says);
 }
 
 /** "exponent 1.03" */
 export function exponentWords({ exponent }: Growth): string {
-  return exponent === null || !Number.isFinite(exponent)
-    ? "no exponent"
-    : `exponent ${twoDecimals(exponent)}`;
+  const known = exponent !== null && Number.isFinite(exponent);
+  return compareWords().growth.exponent(known ? twoDecimals(exponent) : null);
 }
 
 export function growthFinding(growth: readonly Growth[]): string {
-  return `Seconds an iteration against frames, both on log scales: ${growth.map((line) => `${modelStyle(line.model).name}, ${exponentWords(line)}`).join("; ")}.`;
+  const lines = growth.map((line) => `${modelStyle(line.model).name}, ${exponentWords(line)}`);
+  return compareWords().growth.finding(lines.join("; "));
 }
 
 /** The number of trials of the means. */
 export function foldWords(models: readonly ModelSummary[]): string {
   const folds = models.map((summary) => summary.folds);
   const [least, most] = [Math.min(...folds), Math.max(...folds)];
-  if (most === 1)
-    return "One trial was held out and predicted; how it would be with others is not known yet.";
-  return `Mean ± standard error over ${least === most ? most : `${least} to ${most}`} trials, each held out in turn and predicted; the bars are the standard errors.`;
+  const { oneTrial, trials } = compareWords().finding;
+  return most === 1 ? oneTrial : trials(least, most);
 }
 
 /** Which model has the lowest error here, whether that is decided, and where the vCGPDM is. */
@@ -56,11 +55,12 @@ export function errorFinding(models: readonly ModelSummary[]): string {
   const [first, second] = ranked;
   if (!first || !second) return "";
   const name = ({ model, label }: ModelSummary) => [modelStyle(model).name, label].filter(Boolean).join(", ");
+  const words = compareWords().finding;
   const lowest = differs(first.mse, second.mse)
-    ? `${name(first)} has the lowest error here.`
-    : `Which model has the lowest error here is undecided: ${name(first)} and ${name(second)} differ by less than their standard errors together.`;
+    ? words.lowest(name(first))
+    : words.undecided(name(first), name(second));
   const own = ranked.find(({ model }) => model === "vcgpdm");
   if (!own || own === first) return lowest;
   const ratio = twoDecimals(own.mse.mean / first.mse.mean);
-  return `${lowest} The error of the vCGPDM is ${ratio} times the lowest${differs(own.mse, first.mse) ? "" : ", which is undecided too"}.`;
+  return `${lowest}${words.own(ratio, differs(own.mse, first.mse))}`;
 }

@@ -9,6 +9,7 @@ import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { logScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
 import type { Comparison, Growth } from "../engine/whole-protocol";
+import { compareWords } from "../words/compare";
 
 const MOST = 860;
 /** In a narrower figure names and exponents have two lines. */
@@ -22,13 +23,13 @@ const drawable = ({ points }: Growth) =>
     .sort((a, b) => a.frames - b.frames);
 
 export class GrowthFigure extends FigureElement<Comparison> {
-  protected readonly heading = "Learning time against frames";
+  protected get heading() {
+    return compareWords().growth.heading;
+  }
   protected readonly file = "learning-time-against-frames";
 
   protected missing({ growth }: Comparison): string | null {
-    return growth.every((line) => drawable(line).length === 0)
-      ? "Needs a model trained on three or more numbers of trials."
-      : null;
+    return growth.every((line) => drawable(line).length === 0) ? compareWords().growth.none : null;
   }
 
   protected table({ growth }: Comparison) {
@@ -66,6 +67,7 @@ export class GrowthFigure extends FigureElement<Comparison> {
 
   protected figure({ growth }: Comparison) {
     const { type } = this;
+    const words = compareWords().growth;
     const width = Math.min(MOST, this.width);
     const narrow = width < NARROW;
     const lines = growth
@@ -88,16 +90,16 @@ export class GrowthFigure extends FigureElement<Comparison> {
       bottom,
       top,
     );
-    const up = { scale: y, title: "Seconds an iteration, log scale" };
+    const up = { scale: y, title: words.seconds };
     const left = labelsWidth(up, { right, top, bottom, type });
     const x = logScale(
       lines.flatMap(({ points }) => points.map(({ frames }) => frames)),
       left,
       right,
     );
-    const drawn = lines.map(({ line, words, points }) => ({
+    const drawn = lines.map(({ line, words: label, points }) => ({
       line,
-      words,
+      label,
       places: points.map(({ frames, seconds }) => [x.at(frames), y.at(seconds)] as const),
     }));
     const ends = spreadLabels(
@@ -108,10 +110,10 @@ export class GrowthFigure extends FigureElement<Comparison> {
     );
     return html`
       <svg class="chart-drawing" width=${width} height=${height} viewBox="0 0 ${width} ${height}" role="img" aria-label=${growthFinding(lines.map(({ line }) => line))}>
-        ${axes({ left, right, top, bottom, type }, { scale: x, title: "Frames trained on, log scale" }, up)}
-        ${drawn.map(({ line, places, words }, i) => this.#line(line, places, words, { x: right + LEAD, y: ends[i] ?? bottom }, narrow)).reverse()}
+        ${axes({ left, right, top, bottom, type }, { scale: x, title: words.frames }, up)}
+        ${drawn.map(({ line, places, label }, i) => this.#line(line, places, label, { x: right + LEAD, y: ends[i] ?? bottom }, narrow)).reverse()}
       </svg>
-      <figcaption>Time grows with the frames to the power of the exponent: 1 is twice the time for twice the frames, 3 is eight times.</figcaption>`;
+      <figcaption>${words.caption}</figcaption>`;
   }
 }
 customElements.define("comparison-growth", GrowthFigure);

@@ -1,6 +1,7 @@
 // The progress of the trainings of a comparison. No rendering, no worker.
 import type { Job, PlannedComparison, PlannedJob } from "../engine/whole-protocol";
 import { type CostWords, waitWords } from "../training/cost";
+import { compareWords } from "../words/compare";
 
 /** A job of the last press of Compare. */
 export interface JobProgress {
@@ -44,12 +45,9 @@ export function costOf(
   const all = costs.filter((_, place) => open.includes(jobs[place]!));
   const seconds = all.reduce((sum, cost) => sum + cost.seconds, 0) / width;
   const bytes = Math.max(0, ...all.map((cost) => cost.bytes)) * Math.min(width, open.length);
-  const cost = waitWords({ seconds, bytes }, "Fewer models, trials, seeds or iterations make it shorter.");
-  return cost.words === "" && open.length > 0 ? { ...cost, words: SHORT_WAIT } : cost;
+  const cost = waitWords({ seconds, bytes }, compareWords().shorter);
+  return cost.words === "" && open.length > 0 ? { ...cost, words: compareWords().shortWait } : cost;
 }
-
-/** The estimate neglects TMPs and DMPs, so a short one is no promise. */
-const SHORT_WAIT = "How long this takes depends on the machine. The time left is shown while it runs.";
 
 /** The rough work of a job relative to others. It predicts the time before a job of the same kind has run. */
 const WEIGHTS: Record<Job["candidate"]["model"], (trials: number) => number> = {
@@ -96,9 +94,7 @@ export function secondsLeft(jobs: readonly JobProgress[], workers: number): numb
 
 /** How a comparison ended. */
 export function summary(jobs: readonly JobProgress[]): string {
-  if (jobs.length === 0) return "All of this was finished before.";
+  if (jobs.length === 0) return compareWords().finishedBefore;
   const count = (state: JobProgress["state"]) => jobs.filter((progress) => progress.state === state).length;
-  const failed = count("failed") > 0 ? `, ${count("failed")} failed` : "";
-  const cancelled = count("cancelled") > 0 ? "; the others were cancelled." : ".";
-  return `${count("done")} of ${jobs.length} trainings done${failed}${cancelled}`;
+  return compareWords().summary(count("done"), jobs.length, count("failed"), count("cancelled") > 0);
 }

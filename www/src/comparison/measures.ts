@@ -6,42 +6,18 @@ import type { ModelSummary, Spread } from "../engine/whole-protocol";
 const EDGE = 6;
 
 export interface Measure {
-  title: string;
-  unit: string;
+  name: "error" | "bound" | "training" | "size";
   /** The value of a model; null: the model has none. */
   spread(summary: ModelSummary): Spread | null;
   scale: "linear" | "log";
   best: "least" | "greatest";
-  /** The word for the best value. */
-  word: string;
 }
 
 export const MEASURES: Measure[] = [
-  { title: "Error", unit: "DTW MSE", spread: ({ mse }) => mse, scale: "log", best: "least", word: "best" },
-  {
-    title: "Bound",
-    unit: "nats",
-    spread: ({ bound }) => bound,
-    scale: "linear",
-    best: "greatest",
-    word: "highest",
-  },
-  {
-    title: "Training",
-    unit: "seconds",
-    spread: ({ seconds }) => seconds,
-    scale: "log",
-    best: "least",
-    word: "quickest",
-  },
-  {
-    title: "Size",
-    unit: "numbers stored",
-    spread: ({ storedNumbers }) => storedNumbers,
-    scale: "log",
-    best: "least",
-    word: "fewest",
-  },
+  { name: "error", spread: ({ mse }) => mse, scale: "log", best: "least" },
+  { name: "bound", spread: ({ bound }) => bound, scale: "linear", best: "greatest" },
+  { name: "training", spread: ({ seconds }) => seconds, scale: "log", best: "least" },
+  { name: "size", spread: ({ storedNumbers }) => storedNumbers, scale: "log", best: "least" },
 ];
 
 /** The ends of an error bar. */
@@ -61,7 +37,7 @@ export function scaleOf(measure: Measure, models: readonly ModelSummary[], width
     const spread = measure.spread(summary);
     if (!spread) return [];
     const [low, high] = ends(spread);
-    const reference = measure.unit === "DTW MSE" ? [summary.variance] : [];
+    const reference = measure.name === "error" ? [summary.variance] : [];
     return [
       spread.mean,
       measure.scale === "log" ? Math.max(low, spread.mean / BELOW) : low,

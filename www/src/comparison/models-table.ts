@@ -1,7 +1,7 @@
 // Error, bound, time and size of each model: figure 4 of Velychko et al. 2018 as a table, with a dot and its
 // error bar for each number.
 import { html, nothing, svg } from "lit";
-import "../terms/term";
+import { withTerms } from "../terms/term";
 import { errorBar } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
@@ -12,6 +12,7 @@ import { plain, estimateText } from "../figures/numbers";
 import type { Scale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
 import type { Comparison, ModelSummary, Spread } from "../engine/whole-protocol";
+import { compareWords } from "../words/compare";
 
 /** The size of the drawing in a cell, in pixels; the page may widen it. */
 const NARROWEST = 112;
@@ -40,10 +41,11 @@ function ticksOf(scale: Scale, width: number, type: number) {
 
 /** For models of which some trainings used all their iterations. */
 const convergedWords = ({ converged }: ModelSummary) =>
-  converged !== null && converged < 1 ? `, ${Math.round(100 * converged)} % converged` : "";
+  converged !== null && converged < 1 ? compareWords().table.converged(Math.round(100 * converged)) : "";
 
 /** For a size that represents other sizes. */
-const ofWords = ({ standsFor }: ModelSummary) => (standsFor > 1 ? ` (of ${standsFor} settings)` : "");
+const ofWords = ({ standsFor }: ModelSummary) =>
+  standsFor > 1 ? compareWords().table.standsFor(standsFor) : "";
 
 /** The error of each part, for several parts. */
 const ofParts = ({ partErrors }: ModelSummary, parts: readonly string[]) =>
@@ -71,11 +73,13 @@ export class ModelsTable extends FigureElement<Comparison> {
     this.all = false;
   }
 
-  protected readonly heading = "Error, bound, time and size of each model";
+  protected get heading() {
+    return compareWords().table.heading;
+  }
   protected readonly file = "models-compared";
 
   protected missing({ models }: Comparison): string | null {
-    return models.length === 0 ? "No model has been trained and scored yet." : null;
+    return models.length === 0 ? compareWords().table.none : null;
   }
 
   protected table({ models, parts: names }: Comparison) {
@@ -130,7 +134,8 @@ export class ModelsTable extends FigureElement<Comparison> {
     return 0.86 * this.type;
   }
 
-  #axis({ title, unit, ticks, width }: Drawn) {
+  #axis({ name, ticks, width }: Drawn) {
+    const { title, unit } = compareWords().table.measures[name];
     const height = HEIGHT * this.type;
     return html`
       <th scope="col"><div class="measure">
@@ -147,10 +152,13 @@ export class ModelsTable extends FigureElement<Comparison> {
   #cell(
     summary: ModelSummary,
     parts: readonly string[],
-    { unit, word, drawing, width, ticks, winner, ...measure }: Drawn,
+    { name, drawing, width, ticks, winner, ...measure }: Drawn,
   ) {
     const spread = measure.spread(summary);
-    if (!spread) return html`<td><div class="measure"><span class="number none">none</span></div></td>`;
+    const words = compareWords().table;
+    const isError = name === "error";
+    if (!spread)
+      return html`<td><div class="measure"><span class="number none">${words.noValue}</span></div></td>`;
     const { mean, error } = estimateText(spread);
     const best = winner !== null && spread.mean === winner;
     const [low, high] = ends(spread);
@@ -159,12 +167,12 @@ export class ModelsTable extends FigureElement<Comparison> {
     const still = drawing.at(summary.variance);
     return html`
       <td class=${best ? "best" : ""}><div class="measure">
-        <span class="number"><span>${mean} <small>${error}</small></span>${best ? html`<em>${word}</em>` : nothing}
-          ${unit === "DTW MSE" ? ofParts(summary, parts) : nothing}
-          ${unit === "DTW MSE" && isSkewed(summary) ? html`<small>median ${plain(summary.mseMedian)}</small>` : nothing}</span>
+        <span class="number"><span>${mean} <small>${error}</small></span>${best ? html`<em>${words.measures[name].best}</em>` : nothing}
+          ${isError ? ofParts(summary, parts) : nothing}
+          ${isError && isSkewed(summary) ? html`<small>${words.median(plain(summary.mseMedian))}</small>` : nothing}</span>
         <svg class="dot-plot" width=${width} height=${height} viewBox="0 0 ${width} ${height}" aria-hidden="true">
           ${ticks.map(({ x }) => svg`<line class="grid" x1=${x} x2=${x} y1="0" y2=${height}></line>`)}
-          ${unit === "DTW MSE" ? svg`<line class="reference" x1=${still} x2=${still} y1="0" y2=${height}></line>` : nothing}
+          ${isError ? svg`<line class="reference" x1=${still} x2=${still} y1="0" y2=${height}></line>` : nothing}
           ${Number.isFinite(spread.mean) ? svg`${errorBar(drawing.at(low), drawing.at(high), y, 3)}${modelMark(summary.model, drawing.at(spread.mean), y, 0.88 * MARK_SIZE * this.type)}` : nothing}
         </svg></div></td>`;
   }
@@ -173,6 +181,7 @@ export class ModelsTable extends FigureElement<Comparison> {
     const shown = every.filter((summary) => summary.standsFor > 0);
     const shorter = every.length > MOST && shown.length < every.length;
     const models = shorter && !this.all ? shown : every;
+    const words = compareWords().table;
     const space = (this.width - NAMES * this.type) / MEASURES.length - BETWEEN * this.type;
     const width = Math.round(Math.min(WIDEST, Math.max(NARROWEST, space)));
     const measures: Drawn[] = MEASURES.map((measure) => {
@@ -189,7 +198,7 @@ export class ModelsTable extends FigureElement<Comparison> {
       <p data-testid="error-finding">${errorFinding(models)}</p>
       <div class="figure-scroll" tabindex="0" role="region" aria-label=${this.heading}>
         <table class="models-table">
-          <thead><tr><th scope="col" class="who">Model and settings</th>${measures.map((measure) => this.#axis(measure))}</tr></thead>
+          <thead><tr><th scope="col" class="who">${words.model}</th>${measures.map((measure) => this.#axis(measure))}</tr></thead>
           <tbody>${models.map((summary, i) => {
             const { model, label } = summary;
             return html`
@@ -205,13 +214,12 @@ export class ModelsTable extends FigureElement<Comparison> {
       ${
         shorter
           ? html`<p class="more" data-not-in-picture><button class="small" @click=${() => (this.all = !this.all)}>
-            ${this.all ? "One size of each model" : `All ${every.length} settings`}</button></p>`
+            ${this.all ? words.oneSize : words.all(every.length)}</button></p>`
           : nothing
       }
       <figcaption>
-        ${models === shown ? "Of settings that differ in size alone, the one is shown that is chosen most often over the trials: by the bound, or where there is none by the error on the other trials. What is best, highest, quickest and fewest is so among those shown." : nothing}
-        ${foldWords(models)} The error is the <pg-term of="dtw" text="mean squared error after dynamic time warping"></pg-term>; the
-        <pg-term of="bound" text="bound"></pg-term> is in <pg-term of="nats" text="nats"></pg-term>. Error, time and size are drawn on log scales. The dashed line is the error of a prediction that does not move.
+        ${models === shown ? words.representatives : nothing}
+        ${foldWords(models)} ${withTerms(words.caption)}
       </figcaption>`;
   }
 }

@@ -24,6 +24,8 @@ import {
   toggled,
 } from "./predictions";
 import { styled } from "../ui/styled";
+import { compareWords } from "../words/compare";
+import { lab } from "../words/lab";
 
 const modelOf = ({ finished }: Prediction) => finished.job.candidate.model;
 
@@ -108,7 +110,7 @@ export class SideBySide extends View {
   }
 
   #frameWords(): string {
-    return `Frame ${this.#frame + 1} of ${this.#player.last + 1}`;
+    return lab().time.frameOf(this.#frame + 1, this.#player.last + 1);
   }
 
   /** The chosen trial, or the first with predictions. */
@@ -125,8 +127,7 @@ export class SideBySide extends View {
       try {
         this.#columns = new Columns(canvas);
       } catch {
-        this.#problem =
-          "This browser shows no 3-D graphics (WebGL), so the figures cannot be drawn. The tables below work all the same.";
+        this.#problem = compareWords().beside.noGraphics;
         this.requestUpdate();
         return;
       }
@@ -163,51 +164,52 @@ export class SideBySide extends View {
 
   #controls() {
     const { playing, last } = this.#player;
+    const words = lab().time;
     return html`
-      <div class="timeline" role="group" aria-label="Time">
-        <button class="round primary" data-testid="compare-play" aria-label=${playing ? "Pause" : "Play"} title=${playing ? "Pause (space)" : "Play (space)"}
+      <div class="timeline" role="group" aria-label=${words.label}>
+        <button class="round primary" data-testid="compare-play" aria-label=${playing ? words.pause : words.play} title=${playing ? words.pauseMeaning : words.playMeaning}
           @click=${() => this.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
-        <button class="round" aria-label="One frame back" title="One frame back (left arrow)" @click=${() => this.step(-1)}>${icon("back")}</button>
-        <button class="round" aria-label="One frame forward" title="One frame forward (right arrow)" @click=${() => this.step(1)}>${icon("forward")}</button>
+        <button class="round" aria-label=${words.back} title=${words.backMeaning} @click=${() => this.step(-1)}>${icon("back")}</button>
+        <button class="round" aria-label=${words.forward} title=${words.forwardMeaning} @click=${() => this.step(1)}>${icon("forward")}</button>
         <div class="scrub">
-          <input type="range" aria-label="Frame" data-testid="compare-scrub" min="0" max=${last} step="1" .value=${String(this.#frame)}
+          <input type="range" aria-label=${words.frame} data-testid="compare-scrub" min="0" max=${last} step="1" .value=${String(this.#frame)}
             aria-valuetext=${this.#frameWords()} @input=${(event: Event) => this.#scrub(event)} />
         </div>
-        <output class="clock" aria-hidden="true"><b .textContent=${String(this.#frame + 1)}></b><span> of ${last + 1}</span></output>
+        <output class="clock" aria-hidden="true"><b .textContent=${String(this.#frame + 1)}></b><span> ${compareWords().beside.of(last + 1)}</span></output>
       </div>`;
   }
 
   #choices(entry: ReadonlyEntry, folds: readonly number[], fold: number, chosen: readonly Prediction[]) {
     const keys = chosen.map(({ key }) => key);
+    const words = compareWords().beside;
     const full = chosen.length >= MOST_COLUMNS;
     const chip = (prediction: Prediction) => {
       const { key, label } = prediction;
       const on = keys.includes(key);
       const name = [modelStyle(modelOf(prediction)).name, label].filter(Boolean).join(", ");
       return html`<button class="chip" aria-pressed=${on ? "true" : "false"} ?disabled=${!on && full}
-        title=${!on && full ? "Four at most: take one away first" : ""}
+        title=${!on && full ? words.mostChosen : ""}
         @click=${() => this.comparison.lookAt({ picked: toggled(keys, key) })}>${name}</button>`;
     };
     return html`
       <div class="which">
-        <label>Trial held out
+        <label>${words.trial}
           <select data-testid="compare-fold" @change=${(event: Event) =>
             this.comparison.lookAt({ fold: Number((event.target as HTMLSelectElement).value) })}>
             ${folds.map((trial) => html`<option value=${trial} ?selected=${trial === fold}>${entry.titles[trial] ?? trial + 1}</option>`)}
           </select>
         </label>
-        <div class="picks" role="group" aria-label="Models to show, at most ${MOST_COLUMNS}">${predictionsOf(entry, fold).map(chip)}</div>
+        <div class="picks" role="group" aria-label=${words.models(MOST_COLUMNS)}>${predictionsOf(entry, fold).map(chip)}</div>
       </div>`;
   }
 
   protected override render() {
     const { shown, look } = this.comparison;
+    const words = compareWords().beside;
     const folds = shown ? foldsOf(shown) : [];
     if (!shown || folds.length === 0) {
       return html`<p class="empty waiting">${
-        shown && !shown.request && !shown.given
-          ? "A file of results holds no motions: press Compare with the clips to see the models move."
-          : "Press Compare: the models will walk here side by side, each with the real trial as an outline."
+        shown && !shown.request && !shown.given ? words.noMotions : words.empty
       }</p>`;
     }
     const fold = this.#foldNow(folds);
@@ -216,7 +218,7 @@ export class SideBySide extends View {
       ${this.#choices(shown, folds, fold, chosen)}
       <div class="columns" style=${styled({ "--columns": chosen.length })}>
         <canvas class="stage-canvas" tabindex="0" role="img" data-testid="compare-stage"
-          aria-label="${chosen.length} predictions of the trial side by side, each with the real trial as an outline. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
+          aria-label=${words.stage(chosen.length)}></canvas>
         ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
         <ol class="column-heads">
           ${chosen.map(
@@ -230,7 +232,7 @@ export class SideBySide extends View {
         </ol>
       </div>
       ${this.#controls()}
-      <p class="hint">In colour: what the model predicts from the trial’s first five frames. Outline: the real trial, laid on top.</p>
+      <p class="hint">${words.about}</p>
       <comparison-distance .data=${this.#distances}></comparison-distance>`;
   }
 }

@@ -2,6 +2,7 @@
 // models trained in this visit.
 import type { GeneratedMovement, StudyRequest } from "../engine/whole-protocol";
 import type { ReadonlyEntry } from "./comparison-entry";
+import { compareWords } from "../words/compare";
 
 /** Null: no model was trained in this visit, and results from a file have no movements. */
 export function studyRequestOf({
@@ -28,5 +29,5 @@ export function studyRequestOf({
   }));
   if (generated.length === 0 || natural.length === 0) return null;
   const { framesPerSecond } = request.settings;
-  return { title: "A comparison on this page", body, framesPerSecond, natural, generated };
+  return { title: compareWords().studyTitle, body, framesPerSecond, natural, generated };
 }

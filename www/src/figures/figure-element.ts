@@ -6,6 +6,7 @@ import { csv, type Table } from "./csv";
 import { pictureOf } from "./picture";
 import { messageOf } from "../ui/format";
 import { View } from "../ui/view";
+import { lab } from "../words/lab";
 
 /** The detail of the bubbling event `save-failed`. */
 export interface SaveFailure {
@@ -97,8 +98,8 @@ export abstract class FigureElement<Data> extends View {
               ? nothing
               : html`
             <div class="figure-files" data-not-in-picture>
-              <button class="small" title="Save the numbers of this figure" aria-label="CSV: ${this.heading}" @click=${() => this.#save("csv")}>CSV</button>
-              <button class="small" title="Save a picture of this figure" aria-label="PNG: ${this.heading}" @click=${() => this.#save("png")}>PNG</button>
+              <button class="small" title=${lab().files.figures.csv} aria-label="CSV: ${this.heading}" @click=${() => this.#save("csv")}>CSV</button>
+              <button class="small" title=${lab().files.figures.png} aria-label="PNG: ${this.heading}" @click=${() => this.#save("png")}>PNG</button>
             </div>`
           }
         </div>

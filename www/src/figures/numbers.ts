@@ -1,5 +1,6 @@
 // Numbers in figures and their tables, with their significant digits.
-import { decimalsOf, grouped, MOST_DECIMALS } from "../ui/format";
+import { decimalsOf, fixed, grouped, localNumber, MOST_DECIMALS } from "../ui/format";
+import { lab } from "../words/lab";
 
 /** A mean and its standard error. */
 export interface Estimate {
@@ -15,7 +16,7 @@ function magnitude(value: number): number {
 
 function byPower(value: number, digits: number): string {
   const [factor, power] = value.toExponential(digits - 1).split("e") as [string, string];
-  return `${factor.replace("-", "\u2212")} × 10${superscript(Number(power))}`;
+  return `${localNumber(factor).replace("-", "\u2212")} × 10${superscript(Number(power))}`;
 }
 
 function superscript(power: number): string {
@@ -35,7 +36,7 @@ export function plain(value: number): string {
 export function estimateText({ mean, standardError, count }: Estimate): { mean: string; error: string } {
   if (!Number.isFinite(mean) || count === 0) return { mean: "unknown", error: "" };
   if (standardError === null || !Number.isFinite(standardError))
-    return { mean: plain(mean), error: count === 1 ? "one trial" : "" };
+    return { mean: plain(mean), error: count === 1 ? lab().files.figures.oneTrial : "" };
   if (standardError === 0) return { mean: plain(mean), error: "± 0" };
   const decimals = 1 - magnitude(Number(standardError.toPrecision(2)));
   if (decimals > 9) return { mean: plain(mean), error: `± ${byPower(standardError, 2)}` };
@@ -68,7 +69,7 @@ function tickLabel(value: number, decimals: number): string {
 
 /** A ratio of two numbers. */
 export function ratio(value: number): string {
-  return value >= 100 ? grouped(value) : value >= 10 ? value.toFixed(1) : value.toFixed(2);
+  return value >= 100 ? grouped(value) : value >= 10 ? fixed(value, 1) : fixed(value, 2);
 }
 
 /** A share as "99.2 %". The explained share of a fit may be negative. */

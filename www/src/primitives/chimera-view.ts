@@ -2,11 +2,13 @@
 import { html, nothing } from "lit";
 import { partColour } from "../ui/palette";
 import { partStyle, styled } from "../ui/styled";
-import { sentence, short } from "../ui/format";
+import { fixed, sentence, short } from "../ui/format";
 import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import type { LibraryStore } from "./library-store";
 import { type LockingStore, type LockingMap, STRENGTHS, TEMPOS } from "./locking-store";
+import { lab } from "../words/lab";
+import { primitivesWords } from "../words/primitives";
 
 /** Steps of arrow keys in the map: tempos up, strengths to the right. */
 const STEPS: Record<string, [number, number]> = {
@@ -43,14 +45,15 @@ export class ChimeraView extends View {
 
   #tempo(tempo: number, part: number) {
     const name = this.#name(part);
+    const words = primitivesWords().chimera;
     return html`
       <label class="tempo" style=${partStyle(partColour(part))}>
         <span class="part-name"><i class="swatch"></i>${name}</span>
         <input type="range" min="0.5" max="2" step="0.05" .value=${String(tempo)} data-testid="tempo-${part}"
-          aria-label="Tempo of ${name}" aria-valuetext="${tempo.toFixed(2)} times as learned"
+          aria-label=${words.tempoOf(name)} aria-valuetext=${words.times(tempo)}
           @input=${(event: Event) => this.library.setTempo(part, (event.target as HTMLInputElement).valueAsNumber)}
           @dblclick=${() => this.library.setTempo(part, 1)} />
-        <output>${tempo.toFixed(2)}</output>
+        <output>${fixed(tempo, 2)}</output>
       </label>`;
   }
 
@@ -69,11 +72,16 @@ export class ChimeraView extends View {
     const value = map.rows[k]?.[l];
     const { taken } = this.locking;
     const on = taken?.tempo === tempo && taken.strength === strength;
-    const text = value === undefined ? "not there yet" : `locking ${value.toFixed(2)}`;
+    const words = primitivesWords().chimera;
+    const text = words.point(
+      tempo,
+      times(strength),
+      value === undefined ? words.notYet : words.locking(value),
+    );
     return html`
       <td><button class=${value === undefined ? "point waiting" : "point"} data-testid="locking-${k}-${l}" aria-pressed=${on ? "true" : "false"}
         tabindex=${this.at[0] === k && this.at[1] === l ? 0 : -1} style=${styled({ "--at": (value ?? 0).toFixed(3) })}
-        aria-label="Tempo ${tempo.toFixed(2)}, coupling times ${times(strength)}: ${text}" title="Tempo ${tempo.toFixed(2)}, coupling × ${times(strength)}: ${text}"
+        aria-label=${text} title=${text}
         @click=${() => {
           this.at = [k, l];
           this.locking.take(tempo, strength);
@@ -82,18 +90,20 @@ export class ChimeraView extends View {
 
   #map(map: LockingMap) {
     const target = this.#name(map.target);
+    const source = this.#name(map.source);
+    const words = primitivesWords().chimera;
+    const alpha = short(map.alpha[map.source]?.[map.target] ?? 1);
     const tempos = [...TEMPOS.keys()].reverse();
     return html`
       <table class="locking" style=${partStyle(partColour(map.target))} @keydown=${this.#keys}
-        aria-label="How firmly ${target} is locked to ${this.#name(map.source)}, for each tempo and strength. Arrow keys go from point to point.">
+        aria-label=${words.map(target, source)}>
         <tbody>
-          ${tempos.map((k) => html`<tr><th scope="row">${(TEMPOS[k] ?? 1).toFixed(2)}</th>${STRENGTHS.map((_, l) => this.#cell(map, k, l))}</tr>`)}
+          ${tempos.map((k) => html`<tr><th scope="row">${fixed(TEMPOS[k] ?? 1, 2)}</th>${STRENGTHS.map((_, l) => this.#cell(map, k, l))}</tr>`)}
           <tr><td></td>${STRENGTHS.map((strength) => html`<th scope="col">${times(strength)}</th>`)}</tr>
         </tbody>
       </table>
-      <p class="hint axes">Up: tempo of ${target}. To the right: how much stronger the coupling from ${this.#name(map.source)} to ${target} is than now;
-        its α, ${short(map.alpha[map.source]?.[map.target] ?? 1)}, is divided by this. Colour: 1 where the difference of their phases never changes, 0 where it takes all values alike.</p>
-      <p class="hint legend" style=${partStyle(partColour(map.target))}><span>goes its own way</span><i class="shade"></i><span>keeps in step</span></p>
+      <p class="hint axes">${words.axes(target, source, alpha)}</p>
+      <p class="hint legend" style=${partStyle(partColour(map.target))}><span>${words.ownWay}</span><i class="shade"></i><span>${words.inStep}</span></p>
       <p class="hint" role="status" data-testid="locking-words">${this.#effects()}</p>`;
   }
 
@@ -102,10 +112,9 @@ export class ChimeraView extends View {
     const { effects } = this.locking;
     if (!effects) return "";
     const { tempo, strength } = effects;
-    const measured = `From tempo to tempo the locking differs by ${tempo.toFixed(2)} at most, from strength to strength by ${strength.toFixed(2)}.`;
-    return tempo < STRIPES * strength
-      ? `Only stripes: the tempo makes little difference here, the coupling decides. ${measured}`
-      : measured;
+    const words = primitivesWords().chimera;
+    const measured = words.effects(tempo, strength);
+    return tempo < STRIPES * strength ? words.stripes(measured) : measured;
   }
 
   #pair() {
@@ -115,33 +124,33 @@ export class ChimeraView extends View {
       <label>${label} <select aria-label=${label} @change=${(event: Event) => take(Number((event.target as HTMLSelectElement).value))}>
         ${parts.map(({ name }, part) => html`<option value=${part} ?selected=${part === chosen} ?disabled=${part === other}>${name}</option>`)}
       </select></label>`;
+    const { leads, follows } = primitivesWords().chimera;
     return html`
-      ${choice("Leads", locking.source, locking.target, (part) => locking.choose(part, locking.target))}
-      ${choice("Follows", locking.target, locking.source, (part) => locking.choose(locking.source, part))}`;
+      ${choice(leads, locking.source, locking.target, (part) => locking.choose(part, locking.target))}
+      ${choice(follows, locking.target, locking.source, (part) => locking.choose(locking.source, part))}`;
   }
 
   protected override render() {
     const { library, locking } = this;
     if (!library.current) return nothing;
     const { busy, map, problem, fraction } = locking;
+    const words = primitivesWords().chimera;
     const several = library.current.info.parts.length > 1;
     return html`
-      <h2>Chimera: two tempos in one body</h2>
-      <p class="hint">Let each part go through its own time slower or faster; 1 is as learned. The tempo is ours, not the papers’.</p>
+      <h2>${words.title}</h2>
+      <p class="hint">${words.about}</p>
       ${library.tempos.map((tempo, part) => this.#tempo(tempo, part))}
       ${
         several
           ? html`
           <div class="fit-row">${this.#pair()}
-            <button class="small" data-testid=${busy ? "locking-cancel" : "locking-make"} @click=${() => (busy ? locking.cancel() : void locking.make())}>${busy ? "Cancel" : "Make the map"}</button></div>
-          ${progressBar("The map", busy ? fraction : null)}
+            <button class="small" data-testid=${busy ? "locking-cancel" : "locking-make"} @click=${() => (busy ? locking.cancel() : void locking.make())}>${busy ? lab().learn.training.cancel : words.make}</button></div>
+          ${progressBar(words.making, busy ? fraction : null)}
           ${
             map
               ? this.#map(map)
               : html`<p class=${problem ? "bad" : "hint"} role="status">${
-                  problem
-                    ? sentence(problem)
-                    : "When does one part still keep step with the other? The map tries all tempos and strengths; press a point to see it walk."
+                  problem ? sentence(problem) : words.empty
                 }</p>`
           }`
           : nothing

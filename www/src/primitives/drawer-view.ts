@@ -13,6 +13,7 @@ import { DRAG_TYPE } from "./drag-type";
 import "./small-figure-view";
 import type { LibraryStore } from "./library-store";
 import { originText } from "./origin-text";
+import { primitivesWords } from "../words/primitives";
 
 export class DrawerView extends View {
   static override properties = { playing: {} };
@@ -30,7 +31,7 @@ export class DrawerView extends View {
       const text = await this.library.primitiveText(primitive);
       download(`${part} ${name}.json`, new Blob([text], { type: "application/json" }));
     } catch (problem) {
-      this.notices.addError(`${part}: ${name} was not saved`, messageOf(problem));
+      this.notices.addError(primitivesWords().drawer.notSaved(part, name), messageOf(problem));
     }
   }
 
@@ -43,6 +44,7 @@ export class DrawerView extends View {
     const partName = info.parts[part]?.name ?? "";
     const on = library.uses[part] === primitive;
     const text = originText(origin);
+    const words = primitivesWords().drawer;
     return html`
       <div class="primitive-box">
       <button class="primitive" draggable="true" aria-pressed=${on ? "true" : "false"} data-testid="primitive-${part}-${primitive}"
@@ -51,22 +53,23 @@ export class DrawerView extends View {
         @click=${() => library.choose(part, primitive)}>
         <pg-small-figure .body=${library.body} .motion=${library.motionOf(exampleOf(info, primitive))} .accent=${part} .playing=${this.playing}></pg-small-figure>
         <span>${name}</span>
-        ${origin.relearned ? html`<small>learned again</small>` : nothing}
+        ${origin.relearned ? html`<small>${words.relearned}</small>` : nothing}
       </button>
-      <button class="small quiet" data-testid="save-primitive-${part}-${primitive}" aria-label="Save ${partName}: ${name}" title="Save this primitive as a file. ${text}"
-        @click=${() => void this.#save(partName, name, primitive)}>Save</button>
+      <button class="small quiet" data-testid="save-primitive-${part}-${primitive}" aria-label=${words.saveOf(partName, name)} title=${words.saveMeaning(text)}
+        @click=${() => void this.#save(partName, name, primitive)}>${words.save}</button>
       </div>`;
   }
 
   protected override render() {
     const info = this.library.current?.info;
     if (!info) return html``;
+    const words = primitivesWords().drawer;
     return html`
-      <h2>Primitives</h2>
-      <p class="hint">What each part has learned to do. Press one, or drag it onto the body: the other parts go on.</p>
+      <h2>${words.title}</h2>
+      <p class="hint">${words.about}</p>
       ${info.parts.map(
         ({ name }, part) => html`
-        <div class="drawer-part" role="group" aria-label="Primitives of ${name}" style=${partStyle(partColour(part))}>
+        <div class="drawer-part" role="group" aria-label=${words.of(name)} style=${partStyle(partColour(part))}>
           <h3 class="part-name"><i class="swatch"></i>${name}</h3>
           <div class="drawer-cards">${primitivesOf(info, part).map((primitive) => this.#card(part, primitive))}</div>
         </div>`,

@@ -9,7 +9,9 @@ import { grouped, sentence } from "../ui/format";
 import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import type { FoldOutcome, FoldStore } from "./fold-store";
-import { LESSON_TABLES } from "./lesson-tables";
+import { lessonTables } from "./lesson-tables";
+import { lab } from "../words/lab";
+import { primitivesWords } from "../words/primitives";
 
 /** The columns of the stored table with the mean errors of a model alone and of a library. */
 const ALONE = 2;
@@ -26,9 +28,10 @@ export class FoldView extends View {
 
   #progress(words: string, progress: ProgressStore<ModularityOutcome>) {
     const { busy, fraction } = progress;
+    const texts = primitivesWords().fold;
     return html`
       <div class="fold-training">
-        <p class="hint">${words} ${busy ? goingWords(progress).map((going) => html`<span>${sentence(going)}</span> `) : "Over."}</p>
+        <p class="hint">${words} ${busy ? goingWords(progress).map((going) => html`<span>${sentence(going)}</span> `) : texts.over}</p>
         ${progressBar(words, busy ? fraction : 1)}
       </div>`;
   }
@@ -36,51 +39,47 @@ export class FoldView extends View {
   /** The progress of the trainings, or the reason why there is no result. */
   #course() {
     const { library, alone, busy } = this.fold;
+    const words = primitivesWords().fold;
     const begun = [library, alone].filter(({ status, ending }) => status !== "idle" || ending.words !== "");
     if (begun.length === 0) return nothing;
-    if (busy)
-      return [
-        this.#progress("Library of both movements.", library),
-        this.#progress("Model of its movement alone.", alone),
-      ];
+    if (busy) return [this.#progress(words.library, library), this.#progress(words.alone, alone)];
     const failed = begun.find(({ ending }) => ending.failed);
     return failed
       ? html`<p class="bad" role="alert">${sentence(failed.ending.words)}</p>`
-      : html`<p class="hint">You cancelled: there is nothing to compare.</p>`;
+      : html`<p class="hint">${words.cancelled}</p>`;
   }
 
   #outcome({ trial, quick, library, alone }: FoldOutcome) {
-    const measured = LESSON_TABLES.modular.rows.find(([movement]) => movement === library.movement) ?? [];
-    const row = (words: string, outcome: ModularityOutcome, place: number) => html`
-      <tr><th scope="row">${words}</th><td>${thousandths(outcome)}</td><td>${measured[place]}</td></tr>`;
+    const words = primitivesWords().fold;
+    const measured = lessonTables().modular.rows.find(([movement]) => movement === library.movement) ?? [];
+    const row = (title: string, outcome: ModularityOutcome, place: number) => html`
+      <tr><th scope="row">${title}</th><td>${thousandths(outcome)}</td><td>${measured[place]}</td></tr>`;
     return html`
-      <div class="table-box" role="region" tabindex="0" aria-label="One trial held out"><table class="lesson" data-testid="fold-outcome">
-        <thead><tr><th scope="col">DTW MSE × 1,000</th><th scope="col">${trial.title}, here</th>
-          <th scope="col">all ${measured[1]} trials, measured</th></tr></thead>
-        <tbody>${row("alone", alone, ALONE)}${row("library", library, LIBRARY)}</tbody>
+      <div class="table-box" role="region" tabindex="0" aria-label=${words.label}><table class="lesson" data-testid="fold-outcome">
+        <thead><tr>${words.heads(trial.title, measured[1] ?? "").map((head) => html`<th scope="col">${head}</th>`)}</tr></thead>
+        <tbody>${row(words.rows.alone, alone, ALONE)}${row(words.rows.library, library, LIBRARY)}</tbody>
       </table></div>
-      <p>This is one fold of ${this.fold.trials.length}: which model is better cannot be said from it.
-        ${quick ? "With a tenth of the iterations the errors are not those of the table." : nothing}</p>`;
+      <p>${words.one(this.fold.trials.length)} ${quick ? words.quickErrors : nothing}</p>`;
   }
 
   protected override render() {
     const { fold } = this;
     const { busy, trial, outcome } = fold;
+    const words = primitivesWords().fold;
     return html`
-      <h3>Hold a trial out here</h3>
-      <p class="hint">A library is trained on all other trials of both movements, and a model on those of the trial’s own movement; both also see its first
-        five frames, and predict the rest. Of two seeds the one of the higher bound counts.</p>
+      <h3>${words.title}</h3>
+      <p class="hint">${words.about}</p>
       <div class="train-row">
-        <label>Trial <select data-testid="fold-trial" ?disabled=${busy} @change=${(event: Event) => fold.choose((event.target as HTMLSelectElement).value)}>
+        <label>${words.trial} <select data-testid="fold-trial" ?disabled=${busy} @change=${(event: Event) => fold.choose((event.target as HTMLSelectElement).value)}>
           ${fold.trials.map(({ id, title }) => html`<option value=${id} ?selected=${id === trial?.id}>${title}</option>`)}
         </select></label>
         <label><input type="checkbox" data-testid="fold-quick" .checked=${fold.quick} ?disabled=${busy}
-          @change=${(event: Event) => fold.setQuick((event.target as HTMLInputElement).checked)} /> a tenth of the iterations, for a first look</label>
+          @change=${(event: Event) => fold.setQuick((event.target as HTMLInputElement).checked)} /> ${words.quick}</label>
         <button class="primary small" data-testid=${busy ? "fold-cancel" : "fold-start"} ?disabled=${busy ? fold.stopping : trial === null}
-          @click=${() => (busy ? fold.cancel() : void fold.holdOut())}>${busy ? "Cancel" : "Hold it out"}</button>
+          @click=${() => (busy ? fold.cancel() : void fold.holdOut())}>${busy ? lab().learn.training.cancel : words.start}</button>
       </div>
       ${outcome ? this.#outcome(outcome) : this.#course()}
-      <div class="visually-hidden" role="status">${busy ? "A trial is held out" : outcome ? "The errors are there" : ""}</div>`;
+      <div class="visually-hidden" role="status">${busy ? words.going : outcome ? words.there : ""}</div>`;
   }
 }
 customElements.define("pg-fold", FoldView);

@@ -4,6 +4,7 @@ import { View } from "../ui/view";
 import { isSame, recordedAs, titleOf } from "./combinations";
 import "./small-figure-view";
 import type { LibraryStore } from "./library-store";
+import { primitivesWords } from "../words/primitives";
 
 export class GalleryView extends View {
   static override properties = { playing: {} };
@@ -18,6 +19,7 @@ export class GalleryView extends View {
     const { library } = this;
     const info = library.current?.info;
     if (!info) return html``;
+    const words = primitivesWords().gallery;
     const card = (uses: number[]) => {
       const recorded = recordedAs(info, uses);
       return html`
@@ -25,13 +27,13 @@ export class GalleryView extends View {
           @click=${() => library.take(uses)}>
           <pg-small-figure .body=${library.body} .motion=${library.motionOf(uses)} .accent=${null} .playing=${this.playing}></pg-small-figure>
           <span>${titleOf(info, uses)}</span>
-          <small>${recorded === null ? "never recorded" : `recorded as ${recorded}`}</small>
+          <small>${recorded === null ? words.never : words.recordedAs(recorded)}</small>
         </button>`;
     };
     return html`
-      <h2>All combinations</h2>
+      <h2>${words.title}</h2>
       <div class="gallery">${library.combinations.map(card)}</div>
-      ${library.notShown > 0 ? html`<p class="hint">${library.notShown} more have no room here. Put them together on the body.</p>` : nothing}`;
+      ${library.notShown > 0 ? html`<p class="hint">${words.more(library.notShown)}</p>` : nothing}`;
   }
 }
 customElements.define("pg-gallery", GalleryView);

@@ -5,6 +5,7 @@ import type { WholeWorkers } from "../engine/whole-workers";
 import { percent } from "../figures/numbers";
 import type { LibraryStore } from "./library-store";
 import { ProgressStore } from "../training/progress-store";
+import { primitivesWords } from "../words/primitives";
 
 const MOST_ITERATIONS = 200;
 
@@ -51,7 +52,7 @@ export class ImportStore extends ProgressStore<Imported> {
 
   /** Adds the primitives of a file, or offers to learn them again. */
   async add(text: string, title: string): Promise<void> {
-    if (this.busy) throw new Error("Primitives are being learned again: wait for them, or cancel.");
+    if (this.busy) throw new Error(primitivesWords().imports.busy);
     this.#offer = null;
     this.#text = "";
     const before = this.#library.current?.info;
@@ -101,12 +102,15 @@ function addedText(
   before: LibraryInfo | undefined,
 ): string {
   const fresh = info.primitives.slice(before?.primitives.length ?? 0);
-  if (added === 0 || fresh.length === 0) return "These primitives are in the library already.";
-  return `Added ${fresh.map(({ part, name }) => `${info.parts[part]?.name}: ${name}`).join(", ")}.`;
+  if (added === 0 || fresh.length === 0) return primitivesWords().imports.known;
+  return primitivesWords().imports.added(
+    fresh.map(({ part, name }) => `${info.parts[part]?.name}: ${name}`).join(", "),
+  );
 }
 
 /** The share of the variance that the pose maps of this library cannot show. */
 function lostText({ parts }: LibraryInfo, lost: readonly number[]): string {
-  const each = parts.map(({ name }, part) => `${percent(lost[part] ?? 0)} of ${name}`);
-  return `The pose maps of this library do not show ${each.join(" and ")}.`;
+  return primitivesWords().imports.lost(
+    parts.map(({ name }, part) => [percent(lost[part] ?? 0), name] as const),
+  );
 }

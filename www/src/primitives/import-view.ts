@@ -9,6 +9,8 @@ import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import "./import.css";
 import type { ImportStore, Offer } from "./import-store";
+import { lab } from "../words/lab";
+import { primitivesWords } from "../words/primitives";
 
 export class ImportView extends View {
   static override properties = { from: { state: true } };
@@ -42,37 +44,40 @@ export class ImportView extends View {
     const { imports, clips } = this;
     const { busy, status, fraction, ending } = imports;
     const can = misfit.canBeRelearned;
+    const words = primitivesWords().imports;
     return html`
-      <div class="import-offer" role="group" aria-label="Primitives of ${title}">
-        <p><strong>${title}</strong> <span data-testid="misfit">does not fit as it is: ${sentence(misfit.reason)}</span></p>
+      <div class="import-offer" role="group" aria-label=${words.of(title)}>
+        <p><strong>${title}</strong> <span data-testid="misfit">${words.misfit(sentence(misfit.reason))}</span></p>
         ${
           can
             ? html`
-            <p class="hint">Its primitives can be learned again here: their dynamics anew, while the pose maps and primitives of this library stay.
-              What the file keeps of its movement shows what its own pose maps show of it; a clip shows all of it.</p>
+            <p class="hint">${words.about}</p>
             <div class="fit-row">
-              <label>From <select data-testid="import-from" ?disabled=${busy} @change=${(event: Event) => {
+              <label>${words.from} <select data-testid="import-from" ?disabled=${busy} @change=${(
+                event: Event,
+              ) => {
                 this.from = (event.target as HTMLSelectElement).value;
-              }}><option value="">what the file keeps</option>
+              }}><option value="">${words.kept}</option>
                 ${clips.all.map((clip) => html`<option value=${clip.key} ?selected=${clip.key === this.from}>${clip.title}</option>`)}</select></label>
               <button class="small primary" data-testid=${busy ? "import-cancel" : "relearn"} ?disabled=${status === "cancelling"}
-                @click=${() => (busy ? imports.cancel() : void imports.relearn(this.from, this.seed))}>${busy ? "Cancel" : "Learn again"}</button>
+                @click=${() => (busy ? imports.cancel() : void imports.relearn(this.from, this.seed))}>${busy ? lab().learn.training.cancel : words.relearn}</button>
             </div>
-            ${progressBar("Learning again", busy ? fraction : null)}
+            ${progressBar(words.relearning, busy ? fraction : null)}
             <p class=${ending.failed ? "bad" : "hint"} role="status">${busy ? goingWords(imports).join(". ") : ending.failed ? sentence(ending.words) : ""}</p>`
             : nothing
         }
-        <button class="small" data-testid="import-dismiss" ?disabled=${busy} @click=${() => imports.dismiss()}>Leave it</button>
+        <button class="small" data-testid="import-dismiss" ?disabled=${busy} @click=${() => imports.dismiss()}>${words.dismiss}</button>
       </div>`;
   }
 
   protected override render() {
     const { imports } = this;
+    const words = primitivesWords().imports;
     return html`
       <div class="button-row">
         ${fileButton({
-          label: "Add primitives",
-          meaning: "Add the primitives of another file (.json) to this library",
+          label: words.add,
+          meaning: words.addMeaning,
           testId: "add-primitives",
           accept: ".json,application/json",
           multiple: false,

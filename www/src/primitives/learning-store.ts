@@ -8,6 +8,7 @@ import type { WholeWorkers } from "../engine/whole-workers";
 import type { SettingsStore } from "../settings/settings-store";
 import type { LibraryStore } from "./library-store";
 import { ProgressStore } from "../training/progress-store";
+import { primitivesWords } from "../words/primitives";
 
 /** The default number of chosen sample clips of a movement. */
 const SAMPLES_CHOSEN = 2;
@@ -106,10 +107,11 @@ export class LearningStore extends ProgressStore<string> {
 
   /** The reason why learning is not possible now; empty if it is. */
   get whyNot(): string {
-    if (!this.#clips.samplesLoaded) return "Getting the sample clips ready.";
+    const words = primitivesWords().learning;
+    if (!this.#clips.samplesLoaded) return words.gettingReady;
     const groups = this.#groups();
-    if (groups.length === 0) return "Choose clips of two movements.";
-    return groups.length < 2 ? "Choose clips of another movement too." : "";
+    if (groups.length === 0) return words.two;
+    return groups.length < 2 ? words.another : "";
   }
 
   /** Learns the library, which then becomes the open one. */
@@ -130,7 +132,7 @@ export class LearningStore extends ProgressStore<string> {
     const text = await this.run((report, signal) =>
       this.#whole.pool.run((worker) => worker.learnLibrary(job, report, signal), signal),
     );
-    if (text !== null) await this.#library.open(text, "The library learned here", true);
+    if (text !== null) await this.#library.open(text, primitivesWords().library.learnedHere, true);
   }
 
   #movementOf({ source, title }: ClipEntry): string {

@@ -5,6 +5,7 @@ import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import type { LearningClip, LearningStore } from "./learning-store";
+import { primitivesWords } from "../words/primitives";
 
 export class LearningView extends View {
   declare learning: LearningStore;
@@ -15,11 +16,12 @@ export class LearningView extends View {
 
   #clip({ key, title, chosen, movement }: LearningClip) {
     const { learning } = this;
+    const words = primitivesWords().learning;
     return html`
       <li class="learning-clip">
-        <label><input type="checkbox" .checked=${chosen} ?disabled=${learning.busy} aria-label="Learn from ${title}"
+        <label><input type="checkbox" .checked=${chosen} ?disabled=${learning.busy} aria-label=${words.from(title)}
           @change=${(event: Event) => learning.choose(key, (event.target as HTMLInputElement).checked)} /> <span>${title}</span></label>
-        <input type="text" .value=${movement} ?disabled=${learning.busy || !chosen} aria-label="Movement of ${title}"
+        <input type="text" .value=${movement} ?disabled=${learning.busy || !chosen} aria-label=${words.movement(title)}
           @change=${(event: Event) => learning.rename(key, (event.target as HTMLInputElement).value)} />
       </li>`;
   }
@@ -29,29 +31,30 @@ export class LearningView extends View {
     const choice = (shared: boolean, words: string) => html`
       <button aria-pressed=${learning.isShared(name) === shared ? "true" : "false"} ?disabled=${learning.busy} data-testid="share-${part}-${shared ? "same" : "own"}"
         @click=${() => learning.setShared(name, shared)}>${words}</button>`;
+    const { drawer, learning: texts } = primitivesWords();
     return html`
-      <div class="learning-part" role="group" aria-label="Primitives of ${name}" style=${partStyle(partColour(part))}>
+      <div class="learning-part" role="group" aria-label=${drawer.of(name)} style=${partStyle(partColour(part))}>
         <span class="part-name"><i class="swatch"></i>${name}</span>
-        <span class="segments">${choice(true, "same")}${choice(false, "own")}</span>
+        <span class="segments">${choice(true, texts.same)}${choice(false, texts.own)}</span>
       </div>`;
   }
 
   protected override render() {
     const { learning } = this;
+    const words = primitivesWords().learning;
     return html`
-      <h2>Learn a library</h2>
-      <p class="hint">Clips with the same name are one movement. A part that is the <em>same</em> has one primitive for all movements;
-        with <em>own</em> it has one in each. All other settings are those of training, in the Lab.</p>
+      <h2>${words.title}</h2>
+      <p class="hint">${words.about(words.same, words.own)}</p>
       <div class="learning">
         <ul class="learning-clips">${learning.clips.map((clip) => this.#clip(clip))}</ul>
         <div>
           ${learning.parts.map(({ name }, part) => this.#part(name, part))}
           ${progressRow({
             progress: learning,
-            verb: ["Learn", "Learning", "Learned"],
+            verb: [words.learn, words.going, words.done],
             testIds: ["learn", "learn-cancel", "learn-words"],
             whyNot: learning.whyNot,
-            hint: "It takes the place of the library above, which can be brought back.",
+            hint: words.hint,
             start: () => void learning.learn(),
           })}
         </div>

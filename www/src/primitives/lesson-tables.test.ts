@@ -1,5 +1,6 @@
 import { expect, it } from "vitest";
-import { pageNumbers, LESSON_TABLES } from "./lesson-tables";
+import { primitives as german } from "../words/de/primitives";
+import { pageNumbers, lessonTables } from "./lesson-tables";
 
 it("writes minus signs, times and grouped digits as the page does", () => {
   expect(pageNumbers("-1.045 (-2.594 to +0.504)")).toBe("−1.045 (−2.594 to +0.504)");
@@ -11,6 +12,13 @@ it("writes minus signs, times and grouped digits as the page does", () => {
 });
 
 it("leaves no hyphen or x of the program in the tables of the lesson", () => {
-  const cells = Object.values(LESSON_TABLES).flatMap(({ head, rows }) => [...head, ...rows.flat()]);
+  const cells = Object.values(lessonTables()).flatMap(({ head, rows }) => [...head, ...rows.flat()]);
   expect(cells.filter((cell) => /-\d|\bx \d|\d{4}/.test(cell))).toEqual([]);
+});
+
+it("has German words for all heads, and for the first column of the second table", () => {
+  const { modular, imports } = lessonTables();
+  const written = [...modular.head, ...imports.head, ...imports.rows.map(([first = ""]) => first)];
+  const known = Object.keys(german.lesson.cells).map(pageNumbers);
+  expect(written.filter((cell) => !known.includes(cell))).toEqual([]);
 });

@@ -1,5 +1,6 @@
 // The tables of the experiment, with numbers written as on the rest of the page.
 import { grouped } from "../ui/format";
+import { primitivesWords } from "../words/primitives";
 import stored from "./modularity.json";
 
 export interface Table {
@@ -15,9 +16,14 @@ export function pageNumbers(cell: string): string {
     .replace(/\bx (?=\d)/g, "× ");
 }
 
-const rewritten = ({ head, rows }: Table): Table => ({
-  head: head.map(pageNumbers),
-  rows: rows.map((row) => row.map(pageNumbers)),
-});
+function rewritten({ head, rows }: Table): Table {
+  const { cells } = primitivesWords().lesson;
+  const written = (cell: string) => pageNumbers(cells[cell] ?? cell);
+  return { head: head.map(written), rows: rows.map((row) => row.map(written)) };
+}
 
-export const LESSON_TABLES = { modular: rewritten(stored.modular), imports: rewritten(stored.imports) };
+/** The tables in the language of the page. */
+export const lessonTables = () => ({
+  modular: rewritten(stored.modular),
+  imports: rewritten(stored.imports),
+});

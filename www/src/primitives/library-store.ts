@@ -11,6 +11,7 @@ import { Store } from "../ui/store";
 import { combinationsOf, countOf, exampleOf, firstOf, isSame, recordedAs, titleOf } from "./combinations";
 import { LibraryWorker } from "./library-worker";
 import { WalkStore } from "./walk-store";
+import { primitivesWords } from "../words/primitives";
 
 /** The largest number of combinations in the gallery. */
 const MOST_SHOWN = 36;
@@ -83,7 +84,7 @@ export class LibraryStore extends Store {
         if (this.#touched) this.#takeNearest(alpha);
         else this.#showNearest(alpha);
       },
-      (problem) => this.#notices.addError("These primitives could not be put together", messageOf(problem)),
+      (problem) => this.#notices.addError(primitivesWords().notPutTogether, messageOf(problem)),
     );
     this.#partMotions = new Latest(
       ({ uses, alpha }) => this.#worker.ask((worker) => worker.combinationMoves([...uses], alpha)),
@@ -384,7 +385,7 @@ export class LibraryStore extends Store {
         const motion = await this.#worker.ask((worker) => worker.combinationMotion([...uses], SMALL_FRAMES));
         motions.set(uses.join(), motion);
       } catch (problem) {
-        this.#notices.addError(`${titleOf(info, uses)} does not move`, messageOf(problem));
+        this.#notices.addError(primitivesWords().doesNotMove(titleOf(info, uses)), messageOf(problem));
       }
       this.changedSoon();
     }

@@ -5,6 +5,7 @@ import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import { primitivesOf } from "./combinations";
 import type { LibraryStore } from "./library-store";
+import { primitivesWords } from "../words/primitives";
 
 export class MorphView extends View {
   declare library: LibraryStore;
@@ -25,18 +26,19 @@ export class MorphView extends View {
     const share = mix?.share ?? 0;
     const name = (primitive: number) => info.primitives[primitive]?.name ?? "";
     const title = info.parts[part]?.name ?? "";
+    const words = primitivesWords().morph;
     return html`
       <div class="morph" style=${partStyle(partColour(part))}>
         <span class="part-name"><i class="swatch"></i>${title}</span>
         <span>${name(from)}</span>
         <input type="range" min="0" max="1" step="0.01" .value=${String(share)} data-testid="morph-${part}"
-          aria-label="${title}: from ${name(from)} to ${name(other)}" aria-valuetext="${Math.round(100 * share)} per cent ${name(other)}"
+          aria-label=${words.fromTo(title, name(from), name(other))} aria-valuetext=${words.share(share, name(other))}
           @input=${(event: Event) => library.setMix(part, other, (event.target as HTMLInputElement).valueAsNumber)}
           @dblclick=${() => library.setMix(part, other, 0)} />
         ${
           others.length === 1
             ? html`<span>${name(other)}</span>`
-            : html`<select aria-label="${title}: towards" @change=${(event: Event) =>
+            : html`<select aria-label=${words.towards(title)} @change=${(event: Event) =>
                 library.setMix(part, Number((event.target as HTMLSelectElement).value), share)}>
                 ${others.map((choice) => html`<option value=${choice} ?selected=${choice === other}>${name(choice)}</option>`)}</select>`
         }
@@ -46,8 +48,8 @@ export class MorphView extends View {
   protected override render() {
     const parts = this.library.current?.info.parts ?? [];
     return html`
-      <h2>Morph</h2>
-      <p class="hint">Moves what a part predicts from one of its primitives to another, little by little.</p>
+      <h2>${primitivesWords().morph.title}</h2>
+      <p class="hint">${primitivesWords().morph.about}</p>
       ${parts.map((_, part) => this.#slider(part))}`;
   }
 }

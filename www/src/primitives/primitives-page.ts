@@ -20,6 +20,7 @@ import type { Primitives } from "./primitives";
 import "./primitives.css";
 import "./walk-view";
 import { lab } from "../words/lab";
+import { primitivesWords } from "../words/primitives";
 
 /** A model for the stage. `made`: it was made here and is on no disk. */
 export interface StagedModel {
@@ -55,7 +56,7 @@ export class PrimitivesPage extends View {
       const detail: StagedModel = { text: await this.#library.combinationText(), made };
       this.dispatchEvent(new CustomEvent("stage-model", { detail, bubbles: true }));
     } catch (problem) {
-      this.notices.addError("This combination was not taken up", messageOf(problem));
+      this.notices.addError(primitivesWords().notTakenUp, messageOf(problem));
     }
   }
 
@@ -79,19 +80,24 @@ export class PrimitivesPage extends View {
     const { movements, frameTime } = current.info;
     const learned = movements.filter(({ learned }) => learned);
     const frames = learned.flatMap(({ sequences }) => sequences).reduce((sum, { frames }) => sum + frames, 0);
-    const names = learned.map(({ name }) => `“${name}”`).join(" and ");
+    const { areas, library: words } = primitivesWords();
+    const isGiven = current.title === "";
+    const text = words.learned(
+      learned.map(({ name }) => name),
+      duration(frames * frameTime),
+    );
     return html`
-      <section class="panel library-head" aria-label="The library">
-        <p><strong>${current.title === "" ? "A library of made walks" : current.title}</strong>
-          <span data-testid="library-words">It learned ${names} from ${duration(frames * frameTime)} of motion.
-          ${current.title === "" ? "The clips are this project’s own, made by a program." : nothing}
-          ${current.unsaved ? "It is not saved yet." : nothing}</span></p>
+      <section class="panel library-head" aria-label=${areas.library}>
+        <p><strong>${isGiven ? words.made : current.title}</strong>
+          <span data-testid="library-words">${text}
+          ${isGiven ? words.ownClips : nothing}
+          ${current.unsaved ? words.unsaved : nothing}</span></p>
         <div class="button-row">
-          ${before ? html`<button class="small" data-testid="library-undo" @click=${() => void this.#library.undo()}>Back to the library before</button>` : nothing}
-          <button class="small" data-testid="save-library" @click=${() => this.#save()}>Save the library</button>
+          ${before ? html`<button class="small" data-testid="library-undo" @click=${() => void this.#library.undo()}>${words.undo}</button>` : nothing}
+          <button class="small" data-testid="save-library" @click=${() => this.#save()}>${words.save}</button>
           ${fileButton({
-            label: "Open a library",
-            meaning: "Open a library of primitives (.json)",
+            label: words.open,
+            meaning: words.openMeaning,
             testId: "open-library",
             accept: ".json,application/json",
             multiple: false,
@@ -106,28 +112,30 @@ export class PrimitivesPage extends View {
     const { clips } = this;
     const { library, fitting, imports, locking, learning, fold } = this.primitives;
     const { playing } = library.walk.player;
+    const words = primitivesWords();
+    const { areas } = words;
     const here = this.notices.all.filter(({ at }) => at === null);
     if (!library.current) {
       return library.problem
-        ? html`<p class="empty" role="alert">The library could not be opened: ${sentence(library.problem)}
-          <button class="small" @click=${() => void library.openFirst()}>Try again</button></p>`
-        : html`<p class="empty" role="status">Loading</p>`;
+        ? html`<p class="empty" role="alert">${words.notOpened(sentence(library.problem))}
+          <button class="small" @click=${() => void library.openFirst()}>${words.tryAgain}</button></p>`
+        : html`<p class="empty" role="status">${words.loading}</p>`;
     }
     return html`
       <div class="primitives">
         ${this.#head()}
         ${here.length > 0 ? html`<div class="library-notices">${here.map((notice) => noticeCard(this.notices, notice, lab().files.dismiss))}</div>` : nothing}
-        <section class="panel walk-panel" aria-label="The figure"><pg-walk .library=${library}></pg-walk></section>
+        <section class="panel walk-panel" aria-label=${areas.figure}><pg-walk .library=${library}></pg-walk></section>
         <div class="beside-figure">
-          <section class="panel" aria-label="Primitives"><pg-drawer .library=${library} .playing=${playing} .notices=${this.notices}></pg-drawer></section>
-          <section class="panel" aria-label="All combinations"><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
-          <section class="panel" aria-label="Chimera"><pg-chimera .library=${library} .locking=${locking}></pg-chimera></section>
-          <section class="panel" aria-label="Couplings and morph"><pg-walk-couplings .library=${library} .fitting=${fitting} .clips=${clips}></pg-walk-couplings>
+          <section class="panel" aria-label=${words.drawer.title}><pg-drawer .library=${library} .playing=${playing} .notices=${this.notices}></pg-drawer></section>
+          <section class="panel" aria-label=${words.gallery.title}><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
+          <section class="panel" aria-label=${areas.chimera}><pg-chimera .library=${library} .locking=${locking}></pg-chimera></section>
+          <section class="panel" aria-label=${areas.couplings}><pg-walk-couplings .library=${library} .fitting=${fitting} .clips=${clips}></pg-walk-couplings>
             <pg-morph .library=${library}></pg-morph></section>
-          <section class="panel" aria-label="Primitives of other files"><pg-import .imports=${imports} .clips=${clips} .notices=${this.notices} .seed=${this.primitives.seed()}></pg-import></section>
+          <section class="panel" aria-label=${areas.imports}><pg-import .imports=${imports} .clips=${clips} .notices=${this.notices} .seed=${this.primitives.seed()}></pg-import></section>
         </div>
-        <section class="panel learning-panel" aria-label="Learn a library"><pg-learning .learning=${learning}></pg-learning></section>
-        <section class="panel lesson-panel" aria-label="The experiment"><pg-lesson .learning=${learning} .fold=${fold}></pg-lesson></section>
+        <section class="panel learning-panel" aria-label=${words.learning.title}><pg-learning .learning=${learning}></pg-learning></section>
+        <section class="panel lesson-panel" aria-label=${areas.experiment}><pg-lesson .learning=${learning} .fold=${fold}></pg-lesson></section>
       </div>`;
   }
 }

@@ -4,11 +4,13 @@ import type { ClipsStore } from "../clips/clips-store";
 import { couplingsTable } from "../couplings/couplings-table";
 import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
-import "../terms/term";
+import { withTerms } from "../terms/term";
 import { fitText } from "./fit-text";
 import type { FittingStore } from "./fitting-store";
 import type { LibraryStore } from "./library-store";
 import { restingPartsText } from "./resting-parts";
+import { lab } from "../words/lab";
+import { primitivesWords } from "../words/primitives";
 
 export class WalkCouplingsView extends View {
   static override properties = { clip: { state: true } };
@@ -38,15 +40,16 @@ export class WalkCouplingsView extends View {
     const { busy, status } = fitting;
     const key = clips.all.some((clip) => clip.key === this.clip) ? this.clip : (clips.all[0]?.key ?? "");
     const { text, failed } = fitText(fitting);
+    const words = primitivesWords().couplings;
     return html`
       <div class="fit-row">
-        <label>Clip <select data-testid="fit-clip" ?disabled=${busy} @change=${(event: Event) => {
+        <label>${words.clip} <select data-testid="fit-clip" ?disabled=${busy} @change=${(event: Event) => {
           this.clip = (event.target as HTMLSelectElement).value;
         }}>${clips.all.map((clip) => html`<option value=${clip.key} ?selected=${clip.key === key}>${clip.title}</option>`)}</select></label>
         <button class="small" data-testid=${busy ? "fit-cancel" : "fit"} ?disabled=${busy ? status === "cancelling" : key === ""}
-          @click=${() => (busy ? fitting.cancel() : void fitting.fit(key))}>${busy ? "Cancel" : "Fit to this clip"}</button>
+          @click=${() => (busy ? fitting.cancel() : void fitting.fit(key))}>${busy ? lab().learn.training.cancel : words.fit}</button>
       </div>
-      ${progressBar("Fitting", busy ? fitting.fraction : null)}
+      ${progressBar(words.fitting, busy ? fitting.fraction : null)}
       <p class=${failed ? "bad" : "hint"} role="status" data-testid="fit-words">${text}</p>`;
   }
 
@@ -54,10 +57,11 @@ export class WalkCouplingsView extends View {
     const { library } = this;
     if (!library.current) return nothing;
     const { movements, parts } = library.current.info;
+    const words = primitivesWords().couplings;
     return html`
-      <header class="panel-head"><h2><pg-term of="coupling" text="Couplings"></pg-term></h2>
-        <button class="small" ?disabled=${!library.couplings.altered} @click=${() => library.couplings.resetAll()}>Reset</button></header>
-      <p class="hint">Right is strong. In a new combination each part keeps what it learned about the others.</p>
+      <header class="panel-head"><h2>${withTerms(words.title)}</h2>
+        <button class="small" ?disabled=${!library.couplings.altered} @click=${() => library.couplings.resetAll()}>${words.reset}</button></header>
+      <p class="hint">${words.about}</p>
       ${couplingsTable({
         couplings: library.couplings,
         parts: parts.map(({ name }) => name),
@@ -67,10 +71,10 @@ export class WalkCouplingsView extends View {
       ${this.#still(library)}
       ${this.#fit()}
       <div class="button-row">
-        <button class="small" data-testid="keep-combination" title="As a movement of the library, with these couplings"
-          @click=${() => void library.keep(this.#name(movements.map(({ name }) => name)))}>Add to the library</button>
-        <button class="small primary" data-testid="put-on-stage" title="As a model, with these couplings, in the Lab"
-          @click=${() => this.dispatchEvent(new CustomEvent("put-on-stage", { bubbles: true }))}>Put on the stage</button>
+        <button class="small" data-testid="keep-combination" title=${words.keepMeaning}
+          @click=${() => void library.keep(this.#name(movements.map(({ name }) => name)))}>${words.keep}</button>
+        <button class="small primary" data-testid="put-on-stage" title=${words.stageMeaning}
+          @click=${() => this.dispatchEvent(new CustomEvent("put-on-stage", { bubbles: true }))}>${words.stage}</button>
       </div>`;
   }
 

@@ -9,6 +9,7 @@ import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import type { LibraryWorker } from "./library-worker";
 import { extrapolated, TRANSITION_FRAMES, Transition } from "./transition";
+import { primitivesWords } from "../words/primitives";
 
 /** Stored seconds. */
 const STORED_SECONDS = 4;
@@ -165,7 +166,7 @@ export class WalkStore extends Store {
     } catch (problem) {
       if (walks !== this.#walks) return;
       this.#track = null;
-      this.#notices.addError("The figure has stopped", messageOf(problem));
+      this.#notices.addError(primitivesWords().stopped, messageOf(problem));
       this.changed();
     } finally {
       this.#busy = false;

@@ -12,6 +12,8 @@ import { View } from "../ui/view";
 import { exampleOf } from "./combinations";
 import { DRAG_TYPE } from "./drag-type";
 import type { LibraryStore } from "./library-store";
+import { lab } from "../words/lab";
+import { primitivesWords } from "../words/primitives";
 
 export class WalkView extends View {
   static override properties = { over: { state: true } };
@@ -19,7 +21,7 @@ export class WalkView extends View {
   /** The part below a dragged primitive. */
   declare over: number | null;
   #columns: Columns | null = null;
-  #problem = "";
+  #hasGraphics = true;
   #drawnTrack: LiveTrack | null = null;
   #drawnAt = -1;
   #map: { key: unknown; body: MapBody } | null = null;
@@ -47,7 +49,7 @@ export class WalkView extends View {
     try {
       if (canvas) this.#columns = new Columns(canvas);
     } catch {
-      this.#problem = "This browser shows no 3-D graphics (WebGL), so only the small figures are drawn.";
+      this.#hasGraphics = false;
       this.requestUpdate();
     }
     this.whenLeaving(eachFrame((seconds) => this.#tick(seconds)));
@@ -105,7 +107,7 @@ export class WalkView extends View {
       this.over = part;
     };
     return html`
-      <svg class="slots" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="Slots: ${library.title}">
+      <svg class="slots" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label=${primitivesWords().walk.slots(library.title)}>
         ${bones.map(({ a, b, part }) => svg`<line class="map-bone" style=${partStyle(partColour(part))} x1=${a.x} y1=${a.y} x2=${b.x} y2=${b.y} />`)}
         ${info.parts.map(({ name }, part) => {
           const spot = spots[part];
@@ -129,15 +131,17 @@ export class WalkView extends View {
     const { library } = this;
     const { playing } = library.walk.player;
     const { recorded } = library;
+    const words = primitivesWords().walk;
+    const { time } = lab();
     return html`
       <div class="walk-box">
         <canvas class="stage-canvas" tabindex="0" role="img" data-testid="walk"
-          aria-label="A figure that goes on without an end: ${library.title}. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
-        ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
+          aria-label=${words.figure(library.title)}></canvas>
+        ${this.#hasGraphics ? nothing : html`<p class="stage-problem" role="alert">${words.noGraphics}</p>`}
         ${this.#slots()}
         <p class="walk-words"><strong data-testid="combination-title">${library.title}</strong>
-          <span data-testid="recorded">${recorded === null ? "Never recorded" : `Recorded as ${recorded}`}</span></p>
-        <button class="round primary walk-play" data-testid="walk-play" aria-label=${playing ? "Pause" : "Play"} title=${playing ? "Pause (space)" : "Play (space)"}
+          <span data-testid="recorded">${recorded === null ? words.never : words.recordedAs(recorded)}</span></p>
+        <button class="round primary walk-play" data-testid="walk-play" aria-label=${playing ? time.pause : time.play} title=${playing ? time.pauseMeaning : time.playMeaning}
           @click=${() => this.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
       </div>`;
   }

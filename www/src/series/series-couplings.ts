@@ -5,19 +5,15 @@ import { couplingsTable } from "../couplings/couplings-table";
 import { readingText } from "../couplings/reading-text";
 import type { Reading } from "../engine/protocol";
 import type { SeriesStore } from "./series-store";
+import { seriesWords } from "../words/series";
 
-const READINGS: [Reading, string][] = [
-  [
-    "re-inferred",
-    "Under changed couplings the experts are inferred again from what the training left of the data",
-  ],
-  ["as-learned", "The experts stay as learned; only how much each counts is changed"],
-];
+const READINGS: readonly Reading[] = ["re-inferred", "as-learned"];
 
 export function seriesCouplings(model: SeriesStore) {
   const { opened, couplings } = model;
+  const words = seriesWords();
   if (!opened?.info.alpha) {
-    return html`<p class="hint">A model of this kind has no couplings and no latent spaces: only its curves are shown.</p>`;
+    return html`<p class="hint">${words.noCouplings}</p>`;
   }
   return html`
     ${couplingsTable({
@@ -25,15 +21,14 @@ export function seriesCouplings(model: SeriesStore) {
       parts: opened.info.parts.map(({ name }) => name),
     })}
     <div class="button-row">
-      <span class="segments" role="group" aria-label="What a changed coupling means">
+      <span class="segments" role="group" aria-label=${words.changed}>
         ${READINGS.map(
-          ([
+          (
             reading,
-            meaning,
-          ]) => html`<button title=${meaning} aria-pressed=${couplings.reading === reading ? "true" : "false"}
+          ) => html`<button title=${words.readings[reading]} aria-pressed=${couplings.reading === reading ? "true" : "false"}
             @click=${() => couplings.setReading(reading)}>${readingText(reading)}</button>`,
         )}</span>
-      <button class="small" data-testid="series-reset" ?disabled=${!couplings.altered} @click=${() => couplings.resetAll()}>All as learned</button>
+      <button class="small" data-testid="series-reset" ?disabled=${!couplings.altered} @click=${() => couplings.resetAll()}>${words.reset}</button>
     </div>
     ${model.problem ? html`<p class="bad" role="alert">${model.problem}</p>` : nothing}`;
 }

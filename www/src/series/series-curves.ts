@@ -9,6 +9,7 @@ import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import { type Curve, curvesOf } from "./curves";
 import type { SeriesStore } from "./series-store";
+import { seriesWords } from "../words/series";
 
 const HEIGHT = 150;
 const TYPE = 12;
@@ -67,8 +68,8 @@ export class SeriesCurves extends View {
     this.#across = { first, step: right.at(frameTime) - first };
     return html`
       <figure class="figure-card series-curve" data-testid="curve-${order}" style=${partStyle(partColour(part), { "--series": partColour(part) })}>
-        <svg width=${this.width} height=${HEIGHT} viewBox="0 0 ${this.width} ${HEIGHT}" role="img" aria-label="${name} against time${recorded ? ", rolled out and recorded" : ", rolled out"}">
-          ${axes(plot, { scale: right, title: "time (s)" }, upward)}
+        <svg width=${this.width} height=${HEIGHT} viewBox="0 0 ${this.width} ${HEIGHT}" role="img" aria-label=${seriesWords().curve(name, Boolean(recorded))}>
+          ${axes(plot, { scale: right, title: seriesWords().time }, upward)}
           <g class="rolled-out">${path(placed(rolledOut))}</g>
           ${recorded ? svg`<g class="recorded">${path(placed(recorded))}</g>` : nothing}
           <line class="playhead" y1=${top} y2=${bottom}></line>
@@ -80,7 +81,7 @@ export class SeriesCurves extends View {
     const { opened, rollout, recorded } = this.model;
     if (!opened || !rollout) return nothing;
     const { info } = opened;
-    return html`<div class="series-curves" tabindex="0" role="group" aria-label="Columns over time">${curvesOf(
+    return html`<div class="series-curves" tabindex="0" role="group" aria-label=${seriesWords().overTime}>${curvesOf(
       info,
       rollout.values,
       recorded,

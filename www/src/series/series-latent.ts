@@ -9,6 +9,7 @@ import { clearCanvas } from "../ui/canvas";
 import { View } from "../ui/view";
 import type { SeriesRollout } from "../engine/series-protocol";
 import type { SeriesStore } from "./series-store";
+import { seriesWords } from "../words/series";
 
 const FLAT = { about: 0, tilt: 0 };
 
@@ -89,7 +90,7 @@ export class SeriesLatent extends View {
     return html`
       <figure class="latent" style=${partStyle(partColour(this.bodyPart))}>
         <figcaption><i class="swatch"></i>${name}</figcaption>
-        <canvas role="img" aria-label="The path of ${name} through its latent space" data-testid="series-latent-${this.bodyPart}"></canvas>
+        <canvas role="img" aria-label=${seriesWords().path(name)} data-testid="series-latent-${this.bodyPart}"></canvas>
       </figure>`;
   }
 }

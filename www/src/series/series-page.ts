@@ -1,7 +1,7 @@
 // The view of time series without a body: tables, the model of their columns, its curves, latents and
 // couplings.
 import { html, nothing } from "lit";
-import { type NumberName, settingField } from "../settings/setting-field";
+import { settingField } from "../settings/setting-field";
 import type { SettingsStore } from "../settings/settings-store";
 import { progressRow } from "../training/progress-row";
 import { download } from "../ui/download";
@@ -21,15 +21,12 @@ import "./series-curves";
 import "./series-latent";
 import "./tables-view";
 import { lab } from "../words/lab";
+import { seriesWords } from "../words/series";
 
-const COUNTS: [NumberName, string, string][] = [
-  ["latent", "Latent dimensions", "The dimensions of each part's latent space"],
-  ["dynamicsIps", "Dynamics points", "Inducing points of each coupling's dynamics"],
-  ["poseIps", "Observation points", "Inducing points of the map from each part's latents to its columns"],
-  ["order", "Rows of history", "The order of the dynamics"],
-  ["maxIterations", "Iterations at most", "The optimiser stops here at the latest"],
-  ["seed", "Seed", "The seed of everything random"],
-];
+/** The column of a table that holds seconds. */
+const TIME_COLUMN = "time";
+
+const COUNTS = ["latent", "dynamicsIps", "poseIps", "order", "maxIterations", "seed"] as const;
 
 export class SeriesPage extends View {
   declare series: Series;
@@ -62,7 +59,7 @@ export class SeriesPage extends View {
     try {
       download("curves.csv", new Blob([await this.series.model.csv()], { type: "text/csv" }));
     } catch (problem) {
-      this.notices.addError("Nothing was saved", messageOf(problem));
+      this.notices.addError(lab().files.nothingSaved, messageOf(problem));
     }
   }
 
@@ -71,13 +68,19 @@ export class SeriesPage extends View {
     const { busy } = training;
     const { notices } = this;
     const timeless = tables.ticked.some(({ info }) => info.frameTime === null);
-    const field = (name: NumberName, label: string, hint: string) =>
-      settingField(this.settings, name, { label, hint, testId: `series-${name}`, disabled: busy });
+    const words = seriesWords();
+    const [dropHere, seconds] = words.drop;
+    const field = (name: (typeof COUNTS)[number] | "framesPerSecond") =>
+      settingField(this.settings, name, {
+        ...words.fields[name],
+        testId: `series-${name}`,
+        disabled: busy,
+      });
     return html`
-      <header class="panel-head"><h2>Tables</h2>
+      <header class="panel-head"><h2>${words.tables}</h2>
         ${fileButton({
-          label: "Open",
-          meaning: "Open tables (.csv) or a model of tables (.json)",
+          label: words.open,
+          meaning: words.openMeaning,
           testId: "open-series",
           accept: ".csv,.json,text/csv,application/json",
           multiple: true,
@@ -86,31 +89,30 @@ export class SeriesPage extends View {
         })}
       </header>
       ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice, lab().files.dismiss))}
-      <p class="hint">Drop CSV files anywhere, one a trial: names in the first row, then a row of numbers a moment. A column <code>time</code> holds seconds.
-        They stay on this machine, and only as long as this page is open.</p>
+      <p class="hint">${dropHere} <code>${TIME_COLUMN}</code> ${seconds}</p>
       <pg-tables .tables=${tables} ?busy=${busy}></pg-tables>
       ${progressRow({
         progress: training,
-        verb: ["Train", "Training", "Trained"],
+        verb: [words.train, words.training, words.trained],
         testIds: ["series-train", "series-cancel", "series-words"],
         whyNot: training.whyNot,
-        hint: "Learns how the columns of each part go on, and which part drives which.",
+        hint: words.hint,
         start: () => void training.train(),
       })}
       <div class="fields">
-        ${COUNTS.map((row) => field(...row))}
-        ${timeless ? field("framesPerSecond", "Rows a second", "How fast rows follow each other: the tables have no column of times") : nothing}
+        ${COUNTS.map(field)}
+        ${timeless ? field("framesPerSecond") : nothing}
       </div>`;
   }
 
   #begin() {
+    const words = seriesWords().begin;
     return html`
       <section class="panel series-empty">
-        <h2>Curves that are no body</h2>
-        <p>Forces, joint torques, muscle activity, prices, two machines: whatever you measured several of at once. Columns are put into parts; each part gets a
-          latent space, and the couplings say which part drives which. A model of tables is one file, like all others.</p>
-        <button class="small primary" data-testid="series-example" @click=${() => this.#open(exampleFiles())}>Open an example</button>
-        <p class="hint">Two made-up machines, by a formula; the second follows the first a little later.</p>
+        <h2>${words.title}</h2>
+        <p>${words.text}</p>
+        <button class="small primary" data-testid="series-example" @click=${() => this.#open(exampleFiles())}>${words.example}</button>
+        <p class="hint">${words.machines}</p>
       </section>`;
   }
 
@@ -118,13 +120,15 @@ export class SeriesPage extends View {
     const { clock } = this.series.model;
     const { playing, lastFrame: last } = clock;
     const frame = Math.floor(clock.frame + 1e-6);
+    const words = seriesWords();
+    const { time } = lab();
     return html`
-      <div class="timeline" role="group" aria-label="Time">
-        <button class="round primary" data-testid="series-play" aria-label=${playing ? "Pause" : "Play"} title=${playing ? "Pause (space)" : "Play (space)"}
+      <div class="timeline" role="group" aria-label=${time.label}>
+        <button class="round primary" data-testid="series-play" aria-label=${playing ? time.pause : time.play} title=${playing ? time.pauseMeaning : time.playMeaning}
           @click=${() => clock.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
-        <div class="scrub"><input type="range" aria-label="Row" data-testid="series-scrub" min="0" max=${last} step="1" .value=${String(frame)}
-          aria-valuetext="Row ${frame + 1} of ${last + 1}" @input=${(event: Event) => clock.scrub((event.target as HTMLInputElement).valueAsNumber)} /></div>
-        <output class="clock" aria-hidden="true"><b>${frame + 1}</b><span> of ${last + 1}</span></output>
+        <div class="scrub"><input type="range" aria-label=${words.row} data-testid="series-scrub" min="0" max=${last} step="1" .value=${String(frame)}
+          aria-valuetext=${words.rowOf(frame + 1, last + 1)} @input=${(event: Event) => clock.scrub((event.target as HTMLInputElement).valueAsNumber)} /></div>
+        <output class="clock" aria-hidden="true"><b>${frame + 1}</b><span> ${words.of(last + 1)}</span></output>
       </div>`;
   }
 
@@ -133,49 +137,48 @@ export class SeriesPage extends View {
     const { opened, recorded, sequence } = model;
     if (!opened) return this.#begin();
     const { parts, sequences, alpha, provenance } = opened.info;
+    const words = seriesWords();
     return html`
-      <section class="panel series-stage" aria-label="Curves">
+      <section class="panel series-stage" aria-label=${words.curves}>
         <header class="panel-head">
-          <h2>Curves</h2>
+          <h2>${words.curves}</h2>
           ${
             sequences.length > 1
-              ? html`<label class="start">Start as <select data-testid="series-start" @change=${(
+              ? html`<label class="start">${words.startAs} <select data-testid="series-start" @change=${(
                   event: Event,
                 ) => model.setSequence(Number((event.target as HTMLSelectElement).value))}>
                 ${sequences.map(({ name }, i) => html`<option value=${i} .selected=${i === sequence}>${name}</option>`)}</select></label>`
               : nothing
           }
           <div class="button-row">
-            <button class="small" data-testid="save-curves" title="A row a frame, a column for each curve" @click=${() => void this.#saveCurves()}>${icon("save")} Curves, CSV</button>
-            <button class="small" data-testid="save-series" title="Opens here and in the terminal" @click=${() => model.save()}>${icon("save")} Model, JSON</button>
+            <button class="small" data-testid="save-curves" title=${words.saveCurvesMeaning} @click=${() => void this.#saveCurves()}>${icon("save")} ${words.saveCurves}</button>
+            <button class="small" data-testid="save-series" title=${words.saveModelMeaning} @click=${() => model.save()}>${icon("save")} ${words.saveModel}</button>
           </div>
         </header>
         <pg-series-curves .model=${model} data-testid="series-curves"></pg-series-curves>
         ${this.#controls()}
         <p class="hint">${
-          recorded
-            ? "In colour: the model on its own, from the first rows of the table on. Dashed: what was recorded."
-            : "The model on its own. Its file does not hold what was recorded: open the tables to see them dashed."
-        } Trained by ${provenance.engine}, ${provenance.iterations} iterations, seed ${provenance.settings.seed}.</p>
+          recorded ? words.recorded : words.notRecorded
+        } ${words.provenance(provenance.engine, provenance.iterations, provenance.settings.seed)}</p>
       </section>
-      <section class="panel series-latents" aria-label="Latent spaces">
-        <header class="panel-head"><h2>Latent spaces</h2></header>
+      <section class="panel series-latents" aria-label=${words.latents}>
+        <header class="panel-head"><h2>${words.latents}</h2></header>
         ${
           alpha
             ? html`<div class="plots">${parts.map((_, part) => html`<pg-series-latent .model=${model} .bodyPart=${part}></pg-series-latent>`)}</div>`
             : nothing
         }
       </section>
-      <section class="panel series-couplings" aria-label="Couplings">
-        <header class="panel-head"><h2>Couplings</h2>
-          <p class="hint">Which part decides about which. Right is strong: small α, large w.</p></header>
+      <section class="panel series-couplings" aria-label=${words.couplings}>
+        <header class="panel-head"><h2>${words.couplings}</h2>
+          <p class="hint">${words.couplingsMeaning}</p></header>
         ${seriesCouplings(model)}
       </section>`;
   }
 
   protected override render() {
     return html`
-      <section class="panel panels-setup" aria-label="Tables and training">${this.#setup()}</section>
+      <section class="panel panels-setup" aria-label=${seriesWords().setup}>${this.#setup()}</section>
       <div class="panels-found series-found">${this.#model()}</div>`;
   }
 }

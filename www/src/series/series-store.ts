@@ -10,6 +10,7 @@ import { Store } from "../ui/store";
 import { mayLose, type Work } from "../unsaved/unsaved";
 import { SeriesClock } from "./series-clock";
 import type { TableEntry, TablesStore } from "./tables-store";
+import { seriesWords } from "../words/series";
 
 /**
  * The length of a rollout divided by the length of its table. It is above 1 to show also the time after the
@@ -95,9 +96,7 @@ export class SeriesStore extends Store {
 
   /** The unsaved model, which would be lost; null if there is none. */
   get unsaved(): Work | null {
-    return this.#opened?.unsaved
-      ? { what: "the model of tables that was trained here", save: () => this.save() }
-      : null;
+    return this.#opened?.unsaved ? { what: seriesWords().unsaved, save: () => this.save() } : null;
   }
 
   /** Saves the model as a file on the visitor's disk. */
@@ -150,7 +149,7 @@ export class SeriesStore extends Store {
   /** The shown rollout as CSV: one row for each frame, with the columns of the model. */
   async csv(): Promise<string> {
     const [opened, rolled] = [this.#opened, this.#rolled];
-    if (!opened || !rolled) throw new Error("There is no model yet: train one or open one.");
+    if (!opened || !rolled) throw new Error(seriesWords().noModel);
     return this.#document.ask(opened.text, (worker) => worker.seriesCsv(rolled.asked));
   }
 
@@ -164,7 +163,7 @@ export class SeriesStore extends Store {
   }
 
   async #roll(asked: SeriesRequest, opened = this.#opened): Promise<Rolled> {
-    if (!opened) throw new Error("There is no model yet: train one or open one.");
+    if (!opened) throw new Error(seriesWords().noModel);
     const { text, info } = opened;
     const ask = (asked: SeriesRequest) => this.#document.ask(text, (worker) => worker.rolloutSeries(asked));
     const before =

@@ -6,6 +6,7 @@ import { ProgressStore } from "../training/progress-store";
 import { mayLose } from "../unsaved/unsaved";
 import type { SeriesStore } from "./series-store";
 import type { TablesStore } from "./tables-store";
+import { seriesWords } from "../words/series";
 
 export class SeriesTrainingStore extends ProgressStore<TrainedSeries> {
   readonly #whole: WholeWorkers;
@@ -29,8 +30,8 @@ export class SeriesTrainingStore extends ProgressStore<TrainedSeries> {
   /** The reason why training cannot start now; empty if it can. */
   get whyNot(): string {
     const { ticked, clash } = this.#tables;
-    if (ticked.length === 0) return "Open a table, or tick one.";
-    return clash ? "The ticked tables do not go together." : "";
+    if (ticked.length === 0) return seriesWords().openFirst;
+    return clash ? seriesWords().clash : "";
   }
 
   /** Trains a model and shows it instead of the current one. */

@@ -7,6 +7,8 @@ import { memberRow, partColours, partNames } from "../clips/part-names";
 import { View } from "../ui/view";
 import { placeOf } from "./parts-of-columns";
 import type { TableEntry, TablesStore } from "./tables-store";
+import { lab } from "../words/lab";
+import { seriesWords } from "../words/series";
 
 export class TablesView extends View {
   static override properties = { busy: { type: Boolean } };
@@ -21,14 +23,15 @@ export class TablesView extends View {
   #table(table: TableEntry) {
     const { tables, busy } = this;
     const { name, rows, columns, frameTime } = table.info;
-    const long = frameTime === null ? "" : `, ${((rows - 1) * frameTime).toFixed(1)} s`;
+    const { clips } = lab().learn;
+    const seconds = frameTime === null ? null : clips.seconds((rows - 1) * frameTime);
     return html`
       <li class="clip">
-        <label class="tick-label"><input type="checkbox" aria-label="Train on ${name}" .checked=${table.ticked} ?disabled=${busy}
+        <label class="tick-label"><input type="checkbox" aria-label=${clips.tick(name)} .checked=${table.ticked} ?disabled=${busy}
           @change=${(event: Event) => void tables.tick(table, (event.target as HTMLInputElement).checked)} />
           <span class="clip-title" title=${name}>${name}</span></label>
-        <span class="clip-length">${rows} rows of ${columns.length}${long}</span>
-        <button class="round" aria-label="Remove ${name}" title="Remove" ?disabled=${busy} @click=${() => void tables.remove(table)}>${icon("close")}</button>
+        <span class="clip-length">${seriesWords().size(rows, columns.length, seconds)}</span>
+        <button class="round" aria-label=${clips.removeOf(name)} title=${clips.remove} ?disabled=${busy} @click=${() => void tables.remove(table)}>${icon("close")}</button>
       </li>`;
   }
 
@@ -53,7 +56,7 @@ export class TablesView extends View {
         tables.columns.length === 0
           ? nothing
           : html`
-          <h3>Parts</h3>
+          <h3>${seriesWords().parts}</h3>
           <div class="series-parts">
             ${partNames({
               parts,
@@ -65,7 +68,7 @@ export class TablesView extends View {
               remove: (part) => tables.removePart(part),
               add: () => tables.addPart(),
             })}
-            <ul class="joint-tree" tabindex="0" aria-label="Columns and their parts">${tables.columns.map((column) => this.#column(column, colours))}</ul>
+            <ul class="joint-tree" tabindex="0" aria-label=${seriesWords().columns}>${tables.columns.map((column) => this.#column(column, colours))}</ul>
           </div>`
       }`;
   }

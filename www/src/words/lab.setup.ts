@@ -1,9 +1,13 @@
 // For tests: the English words of the Lab and of its views.
+import { loadCompare } from "./compare";
 import { loadHelp } from "./help";
 import { loadLab } from "./lab";
 import { loadNumbers } from "./numbers";
+import { loadPrimitives } from "./primitives";
+import { loadSeries } from "./series";
 import { loadSession } from "./session";
 import type { WordsStore } from "./words";
 
 const english = { language: "en", on: () => () => {} } as unknown as WordsStore;
-for (const load of [loadLab, loadHelp, loadNumbers, loadSession]) await load(english);
+for (const load of [loadLab, loadCompare, loadHelp, loadNumbers, loadPrimitives, loadSeries, loadSession])
+  await load(english);

@@ -6,7 +6,7 @@ const SOURCES = import.meta.glob<string>(
     // The frame of the Lab, its stage and the tabs.
     "../app/{site-head,page,header,lead,caption,stage-words,health-words,save-menu,help}.ts",
     "../couplings/**/*.ts",
-    "../{clips,details,latents,live,session,training,unsaved}/**/*.ts",
+    "../{clips,comparison,details,figures,latents,live,primitives,series,session,training,unsaved}/**/*.ts",
     "../settings/*-field.ts",
     "../stage/timeline.ts",
     "!../**/*.test.ts",
@@ -52,7 +52,8 @@ function wordsInTemplates(source: string): string[] {
     ];
     const between = text.replace(/<!--.*?-->/gs, " ").replace(/<[^>]*>/gs, " ");
     return [between, ...attributes.map(([, value = ""]) => value)].flatMap(
-      (words) => words.match(/\p{L}[\p{L}’' ]*\p{L}/gu) ?? [],
+      // Not the names of formats and measures, such as CSV.
+      (words) => (words.match(/\p{L}[\p{L}’' ]*\p{L}/gu) ?? []).filter((found) => /\p{Ll}/u.test(found)),
     );
   });
 }

@@ -36,6 +36,11 @@ export const files: FilesWords = {
     outlook: "Der Ausblick konnte nicht geladen werden",
     why: "Ist dieses Gerät offline? Lade die Seite neu, sobald es online ist.",
   },
+  figures: {
+    csv: "Die Zahlen dieser Abbildung speichern",
+    png: "Ein Bild dieser Abbildung speichern",
+    oneTrial: "ein Versuch",
+  },
   newVersion: {
     title: "Die neue Version jetzt laden?",
     text: (running) => `Damit endet, was hier läuft: ${running.join(" und ")}.`,

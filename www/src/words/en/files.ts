@@ -35,6 +35,11 @@ export const files = {
     outlook: "What may come could not be loaded",
     why: "Is this machine offline? Reload the page when it is online.",
   },
+  figures: {
+    csv: "Save the numbers of this figure",
+    png: "Save a picture of this figure",
+    oneTrial: "one trial",
+  },
   newVersion: {
     title: "Load the new version now?",
     text: (running: readonly string[]) => `Loading it ends what runs here: ${running.join(" and ")}.`,

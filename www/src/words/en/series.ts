@@ -1,0 +1,78 @@
+/** The view Time series. */
+export const series = {
+  setup: "Tables and training",
+  tables: "Tables",
+  open: "Open",
+  openMeaning: "Open tables (.csv) or a model of tables (.json)",
+  /** Around the name of the column. */
+  drop: [
+    "Drop CSV files anywhere, one a trial: names in the first row, then a row of numbers a moment. A column",
+    "holds seconds. They stay on this machine, and only as long as this page is open.",
+  ],
+  train: "Train",
+  training: "Training",
+  trained: "Trained",
+  hint: "Learns how the columns of each part go on, and which part drives which.",
+  openFirst: "Open a table, or tick one.",
+  clash: "The ticked tables do not go together.",
+  fields: {
+    latent: { label: "Latent dimensions", hint: "The dimensions of each part’s latent space" },
+    dynamicsIps: { label: "Dynamics points", hint: "Inducing points of each coupling’s dynamics" },
+    poseIps: {
+      label: "Observation points",
+      hint: "Inducing points of the map from each part’s latents to its columns",
+    },
+    order: { label: "Rows of history", hint: "The order of the dynamics" },
+    maxIterations: { label: "Iterations at most", hint: "The optimiser stops here at the latest" },
+    seed: { label: "Seed", hint: "The seed of everything random" },
+    framesPerSecond: {
+      label: "Rows a second",
+      hint: "How fast rows follow each other: the tables have no column of times",
+    },
+  },
+  begin: {
+    title: "Curves that are no body",
+    text: "Forces, joint torques, muscle activity, prices, two machines: whatever you measured several of at once. Columns are put into parts; each part gets a latent space, and the couplings say which part drives which. A model of tables is one file, like all others.",
+    example: "Open an example",
+    machines: "Two made-up machines, by a formula; the second follows the first a little later.",
+  },
+  parts: "Parts",
+  columns: "Columns and their parts",
+  size: (rows: number, columns: number, seconds: string | null) =>
+    `${rows} rows of ${columns}${seconds === null ? "" : `, ${seconds}`}`,
+  row: "Row",
+  rowOf: (row: number, rows: number) => `Row ${row} of ${rows}`,
+  of: (rows: number) => `of ${rows}`,
+  curves: "Curves",
+  startAs: "Start as",
+  saveCurves: "Curves, CSV",
+  saveCurvesMeaning: "A row a frame, a column for each curve",
+  saveModel: "Model, JSON",
+  saveModelMeaning: "Opens here and in the terminal",
+  recorded:
+    "In colour: the model on its own, from the first rows of the table on. Dashed: what was recorded.",
+  notRecorded:
+    "The model on its own. Its file does not hold what was recorded: open the tables to see them dashed.",
+  provenance: (engine: string, iterations: number, seed: number) =>
+    `Trained by ${engine}, ${iterations} iterations, seed ${seed}.`,
+  latents: "Latent spaces",
+  path: (part: string) => `The path of ${part} through its latent space`,
+  couplings: "Couplings",
+  couplingsMeaning: "Which part decides about which. Right is strong: small α, large w.",
+  noCouplings: "A model of this kind has no couplings and no latent spaces: only its curves are shown.",
+  changed: "What a changed coupling means",
+  readings: {
+    "re-inferred":
+      "Under changed couplings the experts are inferred again from what the training left of the data",
+    "as-learned": "The experts stay as learned; only how much each counts is changed",
+  },
+  reset: "All as learned",
+  overTime: "Columns over time",
+  time: "time (s)",
+  curve: (name: string, recorded: boolean) =>
+    `${name} against time, rolled out${recorded ? " and recorded" : ""}`,
+  unsaved: "the model of tables that was trained here",
+  noModel: "There is no model yet: train one or open one.",
+};
+
+export type SeriesWords = typeof series;
