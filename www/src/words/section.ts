@@ -46,9 +46,12 @@ export function viewWords<Section>(loaders: Readonly<Record<Language, () => Prom
     },
     /** Gives the words to `use`; in the story they load first, in the language of the document. */
     soon(use: (words: Section) => void): void {
+      if (section?.loaded) {
+        use(section.now);
+        return;
+      }
       const language = document.documentElement.lang === "de" ? "de" : "en";
-      if (section?.loaded) use(section.now);
-      else void loaders[language]().then(use);
+      void loaders[language]().then(use);
     },
     async load(words: WordsStore): Promise<void> {
       if (!section) {
