@@ -43,3 +43,29 @@ it("a pulled hand or foot takes a part off its loop, and four seconds later the 
       }
   remove();
 });
+
+it("arms follow driven legs at half to twice the learned pace, forward and back, and stop when they stop", async () => {
+  const { vcgpdm, remove } = await installPackage();
+  const model = vcgpdm.Model.fromJson(readFileSync(at("www/public/first/model.json"), "utf8"));
+  const rollout = model.rollout({ frames: 300, sequence: 0, alpha: null, reading: "as-learned" });
+  const wrapped = (/** @type {number} */ turns) => turns - Math.round(turns);
+  // The learned step takes 34 frames.
+  for (const perTurn of [68, 45, 34, 25, 17, -68, -34, Number.POSITIVE_INFINITY]) {
+    const live = new vcgpdm.LiveRollout(rollout, 250);
+    let [arms, before] = [0, live.advance(1).phases()[1] ?? Number.NaN];
+    for (let frame = 0; frame < 300; frame++) {
+      live.drive(0, 1 / perTurn);
+      const now = live.advance(1).phases()[1] ?? Number.NaN;
+      arms += wrapped(now - before);
+      before = now;
+    }
+    // They need a moment to catch up, at twice the pace up to one turn.
+    const legs = 300 / perTurn;
+    assert.ok(Math.abs(arms - legs) < 1.2, `legs ${legs} turns, arms ${arms}`);
+  }
+  const live = new vcgpdm.LiveRollout(rollout, 250);
+  assert.throws(() => live.drive(2, 0), /expected a part from 0 to 1, found 2/);
+  assert.throws(() => live.drive(0, 99), /expected from -10 to 10 turns, found 99/);
+  live.release(1);
+  remove();
+});

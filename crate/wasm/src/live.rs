@@ -81,6 +81,19 @@ impl LiveRollout {
         Ok(self.live.push(&Push { part, by, ..Push::default() })?)
     }
 
+    /// Drives a part round its learned cycle, by `turns` within the next frames that are asked for; with 0 it
+    /// stands still. It is driven until it is released.
+    pub fn drive(&mut self, part: &Whole, turns: f64) -> Result<(), VcgpdmError> {
+        let part = part.count(ErrorCode::Rollout, "the part")?;
+        Ok(self.live.drive(part, turns)?)
+    }
+
+    /// Lets a driven part go on by itself.
+    pub fn release(&mut self, part: &Whole) -> Result<(), VcgpdmError> {
+        self.live.release(part.count(ErrorCode::Rollout, "the part")?);
+        Ok(())
+    }
+
     /// Pushes the part of a node of the figure so that the node moves by about x, y and z metres.
     pub fn pull(&mut self, node: &Whole, x: f64, y: f64, z: f64) -> Result<(), VcgpdmError> {
         let node = node.count(ErrorCode::Rollout, "the node")?;

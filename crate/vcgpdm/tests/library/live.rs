@@ -72,3 +72,42 @@ fn parts_on_the_cycle_are_in_phase_and_a_push_moves_a_part_off_it() {
     let pushed = live.advance(model, &dynamics, 1).unwrap().places;
     assert!(pushed[1].distance > 0.3, "{pushed:?}");
 }
+
+#[test]
+fn a_driven_part_has_the_phase_that_it_is_given_and_the_other_follows() {
+    let model = start_model();
+    let model = model.coupled().unwrap();
+    let rollout = model.rollout(&RolloutRequest { frames: 250, ..RolloutRequest::default() }).unwrap();
+    let mut live = LiveRollout::after(model, &rollout, 240, 0).unwrap();
+    let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
+    let begin = live.clone().advance(model, &dynamics, 1).unwrap().places;
+    let apart = |a: f64, b: f64| (a - b + 0.5).rem_euclid(1.0) - 0.5;
+    // Held still, the lower body stays, and the arms cannot go on for long without it.
+    let mut held = live.clone();
+    held.drive(0, 0.0).unwrap();
+    let still = held.advance(model, &dynamics, 90).unwrap();
+    let lower = &still.latents[0];
+    assert!((lower.row(89) - lower.row(60)).amax() < 1e-6);
+    // Half a turn in 20 frames, in one request or in several.
+    live.drive(0, 0.5).unwrap();
+    let driven = live.clone().advance(model, &dynamics, 20).unwrap();
+    let places: Vec<_> = driven.places.chunks_exact(2).map(|both| (both[0].phase, both[1].phase)).collect();
+    let turned = apart(places[19].0, begin[0].phase);
+    assert!((turned.abs() - 0.5).abs() < 0.06, "{turned}");
+    assert!(places.windows(2).all(|pair| (apart(pair[1].0, pair[0].0) - 0.025).abs() < 0.02), "{places:?}");
+    // Back again: the arms are drawn along, so they are not where they would be by themselves.
+    let mut back = live.clone();
+    back.advance(model, &dynamics, 20).unwrap();
+    back.drive(0, -0.5).unwrap();
+    let returned = back.advance(model, &dynamics, 20).unwrap();
+    assert!((returned.latents[0].row(19) - lower.row(89)).amax() < 0.2);
+    back.release(0);
+    let free = back.advance(model, &dynamics, 120).unwrap().places;
+    let last = &free[free.len() - 2..];
+    assert!(apart(last[0].phase, last[1].phase).abs() < 0.1 && last[0].distance < 0.5, "{last:?}");
+
+    let error = |part, turns| live.clone().drive(part, turns).unwrap_err().to_string();
+    assert_eq!(error(0, f64::NAN), "expected from -10 to 10 turns, found NaN");
+    assert_eq!(error(0, 11.0), "expected from -10 to 10 turns, found 11");
+    assert!(error(2, 0.5).starts_with("expected a part"), "{}", error(2, 0.5));
+}

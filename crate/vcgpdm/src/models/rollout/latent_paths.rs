@@ -83,7 +83,20 @@ impl LatentPaths {
         }
     }
 
-    /// Drops all but the last frames that a prediction or a push needs.
+    /// The newest latents `[Q_i]` of a part.
+    pub(crate) fn newest(&self, part: usize) -> &[f64] {
+        let path = &self.paths[part];
+        &path[path.len() - self.latent[part]..]
+    }
+
+    /// Replaces the newest latents of a part.
+    pub(crate) fn set_newest(&mut self, part: usize, latents: &[f64]) {
+        let (path, q) = (&mut self.paths[part], self.latent[part]);
+        let newest = path.len() - q;
+        path[newest..].copy_from_slice(latents);
+    }
+
+    /// Drops all but the last frames that a prediction, a push or a drive needs.
     pub(crate) fn forget(&mut self) {
         for (path, q) in self.paths.iter_mut().zip(&self.latent) {
             path.drain(..path.len().saturating_sub(self.order.max(2) * q));

@@ -13,6 +13,22 @@ const DIFFERENCE: f64 = 1e-4;
 /// Regularisation of a pull, in metres squared: a joint that moves less than its root for a latent step of 1
 /// is hardly pushed.
 const STIFFNESS: f64 = 1e-4;
+/// A driven part that was beside its cycle keeps this share of the distance from one frame to the next.
+const APPROACH: f64 = 0.8;
+/// Turns of a drive at a time, forward or back.
+const MOST_TURNS: f64 = 10.0;
+
+/// A part that somebody drives round its learned cycle.
+#[derive(Clone, Debug)]
+struct Drive {
+    part: usize,
+    /// In turns.
+    phase: f64,
+    /// Turns that are left for the next frames.
+    ahead: f64,
+    /// The rest of the distance from the cycle at the beginning `[Q_i]`.
+    beside: Vec<f64>,
+}
 
 /// A rollout without an end.
 #[derive(Clone, Debug)]
@@ -20,6 +36,7 @@ pub struct LiveRollout {
     paths: LatentPaths,
     track: RootTrack,
     cycle: Option<Cycle>,
+    drives: Vec<Drive>,
 }
 
 /// The next frames of a live rollout.
@@ -58,7 +75,7 @@ impl LiveRollout {
         let mut track = model.body.mapping.track(&RootStart::default());
         model.body.mapping.continue_positions(&rollout.y.rows(0, newest + 1).into_owned(), &mut track)?;
         let paths = LatentPaths::new(&start, order, &model.model.latent_dimensions())?;
-        Ok(Self { paths, track, cycle: model.model.cycle(sequence)? })
+        Ok(Self { paths, track, cycle: model.model.cycle(sequence)?, drives: Vec::new() })
     }
 
     /// The next `frames` frames under these dynamics of the model.
@@ -75,7 +92,13 @@ impl LiveRollout {
         model.check_frames(frames)?;
         self.paths.forget();
         let before = self.paths.frames();
-        dynamics.extend(&mut self.paths, before + frames);
+        if self.drives.is_empty() {
+            dynamics.extend(&mut self.paths, before + frames);
+        }
+        for end in self.paths.frames()..before + frames {
+            dynamics.extend(&mut self.paths, end + 1);
+            self.drive_newest(before + frames - end);
+        }
         let latents = self.paths.matrices(before..before + frames);
         let y = model.body.columns(&model.model.observations(&latents));
         let positions = model.body.mapping.continue_positions(&y, &mut self.track)?;
@@ -96,6 +119,50 @@ impl LiveRollout {
         push.check(self.paths.latent())?;
         self.paths.push(push);
         Ok(())
+    }
+
+    /// Drives a part round its learned cycle, by `turns` within the next frames that are asked for; with 0 it
+    /// stands still. The other parts see it and go on by themselves. It is driven until it is released.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such part, the learned rollout does not repeat itself, or there are more than 10 turns.
+    pub fn drive(&mut self, part: usize, turns: f64) -> Result<(), RolloutError> {
+        if !(turns.abs() <= MOST_TURNS) {
+            return Err(RolloutError::Turns { most: MOST_TURNS, found: turns });
+        }
+        let cycle = self.cycle.as_ref().ok_or(RolloutError::NoCycle)?;
+        if let Some(drive) = self.drives.iter_mut().find(|drive| drive.part == part) {
+            drive.ahead += turns;
+            return Ok(());
+        }
+        let count = self.paths.latent().len();
+        if part >= count {
+            return Err(RolloutError::Part { count, found: part });
+        }
+        let phase = cycle.place(part, self.paths.history(part)).map_or(0.0, |place| place.phase);
+        let on_cycle = cycle.latents(part, phase).unwrap_or_default();
+        let beside = self.paths.newest(part).iter().zip(on_cycle).map(|(x, on)| x - on).collect();
+        self.drives.push(Drive { part, phase, ahead: turns, beside });
+        Ok(())
+    }
+
+    /// Lets a driven part go: it goes on by itself from where it is.
+    pub fn release(&mut self, part: usize) {
+        self.drives.retain(|drive| drive.part != part);
+    }
+
+    /// Puts driven parts where they have to be in the newest frame; `frames` frames are left for its turns, this one included.
+    fn drive_newest(&mut self, frames: usize) {
+        for drive in &mut self.drives {
+            let step = drive.ahead / frames as f64;
+            drive.ahead -= step;
+            drive.phase += step;
+            drive.beside.iter_mut().for_each(|x| *x *= APPROACH);
+            let on_cycle = self.cycle.as_ref().and_then(|cycle| cycle.latents(drive.part, drive.phase));
+            let latents = on_cycle.into_iter().flatten().zip(&drive.beside).map(|(on, beside)| on + beside);
+            self.paths.set_newest(drive.part, &latents.collect::<Vec<_>>());
+        }
     }
 
     /// The push that moves a node of the figure, counted as in its positions, by about `by` metres: the

@@ -125,6 +125,17 @@ pub enum RolloutError {
         /// The number asked for.
         found: usize,
     },
+    /// A part cannot be driven round a cycle that does not exist.
+    #[error("expected a model whose learned rollout repeats itself, found one that does not")]
+    NoCycle,
+    /// A drive has too many turns.
+    #[error("expected from -{most} to {most} turns, found {found}")]
+    Turns {
+        /// The largest number, forward or back.
+        most: f64,
+        /// The number asked for.
+        found: f64,
+    },
     /// The figure has no such node.
     #[error("expected a node of the figure from 0 to {}, found {found}", count - 1)]
     Node {

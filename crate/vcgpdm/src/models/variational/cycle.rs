@@ -15,6 +15,8 @@ const SETTLING: usize = 300;
 pub struct Cycle {
     /// The histories of each part around the cycle [period x pQ_i].
     states: Vec<DMatrix<f64>>,
+    /// Order p of the dynamics.
+    order: usize,
     /// Root mean square distance of each part's states from their mean.
     radii: Vec<f64>,
 }
@@ -66,7 +68,7 @@ impl Cycle {
             (states.row_iter().map(|row| (row - &mean).norm_squared()).sum::<f64>() / count as f64).sqrt()
         };
         let radii: Vec<f64> = states.iter().map(radius).collect();
-        radii.iter().all(|radius| *radius > 1e-3).then_some(Self { states, radii })
+        radii.iter().all(|radius| *radius > 1e-3).then_some(Self { states, order, radii })
     }
 
     /// The place of a part with this `history` `[p Q_i]`, oldest frame first; `None` for a part that does not
@@ -85,6 +87,20 @@ impl Cycle {
         let square = (at - 0.25 * (before - after) * shift).max(0.0);
         let phase = ((nearest as f64 + shift) / count as f64).rem_euclid(1.0);
         Some(CyclePlace { phase, distance: square.sqrt() / radius })
+    }
+
+    /// The latents `[Q_i]` of a part at a phase of the cycle, in turns, by linear interpolation between its
+    /// frames; `None` for a part that does not exist.
+    pub fn latents(&self, part: usize, phase: f64) -> Option<Vec<f64>> {
+        let states = self.states.get(part)?;
+        let count = states.nrows();
+        // The oldest frame of a history comes first.
+        let newest =
+            states.columns(states.ncols() - states.ncols() / self.order, states.ncols() / self.order);
+        let at = phase.rem_euclid(1.0) * count as f64;
+        let (frame, share) = (at.floor() as usize, at.fract());
+        let (before, after) = (newest.row(frame % count), newest.row((frame + 1) % count));
+        Some(before.iter().zip(after.iter()).map(|(a, b)| a + share * (b - a)).collect())
     }
 }
 
@@ -120,6 +136,20 @@ mod tests {
             assert_relative_eq!(other.phase, place.phase, epsilon = 1e-12);
         }
         assert_eq!(cycle.place(2, &[]), None);
+    }
+
+    #[test]
+    fn latents_at_a_phase_have_this_phase() {
+        let cycle = circle(1.5);
+        for phase in [0.0, 0.26, 0.999, 1.26, -0.4] {
+            let step = 1.0 / 32.0;
+            let history =
+                [cycle.latents(0, phase - step).unwrap(), cycle.latents(0, phase).unwrap()].concat();
+            let found = cycle.place(0, &history).unwrap();
+            let apart = (found.phase - phase + 0.5).rem_euclid(1.0) - 0.5;
+            assert!(apart.abs() < 2e-3 && found.distance < 2e-2, "{phase} {found:?}");
+        }
+        assert_eq!(cycle.latents(2, 0.0), None);
     }
 
     #[test]
