@@ -138,7 +138,8 @@ export class PageView extends View {
   async #liveStore(): Promise<LiveStore | null> {
     try {
       const [live] = await Promise.all([this.app.live.get(), import("../live/live-view")]);
-      this.liveView ??= () => html`<pg-live .live=${live} .model=${this.app.model}></pg-live>`;
+      this.liveView ??= () =>
+        html`<pg-live .live=${live} .model=${this.app.model} .playback=${this.app.playback}></pg-live>`;
       return live;
     } catch {
       this.#notLoaded("live");

@@ -150,7 +150,10 @@ export type LiveChange =
   /** Moves a part in its latent space. */
   | { kind: "push"; part: number; by: number[] }
   /** Moves a node of the figure, in metres. */
-  | { kind: "pull"; node: number; by: [number, number, number] };
+  | { kind: "pull"; node: number; by: [number, number, number] }
+  /** Drives a part round its learned cycle, by turns within the next frames, until it is released. */
+  | { kind: "drive"; part: number; turns: number }
+  | { kind: "release"; part: number };
 
 /** A model with its rollout under the learned couplings. */
 export interface OpenedModel {

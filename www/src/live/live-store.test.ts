@@ -129,6 +129,35 @@ describe("a live rollout", () => {
     expect(live.marks.map((mark) => mark.kind === "push" && mark.part)).toEqual([1, 0]);
   });
 
+  it("drives a part by the sum of its turns until it is released, and asks for fewer frames ahead", async () => {
+    live.drive(0, 0.1);
+    expect(live.driven).toBeNull();
+    await live.start();
+    await pass(0.5);
+    const ahead = () => (live.track?.last ?? 0) - playback.frame;
+    expect(ahead()).toBeGreaterThan(2.4);
+    live.drive(0, 0);
+    live.drive(0, 0.25);
+    live.drive(0, -0.125);
+    expect(live.driven).toBe(0);
+    await pass(0.5);
+    expect(ahead()).toBeLessThan(2.1);
+    live.drive(1, 0.5);
+    expect(live.driven).toBe(1);
+    await pass(0.1);
+    live.release();
+    live.release();
+    expect(live.driven).toBeNull();
+    await pass(0.1);
+    expect(engine.live?.changes.slice(1)).toEqual([
+      { kind: "drive", part: 0, turns: 0.125 },
+      { kind: "release", part: 0 },
+      { kind: "drive", part: 1, turns: 0.5 },
+      { kind: "release", part: 1 },
+    ]);
+    expect(live.marks.map((mark) => mark.kind === "drive" && mark.to !== null && mark.part)).toEqual([0, 1]);
+  });
+
   it("ends with a clip on the stage, with another model, and when the model cannot go on", async () => {
     await live.start();
     stage.showClip({

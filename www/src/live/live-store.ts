@@ -17,10 +17,14 @@ import { lab } from "../words/lab";
 export const SHOWN_SECONDS = 12;
 /** Frames computed ahead of the clock. Actions of the visitor are visible this much later. */
 const LEAD = 3;
+/** The same while the visitor turns the wheel, who would feel the delay. */
+const DRIVEN_LEAD = 1;
 
 /** An action of the visitor, in frames from the start. */
 export type Mark =
   | { kind: "cut"; source: number; target: number; from: number; to: number | null }
+  /** The visitor drives a part by the wheel. */
+  | { kind: "drive"; part: number; from: number; to: number | null }
   /** A drag is one push: `began` is its first frame, `from` its last. */
   | { kind: "push"; part: number; began: number; from: number };
 
@@ -45,6 +49,8 @@ export class LiveStore extends Store {
   #trace: TracePoint[] = [];
   #marks: Mark[] = [];
   readonly #cuts = new Map<string, Extract<Mark, { kind: "cut" }>>();
+  /** The drive of the present; null without one. */
+  #drive: Extract<Mark, { kind: "drive" }> | null = null;
   /** Changes for the next frames. */
   #changes: LiveChange[] = [];
   #busy = false;
@@ -131,6 +137,7 @@ export class LiveStore extends Store {
     this.#sent = this.#couplings();
     [this.#trace, this.#marks, this.#changes] = [[], [], []];
     this.#cuts.clear();
+    this.#drive = null;
     const stored = Math.round(SHOWN_SECONDS / frameTime);
     const widths = parts.map(({ latent }) => latent);
     const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, stored, widths);
@@ -144,6 +151,7 @@ export class LiveStore extends Store {
     if (!this.#track) return;
     this.#track = null;
     this.#cuts.clear();
+    this.#drive = null;
     this.#stage.endLive();
     void this.#engine.engine?.endLive();
     this.changed();
@@ -190,6 +198,36 @@ export class LiveStore extends Store {
     this.#markPush(part);
   }
 
+  /** The part that the visitor drives; null without one. */
+  get driven(): number | null {
+    return this.#drive?.part ?? null;
+  }
+
+  /** Drives a part by turns round its learned cycle. With 0 it stands still. */
+  drive(part: number, turns: number): void {
+    if (!this.#track) return;
+    if (this.#drive?.part !== part) {
+      this.release();
+      this.#drive = { kind: "drive", part, from: this.#track.last + 1, to: null };
+      this.#marks.push(this.#drive);
+      this.#playback.play();
+    }
+    const last = this.#changes.at(-1);
+    if (last?.kind === "drive" && last.part === part) last.turns += turns;
+    else this.#changes.push({ kind: "drive", part, turns });
+    this.changed();
+  }
+
+  /** Lets the driven part go on by itself. */
+  release(): void {
+    const drive = this.#drive;
+    if (!drive || !this.#track) return;
+    this.#drive = null;
+    drive.to = this.#track.last + 1;
+    this.#changes.push({ kind: "release", part: drive.part });
+    this.changed();
+  }
+
   #partOf(node: number): number {
     const { model } = this.#model;
     const joint = model?.info.figure.nodes[node]?.joint ?? -1;
@@ -234,7 +272,8 @@ export class LiveStore extends Store {
     const now = performance.now();
     const seconds = Math.min(LONGEST_PICTURE, (now - this.#askedAt) / 1000);
     this.#askedAt = now;
-    const ahead = LEAD + (seconds * this.#settings.values.speed) / track.motion.frameTime;
+    const lead = this.#drive ? DRIVEN_LEAD : LEAD;
+    const ahead = lead + (seconds * this.#settings.values.speed) / track.motion.frameTime;
     if (track.last - this.#playback.frame >= ahead) return;
     this.#busy = true;
     const changes = this.#changes;
@@ -269,7 +308,7 @@ export class LiveStore extends Store {
     if (this.#trace.length > stored) this.#trace.splice(0, this.#trace.length - stored);
     const first = this.#trace[0]?.frame ?? 0;
     this.#marks = this.#marks.filter(
-      (mark) => (mark.kind === "cut" ? (mark.to ?? Infinity) : mark.from) >= first,
+      (mark) => (mark.kind === "push" ? mark.from : (mark.to ?? Infinity)) >= first,
     );
   }
 }

@@ -3,6 +3,7 @@ import { html, nothing } from "lit";
 import type { ModelStore } from "../couplings/model-store";
 import "../latents/push-handle";
 import type { PushPart } from "../latents/push-handle";
+import type { Playback } from "../stage/playback";
 import type { StageView } from "../stage/stage-view";
 import { clearCanvas } from "../ui/canvas";
 import { onThemeChange, partColourNow } from "../ui/palette";
@@ -10,7 +11,8 @@ import { View } from "../ui/view";
 import { letDragLimbs } from "./drag-limbs";
 import "./live.css";
 import { type LiveStore, type Mark, SHOWN_SECONDS } from "./live-store";
-import { distanceLines, type Pieces, phaseLines, cutsText } from "./strip";
+import { actionText, distanceLines, type Pieces, phaseLines } from "./strip";
+import "./wheel-view";
 import { lab } from "../words/lab";
 
 /** The distance at the top of the chart, in radii. */
@@ -19,6 +21,7 @@ const FARTHEST = 1.5;
 export class LiveView extends View {
   declare live: LiveStore;
   declare model: ModelStore;
+  declare playback: Playback;
 
   protected override stores() {
     return [this.live, this.model];
@@ -51,13 +54,14 @@ export class LiveView extends View {
     const words = lab().live;
     if (!live.running) return nothing;
     const isCyclic = (live.trace.at(-1)?.phases.length ?? 0) > 0;
-    const text = cutsText(live.marks, names) ?? words.hint;
+    const text = actionText(live.marks, names) ?? words.hint;
     return html`
       <div class="live-strip" data-testid="live">
         <p role="status">${text}</p>
         ${
           isCyclic
             ? html`
+          <pg-wheel .live=${live} .playback=${this.playback} .names=${names} .words=${words}></pg-wheel>
           <p class="strip-legend"><span>${words.ahead(names[0] ?? "")}</span><span>${words.distance}</span></p>
           <canvas role="img" aria-label=${words.chart(names[0] ?? "", names.slice(1))}></canvas>`
             : html`<p>${words.noPhase}</p>`
@@ -130,7 +134,7 @@ function drawMark(
     draw.setLineDash([]);
     return;
   }
-  draw.fillStyle = partColourNow(mark.source);
+  draw.fillStyle = partColourNow(mark.kind === "cut" ? mark.source : mark.part);
   draw.globalAlpha = 0.18;
   draw.fillRect(from, 0, x(mark.to ?? last) - from, height);
   draw.globalAlpha = 1;

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { TracePoint } from "./live-store";
-import { distanceLines, phaseDifference, phaseLines, cutsText } from "./strip";
+import { distanceLines, phaseDifference, phaseLines, actionText } from "./strip";
 
 const point = (frame: number, ...phases: number[]): TracePoint => ({
   frame,
@@ -31,7 +31,12 @@ it("has no lines for a model without a cycle", () => {
 
 it("names the coupling that is cut", () => {
   const cut = { kind: "cut" as const, source: 0, target: 1, from: 3, to: null };
-  expect(cutsText([cut], ["lower", "upper"])).toBe("upper does not hear lower");
-  expect(cutsText([{ ...cut, to: 9 }], ["lower", "upper"])).toBeNull();
-  expect(cutsText([cut, { ...cut, source: 1 }], ["lower", "upper"])).toBe("2 couplings are cut");
+  expect(actionText([cut], ["lower", "upper"])).toBe("upper does not hear lower");
+  expect(actionText([{ ...cut, to: 9 }], ["lower", "upper"])).toBeNull();
+  const drive = { kind: "drive" as const, part: 0, from: 2, to: null };
+  expect(actionText([cut, drive], ["lower", "upper"])).toBe(
+    "You move lower. The others follow as the couplings say.",
+  );
+  expect(actionText([{ ...drive, to: 3 }], ["lower", "upper"])).toBeNull();
+  expect(actionText([cut, { ...cut, source: 1 }], ["lower", "upper"])).toBe("2 couplings are cut");
 });

@@ -39,12 +39,14 @@ export function distanceLines(trace: readonly TracePoint[]): Pieces[] {
   ]);
 }
 
-/** A sentence about the couplings that are cut now; null without one. */
-export function cutsText(marks: readonly Mark[], names: readonly string[]): string | null {
+/** A sentence about the part that the visitor moves, or the couplings that are cut now; null without one. */
+export function actionText(marks: readonly Mark[], names: readonly string[]): string | null {
   const cuts = marks.flatMap((mark) => (mark.kind === "cut" && mark.to === null ? [mark] : []));
-  const [cut] = cuts;
-  if (!cut) return null;
   const name = (part: number) => names[part] ?? "";
   const words = lab().live;
+  const driven = marks.find((mark) => mark.kind === "drive" && mark.to === null);
+  if (driven?.kind === "drive") return words.driven(name(driven.part));
+  const [cut] = cuts;
+  if (!cut) return null;
   return cuts.length > 1 ? words.cuts(cuts.length) : words.cut(name(cut.source), name(cut.target));
 }

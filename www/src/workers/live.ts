@@ -58,6 +58,12 @@ export class Live {
       case "pull":
         rollout.pull(change.node, ...change.by);
         break;
+      case "drive":
+        rollout.drive(change.part, change.turns);
+        break;
+      case "release":
+        rollout.release(change.part);
+        break;
     }
   }
 }

@@ -182,7 +182,12 @@ export const lab: LabWords = {
     border: (target, one, other) => `Wer entscheidet, wohin ${target} geht: ${one} oder ${other}`,
   },
   live: {
-    hint: "Halte einen Pfeil des Körperbilds, um diese Kopplung abzuschneiden. Zieh ein Glied oder den Punkt eines latenten Raums, um einen Teil zu schieben.",
+    hint: "Halte einen Pfeil des Körperbilds, um diese Kopplung abzuschneiden. Zieh ein Glied oder den Punkt eines latenten Raums, um einen Teil zu schieben. Dreh das Rad, um einen Teil selbst zu bewegen.",
+    driven: (part) => `Du bewegst ${part}. Die anderen folgen, wie die Kopplungen es sagen.`,
+    wheel: (part) => `Rad: bewegt ${part} durch den Schritt. Pfeiltasten drehen es, Escape lässt los.`,
+    wheelMeaning:
+      "Zieh am Rand: Eine Umdrehung ist ein Schrittzyklus. Lass los, und das Modell macht weiter.",
+    youAre: "Du bist",
     cuts: (count) => `${count} Kopplungen sind abgeschnitten`,
     cut: (source, target) => `${target} hört ${source} nicht`,
     ahead: (part) => `Vorsprung vor ${part}, in Umläufen`,

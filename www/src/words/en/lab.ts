@@ -171,7 +171,11 @@ export const lab = {
       `Who decides where ${target} goes next: ${one} or ${other}`,
   },
   live: {
-    hint: "Hold an arrow of the body map to cut that coupling. Drag a limb or the dot of a latent plot to push a part.",
+    hint: "Hold an arrow of the body map to cut that coupling. Drag a limb or the dot of a latent plot to push a part. Turn the wheel to move a part yourself.",
+    driven: (part: string) => `You move ${part}. The others follow as the couplings say.`,
+    wheel: (part: string) => `Wheel: moves ${part} through its step. Arrow keys turn it, Escape lets go.`,
+    wheelMeaning: "Drag the rim: one turn is one step cycle. Let go, and the model goes on.",
+    youAre: "You are",
     cuts: (count: number) => `${count} couplings are cut`,
     cut: (source: string, target: string) => `${target} does not hear ${source}`,
     ahead: (part: string) => `ahead of ${part}, in turns`,
