@@ -64,6 +64,25 @@ it("measures how a pulled hand comes home, and lets the visitor pull again", asy
   await page.getByTestId("homecoming").waitFor({ state: "detached" });
   await wayHome(page);
 
+  // Be the legs: what the card says of the pull stays.
+  const said = await page.getByTestId("homecoming").innerText();
+  const legs = () =>
+    page.locator("pg-push-hands").evaluate((hands) => {
+      const { driven, trace } = /** @type {any} */ (hands).chapter.live;
+      return { driven, phase: trace.at(-1).phases[0] };
+    });
+  await page.getByTestId("wheel").focus();
+  await page.keyboard.press("ArrowLeft");
+  const begun = await legs();
+  assert.equal(begun.driven, 0);
+  for (let k = 0; k < 5; k++) await page.keyboard.press("ArrowLeft");
+  await page.waitForTimeout(600);
+  const turns = (await legs()).phase - begun.phase;
+  assert.ok(turns - Math.round(turns) < -0.15, `back by ${turns} turns`);
+  await page.keyboard.press("Escape");
+  assert.equal((await legs()).driven, null);
+  assert.equal(await page.getByTestId("homecoming").innerText(), said);
+
   await page.getByTestId("chapter-next").click();
   assert.equal(await page.locator("pg-push-hands").count(), 0);
   assert.deepEqual(problems, []);

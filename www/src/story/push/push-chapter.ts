@@ -2,6 +2,7 @@
 import { html, nothing } from "lit";
 import type { LiveStore, Mark } from "../../live/live-store";
 import { nodeNamed } from "../../scene/joint-node";
+import "../../live/wheel-view";
 import type { Settings } from "../../settings/settings";
 import { eachFrame } from "../../ui/each-frame";
 import { Store } from "../../ui/store";
@@ -61,11 +62,18 @@ export class PushChapter extends Store implements Chapter {
 
   stage() {
     const { stage, playback } = this.body;
-    const { figure, loops, parts } = this.#now;
+    const { figure, loops, parts, wheel } = this.#now;
+    const legs = this.live && this.#isMeasured ? this.live : null;
     return html`<div class="push">
       <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${figure}></pg-stage>
       <pg-push-hands .chapter=${this}></pg-push-hands>
       <pg-push-loops .chapter=${this} .label=${loops} .names=${parts}></pg-push-loops>
+      ${
+        legs
+          ? html`<div class="push-wheel"><b>${wheel.youAre}</b>
+              <pg-wheel .live=${legs} .playback=${playback} .names=${parts.slice(0, 1)} .words=${wheel}></pg-wheel></div>`
+          : nothing
+      }
     </div>`;
   }
 
@@ -89,15 +97,21 @@ export class PushChapter extends Store implements Chapter {
 
   reveal() {
     if (!this.isOpen) return null;
-    const { measuring, parts, away, home, lost, back, noFall } = this.#now;
+    const { measuring, parts, away, home, lost, back, noFall, wheel } = this.#now;
     const [push, way] = [this.#push, this.#way];
-    if (!push || !way || (way.seconds === null && !way.isLost)) return html`<p>${measuring}</p>`;
+    if (!push || !way || !this.#isMeasured) return html`<p>${measuring}</p>`;
     return html`
       <p data-testid="homecoming" data-seconds=${way.seconds ?? "never"}>
         ${away(parts[push.part] ?? "", way.farthest)}
         <b>${way.seconds === null ? lost : home(way.seconds, this.#limit ?? 0)}</b>
         ${this.#guess === "fall" ? noFall : way.seconds === null ? nothing : back}
-      </p>`;
+      </p>
+      <p>${wheel.invites}</p>`;
+  }
+
+  /** Whether the way home of the last push is known. */
+  get #isMeasured(): boolean {
+    return this.#way !== null && (this.#way.seconds !== null || this.#way.isLost);
   }
 
   equation() {
@@ -156,6 +170,8 @@ export class PushChapter extends Store implements Chapter {
     const push = live.marks.findLast((mark) => mark.kind === "push") ?? null;
     if (!push) this.#limit = homeLimit(live.trace, frameTime) ?? this.#limit;
     if (!push || this.#limit === null) return;
+    // Who turns the wheel after the push takes the arms from their loop once more.
+    if (live.marks.some((mark) => mark.kind === "drive" && mark.from > push.from)) return;
     const isOther = push !== this.#push;
     this.#push = push;
     const isDone = (way: Homecoming | null) => way !== null && (way.seconds !== null || way.isLost);

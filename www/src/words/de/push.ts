@@ -25,6 +25,13 @@ export const push: Words["chapters"]["push"] = {
     `${seconds(time)} später war alles zu Hause: näher als ${radii(limit)} Radien, doppelt so weit wie sonst.`,
   lost: "Er ist nicht nach Hause gekommen.",
   back: "Jede Schätzung führt näher an die Schleife.",
+  wheel: {
+    youAre: "Sei die Beine",
+    invites:
+      "Sei jetzt die Beine: Dreh das Rad, vor, zurück, schneller, langsamer. Die Arme sehen die Beine und folgen.",
+    wheel: (part) => `Rad: bewegt die ${part} durch ihren Schritt. Pfeiltasten drehen es, Escape lässt los.`,
+    wheelMeaning: "Zieh am Rand: Eine Umdrehung ist ein Schrittzyklus. Lass los, und das Modell geht weiter.",
+  },
   noFall: "Umfallen kann er nicht: Das Modell kennt Haltungen, kein Gewicht.",
   equation: (order) => `Der nächste Zustand hängt nur von den letzten ${order} Zuständen ab.`,
   figure:

@@ -25,6 +25,14 @@ export const push = {
     `${seconds(time)} later all was home: within ${radii(limit)} radii, twice as far as usual.`,
   lost: "It has not come home.",
   back: "Each guess leads nearer to the loop.",
+  wheel: {
+    youAre: "Be the legs",
+    invites:
+      "Now be the legs: turn the wheel, forward, back, faster, slower. The arms see the legs and follow.",
+    wheel: (part: string) =>
+      `Wheel: moves the ${part} through their step. Arrow keys turn it, Escape lets go.`,
+    wheelMeaning: "Drag the rim: one turn is one step cycle. Let go, and the model walks on.",
+  },
   noFall: "It cannot fall: the model knows poses, not weight.",
   equation: (order: number) => `The next state depends on the last ${order} states alone.`,
   figure:
