@@ -12,7 +12,7 @@ before(async () => {
 after(() => site?.close());
 
 describe("the worker that shows the model", () => {
-  it("is started again when it dies silently, with the same clips and model", async () => {
+  it("is started again when it dies silently, with the same model", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
     const model = await saved(page, "save-model");
@@ -31,7 +31,7 @@ describe("the worker that shows the model", () => {
     await page.getByTestId("coupling-0-1").fill("2.5");
     await page.waitForTimeout(500);
     assert.notEqual((await saved(page, "save-motion")).text, motion.text);
-    // The worker has the clips too.
+    // A clip is written by another worker.
     await openTab(page, "learn");
     await page.locator(".made summary").click();
     await page
@@ -45,7 +45,7 @@ describe("the worker that shows the model", () => {
 });
 
 describe("a worker that takes over", () => {
-  /** A visit whose replacements die when they read the clips again: the first of them, this many. */
+  /** A visit whose replacements die when they open the model again: the first of them, this many. */
   const visitWith = async (/** @type {number} */ deaths) => {
     const { page, ...rest } = await site.visit();
     await page.addInitScript((deaths) => {
@@ -62,7 +62,7 @@ describe("a worker that takes over", () => {
         }
         /** @param {any} message @param {any} transfer */
         postMessage(message, transfer) {
-          if (this.#dies && String(message?.path) === "sampleClip") this.terminate();
+          if (this.#dies && String(message?.path) === "openModel") this.terminate();
           else super.postMessage(message, transfer);
         }
       };

@@ -2,6 +2,7 @@
 //! foreign memory, and take a text in the place of a number or of bytes for zeros.
 
 use crate::error::{ErrorCode, VcgpdmError};
+#[cfg(feature = "training")]
 use js_sys::Uint8Array;
 use vcgpdm::models::variational::InducingError;
 use wasm_bindgen::prelude::*;
@@ -14,6 +15,11 @@ extern "C" {
     /// Declared as a whole number from 0 on.
     #[wasm_bindgen(typescript_type = "number")]
     pub type Whole;
+}
+
+#[cfg(feature = "training")]
+#[wasm_bindgen]
+extern "C" {
     /// Declared as bytes.
     #[wasm_bindgen(typescript_type = "Uint8Array")]
     pub type Bytes;
@@ -26,6 +32,7 @@ impl Text {
     }
 }
 
+#[cfg(feature = "training")]
 impl Bytes {
     /// A copy of the bytes; an error names them by `what`.
     pub fn get(&self, code: ErrorCode, what: &str) -> Result<Vec<u8>, VcgpdmError> {

@@ -1,13 +1,18 @@
 //! Clips and their descriptions.
 
-use crate::arguments::{Bytes, Text, Whole};
+use crate::arguments::Text;
+#[cfg(feature = "training")]
+use crate::arguments::{Bytes, Whole};
 use crate::body::BodyInfo;
 use crate::convert::{to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
+#[cfg(feature = "training")]
 use vcgpdm::models::{same_body, with_bones_of};
+#[cfg(feature = "training")]
+use vcgpdm::motion::bvh;
 use vcgpdm::motion::parts::PartsPreset;
-use vcgpdm::motion::{Clip as MotionClip, bvh, parts, samples};
+use vcgpdm::motion::{Clip as MotionClip, parts, samples};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -66,13 +71,6 @@ pub struct Clip {
 
 #[wasm_bindgen]
 impl Clip {
-    /// Reads a BVH file; a leading T-pose is dropped, with a warning. The error names the file, the line,
-    /// what was expected and what was found.
-    pub fn read(name: &Text, bytes: &Bytes) -> Result<Clip, VcgpdmError> {
-        let name = name.get(ErrorCode::Clip, "the name")?;
-        Ok(Clip { clip: bvh::read(&name, &bytes.get(ErrorCode::Clip, "the file")?)?.into_clip() })
-    }
-
     /// A clip that the project makes itself, by its id in `samples()`.
     pub fn sample(id: &Text) -> Result<Clip, VcgpdmError> {
         let id = id.get(ErrorCode::Clip, "the id of a sample")?;
@@ -87,13 +85,6 @@ impl Clip {
     #[wasm_bindgen(unchecked_return_type = "SampleInfo[]")]
     pub fn samples() -> Result<JsValue, VcgpdmError> {
         to_js(&samples::list())
-    }
-
-    /// The clip's name.
-    #[cfg(feature = "training")]
-    #[wasm_bindgen(getter)]
-    pub fn name(&self) -> String {
-        self.clip.name.clone()
     }
 
     /// Its name, size, body and warnings.
@@ -114,6 +105,28 @@ impl Clip {
         to_js_joined(&info, &BodyInfo::new(&clip.skeleton))
     }
 
+    /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
+    pub fn positions(&self) -> Vec<f32> {
+        self.clip.stage_positions()
+    }
+}
+
+#[cfg(feature = "training")]
+#[wasm_bindgen]
+impl Clip {
+    /// Reads a BVH file; a leading T-pose is dropped, with a warning. The error names the file, the line,
+    /// what was expected and what was found.
+    pub fn read(name: &Text, bytes: &Bytes) -> Result<Clip, VcgpdmError> {
+        let name = name.get(ErrorCode::Clip, "the name")?;
+        Ok(Clip { clip: bvh::read(&name, &bytes.get(ErrorCode::Clip, "the file")?)?.into_clip() })
+    }
+
+    /// The clip's name.
+    #[wasm_bindgen(getter)]
+    pub fn name(&self) -> String {
+        self.clip.name.clone()
+    }
+
     /// The frames from `first` up to but not including `end`.
     pub fn cut(&self, first: &Whole, end: &Whole) -> Result<Clip, VcgpdmError> {
         let first = first.count(ErrorCode::Clip, "the first frame")?;
@@ -122,7 +135,6 @@ impl Clip {
     }
 
     /// The clip at about another frame rate.
-    #[cfg(feature = "training")]
     pub fn resample(&self, frames_per_second: f64) -> Result<Clip, VcgpdmError> {
         Ok(Clip { clip: self.clip.resample(frames_per_second)? })
     }
@@ -139,11 +151,6 @@ impl Clip {
     pub fn to_bvh(&self) -> String {
         bvh::write(&self.clip)
     }
-
-    /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
-    pub fn positions(&self) -> Vec<f32> {
-        self.clip.stage_positions()
-    }
 }
 
 #[cfg(feature = "training")]
@@ -155,14 +162,15 @@ impl Clip {
 }
 
 /// The clips or tables that a model is trained on, one sequence each.
+#[cfg(feature = "training")]
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct TrainingSet {
     pub(crate) clips: Vec<MotionClip>,
-    #[cfg(feature = "training")]
     pub(crate) tables: Vec<vcgpdm::series::Table>,
 }
 
+#[cfg(feature = "training")]
 #[wasm_bindgen]
 impl TrainingSet {
     /// An empty set.
@@ -174,7 +182,6 @@ impl TrainingSet {
     /// Adds a clip. Throws the reason when its body differs from the first clip's, with the code "bones"
     /// where only its bones do; the set stays as it was.
     pub fn add(&mut self, clip: &Clip) -> Result<(), VcgpdmError> {
-        #[cfg(feature = "training")]
         if !self.tables.is_empty() {
             return Err(VcgpdmError::new(ErrorCode::Clips, &"expected a table as the others, found a clip"));
         }
@@ -186,7 +193,6 @@ impl TrainingSet {
     }
 
     /// Adds a table. Its columns may be in another order than those of the first table.
-    #[cfg(feature = "training")]
     #[wasm_bindgen(js_name = addTable)]
     pub fn add_table(&mut self, table: &crate::tables::Table) -> Result<(), VcgpdmError> {
         if !self.clips.is_empty() {
@@ -200,7 +206,6 @@ impl TrainingSet {
     }
 
     /// How many clips or tables there are.
-    #[cfg(feature = "training")]
     #[wasm_bindgen(getter)]
     pub fn length(&self) -> usize {
         self.clips.len() + self.tables.len()

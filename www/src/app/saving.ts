@@ -75,17 +75,17 @@ function motionFile({ name, body, motion, bvh }: StageMotion, what: "motion" | "
 }
 
 function movedClip(app: App): StageMotion | null {
-  const { engine } = app.engine;
+  const { clips } = app.engine;
   const clip = clipOnStage(app);
   const { content } = app.stage;
-  if (!engine || !clip || content?.kind !== "clip") return null;
-  const { loaded, first, end } = clip;
+  if (!clips || !clip || content?.kind !== "clip") return null;
+  const { loaded, source, first, end } = clip;
   return {
     name: clipName(clip),
     body: { ...loaded.info, parts: content.parts },
     // Only the frames that the cut keeps.
     motion: async () => content.motion,
-    bvh: () => engine.clipBvh(loaded.id, first, end),
+    bvh: () => clips.clipBvh({ id: loaded.id, source, first, end }),
   };
 }
 

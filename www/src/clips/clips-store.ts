@@ -1,6 +1,6 @@
 // The clips, made by the project or opened by the visitor: which are ticked, cut and on the stage.
 import type { EngineStore } from "../engine/engine-store";
-import type { Clash, ClipSource, LoadedClip, PartSpec, TrainingClip } from "../engine/protocol";
+import type { Clash, ClipSource, LoadedClip, PartSpec, ShownClip, TrainingClip } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import type { StageStore } from "../stage/stage-store";
 import { clipTitle, messageOf } from "../ui/format";
@@ -40,6 +40,7 @@ export class ClipsStore extends Store {
   #firstBones = false;
   #locked = false;
   #checks = 0;
+  #lastId = 0;
   /** The made clips that were unticked when the visitor opened own clips. */
   #steppedBack = new Set<string>();
 
@@ -116,7 +117,7 @@ export class ClipsStore extends Store {
     const { engine, samples } = this.#engine;
     if (!engine) return;
     for (const { id, title, movement } of samples) {
-      const loaded = await engine.sampleClip(id);
+      const loaded = this.#numbered(await engine.sampleClip(id));
       const ticked = movement === "walk";
       this.#add({ key: `made-${id}`, title, origin: "made", source: { sample: id }, loaded, ticked });
     }
@@ -126,11 +127,9 @@ export class ClipsStore extends Store {
 
   /** Opens a clip of the visitor. The first of several goes on the stage. */
   async open(file: File, first: boolean): Promise<void> {
-    const { engine } = this.#engine;
-    if (!engine) throw new Error("The page is still getting ready; try again in a moment.");
-    const bytes = new Uint8Array(await file.arrayBuffer());
-    const title = clipTitle(file.name);
-    const loaded = await engine.readClip(title, bytes);
+    // A copy of the bytes: the visitor may change the file on disk.
+    const source = { name: clipTitle(file.name), file: new Blob([await file.arrayBuffer()]) };
+    const loaded = await this.#read(source);
     // The visitor wants to train on own clips now, so that the made ones are unticked.
     if (first) {
       for (const { key, origin, ticked } of this.#clips)
@@ -138,14 +137,7 @@ export class ClipsStore extends Store {
       this.#clips = this.#clips.map((clip) => (clip.origin === "made" ? { ...clip, ticked: false } : clip));
     }
     const key = `own-${loaded.id}`;
-    this.#add({
-      key,
-      title,
-      origin: "own",
-      source: { name: title, file: new Blob([bytes]) },
-      loaded,
-      ticked: true,
-    });
+    this.#add({ key, title: source.name, origin: "own", source, loaded, ticked: true });
     if (first) this.show(key);
   }
 
@@ -158,11 +150,9 @@ export class ClipsStore extends Store {
 
   /** Takes up a clip of an earlier visit and returns its id in this one; null: this page has no such clip. */
   async takeUp({ key, title, origin, source, ticked, first, end }: StoredClip): Promise<number | null> {
-    const { engine } = this.#engine;
-    if (!engine) throw new Error("The page is still getting ready; try again in a moment.");
     let now = origin === "made" ? key : null;
     if (now === null && "file" in source) {
-      const loaded = await engine.readClip(source.name, new Uint8Array(await source.file.arrayBuffer()));
+      const loaded = await this.#read(source);
       now = `own-${loaded.id}`;
       this.#add({ key: now, title, origin, source, loaded, ticked });
     }
@@ -228,7 +218,6 @@ export class ClipsStore extends Store {
     this.#bringBack();
     if (this.#stage.clip === key) this.#stage.endClip();
     this.changed();
-    await this.#engine.engine?.dropClip(clip.loaded.id);
     await this.checkClash();
   }
 
@@ -236,10 +225,10 @@ export class ClipsStore extends Store {
   async checkClash(): Promise<void> {
     this.#checks += 1;
     const check = this.#checks;
-    const ids = this.ticked.map(({ loaded }) => loaded.id);
+    const clips = this.toTrainOn;
     let clash: Clash | null = null;
     try {
-      if (ids.length > 1) clash = (await this.#engine.engine?.checkTogether(ids, this.#firstBones)) ?? null;
+      if (clips.length > 1) clash = (await this.#engine.clips?.checkTogether(clips)) ?? null;
     } catch (problem) {
       clash = { words: messageOf(problem), bones: false };
     }
@@ -256,6 +245,17 @@ export class ClipsStore extends Store {
     if (this.#clips.some(({ origin, ticked }) => origin === "own" || ticked)) return;
     this.#clips = this.#clips.map((clip) => ({ ...clip, ticked: this.#steppedBack.has(clip.key) }));
     this.#steppedBack.clear();
+  }
+
+  async #read(source: ClipSource): Promise<LoadedClip> {
+    const { clips } = this.#engine;
+    if (!clips) throw new Error("The page is still getting ready; try again in a moment.");
+    return this.#numbered(await clips.readClip(source));
+  }
+
+  #numbered(clip: ShownClip): LoadedClip {
+    this.#lastId += 1;
+    return { ...clip, id: this.#lastId };
   }
 
   #find(key: string): ClipEntry | undefined {

@@ -1,11 +1,12 @@
 // The tab Numbers: couplings and kernels of the model as tables, and channels of the motion on the stage.
 // Loaded when the tab is opened.
 import { html, nothing } from "lit";
+import type { ClipEntry } from "../clips/clips-store";
 import type { ModelStore } from "../couplings/model-store";
 import { weightText } from "../couplings/weights";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
-import type { Engine, LoadedClip } from "../engine/protocol";
+import type { Engine } from "../engine/protocol";
 import type { Playback } from "../stage/playback";
 import { withTerms } from "../terms/term";
 import { short } from "../ui/format";
@@ -18,13 +19,8 @@ import { type Kernels, kernelsOf } from "./kernels";
 import { kernelTables, partCell } from "./kernels-view";
 import { numbers as words } from "../words/numbers";
 
-/** A clip on the stage, with its frames from `first` up to, not including, `end`. */
-interface Clip {
-  title: string;
-  loaded: LoadedClip;
-  first: number;
-  end: number;
-}
+/** A clip on the stage. */
+type Clip = Pick<ClipEntry, "title" | "loaded" | "source" | "first" | "end">;
 
 interface ReadMotion {
   of: "model now" | "model as learned" | { clip: string };
@@ -84,8 +80,10 @@ export class NumbersView extends View {
   async #read(engine: Engine): Promise<{ kernels: Kernels; motions: ReadMotion[] }> {
     const { model, clip } = this;
     const kernels = kernelsOf(await engine.modelJson());
-    if (clip) {
-      const bvh = await engine.clipBvh(clip.loaded.id, clip.first, clip.end);
+    const { clips } = this.engine;
+    if (clip && clips) {
+      const { loaded, source, first, end } = clip;
+      const bvh = await clips.clipBvh({ id: loaded.id, source, first, end });
       return { kernels, motions: [{ of: { clip: clip.title }, motion: readMotion(bvh) }] };
     }
     const now = {

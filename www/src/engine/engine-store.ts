@@ -3,7 +3,7 @@ import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import type { StartedEngine } from "./engine";
 import type { Pool } from "./pool";
-import type { Engine, SampleInfo } from "./protocol";
+import type { ClipCalls, Engine, SampleInfo } from "./protocol";
 import type { TrainingWorker } from "./whole-workers";
 
 /** "stopped": it worked, but the program cannot be started again in this visit. */
@@ -26,6 +26,11 @@ export class EngineStore extends Store {
   /** The worker that shows; null until it has started. */
   get engine(): Engine | null {
     return this.#started?.engine ?? null;
+  }
+
+  /** The worker that reads clips. */
+  get clips(): ClipCalls | null {
+    return this.#started?.clips ?? null;
   }
 
   /** The workers that train. */

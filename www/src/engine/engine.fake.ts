@@ -4,14 +4,15 @@ import { Pool } from "./pool";
 import type { TrainingWorker } from "./whole-workers";
 import type {
   Clash,
+  ClipCalls,
   ClipInfo,
+  ClipSource,
   CostQuestion,
   DocumentKind,
   Engine,
   Health,
   LiveChange,
   LiveFrames,
-  LoadedClip,
   ModelInfo,
   ModelView,
   Motion,
@@ -20,7 +21,9 @@ import type {
   Report,
   RolloutRequest,
   RolloutResult,
+  ShownClip,
   TrainedModel,
+  TrainingClip,
   TrainingCost,
   TrainingJob,
   TrainingOutcome,
@@ -110,7 +113,7 @@ function viewOf(text: string, revision: number): ModelView {
   return { revision, sha256, info, poseInducing: [], dynamicsInducing: [], trainingLatents: null };
 }
 
-function loadedClip(id: number, frames = 60): LoadedClip {
+function shownClip(frames = 60): ShownClip {
   const info = {
     joints,
     figure,
@@ -119,25 +122,26 @@ function loadedClip(id: number, frames = 60): LoadedClip {
     warnings: [],
     presets: [{ id: "lower-upper", title: "", parts }],
   };
-  return { id, info: info as unknown as ClipInfo, motion: still(frames) };
+  return { info: info as unknown as ClipInfo, motion: still(frames) };
 }
+
+type Call = keyof Engine | keyof ClipCalls;
 
 /** A call whose answer waits for the test. */
 interface HeldCall {
-  name: keyof Engine;
+  name: Call;
   args: unknown[];
   end(): void;
   fail(problem: Error): void;
 }
 
-export class FakeEngine implements Partial<Engine> {
+export class FakeEngine implements Partial<Engine>, ClipCalls {
   /** The names of the calls whose answers wait for the test. */
-  readonly holding = new Set<keyof Engine>();
+  readonly holding = new Set<Call>();
   readonly held: HeldCall[] = [];
   /** All requested rollouts. */
   readonly rollouts: RolloutRequest[] = [];
-  /** The open clips, and the clips that cannot be trained on with others. */
-  readonly clips = new Set<number>();
+  /** The clips that cannot be trained on with others. */
   readonly odd = new Set<number>();
   /** The clips of a body with longer bones. */
   readonly longer = new Set<number>();
@@ -148,9 +152,8 @@ export class FakeEngine implements Partial<Engine> {
   /** The document of the open model. */
   text = "";
   #revision = 0;
-  #lastClip = 0;
 
-  #answer<Answer>(name: keyof Engine, args: unknown[], answer: Answer): Promise<Answer> {
+  #answer<Answer>(name: Call, args: unknown[], answer: Answer): Promise<Answer> {
     if (!this.holding.has(name)) return Promise.resolve(answer);
     return new Promise((end, fail) => this.held.push({ name, args, end: () => end(answer), fail }));
   }
@@ -170,31 +173,20 @@ export class FakeEngine implements Partial<Engine> {
     return this.#answer("freshSeed", [], 77);
   }
 
-  #open(): LoadedClip {
-    this.#lastClip += 1;
-    const clip = loadedClip(this.#lastClip);
-    this.clips.add(clip.id);
-    return clip;
+  readClip(source: ClipSource): Promise<ShownClip> {
+    if ("file" in source && source.file.size === 0) return Promise.reject(new Error("the file is empty"));
+    return this.#answer("readClip", [source], shownClip());
   }
 
-  readClip(name: string, bytes: Uint8Array): Promise<LoadedClip> {
-    if (bytes.length === 0) return Promise.reject(new Error("the file is empty"));
-    return this.#answer("readClip", [name], this.#open());
+  sampleClip(id: string): Promise<ShownClip> {
+    return this.#answer("sampleClip", [id], shownClip());
   }
 
-  sampleClip(id: string): Promise<LoadedClip> {
-    return this.#answer("sampleClip", [id], this.#open());
-  }
-
-  dropClip(id: number): Promise<void> {
-    this.clips.delete(id);
-    return this.#answer("dropClip", [id], undefined);
-  }
-
-  checkTogether(ids: number[], firstBones: boolean): Promise<Clash | null> {
-    const odd = ids.some((id) => this.odd.has(id)) && { words: "their bodies differ", bones: false };
-    const longer = ids.some((id) => this.longer.has(id)) && { words: "their bones differ", bones: true };
-    return this.#answer("checkTogether", [ids, firstBones], odd || (!firstBones && longer) || null);
+  checkTogether(clips: TrainingClip[]): Promise<Clash | null> {
+    const odd = clips.some(({ id }) => this.odd.has(id)) && { words: "their bodies differ", bones: false };
+    const isLonger = ({ id, firstBones }: TrainingClip) => this.longer.has(id) && !firstBones;
+    const longer = clips.some(isLonger) && { words: "their bones differ", bones: true };
+    return this.#answer("checkTogether", [clips], odd || longer || null);
   }
 
   documentKind(text: string): Promise<DocumentKind> {
@@ -300,7 +292,7 @@ export class FakeEngine implements Partial<Engine> {
     return this.#answer("endLive", [], undefined);
   }
 
-  clipBvh(id: number, first: number, end: number): Promise<string> {
+  clipBvh({ id, first, end }: TrainingClip): Promise<string> {
     return this.#answer("clipBvh", [id, first, end], `HIERARCHY of clip ${id}, ${first} to ${end}`);
   }
 }
@@ -405,7 +397,7 @@ export function started(engine: FakeEngine, trainers = new FakeTrainers(2)): Sta
     title: id,
     movement: id.split("-")[0] ?? "",
   }));
-  return { engine: engine as unknown as Engine, pool: trainers.pool, version: "1.2.3", samples };
+  return { engine: engine as unknown as Engine, clips: engine, pool: trainers.pool, version: "1.2.3", samples };
 }
 
 /** Waits until all promises that are ready have been handled. */

@@ -1,14 +1,15 @@
-// The worker that shows clips and models, started and kept alive. The page knows the model only through this.
+// The worker that shows models, started and kept alive. The page knows the model only through this.
 import { messageOf } from "../ui/format";
 import { loadPlayer, loadWholeWhenIdle } from "./programs";
-import type { Engine, SampleInfo, Workbench } from "./protocol";
+import type { ClipCalls, Engine, SampleInfo, Workbench } from "./protocol";
 import { nameOf, startIn } from "./running";
 import { SupervisedEngine, type SupervisedEvents } from "./supervised";
-import { type TrainingWorker, wholeWorkers } from "./whole-workers";
+import { clipCalls, type TrainingWorker, wholeWorkers } from "./whole-workers";
 import type { Pool } from "./pool";
 
 export interface StartedEngine {
   engine: Engine;
+  clips: ClipCalls;
   pool: Pool<TrainingWorker>;
   version: string;
   samples: SampleInfo[];
@@ -42,5 +43,6 @@ export async function startEngine(events: SupervisedEvents): Promise<StartedEngi
   const restart = async () => (await startWorkbench(program)).running;
   const { engine } = new SupervisedEngine(running, restart, events);
   loadWholeWhenIdle();
-  return { engine, pool: wholeWorkers().pool, version, samples };
+  const whole = wholeWorkers();
+  return { engine, clips: clipCalls(whole), pool: whole.pool, version, samples };
 }

@@ -48,12 +48,16 @@ export interface Motion {
   frameTime: number;
 }
 
-/** An open clip of the worker, with its motion. */
-export interface LoadedClip {
-  /** The worker's number for the clip. */
-  id: number;
+/** What the page shows of a clip. */
+export interface ShownClip {
   info: ClipInfo;
   motion: Motion;
+}
+
+/** An open clip of the page. */
+export interface LoadedClip extends ShownClip {
+  /** The page's number for the clip. */
+  id: number;
 }
 
 /** The dynamics inducing points of one coupling. */
@@ -261,19 +265,13 @@ export interface Trainee {
   goOn(iterations: number, report: Report<TrainedModel>, signal: AbortSignal): Promise<TrainingOutcome>;
 }
 
-/** The calls of the workbench, the worker that shows clips and models. */
+/** The calls of the workbench, the worker that shows models. */
 export interface Workbench {
   start(wasm: WebAssembly.Module): Promise<{ version: string; samples: SampleInfo[] }>;
   freshSeed(): number;
   documentKind(text: string): DocumentKind;
-  readClip(name: string, bytes: Uint8Array): LoadedClip;
-  sampleClip(id: string): LoadedClip;
-  dropClip(id: number): void;
-  /**
-   * The reason why these clips cannot be trained on together; null if they can. `firstBones`: all clips get
-   * the bones of the first.
-   */
-  checkTogether(ids: number[], firstBones: boolean): Clash | null;
+  /** A clip that the project makes itself. */
+  sampleClip(id: string): ShownClip;
   /**
    * The index of the model to show, among several models of the same data. The choice uses the ranks of their
    * rollouts' health, and the errors of their rollouts on the clips.
@@ -304,9 +302,22 @@ export interface Workbench {
   /** Makes the changes, then computes the next frames. Throws if there is no live rollout. */
   advanceLive(changes: LiveChange[], frames: number): LiveFrames;
   endLive(): void;
-  /** The frames of a clip from `first` (counted from 0) up to but not including `end`, as BVH. */
-  clipBvh(id: number, first: number, end: number): string;
 }
+
+/**
+ * The calls of a worker of the whole program that reads clips. The worker that shows reads no files, so that
+ * the first visit is small.
+ */
+export interface ClipsWorker {
+  /** Reads a clip of the visitor. */
+  readClip(source: ClipSource): Promise<ShownClip>;
+  /** The reason why these clips cannot be trained on together; null if they can. */
+  checkTogether(clips: TrainingClip[]): Promise<Clash | null>;
+  /** The chosen frames of a clip as BVH. */
+  clipBvh(clip: TrainingClip): Promise<string>;
+}
+
+export type ClipCalls = Calls<ClipsWorker>;
 
 /** The calls of the page to the workbench. They reach the current worker, also after a replacement. */
 export type Engine = Calls<Omit<Workbench, "start" | "openModel">> & {

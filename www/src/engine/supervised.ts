@@ -1,8 +1,8 @@
-// Supervises the workbench: when the worker dies, another takes over with the same clips and model. Callers
-// pass in the function that starts a worker.
+// Supervises the workbench: when the worker dies, another takes over with the same model. Callers pass in the
+// function that starts a worker.
 import { messageOf } from "../ui/format";
 import { callsBy } from "./calls";
-import type { Engine, LoadedClip, Workbench } from "./protocol";
+import type { Engine, Workbench } from "./protocol";
 import type { Running } from "./running";
 import { isTrap } from "./traps";
 
@@ -10,7 +10,7 @@ export type RunningWorkbench = Running<Omit<Workbench, "start">>;
 type Remote = RunningWorkbench["calls"];
 
 export interface SupervisedEvents {
-  /** The worker stopped for this reason, and another has taken over with the same clips and model. */
+  /** The worker stopped for this reason, and another has taken over with the same model. */
   restarted(why: string): void;
   /** No other worker could take over. */
   stopped(problem: unknown): void;
@@ -22,23 +22,11 @@ const TAKE_OVERS = 3;
 /** The worker died during a call. */
 class Died extends Error {}
 
-interface OpenClip {
-  /** The number of the clip in the worker. */
-  inWorker: number;
-  read(remote: Remote): Promise<LoadedClip>;
-}
-
 export class SupervisedEngine {
   readonly engine: Engine;
   readonly #start: () => Promise<RunningWorkbench>;
   readonly #events: SupervisedEvents;
   #worker: Promise<RunningWorkbench>;
-  /**
-   * The clips by their numbers on the page. These numbers stay when a new worker numbers the clips
-   * differently.
-   */
-  readonly #clips = new Map<number, OpenClip>();
-  #lastClip = 0;
   #model: { text: string; frames: number; revision: number } | null = null;
   #revision = 0;
   /** The unfinished calls, which fail when the worker dies. */
@@ -49,41 +37,12 @@ export class SupervisedEngine {
     this.#events = events;
     this.#worker = Promise.resolve(first);
     this.#watch(first);
-    // These calls change the clips and the model, which a replacement worker must get too.
-    const own: Partial<Engine> = {
-      readClip: (name, bytes) => {
-        const file = new Blob([bytes as Uint8Array<ArrayBuffer>]);
-        return this.#addClip(async (remote) =>
-          remote.readClip(name, new Uint8Array(await file.arrayBuffer())),
-        );
-      },
-      sampleClip: (id) => this.#addClip((remote) => remote.sampleClip(id)),
-      dropClip: async (id) => {
-        const clip = this.#clips.get(id);
-        if (!clip) return;
-        await this.#ask((remote) => remote.dropClip(clip.inWorker));
-        this.#clips.delete(id);
-      },
-      checkTogether: (ids, firstBones) =>
-        this.#ask((remote) => remote.checkTogether(ids.map(this.#inWorker), firstBones)),
-      clipBvh: (id, first, end) => this.#ask((remote) => remote.clipBvh(this.#inWorker(id), first, end)),
-      openModel: (text, frames) => this.#openModel(text, frames),
-    };
-    type Call = (...given: unknown[]) => Promise<unknown>;
     this.engine = callsBy<Engine>((name, given) => {
-      const call = own[name] as Call | undefined;
-      return call ? call(...given) : this.#ask((remote) => (remote[name] as Call)(...given));
+      // A replacement worker must get the model too.
+      if (name === "openModel") return this.#openModel(...(given as Parameters<Engine["openModel"]>));
+      type Call = (...given: unknown[]) => Promise<unknown>;
+      return this.#ask((remote) => (remote[name] as Call)(...given));
     }) as Engine;
-  }
-
-  readonly #inWorker = (id: number): number => this.#clips.get(id)?.inWorker ?? id;
-
-  async #addClip(read: OpenClip["read"]): Promise<LoadedClip> {
-    const loaded = await this.#ask(read);
-    this.#lastClip += 1;
-    const id = this.#lastClip;
-    this.#clips.set(id, { inWorker: loaded.id, read });
-    return { ...loaded, id };
   }
 
   async #openModel(text: string, frames: number) {
@@ -151,7 +110,7 @@ export class SupervisedEngine {
     );
   }
 
-  /** Starts a worker with the same clips and model. The worker may die at each step. */
+  /** Starts a worker with the same model. The worker may die at each step. */
   async #successor(): Promise<RunningWorkbench> {
     const worker = await this.#start();
     try {
@@ -165,7 +124,6 @@ export class SupervisedEngine {
   }
 
   async #fill(remote: Remote): Promise<void> {
-    for (const clip of this.#clips.values()) clip.inWorker = (await clip.read(remote)).id;
     const model = this.#model;
     if (model) await remote.openModel(model.text, model.frames, model.revision);
   }

@@ -24,6 +24,7 @@ import type {
 } from "vcgpdm";
 import type { LibraryWorker } from "./library-protocol";
 import type {
+  ClipsWorker,
   Health,
   Measures,
   Motion,
@@ -282,6 +283,7 @@ export interface PerceptionWorker {
 /** All calls of a worker that runs the whole program. */
 export interface WholeWorker
   extends Trainee,
+    ClipsWorker,
     ComparisonWorker,
     ExperimentWorker,
     UncertaintyWorker,

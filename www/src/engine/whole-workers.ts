@@ -2,6 +2,7 @@
 import type { Calls } from "./calls";
 import { type Hired, Pool } from "./pool";
 import { loadWhole } from "./programs";
+import type { ClipCalls } from "./protocol";
 import { nameOf, startIn } from "./running";
 import type { WholeWorker } from "./whole-protocol";
 
@@ -36,4 +37,13 @@ export function wholeWorkers(): WholeWorkers {
   const cores = Math.max(1, navigator.hardwareConcurrency || 1);
   workers ??= { pool: new Pool(cores, hire), desk: new Pool(1, hire), library: new Pool(1, hire) };
   return workers;
+}
+
+/** The calls about clips, by the worker for short questions. */
+export function clipCalls({ desk }: WholeWorkers): ClipCalls {
+  return {
+    readClip: (source) => desk.run((worker) => worker.readClip(source)),
+    checkTogether: (clips) => desk.run((worker) => worker.checkTogether(clips)),
+    clipBvh: (clip) => desk.run((worker) => worker.clipBvh(clip)),
+  };
 }

@@ -1,6 +1,8 @@
-// The clips of this worker's trainings. They stay in memory for the next training, which mostly has the same.
-import { Clip, TrainingSet } from "vcgpdm";
-import type { ClipSource, TrainingClip } from "../engine/protocol";
+// The clips of this worker's trainings and questions. They stay in memory for the next, which mostly has the
+// same.
+import { Clip, TrainingSet, type VcgpdmError } from "vcgpdm";
+import type { ClipSource, ClipsWorker, TrainingClip } from "../engine/protocol";
+import { shownClip } from "./shown-clip";
 import { using } from "./using";
 
 const read = new Map<number, Clip>();
@@ -47,3 +49,20 @@ async function add(set: TrainingSet, piece: TrainingClip, first = piece): Promis
   if (piece.firstBones) using(clip.withBonesOf(await clipOf(first)), cut);
   else cut(clip);
 }
+
+export const clipsWorker: ClipsWorker = {
+  readClip: async (source) => using(await readClip(source), shownClip),
+  async checkTogether(clips) {
+    try {
+      (await clipSet(clips)).free();
+      return null;
+    } catch (problem) {
+      const { name, message, code } = problem as VcgpdmError;
+      // Any other error is a failure of the worker.
+      if (name !== "VcgpdmError") throw problem;
+      return { words: message, bones: code === "bones" };
+    }
+  },
+  clipBvh: async ({ source, first, end }) =>
+    using(await readClip(source), (clip) => using(clip.cut(first, end), (cut) => cut.toBvh())),
+};

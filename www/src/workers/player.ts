@@ -1,12 +1,12 @@
-// The worker that shows, with the clips and the model. No DOM.
+// The worker that shows, with the model. No DOM.
 import init, { bestToShow, Clip, documentKind, freshSeed, trainingCost, version } from "vcgpdm/player";
 import type { Workbench } from "../engine/protocol";
 import { Live } from "./live";
-import { OpenClips } from "./open-clips";
 import { serve, start } from "./serve";
+import { shownClip } from "./shown-clip";
 import { ShownModel } from "./shown-model";
+import { using } from "./using";
 
-const clips = new OpenClips();
 const model = new ShownModel();
 const live = new Live(model);
 
@@ -17,10 +17,7 @@ const workbench: Workbench = {
   },
   freshSeed: () => freshSeed(),
   documentKind: (text) => documentKind(text),
-  readClip: (name, bytes) => clips.open(Clip.read(name, bytes)),
-  sampleClip: (id) => clips.open(Clip.sample(id)),
-  dropClip: (id) => clips.drop(id),
-  checkTogether: (ids, firstBones) => clips.checkTogether(ids, firstBones),
+  sampleClip: (id) => using(Clip.sample(id), shownClip),
   trainingCost: ({ settings, frames, columns }) => trainingCost(settings, frames, columns),
   bestToShow: (ranks, errors) => bestToShow(Uint8Array.from(ranks), Float64Array.from(errors)),
   openModel: (text, frames, revision) => model.open(text, frames, revision),
@@ -36,7 +33,6 @@ const workbench: Workbench = {
   startLive: (request, frame) => live.start(request, frame),
   advanceLive: (changes, frames) => live.advance(changes, frames),
   endLive: () => live.end(),
-  clipBvh: (id, first, end) => clips.toBvh(id, first, end),
 };
 
 serve(workbench);

@@ -1,8 +1,9 @@
-// A worker of the whole program: it trains, compares, does the synthetic experiment, holds a library of
+// A worker of the whole program: it reads clips, trains, compares, does the synthetic experiment, holds a library of
 // primitives, finds the uncertainty of a rollout, knows the graphics Turing test, and models time series that
 // are no body. No DOM.
 import init from "vcgpdm";
 import type { WholeWorker } from "../engine/whole-protocol";
+import { clipsWorker } from "./clips";
 import { comparisonWorker } from "./evaluation";
 import { experimentWorker } from "./experiment";
 import { libraryWorker } from "./library";
@@ -14,6 +15,7 @@ import { uncertaintyWorker } from "./uncertainty";
 
 const worker: WholeWorker = {
   start: (wasm) => start(init, wasm),
+  ...clipsWorker,
   ...trainee,
   ...comparisonWorker,
   ...experimentWorker,
