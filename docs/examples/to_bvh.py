@@ -17,4 +17,6 @@ else:
 armature = next(thing for thing in bpy.data.objects if thing.type == "ARMATURE")
 bpy.context.view_layer.objects.active = armature
 first, last = map(round, armature.animation_data.action.frame_range)
-bpy.ops.export_anim.bvh(filepath=target, frame_start=first, frame_end=last, root_transform_only=True)
+# All bones keep their positions: in many rigs the root stands still and the hips below it travel. The reader
+# of BVH files makes such hips the root, and positions that never change become bones of fixed length.
+bpy.ops.export_anim.bvh(filepath=target, frame_start=first, frame_end=last, root_transform_only=False)

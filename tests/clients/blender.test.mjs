@@ -84,6 +84,27 @@ describe("Blender", { skip }, () => {
     );
   });
 
+  it("keeps the way of hips below a root that stands still, through FBX", () => {
+    const text = readFileSync(file("walk.bvh"), "utf8");
+    const [hierarchy = "", motion = ""] = text.split("MOTION\n");
+    const body = hierarchy.replace("HIERARCHY\nROOT ", "JOINT ");
+    const channels = "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation";
+    const [frames = "", time = "", ...rows] = motion.trimEnd().split("\n");
+    const below = rows.map((row) => `0 0 0 0 0 0 ${row}`).join("\n");
+    const root = `HIERARCHY\nROOT Reference\n{\nOFFSET 0 0 0\n${channels}\n${body}}\n`;
+    writeFileSync(file("still.bvh"), `${root}MOTION\n${frames}\n${time}\n${below}\n`);
+    blender(at("tests/clients/blender.py"), file("still.bvh"), file("still.fbx"));
+    blender(at("docs/examples/to_bvh.py"), "--", file("still.fbx"), file("still-again.bvh"));
+    const way = (/** @type {string} */ name) => {
+      const clip = Clip.read(name, readFileSync(file(name)));
+      const [hips = []] = placesOf(clip, ["Hips"]).map(([place = []]) => place);
+      const last = placesOf(clip, ["Hips"]).at(-1)?.[0] ?? [];
+      return distance(hips, last);
+    };
+    const [ours, theirs] = [way("walk.bvh"), way("still-again.bvh")];
+    assert.ok(ours > 1 && Math.abs(theirs / ours - 1) < 0.1, `${theirs} m of ${ours} m`);
+  });
+
   for (const format of ["fbx", "glb"]) {
     it(`turns a motion in ${format} into BVH that moves as it did`, () => {
       blender(at("tests/clients/blender.py"), file("walk.bvh"), file(`walk.${format}`));

@@ -5,9 +5,10 @@ use crate::numbers::{check_fps, check_within};
 use serde_json::json;
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use vcgpdm::motion::{asf, bvh};
+use vcgpdm::motion::parts::PartSpec;
+use vcgpdm::motion::{asf, parts};
 
-/// Print the contents of a clip as one JSON object, and write the clip back.
+/// Print the contents of a clip and the parts of each preset as one JSON object, and write the clip back.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A BVH file, or sample:ID; or an ASF skeleton.
@@ -22,9 +23,14 @@ pub struct Arguments {
     /// Resample to about this number of frames a second.
     #[arg(long, value_name = "F")]
     fps: Option<f64>,
+    #[command(flatten)]
+    up: files::Up,
     /// Write the clip to this file.
     #[arg(long, value_name = "OUT.bvh")]
     out: Option<PathBuf>,
+    /// Write names of letters, digits, "_" and "-" only, without a prefix such as "mixamorig:".
+    #[arg(long, requires = "out")]
+    plain_names: bool,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
@@ -33,14 +39,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let skeleton = arguments.clip.as_path();
     let mut clip = match &arguments.motion {
-        None => files::read_clip(skeleton)?,
+        None => arguments.up.of(files::read_clip(skeleton)?),
         Some(motion) => {
             check_within("--amc-fps", "frames a second", 0.1..=100_000.0, arguments.amc_fps)?;
             let (skeleton_bytes, motion_bytes) = (files::read_bytes(skeleton)?, files::read_bytes(motion)?);
             let (skeleton_name, motion_name) = (files::read_name(skeleton), files::read_name(motion));
             let skeleton = asf::File { name: &skeleton_name, bytes: &skeleton_bytes };
             let motion = asf::File { name: &motion_name, bytes: &motion_bytes };
-            asf::read(skeleton, motion, arguments.amc_fps)?.into_clip()
+            arguments.up.of(asf::read(skeleton, motion, arguments.amc_fps)?.into_clip())
         }
     };
     if let Some(out) = &arguments.out {
@@ -50,11 +56,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         clip = clip.resample(fps)?;
     }
     if let Some(out) = &arguments.out {
-        files::write_text(out, &bvh::write(&clip))?;
+        files::write_text(out, &files::bvh(clip.clone(), arguments.plain_names))?;
     }
     let joints = clip.skeleton.joints.iter().map(|joint| {
         let channels: Vec<&str> = joint.channels.iter().map(|channel| channel.name()).collect();
         json!({ "name": joint.name, "parent": joint.parent, "offset": joint.offset, "channels": channels })
+    });
+    let names = |part: &PartSpec| -> Vec<&str> {
+        part.joints.iter().map(|&joint| clip.skeleton.joints[joint].name.as_str()).collect()
+    };
+    let presets = parts::presets(&clip.skeleton).into_iter().map(|preset| {
+        let parts: Vec<_> =
+            preset.parts.iter().map(|part| json!({ "name": part.name, "joints": names(part) })).collect();
+        json!({ "id": preset.id, "title": preset.title, "parts": parts })
     });
     let stage = clip.stage();
     let summary = json!({
@@ -65,7 +79,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         "frames": clip.frames(),
         "frame_time": clip.frame_time,
         "height": stage.height,
-        "up_axis": stage.up.letter(),
+        "up_axis": stage.up.name(),
+        "presets": presets.collect::<Vec<_>>(),
         "warnings": clip.warnings,
     });
     let outs: Vec<&Path> = arguments.out.as_deref().into_iter().collect();

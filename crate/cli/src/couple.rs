@@ -63,7 +63,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             trained.add(trained.library.nearest_combination(name, &uses)?, sequences)?;
         } else {
             let mut clips = Vec::new();
-            for clip in files::read_clips(&arguments.clips)? {
+            for clip in files::read_clips(&arguments.clips, &files::Up::default())? {
                 clips.push(trained.encode(&clip)?);
             }
             let mut trainer = CouplingTrainer::new(&trained, &uses, &clips, arguments.max_iterations)?;

@@ -87,6 +87,8 @@ pub struct Arguments {
     /// Resample the clips to about this number of frames a second.
     #[arg(long, value_name = "F", default_value_t = 30.0)]
     fps: f64,
+    #[command(flatten)]
+    up: files::Up,
     /// Predict from this number of first frames of the trial held out.
     #[arg(long, value_name = "N", default_value_t = START_FRAMES as u16, value_parser = whole(1..=u16::MAX))]
     start_frames: u16,
@@ -108,7 +110,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     check_fps(arguments.fps)?;
-    let mut clips = files::read_clips(&arguments.clips)?;
+    let mut clips = files::read_clips(&arguments.clips, &arguments.up)?;
     if arguments.whole_cycles {
         clips = whole_cycles(&clips, arguments.fps)?.0;
     }

@@ -126,7 +126,7 @@ fn relearn(
         }
     }
     let mut clips = Vec::new();
-    for clip in files::read_clips(&arguments.clips)? {
+    for clip in files::read_clips(&arguments.clips, &files::Up::default())? {
         clips.push(library.encode(&clip)?);
     }
     let frames = match (clips.is_empty(), arguments.generated) {

@@ -57,7 +57,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         let read = arguments.clips.iter().map(PathBuf::as_path);
         files::check_writable(out, read.chain([path.as_path()]))?;
     }
-    let given = files::read_clips(&arguments.clips)?;
+    // The axis that pointed up in the recorded training: found, or stated by the user.
+    let up = files::Up { axis: Some(recorded.body.mapping.stage().up) };
+    let given = files::read_clips(&arguments.clips, &up)?;
     let infos = &recorded.body.sequences;
     let clips = infos.iter().map(|info| clip_of(info, infos, &given)).collect::<Result<Vec<_>, _>>()?;
     let first_frames = |info: &SequenceInfo| (!info.whole).then_some(info.frames);

@@ -37,6 +37,8 @@ pub struct Arguments {
     /// Natural movements that no model has seen, for catch trials.
     #[arg(long, value_name = "CLIP", num_args = 1.., value_delimiter = ',')]
     unseen: Vec<PathBuf>,
+    #[command(flatten)]
+    up: files::Up,
     /// Only these models: all, or ids; absent: all.
     #[arg(long, value_name = "all|ID,ID")]
     models: Option<String>,
@@ -158,9 +160,9 @@ fn look(id: &str) -> Result<Look, Box<dyn Error>> {
 fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> {
     let results = results::read(&arguments.source)?;
     let setting = results.setting();
-    let given = files::read_clips(&arguments.clips)?;
+    let given = files::read_clips(&arguments.clips, &arguments.up)?;
     let clips = setting.trials.iter().map(|trial| clip_of(trial, &given)).collect::<Result<Vec<_>, _>>()?;
-    let unseen = files::read_clips(&arguments.unseen)?;
+    let unseen = files::read_clips(&arguments.unseen, &arguments.up)?;
     let best = best(arguments, &results)?;
     let (rate, start) = (setting.frames_per_second, setting.start_frames);
 

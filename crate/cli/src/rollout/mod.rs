@@ -17,7 +17,7 @@ use vcgpdm::internals::counted;
 use vcgpdm::models::{
     Body, ColumnMapping, Coupled, MOST_FRAMES, MOST_SAMPLES, Model, Reading, Rollout, RolloutRequest,
 };
-use vcgpdm::motion::{Clip, bvh};
+use vcgpdm::motion::Clip;
 use vcgpdm::series;
 
 /// Roll a model out and write the motion as BVH, or its columns as CSV.
@@ -66,6 +66,9 @@ pub struct Arguments {
     /// Write the motion to this file. A model of tables has no motion, only columns.
     #[arg(long, value_name = "OUT.bvh", required_unless_present = "columns")]
     out: Option<PathBuf>,
+    /// Write names of letters, digits, "_" and "-" only, without a prefix such as "mixamorig:".
+    #[arg(long, requires = "out")]
+    plain_names: bool,
     /// Write all predicted columns with a header row to this file: of a body, the rates of the root and the
     /// rotation vectors of the joints.
     #[arg(long, value_name = "OUT.csv")]
@@ -110,7 +113,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     match document {
         Document::Body(model) => {
             let motion = |body: &Body, y: &DMatrix<f64>, out: &Path| -> Result<(), Box<dyn Error>> {
-                files::write_text(out, &bvh::write(&body.clip(y, &files::name_of(out))?))
+                let clip = body.clip(y, &files::name_of(out))?;
+                files::write_text(out, &files::bvh(clip, arguments.plain_names))
             };
             let given = match (&arguments.from, model.coupled()) {
                 (Start::Clip { clip, frames }, Some(model)) => {

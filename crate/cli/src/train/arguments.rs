@@ -1,5 +1,6 @@
 //! The arguments of `vcgpdm train`.
 
+use crate::files;
 use crate::train::kind;
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -47,6 +48,8 @@ pub struct Arguments {
     /// angles stay; the path of the root is scaled with its height above the ground.
     #[arg(long)]
     pub(super) first_bones: bool,
+    #[command(flatten)]
+    pub(super) up: files::Up,
     /// Store a note in the model, such as an acknowledgement.
     #[arg(long, value_name = "TEXT")]
     pub(super) note: Option<String>,

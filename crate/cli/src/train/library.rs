@@ -47,7 +47,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     check_fps(arguments.fps)?;
     let paths: Vec<PathBuf> = movements.iter().flat_map(|movement| movement.clips.clone()).collect();
-    let mut clips = files::read_clips(&paths)?;
+    let mut clips = files::read_clips(&paths, &arguments.up)?;
     if arguments.first_bones {
         let first = clips[0].clone();
         for clip in &mut clips {

@@ -48,10 +48,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     check_fps(arguments.fps)?;
     let mut clips: Vec<(Clip, Option<usize>)> =
-        files::read_clips(&arguments.clips)?.into_iter().map(|clip| (clip, None)).collect();
+        files::read_clips(&arguments.clips, &arguments.up)?.into_iter().map(|clip| (clip, None)).collect();
     for text in &arguments.seed_frames {
         let (path, count) = seed_frames(text)?;
-        clips.push((files::read_clip(&path)?, Some(count)));
+        clips.push((arguments.up.of(files::read_clip(&path)?), Some(count)));
     }
     if arguments.first_bones {
         let first = clips[0].0.clone();

@@ -1,8 +1,9 @@
 //! Tests of `vcgpdm clip`, and of files that are read and written.
 
-use crate::call::{fails, folder, json, prints, text};
+use crate::call::{fails, folder, json, json_and_stderr, prints, text};
 use serde_json::Value;
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 #[test]
@@ -19,6 +20,92 @@ fn prints_the_contents_of_a_clip() {
     assert_eq!((&joints[0]["name"], &joints[0]["parent"]), (&"Hips".into(), &Value::Null));
     assert_eq!(joints[0]["channels"].as_array().map(Vec::len), Some(6));
     assert_eq!((&joints[2]["name"], &joints[2]["parent"]), (&"LeftLeg".into(), &1.into()));
+}
+
+#[test]
+fn prints_the_parts_of_each_preset() {
+    let info = json(&["clip", "sample:walk-1"]);
+    let presets = info["presets"].as_array().unwrap();
+    let ids: Vec<&str> = presets.iter().map(|preset| preset["id"].as_str().unwrap()).collect();
+    assert_eq!(ids, ["whole", "lower-upper", "body-arms", "legs-trunk-arms"]);
+    let lower = &presets[1]["parts"][0];
+    assert_eq!((&lower["name"], &lower["joints"][1]), (&"lower".into(), &"LeftUpLeg".into()));
+    for preset in presets {
+        let parts = preset["parts"].as_array().unwrap();
+        assert_eq!(parts.iter().map(|part| part["joints"].as_array().unwrap().len()).sum::<usize>(), 21);
+    }
+}
+
+#[test]
+fn the_user_can_state_the_axis_that_points_up() {
+    for (axis, height) in [("z", 172.0), ("-x", 172.0), ("y", 172.0)] {
+        let info = json(&["clip", "sample:walk-1", "--up", axis]);
+        assert_eq!(info["up_axis"], axis);
+        assert!((info["height"].as_f64().unwrap() - height).abs() < 6.0);
+    }
+    let err = fails(&["clip", "sample:walk-1", "--up", "w"]);
+    assert!(err.contains("expected x, y, z, -x, -y or -z"), "{err}");
+}
+
+/// A file of the sample walk under a root that stands still, as MotionBuilder and game engines write them.
+/// All names have a prefix.
+fn under_a_still_root(out: &Path) {
+    json(&["clip", "sample:walk-1", "--out", text(out)]);
+    let text = fs::read_to_string(out).unwrap();
+    let (hierarchy, motion) = text.split_once("MOTION\n").unwrap();
+    let body = hierarchy.trim_start_matches("HIERARCHY\n").replacen("ROOT ", "JOINT ", 1);
+    let body = body.replace("JOINT ", "JOINT rig:");
+    let (head, rows) = motion.split_at(motion.find("Frame Time").unwrap());
+    let (time, rows) = rows.split_once('\n').unwrap();
+    let rows: String = rows.lines().map(|row| format!("0 0 0 0 0 0 {row}\n")).collect();
+    let root = "ROOT rig:Reference\n{\n\tOFFSET 0 0 0\n\tCHANNELS 6 Xposition Yposition Zposition Zrotation \
+                Xrotation Yrotation\n";
+    fs::write(out, format!("HIERARCHY\n{root}{body}}}\nMOTION\n{head}{time}\n{rows}")).unwrap();
+}
+
+/// The way over the ground of the root of a BVH file, in file units a second.
+fn speed(path: &Path) -> f64 {
+    let text = fs::read_to_string(path).unwrap();
+    let (_, motion) = text.split_once("Frame Time: ").unwrap();
+    let (time, rows) = motion.split_once('\n').unwrap();
+    let places: Vec<[f64; 2]> = rows
+        .lines()
+        .map(|row| {
+            let numbers: Vec<f64> =
+                row.split_whitespace().take(3).map(|word| word.parse().unwrap()).collect();
+            [numbers[0], numbers[2]]
+        })
+        .collect();
+    let (first, last) = (places[0], places[places.len() - 1]);
+    let way = (last[0] - first[0]).hypot(last[1] - first[1]);
+    way / (time.parse::<f64>().unwrap() * (places.len() - 1) as f64)
+}
+
+/// Once the walk marched on the spot.
+#[test]
+fn hips_below_a_still_root_travel_at_their_own_speed_after_training() {
+    let folder = folder("still-root");
+    let [walk, own, model, out] =
+        ["walk.bvh", "own.bvh", "model.json", "out.bvh"].map(|name| folder.join(name));
+    under_a_still_root(&walk);
+    let info = json(&["clip", text(&walk), "--out", text(&own)]);
+    assert_eq!(info["joints"].as_array().map(Vec::len), Some(21));
+    assert_eq!(
+        info["warnings"][1],
+        "the root \"rig:Reference\" stands still and \"rig:Hips\" moves: \"rig:Hips\" is the root now"
+    );
+    let train =
+        ["train", text(&walk), "--parts", "lower,upper", "--max-iterations", "40", "--out", text(&model)];
+    let (summary, _) = json_and_stderr(&train);
+    assert!(summary["warnings"].as_array().unwrap().iter().any(|warning| {
+        warning.as_str().unwrap().starts_with("walk.bvh: the root \"rig:Reference\" stands still")
+    }));
+    let roll = ["rollout", text(&model), "--frames", "120", "--plain-names", "--out", text(&out)];
+    json_and_stderr(&roll);
+    let share = speed(&out) / speed(&own);
+    assert!((0.85..1.1).contains(&share), "{share} of the clip's speed");
+    let written = fs::read_to_string(&out).unwrap();
+    assert!(written.contains("ROOT Hips\n") && !written.contains("rig:"));
 }
 
 #[test]

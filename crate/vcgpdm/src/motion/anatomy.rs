@@ -1,6 +1,9 @@
 //! Which joints are legs, arms and trunk: from the joints' names, or else from the shape of the tree.
 
 use crate::motion::joint_names::{Limb, Side, limb_of, looks_like_head};
+use crate::motion::limbs::{
+    Limbs, Pair, extents, is_clear, is_within, long_pairs, mirrored_pairs, path_lengths,
+};
 use crate::motion::skeleton::Skeleton;
 use nalgebra::Vector3;
 
@@ -89,21 +92,6 @@ fn farthest(skeleton: &Skeleton, paths: &[f64], wanted: impl Fn(usize) -> bool) 
     wanted.max_by(|&a, &b| paths[a].total_cmp(&paths[b]))
 }
 
-/// The length of the path along the bones from the root to each node of the figure, in file units.
-pub(crate) fn path_lengths(skeleton: &Skeleton) -> Vec<f64> {
-    let mut paths: Vec<f64> = Vec::new();
-    for joint in &skeleton.joints {
-        let bone = Vector3::from(joint.offset).norm();
-        paths.push(joint.parent.map_or(0.0, |parent| paths[parent] + bone));
-    }
-    for (place, joint) in skeleton.joints.iter().enumerate() {
-        for end in &joint.end_sites {
-            paths.push(paths[place] + Vector3::from(*end).norm());
-        }
-    }
-    paths
-}
-
 fn by_names(skeleton: &Skeleton) -> Vec<Region> {
     let mut regions: Vec<Region> = Vec::new();
     // A joint below a limb belongs to the limb, a joint below the head to the trunk, whatever their names.
@@ -128,23 +116,11 @@ fn by_names(skeleton: &Skeleton) -> Vec<Region> {
     regions
 }
 
-/// Two subtrees of one joint that mirror each other.
-struct Pair {
-    members: [usize; 2],
-    /// The number of joints above the common one.
-    depth: usize,
-    /// The length along the bones from the common joint to the farthest node.
-    reach: f64,
-    /// The positions of their farthest nodes in the rest pose.
-    ends: [Vector3<f64>; 2],
-}
-
 /// Legs are the pair of long mirrored chains nearest to the root (of several, the one that ends lowest); arms
 /// are the longest such pair elsewhere.
 fn by_shape(skeleton: &Skeleton) -> Option<Vec<Region>> {
     let pairs = mirrored_pairs(skeleton);
-    let longest = pairs.iter().map(|pair| pair.reach).fold(0.0, f64::max);
-    let limbs: Vec<&Pair> = pairs.iter().filter(|pair| pair.reach > 0.4 * longest).collect();
+    let limbs = long_pairs(&pairs);
     let shallowest = limbs.iter().map(|pair| pair.depth).min()?;
     let up = up_of_rest(skeleton);
     let height = |pair: &Pair| pair.ends[0][up] + pair.ends[1][up];
@@ -179,59 +155,6 @@ fn by_shape(skeleton: &Skeleton) -> Option<Vec<Region>> {
     Some(regions)
 }
 
-fn mirrored_pairs(skeleton: &Skeleton) -> Vec<Pair> {
-    let paths = path_lengths(skeleton);
-    let rest = skeleton.rest_pose().positions;
-    let joints = skeleton.joints.len();
-    // For each joint: its depth, the number of joints below it, and the farthest node below it.
-    let mut depths = vec![0; joints];
-    let mut children = vec![Vec::new(); joints];
-    for (place, joint) in skeleton.joints.iter().enumerate() {
-        if let Some(parent) = joint.parent {
-            depths[place] = depths[parent] + 1;
-            children[parent].push(place);
-        }
-    }
-    let mut farthest: Vec<usize> = (0..joints).collect();
-    for (node, end) in skeleton.figure().iter().enumerate().skip(joints) {
-        if paths[node] > paths[farthest[end.joint]] {
-            farthest[end.joint] = node;
-        }
-    }
-    let mut sizes = vec![1; joints];
-    for place in (1..joints).rev() {
-        if let Some(parent) = skeleton.joints[place].parent {
-            sizes[parent] += sizes[place];
-            if paths[farthest[place]] > paths[farthest[parent]] {
-                farthest[parent] = farthest[place];
-            }
-        }
-    }
-    let mut pairs = Vec::new();
-    for parent in 0..joints {
-        let reach = |child: usize| paths[farthest[child]] - paths[parent];
-        for (i, &a) in children[parent].iter().enumerate() {
-            for &b in &children[parent][i + 1..] {
-                let (longer, shorter) = (reach(a).max(reach(b)), reach(a).min(reach(b)));
-                let ends = [rest[farthest[a]], rest[farthest[b]]];
-                let alike = sizes[a] == sizes[b] && shorter > 0.9 * longer;
-                if alike && (ends[0] - ends[1]).norm() > 0.02 * longer {
-                    pairs.push(Pair { members: [a, b], depth: depths[parent], reach: longer, ends });
-                }
-            }
-        }
-    }
-    pairs
-}
-
-fn ancestors(skeleton: &Skeleton, joint: usize) -> impl Iterator<Item = usize> + '_ {
-    std::iter::successors(skeleton.joints[joint].parent, |&joint| skeleton.joints[joint].parent)
-}
-
-fn is_within(skeleton: &Skeleton, joint: usize, top: usize) -> bool {
-    joint == top || ancestors(skeleton, joint).any(|ancestor| ancestor == top)
-}
-
 /// The probable up axis of a rest pose without names: y, unless the body is clearly longer along z. The arms
 /// usually lie along x.
 fn up_of_rest(skeleton: &Skeleton) -> usize {
@@ -243,13 +166,32 @@ fn up_of_rest(skeleton: &Skeleton) -> usize {
     }
 }
 
-/// The vector from the feet to the head in the rest pose. `None` if the rest pose does not stand, as in files
-/// whose offsets all point along the bones' own axes.
-pub(crate) fn standing_at_rest(skeleton: &Skeleton, anatomy: &Anatomy) -> Option<Vector3<f64>> {
+/// A rest pose that stands.
+pub(crate) struct Standing {
+    /// From the feet to the head, or from the tips of the limbs to their sockets where the body stands on all
+    /// its limbs.
+    pub(crate) upward: Vector3<f64>,
+    /// Whether it stands on all its limbs, as animals do.
+    pub(crate) on_limbs: bool,
+}
+
+/// How the rest pose stands; `None` if it does not, as in files whose offsets all point along the bones' own
+/// axes.
+pub(crate) fn standing_at_rest(skeleton: &Skeleton, anatomy: &Anatomy) -> Option<Standing> {
     let rest = skeleton.rest_pose().positions;
     let paths = path_lengths(skeleton);
-    let (upward, length) = feet_to_head(skeleton, anatomy, &rest, &paths)?;
-    (upward.amax() > 0.7 * length).then_some(upward)
+    let (to_head, length) = feet_to_head(skeleton, anatomy, &rest, &paths)?;
+    if to_head.amax() <= 0.7 * length {
+        return None;
+    }
+    let by_limbs = Limbs::find(skeleton)
+        .filter(|limbs| limbs.agree(&rest))
+        .map(|limbs| limbs.upward(&rest))
+        .filter(is_clear);
+    Some(match by_limbs.filter(|upward| upward.iamax() != to_head.iamax()) {
+        Some(upward) => Standing { upward, on_limbs: true },
+        None => Standing { upward: to_head, on_limbs: false },
+    })
 }
 
 /// The vector from the middle of the feet to the top of the head, and the length of that path along the
@@ -277,19 +219,13 @@ impl Skeleton {
     pub fn height(&self) -> f64 {
         let rest = self.rest_pose().positions;
         let height = Anatomy::find(self).and_then(|anatomy| match standing_at_rest(self, &anatomy) {
-            Some(upward) => Some(extents(&anatomy.without_arms(self, &rest))[upward.iamax()]),
+            Some(Standing { upward, .. }) => {
+                Some(extents(&anatomy.without_arms(self, &rest))[upward.iamax()])
+            }
             None => {
                 feet_to_head(self, &anatomy, &rest, &path_lengths(self)).map(|(_, length)| STANDING * length)
             }
         });
         height.unwrap_or_else(|| extents(&rest)[up_of_rest(self)])
     }
-}
-
-/// The size of the box around some points.
-pub(crate) fn extents(points: &[Vector3<f64>]) -> Vector3<f64> {
-    let first = points.first().copied().unwrap_or_default();
-    let low = points.iter().fold(first, |low, point| low.inf(point));
-    let high = points.iter().fold(first, |high, point| high.sup(point));
-    high - low
 }

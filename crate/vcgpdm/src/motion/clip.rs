@@ -2,6 +2,7 @@
 
 use crate::motion::rotation;
 use crate::motion::skeleton::{LocalPose, Skeleton, WorldPose};
+use crate::motion::stage_axes::UpAxis;
 use nalgebra::DMatrix;
 use sha2::{Digest, Sha256};
 use std::ops::RangeInclusive;
@@ -37,6 +38,8 @@ pub struct Clip {
     /// The name of the clip whose bones this clip was given ([`Clip::with_bones_of`]); `None` if it has its
     /// own bones.
     pub bones_of: Option<String>,
+    /// The axis that points up, if the user states it; `None`: [`Clip::up_axis`] finds it.
+    pub up: Option<UpAxis>,
 }
 
 /// Why a clip could not be cut or resampled.
@@ -229,6 +232,7 @@ impl Clip {
             sha256: self.sha256.clone(),
             piece: self.piece,
             bones_of: self.bones_of.clone(),
+            up: self.up,
             file_frame_time: self.file_frame_time,
         }
     }

@@ -30,10 +30,12 @@ pub(crate) mod clip;
 mod foreign;
 mod joint_names;
 pub mod landmarks;
+mod limbs;
 pub mod measures;
 pub mod parts;
 mod percentile;
 mod period;
+mod plain_names;
 pub mod pose;
 mod recording;
 mod rotation;
@@ -41,6 +43,8 @@ mod same_body;
 pub mod samples;
 pub mod skeleton;
 pub mod stage;
+mod stage_axes;
+mod still_root;
 #[cfg(test)]
 mod testing;
 

@@ -38,7 +38,8 @@ impl Recording {
         self.values.nrows()
     }
 
-    /// The motion without leading T-pose rows. A warning says when rows were removed.
+    /// The motion without leading T-pose rows, and without a root that stands still above a child that moves:
+    /// the child becomes the root. A warning says what was removed.
     pub fn into_clip(self) -> Clip {
         let added = self.rows_before_motion();
         let Recording { name, skeleton, frame_time, mut values, mut warnings, sha256 } = self;
@@ -53,7 +54,7 @@ impl Recording {
                 )
             });
         }
-        Clip {
+        let clip = Clip {
             name,
             skeleton,
             frame_time,
@@ -62,8 +63,10 @@ impl Recording {
             sha256,
             piece: None,
             bones_of: None,
+            up: None,
             file_frame_time: frame_time,
-        }
+        };
+        clip.without_still_roots()
     }
 
     /// The number of leading T-pose rows.

@@ -1,83 +1,16 @@
 //! The stage: the world in which bodies are shown, in metres, with y up, the ground at y = 0 and every body
 //! 1.7 m tall. Finds the up axis, the height of the body and the ground of a clip.
 
-use crate::motion::anatomy::{Anatomy, extents, standing_at_rest};
+use crate::motion::anatomy::{Anatomy, Standing, standing_at_rest};
 use crate::motion::clip::Clip;
 use crate::motion::joint_names::Side;
+use crate::motion::limbs::{Limbs, extents, is_clear};
 use crate::motion::percentile::upper_end;
-use crate::motion::rotation;
-use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::{FRAC_PI_2, PI};
+pub use crate::motion::stage_axes::UpAxis;
+use nalgebra::Vector3;
 
 /// The height of every body on the stage, in metres.
 pub const STAGE_HEIGHT: f64 = 1.7;
-
-/// The axis of the file's world that points away from the ground.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum UpAxis {
-    /// x points up.
-    X,
-    /// y points up.
-    Y,
-    /// z points up.
-    Z,
-    /// x points down.
-    MinusX,
-    /// y points down.
-    MinusY,
-    /// z points down.
-    MinusZ,
-}
-
-impl UpAxis {
-    const ALL: [UpAxis; 6] =
-        [UpAxis::X, UpAxis::Y, UpAxis::Z, UpAxis::MinusX, UpAxis::MinusY, UpAxis::MinusZ];
-
-    /// Its name in a document: "x", or "-x" where x points down.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            UpAxis::X => "x",
-            UpAxis::Y => "y",
-            UpAxis::Z => "z",
-            UpAxis::MinusX => "-x",
-            UpAxis::MinusY => "-y",
-            UpAxis::MinusZ => "-z",
-        }
-    }
-
-    /// The axis of that name.
-    pub(crate) fn from_name(name: &str) -> Option<UpAxis> {
-        UpAxis::ALL.into_iter().find(|axis| axis.name() == name)
-    }
-
-    fn new(axis: usize, down: bool) -> UpAxis {
-        match (axis, down) {
-            (0, false) => UpAxis::X,
-            (0, true) => UpAxis::MinusX,
-            (1, false) => UpAxis::Y,
-            (1, true) => UpAxis::MinusY,
-            (_, false) => UpAxis::Z,
-            (_, true) => UpAxis::MinusZ,
-        }
-    }
-
-    /// The axis without its sign: "x", "y" or "z".
-    pub fn letter(self) -> &'static str {
-        self.name().trim_start_matches('-')
-    }
-
-    /// The rotation from the file's world to one with y up.
-    pub fn to_y_up(self) -> UnitQuaternion<f64> {
-        match self {
-            UpAxis::X => rotation::about_axis(2, FRAC_PI_2),
-            UpAxis::Y => UnitQuaternion::identity(),
-            UpAxis::Z => rotation::about_axis(0, -FRAC_PI_2),
-            UpAxis::MinusX => rotation::about_axis(2, -FRAC_PI_2),
-            UpAxis::MinusY => rotation::about_axis(0, PI),
-            UpAxis::MinusZ => rotation::about_axis(0, FRAC_PI_2),
-        }
-    }
-}
 
 /// The quantities that bring a clip to the stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,6 +44,29 @@ struct Reach {
     low: Vector3<f64>,
     /// The largest coordinate along each axis.
     high: Vector3<f64>,
+    /// The limbs, if there are any.
+    limbs: Option<LimbSums>,
+    /// The smallest and largest coordinate of the root along each axis.
+    root: [Vector3<f64>; 2],
+}
+
+/// What the limbs do over a whole clip.
+struct LimbSums {
+    limbs: Limbs,
+    /// The sum of [`Limbs::upward`].
+    upward: Vector3<f64>,
+    /// The sum of [`Limbs::on_ground`] for each of [`UpAxis::ALL`].
+    on_ground: [f64; 6],
+}
+
+impl Reach {
+    /// How well the axis explains the clip: the mean share of the limbs on one plane, less the way of the root
+    /// along the axis in body heights. A body travels along the ground.
+    fn evidence(&self, sums: &LimbSums, up: UpAxis, frames: usize, height: f64) -> f64 {
+        let place = UpAxis::ALL.iter().position(|&axis| axis == up).unwrap_or_default();
+        let way = up.height(&(self.root[1] - self.root[0])).abs();
+        sums.on_ground[place] / frames.max(1) as f64 - (way / height).min(1.0)
+    }
 }
 
 impl Clip {
@@ -125,8 +81,9 @@ impl Clip {
         Stage { up, height: self.height_with(up), ground }
     }
 
-    /// The axis that points up: from the feet to the head in the motion, or in the rest pose if the motion is
-    /// not clear.
+    /// The axis that points up: [`Clip::up`] if it is stated. Else from the feet to the head in the motion, or
+    /// in the rest pose if the motion is not clear. Where the limbs carry the body along another axis, as those
+    /// of animals do, the axis counts that has more limbs on one plane and less travel.
     pub fn up_axis(&self) -> UpAxis {
         self.up_axis_of(&self.reach())
     }
@@ -161,6 +118,12 @@ impl Clip {
             upward: ends.map(|_| Vector3::zeros()),
             low: Vector3::repeat(f64::INFINITY),
             high: Vector3::repeat(f64::NEG_INFINITY),
+            limbs: Limbs::find(&self.skeleton).map(|limbs| LimbSums {
+                limbs,
+                upward: Vector3::zeros(),
+                on_ground: [0.0; 6],
+            }),
+            root: [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)],
         };
         for frame in 0..self.frames() {
             let places = self.world_pose(frame).positions;
@@ -168,6 +131,13 @@ impl Clip {
                 let upward = places[head] - 0.5 * (places[left] + places[right]);
                 *sum += upward.try_normalize(0.0).unwrap_or_default();
             }
+            if let Some(LimbSums { limbs, upward, on_ground }) = reach.limbs.as_mut() {
+                *upward += limbs.upward(&places);
+                for (sum, up) in on_ground.iter_mut().zip(UpAxis::ALL) {
+                    *sum += limbs.on_ground(&places, up);
+                }
+            }
+            reach.root = [reach.root[0].inf(&places[0]), reach.root[1].sup(&places[0])];
             for place in &places {
                 reach.low = reach.low.inf(place);
                 reach.high = reach.high.sup(place);
@@ -177,19 +147,44 @@ impl Clip {
     }
 
     fn up_axis_of(&self, reach: &Reach) -> UpAxis {
-        let Some(anatomy) = Anatomy::find(&self.skeleton) else {
-            // Without limbs: the longest side of the rest pose's box, y before z before x.
-            let extent = extents(&self.skeleton.rest_pose().positions);
-            let longest = extent.max() * 0.999;
-            let axis = [1, 2, 0].into_iter().find(|&axis| extent[axis] >= longest).unwrap_or(1);
-            return UpAxis::new(axis, false);
+        if let Some(up) = self.up {
+            return up;
+        }
+        let rest =
+            Anatomy::find(&self.skeleton).and_then(|anatomy| standing_at_rest(&self.skeleton, &anatomy));
+        let usual = self.up_axis_of_head(reach, rest.as_ref());
+        let Some(sums) = &reach.limbs else { return usual };
+        let is_upright = |rest: &Standing| {
+            !rest.on_limbs && UpAxis::new(rest.upward.iamax(), false).letter() == usual.letter()
         };
-        let rest = standing_at_rest(&self.skeleton, &anatomy);
+        if rest.as_ref().is_some_and(is_upright) {
+            return usual;
+        }
+        let upward = sums.upward / self.frames().max(1) as f64;
+        let by_limbs = UpAxis::new(upward.iamax(), upward[upward.iamax()] < 0.0);
+        if !is_clear(&upward) || by_limbs.letter() == usual.letter() {
+            return usual;
+        }
+        let evidence = |up| reach.evidence(sums, up, self.frames(), self.skeleton.height());
+        if evidence(by_limbs) > evidence(usual) { by_limbs } else { usual }
+    }
+
+    fn up_axis_of_head(&self, reach: &Reach, rest: Option<&Standing>) -> UpAxis {
+        if Anatomy::find(&self.skeleton).is_none() {
+            // Without limbs: the longest side of the rest pose's box along which the body does not travel, y
+            // before z before x.
+            let extent = extents(&self.skeleton.rest_pose().positions);
+            let way = reach.root[1] - reach.root[0];
+            let stays = |axis: &usize| way[*axis] <= extent.max();
+            let longest = [1, 2, 0].into_iter().filter(stays).map(|axis| extent[axis]).fold(0.0, f64::max);
+            let axis = [1, 2, 0].into_iter().filter(stays).find(|&axis| extent[axis] >= 0.999 * longest);
+            return UpAxis::new(axis.unwrap_or(1), false);
+        }
         let Some(mean) = reach.upward else { return UpAxis::Y };
         let (clear, axis) = (mean.amax() > 0.8 * mean.norm(), mean.iamax());
         let ends = |axis: usize| (reach.low[axis], reach.high[axis]);
         let near_zero = |x: f64| x.abs() < 0.1 * self.skeleton.height();
-        if let Some(rest) = rest {
+        if let Some(Standing { upward: rest, .. }) = rest {
             let standing = rest.iamax();
             // A body that lies on the ground in the whole clip points along another axis than the rest pose.
             // Its lowest point is then near zero along the true up axis.
@@ -224,7 +219,10 @@ impl Clip {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::motion::samples;
+    use crate::motion::skeleton::{Channel, Joint, Skeleton};
+    use crate::motion::{rotation, samples};
+    use nalgebra::{DMatrix, UnitQuaternion};
+    use std::f64::consts::FRAC_PI_2;
 
     fn clips() -> Vec<Clip> {
         samples::list().iter().map(|info| samples::clip(info.id).unwrap()).collect()
@@ -301,5 +299,120 @@ mod tests {
             .position(|channel| *channel == crate::motion::skeleton::Channel::Yposition);
         clip.values.column_mut(y.unwrap()).add_scalar_mut(-low);
         assert_eq!(clip.up_axis(), UpAxis::Y);
+    }
+
+    /// A body with six channels at the root and angles elsewhere, from (name, parent, offset), that moves its
+    /// joints a little and travels by `step` a frame.
+    fn animal(joints: &[(&str, Option<usize>, [f64; 3])], step: Vector3<f64>) -> Clip {
+        let angles = [Channel::Zrotation, Channel::Xrotation, Channel::Yrotation];
+        let joint = |&(name, parent, offset): &(&str, Option<usize>, [f64; 3])| Joint {
+            name: name.to_owned(),
+            parent,
+            offset,
+            channels: if parent.is_none() { Channel::ALL.to_vec() } else { angles.to_vec() },
+            end_sites: if joints.iter().any(|other| other.1.is_some_and(|p| joints[p].0 == name)) {
+                Vec::new()
+            } else {
+                vec![offset]
+            },
+        };
+        let skeleton = Skeleton { joints: joints.iter().map(joint).collect() };
+        let values = DMatrix::from_fn(40, skeleton.channel_count(), |t, column| match column {
+            0..3 => joints[0].2[column] + t as f64 * step[column],
+            3..6 => 0.0,
+            _ => 4.0 * (0.3 * t as f64 + column as f64).sin(),
+        });
+        Clip::new("animal.bvh", skeleton, 1.0 / 30.0, values)
+    }
+
+    /// Four legs under a long back; from the hind feet to the head it is farther ahead than up.
+    fn four_legs(step: Vector3<f64>) -> Clip {
+        animal(
+            &[
+                ("Hips", None, [0.0, 1.0, 0.0]),
+                ("LeftThigh", Some(0), [0.0, 0.0, -0.3]),
+                ("LeftCalf", Some(1), [0.0, -0.5, 0.0]),
+                ("RightThigh", Some(0), [0.0, 0.0, 0.3]),
+                ("RightCalf", Some(3), [0.0, -0.5, 0.0]),
+                ("Spine", Some(0), [1.2, 0.0, 0.0]),
+                ("LeftUpperArm", Some(5), [0.0, 0.0, -0.3]),
+                ("LeftForearm", Some(6), [0.0, -0.5, 0.0]),
+                ("RightUpperArm", Some(5), [0.0, 0.0, 0.3]),
+                ("RightForearm", Some(8), [0.0, -0.5, 0.0]),
+                ("Head", Some(5), [0.5, 0.0, 0.0]),
+                ("Tail", Some(0), [-0.4, 0.0, 0.0]),
+            ],
+            step,
+        )
+    }
+
+    /// Three pairs of legs that spread to the sides of a flat shell, whose eyes point ahead.
+    fn many_legs() -> Clip {
+        let mut joints = vec![("Shell", None, [0.0, 0.3, 0.0]), ("Head", Some(0), [0.0, 0.0, 0.7])];
+        for ahead in [-0.3, 0.0, 0.3] {
+            for (name, side) in [("LegL", 1.0), ("LegR", -1.0)] {
+                joints.push((name, Some(0), [0.2 * side, 0.0, ahead]));
+                joints.push((name, Some(joints.len() - 1), [0.4 * side, -0.15, 0.3 * ahead]));
+            }
+        }
+        animal(&joints, Vector3::zeros())
+    }
+
+    #[test]
+    fn animals_stand_on_their_legs() {
+        let clips = [four_legs(Vector3::zeros()), four_legs(Vector3::new(0.05, 0.0, 0.0)), many_legs()];
+        for (place, clip) in clips.iter().enumerate() {
+            for up in UpAxis::ALL {
+                let turned = in_other_world(clip, up.to_y_up().inverse());
+                assert_eq!(turned.up_axis(), up, "animal {place}");
+            }
+        }
+        let height = clips[0].stage().height;
+        assert!((0.9..1.3).contains(&height), "{height}");
+    }
+
+    /// In the rest pose of some rigs the arms point up; toes then decided that the body lies.
+    #[test]
+    fn a_rest_pose_with_raised_arms_stands() {
+        let mut joints = vec![
+            ("Hips", None, [0.0, 85.0, 0.0]),
+            ("Spine", Some(0), [0.0, 30.0, 0.0]),
+            ("Head", Some(1), [0.0, 20.0, 0.0]),
+        ];
+        for (leg, side) in [
+            (["LeftUpLeg", "LeftLeg", "LeftFoot", "LeftToe"], 1.0),
+            (["RightUpLeg", "RightLeg", "RightFoot", "RightToe"], -1.0),
+        ] {
+            let first = joints.len();
+            joints.push((leg[0], Some(0), [11.0 * side, 0.0, 0.0]));
+            joints.push((leg[1], Some(first), [0.0, -38.0, 0.0]));
+            joints.push((leg[2], Some(first + 1), [0.0, -40.0, 0.0]));
+            joints.push((leg[3], Some(first + 2), [0.0, 0.0, 15.0]));
+        }
+        for (arm, side) in [(["LeftArm", "LeftForeArm"], 1.0), (["RightArm", "RightForeArm"], -1.0)] {
+            joints.push((arm[0], Some(1), [5.0 * side, 25.0, 0.0]));
+            joints.push((arm[1], Some(joints.len() - 1), [0.0, 35.0, 0.0]));
+        }
+        let clip = animal(&joints, Vector3::zeros());
+        assert_eq!((clip.up_axis(), clip.skeleton.height().round()), (UpAxis::Y, 148.0));
+    }
+
+    #[test]
+    fn the_stated_axis_counts() {
+        let walk = &clips()[0];
+        for up in UpAxis::ALL {
+            let clip = Clip { up: Some(up), ..walk.clone() };
+            assert_eq!((clip.up_axis(), clip.stage().up), (up, up));
+            assert_eq!(clip.resample(30.0).unwrap().cut(0, 10).unwrap().up_axis(), up);
+        }
+    }
+
+    /// A chain without limbs that crawls along its own length.
+    #[test]
+    fn a_body_without_limbs_does_not_travel_upwards() {
+        let chain =
+            [("a", None, [0.0, 0.1, 0.0]), ("b", Some(0), [0.0, 0.1, 1.0]), ("c", Some(1), [0.0, 0.1, 1.0])];
+        assert_eq!(animal(&chain, Vector3::zeros()).up_axis(), UpAxis::Z);
+        assert_eq!(animal(&chain, Vector3::new(0.0, 0.0, 0.1)).up_axis(), UpAxis::Y);
     }
 }

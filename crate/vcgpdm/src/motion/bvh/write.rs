@@ -7,7 +7,8 @@ use nalgebra::DMatrix;
 use std::fmt::Write;
 
 /// Writes a clip as BVH: tabs, LF line ends, each joint's own channels in their order. Numbers have the
-/// digits that are read back as the same value.
+/// digits that are read back as the same value. Joints below the root whose position channels do not change
+/// are written with rotations alone, and their positions as offsets.
 pub fn write(clip: &Clip) -> String {
     text(&clip.skeleton, clip.frame_time, &clip.values)
 }
@@ -27,6 +28,7 @@ impl Clip {
             warnings: Vec::new(),
             piece: None,
             bones_of: None,
+            up: None,
             file_frame_time: frame_time,
         }
     }
@@ -50,15 +52,55 @@ impl Recording {
     }
 }
 
+/// Positions of inner joints that vary by less than this share of the body's height are constant: files round
+/// positions to about this share.
+const CONSTANT: f64 = 1e-5;
+
+/// The skeleton without position channels of inner joints that do not move, whose mean positions become the
+/// offsets; and the columns of the remaining channels. Readers disagree whether a position channel of an inner
+/// joint is added to the offset or replaces it: with rotations alone they agree.
+fn with_offsets(skeleton: &Skeleton, values: &DMatrix<f64>) -> (Skeleton, Vec<usize>) {
+    let mut written = skeleton.clone();
+    let mut columns = Vec::with_capacity(values.ncols());
+    let has_inner_positions = (skeleton.joints.iter().skip(1))
+        .any(|joint| joint.channels.iter().any(|channel| !channel.is_rotation()));
+    if !has_inner_positions || values.nrows() == 0 {
+        return (written, (0..values.ncols()).collect());
+    }
+    let tolerance = CONSTANT * skeleton.height();
+    let starts = skeleton.channel_starts();
+    for (joint, start) in written.joints.iter_mut().zip(starts) {
+        let channels = joint.channels.clone();
+        let positions = (start..).zip(&channels).filter(|(_, channel)| !channel.is_rotation());
+        let is_constant =
+            |column: usize| values.column(column).max() - values.column(column).min() <= tolerance;
+        let removes = joint.parent.is_some() && positions.clone().all(|(column, _)| is_constant(column));
+        if removes {
+            for (column, channel) in positions {
+                let first = values[(0, column)];
+                let differences = values.column(column).iter().map(|value| value - first).sum::<f64>();
+                joint.offset[channel.axis()] = first + differences / values.nrows() as f64;
+            }
+            joint.channels.retain(|channel| channel.is_rotation());
+        }
+        let kept = (start..).zip(&channels).filter(|(_, channel)| !removes || channel.is_rotation());
+        columns.extend(kept.map(|(column, _)| column));
+    }
+    (written, columns)
+}
+
 /// The text of a BVH file.
 fn text(skeleton: &Skeleton, frame_time: f64, values: &DMatrix<f64>) -> String {
     let mut text = String::new();
+    let (skeleton, kept) = with_offsets(skeleton, values);
+    let skeleton = &skeleton;
     // Writing to a String cannot fail: its results are ignored here and below.
     let order = hierarchy(skeleton, &mut text);
     let _ = writeln!(text, "MOTION\nFrames: {}\nFrame Time: {frame_time}", values.nrows());
     let starts = skeleton.channel_starts();
     let columns: Vec<usize> = (order.into_iter())
         .flat_map(|joint| (starts[joint]..).take(skeleton.joints[joint].channels.len()))
+        .map(|column| kept[column])
         .collect();
     for row in values.row_iter() {
         for (place, &column) in columns.iter().enumerate() {

@@ -12,5 +12,5 @@ mod tests;
 
 pub use from_json::from_json;
 pub use layout::PartsLayout;
-pub use presets::{PartsPreset, presets};
+pub use presets::{PartsPreset, preset_names, preset_parts, presets};
 pub use spec::{PartSpec, PartsError, check};

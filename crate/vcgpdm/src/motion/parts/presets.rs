@@ -69,6 +69,30 @@ pub fn presets(skeleton: &Skeleton) -> Vec<PartsPreset> {
     presets
 }
 
+/// The parts of a preset, named by its id or by the names of its parts in any order: "lower-upper",
+/// "upper,lower". `None` if the body has no such preset.
+pub fn preset_parts(text: &str, skeleton: &Skeleton) -> Option<Vec<PartSpec>> {
+    let presets = presets(skeleton);
+    if let Some(preset) = presets.iter().find(|preset| preset.id == text) {
+        return Some(preset.parts.clone());
+    }
+    // Names of the parts, in the order of the parts of the model.
+    let names: Vec<&str> = text.split(',').map(str::trim).collect();
+    let repeats = names.iter().enumerate().any(|(place, name)| names[..place].contains(name));
+    let chosen = |preset: &PartsPreset| -> Option<Vec<PartSpec>> {
+        names.iter().map(|name| preset.parts.iter().find(|part| part.name == *name).cloned()).collect()
+    };
+    presets.iter().filter(|preset| preset.parts.len() == names.len() && !repeats).find_map(chosen)
+}
+
+/// The splits of a body as a user writes them: "body; lower,upper; ...".
+pub fn preset_names(skeleton: &Skeleton) -> String {
+    let names = |preset: PartsPreset| -> String {
+        preset.parts.into_iter().map(|part| part.name).collect::<Vec<_>>().join(",")
+    };
+    presets(skeleton).into_iter().map(names).collect::<Vec<_>>().join("; ")
+}
+
 fn preset(id: &str, title: &str, parts: Vec<(&str, Vec<usize>)>) -> PartsPreset {
     let spec = |(name, joints): (&str, Vec<usize>)| PartSpec { name: name.to_owned(), joints };
     PartsPreset { id: id.to_owned(), title: title.to_owned(), parts: parts.into_iter().map(spec).collect() }

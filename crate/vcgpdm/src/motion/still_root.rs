@@ -1,0 +1,296 @@
+//! A root that only carries the body: such a root stands still, and its child, the hips, travels.
+//!
+//! Only the root's path enters the model as a path over the ground; every other joint keeps its mean position.
+//! So the hips must be the root.
+
+use crate::motion::clip::Clip;
+use crate::motion::rotation;
+use crate::motion::skeleton::{Channel, Joint, LocalPose, Skeleton};
+use nalgebra::{DMatrix, UnitQuaternion};
+
+/// A root stands still when it moves by less than this share of the body's height, and turns by less than
+/// this angle (radians).
+const STILL: f64 = 1e-3;
+/// The only child of a still root carries the body when it moves by more than this share of the height: files
+/// round positions to about this share.
+const MOVES: f64 = 1e-5;
+/// Where the root has more children, one of them carries the body when it moves by this share of the height.
+/// A bone of the body itself never does.
+const TRAVELS: f64 = 0.5;
+
+impl Clip {
+    /// The clip without a root, or a chain of them, that stands still above a child that moves: the child
+    /// becomes the root. The world positions of the joints that remain do not change. A warning names the
+    /// joints.
+    pub(super) fn without_still_roots(self) -> Clip {
+        self.with_carried_root().unwrap_or(self)
+    }
+
+    fn with_carried_root(&self) -> Option<Clip> {
+        let skeleton = &self.skeleton;
+        let first_child = carried(skeleton, 0)?;
+        if !has_positions(skeleton, first_child.joint) {
+            return None;
+        }
+        let poses: Vec<LocalPose> = (0..self.frames()).map(|frame| self.local_pose(frame)).collect();
+        let first = poses.first()?;
+        let height = skeleton.height().max(f64::MIN_POSITIVE);
+        let farthest = |joint: usize| {
+            let moved = poses.iter().map(|pose| (pose.positions[joint] - first.positions[joint]).norm());
+            moved.fold(0.0, f64::max) / height
+        };
+        let turned = |joint: usize| {
+            let angle =
+                |pose: &LocalPose| rotation::angle_between(&pose.rotations[joint], &first.rotations[joint]);
+            poses.iter().map(angle).fold(0.0, f64::max)
+        };
+        let mut left_out: Vec<&str> = Vec::new();
+        let (mut root, mut only) = (0, true);
+        let mut next = Some(first_child);
+        while let Some(Carried { joint, kept, others }) = next {
+            if farthest(root) > STILL || turned(root) > STILL {
+                return None;
+            }
+            only &= others.is_empty();
+            left_out.extend(others.iter().map(|&other| skeleton.joints[other].name.as_str()));
+            if farthest(joint) > if only { MOVES } else { TRAVELS } {
+                let (skeleton, values) = self.rooted_at(&kept, &poses);
+                let mut clip = Clip { skeleton, ..self.with_values(values, self.frame_time) };
+                let [root, joint] = [0, joint].map(|joint| self.skeleton.joints[joint].name.as_str());
+                clip.warnings.push(warning(root, joint, &left_out));
+                return Some(clip);
+            }
+            root = joint;
+            next = carried(skeleton, joint).filter(|next| has_positions(skeleton, next.joint));
+        }
+        None
+    }
+
+    /// The joints in `kept`, of which the first becomes the root.
+    fn rooted_at(&self, kept: &[usize], poses: &[LocalPose]) -> (Skeleton, DMatrix<f64>) {
+        let starts = self.skeleton.channel_starts();
+        let (old_root, child) = (&self.skeleton.joints[0], &self.skeleton.joints[kept[0]]);
+        let channels = root_channels(old_root, child);
+        let axes: Vec<usize> =
+            channels.iter().filter(|channel| channel.is_rotation()).map(|channel| channel.axis()).collect();
+        let mut joints = Vec::with_capacity(kept.len());
+        for &place in kept {
+            let joint = &self.skeleton.joints[place];
+            // Of the kept joints only the first has its parent elsewhere.
+            let parent = joint.parent.and_then(|parent| kept.iter().position(|&other| other == parent));
+            joints.push(Joint { parent, ..joint.clone() });
+        }
+        joints[0].channels.clone_from(&channels);
+        // A place in the world, which the position channels replace.
+        joints[0].offset = [0.0; 3];
+        let inner: Vec<usize> = (kept.iter().skip(1))
+            .flat_map(|&joint| (starts[joint]..).take(self.skeleton.joints[joint].channels.len()))
+            .collect();
+        let mut values = DMatrix::zeros(self.frames(), channels.len() + inner.len());
+        // From the nearest to the old root.
+        let parents = |&joint: &usize| self.skeleton.joints[joint].parent;
+        let ancestors: Vec<usize> = std::iter::successors(child.parent, parents).collect();
+        // Angles stay as the file has them where no joint above is turned.
+        let is_unturned = |pose: &LocalPose| {
+            ancestors.iter().all(|&joint| pose.rotations[joint] == UnitQuaternion::identity())
+        };
+        let keeps_angles = channels == child.channels && poses.iter().all(is_unturned);
+        let mut previous = [0.0; 3];
+        for (t, pose) in poses.iter().enumerate() {
+            let (mut place, mut turned) = (pose.positions[kept[0]], pose.rotations[kept[0]]);
+            for &above in &ancestors {
+                place = pose.positions[above] + pose.rotations[above] * place;
+                turned = pose.rotations[above] * turned;
+            }
+            previous = rotation::angles_near(&turned, &axes, &previous);
+            let mut angles = previous.into_iter();
+            for (column, channel) in channels.iter().enumerate() {
+                values[(t, column)] = match (channel.is_rotation(), keeps_angles) {
+                    (false, _) => place[channel.axis()],
+                    (true, true) => self.values[(t, starts[kept[0]] + column)],
+                    (true, false) => angles.next().unwrap_or(0.0).to_degrees(),
+                };
+            }
+            for (column, &old) in inner.iter().enumerate() {
+                values[(t, channels.len() + column)] = self.values[(t, old)];
+            }
+        }
+        (Skeleton { joints }, values)
+    }
+}
+
+/// The child that carries the body.
+struct Carried {
+    joint: usize,
+    /// The child and all joints below it.
+    kept: Vec<usize>,
+    /// Its siblings.
+    others: Vec<usize>,
+}
+
+/// The child of a joint that has the most joints below it, if these are at least half of the joints below
+/// `parent`.
+fn carried(skeleton: &Skeleton, parent: usize) -> Option<Carried> {
+    // For each joint below `parent`, the child of `parent` above it.
+    let mut tops: Vec<Option<usize>> = vec![None; skeleton.joints.len()];
+    let mut sizes = vec![0; skeleton.joints.len()];
+    for (place, joint) in skeleton.joints.iter().enumerate() {
+        tops[place] = if joint.parent == Some(parent) {
+            Some(place)
+        } else {
+            joint.parent.and_then(|above| tops[above])
+        };
+        if let Some(top) = tops[place] {
+            sizes[top] += 1;
+        }
+    }
+    let joint = skeleton.children(parent).max_by_key(|&child| sizes[child])?;
+    let kept = (0..tops.len()).filter(|&place| tops[place] == Some(joint)).collect();
+    let others = skeleton.children(parent).filter(|&other| other != joint).collect();
+    (2 * sizes[joint] >= sizes.iter().sum()).then_some(Carried { joint, kept, others })
+}
+
+fn has_positions(skeleton: &Skeleton, joint: usize) -> bool {
+    skeleton.joints[joint].channels.iter().any(|channel| !channel.is_rotation())
+}
+
+/// The channels of the new root: all six, its own in their order where it has them all.
+fn root_channels(old_root: &Joint, child: &Joint) -> Vec<Channel> {
+    if child.channels.len() == Channel::ALL.len() {
+        return child.channels.clone();
+    }
+    let rotations = |joint: &Joint| -> Vec<Channel> {
+        joint.channels.iter().copied().filter(|channel| channel.is_rotation()).collect()
+    };
+    let usual = vec![Channel::Zrotation, Channel::Xrotation, Channel::Yrotation];
+    let angles = [rotations(child), rotations(old_root), usual].into_iter().find(|angles| angles.len() == 3);
+    let positions = Channel::ALL.into_iter().filter(|channel| !channel.is_rotation());
+    positions.chain(angles.unwrap_or_default()).collect()
+}
+
+fn warning(root: &str, child: &str, others: &[&str]) -> String {
+    let text = format!("the root {root:?} stands still and {child:?} moves: {child:?} is the root now");
+    let left_out = match others {
+        [] => String::new(),
+        [other] => format!(", and {other:?} was left out"),
+        [other, ..] => format!(", and {other:?} and {} more were left out", others.len() - 1),
+    };
+    text + &left_out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::testing::any_clip;
+    use crate::motion::{Recording, samples};
+    use proptest::prelude::*;
+
+    fn joint(name: &str, parent: Option<usize>, offset: [f64; 3], channels: &[Channel]) -> Joint {
+        Joint { name: name.to_owned(), parent, offset, channels: channels.to_vec(), end_sites: Vec::new() }
+    }
+
+    /// The clip with a root above its own root that has `channels`, whose values are `pose`; helper bones
+    /// `others` hang on the new root.
+    fn carried_by(clip: &Clip, channels: &[Channel], pose: &[f64], others: &[&str]) -> Recording {
+        let mut joints = vec![joint("Reference", None, [1.0, 2.0, 3.0], channels)];
+        for own in &clip.skeleton.joints {
+            joints.push(Joint { parent: Some(own.parent.map_or(0, |parent| parent + 1)), ..own.clone() });
+        }
+        for name in others {
+            joints.push(joint(name, Some(0), [5.0, 0.0, 0.0], &[]));
+        }
+        let columns = channels.len();
+        let values = DMatrix::from_fn(clip.frames(), columns + clip.values.ncols(), |t, column| {
+            if column < columns { pose[column] } else { clip.values[(t, column - columns)] }
+        });
+        Recording::new("carried.bvh", Skeleton { joints }, clip.frame_time, values)
+    }
+
+    #[test]
+    fn a_still_root_is_folded_into_its_moving_child_to_the_last_digit() {
+        let walk = samples::clip("walk-1").unwrap();
+        let folded = carried_by(&walk, &Channel::ALL, &[0.0; 6], &[]).into_clip();
+        assert_eq!(folded.values, walk.values);
+        assert_eq!(folded.skeleton, walk.skeleton);
+        let hips = &walk.skeleton.joints[0].name;
+        assert_eq!(
+            folded.warnings,
+            [format!("the root \"Reference\" stands still and {hips:?} moves: {hips:?} is the root now")]
+        );
+    }
+
+    #[test]
+    fn two_still_roots_are_folded() {
+        let walk = samples::clip("walk-1").unwrap();
+        let inner = carried_by(&walk, &Channel::ALL, &[7.0, 0.0, 1.0, 0.0, 90.0, 0.0], &[]);
+        let inner = Clip::new("inner.bvh", inner.skeleton, inner.frame_time, inner.values);
+        let outer = carried_by(&inner, &[], &[], &[]);
+        let folded = outer.clone().into_clip();
+        assert_eq!(folded.skeleton.joints.len(), walk.skeleton.joints.len());
+        let before = outer.skeleton.local_pose(&outer.values, 30);
+        let before = outer.skeleton.forward_kinematics(&before.rotations, &before.positions).positions;
+        for (old, new) in before[2..].iter().zip(&folded.world_pose(30).positions) {
+            assert!((old - new).norm() < 1e-9, "{old} {new}");
+        }
+    }
+
+    #[test]
+    fn helper_bones_beside_hips_that_travel_are_left_out() {
+        let walk = samples::clip("walk-1").unwrap();
+        let folded = carried_by(&walk, &[], &[], &["ik_foot_root", "ik_hand_root"]).into_clip();
+        assert_eq!(folded.skeleton.joints.len(), walk.skeleton.joints.len());
+        assert!(folded.warnings[0].ends_with("\"ik_foot_root\" and 1 more were left out"));
+        // On the spot it is not clear which child is the body.
+        let mut still = walk.clone();
+        for (column, channel) in walk.skeleton.joints[0].channels.iter().enumerate() {
+            if !channel.is_rotation() {
+                still.values.column_mut(column).fill(1.0);
+            }
+        }
+        let kept = carried_by(&still, &[], &[], &["ik_foot_root"]).into_clip();
+        assert_eq!((kept.skeleton.joints.len(), kept.warnings.len()), (walk.skeleton.joints.len() + 2, 0));
+    }
+
+    #[test]
+    fn a_root_that_moves_is_kept() {
+        let walk = samples::clip("walk-1").unwrap();
+        for column in [0, 4] {
+            let mut recording = carried_by(&walk, &Channel::ALL, &[0.0; 6], &[]);
+            for t in 0..walk.frames() {
+                recording.values[(t, column)] = t as f64;
+            }
+            assert_eq!(recording.clone().into_clip().skeleton, recording.skeleton);
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        /// Any root pose, any channels of root and child.
+        #[test]
+        fn folding_changes_no_position_in_the_world(
+            clip in any_clip(),
+            root in proptest::sample::subsequence(Channel::ALL.to_vec(), 0..=6).prop_shuffle(),
+            pose in proptest::array::uniform6(-170.0..170.0_f64),
+        ) {
+            prop_assume!(clip.frames() > 1);
+            let carried = carried_by(&clip, &root, &pose, &[]);
+            let before = Clip::new("before", carried.skeleton.clone(), carried.frame_time, carried.values.clone());
+            let after = before.clone().without_still_roots();
+            // The new root may itself stand above a child; without its own rotation it never stands still.
+            prop_assert_eq!(after.skeleton.joints.len(), clip.skeleton.joints.len());
+            for t in 0..clip.frames() {
+                let (before, after) = (before.world_pose(t), after.world_pose(t));
+                let joints = clip.skeleton.joints.len();
+                let ends = before.positions[joints + 1..].iter();
+                let all = before.positions[1..=joints].iter().chain(ends);
+                for (old, new) in all.zip(&after.positions) {
+                    prop_assert!((old - new).norm() < 1e-9, "{} {}", old, new);
+                }
+                for (old, new) in before.rotations[1..].iter().zip(&after.rotations) {
+                    prop_assert!(old.angle_to(new) < 1e-6);
+                }
+            }
+        }
+    }
+}
