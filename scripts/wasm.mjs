@@ -4,6 +4,7 @@ import { copyFileSync, cpSync, readdirSync, rmSync, writeFileSync } from "node:f
 import { join } from "node:path";
 import { wasmNotice } from "./licences.mjs";
 import { completePackage, entries, writeNodeEntry } from "./package.mjs";
+import { addresses } from "./release.mjs";
 import { at, Failure, filesUnder, isUpToDate, output, root, run, runModule, whenChanged } from "./run.mjs";
 
 /** @type {{ folder: string, features: string[] }[]} */
@@ -69,6 +70,7 @@ export async function buildWasm({ small = true } = {}) {
     at("package-lock.json"),
     at("scripts/wasm.mjs"),
     at("scripts/package.mjs"),
+    at("crate/wasm/js"),
   ]);
   const outputs = TARGETS.map(({ folder }) => join(pkg, folder, "vcgpdm.js"));
   const state = (/** @type {boolean} */ small) => ({ inputs, outputs, salt: small ? "small" : "" });
@@ -120,8 +122,7 @@ function describe() {
     keywords: [...crate.keywords, "wasm"],
     author: "The authors of the vCGPDM playground",
     license: crate.license,
-    ...(crate.repository ? { repository: { type: "git", url: `git+${crate.repository}.git` } } : {}),
-    ...(crate.homepage ? { homepage: crate.homepage } : {}),
+    ...addresses(crate),
     ...entries,
     engines: { node: ">=20.19" },
   };

@@ -8,7 +8,7 @@
 //!
 //! ```
 //! use vcgpdm::{
-//!     Dataset, RolloutRequest, Settings, Trainer, VariationalSettings, part_presets, sample_clip, write_bvh,
+//!     Dataset, RolloutRequest, VariationalSettings, Vcgpdm, part_presets, sample_clip, write_bvh,
 //! };
 //!
 //! let clip = sample_clip("walk-1").ok_or("no such sample")?;
@@ -16,9 +16,7 @@
 //! let dataset = Dataset::new(&[(&clip).into()], parts, 30.0)?;
 //!
 //! let settings = VariationalSettings { max_iterations: 20, ..VariationalSettings::default() };
-//! let mut trainer = Trainer::new(&dataset, &Settings::Vcgpdm(settings), 0)?;
-//! trainer.run();
-//! let model = trainer.finish()?;
+//! let model = Vcgpdm::fit(&dataset, &settings, 0)?;
 //!
 //! let coupled = model.coupled().ok_or("a vCGPDM has couplings")?;
 //! let rollout = coupled.rollout(&RolloutRequest { frames: 60, ..RolloutRequest::default() })?;
@@ -34,7 +32,7 @@
 //! | data | [`read_bvh`] or [`read_asf`], then [`Clip`] | [`read_csv`], [`Table`] |
 //! | parts | [`part_presets`] or own [`PartSpec`]s | [`column_parts`] |
 //! | data set | [`Dataset::new`] | [`Dataset::of_tables`] |
-//! | training | [`Settings`], [`Trainer`], [`Progress`] | the same |
+//! | training | [`Vcgpdm::fit`]; or [`Settings`], [`Trainer`], [`Progress`] | the same |
 //! | model | [`Model`], [`Coupled`], [`Rollout`] | [`SeriesModel`], the same |
 //! | file | [`Document`], [`write_bvh`] | [`Document`], [`write_csv`] |
 //!
@@ -143,3 +141,8 @@ pub mod internals {
 
 /// The version of nalgebra whose matrices are in the signatures.
 pub use nalgebra;
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

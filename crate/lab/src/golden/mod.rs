@@ -128,7 +128,7 @@ impl Case {
     }
 
     fn rolled_out(&self, terms: &BoundTerms) -> Result<Further, CaseError> {
-        let model = Vcgpdm::fit(&self.objective, &self.params, terms.clone())?;
+        let model = Vcgpdm::at_optimum(&self.objective, &self.params, terms.clone())?;
         let rollouts = self.rollouts.iter().enumerate().map(|(k, asked)| {
             let path = format!("expected.rollouts[{k}]");
             let alpha = matrix(&asked.alpha, &format!("{path}.alpha"))?;

@@ -17,6 +17,7 @@ pub const MOST_SAMPLES: u32 = 1000;
 #[serde(deny_unknown_fields)]
 pub struct RolloutRequest {
     /// Frames in all, the start included.
+    #[serde(default = "usual_frames")]
     pub frames: usize,
     /// The training sequence that the rollout starts as, counted from 0.
     #[serde(default)]
@@ -37,6 +38,11 @@ pub struct RolloutRequest {
     /// Pushes of parts.
     #[serde(skip)]
     pub pushes: Vec<Push>,
+}
+
+/// Ten seconds at 30 frames a second.
+fn usual_frames() -> usize {
+    300
 }
 
 impl RolloutRequest {

@@ -10,8 +10,8 @@ use crate::models::fitted::provenance::{ENGINE, Provenance};
 use crate::models::training::error::TrainingError;
 use crate::models::training::learner::Learner;
 use crate::models::training::progress::Progress;
-use crate::models::training::settings::Settings;
-use crate::models::variational::BoundTerms;
+use crate::models::training::settings::{Settings, VariationalSettings};
+use crate::models::variational::{BoundTerms, Vcgpdm};
 use crate::motion::pose::PoseMapping;
 use nalgebra::DMatrix;
 use std::ops::ControlFlow;
@@ -144,6 +144,35 @@ impl<S: ColumnMapping> Trainer<S> {
     #[cfg(feature = "threads")]
     pub fn use_threads(&mut self, threads: usize) {
         self.learner.use_threads(threads);
+    }
+}
+
+impl Vcgpdm {
+    /// Trains a vCGPDM to the end; a vGPDM where the data set has one part. [`Trainer`] does the same step by
+    /// step, and trains the other kinds of models.
+    ///
+    /// ```
+    /// use vcgpdm::{Dataset, Vcgpdm, VariationalSettings, part_presets, sample_clip};
+    ///
+    /// let clip = sample_clip("walk-1").ok_or("no such sample")?;
+    /// let dataset = Dataset::new(&[(&clip).into()], &part_presets(&clip.skeleton)[1].parts, 30.0)?;
+    /// let settings = VariationalSettings { max_iterations: 10, ..Default::default() };
+    /// let model = Vcgpdm::fit(&dataset, &settings, 0)?;
+    /// assert_eq!(model.rollout(0, 100)?.nrows(), 100);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`Trainer::new`] and [`Trainer::finish`].
+    pub fn fit<S: ColumnMapping>(
+        dataset: &Dataset<S>,
+        settings: &VariationalSettings,
+        seed: u32,
+    ) -> Result<Model<S>, DatasetError> {
+        let mut trainer = Trainer::new(dataset, &settings.clone().into(), seed)?;
+        trainer.run();
+        trainer.finish().map_err(|reason| DatasetError::Training(reason.into()))
     }
 }
 

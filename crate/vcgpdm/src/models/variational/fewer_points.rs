@@ -211,7 +211,7 @@ mod tests {
         params.parts[0].r = params.parts[0].r.select_rows(&kept.poses[0]);
         params.experts[1][0].z = params.experts[1][0].z.select_rows(&kept.dynamics[1][0]);
         let terms = objective.terms(&params).unwrap();
-        let refitted = Vcgpdm::fit(&objective, &params, terms).unwrap();
+        let refitted = Vcgpdm::at_optimum(&objective, &params, terms).unwrap();
         let close = |a: &DMatrix<f64>, b: &DMatrix<f64>| {
             assert_relative_eq!(a, b, epsilon = 1e-8, max_relative = 1e-7);
         };

@@ -63,7 +63,11 @@ impl Vcgpdm {
     /// # Errors
     ///
     /// When a covariance cannot be factorised.
-    pub fn fit(objective: &Objective, params: &Params, terms: BoundTerms) -> Result<Self, NumericsError> {
+    pub fn at_optimum(
+        objective: &Objective,
+        params: &Params,
+        terms: BoundTerms,
+    ) -> Result<Self, NumericsError> {
         let posteriors = objective.posteriors(params)?;
         let (order, jitter) = (objective.sequences().order(), objective.jitter());
         let FittedMaps { parts, experts } = FittedMaps::new(params, &posteriors, jitter)?;
@@ -256,7 +260,7 @@ mod tests {
         params.alpha[0][(0, 1)] *= 7.0;
         params.alpha[0][(1, 1)] *= 0.3;
         let terms = objective.terms(&params).unwrap();
-        let refitted = Vcgpdm::fit(&objective, &params, terms).unwrap();
+        let refitted = Vcgpdm::at_optimum(&objective, &params, terms).unwrap();
         let step = |model: &Vcgpdm, reading| {
             let dynamics = model.dynamics(&params.alpha[0], reading).unwrap();
             dynamics.path(&model.start(0, 0).unwrap(), model.order + 1).unwrap()

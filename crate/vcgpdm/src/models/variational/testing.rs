@@ -61,5 +61,5 @@ pub fn random_case(seed: u64) -> (Params, Objective) {
 pub fn fitted(seed: u64) -> Vcgpdm {
     let (params, objective) = random_case(seed);
     let terms = objective.terms(&params).unwrap();
-    Vcgpdm::fit(&objective, &params, terms).unwrap()
+    Vcgpdm::at_optimum(&objective, &params, terms).unwrap()
 }

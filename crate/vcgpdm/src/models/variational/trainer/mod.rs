@@ -281,7 +281,7 @@ impl VariationalTrainer {
     /// When a covariance of the model cannot be factorised.
     pub fn model(&self) -> Result<Vcgpdm, NumericsError> {
         let search = self.ascent.search();
-        Vcgpdm::fit(&search.target.objective, &search.best_parameters(), search.best_terms.clone())
+        Vcgpdm::at_optimum(&search.target.objective, &search.best_parameters(), search.best_terms.clone())
     }
 }
 
