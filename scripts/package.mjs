@@ -3,7 +3,7 @@
 import { copyFileSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
-import { Failure } from "./run.mjs";
+import { Failure, root } from "./run.mjs";
 
 /** Replaces one place of a file. The place has to exist. */
 function change(/** @type {string} */ file, /** @type {string} */ from, /** @type {string} */ to) {
@@ -40,7 +40,7 @@ const DISPOSE = `declare global {
 `;
 
 /** Mends what wasm-bindgen wrote for a target. */
-function mend(/** @type {string} */ folder) {
+function mend(/** @type {string} */ folder, /** @type {boolean} */ reads) {
   const script = join(folder, "vcgpdm.js");
   change(
     script,
@@ -54,35 +54,74 @@ function mend(/** @type {string} */ folder) {
   );
   writeFileSync(script, readFileSync(script, "utf8") + ERRORS);
   const types = join(folder, "vcgpdm.d.ts");
+  // A Blob gives its bytes only later. The player reads no files.
+  if (reads) {
+    change(script, "static read(name, bytes) {\n", `static read(name, bytes) {\n${LATER}`);
+    const read = "static read(name: string, bytes: string | ArrayBuffer | Uint8Array): Clip;";
+    change(types, read, `${read}\n    static read(name: string, file: Blob): Promise<Clip>;`);
+  }
   writeFileSync(types, readFileSync(types, "utf8") + DISPOSE);
   rmSync(join(folder, "vcgpdm_bg.wasm.d.ts"));
 }
 
+const LATER = `        if (typeof Blob === "function" && bytes instanceof Blob)
+            return bytes.arrayBuffer().then((bytes) => Clip.read(name, bytes));
+`;
+
 const WEB = `/* @ts-self-types="./vcgpdm.d.ts" */
 import load from "./glue.js";
+import { trainHere, trainIn } from "./train.js";
 export * from "./glue.js";
+
+let given;
 
 /** Loads the wasm: the file next to this one, or the argument. */
 export default function init(wasm) {
+    given = wasm;
     const source = wasm ?? new URL("vcgpdm_bg.wasm", import.meta.url);
     const named = Object.getPrototypeOf(source) === Object.prototype && "module_or_path" in source;
     return load(named ? source : { module_or_path: source });
 }
+
+/** Trains in a worker; in this thread where no worker can start. */
+export async function train(data, options) {
+    if (typeof Worker !== "function") return trainHere(data, options);
+    const start = () => new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+    return trainIn(start, given, data, options);
+}
 `;
 
-const TYPES = `import type { InitInput, InitOutput } from "../web/glue.js";
+const TRAIN_TYPES = `
+/** How a training is watched and stopped. */
+export interface Watch {
+    /** Called after iterations, at most 20 times a second, and at the end. */
+    onProgress?: (progress: TrainingProgress) => void;
+    /** Stops the training; the promise is rejected with the reason of the signal. */
+    signal?: AbortSignal;
+}
+/**
+ * Trains a model on clips or tables to the end, in a worker that comes with the package; where no worker can
+ * start (Node, \`vcgpdm/inline\`), in short steps in this thread. Every setting has a default.
+ */
+export function train(clips: Clip | Clip[], options?: TrainingOptions & Watch): Promise<Model>;
+export function train(tables: Table | Table[], options?: TableTrainingOptions & Watch): Promise<Model>;
+`;
+
+const TYPES = `import type { Clip, Model, Table, TableTrainingOptions, TrainingProgress, TrainingOptions } from "../web/glue.js";
+import type { InitInput, InitOutput } from "../web/glue.js";
 export * from "../web/glue.js";
 /**
  * Loads the wasm, once, before any other call: the file of the package, or the argument (an address, bytes, a
  * response). In Node the wasm is loaded by the import, and this does nothing.
  */
 export default function init(wasm?: { module_or_path: InitInput | Promise<InitInput> } | InitInput | Promise<InitInput>): Promise<InitOutput>;
-`;
+${TRAIN_TYPES}`;
 
 const INLINE = `/* @ts-self-types="./vcgpdm.d.ts" */
 import load from "../web/glue.js";
 import packed from "./wasm.js";
 export * from "../web/glue.js";
+export { trainHere as train } from "../web/train.js";
 
 async function unpacked() {
     const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
@@ -96,11 +135,9 @@ export default async function init(wasm) {
 }
 `;
 
-const node = (/** @type {string} */ glue) => `import { readFileSync } from "node:fs";
-import { initSync as start } from "../web/${glue}";
-export * from "../web/${glue}";
-
-const program = start({ module: readFileSync(new URL("../web/vcgpdm_bg.wasm", import.meta.url)) });
+/** An entry for Node, from the lines that import the script as `start` and all else, and give the bytes. */
+const node = (/** @type {string} */ imports, /** @type {string} */ bytes) => `${imports}
+const program = start({ module: ${bytes} });
 
 // For programs that run in browsers too: in Node the import has loaded the wasm.
 export const initSync = () => program;
@@ -109,23 +146,43 @@ export default async function init() {
 }
 `;
 
+// The wasm is in the script, as in the folder inline: bundles for servers have no file next to them.
+const NODE = node(
+  `import { Buffer } from "node:buffer";
+import { gunzipSync } from "node:zlib";
+import packed from "../inline/wasm.js";
+import { initSync as start } from "../web/glue.js";
+export * from "../web/glue.js";
+export { trainHere as train } from "../web/train.js";
+`,
+  'gunzipSync(Buffer.from(packed, "base64"))',
+);
+
+const NODE_WITH_FILE = node(
+  `import { readFileSync } from "node:fs";
+import { initSync as start } from "../web/vcgpdm.js";
+export * from "../web/vcgpdm.js";
+`,
+  'readFileSync(new URL("../web/vcgpdm_bg.wasm", import.meta.url))',
+);
+
 // TypeScript takes only an assigned `exports.default` for the default export that the types name.
 const COMMONJS = `const whole = require("./vcgpdm.js");
 Object.assign(exports, whole, { __esModule: true });
 exports.default = whole.default;
 `;
 
-/** Writes an entry for Node, which loads the wasm at the import. `glue`: the script of the folder web. */
-export function writeNodeEntry(/** @type {string} */ place, glue = "vcgpdm.js") {
+/** Writes an entry for Node that loads the wasm of the folder web at the import. */
+export function writeNodeEntry(/** @type {string} */ place, text = NODE_WITH_FILE) {
   mkdirSync(join(place, "node"), { recursive: true });
-  writeFileSync(join(place, "node", "vcgpdm.js"), node(glue));
+  writeFileSync(join(place, "node", "vcgpdm.js"), text);
   writeFileSync(join(place, "node", "package.json"), '{"type":"module"}\n');
 }
 
 /** Completes the package in \`place\`, which has the targets' folders web and player. */
 export function completePackage(/** @type {string} */ place) {
   const at = (/** @type {string[]} */ ...path) => join(place, ...path);
-  for (const folder of ["web", "player"]) mend(at(folder));
+  for (const folder of ["web", "player"]) mend(at(folder), folder === "web");
 
   // The entry names the wasm by its address; the glue does not, because bundlers would look for the file.
   renameSync(at("web", "vcgpdm.js"), at("web", "glue.js"));
@@ -140,11 +197,15 @@ export function completePackage(/** @type {string} */ place) {
   writeFileSync(at("inline", "vcgpdm.js"), INLINE);
   writeFileSync(at("inline", "vcgpdm.d.ts"), TYPES);
 
-  writeNodeEntry(place, "glue.js");
+  for (const file of ["train.js", "worker.js"])
+    copyFileSync(join(root, "crate/wasm/js", file), at("web", file));
+
+  writeNodeEntry(place, NODE);
   writeFileSync(at("node", "vcgpdm.d.ts"), TYPES);
   // Node can require a module; TypeScript wants the types of CommonJS in a file of their own.
   writeFileSync(at("node", "vcgpdm.cjs"), COMMONJS);
-  copyFileSync(at("web", "glue.d.ts"), at("node", "vcgpdm.d.cts"));
+  const commonTypes = readFileSync(at("web", "glue.d.ts"), "utf8") + TRAIN_TYPES;
+  writeFileSync(at("node", "vcgpdm.d.cts"), commonTypes);
 
   // Importers that do not read "exports" take a folder's own package.json.
   for (const folder of ["player", "inline"]) {
@@ -178,5 +239,5 @@ export const entries = {
     "./package.json": "./package.json",
   },
   files: ["web", "inline", "node", "player", "THIRD-PARTY.txt"],
-  sideEffects: false,
+  sideEffects: ["./web/worker.js"],
 };

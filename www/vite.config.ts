@@ -5,8 +5,7 @@ import { policy } from "../scripts/policy.mjs";
 import { offline } from "./offline.ts";
 
 // The wasm package is built next to this folder and not installed.
-const wasmPackage = (folder: string) =>
-  fileURLToPath(new URL(`../crate/wasm/pkg/${folder}/vcgpdm.js`, import.meta.url));
+const wasmPackage = (file: string) => fileURLToPath(new URL(`../crate/wasm/pkg/${file}`, import.meta.url));
 
 /** What a visitor of the Lab may ask for, in `src`: files without extension, and whole folders. */
 const WHEN_ASKED = [
@@ -111,10 +110,11 @@ export default defineConfig({
   plugins: [heldToPolicy, offline()],
   resolve: {
     alias: [
-      { find: /^vcgpdm$/, replacement: wasmPackage("web") },
-      { find: /^vcgpdm\/player$/, replacement: wasmPackage("player") },
+      // Without `train`: the page has workers of its own, and would carry that of the package besides.
+      { find: /^vcgpdm$/, replacement: wasmPackage("web/glue.js") },
+      { find: /^vcgpdm\/player$/, replacement: wasmPackage("player/vcgpdm.js") },
       // For tests: Node reads no wasm from an address.
-      { find: /^vcgpdm\/inline$/, replacement: wasmPackage("inline") },
+      { find: /^vcgpdm\/inline$/, replacement: wasmPackage("inline/vcgpdm.js") },
     ],
   },
   build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 900, rollupOptions: { output } },

@@ -158,8 +158,8 @@ export async function withServer(
       let text = "";
       const read = (/** @type {Buffer} */ data) => {
         text += stripVTControlCharacters(data.toString());
-        const found = text.match(/http:\/\/(localhost|127\.0\.0\.1):\d+\//);
-        if (found) resolve(found[0]);
+        const found = text.match(/(http:\/\/(?:localhost|127\.0\.0\.1):\d+)\/?\s/);
+        if (found) resolve(`${found[1]}/`);
       };
       child.stdout.on("data", read);
       child.stderr.on("data", read);

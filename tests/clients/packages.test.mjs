@@ -26,6 +26,28 @@ worker.onmessage = ({ data }) => { document.title = "done: " + JSON.parse(data).
 worker.postMessage(${settings});
 `;
 
+/** Trains in the worker of the package, and writes how many workers were started. */
+const withTrain = `import init, { Clip, train } from "vcgpdm";
+let started = 0;
+const Plain = globalThis.Worker;
+globalThis.Worker = class extends Plain {
+  constructor(...given) {
+    super(...given);
+    started += 1;
+  }
+};
+await init();
+let reports = 0;
+const model = await train(Clip.sample("walk-1").cut(0, 60), {
+  ...${settings},
+  parts: "lower,upper",
+  onProgress: () => { reports += 1; },
+});
+const { kind, parts } = model.info();
+document.title = "done: " + [kind, parts.length, started, reports > 0, model.rollout({ frames: 9 }).frames].join(" ");
+`;
+const TRAINED = "done: vcgpdm 2 1 true 9";
+
 /**
  * A test of a tool; skipped when the registry lacks the tool.
  * @param {string} name
@@ -52,7 +74,9 @@ describe("Vite", () => {
       "worker/index.html": html("/worker/app.js"),
       "worker/app.js": withWorker,
       "worker/worker.js": worker,
-      "vite.config.js": `export default { ${excluded} worker: { format: "es" }, build: { target: "es2022", rollupOptions: { input: ["index.html", "worker/index.html"] } } };\n`,
+      "train/index.html": html("/train/app.js"),
+      "train/app.js": withTrain,
+      "vite.config.js": `export default { ${excluded} worker: { format: "es" }, build: { target: "es2022", rollupOptions: { input: ["index.html", "worker/index.html", "train/index.html"] } } };\n`,
     };
     client(
       `${version}: build and development server, page and worker`,
@@ -64,6 +88,7 @@ describe("Vite", () => {
         await withServer(folder, "vite", ["--host", "127.0.0.1", "--port", "0"], async (address) => {
           assert.match(await titleOf(address), DONE);
           assert.equal(await titleOf(`${address}worker/`), "done: vcgpdm model");
+          assert.equal(await titleOf(`${address}train/`), TRAINED);
           return "";
         });
       },
@@ -134,6 +159,57 @@ describe("other bundlers", () => {
     await tool(folder, "parcel", "build", "index.html", "--no-cache", "--no-source-maps");
     assert.match(await titleIn(join(folder, "dist")), DONE);
   });
+  const layout = `export default function Layout({ children }) {
+  return <html lang="en"><body>{children}</body></html>;
+}
+`;
+  const view = `"use client";
+import init, { Clip } from "vcgpdm";
+import { useEffect } from "react";
+
+export default function Page() {
+  useEffect(() => {
+    init().then(() => { document.title = "done: " + Clip.sample("walk-1").info().frames + " frames"; });
+  }, []);
+  return <p>A walk</p>;
+}
+`;
+  for (const version of ["15", "16"]) {
+    client(
+      `Next.js ${version}: a client component with the plain import`,
+      [`next@${version}`, "react@19", "react-dom@19"],
+      { "app/layout.jsx": layout, "app/page.jsx": view },
+      async (folder) => {
+        await tool(folder, "next", "build");
+        await withServer(folder, "next", ["start", "--port", "0"], async (address) => {
+          assert.match(await titleOf(address), DONE);
+          return "";
+        });
+      },
+    );
+  }
+  const serverProgram = 'import { Clip } from "vcgpdm";\nconsole.log(Clip.sample("walk-1").info().frames);\n';
+  client(
+    "esbuild for Node, as module and by require, moved to another folder",
+    ["esbuild"],
+    { "app.js": serverProgram, "inline.js": serverProgram.replace('"vcgpdm"', '"vcgpdm/inline"') },
+    async (folder) => {
+      for (const program of ["app.js", "inline.js"])
+        for (const [format, end] of [
+          ["esm", "mjs"],
+          ["cjs", "cjs"],
+        ]) {
+          const bundle = [
+            "--bundle",
+            "--platform=node",
+            `--format=${format}`,
+            `--outfile=moved/to/app.${end}`,
+          ];
+          await tool(folder, "esbuild", program, ...bundle);
+          assert.equal(await run(join(folder, "moved/to"), process.execPath, `app.${end}`), "252\n");
+        }
+    },
+  );
   client(
     "plain modules",
     [],

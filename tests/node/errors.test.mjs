@@ -76,6 +76,28 @@ it("errors have a name, a code of the declared ones, and words", () => {
       /other\.bvh cannot be trained together with/,
     ],
     ["parts", () => new Trainer(clips, { ...settings, parts: [] }), /expected at least one part/],
+    [
+      "parts",
+      () => new Trainer(clips, { ...settings, parts: "wings" }),
+      /^parts: expected a list of parts or a split of this body \(.*lower,upper.*\), found "wings"$/,
+    ],
+    [
+      "parts",
+      () => new Trainer(clips, { ...settings, parts: [{ name: "a", joints: ["Tail"] }] }),
+      /expected the name of one of the skeleton's 21 joints, found "Tail"/,
+    ],
+    ["clip", () => clip.withUp(/** @type {any} */ ("w")), /expected x, y, z, -x, -y or -z/],
+    [
+      "clip",
+      () => Clip.read("a.bvh", /** @type {any} */ ({})),
+      /expected a string, an ArrayBuffer or a Uint8Array, found object/,
+    ],
+    ["rollout", () => model.rollout({ frames: 1.5 }), /^rollout: expected a whole number, found `1.5`$/],
+    [
+      "settings",
+      () => new Trainer(clips, { ...settings, seed: -1 }),
+      /^settings: expected a whole number, found `-1`$/,
+    ],
     ["parts", () => new Trainer(clips, { ...settings, parts }), /./],
     [
       "settings",
@@ -85,7 +107,7 @@ it("errors have a name, a code of the declared ones, and words", () => {
     [
       "settings",
       () => new Trainer(clips, /** @type {any} */ ({ ...settings, latent: "3" })),
-      /^settings: invalid type: string/,
+      /^settings: expected a whole number, found "3"$/,
     ],
     [
       "settings",
@@ -202,14 +224,18 @@ it("errors have a name, a code of the declared ones, and words", () => {
   // Arguments of another type.
   const odd = /** @type {any} */ ({ number: 7, nothing: undefined, word: "x", object: {}, nil: null });
   cases.push(
-    ["clip", () => Clip.read("a", odd.word), /^the file: expected bytes in a Uint8Array, found string/],
-    ["clip", () => Clip.read("a", odd.nil), /^the file: expected bytes in a Uint8Array, found null/],
-    ["table", () => Table.read("a", odd.nil), /^the file: expected bytes in a Uint8Array, found null/],
+    [
+      "clip",
+      () => Clip.read("a", odd.number),
+      /^the file: expected a string, an ArrayBuffer or a Uint8Array, found 7/,
+    ],
+    ["clip", () => Clip.read("a", odd.nil), /^the file: expected a string, .* or a Uint8Array, found null/],
+    ["table", () => Table.read("a", odd.nil), /^the file: expected a string, .* or a Uint8Array, found null/],
     ["settings", () => new Trainer(clips, odd.nil), /^settings: expected an object, found null/],
     [
-      "settings",
+      "parts",
       () => new Trainer(clips, { ...settings, parts: odd.nil }),
-      /^settings: `parts`: expected a value, found null/,
+      /^parts: expected a list of parts or a split of this body \(.*\), found null$/,
     ],
     ["argument", () => clips.add(odd.nil), /^expected an instance of Clip, found null/],
     ["argument", () => new Trainer(odd.word, settings), /^expected an instance of TrainingSet, found string/],

@@ -27,7 +27,8 @@ const snippets = [...readme.matchAll(/^```(js|ts)\r?\n([\s\S]*?)^```/gm)].map(
 
 /** What a snippet is to print, by what tells it from the others. */
 const PRINTS = /** @type {[string, RegExp][]} */ ([
-  ["new-walk.bvh", /^\d+ iterations, bound -?\d+ nats: (settled|iterations)\n$/],
+  ["new-walk.bvh", /^(\d+ iterations, bound -?\d+ nats\n)+$/],
+  ["trainer.notices()", /^(settled|iterations) after \d+ \[\]\n$/],
   ["Model, Results", /^(?=.*model)(?=.*results)VcgpdmError model .*\nVcgpdmError results .*\n$/s],
   ["alpha[0][1] *= 10; // the first", /^vcgpdm frame,time,Hips\.yaw_rate,.*\n[a-z-]+\n$/],
   ["addTable", /^frame,time,x,y,follower\n0,0,/],

@@ -59,6 +59,8 @@ describe("the declared types", () => {
     hold("Clip.samples", Clip.samples());
     const { clip, clips, parts } = walks();
     hold("Clip.info", clip.info());
+    for (const one of [clip, clip.cut(0, 20).withUp("z"), clip.withBonesOf(clip)])
+      hold("Clip.state", one.state());
 
     const settings = {
       parts,
@@ -197,6 +199,7 @@ describe("the declared types", () => {
     ];
     inputs.push(
       "ModularityFold",
+      "NamedPart",
       "PerceptionOptions",
       "Plan",
       "PlanePicture",
@@ -205,7 +208,9 @@ describe("the declared types", () => {
       "StudyPreset",
       "SyncInitInput",
       "TablePart",
+      "TableTrainingOptions",
       "TableTrainingSettings",
+      "TrainingOptions",
       // Its fields are held where it is extended.
       "VariationalSettings",
       "VcgpdmError",
@@ -234,7 +239,7 @@ describe("the declared types", () => {
     const model = trainer.model();
     /** @type {[string, object, (value: any) => unknown][]} */
     const inputs = [
-      ["TrainingSettings", settings, (value) => new Trainer(clips, value)],
+      ["TrainingOptions", settings, (value) => new Trainer(clips, value)],
       [
         "ComparisonSettings",
         { parts, framesPerSecond: 15 },

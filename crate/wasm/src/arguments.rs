@@ -3,7 +3,7 @@
 
 use crate::error::{ErrorCode, VcgpdmError};
 #[cfg(feature = "training")]
-use js_sys::Uint8Array;
+use js_sys::{ArrayBuffer, Uint8Array};
 use vcgpdm::models::variational::InducingError;
 use wasm_bindgen::prelude::*;
 
@@ -20,8 +20,8 @@ extern "C" {
 #[cfg(feature = "training")]
 #[wasm_bindgen]
 extern "C" {
-    /// Declared as bytes.
-    #[wasm_bindgen(typescript_type = "Uint8Array")]
+    /// Declared as the content of a file.
+    #[wasm_bindgen(typescript_type = "string | ArrayBuffer | Uint8Array")]
     pub type Bytes;
 }
 
@@ -34,10 +34,18 @@ impl Text {
 
 #[cfg(feature = "training")]
 impl Bytes {
-    /// A copy of the bytes; an error names them by `what`.
+    /// A copy of the bytes, of a text in UTF-8; an error names them by `what`.
     pub fn get(&self, code: ErrorCode, what: &str) -> Result<Vec<u8>, VcgpdmError> {
-        let bytes: Option<&Uint8Array> = self.dyn_ref();
-        bytes.map(Uint8Array::to_vec).ok_or_else(|| refused(code, what, "bytes in a Uint8Array", self))
+        if let Some(text) = self.as_string() {
+            return Ok(text.into_bytes());
+        }
+        let bytes = match (self.dyn_ref(), self.dyn_ref::<ArrayBuffer>()) {
+            (None, Some(buffer)) => Some(Uint8Array::new(buffer)),
+            (bytes, _) => bytes.cloned(),
+        };
+        bytes
+            .map(|bytes| bytes.to_vec())
+            .ok_or_else(|| refused(code, what, "a string, an ArrayBuffer or a Uint8Array", self))
     }
 }
 

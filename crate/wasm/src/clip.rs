@@ -4,6 +4,8 @@ use crate::arguments::Text;
 #[cfg(feature = "training")]
 use crate::arguments::{Bytes, Whole};
 use crate::body::BodyInfo;
+#[cfg(feature = "training")]
+use crate::convert::from_js;
 use crate::convert::{to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
@@ -12,6 +14,8 @@ use vcgpdm::models::{same_body, with_bones_of};
 #[cfg(feature = "training")]
 use vcgpdm::motion::bvh;
 use vcgpdm::motion::parts::PartsPreset;
+#[cfg(feature = "training")]
+use vcgpdm::motion::stage::UpAxis;
 use vcgpdm::motion::{Clip as MotionClip, parts, samples};
 use wasm_bindgen::prelude::*;
 
@@ -23,6 +27,9 @@ export interface PartsPreset {
     title: string;
     parts: PartSpec[];
 }
+
+/** The axis that points up in a file; "-z": z points down. */
+export type UpAxis = "x" | "y" | "z" | "-x" | "-y" | "-z";
 
 /** The name, size, body and warnings of a clip. */
 export interface ClipInfo {
@@ -36,11 +43,26 @@ export interface ClipInfo {
     frameTime: number;
     /** Height of the body in the file's own units. */
     height: number;
-    upAxis: "x" | "y" | "z";
+    upAxis: UpAxis;
     /** What was odd about the file but could be read. */
     warnings: string[];
     /** Ways to split the body; at least "whole". */
     presets: PartsPreset[];
+}
+
+/** A clip as plain data that `postMessage` can send to a worker. */
+export interface ClipState {
+    name: string;
+    bvh: string;
+    sha256: string;
+    warnings: string[];
+    /** The frames of the file that a cut clip contains; null if it was not cut. */
+    piece: [number, number] | null;
+    /** Seconds from one frame of the file to the next. */
+    fileFrameTime: number;
+    bonesOf: string | null;
+    /** The axis that points up, if it was stated. */
+    up: UpAxis | null;
 }
 
 /** A clip that the project makes itself. */
@@ -61,6 +83,20 @@ struct ClipInfo<'a> {
     up_axis: &'static str,
     warnings: &'a [String],
     presets: Vec<PartsPreset>,
+}
+
+#[cfg(feature = "training")]
+#[derive(Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ClipState {
+    name: String,
+    bvh: String,
+    sha256: String,
+    warnings: Vec<String>,
+    piece: Option<(usize, usize)>,
+    file_frame_time: f64,
+    bones_of: Option<String>,
+    up: Option<String>,
 }
 
 /// A recorded motion.
@@ -98,7 +134,7 @@ impl Clip {
             frames: clip.frames(),
             frame_time: clip.frame_time,
             height: stage.height,
-            up_axis: stage.up.letter(),
+            up_axis: stage.up.name(),
             warnings: &clip.warnings,
             presets: parts::presets(&clip.skeleton),
         };
@@ -114,8 +150,8 @@ impl Clip {
 #[cfg(feature = "training")]
 #[wasm_bindgen]
 impl Clip {
-    /// Reads a BVH file; a leading T-pose is dropped, with a warning. The error names the file, the line,
-    /// what was expected and what was found.
+    /// Reads a BVH file. A leading T-pose is left out, and a root that stands still above a child that moves,
+    /// each with a warning. The error names the file, the line, what was expected and what was found.
     pub fn read(name: &Text, bytes: &Bytes) -> Result<Clip, VcgpdmError> {
         let name = name.get(ErrorCode::Clip, "the name")?;
         Ok(Clip { clip: bvh::read(&name, &bytes.get(ErrorCode::Clip, "the file")?)?.into_clip() })
@@ -146,11 +182,69 @@ impl Clip {
         Ok(Clip { clip: with_bones_of(&self.clip, &other.clip)? })
     }
 
+    /// The clip in which this axis points up, where another one was found.
+    #[wasm_bindgen(js_name = withUp)]
+    pub fn with_up(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "UpAxis")] axis: &Text,
+    ) -> Result<Clip, VcgpdmError> {
+        let up = up_axis(&axis.get(ErrorCode::Clip, "the axis that points up")?)?;
+        Ok(Clip { clip: MotionClip { up: Some(up), ..self.clip.clone() } })
+    }
+
     /// The clip as the text of a BVH file.
     #[wasm_bindgen(js_name = toBvh)]
     pub fn to_bvh(&self) -> String {
         bvh::write(&self.clip)
     }
+
+    /// The clip as plain data, for a worker: `Clip.fromState` makes the same clip there.
+    #[wasm_bindgen(unchecked_return_type = "ClipState")]
+    pub fn state(&self) -> Result<JsValue, VcgpdmError> {
+        let clip = &self.clip;
+        to_js(&ClipState {
+            name: clip.name.clone(),
+            bvh: bvh::write(clip),
+            sha256: clip.sha256.clone(),
+            warnings: clip.warnings.clone(),
+            piece: clip.piece,
+            file_frame_time: clip.file_frame_time,
+            bones_of: clip.bones_of.clone(),
+            up: clip.up.map(|up| up.name().to_owned()),
+        })
+    }
+
+    /// The clip of a state.
+    #[wasm_bindgen(js_name = fromState)]
+    pub fn from_state(
+        #[wasm_bindgen(unchecked_param_type = "ClipState")] state: JsValue,
+    ) -> Result<Clip, VcgpdmError> {
+        let state: ClipState = from_js(ErrorCode::Clip, "state", &state)?;
+        // As it is: the rows belong to the motion already.
+        let recording = bvh::read(&state.name, state.bvh.as_bytes())?;
+        let clip = MotionClip {
+            name: state.name,
+            skeleton: recording.skeleton,
+            frame_time: recording.frame_time,
+            values: recording.values,
+            warnings: state.warnings,
+            sha256: state.sha256,
+            piece: state.piece,
+            file_frame_time: state.file_frame_time,
+            bones_of: state.bones_of,
+            up: state.up.as_deref().map(up_axis).transpose()?,
+        };
+        Ok(Clip { clip })
+    }
+}
+
+#[cfg(feature = "training")]
+fn up_axis(name: &str) -> Result<UpAxis, VcgpdmError> {
+    UpAxis::from_name(name).ok_or_else(|| {
+        let message =
+            format_args!("the axis that points up: expected x, y, z, -x, -y or -z, found \"{name}\"");
+        VcgpdmError::new(ErrorCode::Clip, &message)
+    })
 }
 
 #[cfg(feature = "training")]

@@ -283,7 +283,43 @@ fn string(letters: Vec<u8>) -> String {
 
 /// An error of serde with the field names of JavaScript: serde puts field names in backticks.
 fn message(reason: &Error) -> String {
-    camel(plain(&reason.to_string()), false)
+    camel(&in_words(plain(&reason.to_string())), false)
+}
+
+/// The words of serde and of Rust for kinds of values, and those of JavaScript.
+const WORDS: [(&str, &str); 12] = [
+    ("usize", "a whole number"),
+    ("u64", "a whole number"),
+    ("u32", "a whole number"),
+    ("f64", "a number"),
+    ("a sequence", "a list"),
+    ("sequence", "a list"),
+    ("a map", "an object"),
+    ("map", "an object"),
+    ("unit value", "nothing"),
+    ("Option value", "a value"),
+    ("unit", "nothing"),
+    ("variant identifier", "a text"),
+];
+
+/// "expected a whole number, found `1.5`" of "invalid type: floating point `1.5`, expected usize". Messages
+/// of another form stay.
+fn in_words(text: &str) -> String {
+    let kinds = ["invalid type: ", "invalid value: "];
+    let rest = kinds.iter().find_map(|kind| text.strip_prefix(kind));
+    let Some((found, expected)) = rest.and_then(|rest| rest.split_once(", expected ")) else {
+        return text.to_owned();
+    };
+    let word = |kind: &str| WORDS.iter().find(|(rust, _)| *rust == kind).map(|(_, word)| (*word).to_owned());
+    let expected = match expected.strip_prefix("struct ") {
+        Some(_) => "an object".to_owned(),
+        None => word(expected).unwrap_or_else(|| expected.to_owned()),
+    };
+    let bare = ["floating point ", "integer ", "string ", "boolean "];
+    let value = bare.iter().find_map(|kind| found.strip_prefix(kind)).map(str::to_owned);
+    let found = value.or_else(|| word(found)).unwrap_or_else(|| found.to_owned());
+    // Rust writes a whole number of JavaScript as `-1.0`.
+    format!("expected {expected}, found {}", found.replace(".0`", "`"))
 }
 
 /// The message without the class name that JavaScript puts before it.
@@ -392,6 +428,10 @@ mod tests {
             "it: unknown field `allScore`, expected some of `dynamicsIps`, `allScores`, `sha256`"
         );
         let kind = refusal(r#"{"dynamicsIps":[["a_b"]],"allScores":[]}"#);
-        assert_eq!(kind, "it: invalid type: string \"a_b\", expected usize");
+        assert_eq!(kind, "it: expected a whole number, found \"a_b\"");
+        let kind = refusal(r#"{"dynamicsIps":[[1.5]],"allScores":[]}"#);
+        assert_eq!(kind, "it: expected a whole number, found `1.5`");
+        let kind = refusal(r#"{"dynamicsIps":3,"allScores":[]}"#);
+        assert_eq!(kind, "it: expected a list, found `3`");
     }
 }

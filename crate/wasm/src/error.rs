@@ -15,6 +15,7 @@ use vcgpdm::models::variational::KeptPointsError;
 use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
 use vcgpdm::motion::ClipError;
 use vcgpdm::motion::bvh::BvhError;
+use vcgpdm::motion::parts::PartsError;
 use vcgpdm::motion::pose::PoseError;
 #[cfg(feature = "training")]
 use vcgpdm::series::SeriesError;
@@ -174,6 +175,7 @@ about! {
     DocumentError => Model,
     InducingError => Model,
     NumericsError => Numerics,
+    PartsError => Parts,
 }
 
 #[cfg(feature = "training")]

@@ -7,13 +7,13 @@ use crate::error::{ErrorCode, VcgpdmError};
 use crate::library::{Library, uses_of};
 use crate::model::Model;
 use crate::progress::progress_to_js;
-use crate::settings::{Task, settings_from_js};
+use crate::settings::{Task, body_parts, settings_from_js};
 use serde::Deserialize;
 use std::rc::Rc;
 use vcgpdm::models::library::{
     CouplingTrainer as Fit, LibraryPlan, LibraryTrainer as Training, PlannedMovement,
 };
-use vcgpdm::models::{Dataset, Source};
+use vcgpdm::models::{Dataset, DatasetError, Source};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -54,10 +54,12 @@ impl LibraryTrainer {
     #[wasm_bindgen(constructor)]
     pub fn new(
         clips: &TrainingSet,
-        #[wasm_bindgen(unchecked_param_type = "TrainingSettings")] settings: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "TrainingOptions")] settings: JsValue,
         #[wasm_bindgen(unchecked_param_type = "LibraryPlan")] plan: JsValue,
     ) -> Result<LibraryTrainer, VcgpdmError> {
-        let (Task { parts, frames_per_second, seed }, settings) = settings_from_js(&settings)?;
+        let skeleton = &clips.clips.first().ok_or(DatasetError::Empty)?.skeleton;
+        let (Task { parts, frames_per_second, seed }, settings) =
+            settings_from_js(&settings, |parts| body_parts(parts, skeleton))?;
         let Planned { movements, shared } = from_js(ErrorCode::Training, "the plan", &plan)?;
         let movements = movements
             .into_iter()

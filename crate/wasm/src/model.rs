@@ -307,8 +307,9 @@ impl Model {
     /// and have other couplings than the learned ones.
     pub fn rollout(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "RolloutOptions")] options: JsValue,
     ) -> Result<Rollout, VcgpdmError> {
+        let options = if options.is_undefined() { js_sys::Object::new().into() } else { options };
         let request = from_js(ErrorCode::Rollout, "rollout", &options)?;
         Rollout::mean(&self.model, request)
     }

@@ -26,8 +26,8 @@ export type Reading = "as-learned" | "re-inferred";
 
 /** The options of a rollout. */
 export interface RolloutOptions {
-    /** Frames in all, the start included. */
-    frames: number;
+    /** Frames in all, the start included; absent: 300. */
+    frames?: number;
     /** The training sequence whose start begins it, counted from 0; absent: the first. */
     sequence?: number;
     /** The frame of that sequence that begins the rollout, counted from 0; absent: its first. */

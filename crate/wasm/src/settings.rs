@@ -2,14 +2,24 @@
 
 use crate::arguments::Whole;
 #[cfg(feature = "training")]
+use crate::arguments::found_value;
+#[cfg(feature = "training")]
 use crate::convert::from_js_split;
 use crate::convert::{from_js, to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
 #[cfg(feature = "training")]
-use serde::de::DeserializeOwned;
+use js_sys::{Array, Object, Reflect};
+#[cfg(feature = "training")]
+use serde::de::{DeserializeOwned, Deserializer, Error, Visitor};
 use serde::{Deserialize, Serialize};
+#[cfg(feature = "training")]
+use std::fmt;
 use vcgpdm::models::{ModelKind, Settings, TrainingCost, VariationalSettings};
 use vcgpdm::motion::parts::PartSpec;
+#[cfg(feature = "training")]
+use vcgpdm::motion::parts::{GivenJoint, GivenPart};
+#[cfg(feature = "training")]
+use vcgpdm::motion::{Skeleton, parts};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -35,13 +45,46 @@ export interface VariationalSettings {
     uncoupled?: boolean;
 }
 
-/** The settings of a training. */
+/** A part by the names or indices of its joints. */
+export interface NamedPart {
+    name: string;
+    joints: (string | number)[];
+}
+
+/** The complete settings of a training. */
 export interface TrainingSettings extends VariationalSettings {
     parts: PartSpec[];
     /** The clips are brought to about this rate. */
     framesPerSecond: number;
     /** The seed of everything random, a whole number from 0 to 4294967295. */
     seed: number;
+}
+
+/** The settings of a training that a caller gives. Each has a default. */
+export interface TrainingOptions {
+    /**
+     * How the body is split: a preset by its id or the names of its parts ("lower-upper", "lower,upper",
+     * "whole"), or a list of parts. Absent: lower and upper body, or the whole body if no legs were found.
+     */
+    parts?: string | NamedPart[];
+    /** Latent dimensions Q of every part; absent: 3. */
+    latent?: number;
+    /** Dynamics inducing points K of every expert; absent: 12. */
+    dynamicsIps?: number;
+    /** Pose inducing points L of every part; absent: 12. */
+    poseIps?: number;
+    /** Order p of the dynamics; absent: 2. */
+    order?: number;
+    /** Most iterations of the optimiser; absent: 250. */
+    maxIterations?: number;
+    /** As in `VariationalSettings`. */
+    poseWeight?: number | "balanced";
+    /** As in `VariationalSettings`. */
+    uncoupled?: boolean;
+    /** The clips are brought to about this rate; absent: 30. */
+    framesPerSecond?: number;
+    /** The seed of everything random, a whole number from 0 to 4294967295; absent: 0. */
+    seed?: number;
 }
 
 /** The cost of a training here, on one core; right to a factor of about two. */
@@ -107,10 +150,101 @@ pub fn settings_to_js(task: &Task, settings: &Settings) -> Result<JsValue, Vcgpd
     }
 }
 
-/// The settings of a training from JavaScript.
+/// The settings of a training from JavaScript. Fields that are absent have defaults, the parts those of
+/// `parts`.
 #[cfg(feature = "training")]
-pub fn settings_from_js<P: DeserializeOwned>(
+pub fn settings_from_js<P: DeserializeOwned + Serialize>(
     value: &JsValue,
+    parts: impl FnOnce(&JsValue) -> Result<Vec<P>, VcgpdmError>,
 ) -> Result<(Task<P>, VariationalSettings), VcgpdmError> {
-    from_js_split(ErrorCode::Settings, "settings", value)
+    let given = if value.is_undefined() { Object::new().into() } else { value.clone() };
+    if !given.is_object() {
+        return from_js_split(ErrorCode::Settings, "settings", &given);
+    }
+    let field = |name: &str| Reflect::get(&given, &name.into()).map_err(VcgpdmError::Thrown);
+    let parts = parts(&field("parts")?)?;
+    let task = Task { parts, frames_per_second: 30.0, seed: 0 };
+    let complete: Object = to_js_joined(&task, &VariationalSettings::default())?.unchecked_into();
+    for name in Object::keys(given.unchecked_ref::<Object>()).iter() {
+        let value = Reflect::get(&given, &name).map_err(VcgpdmError::Thrown)?;
+        if !value.is_undefined() && name != "parts" {
+            // A new plain object accepts any field.
+            let _ = Reflect::set(&complete, &name, &value);
+        }
+    }
+    from_js_split(ErrorCode::Settings, "settings", &complete)
+}
+
+/// The parts of a body from JavaScript: a preset by its id or by the names of its parts, or a list with joints
+/// by name or index. Absent: lower and upper body, or else the whole body.
+#[cfg(feature = "training")]
+pub fn body_parts(value: &JsValue, skeleton: &Skeleton) -> Result<Vec<PartSpec>, VcgpdmError> {
+    if value.is_undefined() {
+        let usual = ["lower-upper", "whole"].iter().find_map(|id| parts::preset_parts(id, skeleton));
+        return Ok(usual.unwrap_or_default());
+    }
+    let refused = |found: &str| {
+        let splits = parts::preset_names(skeleton);
+        let expected = format_args!("a list of parts or a split of this body ({splits})");
+        VcgpdmError::new(ErrorCode::Parts, &format_args!("parts: expected {expected}, found {found}"))
+    };
+    if let Some(text) = value.as_string() {
+        return parts::preset_parts(&text, skeleton).ok_or_else(|| refused(&format!("{text:?}")));
+    }
+    if !Array::is_array(value) {
+        return Err(refused(&found_value(value)));
+    }
+    let given: Vec<Part> = from_js(ErrorCode::Parts, "parts", value)?;
+    let part =
+        |Part { name, joints }| GivenPart { name, joints: joints.into_iter().map(|joint| joint.0).collect() };
+    Ok(parts::from_given(given.into_iter().map(part).collect(), skeleton)?)
+}
+
+/// A part from JavaScript.
+#[cfg(feature = "training")]
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Part {
+    name: String,
+    joints: Vec<NameOrIndex>,
+}
+
+#[cfg(feature = "training")]
+struct NameOrIndex(GivenJoint);
+
+#[cfg(feature = "training")]
+impl<'de> Deserialize<'de> for NameOrIndex {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(NameOrIndexVisitor)
+    }
+}
+
+#[cfg(feature = "training")]
+struct NameOrIndexVisitor;
+
+#[cfg(feature = "training")]
+impl Visitor<'_> for NameOrIndexVisitor {
+    type Value = NameOrIndex;
+
+    fn expecting(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        formatter.write_str("the name of a joint or a number")
+    }
+
+    fn visit_str<E>(self, name: &str) -> Result<NameOrIndex, E> {
+        Ok(NameOrIndex(GivenJoint::Name(name.to_owned())))
+    }
+
+    fn visit_f64<E>(self, number: f64) -> Result<NameOrIndex, E> {
+        let is_index = number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&number);
+        let index = is_index.then_some(number as usize);
+        Ok(NameOrIndex(GivenJoint::Other { index, shown: number.to_string() }))
+    }
+
+    fn visit_i64<E: Error>(self, number: i64) -> Result<NameOrIndex, E> {
+        self.visit_f64(number as f64)
+    }
+
+    fn visit_u64<E: Error>(self, number: u64) -> Result<NameOrIndex, E> {
+        self.visit_f64(number as f64)
+    }
 }

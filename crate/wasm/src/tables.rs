@@ -33,6 +33,14 @@ export interface TableTrainingSettings extends Omit<TrainingSettings, "parts"> {
     /** Rows a second, if the tables have no column of times. */
     framesPerSecond: number;
 }
+
+/** The settings of a training on tables that a caller gives. Each has a default. */
+export interface TableTrainingOptions extends Omit<TrainingOptions, "parts"> {
+    /** Absent: one part with all columns. */
+    parts?: TablePart[];
+    /** Rows a second, if the tables have no column of times; absent: 30. */
+    framesPerSecond?: number;
+}
 "#;
 
 #[derive(Serialize)]
@@ -44,11 +52,18 @@ struct TableInfo<'a> {
     frame_time: Option<f64>,
 }
 
-#[derive(Deserialize)]
+#[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct TablePart {
     name: String,
     columns: Vec<String>,
+}
+
+impl TablePart {
+    /// One part with all columns of the table.
+    pub(crate) fn all(table: &Series) -> Self {
+        Self { name: "all".to_owned(), columns: table.columns.clone() }
+    }
 }
 
 /// A trial of a time series: named columns, with one row for each moment.

@@ -2,12 +2,12 @@
 
 use crate::arguments::Whole;
 use crate::clip::TrainingSet;
-use crate::convert::flat;
+use crate::convert::{flat, from_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::model::Model;
 use crate::progress::progress_to_js;
-use crate::settings::{Task, settings_from_js};
-use crate::tables::parts_of_columns;
+use crate::settings::{Task, body_parts, settings_from_js};
+use crate::tables::{TablePart, parts_of_columns};
 use crate::trained::Trained;
 use std::rc::Rc;
 use vcgpdm::Trainer as BodyTrainer;
@@ -82,19 +82,26 @@ impl Trainer {
     #[wasm_bindgen(constructor)]
     pub fn new(
         set: &TrainingSet,
-        #[wasm_bindgen(unchecked_param_type = "TrainingSettings | TableTrainingSettings")] settings: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "TrainingOptions | TableTrainingOptions")]
+        settings: JsValue,
     ) -> Result<Trainer, VcgpdmError> {
         if set.clips.is_empty() && set.tables.is_empty() {
             return Err(DatasetError::Empty.into());
         }
         let training = if set.tables.is_empty() {
-            let (Task { parts, frames_per_second, seed }, settings) = settings_from_js(&settings)?;
+            let skeleton = &set.clips[0].skeleton;
+            let (Task { parts, frames_per_second, seed }, settings) =
+                settings_from_js(&settings, |parts| body_parts(parts, skeleton))?;
             let sources: Vec<Source> = set.clips.iter().map(Source::from).collect();
             let dataset = Dataset::new(&sources, &parts, frames_per_second)?;
             let trainer = BodyTrainer::new(&dataset, &settings.into(), seed)?;
             Training::Body(trainer, TrainingTrials::new(&dataset))
         } else {
-            let (task, settings) = settings_from_js(&settings)?;
+            let whole = || vec![TablePart::all(&set.tables[0])];
+            let (task, settings) = settings_from_js(&settings, |parts| match parts.is_undefined() {
+                true => Ok(whole()),
+                false => from_js(ErrorCode::Parts, "parts", parts),
+            })?;
             let parts = parts_of_columns(&set.tables, &task.parts)?;
             let dataset = Dataset::of_tables(&set.tables, &parts, task.frames_per_second)?;
             let trainer = BodyTrainer::new(&dataset, &settings.into(), task.seed)?;

@@ -10,7 +10,7 @@ mod spec;
 #[cfg(test)]
 mod tests;
 
-pub use from_json::from_json;
+pub use from_json::{GivenJoint, GivenPart, from_given, from_json};
 pub use layout::PartsLayout;
 pub use presets::{PartsPreset, preset_names, preset_parts, presets};
 pub use spec::{PartSpec, PartsError, check};

@@ -1,0 +1,15 @@
+// The worker of `train`: one message with clips or tables and settings begins a training.
+import init from "./vcgpdm.js";
+import { setOf, trainSet } from "./train.js";
+
+addEventListener("message", async ({ data: { states, settings, wasm } }) => {
+  try {
+    await init(wasm);
+    postMessage({ ready: true });
+    const model = await trainSet(setOf(states), settings, (progress) => postMessage({ progress }));
+    postMessage({ model: model.toJson() });
+  } catch (error) {
+    const { name, message, code } = error;
+    postMessage({ error: { name, message, code } });
+  }
+});
