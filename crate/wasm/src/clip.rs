@@ -150,8 +150,8 @@ impl Clip {
 #[cfg(feature = "training")]
 #[wasm_bindgen]
 impl Clip {
-    /// Reads a BVH file. A leading T-pose is left out, and a root that stands still above a child that moves,
-    /// each with a warning. The error names the file, the line, what was expected and what was found.
+    /// Reads a BVH file. A leading T-pose is left out, and a root that only carries a child that moves, each
+    /// with a warning. The error names the file, the line, what was expected and what was found.
     pub fn read(name: &Text, bytes: &Bytes) -> Result<Clip, VcgpdmError> {
         let name = name.get(ErrorCode::Clip, "the name")?;
         Ok(Clip { clip: bvh::read(&name, &bytes.get(ErrorCode::Clip, "the file")?)?.into_clip() })

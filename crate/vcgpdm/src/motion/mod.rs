@@ -26,6 +26,7 @@ mod anatomy;
 pub mod asf;
 mod bones;
 pub mod bvh;
+mod carrying_root;
 pub(crate) mod clip;
 mod foreign;
 mod joint_names;
@@ -44,7 +45,6 @@ pub mod samples;
 pub mod skeleton;
 pub mod stage;
 mod stage_axes;
-mod still_root;
 #[cfg(test)]
 mod testing;
 

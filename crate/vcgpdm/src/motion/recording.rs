@@ -38,8 +38,8 @@ impl Recording {
         self.values.nrows()
     }
 
-    /// The motion without leading T-pose rows, and without a root that stands still above a child that moves:
-    /// the child becomes the root. A warning says what was removed.
+    /// The motion without leading T-pose rows, and without a root that only carries a child that moves: the
+    /// child becomes the root. A warning says what was removed.
     pub fn into_clip(self) -> Clip {
         let added = self.rows_before_motion();
         let Recording { name, skeleton, frame_time, mut values, mut warnings, sha256 } = self;
@@ -66,7 +66,7 @@ impl Recording {
             up: None,
             file_frame_time: frame_time,
         };
-        clip.without_still_roots()
+        clip.without_carrying_roots()
     }
 
     /// The number of leading T-pose rows.

@@ -1,7 +1,8 @@
-//! A root that only carries the body: such a root stands still, and its child, the hips, travels.
+//! A root that only carries the body: such a root stands still or keeps to the ground, and its child, the
+//! hips, moves.
 //!
-//! Only the root's path enters the model as a path over the ground; every other joint keeps its mean position.
-//! So the hips must be the root.
+//! Only the root's path enters the model as a path over the ground; every other joint keeps its mean
+//! position. So the hips must be the root.
 
 use crate::motion::clip::Clip;
 use crate::motion::rotation;
@@ -11,18 +12,18 @@ use nalgebra::{DMatrix, UnitQuaternion};
 /// A root stands still when it moves by less than this share of the body's height, and turns by less than
 /// this angle (radians).
 const STILL: f64 = 1e-3;
-/// The only child of a still root carries the body when it moves by more than this share of the height: files
-/// round positions to about this share.
+/// The only child of a still root is the body's own root when it moves by more than this share of the height:
+/// files round positions to about this share. Below a root that moves, bones that stretch move as much, and
+/// the limit is `STILL`.
 const MOVES: f64 = 1e-5;
-/// Where the root has more children, one of them carries the body when it moves by this share of the height.
-/// A bone of the body itself never does.
+/// Where a still root has more children, one of them is the body's own root when it moves by this share of the
+/// height. A bone of the body itself never does.
 const TRAVELS: f64 = 0.5;
 
 impl Clip {
-    /// The clip without a root, or a chain of them, that stands still above a child that moves: the child
-    /// becomes the root. The world positions of the joints that remain do not change. A warning names the
-    /// joints.
-    pub(super) fn without_still_roots(self) -> Clip {
+    /// The clip without a root, or a chain of them, that only carries a child that moves: the child becomes the
+    /// root. The world positions of the joints that remain do not change. A warning names the joints.
+    pub(super) fn without_carrying_roots(self) -> Clip {
         self.with_carried_root().unwrap_or(self)
     }
 
@@ -48,17 +49,24 @@ impl Clip {
         let (mut root, mut only) = (0, true);
         let mut next = Some(first_child);
         while let Some(Carried { joint, kept, others }) = next {
-            if farthest(root) > STILL || turned(root) > STILL {
-                return None;
-            }
+            let is_still = farthest(root) <= STILL && turned(root) <= STILL;
             only &= others.is_empty();
             left_out.extend(others.iter().map(|&other| skeleton.joints[other].name.as_str()));
-            if farthest(joint) > if only { MOVES } else { TRAVELS } {
+            let enough = match (is_still, only) {
+                (true, true) => MOVES,
+                (true, false) => TRAVELS,
+                (false, true) => STILL,
+                (false, false) => return None,
+            };
+            if farthest(joint) > enough {
                 let (skeleton, values) = self.rooted_at(&kept, &poses);
                 let mut clip = Clip { skeleton, ..self.with_values(values, self.frame_time) };
                 let [root, joint] = [0, joint].map(|joint| self.skeleton.joints[joint].name.as_str());
                 clip.warnings.push(warning(root, joint, &left_out));
                 return Some(clip);
+            }
+            if !is_still {
+                return None;
             }
             root = joint;
             next = carried(skeleton, joint).filter(|next| has_positions(skeleton, next.joint));
@@ -169,7 +177,7 @@ fn root_channels(old_root: &Joint, child: &Joint) -> Vec<Channel> {
 }
 
 fn warning(root: &str, child: &str, others: &[&str]) -> String {
-    let text = format!("the root {root:?} stands still and {child:?} moves: {child:?} is the root now");
+    let text = format!("the root {root:?} only carries {child:?}, which moves: {child:?} is the root now");
     let left_out = match others {
         [] => String::new(),
         [other] => format!(", and {other:?} was left out"),
@@ -215,7 +223,7 @@ mod tests {
         let hips = &walk.skeleton.joints[0].name;
         assert_eq!(
             folded.warnings,
-            [format!("the root \"Reference\" stands still and {hips:?} moves: {hips:?} is the root now")]
+            [format!("the root \"Reference\" only carries {hips:?}, which moves: {hips:?} is the root now")]
         );
     }
 
@@ -251,16 +259,29 @@ mod tests {
         assert_eq!((kept.skeleton.joints.len(), kept.warnings.len()), (walk.skeleton.joints.len() + 2, 0));
     }
 
+    /// Some clips of a set have the way in the root, others in the hips: all become the same body.
     #[test]
-    fn a_root_that_moves_is_kept() {
+    fn a_root_that_moves_is_folded_too_if_its_only_child_moves() {
         let walk = samples::clip("walk-1").unwrap();
-        for column in [0, 4] {
-            let mut recording = carried_by(&walk, &Channel::ALL, &[0.0; 6], &[]);
+        for (others, joints) in [(&[][..], 21), (&["ik_foot_root"][..], 23)] {
+            let mut recording = carried_by(&walk, &Channel::ALL, &[0.0; 6], others);
             for t in 0..walk.frames() {
-                recording.values[(t, column)] = t as f64;
+                recording.values[(t, 0)] = t as f64;
             }
-            assert_eq!(recording.clone().into_clip().skeleton, recording.skeleton);
+            let clip = recording.clone().into_clip();
+            assert_eq!(clip.skeleton.joints.len(), joints);
+            let place = clip.world_pose(50).positions[usize::from(joints > 21)];
+            assert!((place.x - walk.world_pose(50).positions[0].x - 50.0).abs() < 1e-9);
         }
+        // A child that keeps its place is a bone.
+        let mut recording = carried_by(&walk, &Channel::ALL, &[0.0; 6], &[]);
+        for t in 0..walk.frames() {
+            recording.values[(t, 0)] = t as f64;
+            for column in 6..9 {
+                recording.values[(t, column)] = 1.0;
+            }
+        }
+        assert_eq!(recording.clone().into_clip().skeleton, recording.skeleton);
     }
 
     proptest! {
@@ -276,8 +297,7 @@ mod tests {
             prop_assume!(clip.frames() > 1);
             let carried = carried_by(&clip, &root, &pose, &[]);
             let before = Clip::new("before", carried.skeleton.clone(), carried.frame_time, carried.values.clone());
-            let after = before.clone().without_still_roots();
-            // The new root may itself stand above a child; without its own rotation it never stands still.
+            let after = before.clone().without_carrying_roots();
             prop_assert_eq!(after.skeleton.joints.len(), clip.skeleton.joints.len());
             for t in 0..clip.frames() {
                 let (before, after) = (before.world_pose(t), after.world_pose(t));
