@@ -106,6 +106,27 @@ describe("a clip on the stage", () => {
   });
 });
 
+describe("the axis that points up", () => {
+  it("is stated for an own clip, which keeps its cut and its place, also for trainings and later visits", async () => {
+    await clips.open(file("crab.bvh"), true);
+    clips.cut("own-4", 10, 40);
+    await clips.setUp("own-4", "z");
+    const [clip] = clips.ticked;
+    expect([clip?.key, clip?.loaded.info.upAxis, clip?.first, clip?.end]).toEqual(["own-4", "z", 10, 40]);
+    expect(clips.toTrainOn[0]).toMatchObject({ id: 5, source: { name: "crab", up: "z" } });
+    expect(stage.clip).toBe("own-4");
+    const stored = clips.stored.find(({ key }) => key === "own-4");
+    await clips.remove("own-4");
+    if (stored) await clips.takeUp(stored);
+    expect(clips.ticked.at(-1)?.loaded.info.upAxis).toBe("z");
+  });
+
+  it("is not asked of clips that come with the page", async () => {
+    await clips.setUp("made-walk-1", "z");
+    expect(clips.all[0]?.loaded.info.upAxis).toBe("y");
+  });
+});
+
 describe("ticked clips that do not go together", () => {
   it("are named as long as they are ticked", async () => {
     engine.odd.add(3);

@@ -1,6 +1,14 @@
 // The clips, made by the project or opened by the visitor: which are ticked, cut and on the stage.
 import type { EngineStore } from "../engine/engine-store";
-import type { Clash, ClipSource, LoadedClip, PartSpec, ShownClip, TrainingClip } from "../engine/protocol";
+import type {
+  Clash,
+  ClipSource,
+  LoadedClip,
+  PartSpec,
+  ShownClip,
+  TrainingClip,
+  UpAxis,
+} from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import type { StageStore } from "../stage/stage-store";
 import { clipTitle, messageOf } from "../ui/format";
@@ -182,6 +190,18 @@ export class ClipsStore extends Store {
     const to = Math.min(Math.max(from + fewest, Math.round(end)), frames);
     this.#update(key, { first: from, end: to });
     if (this.#stage.clip === key) this.show(key);
+  }
+
+  /** States the axis that points up in an own clip; its parts, its cut and its place in the list stay. */
+  async setUp(key: string, up: UpAxis): Promise<void> {
+    const clip = this.#find(key);
+    if (!clip || !("file" in clip.source)) return;
+    const source = { ...clip.source, up };
+    // A new number: a worker may still have the clip as it was.
+    const loaded = await this.#read(source);
+    this.#update(key, { source, loaded });
+    if (this.#stage.clip === key) this.show(key);
+    await this.checkClash();
   }
 
   /** Plays a clip on the stage as it was recorded. */

@@ -2,12 +2,15 @@
 import { html, nothing } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import type { EngineStore } from "../engine/engine-store";
+import type { UpAxis } from "../engine/protocol";
 import type { StageStore } from "../stage/stage-store";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 import type { ClipEntry, ClipsStore } from "./clips-store";
 import "./clips.css";
 import { lab } from "../words/lab";
+
+const UP_AXES: readonly UpAxis[] = ["x", "y", "z", "-x", "-y", "-z"];
 
 export class ClipsView extends View {
   declare clips: ClipsStore;
@@ -48,7 +51,20 @@ export class ClipsView extends View {
         <label>${words.from} ${this.#cutField(clip, "first")}</label>
         <label>${words.to} ${this.#cutField(clip, "end")}</label>
         <span>${words.of(clip.loaded.info.frames)}</span>
+        ${clip.origin === "own" ? this.#upField(clip) : nothing}
       </div>`;
+  }
+
+  /** For a body that lies on the stage: the axis that points up in its file. */
+  #upField({ key, title, loaded }: ClipEntry) {
+    const { clips } = this;
+    const words = lab().learn.clips;
+    const change = (event: Event) =>
+      void clips.setUp(key, (event.target as HTMLSelectElement).value as UpAxis);
+    return html`<label>${words.up}
+      <select aria-label=${words.upAxis(title)} ?disabled=${clips.locked} @change=${change}>
+        ${UP_AXES.map((axis) => html`<option ?selected=${axis === loaded.info.upAxis}>${axis}</option>`)}
+      </select></label>`;
   }
 
   #row(clip: ClipEntry) {

@@ -119,6 +119,7 @@ function shownClip(frames = 60): ShownClip {
     figure,
     frames,
     frameTime: 1 / 30,
+    upAxis: "y",
     warnings: [],
     presets: [{ id: "lower-upper", title: "", parts }],
   };
@@ -175,7 +176,9 @@ export class FakeEngine implements Partial<Engine>, ClipCalls {
 
   readClip(source: ClipSource): Promise<ShownClip> {
     if ("file" in source && source.file.size === 0) return Promise.reject(new Error("the file is empty"));
-    return this.#answer("readClip", [source], shownClip());
+    const clip = shownClip();
+    if ("file" in source && source.up) clip.info.upAxis = source.up;
+    return this.#answer("readClip", [source], clip);
   }
 
   sampleClip(id: string): Promise<ShownClip> {
@@ -397,7 +400,13 @@ export function started(engine: FakeEngine, trainers = new FakeTrainers(2)): Sta
     title: id,
     movement: id.split("-")[0] ?? "",
   }));
-  return { engine: engine as unknown as Engine, clips: engine, pool: trainers.pool, version: "1.2.3", samples };
+  return {
+    engine: engine as unknown as Engine,
+    clips: engine,
+    pool: trainers.pool,
+    version: "1.2.3",
+    samples,
+  };
 }
 
 /** Waits until all promises that are ready have been handled. */

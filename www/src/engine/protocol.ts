@@ -9,6 +9,7 @@ import type {
   TrainingCost,
   TrainingProgress,
   TrainingSettings,
+  UpAxis,
   VariationalSettings,
 } from "vcgpdm";
 import type { Calls } from "./calls";
@@ -30,6 +31,7 @@ export type {
   TrainingCost,
   TrainingProgress,
   TrainingSettings,
+  UpAxis,
 } from "vcgpdm";
 
 /** The effect of changed couplings on the experts. */
@@ -165,8 +167,11 @@ export interface OpenedModel {
   rollout: RolloutResult;
 }
 
-/** The source of a clip. Each worker that trains on the clip reads the source. */
-export type ClipSource = { sample: string } | { name: string; file: Blob };
+/**
+ * The source of a clip. Each worker that trains on the clip reads the source. `up`: the axis that the visitor
+ * states.
+ */
+export type ClipSource = { sample: string } | { name: string; file: Blob; up?: UpAxis };
 
 /** A clip chosen for training: the frames from `first` (counted from 0) up to but not including `end`. */
 export interface TrainingClip {

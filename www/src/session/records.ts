@@ -1,7 +1,7 @@
 // A visit as records in the browser's database: clips, trainings, a model from elsewhere, results of a
 // comparison, a library of primitives.
 import type { StoredClip } from "../clips/clips-store";
-import type { ClipSource } from "../engine/protocol";
+import type { ClipSource, UpAxis } from "../engine/protocol";
 import type { Run } from "../training/runs";
 import { sessionWords } from "../words/session";
 
@@ -54,7 +54,7 @@ export interface StoredLibrary {
 }
 
 /** A clip whose file has a record of its own, with this name. */
-type StoredSource = { sample: string } | { name: string; file: string };
+type StoredSource = { sample: string } | { name: string; file: string; up?: UpAxis };
 type Stored<Clip extends { source: ClipSource }> = Omit<Clip, "source"> & { source: StoredSource };
 
 /** The clips that come with the page are not worth a record. */
@@ -104,7 +104,7 @@ export class RecordWriter {
       if (!("file" in source)) return { ...clip, source };
       const file = this.#nameOf(source.file);
       add(file, [source.file], () => source.file);
-      return { ...clip, source: { name: source.name, file } };
+      return { ...clip, source: { ...source, file } };
     };
     const { fragment, firstBones, runs, chosen, model, results, unsaved, library } = holdings;
     const clips = holdings.clips.map(stored);

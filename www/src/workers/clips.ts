@@ -8,10 +8,12 @@ import { using } from "./using";
 const read = new Map<number, Clip>();
 
 /** Reads a clip; the caller frees it. */
-export const readClip = async (source: ClipSource): Promise<Clip> =>
-  "sample" in source
-    ? Clip.sample(source.sample)
-    : Clip.read(source.name, new Uint8Array(await source.file.arrayBuffer()));
+export async function readClip(source: ClipSource): Promise<Clip> {
+  if ("sample" in source) return Clip.sample(source.sample);
+  const clip = await Clip.read(source.name, source.file);
+  const { up } = source;
+  return up ? using(clip, (found) => found.withUp(up)) : clip;
+}
 
 async function clipOf({ id, source }: TrainingClip): Promise<Clip> {
   let clip = read.get(id);
