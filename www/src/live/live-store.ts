@@ -11,7 +11,7 @@ import { LONGEST_PICTURE } from "../ui/each-frame";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
-import { lab } from "../words/lab";
+import { withLab } from "../words/lab";
 
 /** Seconds that are stored, and shown in the strip chart. */
 export const SHOWN_SECONDS = 12;
@@ -121,7 +121,7 @@ export class LiveStore extends Store {
       this.#stage.showLive(track);
       this.#playback.play();
     } catch (problem) {
-      this.#notices.addError(lab().live.notBegun, messageOf(problem));
+      withLab(({ live }) => this.#notices.addError(live.notBegun, messageOf(problem)));
     } finally {
       this.#starting = false;
     }
@@ -169,7 +169,7 @@ export class LiveStore extends Store {
         (_, other) => other !== source && !this.isCut(other, target),
       );
       if (!others) {
-        this.#notices.addError(lab().live.stays, lab().live.staysWhy);
+        withLab(({ live }) => this.#notices.addError(live.stays, live.staysWhy));
         return;
       }
       const mark = { kind: "cut" as const, source, target, from, to: null };
@@ -287,7 +287,7 @@ export class LiveStore extends Store {
       }
     } catch (problem) {
       if (this.#track === track) {
-        this.#notices.addError(lab().live.ended, messageOf(problem));
+        withLab(({ live }) => this.#notices.addError(live.ended, messageOf(problem)));
         this.stop();
       }
     } finally {
