@@ -10,7 +10,7 @@ export const budget = {
   /** Help, method and details of the Lab. */
   whenAsked: 70_000,
   /** The whole program, and the comparison of models with its words in two languages. */
-  onDemand: 832_000,
+  onDemand: 834_000,
   /** The graphics Turing test with jsPsych. */
   perception: 50_000,
   /** The movements of the page's own study. */
