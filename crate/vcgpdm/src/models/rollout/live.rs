@@ -128,7 +128,7 @@ impl LiveRollout {
     ///
     /// When there is no such part, the learned rollout does not repeat itself, or there are more than 10 turns.
     pub fn drive(&mut self, part: usize, turns: f64) -> Result<(), RolloutError> {
-        if !(turns.abs() <= MOST_TURNS) {
+        if turns.is_nan() || turns.abs() > MOST_TURNS {
             return Err(RolloutError::Turns { most: MOST_TURNS, found: turns });
         }
         let cycle = self.cycle.as_ref().ok_or(RolloutError::NoCycle)?;
