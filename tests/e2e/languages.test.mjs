@@ -13,11 +13,11 @@ before(async () => {
 after(() => site?.close());
 
 const TABS = /** @type {const} */ (["listen", "loops", "learn", "numbers"]);
-const SIZES = [
+const SIZES = /** @type {const} */ ([
   { width: 1440, height: 900 },
   { width: 1280, height: 720 },
   { width: 390, height: 844 },
-];
+]);
 
 /** English first, then German at each size. */
 const VISITS = /** @type {const} */ ([
@@ -115,10 +115,8 @@ const cutTexts = (/** @type {Page} */ page) =>
 /** Opens everything that is folded in the tab on screen. */
 const unfold = (/** @type {Page} */ page) =>
   page.evaluate(() => {
-    /** @type {HTMLDetailsElement} */ for (const folded of document.querySelectorAll(
-      ".panel:not([hidden]) details",
-    ))
-      folded.open = true;
+    for (const folded of document.querySelectorAll(".panel:not([hidden]) details"))
+      folded.toggleAttribute("open", true);
   });
 
 /** What the page says in each tab. */
