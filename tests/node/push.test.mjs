@@ -44,7 +44,7 @@ it("a pulled hand or foot takes a part off its loop, and four seconds later the 
   remove();
 });
 
-it("arms follow driven legs at half to twice the learned pace, forward and back, and stop when they stop", async () => {
+it("arms follow driven legs at half to twice the learned pace, forward and back, and stop when they stop", async (test) => {
   const { vcgpdm, remove } = await installPackage();
   const model = vcgpdm.Model.fromJson(readFileSync(at("www/public/first/model.json"), "utf8"));
   const rollout = model.rollout({ frames: 300, sequence: 0, alpha: null, reading: "as-learned" });
@@ -61,7 +61,9 @@ it("arms follow driven legs at half to twice the learned pace, forward and back,
     }
     // They need a moment to catch up, at twice the pace up to one turn.
     const legs = 300 / perTurn;
-    assert.ok(Math.abs(arms - legs) < 1.2, `legs ${legs} turns, arms ${arms}`);
+    const words = `in 10 s the legs turn ${legs.toFixed(1)} times, the arms ${arms.toFixed(1)} times`;
+    test.diagnostic(words);
+    assert.ok(Math.abs(arms - legs) < 1.2, words);
   }
   const live = new vcgpdm.LiveRollout(rollout, 250);
   assert.throws(() => live.drive(2, 0), /expected a part from 0 to 1, found 2/);
