@@ -49,10 +49,17 @@ fn written_clips_read_back_the_same() {
         if root.is_placed() {
             root.offset = [0.0; 3];
         }
+        assert_eq!(again.frame_time, clip.frame_time, "{path}");
+        if again.values.ncols() < clip.values.ncols() {
+            // Positions of inner joints that do not change are offsets now. The file rounds them.
+            assert!(skeleton.joints[1..].iter().any(|joint| joint.channels.len() > 3), "{path}");
+            let (place, turn) = difference(&again.into_clip(), &clip, clip.skeleton.height());
+            assert!(place < 1e-4 && turn < 1e-12, "{path}: {place} of its height, {turn} rad");
+            continue;
+        }
         assert_eq!(again.skeleton, skeleton, "{path}");
         assert_eq!(again.clone().into_clip().world_pose(0).positions, clip.world_pose(0).positions, "{path}");
         assert_eq!(again.values, clip.values, "{path}");
-        assert_eq!(again.frame_time, clip.frame_time, "{path}");
     }
 }
 
