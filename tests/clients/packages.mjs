@@ -176,5 +176,6 @@ export async function withServer(
 /** Cleans up after all tests. */
 export async function clear() {
   await browser?.close();
-  rmSync(place, { recursive: true, force: true });
+  // A server that was just ended may still write.
+  rmSync(place, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 });
 }
