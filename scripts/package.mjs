@@ -69,25 +69,16 @@ const LATER = `        if (typeof Blob === "function" && bytes instanceof Blob)
 `;
 
 const WEB = `/* @ts-self-types="./vcgpdm.d.ts" */
-import load from "./glue.js";
+import { givenWasm } from "./load.js";
 import { trainHere, trainIn } from "./train.js";
+export { default } from "./load.js";
 export * from "./glue.js";
-
-let given;
-
-/** Loads the wasm: the file next to this one, or the argument. */
-export default function init(wasm) {
-    given = wasm;
-    const source = wasm ?? new URL("vcgpdm_bg.wasm", import.meta.url);
-    const named = Object.getPrototypeOf(source) === Object.prototype && "module_or_path" in source;
-    return load(named ? source : { module_or_path: source });
-}
 
 /** Trains in a worker; in this thread where no worker can start. */
 export async function train(data, options) {
     if (typeof Worker !== "function") return trainHere(data, options);
     const start = () => new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-    return trainIn(start, given, data, options);
+    return trainIn(start, givenWasm(), data, options);
 }
 `;
 
@@ -197,7 +188,7 @@ export function completePackage(/** @type {string} */ place) {
   writeFileSync(at("inline", "vcgpdm.js"), INLINE);
   writeFileSync(at("inline", "vcgpdm.d.ts"), TYPES);
 
-  for (const file of ["train.js", "worker.js"])
+  for (const file of ["load.js", "train.js", "worker.js"])
     copyFileSync(join(root, "crate/wasm/js", file), at("web", file));
 
   writeNodeEntry(place, NODE);

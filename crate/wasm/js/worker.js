@@ -1,5 +1,5 @@
 // The worker of `train`: one message with clips or tables and settings begins a training.
-import init from "./vcgpdm.js";
+import init from "./load.js";
 import { setOf, trainSet } from "./train.js";
 
 addEventListener("message", async ({ data: { states, settings, wasm } }) => {
