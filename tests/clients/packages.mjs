@@ -101,7 +101,7 @@ export async function run(
     cwd: folder,
     encoding: "utf8",
     maxBuffer: 1 << 26,
-    timeout: 120_000,
+    timeout: 300_000,
   });
   return stdout + stderr;
 }
