@@ -1,12 +1,12 @@
 //! `vcgpdm complete`: infers the parts of a clip that are not given.
 
 use crate::files;
+use crate::rollout;
 use crate::usage::usage;
 use nalgebra::DMatrix;
 use serde_json::{Map, json};
 use std::error::Error;
 use std::path::PathBuf;
-use vcgpdm::document::Document;
 use vcgpdm::models::{Body, Coupled, RolloutRequest};
 use vcgpdm::motion::bvh;
 
@@ -33,15 +33,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let document = Document::from_json(&files::read_text(&arguments.model)?);
-    let document = document.map_err(|error| files::with_path(&arguments.model, &error))?;
-    let Document::Body(model) = document else {
-        return Err(format!(
-            "{}: expected a model of a body, found one of tables",
-            arguments.model.display()
-        )
-        .into());
-    };
+    let model = rollout::read_model(&arguments.model)?;
     let Some(coupled) = model.coupled() else {
         let (path, kind) = (arguments.model.display(), model.kind().id());
         return Err(format!("{path}: expected a vcgpdm model, found a {kind} model").into());
@@ -50,7 +42,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let read = [arguments.model.as_path(), arguments.clip.as_path()];
     files::check_outs(arguments.out.iter().map(|out| ("--out", out)), read)?;
     let clip = files::read_clip(&arguments.clip)?;
-    let columns = crate::rollout::columns(&model.body, &arguments.model, &clip)?;
+    let columns = rollout::columns(&model.body, &arguments.model, &clip)?;
     let completed = complete(coupled, &clip.name, &columns, &given)?;
     let parts = model.body.layout.parts();
     let names: Vec<&str> = given.iter().map(|&part| parts[part].name.as_str()).collect();
@@ -68,12 +60,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
 /// The numbers of the parts with these names.
 fn given(words: &[String], body: &Body) -> Result<Vec<usize>, Box<dyn Error>> {
-    let names: Vec<&str> = body.layout.parts().iter().map(|part| part.name.as_str()).collect();
+    let names = rollout::part_names(body);
     let mut given = Vec::new();
     for word in words {
-        let numbered = || word.parse().ok().filter(|&part: &usize| part < names.len());
-        let found = names.iter().position(|name| name == word).or_else(numbered);
-        let part = found.ok_or_else(|| {
+        let part = rollout::part_index(word, &names).ok_or_else(|| {
             usage(format!("--given {word}: expected one of the parts {}", names.join(", ")))
         })?;
         if !given.contains(&part) {

@@ -7,6 +7,7 @@ mod summary;
 use crate::files;
 use crate::numbers::whole;
 use crate::rollout::parse::Start;
+pub use crate::rollout::parse::part_index;
 use crate::usage::{Usage, first_given, usage};
 use nalgebra::DMatrix;
 use std::error::Error;
@@ -258,7 +259,7 @@ impl Arguments {
     }
 
     fn request<S: ColumnMapping>(&self, model: Coupled<S>) -> Result<RolloutRequest, Usage> {
-        let parts = &part_names(model);
+        let parts = &part_names(model.body);
         let mut alpha = model.model.alpha.clone();
         for coupling in &self.alpha {
             let (source, target, value) = parse::coupling(coupling, parts).map_err(Usage)?;
@@ -286,8 +287,9 @@ impl Arguments {
     }
 }
 
-fn part_names<S>(model: Coupled<S>) -> Vec<String> {
-    model.body.layout.parts().iter().map(|part| part.name.clone()).collect()
+/// The names of the parts of a body.
+pub fn part_names<S>(body: &Body<S>) -> Vec<String> {
+    body.layout.parts().iter().map(|part| part.name.clone()).collect()
 }
 
 /// Rolls out a model with couplings, and writes its latents too.
@@ -297,7 +299,7 @@ fn roll_out_coupled<S: ColumnMapping>(
     given: Option<&[DMatrix<f64>]>,
     motion: WriteMotion<S>,
 ) -> Result<(RolloutRequest, Rollout), Box<dyn Error>> {
-    let parts = part_names(model);
+    let parts = part_names(model.body);
     let request = arguments.request(model)?;
     let rollout = match given {
         Some(given) => model.rollout_after(given, &request)?,

@@ -88,7 +88,7 @@ fn pair(text: &str, parts: &[String]) -> Result<(usize, usize), String> {
 }
 
 /// The index of a part, from its name or its number from 0.
-fn part_index(name: &str, parts: &[String]) -> Option<usize> {
+pub fn part_index(name: &str, parts: &[String]) -> Option<usize> {
     let named = parts.iter().position(|part| part == name);
     named.or_else(|| name.parse().ok().filter(|&index: &usize| index < parts.len()))
 }
