@@ -38,17 +38,18 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         check_fps(fps)?;
     }
     let skeleton = arguments.clip.as_path();
-    let mut clip = match &arguments.motion {
-        None => arguments.up.of(files::read_clip(skeleton)?),
+    let clip = match &arguments.motion {
+        None => files::read_clip(skeleton)?,
         Some(motion) => {
             check_within("--amc-fps", "frames a second", 0.1..=100_000.0, arguments.amc_fps)?;
             let (skeleton_bytes, motion_bytes) = (files::read_bytes(skeleton)?, files::read_bytes(motion)?);
             let (skeleton_name, motion_name) = (files::read_name(skeleton), files::read_name(motion));
             let skeleton = asf::File { name: &skeleton_name, bytes: &skeleton_bytes };
             let motion = asf::File { name: &motion_name, bytes: &motion_bytes };
-            arguments.up.of(asf::read(skeleton, motion, arguments.amc_fps)?.into_clip())
+            asf::read(skeleton, motion, arguments.amc_fps)?.into_clip()
         }
     };
+    let mut clip = arguments.up.of(clip);
     if let Some(out) = &arguments.out {
         files::check_writable(out, [skeleton].into_iter().chain(arguments.motion.as_deref()))?;
     }
