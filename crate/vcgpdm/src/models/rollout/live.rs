@@ -92,12 +92,9 @@ impl LiveRollout {
         model.check_frames(frames)?;
         self.paths.forget();
         let before = self.paths.frames();
-        if self.drives.is_empty() {
-            dynamics.extend(&mut self.paths, before + frames);
-        }
-        for end in self.paths.frames()..before + frames {
-            dynamics.extend(&mut self.paths, end + 1);
-            self.drive_newest(before + frames - end);
+        for k in 0..frames {
+            dynamics.extend(&mut self.paths, before + k + 1);
+            self.drive_newest(frames - k);
         }
         let latents = self.paths.matrices(before..before + frames);
         let y = model.body.columns(&model.model.observations(&latents));

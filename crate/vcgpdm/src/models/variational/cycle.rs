@@ -93,10 +93,9 @@ impl Cycle {
     /// frames; `None` for a part that does not exist.
     pub fn latents(&self, part: usize, phase: f64) -> Option<Vec<f64>> {
         let states = self.states.get(part)?;
-        let count = states.nrows();
+        let (count, q) = (states.nrows(), states.ncols() / self.order);
         // The oldest frame of a history comes first.
-        let newest =
-            states.columns(states.ncols() - states.ncols() / self.order, states.ncols() / self.order);
+        let newest = states.columns(states.ncols() - q, q);
         let at = phase.rem_euclid(1.0) * count as f64;
         let (frame, share) = (at.floor() as usize, at.fract());
         let (before, after) = (newest.row(frame % count), newest.row((frame + 1) % count));
