@@ -30,7 +30,7 @@ impl Clip {
     fn with_carried_root(&self) -> Option<Clip> {
         let skeleton = &self.skeleton;
         let first_child = carried(skeleton, 0)?;
-        if !has_positions(skeleton, first_child.joint) {
+        if !skeleton.joints[first_child.joint].has_positions() {
             return None;
         }
         let poses: Vec<LocalPose> = (0..self.frames()).map(|frame| self.local_pose(frame)).collect();
@@ -69,7 +69,7 @@ impl Clip {
                 return None;
             }
             root = joint;
-            next = carried(skeleton, joint).filter(|next| has_positions(skeleton, next.joint));
+            next = carried(skeleton, joint).filter(|next| skeleton.joints[next.joint].has_positions());
         }
         None
     }
@@ -156,10 +156,6 @@ fn carried(skeleton: &Skeleton, parent: usize) -> Option<Carried> {
     let kept = (0..tops.len()).filter(|&place| tops[place] == Some(joint)).collect();
     let others = skeleton.children(parent).filter(|&other| other != joint).collect();
     (2 * sizes[joint] >= sizes.iter().sum()).then_some(Carried { joint, kept, others })
-}
-
-fn has_positions(skeleton: &Skeleton, joint: usize) -> bool {
-    skeleton.joints[joint].channels.iter().any(|channel| !channel.is_rotation())
 }
 
 /// The channels of the new root: all six, its own in their order where it has them all.

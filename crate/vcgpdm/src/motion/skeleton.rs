@@ -96,6 +96,11 @@ impl Joint {
         self.channels.iter().filter(|channel| channel.is_rotation()).map(|channel| channel.axis())
     }
 
+    /// Whether it has a position channel.
+    pub(crate) fn has_positions(&self) -> bool {
+        self.channels.iter().any(|channel| !channel.is_rotation())
+    }
+
     /// Whether it has a position channel for every axis.
     pub fn is_placed(&self) -> bool {
         self.channels.iter().filter(|channel| !channel.is_rotation()).count() == 3

@@ -2,7 +2,7 @@
 
 use crate::motion::clip::{Clip, sha256};
 use crate::motion::recording::Recording;
-use crate::motion::skeleton::Skeleton;
+use crate::motion::skeleton::{Joint, Skeleton};
 use nalgebra::DMatrix;
 use std::fmt::Write;
 
@@ -62,8 +62,7 @@ const CONSTANT: f64 = 1e-5;
 fn with_offsets(skeleton: &Skeleton, values: &DMatrix<f64>) -> (Skeleton, Vec<usize>) {
     let mut written = skeleton.clone();
     let mut columns = Vec::with_capacity(values.ncols());
-    let has_inner_positions = (skeleton.joints.iter().skip(1))
-        .any(|joint| joint.channels.iter().any(|channel| !channel.is_rotation()));
+    let has_inner_positions = skeleton.joints.iter().skip(1).any(Joint::has_positions);
     if !has_inner_positions || values.nrows() == 0 {
         return (written, (0..values.ncols()).collect());
     }
