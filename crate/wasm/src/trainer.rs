@@ -97,10 +97,11 @@ impl Trainer {
             let trainer = BodyTrainer::new(&dataset, &settings.into(), seed)?;
             Training::Body(trainer, TrainingTrials::new(&dataset))
         } else {
-            let whole = || vec![TablePart::all(&set.tables[0])];
-            let (task, settings) = settings_from_js(&settings, |parts| match parts.is_undefined() {
-                true => Ok(whole()),
-                false => from_js(ErrorCode::Parts, "parts", parts),
+            let (task, settings) = settings_from_js(&settings, |parts| {
+                if parts.is_undefined() {
+                    return Ok(vec![TablePart::all(&set.tables[0])]);
+                }
+                from_js(ErrorCode::Parts, "parts", parts)
             })?;
             let parts = parts_of_columns(&set.tables, &task.parts)?;
             let dataset = Dataset::of_tables(&set.tables, &parts, task.frames_per_second)?;
