@@ -22,6 +22,9 @@ const AGAIN = 100;
 
 type Push = Extract<Mark, { kind: "push" }>;
 
+/** Whether the walk has come home, or is not expected to. */
+const isDone = (way: Homecoming | null) => way !== null && (way.seconds !== null || way.isLost);
+
 export class PushChapter extends Store implements Chapter {
   readonly #words: WordsStore;
   readonly body: StoryBody;
@@ -63,7 +66,7 @@ export class PushChapter extends Store implements Chapter {
   stage() {
     const { stage, playback } = this.body;
     const { figure, loops, parts, wheel } = this.#now;
-    const legs = this.live && this.#isMeasured ? this.live : null;
+    const legs = isDone(this.#way) ? this.live : null;
     return html`<div class="push">
       <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${figure}></pg-stage>
       <pg-push-hands .chapter=${this}></pg-push-hands>
@@ -99,7 +102,7 @@ export class PushChapter extends Store implements Chapter {
     if (!this.isOpen) return null;
     const { measuring, parts, away, home, lost, back, noFall, wheel } = this.#now;
     const [push, way] = [this.#push, this.#way];
-    if (!push || !way || !this.#isMeasured) return html`<p>${measuring}</p>`;
+    if (!push || !way || !isDone(way)) return html`<p>${measuring}</p>`;
     return html`
       <p data-testid="homecoming" data-seconds=${way.seconds ?? "never"}>
         ${away(parts[push.part] ?? "", way.farthest)}
@@ -107,11 +110,6 @@ export class PushChapter extends Store implements Chapter {
         ${this.#guess === "fall" ? noFall : way.seconds === null ? nothing : back}
       </p>
       <p>${wheel.invites}</p>`;
-  }
-
-  /** Whether the way home of the last push is known. */
-  get #isMeasured(): boolean {
-    return this.#way !== null && (this.#way.seconds !== null || this.#way.isLost);
   }
 
   equation() {
@@ -174,7 +172,6 @@ export class PushChapter extends Store implements Chapter {
     if (live.marks.some((mark) => mark.kind === "drive" && mark.from > push.from)) return;
     const isOther = push !== this.#push;
     this.#push = push;
-    const isDone = (way: Homecoming | null) => way !== null && (way.seconds !== null || way.isLost);
     const before = isOther ? null : this.#way;
     const way = homecoming(live.trace, push, this.#limit, frameTime);
     // The frames of the push are forgotten after some seconds, and the visitor may pull on.

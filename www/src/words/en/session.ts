@@ -30,7 +30,7 @@ export const session = {
   undo: "Undo",
   notForgotten: "Not all was forgotten",
   notBack: "Not all came back",
-  /** `contents` of this visit and so many earlier ones. */
+  /** The contents of this visit, and of this number of earlier visits. */
   ofVisits: (contents: string, earlier: number) =>
     earlier === 0
       ? contents
