@@ -4,11 +4,12 @@ import { existsSync, readFileSync } from "node:fs";
 import { setPriority } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { at, env, Failure, filesUnder, main, output, root, run, runModule, seconds } from "./run.mjs";
+import { at, env, Failure, main, output, root, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
 import { compileTests, NATIVE, TESTS } from "./cargo.mjs";
 import { checkGolden } from "./golden.mjs";
 import { checkLocks } from "./locks.mjs";
+import { nodeTests } from "./node-tests.mjs";
 import { weigh } from "./site.mjs";
 import { installNpmPackages, installTools, oldestRust } from "./tools.mjs";
 
@@ -19,16 +20,6 @@ const WASM = ["--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"];
 
 const clippy = (/** @type {string[]} */ ...what) => run("cargo", "clippy", ...what, ...deny);
 const biome = (/** @type {string[]} */ ...args) => runModule("@biomejs/biome/bin/biome", ...args);
-/** Runs `files` test files at a time: tests in a browser mostly wait. */
-const nodeTests = (/** @type {string} */ folder, files = 1) =>
-  run(
-    process.execPath,
-    "--test",
-    "--test-reporter=spec",
-    `--test-concurrency=${files}`,
-    "--test-timeout=600000",
-    ...filesUnder([at("tests", folder)]).filter((file) => file.endsWith(".test.mjs")),
-  );
 
 /** The argument of a process that runs one step for another process. */
 const THIS_STEP = "--this-step";
@@ -54,7 +45,7 @@ const PAGE_STEPS = [
     needs: "build",
     work: () => runModule("vitest/vitest.mjs", "run", "--root", at("www")),
   },
-  { name: "page", what: "the page in Chromium", needs: "build", work: () => nodeTests("e2e", 2) },
+  { name: "page", what: "the page in Chromium", needs: "build", work: () => nodeTests("e2e", 2, true) },
 ];
 
 /** @type {Step[]} */
