@@ -40,12 +40,8 @@ enum Measurement {
     },
     /// Primitives learned again under the pose maps of another library.
     Imports,
-    /// Balanced and uncoupled models compared with plain ones.
-    Objectives {
-        /// Folders of clips (.bvh), one for each person.
-        #[arg(required = true)]
-        folders: Vec<PathBuf>,
-    },
+    /// Models with weighted pose terms, and uncoupled models, compared with plain ones.
+    Objectives(objectives::Arguments),
     /// How time and memory grow with the size of the data and of the model.
     Scaling(scaling::Arguments),
     /// How many seeds lead to a model that keeps moving.
@@ -67,7 +63,7 @@ fn main() {
         Measurement::Completing { folders } => completing::run(&folders),
         Measurement::Modularity { picture } => modularity::run(picture.as_deref()),
         Measurement::Imports => modularity::run_imports(),
-        Measurement::Objectives { folders } => objectives::run(&folders),
+        Measurement::Objectives(arguments) => objectives::run(&arguments),
         Measurement::Scaling(arguments) => scaling::run(&arguments),
         Measurement::Seeds(arguments) => seeds::run(&arguments),
         Measurement::Splits { folders } => splits::run(&folders),

@@ -1,10 +1,10 @@
-//! Models trained with balanced pose terms or without couplings, compared with plain ones (docs/training.md).
+//! Models trained with weighted pose terms or without couplings, compared with plain ones (docs/training.md).
 //!
-//! Each folder has the clips (.bvh) of one person. Each trial is held out in turn.
+//! Each folder has the clips (.bvh) of one movement of one person. Each trial is held out in turn.
 
 use crate::clips;
-use crate::ratio::ratio;
-use std::ops::Range;
+use crate::parallel::each_seed;
+use crate::ratio::{ERRORS, ErrorOf, over_folders, over_trials};
 use std::path::PathBuf;
 use std::time::Instant;
 use vcgpdm::models::{PoseWeight, Settings, VariationalSettings};
@@ -13,73 +13,127 @@ use vcgpdm::motion::parts::presets;
 use vcgpdm_lab::evaluation::{Fold, Outcome, START_FRAMES};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
-const SEEDS: Range<u32> = 0..3;
-const DYNAMICS_IPS: usize = 10;
-const POSE_IPS: usize = 30;
-
-/// Two candidates, by their places in [`candidates`].
-const PAIRS: [(&str, usize, usize); 3] = [
-    ("vCGPDM, balanced : plain", 1, 0),
-    ("vGPDM, balanced : plain", 3, 2),
-    ("vCGPDM, uncoupled : coupled", 4, 0),
+const DYNAMICS_IPS: usize = 12;
+const POSE_IPS: [usize; 2] = [12, 30];
+/// The first weight is the plain bound.
+const WEIGHTS: [(&str, PoseWeight); 4] = [
+    ("1", PoseWeight::Fixed(1.0)),
+    ("0.3", PoseWeight::Fixed(0.3)),
+    ("0.1", PoseWeight::Fixed(0.1)),
+    ("balanced", PoseWeight::Balanced),
 ];
+const MODELS: [(&str, fn(VariationalSettings) -> Settings); 2] =
+    [("vCGPDM", Settings::Vcgpdm), ("vGPDM", Settings::Vgpdm)];
 
-fn candidates() -> [Settings; 5] {
-    let plain = VariationalSettings {
-        dynamics_ips: DYNAMICS_IPS,
-        pose_ips: POSE_IPS,
-        ..VariationalSettings::default()
-    };
-    let balanced = VariationalSettings { pose_weight: PoseWeight::Balanced, ..plain.clone() };
-    let uncoupled = VariationalSettings { uncoupled: true, ..plain.clone() };
-    [
-        Settings::Vcgpdm(plain.clone()),
-        Settings::Vcgpdm(balanced.clone()),
-        Settings::Vgpdm(plain),
-        Settings::Vgpdm(balanced),
-        Settings::Vcgpdm(uncoupled),
-    ]
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Folders of clips (.bvh), one for each movement of a person.
+    #[arg(required = true)]
+    folders: Vec<PathBuf>,
+    /// Train from this number of seeds.
+    #[arg(long, default_value_t = 5)]
+    seeds: u32,
+    /// Train this number of models at the same time.
+    #[arg(long, default_value_t = 2)]
+    threads: usize,
 }
 
-/// The outcomes of every candidate for each trial held out, from every seed.
-fn outcomes(name: &str, trials: &[Clip]) -> Vec<[Vec<Outcome>; 5]> {
+/// The outcomes of a candidate for each trial held out, from every seed.
+type OfTrials = Vec<Vec<Outcome>>;
+
+/// Two candidates, by their places in [`candidates`].
+struct Pair {
+    title: String,
+    first: usize,
+    second: usize,
+}
+
+/// For both models every weight with both sizes, and last the uncoupled vCGPDM.
+fn candidates() -> Vec<Settings> {
+    let settings = |pose_ips, pose_weight| VariationalSettings {
+        dynamics_ips: DYNAMICS_IPS,
+        pose_ips,
+        pose_weight,
+        ..VariationalSettings::default()
+    };
+    let mut all = Vec::new();
+    for (_, model) in MODELS {
+        for pose_ips in POSE_IPS {
+            all.extend(WEIGHTS.map(|(_, weight)| model(settings(pose_ips, weight))));
+        }
+    }
+    let plain = settings(POSE_IPS[0], PoseWeight::Fixed(1.0));
+    all.push(Settings::Vcgpdm(VariationalSettings { uncoupled: true, ..plain }));
+    all
+}
+
+/// Every weight against the plain bound, many pose points against few, and no couplings against couplings.
+fn pairs() -> Vec<Pair> {
+    let place =
+        |model: usize, size: usize, weight: usize| (model * POSE_IPS.len() + size) * WEIGHTS.len() + weight;
+    let mut pairs = Vec::new();
+    for (model, (name, _)) in MODELS.iter().enumerate() {
+        for (size, pose_ips) in POSE_IPS.iter().enumerate() {
+            for (weight, (word, _)) in WEIGHTS.iter().enumerate().skip(1) {
+                let title = format!("{name}, {DYNAMICS_IPS} + {pose_ips} points, {word} : 1");
+                pairs.push(Pair { title, first: place(model, size, weight), second: place(model, size, 0) });
+            }
+        }
+        for (weight, (word, _)) in WEIGHTS.iter().enumerate() {
+            let title = format!("{name}, weight {word}, {} : {} pose points", POSE_IPS[1], POSE_IPS[0]);
+            pairs.push(Pair { title, first: place(model, 1, weight), second: place(model, 0, weight) });
+        }
+    }
+    let uncoupled = MODELS.len() * POSE_IPS.len() * WEIGHTS.len();
+    pairs.push(Pair { title: "vCGPDM, uncoupled : coupled".to_owned(), first: uncoupled, second: 0 });
+    pairs
+}
+
+/// The outcomes of every candidate.
+fn outcomes(name: &str, trials: &[Clip], arguments: &Arguments) -> Vec<OfTrials> {
     let preset = presets(&trials[0].skeleton).into_iter().find(|preset| preset.id == "lower-upper").unwrap();
     let clock = Instant::now();
-    let fold = |held_out| {
-        eprintln!("{name}: trial {} of {} held out", held_out + 1, trials.len());
+    let candidates = candidates();
+    let mut found = vec![OfTrials::new(); candidates.len()];
+    for held_out in 0..trials.len() {
+        let seconds = clock.elapsed().as_secs_f64();
+        eprintln!("{name}: trial {} of {} held out, {seconds:.0} s", held_out + 1, trials.len());
         let training = trials.len() - 1;
         let fold =
             Fold::new(trials, held_out, training, &preset.parts, FRAMES_PER_SECOND, START_FRAMES).unwrap();
-        candidates().map(|candidate| {
+        for (candidate, found) in candidates.iter().zip(&mut found) {
             let seconds = || clock.elapsed().as_secs_f64();
-            SEEDS
-                .map(|seed| fold.evaluate(&candidate, seed, &seconds, &mut |_| true).unwrap().unwrap())
-                .collect()
-        })
-    };
-    (0..trials.len()).map(fold).collect()
+            found.push(each_seed(0..arguments.seeds, arguments.threads, |seed| {
+                fold.evaluate(candidate, seed, &seconds, &mut |_| true).unwrap().unwrap()
+            }));
+        }
+    }
+    found
 }
 
-pub fn run(folders: &[PathBuf]) {
-    println!("{DYNAMICS_IPS} + {POSE_IPS} inducing points, {} seeds.\n", SEEDS.len());
-    println!(
-        "| trials | ratio of the errors | held out | lower body | upper body | on the training trials |"
-    );
-    println!("{}|", "|---".repeat(6));
-    for folder in folders {
+fn row(trials: &str, title: &str, cell: impl Fn(ErrorOf) -> String) {
+    println!("| {trials} | {title} | {} |", ERRORS.map(|(_, error)| cell(error)).join(" | "));
+}
+
+pub fn run(arguments: &Arguments) {
+    println!("{} seeds.\n", arguments.seeds);
+    println!("| trials | ratio of the errors | {} |", ERRORS.map(|(name, _)| name).join(" | "));
+    println!("{}|", "|---".repeat(2 + ERRORS.len()));
+    let mut all = Vec::new();
+    for folder in &arguments.folders {
         let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let trials: Vec<Clip> = clips::read_clips(std::slice::from_ref(folder)).collect();
-        let found = outcomes(&name, &trials);
-        for (title, first, second) in PAIRS {
-            let each = |place: usize| found.iter().map(|fold| &fold[place]).collect::<Vec<_>>();
-            let (first, second) = (each(first), each(second));
-            println!(
-                "| {name} | {title} | {} | {} | {} | {} |",
-                ratio(&first, &second, |o| o.score.dtw_mse),
-                ratio(&first, &second, |o| o.part_errors[0]),
-                ratio(&first, &second, |o| o.part_errors[1]),
-                ratio(&first, &second, |o| o.training_mse.unwrap_or(f64::NAN)),
-            );
+        let found = outcomes(&name, &trials, arguments);
+        for Pair { title, first, second } in pairs() {
+            row(&name, &title, |error| over_trials(&found[first], &found[second], error));
         }
+        all.push(found);
+    }
+    if all.len() < 2 {
+        return;
+    }
+    for Pair { title, first, second } in pairs() {
+        let folders: Vec<_> = all.iter().map(|found| (&found[first][..], &found[second][..])).collect();
+        row("all folders", &title, |error| over_folders(&folders, error));
     }
 }

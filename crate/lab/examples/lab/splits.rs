@@ -6,7 +6,7 @@
 //! or differently in each. All trials have the same length, so that only the relative timing differs.
 
 use crate::clips;
-use crate::ratio::ratio;
+use crate::ratio::{ERRORS, over_trials};
 use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -99,16 +99,10 @@ fn print(name: &str, trials: &[Clip]) {
             .enumerate()
             .map(|(k, trial)| timed(trial, &preset.parts[1], time(k, trials.len())))
             .collect();
-        let found = outcomes(&timed, &preset.parts);
-        let parts: Vec<_> = found.iter().map(|[parts, _]| parts).collect();
-        let whole: Vec<_> = found.iter().map(|[_, whole]| whole).collect();
-        println!(
-            "| {name} | {title} | {} | {} | {} | {} |",
-            ratio(&parts, &whole, |o| o.score.dtw_mse),
-            ratio(&parts, &whole, |o| o.part_errors[0]),
-            ratio(&parts, &whole, |o| o.part_errors[1]),
-            ratio(&parts, &whole, |o| o.training_mse.unwrap_or(f64::NAN)),
-        );
+        let (parts, whole): (Vec<_>, Vec<_>) =
+            outcomes(&timed, &preset.parts).into_iter().map(<(_, _)>::from).unzip();
+        let cells = ERRORS.map(|(_, error)| over_trials(&parts, &whole, error));
+        println!("| {name} | {title} | {} |", cells.join(" | "));
     }
 }
 
