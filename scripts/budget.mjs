@@ -7,8 +7,8 @@ export const budget = {
   lab: 50_000,
   /** The chapters of the story after the first. */
   story: 60_000,
-  /** Help, method and details of the Lab. */
-  whenAsked: 70_000,
+  /** Help, method and details of the Lab, with the words of all three in two languages. */
+  whenAsked: 71_000,
   /** The whole program, and the comparison of models with its words in two languages. */
   onDemand: 834_000,
   /** The graphics Turing test with jsPsych. */

@@ -37,9 +37,13 @@ const WHEN_ASKED = [
   "clips/part-names",
   "unsaved/choice-dialog",
   "words/help",
+  "words/method",
   "words/session",
   "words/terms",
-  ...["help", "numbers", "session", "terms"].flatMap((name) => [`words/en/${name}`, `words/de/${name}`]),
+  ...["help", "method", "numbers", "session", "terms"].flatMap((name) => [
+    `words/en/${name}`,
+    `words/de/${name}`,
+  ]),
 ];
 /** The chapters of the story after the first, and what only they share. */
 const isChapter = (file: string) =>

@@ -47,9 +47,13 @@ const VIEWS = [
     view: "series",
     ready: (/** @type {Page} */ page) => page.getByTestId("series-example").waitFor(),
   },
+  {
+    view: "method",
+    ready: (/** @type {Page} */ page) => page.locator("pg-method math").first().waitFor(),
+  },
 ];
 
-/** Texts of the library, which are English everywhere, such as titles and settings; and the credit of the recordings. */
+/** Texts of the library, which are English everywhere, such as titles and settings; the credit of the recordings; a function. */
 const OF_LIBRARY = [
   /^Walk/,
   /^(Whole|Lower and upper) body$/,
@@ -60,6 +64,7 @@ const OF_LIBRARY = [
   /^\d+ \+ \d+ inducing points$/,
   /^(\d+ iterations, )?not balanced/,
   /^primitives by the bound/,
+  /^arg max$/,
 ];
 
 /** The texts of two or more words that a visitor of the page sees or hears. */

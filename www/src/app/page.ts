@@ -64,8 +64,9 @@ const ON_DEMAND = {
     const [stores] = await Promise.all([series.get(), import("../series/series-page")]);
     return () => html`<pg-series .series=${stores} .settings=${settings} .notices=${notices}></pg-series>`;
   },
-  async method() {
-    await import("../method/method-page");
+  async method({ words }: App) {
+    const [{ loadMethod }] = await Promise.all([import("../words/method"), import("../method/method-page")]);
+    await loadMethod(words);
     return () => html`<pg-method></pg-method>`;
   },
 };

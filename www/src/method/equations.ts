@@ -1,5 +1,6 @@
-// The equations of the model in MathML, which browsers draw. They are constants: no text of a visitor is in
-// them.
+// The equations of the model in MathML, which browsers draw. They are constants and words of the page: no text
+// of a visitor is in them.
+import type { MethodWords } from "../words/en/method";
 
 const tag = (name: string, inner: string, attributes = "") => `<${name}${attributes}>${inner}</${name}>`;
 const row = (...parts: string[]) => tag("mrow", parts.join(""));
@@ -91,19 +92,6 @@ export const EQUATIONS = {
     op("∼"),
     call(id("GP"), num("0"), row(sup(id("σ"), num("2")), id("k"))),
   ),
-  bound: math(
-    log(call(id("p"), id("Y"))),
-    op("≥"),
-    sum(i),
-    sub(id("F"), row(text("poses "), i)),
-    op("+"),
-    sum(i),
-    sub(id("F"), row(text("dynamics "), i)),
-    op("+"),
-    text("first frames"),
-    op("+"),
-    text("entropy"),
-  ),
   collapsed: math(
     id("F"),
     op("="),
@@ -178,30 +166,29 @@ export const EQUATIONS = {
     thin,
     call(id("p"), id("Y"), id("X")),
   ),
+} as const;
+
+/** The equations with words in them. */
+export const equationsWith = (words: MethodWords["inEquations"]) => ({
+  bound: math(
+    log(call(id("p"), id("Y"))),
+    op("≥"),
+    sum(i),
+    sub(id("F"), row(text(words.poses), i)),
+    op("+"),
+    sum(i),
+    sub(id("F"), row(text(words.dynamics), i)),
+    op("+"),
+    text(words.firstFrames),
+    op("+"),
+    text(words.entropy),
+  ),
   score: math(
-    call(id("P"), text("taken for natural")),
+    call(id("P"), text(words.natural)),
     op("="),
     over(num("0.5"), row(one, op("+"), id("exp"), call("", row(id("a"), thin, id("MSE"), op("+"), id("c"))))),
   ),
-} as const;
-
-/** What each equation is about, for screen readers. */
-export const EQUATION_NAMES: Record<keyof typeof EQUATIONS, string> = {
-  dynamics: "the next latent",
-  weights: "the weights of the experts",
-  history: "the history of a part",
-  expert: "an expert",
-  kernel: "the kernel",
-  pose: "the pose map",
-  bound: "the bound",
-  collapsed: "a term of the bound",
-  posterior: "the inducing outputs",
-  rollout: "a step of the rollout",
-  tmp: "the temporal movement primitive",
-  dmp: "the dynamic movement primitive",
-  map: "the MAP models",
-  score: "the perception score",
-};
+});
 
 export const SYMBOLS = {
   parts: inline(i, op(","), j),

@@ -3,10 +3,12 @@
 import { html, svg, type SVGTemplateResult } from "lit";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
+import type { MethodWords } from "../words/en/method";
 
 const R = 21;
 /** Shows a place of the page. */
 type Show = (place: string) => void;
+type Words = MethodWords["graphs"];
 
 const arrow = (x1: number, y1: number, x2: number, y2: number, from = R, to = R + 5) => {
   const [dx, dy] = [x2 - x1, y2 - y1];
@@ -42,7 +44,7 @@ const letters = (content: unknown) => svg`<g class="graph-letters" aria-hidden="
 const FRAMES = ["t−2", "t−1", "t"];
 
 /** One part: its latents, its poses and the inducing points of both maps. */
-function onePart(show: Show) {
+function onePart(show: Show, words: Words) {
   const x = (k: number) => 60 + 110 * k;
   return svg`
     ${arrow(x(0), 70, x(1), 70)}${arrow(x(1), 70, x(2), 70)}
@@ -50,10 +52,10 @@ function onePart(show: Show) {
     ${FRAMES.map((_, k) => arrow(x(k), 70, x(k), 160))}
     ${arrow(400, 70, x(2), 70, 28)}
     <path d="M374 160H${x(2) + R + 5}" marker-end="url(#method-tip)" />
-    ${link(show, "latents", "Latents: show their plots", svg`${FRAMES.map((_, k) => latent(x(k), 70))}`)}
-    ${link(show, "stage", "Poses: show the figure", svg`${FRAMES.map((_, k) => svg`<rect x=${x(k) - 20} y="140" width="40" height="40" />`)}`)}
-    ${link(show, "points", "Inducing points of the dynamics: show them in the plots", diamond(400, 70))}
-    ${link(show, "points", "Inducing points of the poses: show them in the plots", diamond(400, 160))}
+    ${link(show, "latents", words.latents, svg`${FRAMES.map((_, k) => latent(x(k), 70))}`)}
+    ${link(show, "stage", words.poses, svg`${FRAMES.map((_, k) => svg`<rect x=${x(k) - 20} y="140" width="40" height="40" />`)}`)}
+    ${link(show, "points", words.dynamicsPoints, diamond(400, 70))}
+    ${link(show, "points", words.posePoints, diamond(400, 160))}
     ${letters([
       ...FRAMES.map((name, k) => letter(x(k), 70, "x", name)),
       ...FRAMES.map((name, k) => letter(x(k), 160, "y", name)),
@@ -63,7 +65,7 @@ function onePart(show: Show) {
 }
 
 /** Two parts that predict each other. */
-function twoParts(show: Show) {
+function twoParts(show: Show, words: Words) {
   const x = (k: number) => 60 + 150 * k;
   const [upper, lower] = [50, 180];
   const row = (y: number, part: number) =>
@@ -73,22 +75,22 @@ function twoParts(show: Show) {
     ${link(
       show,
       "couplings",
-      "Couplings: show their sliders",
+      words.couplings,
       svg`<rect class="hit" x="80" y="82" width="330" height="66" /><g class="graph-couplings">${[0, 1].map((k) => svg`${arrow(x(k), upper, x(k + 1), lower)}${arrow(x(k), lower, x(k + 1), upper)}`)}
         </g>`,
     )}
-    ${link(show, "latents", "Latents of part 1 and part 2: show their plots", svg`${row(upper, 0)}${row(lower, 1)}`)}
+    ${link(show, "latents", words.bothLatents, svg`${row(upper, 0)}${row(lower, 1)}`)}
     ${letters([
       ...[upper, lower].map((y) => FRAMES.map((name, k) => letter(x(k), y, "x", name))),
-      svg`<text x="106" y="120">α</text><text x=${x(2) + 60} y=${upper + 5}>part 1</text>
-        <text x=${x(2) + 60} y=${lower + 5}>part 2</text>`,
+      svg`<text x="106" y="120">α</text><text x=${x(2) + 60} y=${upper + 5}>${words.part(1)}</text>
+        <text x=${x(2) + 60} y=${lower + 5}>${words.part(2)}</text>`,
     ])}`;
 }
 
-export const graphs = (show: Show) => html`
+export const graphs = (show: Show, words: Words) => html`
   <div class="graphs">
-    <figure><svg class="graph" viewBox="0 0 450 200" role="group" aria-label="Graphical model of one part">${tip}${onePart(show)}</svg>
-      <figcaption class="hint">One part. Each latent follows from the two before it and gives a pose. Few inducing points (diamonds) stand for both maps.</figcaption></figure>
-    <figure><svg class="graph" viewBox="0 0 450 230" role="group" aria-label="Graphical model of two coupled parts">${twoParts(show)}</svg>
-      <figcaption class="hint">Two parts. Each predicts also the next latent of the other; the poses are left out. Press a shape to go to its control.</figcaption></figure>
+    <figure><svg class="graph" viewBox="0 0 450 200" role="group" aria-label=${words.one}>${tip}${onePart(show, words)}</svg>
+      <figcaption class="hint">${words.oneText}</figcaption></figure>
+    <figure><svg class="graph" viewBox="0 0 450 230" role="group" aria-label=${words.two}>${twoParts(show, words)}</svg>
+      <figcaption class="hint">${words.twoText}</figcaption></figure>
   </div>`;

@@ -47,8 +47,10 @@ it("a reference is written as BibTeX and as a line of a list", () => {
     /number = \{10\},\n {2}pages = \{724\},\n {2}year = \{2018\},\n {2}doi = \{10\.3390\/e20100724\},\n\}$/,
   );
   const [, wang] = FURTHER_WORKS;
-  expect(inWords(wang!)).toBe(
+  expect(inWords(wang!, "Doctoral thesis")).toBe(
     "Wang, J. M., Fleet, D. J., Hertzmann, A. (2008). Gaussian Process Dynamical Models for Human Motion. " +
       "IEEE Transactions on Pattern Analysis and Machine Intelligence 30(2), 283–298.",
   );
+  const [thesis] = FURTHER_WORKS;
+  expect(inWords(thesis!, "Dissertation")).toMatch(/Motor Production. Dissertation, Philipps University/);
 });

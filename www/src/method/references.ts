@@ -137,12 +137,13 @@ export function bibtex(work: Work): string {
   return [`@${entry}{${key},`, ...lines, "}"].join("\n");
 }
 
-/** A work in a line, for a list of references. */
-export function inWords({ authors, year, title, where, volume, issue, start, end, type }: Work): string {
+/** A work in a line, for a list of references. `thesis`: what a thesis is called. */
+export function inWords(work: Work, thesis: string): string {
+  const { authors, year, title, where, volume, issue, start, end, type } = work;
   const names = authors.map(({ family, given }) =>
     `${family}, ${given.replace(/(\p{L})[\p{L}]+/gu, "$1.")}`.replace("..", "."),
   );
   const number = volume ? ` ${volume}${issue ? `(${issue})` : ""}` : "";
   const pages = start ? `, ${start}${end ? `–${end}` : ""}` : "";
-  return `${names.join(", ")} (${year}). ${title}. ${type === "thesis" ? "Doctoral thesis, " : ""}${where}${number}${pages}.`;
+  return `${names.join(", ")} (${year}). ${title}. ${type === "thesis" ? `${thesis}, ` : ""}${where}${number}${pages}.`;
 }

@@ -2,6 +2,7 @@
 import { loadCompare } from "./compare";
 import { loadHelp } from "./help";
 import { loadLab } from "./lab";
+import { loadMethod } from "./method";
 import { loadNumbers } from "./numbers";
 import { loadPrimitives } from "./primitives";
 import { loadSeries } from "./series";
@@ -9,5 +10,14 @@ import { loadSession } from "./session";
 import type { WordsStore } from "./words";
 
 const english = { language: "en", on: () => () => {} } as unknown as WordsStore;
-for (const load of [loadLab, loadCompare, loadHelp, loadNumbers, loadPrimitives, loadSeries, loadSession])
+for (const load of [
+  loadLab,
+  loadCompare,
+  loadHelp,
+  loadMethod,
+  loadNumbers,
+  loadPrimitives,
+  loadSeries,
+  loadSession,
+])
   await load(english);
