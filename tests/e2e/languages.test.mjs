@@ -48,6 +48,10 @@ const VIEWS = [
     ready: (/** @type {Page} */ page) => page.getByTestId("series-example").waitFor(),
   },
   {
+    view: "synthetic",
+    ready: (/** @type {Page} */ page) => page.locator(".curves-picture path").first().waitFor(),
+  },
+  {
     view: "method",
     ready: (/** @type {Page} */ page) => page.locator("pg-method math").first().waitFor(),
   },

@@ -42,8 +42,13 @@ const ON_DEMAND = {
     return () => html`
       <pg-comparison .comparison=${store} .settings=${settings} .clips=${clips} .engine=${engine} .notices=${notices}></pg-comparison>`;
   },
-  async synthetic({ experiment, settings }: App) {
-    const [store] = await Promise.all([experiment.get(), import("../experiment/experiment-page")]);
+  async synthetic({ experiment, settings, words }: App) {
+    const [store, { loadExperiment }] = await Promise.all([
+      experiment.get(),
+      import("../words/experiment"),
+      import("../experiment/experiment-page"),
+    ]);
+    await loadExperiment(words);
     return () => html`<pg-synthetic .experiment=${store} .settings=${settings}></pg-synthetic>`;
   },
   async perception({ perception, analysis, notices }: App) {

@@ -3,6 +3,7 @@ import type { TrainingOutcome } from "../engine/protocol";
 import type { Experiment, SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
 import type { Course } from "../training/runs";
 import { ratio } from "../figures/numbers";
+import { experimentWords } from "../words/experiment";
 
 /** A training on an experiment that waits, runs or is over. */
 export interface ExperimentRun extends Experiment, Course {
@@ -49,46 +50,39 @@ export function readings(
   { drive, much, alike }: Pick<SyntheticTruth, "drive" | "much" | "alike">,
 ): { words: string; right: boolean }[] {
   const { back, forth, backIsRight, forthIsRight } = verdict;
+  const words = experimentWords().verdict;
   const withoutInfluence = (source: number, target: number, right: boolean) =>
-    `part ${source} ${
-      right
-        ? `counts for nothing in part ${target}. That is true.`
-        : `seems to have a say in part ${target}, which it has not; ${much} times or more would say so.`
-    }`;
+    right ? words.nothing(source, target) : words.seems(source, target, much);
   const withInfluence = () => {
-    if (forthIsRight) return "part 1 has a say in part 2. That is true.";
-    return forth > alike
-      ? `too small a say of part 1 in part 2; up to ${alike} times counts as found.`
-      : "part 1 seems to have more say in part 2 than part 2 itself, which is not so.";
+    if (forthIsRight) return words.say;
+    return forth > alike ? words.tooSmall(alike) : words.tooLarge;
   };
   const backWords = withoutInfluence(2, 1, backIsRight);
   const forthWords = drive > 0 ? withInfluence() : withoutInfluence(1, 2, forthIsRight);
   return [
-    { words: `α from 2 to 1 is ${ratio(back)} times α from 1 to 1: ${backWords}`, right: backIsRight },
-    { words: `α from 1 to 2 is ${ratio(forth)} times α from 2 to 2: ${forthWords}`, right: forthIsRight },
+    { words: `${words.ratio(2, 1, ratio(back))} ${backWords}`, right: backIsRight },
+    { words: `${words.ratio(1, 2, ratio(forth))} ${forthWords}`, right: forthIsRight },
   ];
 }
 
 /** The result in one sentence. */
 export function headline(findings: SyntheticFindings, driving: boolean): string {
-  if (!isFound(findings)) return "Missed: not all that the couplings say is true.";
-  return driving
-    ? "Found: part 1 drives part 2, and part 2 does not drive part 1."
-    : "Found: neither part drives the other.";
+  const words = experimentWords().verdict;
+  if (!isFound(findings)) return words.missed;
+  return driving ? words.driven : words.neither;
 }
 
 /** How often the truth was found; trainings that were stopped early do not count. */
 export function tally(runs: readonly ExperimentRun[]): string {
+  const words = experimentWords().verdict;
   const sentences: string[] = [];
   for (const driving of [true, false]) {
     const done = runs
       .filter((run) => run.driving === driving && run.state === "done")
       .flatMap(({ findings }) => findings ?? []);
-    if (done.length === 0) continue;
-    const seeds = `${done.filter(isFound).length} of ${done.length} ${done.length === 1 ? "seed" : "seeds"}`;
-    sentences.push(driving ? `Found with ${seeds}.` : `Without driving, found with ${seeds}.`);
+    if (done.length > 0) sentences.push(words.tally(done.filter(isFound).length, done.length, driving));
   }
   const stopped = runs.filter(({ state }) => state === "cancelled").length;
-  if (stopped > 0) sentences.push(`${stopped} stopped early, not counted.`);
+  if (stopped > 0) sentences.push(words.notCounted(stopped));
   return sentences.join(" ");
 }

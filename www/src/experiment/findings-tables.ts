@@ -6,14 +6,16 @@ import { type ExperimentRun, headline, isFound, readings } from "./experiments";
 import { partColour } from "../ui/palette";
 import type { SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
 import { partStyle } from "../ui/styled";
+import { experimentWords } from "../words/experiment";
 
 const PARTS = [0, 1];
 
 const partName = (part: number) =>
-  html`<span class="part-name" style=${partStyle(partColour(part))}><i class="swatch"></i>Part ${part + 1}</span>`;
+  html`<span class="part-name" style=${partStyle(partColour(part))}><i class="swatch"></i>${experimentWords().part(part + 1)}</span>`;
 
 /** alpha and w of each source (row) and target (column). */
 export function alphaTable(findings: SyntheticFindings | null) {
+  const words = experimentWords().couplings;
   const cell = (source: number, target: number) => {
     const alpha = findings?.alpha[source]?.[target];
     const w = findings?.weights[source]?.[target];
@@ -28,8 +30,8 @@ export function alphaTable(findings: SyntheticFindings | null) {
   };
   return html`
     <table class="alphas">
-      <caption class="visually-hidden">The learned couplings: rows predict columns</caption>
-      <thead><tr><td><pg-term of="alpha" text="α"></pg-term>, <pg-term of="weight" text="w"></pg-term></td>${PARTS.map((target) => html`<th scope="col"><small>predicts</small> ${partName(target)}</th>`)}</tr></thead>
+      <caption class="visually-hidden">${words.label}</caption>
+      <thead><tr><td><pg-term of="alpha" text="α"></pg-term>, <pg-term of="weight" text="w"></pg-term></td>${PARTS.map((target) => html`<th scope="col"><small>${words.predicts}</small> ${partName(target)}</th>`)}</tr></thead>
       <tbody>${PARTS.map(
         (source) => html`
         <tr><th scope="row">${partName(source)}</th>${PARTS.map((target) => cell(source, target))}</tr>`,
@@ -41,15 +43,16 @@ export function alphaTable(findings: SyntheticFindings | null) {
 /** Bound and error, at the start of training and now. */
 export function fitTable(run: ExperimentRun | null) {
   const { start, now } = run?.findings ?? {};
-  const end = run?.state === "done" ? "End" : "Now";
+  const words = experimentWords().fit;
+  const end = run?.state === "done" ? words.end : words.now;
   return html`
     <table class="fits">
-      <caption class="visually-hidden">How well the model explains the data</caption>
-      <thead><tr><td></td><th scope="col">Start</th><th scope="col">${end}</th></tr></thead>
+      <caption class="visually-hidden">${words.label}</caption>
+      <thead><tr><td></td><th scope="col">${words.start}</th><th scope="col">${end}</th></tr></thead>
       <tbody>
-        <tr><th scope="row" title="The evidence lower bound, in nats: the higher, the better"><pg-term of="bound" text="Bound"></pg-term></th>
+        <tr><th scope="row" title=${words.boundMeaning}><pg-term of="bound" text=${words.bound}></pg-term></th>
           <td>${start ? grouped(start.bound) : "–"}</td><td data-testid="experiment-bound">${now ? grouped(now.bound) : "–"}</td></tr>
-        <tr><th scope="row" title="Mean squared error of a rollout of all frames, after dynamic time warping of each part"><pg-term of="dtw" text="MSE"></pg-term></th>
+        <tr><th scope="row" title=${words.mseMeaning}><pg-term of="dtw" text="MSE"></pg-term></th>
           <td>${start ? short(start.mse) : "–"}</td><td data-testid="experiment-mse">${now ? short(now.mse) : "–"}</td></tr>
       </tbody>
     </table>`;
@@ -57,17 +60,17 @@ export function fitTable(run: ExperimentRun | null) {
 
 /** The sentences about the result. */
 export function verdictWords(run: ExperimentRun | null, truth: SyntheticTruth | null) {
-  if (run?.state === "failed") return html`<p class="bad">${sentence(`Training failed: ${run.ending}`)}</p>`;
-  if (!run?.findings || !truth)
-    return html`<p class="empty">${run ? "Training begins." : "Press Train: the couplings that it learns appear here, and what they say about who drives whom."}</p>`;
+  const { verdict: words, failed } = experimentWords();
+  if (run?.state === "failed") return html`<p class="bad">${sentence(failed(run.ending))}</p>`;
+  if (!run?.findings || !truth) return html`<p class="empty">${run ? words.begins : words.press}</p>`;
   const { findings, driving, state, iteration } = run;
   const soFar =
     state === "done"
       ? nothing
-      : html`<small>${state === "cancelled" ? "Stopped" : "So far,"} after ${grouped(iteration)} iterations</small>`;
+      : html`<small>${(state === "cancelled" ? words.stopped : words.soFar)(grouped(iteration))}</small>`;
   return html`
     <div class="verdict">
       <p class="headline ${isFound(findings) ? "" : "bad"}" data-testid="experiment-verdict">${headline(findings, driving)} ${soFar}</p>
-      <ul>${readings(findings, truth).map(({ words, right }) => html`<li class=${right ? "" : "bad"}>${words}</li>`)}</ul>
+      <ul>${readings(findings, truth).map(({ words: said, right }) => html`<li class=${right ? "" : "bad"}>${said}</li>`)}</ul>
     </div>`;
 }

@@ -5,6 +5,7 @@ import { partColour } from "../ui/palette";
 import type { SyntheticTruth } from "../engine/whole-protocol";
 import { curvePaths, frameOf, linePath } from "./paths";
 import { partStyle } from "../ui/styled";
+import { experimentWords } from "../words/experiment";
 
 const SIDE = 200;
 /** The most frames of the curves; more would blur. */
@@ -19,22 +20,22 @@ export function latentPicture(
 ) {
   const actual = truth?.latents[part] ?? [];
   const frame = frameOf(actual, SIDE);
-  const label = learned
-    ? `Part ${part + 1}: the learned latents over the true ones, of which they explain ${percent(explained ?? 0)}`
-    : `Part ${part + 1}: the true latents, a path in the plane`;
+  const { part: name, pictures: words } = experimentWords();
+  const label = learned ? words.learned(part + 1, percent(explained ?? 0)) : words.true(part + 1);
   return html`
     <figure class="latent-picture" style=${partStyle(partColour(part))}>
       <svg viewBox="0 0 ${SIDE} ${SIDE}" role="img" aria-label=${label}>
         <path class="true-path" d=${linePath(actual, frame)} />
         ${learned ? svg`<path class="learned-path" d=${linePath(learned, frame)} />` : nothing}
       </svg>
-      <figcaption><i class="swatch"></i>Part ${part + 1}${learned && explained !== null ? html` <small>${percent(explained)} explained</small>` : nothing}</figcaption>
+      <figcaption><i class="swatch"></i>${name(part + 1)}${learned && explained !== null ? html` <small>${words.explained(percent(explained))}</small>` : nothing}</figcaption>
     </figure>`;
 }
 
 /** The observed curves of a part. */
 export function curvesPicture(part: number, truth: SyntheticTruth | null) {
   const [width, height] = [300, 130];
+  const { part: name, pictures: words } = experimentWords();
   const paths = truth
     ? curvePaths({
         values: truth.observed[part] ?? [],
@@ -46,9 +47,9 @@ export function curvesPicture(part: number, truth: SyntheticTruth | null) {
     : [];
   return html`
     <figure class="curves-picture" style=${partStyle(partColour(part))}>
-      <svg viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" role="img" aria-label="Part ${part + 1}: ten noisy curves over time">
+      <svg viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" role="img" aria-label=${words.curves(part + 1)}>
         ${paths.map((path) => svg`<path d=${path} />`)}
       </svg>
-      <figcaption><i class="swatch"></i>Part ${part + 1}</figcaption>
+      <figcaption><i class="swatch"></i>${name(part + 1)}</figcaption>
     </figure>`;
 }

@@ -3,35 +3,38 @@ import { html, nothing } from "lit";
 import { grouped, short } from "../ui/format";
 import { type ExperimentRun, inOrder, isFound } from "./experiments";
 import { percent, ratio } from "../figures/numbers";
+import { experimentWords } from "../words/experiment";
 import { endingOf } from "./ending";
 
 /** Whether the truth was found, or the progress of the training. */
 function answer(run: ExperimentRun) {
   const { state, findings, fraction, seed } = run;
+  const words = experimentWords().runs;
   switch (state) {
     case "waiting":
-      return "waiting";
+      return words.waiting;
     case "running":
-      return html`<progress max="1" .value=${fraction} aria-label="Training of seed ${seed}"></progress>`;
+      return html`<progress max="1" .value=${fraction} aria-label=${words.progress(seed)}></progress>`;
     case "failed":
-      return html`<span class="bad" title=${endingOf(run)}>failed</span>`;
+      return html`<span class="bad" title=${endingOf(run)}>${words.failed}</span>`;
     case "cancelled":
-      return html`<span title=${endingOf(run)}>stopped early</span>`;
+      return html`<span title=${endingOf(run)}>${words.stopped}</span>`;
     case "done":
-      return findings && isFound(findings) ? "yes" : html`<strong class="bad">no</strong>`;
+      return findings && isFound(findings) ? words.yes : html`<strong class="bad">${words.no}</strong>`;
   }
 }
 
 function row(run: ExperimentRun, shown: ExperimentRun | null, show: (run: ExperimentRun) => void) {
   const { seed, driving, iteration, findings } = run;
+  const words = experimentWords().runs;
   const answered = (value: number, right: boolean) =>
     right ? ratio(value) : html`<strong class="bad">${ratio(value)}</strong>`;
-  const course = (start: string, now: string) => html`${start} <span aria-label="to">→</span> ${now}`;
+  const course = (start: string, now: string) => html`${start} <span aria-label=${words.to}>→</span> ${now}`;
   return html`
     <tr data-testid="experiment-run" data-state=${run.state} class=${run === shown ? "chosen" : ""}>
-      <th scope="row"><button class="seed-link" aria-pressed=${run === shown ? "true" : "false"} title="Look at this one"
-        aria-label="Look at seed ${seed}${driving ? "" : " without driving"}" @click=${() => show(run)}>${seed}</button></th>
-      <td>${driving ? "yes" : "no"}</td>
+      <th scope="row"><button class="seed-link" aria-pressed=${run === shown ? "true" : "false"} title=${words.look}
+        aria-label=${words.lookAt(seed, driving)} @click=${() => show(run)}>${seed}</button></th>
+      <td>${driving ? words.yes : words.no}</td>
       <td class="answer">${answer(run)}</td>
       ${
         findings
@@ -53,19 +56,20 @@ export function runsTable(
   show: (run: ExperimentRun) => void,
 ) {
   if (runs.length === 0) return nothing;
+  const { label, heads } = experimentWords().runs;
   return html`
-    <div class="table-box" tabindex="0" role="region" aria-label="What each seed found">
+    <div class="table-box" tabindex="0" role="region" aria-label=${label}>
       <table class="experiment-runs" data-testid="experiment-runs">
         <thead><tr>
-          <th scope="col">Seed</th>
-          <th scope="col" title="Whether part 1 drives part 2">1 drives 2</th>
-          <th scope="col">Found</th>
-          <th scope="col" title="α from 2 to 1, in units of α from 1 to 1">α 2→1 : 1→1</th>
-          <th scope="col" title="α from 1 to 2, in units of α from 2 to 2">α 1→2 : 2→2</th>
-          <th scope="col">Bound</th>
-          <th scope="col" title="Mean squared error of the rollout">MSE</th>
-          <th scope="col" title="Share of the true latents of part 1 and of part 2 that the learned ones explain">Latents explained</th>
-          <th scope="col">Iterations</th>
+          <th scope="col">${heads.seed}</th>
+          <th scope="col" title=${heads.drivingMeaning}>${heads.driving}</th>
+          <th scope="col">${heads.found}</th>
+          <th scope="col" title=${heads.back}>α 2→1 : 1→1</th>
+          <th scope="col" title=${heads.forth}>α 1→2 : 2→2</th>
+          <th scope="col">${heads.bound}</th>
+          <th scope="col" title=${heads.mse}>MSE</th>
+          <th scope="col" title=${heads.explainedMeaning}>${heads.explained}</th>
+          <th scope="col">${heads.iterations}</th>
         </tr></thead>
         <tbody>${inOrder(runs).map((run) => row(run, shown, show))}</tbody>
       </table>

@@ -25,7 +25,7 @@ function superscript(power: number): string {
 
 /** Three significant digits, all digits before the point. */
 export function plain(value: number): string {
-  if (!Number.isFinite(value)) return "unknown";
+  if (!Number.isFinite(value)) return lab().files.figures.unknown;
   const size = magnitude(value);
   return size < -6 || size > 11
     ? byPower(value, 3)
@@ -34,7 +34,7 @@ export function plain(value: number): string {
 
 /** A mean and its standard error, with the digits that are significant under the error. */
 export function estimateText({ mean, standardError, count }: Estimate): { mean: string; error: string } {
-  if (!Number.isFinite(mean) || count === 0) return { mean: "unknown", error: "" };
+  if (!Number.isFinite(mean) || count === 0) return { mean: lab().files.figures.unknown, error: "" };
   if (standardError === null || !Number.isFinite(standardError))
     return { mean: plain(mean), error: count === 1 ? lab().files.figures.oneTrial : "" };
   if (standardError === 0) return { mean: plain(mean), error: "± 0" };
@@ -79,5 +79,5 @@ export function percent(share: number): string {
 
 /** A rank correlation or an exponent. */
 export function twoDecimals(value: number): string {
-  return Number.isFinite(value) ? grouped(value, 2) : "unknown";
+  return Number.isFinite(value) ? grouped(value, 2) : lab().files.figures.unknown;
 }

@@ -1,5 +1,6 @@
 // For tests: the English words of the Lab and of its views.
 import { loadCompare } from "./compare";
+import { loadExperiment } from "./experiment";
 import { loadHelp } from "./help";
 import { loadLab } from "./lab";
 import { loadMethod } from "./method";
@@ -13,6 +14,7 @@ const english = { language: "en", on: () => () => {} } as unknown as WordsStore;
 for (const load of [
   loadLab,
   loadCompare,
+  loadExperiment,
   loadHelp,
   loadMethod,
   loadNumbers,

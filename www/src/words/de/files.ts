@@ -40,6 +40,7 @@ export const files: FilesWords = {
     csv: "Die Zahlen dieser Abbildung speichern",
     png: "Ein Bild dieser Abbildung speichern",
     oneTrial: "ein Versuch",
+    unknown: "unbekannt",
   },
   newVersion: {
     title: "Die neue Version jetzt laden?",

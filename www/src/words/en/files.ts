@@ -39,6 +39,7 @@ export const files = {
     csv: "Save the numbers of this figure",
     png: "Save a picture of this figure",
     oneTrial: "one trial",
+    unknown: "unknown",
   },
   newVersion: {
     title: "Load the new version now?",
