@@ -9,8 +9,11 @@ export const budget = {
   story: 60_000,
   /** Help, method and details of the Lab, with the words of all three in two languages. */
   whenAsked: 71_000,
-  /** The whole program, and the comparison of models and the synthetic experiment with words in two languages. */
-  onDemand: 838_000,
+  /**
+   * The whole program, with the filter that completes recordings; the comparison of models and the synthetic
+   * experiment with words in two languages.
+   */
+  onDemand: 868_000,
   /** The graphics Turing test with jsPsych. */
   perception: 50_000,
   /** The movements of the page's own study. */

@@ -16,6 +16,7 @@ const ORDER = [
   ["couplings"],
   ["latents"],
   ["live"], // the rollout without an end
+  ["completing"], // a recording that moves one part
   ["training"],
   ["comparison", "experiment", "perception", "primitives", "series", "method", "details"],
   ["exercises"], // what a class does in the Lab, and when it is solved

@@ -1,13 +1,14 @@
 //! `vcgpdm complete`: infers the parts of a clip that are not given.
 
 use crate::files;
+use crate::numbers::check_within;
 use crate::rollout;
 use crate::usage::usage;
-use nalgebra::DMatrix;
-use serde_json::{Map, json};
+use serde_json::json;
+use std::collections::BTreeMap;
 use std::error::Error;
 use std::path::PathBuf;
-use vcgpdm::models::{Body, Coupled, RolloutRequest};
+use vcgpdm::models::{Body, Model, PartCompletion, RolloutRequest};
 use vcgpdm::motion::bvh;
 
 /// Infer the other parts of a clip from the given ones, and print their errors as one JSON object.
@@ -15,7 +16,8 @@ use vcgpdm::motion::bvh;
 /// The model observes the given parts in all frames; the other parts of the clip are only compared with what
 /// the model infers. For each of them: the mean squared error over all frames and columns, that of the mean
 /// pose of the training clips, the share of the numbers within the 95 % band, and the mean log density of a
-/// frame, in nats. The band and the density are those of the columns that changed in training.
+/// frame, in nats. The band and the density are those of the columns that changed in training. With --until,
+/// these are the numbers until then, and after_cut has those from there on.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A trained vcgpdm model of a body.
@@ -27,6 +29,10 @@ pub struct Arguments {
     /// The parts that are observed, by name or number, from 0.
     #[arg(long, value_name = "PART,...", required = true, value_delimiter = ',')]
     given: Vec<String>,
+    /// Observe the given parts until this time of the clip, in seconds; from there on the model goes on by
+    /// itself.
+    #[arg(long, value_name = "SECONDS")]
+    until: Option<f64>,
     /// Write the completed motion to this file: the given parts as recorded, the others as inferred.
     #[arg(long, value_name = "OUT.bvh")]
     out: Option<PathBuf>,
@@ -42,20 +48,33 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let read = [arguments.model.as_path(), arguments.clip.as_path()];
     files::check_outs(arguments.out.iter().map(|out| ("--out", out)), read)?;
     let clip = files::read_clip(&arguments.clip)?;
-    let columns = rollout::columns(&model.body, &arguments.model, &clip)?;
-    let completed = complete(coupled, &clip.name, &columns, &given)?;
+    let columns = model.body.encode(&clip)?;
+    let cut = arguments.until.map(|until| frame_of(until, &model, columns.nrows())).transpose()?;
+    let completed = coupled
+        .complete(&RolloutRequest::default(), &columns, &given, cut)
+        .map_err(|error| format!("{}: {error}", clip.name))?;
     let parts = model.body.layout.parts();
     let names: Vec<&str> = given.iter().map(|&part| parts[part].name.as_str()).collect();
     if let Some(out) = &arguments.out {
         files::write_text(out, &bvh::write(&model.body.clip(&completed.y, &files::name_of(out))?))?;
     }
+    let scores: BTreeMap<&str, PartCompletion> =
+        completed.parts.iter().map(|(part, score)| (parts[*part].name.as_str(), *score)).collect();
     let summary = json!({
         "clip": clip.name,
         "frames": completed.y.nrows(),
         "given": names,
-        "parts": completed.scores,
+        "parts": scores,
     });
     files::print_summary(&summary, &arguments.out.iter().map(PathBuf::as_path).collect::<Vec<_>>())
+}
+
+/// The frame of this time of a clip of `frames` frames.
+fn frame_of(until: f64, model: &Model, frames: usize) -> Result<usize, Box<dyn Error>> {
+    let step = model.body.frame_time;
+    let order = model.coupled().map_or(0, |coupled| coupled.order());
+    check_within("--until", "seconds", order as f64 * step..=(frames - 1) as f64 * step, until)?;
+    Ok((until / step).round() as usize)
 }
 
 /// The numbers of the parts with these names.
@@ -77,38 +96,4 @@ fn given(words: &[String], body: &Body) -> Result<Vec<usize>, Box<dyn Error>> {
         )));
     }
     Ok(given)
-}
-
-/// A completed clip.
-struct Completed {
-    /// All columns [frames x D].
-    y: DMatrix<f64>,
-    /// The scores of the parts that were not given, by name.
-    scores: Map<String, serde_json::Value>,
-}
-
-/// Completes the recorded columns [frames x D] of a clip.
-fn complete(
-    model: Coupled,
-    clip: &str,
-    columns: &DMatrix<f64>,
-    given: &[usize],
-) -> Result<Completed, Box<dyn Error>> {
-    let body = model.body;
-    let recorded = body.centred(columns);
-    let mut observed = recorded.clone();
-    let mut shown = recorded.clone();
-    let others: Vec<usize> = (0..recorded.len()).filter(|part| !given.contains(part)).collect();
-    for &part in &others {
-        observed[part].fill(f64::NAN);
-    }
-    let filter = model.filter(&RolloutRequest::default())?;
-    let latents = model.infer(&filter, &observed).map_err(|error| format!("{clip}: {error}"))?;
-    let mut scores = Map::new();
-    for &part in &others {
-        shown[part] = filter.mean_columns(part, &latents)?;
-        let score = filter.score(part, &latents, &recorded[part])?;
-        scores.insert(body.layout.parts()[part].name.clone(), serde_json::to_value(score)?);
-    }
-    Ok(Completed { y: body.columns(&shown), scores })
 }

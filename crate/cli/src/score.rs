@@ -24,7 +24,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = crate::rollout::read_model(&arguments.model)?;
     let body = &model.body;
     let clip = files::read_clip(&arguments.clip)?;
-    let actual = crate::rollout::columns(body, &arguments.model, &clip)?;
+    let actual = body.encode(&clip)?;
     let predicted = model.rollout(arguments.from, actual.nrows())?;
     files::print_json(&dtw_mse(&predicted, &actual)?)
 }

@@ -11,7 +11,7 @@ use vcgpdm::models::library::{
 };
 use vcgpdm::models::variational::InducingError;
 #[cfg(feature = "training")]
-use vcgpdm::models::variational::KeptPointsError;
+use vcgpdm::models::variational::{KeptPointsError, ObservationError};
 use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
 use vcgpdm::motion::ClipError;
 use vcgpdm::motion::bvh::BvhError;
@@ -203,7 +203,10 @@ impl LibraryError for DatasetError {
     fn code(&self) -> ErrorCode {
         match self {
             DatasetError::Body { reason, .. } if reason.only_bones_differ() => ErrorCode::Bones,
-            DatasetError::Empty | DatasetError::Body { .. } => ErrorCode::Clips,
+            DatasetError::OtherBody { reason, .. } if reason.only_bones_differ() => ErrorCode::Bones,
+            DatasetError::Empty | DatasetError::Body { .. } | DatasetError::OtherBody { .. } => {
+                ErrorCode::Clips
+            }
             DatasetError::Short { .. } | DatasetError::Clip(_) | DatasetError::Pose { .. } => ErrorCode::Clip,
             DatasetError::Parts(_) => ErrorCode::Parts,
             DatasetError::Sequence { reason, .. } => reason.code(),
@@ -229,6 +232,18 @@ impl LibraryError for KeptPointsError {
         match self {
             KeptPointsError::Numerics(_) => ErrorCode::Numerics,
             _ => ErrorCode::Model,
+        }
+    }
+}
+
+#[cfg(feature = "training")]
+impl LibraryError for ObservationError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            ObservationError::Rollout(reason) => reason.code(),
+            ObservationError::Numerics(_) => ErrorCode::Numerics,
+            ObservationError::Short { .. } => ErrorCode::Clip,
+            _ => ErrorCode::Rollout,
         }
     }
 }

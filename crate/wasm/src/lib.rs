@@ -9,6 +9,8 @@ mod body;
 #[cfg(feature = "speed")]
 mod case;
 mod clip;
+#[cfg(feature = "training")]
+mod completion;
 mod convert;
 mod document_kind;
 mod error;

@@ -51,6 +51,18 @@ export class App {
     return new LiveStore(this.engine, this.settings, this.model, this.stage, this.playback, this.notices);
   });
 
+  /** A recording that moves one part, with its view. */
+  readonly completing = new Lazy(async () => {
+    const [{ CompletingStore }, { loadCompleting }] = await Promise.all([
+      import("../completing/completing-store"),
+      import("../words/completing"),
+      import("../completing/completing-view"),
+    ]);
+    await loadCompleting(this.words);
+    const { engine, model, clips, stage, notices } = this;
+    return new CompletingStore(engine, model, clips, stage, notices, wholeWorkers());
+  });
+
   readonly comparison = new Lazy(async () => {
     const [{ ComparisonStore }, { loadCompare }] = await Promise.all([
       import("../comparison/comparison-store"),

@@ -20,6 +20,8 @@ export function clipOnStage({ clips, stage }: App): ClipEntry | null {
 /** The texts of the page about the stage now. */
 export function wordsNow(app: App): StageWords {
   const { stage, model, pointing, training, body } = app;
+  const lead = lab().stage.lead.made;
+  if (stage.content?.caption) return { ...stage.content.caption, lead };
   const clip = clipOnStage(app);
   const parts = model.model?.info.parts ?? [];
   const reports = body.isCurrent ? body.reports : null;

@@ -310,7 +310,8 @@ export class PageView extends View {
       panel(
         "listen",
         html`<pg-lead .app=${this.app}></pg-lead>
-        <pg-couplings .playback=${playback} .model=${model} .settings=${settings} .engine=${engine} .body=${body} .readings=${readings}></pg-couplings>`,
+        <pg-couplings .playback=${playback} .model=${model} .settings=${settings} .engine=${engine} .body=${body} .readings=${readings}></pg-couplings>
+        ${embedded ? nothing : this.#completing()}`,
       ),
       panel(
         "loops",
@@ -326,6 +327,25 @@ export class PageView extends View {
           ),
       embedded ? nothing : panel("numbers", this.#numbers()),
     ];
+  }
+
+  /** A recording that moves one part; loaded when it is opened for the first time. */
+  #completing() {
+    const { model, completing } = this.app;
+    if ((model.model?.info.parts.length ?? 0) < 2) return nothing;
+    const store = completing.loaded;
+    const open = (event: Event) => {
+      if (!(event.target as HTMLDetailsElement).open) return;
+      completing
+        .get()
+        .then(() => this.requestUpdate())
+        .catch(() => this.#notLoaded("tab"));
+    };
+    return html`
+      <details class="advanced" data-testid="completing" @toggle=${open}>
+        <summary>${lab().couplings.completing}</summary>
+        ${store ? html`<pg-completing .completing=${store} .model=${model}></pg-completing>` : nothing}
+      </details>`;
   }
 
   /** Loaded when the tab is opened for the first time. */

@@ -2,13 +2,14 @@
 // file makes all of them, so that they agree.
 import { readingSentence } from "../couplings/reading-text";
 import type { Reading } from "../engine/protocol";
+import type { StageContent } from "../stage/stage-store";
 import { clipTitle } from "../ui/format";
 import { lab } from "../words/lab";
 
 /** The state of the stage that the texts need. */
 export interface OnStage {
   /** Null: the stage is empty. */
-  kind: "first" | "model" | "clip" | null;
+  kind: StageContent["kind"] | null;
   clip: { title: string; origin: "made" | "own" } | null;
   /** The names of the model's training sequences; null without a model. */
   learnedFrom: readonly string[] | null;

@@ -99,7 +99,7 @@ export class PhasesStore extends Store {
 
   /** The phases of the motion on the stage, up to its newest frame. */
   #trace(): PhaseTrace | null {
-    if (this.#stage.clip !== null) return null;
+    if (this.#stage.content?.kind !== "model") return null;
     const { live } = this.#stage;
     if (!live) return this.#rolled?.trace ?? null;
     if (this.#followed?.track !== live) this.#followLive(live);

@@ -8,6 +8,7 @@ import type {
   Job,
   MadeMovement,
   Outcome,
+  PartCompletion,
   PerceptionResults,
   Plan,
   PlanePicture,
@@ -50,6 +51,7 @@ export type {
   ModelKind,
   ModelSummary,
   Outcome,
+  PartCompletion,
   Participant,
   PerceptionResults,
   Plan,
@@ -197,9 +199,27 @@ export interface KeptReport {
   health: Health;
 }
 
+/** A recording of which one part is observed, under these couplings. */
+export interface CompletionRequest extends Pick<RolloutRequest, "alpha" | "reading"> {
+  clip: TrainingClip;
+  /** The name of the observed part. */
+  given: string;
+  /** It is observed until this time, in seconds; null: to the end. */
+  until: number | null;
+}
+
+/** A recording whose other parts a model has inferred. */
+export interface CompletedClip {
+  /** The observed part as recorded while it is observed, all else as inferred. */
+  motion: Motion;
+  recorded: Motion;
+  /** The errors of the other parts. */
+  scores: PartCompletion[];
+}
+
 /**
- * The calls of a worker for the uncertainty and the inducing points of a model. The worker keeps one model of a
- * body open.
+ * The calls of a worker for the uncertainty and the inducing points of a model, and for what it infers of a
+ * recording. The worker keeps one model of a body open.
  */
 export interface UncertaintyWorker {
   /** Opens the model of this document and closes the earlier model. */
@@ -210,6 +230,8 @@ export interface UncertaintyWorker {
   paintPlane(request: RolloutRequest, part: number, picture: PlanePicture): ImageBitmap;
   /** The bound of the model with each of these choices of inducing points, in nats. */
   keptBounds(choices: KeptPoints[]): number[];
+  /** Observes one part of a recording and infers the others. */
+  complete(request: CompletionRequest): Promise<CompletedClip>;
   /** A rollout of the model with some of its inducing points only. */
   keptRollout(kept: KeptPoints, request: RolloutRequest): KeptReport;
 }

@@ -12,6 +12,7 @@ import type {
   Experiment,
   FinishedJob,
   Job,
+  CompletionRequest,
   ModelKind,
   Outcome,
   PartMoments,
@@ -142,11 +143,12 @@ export class FakeProgram implements WholeWorkers {
   readonly moments: Pending<RolloutRequest, never, PartMoments[]>[] = [];
   /** The documents of the models opened for moments and images. */
   readonly outlooks: string[] = [];
+  readonly completions: CompletionRequest[] = [];
   readonly libraries = new FakeLibraries();
   readonly series = new FakeSeries();
   /** The states and files to which outcomes were to be added. */
   readonly sent: (number | string)[] = [];
-  /** The errors of the next calls for results, in order. */
+  /** The errors of the next calls for results and completions, in order. */
   readonly failures: Error[] = [];
   /** The reason why plans are refused; empty if they are accepted. */
   refused = "";
@@ -248,6 +250,13 @@ export class FakeProgram implements WholeWorkers {
       makeStudy: async ({ generated }) => `a study of ${generated.length}`,
       openOutlook: async (text) => {
         this.outlooks.push(text);
+      },
+      complete: async (request) => {
+        this.completions.push(request);
+        failing();
+        const motion = { positions: new Float32Array(12), frames: 2, nodes: 2, frameTime: 0.1 };
+        const score = { mse: 1, mseMeanPose: 2, coverage95: 0.9, logDensity: 3 };
+        return { motion, recorded: motion, scores: [{ part: "other", ...score }] };
       },
       moments: (request) => pending(this.moments, request, () => {}),
       trainExperiment: (experiment, report, signal) =>

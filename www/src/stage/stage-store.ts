@@ -7,8 +7,11 @@ import type { Playback } from "./playback";
 
 /** A motion on the stage. */
 export interface StageContent {
-  /** "first": the stored first seconds; "model": a rollout; "clip": a recording. */
-  kind: "first" | "model" | "clip";
+  /**
+   * "first": the stored first seconds; "model": a rollout; "clip": a recording; "completed": a recording whose
+   * other parts the model has inferred.
+   */
+  kind: "first" | "model" | "clip" | "completed";
   figure: Figure;
   /** Names, in the order of the skeleton. */
   joints: string[];
@@ -18,6 +21,10 @@ export interface StageContent {
   clip?: string;
   /** Whether frames of the model's motion go on arriving. */
   live?: boolean;
+  /** A motion that is drawn as an outline with this one. */
+  ghost?: Motion;
+  /** The text over the figure. */
+  caption?: { title: string; text: string };
 }
 
 /** The poses of an inducing point, and its weights. */
@@ -48,6 +55,8 @@ export class StageStore extends Store {
   /** The live motion in front of the model's motion. */
   #live: StageContent | null = null;
   #track: LiveTrack | null = null;
+  /** The completed recording in front of the model's motion. */
+  #completed: StageContent | null = null;
   #ghost: Motion | null = null;
   #marks: Marks | null = null;
   #columns: readonly StageColumn[] | null = null;
@@ -77,7 +86,7 @@ export class StageStore extends Store {
   }
 
   get content(): StageContent | null {
-    return this.#clip ?? this.#live ?? this.#model;
+    return this.#clip ?? this.#live ?? this.#completed ?? this.#model;
   }
 
   /** The key of the visible clip; null if the model is visible. */
@@ -90,9 +99,11 @@ export class StageStore extends Store {
     return this.content?.live ? this.#track : null;
   }
 
-  /** The motion as learned, drawn together with the motion under other couplings. */
+  /** The outline with the figure: the motion as learned under other couplings, or the recording. */
   get ghost(): Motion | null {
-    return this.#ghost;
+    const { content } = this;
+    if (content?.ghost) return content.ghost;
+    return content?.kind === "model" && !content.live ? this.#ghost : null;
   }
 
   get marks(): Marks | null {
@@ -103,7 +114,7 @@ export class StageStore extends Store {
    * Motions side by side instead of the model's; null: one figure. A clip, a live motion or marks hide them.
    */
   get columns(): readonly StageColumn[] | null {
-    return this.#clip || this.#live || this.#marks ? null : this.#columns;
+    return this.#clip || this.#live || this.#completed || this.#marks ? null : this.#columns;
   }
 
   /** Other motions that the model could make, drawn faintly with its own. */
@@ -115,7 +126,7 @@ export class StageStore extends Store {
   showModel(content: StageContent): void {
     const before = this.#model;
     this.#model = content;
-    if (!this.#clip && !this.#live) this.#play(content, before !== null);
+    if (this.content === content) this.#play(content, before !== null);
     this.changed();
   }
 
@@ -133,7 +144,18 @@ export class StageStore extends Store {
   endLive(): void {
     if (!this.#live) return;
     this.#live = null;
-    if (!this.#clip && this.#model) this.#play(this.#model, true);
+    if (!this.#clip && this.content) this.#play(this.content, true);
+    this.changed();
+  }
+
+  /** Shows a completed recording in front of the model's motion, and ends a clip; null: the model again. */
+  showCompleted(content: StageContent | null): void {
+    const before = this.#completed;
+    if (content === before) return;
+    this.#completed = content;
+    if (content) this.#clip = null;
+    const { content: now } = this;
+    if (now && !now.live) this.#play(now, before !== null && content !== null);
     this.changed();
   }
 
@@ -149,7 +171,7 @@ export class StageStore extends Store {
   endClip(): void {
     if (!this.#clip || !this.#model) return;
     this.#clip = null;
-    this.#play(this.#model, false);
+    if (this.content) this.#play(this.content, false);
     this.changed();
   }
 
@@ -187,6 +209,9 @@ export class StageStore extends Store {
   }
 
   #play(content: StageContent, goesOn: boolean): void {
-    this.#playback.load(content.motion, { whole: content.kind === "clip", goesOn });
+    this.#playback.load(content.motion, {
+      whole: content.kind === "clip" || content.kind === "completed",
+      goesOn,
+    });
   }
 }

@@ -161,7 +161,7 @@ export class Stage {
   }
 
   #updateGhost(content: StageContent): void {
-    if (content.kind === "model" && !content.live && this.#store.ghost) {
+    if (this.#store.ghost) {
       this.#ghost ??= this.#make(content, { kind: "ghost" });
     } else {
       this.#ghost?.dispose();

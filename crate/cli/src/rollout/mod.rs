@@ -18,7 +18,6 @@ use vcgpdm::internals::counted;
 use vcgpdm::models::{
     Body, ColumnMapping, Coupled, MOST_FRAMES, MOST_SAMPLES, Model, Reading, Rollout, RolloutRequest,
 };
-use vcgpdm::motion::Clip;
 use vcgpdm::series;
 
 /// Roll a model out and write the motion as BVH, or its columns as CSV.
@@ -118,9 +117,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
                 files::write_text(out, &files::bvh(clip, arguments.plain_names))
             };
             let given = match (&arguments.from, model.coupled()) {
-                (Start::Clip { clip, frames }, Some(model)) => {
-                    Some(observed(model, &arguments.model, clip, *frames)?)
-                }
+                (Start::Clip { clip, frames }, Some(model)) => Some(observed(model, clip, *frames)?),
                 _ => None,
             };
             let rolled_out = roll_out(arguments, &model, given.as_deref(), &motion)?;
@@ -146,14 +143,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 }
 
 /// The latents [frames x Q_i] of each part in the first frames of a clip.
-fn observed(
-    model: Coupled,
-    path: &Path,
-    clip: &Path,
-    frames: usize,
-) -> Result<Vec<DMatrix<f64>>, Box<dyn Error>> {
+fn observed(model: Coupled, clip: &Path, frames: usize) -> Result<Vec<DMatrix<f64>>, Box<dyn Error>> {
     let clip = files::read_clip(clip)?;
-    let columns = columns(model.body, path, &clip)?;
+    let columns = model.body.encode(&clip)?;
     let found = columns.nrows();
     if found < frames {
         let found = counted(found, "frame");
@@ -333,17 +325,6 @@ fn numbered(path: &Path, number: Option<usize>) -> PathBuf {
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let extension = path.extension().map_or_else(String::new, |e| format!(".{}", e.to_string_lossy()));
     path.with_file_name(format!("{stem}-{number}{extension}"))
-}
-
-/// All columns of a clip of the body of a model [frames x D], at the frame rate of the model.
-pub fn columns(body: &Body, model: &Path, clip: &Clip) -> Result<DMatrix<f64>, Box<dyn Error>> {
-    let name = &clip.name;
-    body.mapping
-        .skeleton()
-        .same_body(&clip.skeleton)
-        .map_err(|reason| format!("{name} is not the body of {}: {reason}", model.display()))?;
-    let clip = clip.resample(1.0 / body.frame_time)?;
-    Ok(body.mapping.encode(&clip).map_err(|reason| format!("{name}: {reason}"))?.y)
 }
 
 /// Reads a model document of any kind.

@@ -21,11 +21,20 @@ fn completes_a_walk_that_was_not_trained_on_from_either_half() {
         let written = fs::read_to_string(&out).unwrap();
         assert!(written.contains(&format!("Frames: {}", found["frames"])));
     }
+    // The legs are observed for a second; then the model goes on by itself.
+    let line = ["complete", text(&model), "sample:walk-3", "--given", "lower", "--until", "1"];
+    let upper = &json(&line)["parts"]["upper"];
+    let error = |score: &serde_json::Value| score["mse"].as_f64().unwrap();
+    assert!(error(upper) > 0.0 && error(&upper["after_cut"]) > 0.0, "{upper}");
+    assert_ne!(error(upper), error(&upper["after_cut"]));
+
     let refused = |words: &[&str]| fails(&[&["complete", text(&model)], words].concat());
     let expected = "--given arms: expected one of the parts lower, upper";
     assert!(refused(&["sample:walk-3", "--given", "arms"]).contains(expected));
     let all = refused(&["sample:walk-3", "--given", "lower,upper"]);
     assert!(all.contains("--given: expected a part of the model that is not given, found all"), "{all}");
+    let late = refused(&["sample:walk-3", "--given", "lower", "--until", "60"]);
+    assert!(late.contains("--until: expected seconds from 0.13"), "{late}");
     let other_body = refused(&[text(&taller_walk(&folder)), "--given", "lower"]);
     assert!(other_body.contains("taller.bvh"), "{other_body}");
     let same = refused(&["sample:walk-3", "--given", "lower", "--out", text(&model)]);

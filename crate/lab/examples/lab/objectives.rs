@@ -22,8 +22,8 @@ const WEIGHTS: [(&str, PoseWeight); 4] = [
     ("0.1", PoseWeight::Fixed(0.1)),
     ("balanced", PoseWeight::Balanced),
 ];
-const MODELS: [(&str, fn(VariationalSettings) -> Settings); 2] =
-    [("vCGPDM", Settings::Vcgpdm), ("vGPDM", Settings::Vgpdm)];
+type ModelOf = fn(VariationalSettings) -> Settings;
+const MODELS: [(&str, ModelOf); 2] = [("vCGPDM", Settings::Vcgpdm), ("vGPDM", Settings::Vgpdm)];
 
 #[derive(clap::Args)]
 pub struct Arguments {

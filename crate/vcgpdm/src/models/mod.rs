@@ -28,6 +28,7 @@ pub use data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 pub use data::sequence_info::SequenceInfo;
 pub use data::sequences::{MOST_FRAMES, Sequences, SequencesError};
 pub use fitted::body::Body;
+pub use fitted::completion::{Completion, PartCompletion};
 pub use fitted::coupled::Coupled;
 pub use fitted::fitted_model::FittedModel;
 pub use fitted::model::{Model, SeriesModel};

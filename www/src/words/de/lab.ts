@@ -163,6 +163,7 @@ export const lab: LabWords = {
     empty: "Hier erscheint, wie die Teile einander treiben.",
     onePart:
       "Dieses Modell hat einen [Teil|part], also treibt keiner einen anderen. Trainiere eines mit zwei Teilen oder mehr.",
+    completing: "Eine Aufnahme bewegt einen Teil",
     numbers: "Zahlen",
     table: "Eine Zeile entscheidet über eine Spalte. Rechts ist stark: kleines [α|alpha], großes [w|weight].",
     startAs: "Beginn wie Clip",

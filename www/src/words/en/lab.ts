@@ -151,6 +151,7 @@ export const lab = {
     failed: "The model could not be started, so its couplings cannot be changed.",
     empty: "How the parts drive each other appears here.",
     onePart: "This model has one [part|part], so no part drives another. Train one with two parts or more.",
+    completing: "Let a recording move one part",
     numbers: "Numbers",
     table: "A row decides about a column. Right is strong: small [α|alpha], large [w|weight].",
     startAs: "Start as clip",

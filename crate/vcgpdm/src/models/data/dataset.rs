@@ -44,6 +44,14 @@ pub enum DatasetError {
         /// The difference.
         reason: Box<BodyMismatch>,
     },
+    /// The body is not that of a model.
+    #[error("{clip} is not of the body of the model: {reason}")]
+    OtherBody {
+        /// The clip.
+        clip: String,
+        /// The difference.
+        reason: Box<BodyMismatch>,
+    },
     /// The clip has fewer frames than were asked for.
     #[error("{clip} has {}, but the first {expected} were asked for", counted(*found, "frame"))]
     Short {

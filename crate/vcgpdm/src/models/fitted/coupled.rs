@@ -42,6 +42,11 @@ impl<'a, S: ColumnMapping> Coupled<'a, S> {
         &self.model.alpha
     }
 
+    /// The order p of the dynamics: frames of history that the experts see.
+    pub fn order(&self) -> usize {
+        self.model.order
+    }
+
     /// Checks that a rollout can have `frames` frames.
     ///
     /// # Errors

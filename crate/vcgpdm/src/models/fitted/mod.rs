@@ -1,6 +1,7 @@
 //! Trained models: the fitted numbers of any kind of model, the body, and the provenance.
 
 pub(crate) mod body;
+pub(crate) mod completion;
 pub(crate) mod coupled;
 pub(crate) mod fitted_model;
 pub(crate) mod json;

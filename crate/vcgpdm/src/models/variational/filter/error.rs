@@ -54,6 +54,28 @@ pub enum ObservationError {
         /// The number found.
         found: f64,
     },
+    /// No part is given, or none is left to infer.
+    #[error(
+        "the given parts: expected from 1 to {} of the parts 0 to {}, found {found:?}",
+        parts - 1,
+        parts - 1
+    )]
+    Given {
+        /// Parts of the model.
+        parts: usize,
+        /// The numbers of the given parts.
+        found: Vec<usize>,
+    },
+    /// The given parts are cut off too early or too late.
+    #[error("the cut: expected a frame from {least} to {}, found {found}", end - 1)]
+    Cut {
+        /// The order p of the dynamics.
+        least: usize,
+        /// Frames of the recording.
+        end: usize,
+        /// The frame found.
+        found: usize,
+    },
     /// The model cannot move.
     #[error(transparent)]
     Rollout(#[from] RolloutError),

@@ -1,0 +1,143 @@
+//! Recordings of which a model observes some parts and infers the others.
+
+use crate::arguments::Whole;
+use crate::clip::Clip;
+use crate::convert::{flat, from_js, matrix, to_js};
+use crate::error::{ErrorCode, VcgpdmError};
+use crate::model::Model;
+use crate::trained::coupled;
+use nalgebra::DMatrix;
+use serde::{Deserialize, Serialize};
+use std::rc::Rc;
+use vcgpdm::models::{Model as BodyModel, PartCompletion, Reading, RolloutRequest};
+use vcgpdm::motion::bvh;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** What is observed of a recording. */
+export interface CompleteOptions {
+    /** The names of the observed parts. */
+    given: string[];
+    /** They are observed until this time, in seconds; absent: to the end. */
+    until?: number;
+    /** Coupling variances `alpha[source][target]`; absent: as learned. */
+    alpha?: number[][] | null;
+    /** Absent: as learned. */
+    reading?: Reading;
+}
+
+/** How well inferred columns of a part fit the recorded ones. */
+export interface CompletionScore {
+    /** Mean squared error over all frames and columns. */
+    mse: number;
+    /** That of the mean pose of the training clips. */
+    mseMeanPose: number;
+    /** The share of the numbers within the 95 % band of their prediction. */
+    coverage95: number;
+    /** The log density of a frame, in nats; the mean over the frames. */
+    logDensity: number;
+}
+
+/** The errors of a part that was not given, while the others are observed. */
+export interface PartCompletion extends CompletionScore {
+    part: string;
+    /** From `until` on; absent without it. */
+    afterCut?: CompletionScore;
+}
+"#;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Options {
+    given: Vec<String>,
+    until: Option<f64>,
+    alpha: Option<Vec<Vec<f64>>>,
+    #[serde(default)]
+    reading: Reading,
+}
+
+#[derive(Serialize)]
+struct PartScores<'a> {
+    part: &'a str,
+    #[serde(flatten)]
+    scores: PartCompletion,
+}
+
+/// A completed recording.
+#[wasm_bindgen]
+pub struct Completion {
+    found: vcgpdm::models::Completion,
+    recorded: DMatrix<f64>,
+    model: Rc<BodyModel>,
+}
+
+#[wasm_bindgen]
+impl Model {
+    /// Observes some parts of a recording and infers the others, through the couplings. The clip need not be
+    /// one that the model was trained on, but must be of the same body.
+    pub fn complete(
+        &self,
+        clip: &Clip,
+        #[wasm_bindgen(unchecked_param_type = "CompleteOptions")] options: JsValue,
+    ) -> Result<Completion, VcgpdmError> {
+        let model = self.model.body()?;
+        let view = coupled(model)?;
+        let options: Options = from_js(ErrorCode::Rollout, "complete", &options)?;
+        let parts = model.body.layout.parts();
+        let number = |name: &String| {
+            parts.iter().position(|part| part.name == *name).ok_or_else(|| {
+                let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
+                let words = format_args!("given: expected parts of {}, found {name}", names.join(", "));
+                VcgpdmError::new(ErrorCode::Rollout, &words)
+            })
+        };
+        let given = options.given.iter().map(number).collect::<Result<Vec<usize>, _>>()?;
+        let recorded = model.body.encode(&clip.clip)?;
+        let cut = options.until.map(|until| (until / model.body.frame_time).round() as usize);
+        let alpha = options.alpha.as_deref().map(matrix);
+        let request = RolloutRequest { alpha, reading: options.reading, ..RolloutRequest::default() };
+        let found = view.complete(&request, &recorded, &given, cut)?;
+        Ok(Completion { found, recorded, model: Rc::clone(model) })
+    }
+}
+
+#[wasm_bindgen]
+impl Completion {
+    /// Frames of the recording at the frame rate of the model.
+    #[wasm_bindgen(getter)]
+    pub fn frames(&self) -> usize {
+        self.recorded.nrows()
+    }
+
+    /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall: the
+    /// given parts as recorded until they are no longer observed, all others as inferred.
+    pub fn positions(&self) -> Result<Vec<f32>, VcgpdmError> {
+        Ok(self.model.body.positions(&self.found.y)?)
+    }
+
+    /// The same of the recording.
+    pub fn recorded(&self) -> Result<Vec<f32>, VcgpdmError> {
+        Ok(self.model.body.positions(&self.recorded)?)
+    }
+
+    /// The mean latents of a part [frames x Q], given all that is observed.
+    pub fn latents(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        Ok(flat(part.part_of(ErrorCode::Rollout, &self.found.latents.means)?))
+    }
+
+    /// The errors of the parts that were not given.
+    #[wasm_bindgen(unchecked_return_type = "PartCompletion[]")]
+    pub fn scores(&self) -> Result<JsValue, VcgpdmError> {
+        let parts = self.model.body.layout.parts();
+        let named =
+            |&(part, scores): &(usize, PartCompletion)| PartScores { part: &parts[part].name, scores };
+        to_js(&self.found.parts.iter().map(named).collect::<Vec<_>>())
+    }
+
+    /// The completed motion as the text of a BVH file.
+    #[wasm_bindgen(js_name = toBvh)]
+    pub fn to_bvh(&self) -> Result<String, VcgpdmError> {
+        Ok(bvh::write(&self.model.body.clip(&self.found.y, "completed.bvh")?))
+    }
+}

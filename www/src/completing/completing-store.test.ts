@@ -1,0 +1,83 @@
+import { beforeEach, expect, it } from "vitest";
+import { ClipsStore } from "../clips/clips-store";
+import { ModelStore } from "../couplings/model-store";
+import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
+import { EngineStore } from "../engine/engine-store";
+import { FakeProgram } from "../engine/whole-workers.fake";
+import { FakeAddressBar } from "../settings/address.fake";
+import { SettingsStore } from "../settings/settings-store";
+import { Playback } from "../stage/playback";
+import { StageStore } from "../stage/stage-store";
+import { NoticesStore } from "../ui/notices-store";
+import { loadCompleting } from "../words/completing";
+import { WordsStore } from "../words/words";
+import { CompletingStore } from "./completing-store";
+
+let engine: FakeEngine;
+let model: ModelStore;
+let stage: StageStore;
+let notices: NoticesStore;
+let whole: FakeProgram;
+let completing: CompletingStore;
+beforeEach(async () => {
+  await loadCompleting(new WordsStore());
+  engine = new FakeEngine();
+  whole = new FakeProgram();
+  notices = new NoticesStore();
+  const settings = new SettingsStore(new FakeAddressBar());
+  const store = new EngineStore();
+  stage = new StageStore(new Playback(settings));
+  model = new ModelStore(store, settings, stage, notices);
+  const clips = new ClipsStore(store, settings, stage);
+  completing = new CompletingStore(store, model, clips, stage, notices, whole);
+  await store.start(
+    () => Promise.resolve(started(engine)),
+    () => model.open(modelText(1)),
+  );
+});
+
+const kinds = () => [stage.content?.kind, stage.ghost !== null, completing.scores?.length ?? 0];
+
+it("shows a recording that the model has completed, with the recording as an outline", async () => {
+  completing.show();
+  await settled();
+  await settled();
+  expect(kinds()).toEqual(["completed", true, 1]);
+  expect(whole.completions.at(-1)).toMatchObject({ until: null, alpha: null });
+  completing.hide();
+  expect(kinds()).toEqual(["model", false, 0]);
+});
+
+it("asks again for other couplings, another part and an earlier end, and once for each", async () => {
+  completing.show();
+  await settled();
+  completing.give(1);
+  await settled();
+  const [, last] = completing.times;
+  completing.observeUntil(last / 2);
+  await settled();
+  completing.observeUntil(last / 2);
+  model.couplings.set(0, 1, 2);
+  await settled();
+  await settled();
+  expect(whole.completions.map(({ given, until, alpha }) => [given, until, alpha?.[0]?.[1]])).toEqual([
+    [model.model?.info.parts[0]?.name, null, undefined],
+    [model.model?.info.parts[1]?.name, null, undefined],
+    [model.model?.info.parts[1]?.name, last / 2, undefined],
+    [model.model?.info.parts[1]?.name, last / 2, 2],
+  ]);
+  completing.observeUntil(last);
+  expect(completing.until).toBeNull();
+});
+
+it("ends with a notice when the recording is refused", async () => {
+  whole.failures.push(new Error("the body differs"));
+  completing.show();
+  await settled();
+  await settled();
+  expect([stage.content?.kind, completing.shown, notices.all.at(-1)?.text]).toEqual([
+    "model",
+    false,
+    "the body differs",
+  ]);
+});

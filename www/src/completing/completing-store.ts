@@ -1,0 +1,219 @@
+// A recording moves one part of the model's body, and the model infers the others.
+import type { ClipsStore } from "../clips/clips-store";
+import type { ModelStore } from "../couplings/model-store";
+import type { EngineStore } from "../engine/engine-store";
+import { Latest } from "../engine/latest";
+import { OpenDocument } from "../engine/open-document";
+import type { ClipSource, ModelView } from "../engine/protocol";
+import type { CompletedClip, CompletionRequest, PartCompletion } from "../engine/whole-protocol";
+import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
+import type { StageStore } from "../stage/stage-store";
+import { messageOf } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
+import { Store } from "../ui/store";
+import { completingWords } from "../words/completing";
+
+/** A recording that can be given. */
+interface Recording {
+  key: string;
+  title: string;
+  /** Null: the walk of the model under its learned couplings, as if it were recorded. */
+  source: ClipSource | null;
+  /** The frames to use: first up to, not including, end. */
+  first: number;
+  end: number;
+  /** Seconds between frames. */
+  frameTime: number;
+}
+
+interface Asked {
+  model: ModelView;
+  clip: Recording;
+  request: Omit<CompletionRequest, "clip">;
+}
+
+export class CompletingStore extends Store {
+  readonly #engine: EngineStore;
+  readonly #model: ModelStore;
+  readonly #clips: ClipsStore;
+  readonly #stage: StageStore;
+  readonly #notices: NoticesStore;
+  readonly #document: OpenDocument<WholeCalls, void>;
+  readonly #asked: Latest<Asked, CompletedClip>;
+  #part = 0;
+  #clip = "";
+  /** Seconds; null: to the end. */
+  #until: number | null = null;
+  #shown = false;
+  /** The document of the model of this revision. */
+  #text: { revision: number; text: Promise<string> } | null = null;
+  #scores: readonly PartCompletion[] | null = null;
+  /** What the worker was last asked for. */
+  #last = "";
+
+  constructor(
+    engine: EngineStore,
+    model: ModelStore,
+    clips: ClipsStore,
+    stage: StageStore,
+    notices: NoticesStore,
+    { desk }: Pick<WholeWorkers, "desk">,
+  ) {
+    super();
+    [this.#engine, this.#model, this.#clips] = [engine, model, clips];
+    [this.#stage, this.#notices] = [stage, notices];
+    this.#document = new OpenDocument(desk, (worker, text) => worker.openOutlook(text));
+    this.#asked = new Latest(
+      (asked) => this.#complete(asked),
+      (completed, asked) => this.#take(completed, asked),
+      (problem) => {
+        this.hide();
+        this.#notices.addError(completingWords().failed, messageOf(problem));
+      },
+    );
+    model.on(() => this.#follow());
+    clips.on(() => this.#follow());
+  }
+
+  /** The clips of the model's body, and the model's own walk. */
+  get clips(): readonly Recording[] {
+    const { learned, model } = this.#model;
+    if (!model || !learned) return [];
+    const { frames, frameTime } = learned.motion;
+    const own = {
+      key: "own-motion",
+      title: completingWords().ownWalk,
+      source: null,
+      first: 0,
+      end: frames,
+      frameTime,
+    };
+    const names = model.info.joints.map(({ name }) => name).join();
+    const fitting = this.#clips.all
+      .map(({ key, title, source, first, end, loaded: { info } }) => ({
+        key,
+        title,
+        source,
+        first,
+        end,
+        info,
+      }))
+      .filter(({ info }) => info.joints.map(({ name }) => name).join() === names)
+      .map(({ info, ...clip }) => ({ ...clip, frameTime: info.frameTime }));
+    return [...fitting, own];
+  }
+
+  get clip(): Recording | undefined {
+    const { clips } = this;
+    return clips.find(({ key }) => key === this.#clip) ?? clips[0];
+  }
+
+  /** The part that is given, as a place in the list of the model's parts. */
+  get part(): number {
+    return this.#part < (this.#model.model?.info.parts.length ?? 0) ? this.#part : 0;
+  }
+
+  /** The time until which the part is observed, in seconds; null: to the end. */
+  get until(): number | null {
+    return this.#until;
+  }
+
+  /** The first and the last time at which the observation can end, in seconds. */
+  get times(): readonly [number, number] {
+    const { model } = this.#model;
+    const { clip } = this;
+    if (!model || !clip) return [0, 0];
+    return [model.info.order * model.info.frameTime, (clip.end - clip.first - 1) * clip.frameTime];
+  }
+
+  /** Whether the completed recording is on the stage, or about to be. */
+  get shown(): boolean {
+    return this.#shown;
+  }
+
+  /** The errors of the other parts; null before they have arrived. */
+  get scores(): readonly PartCompletion[] | null {
+    return this.#scores;
+  }
+
+  show(): void {
+    this.#shown = true;
+    this.#last = "";
+    this.#follow();
+  }
+
+  hide(): void {
+    this.#shown = false;
+    this.#scores = null;
+    this.#asked.drop();
+    this.#stage.showCompleted(null);
+    this.changed();
+  }
+
+  give(part: number): void {
+    this.#part = part;
+    this.#follow();
+  }
+
+  chooseClip(key: string): void {
+    [this.#clip, this.#until] = [key, null];
+    this.#follow();
+  }
+
+  /** Ends the observation at this time; the last time is the end of the clip. */
+  observeUntil(seconds: number): void {
+    this.#until = seconds < this.times[1] ? seconds : null;
+    this.#follow();
+  }
+
+  /** Asks for the recording as completed under the couplings now, if that is another one. */
+  #follow(): void {
+    this.changed();
+    const { model } = this.#model;
+    const { clip } = this;
+    if (!this.#shown) return;
+    if (!model || !clip || model.info.parts.length < 2) {
+      this.hide();
+      return;
+    }
+    const { alpha, reading } = this.#model.rolloutRequest();
+    const given = model.info.parts[this.part]?.name ?? "";
+    const request = { given, until: this.#until, alpha, reading };
+    const asked = JSON.stringify([model.revision, clip, request]);
+    if (asked === this.#last) return;
+    this.#last = asked;
+    this.#asked.request({ model, clip, request });
+  }
+
+  async #complete({ model, clip, request }: Asked): Promise<CompletedClip> {
+    const { engine } = this.#engine;
+    const { learned } = this.#model;
+    if (!engine || !learned) throw new Error(completingWords().notReady);
+    if (this.#text?.revision !== model.revision)
+      this.#text = { revision: model.revision, text: engine.modelJson() };
+    const source = clip.source ?? {
+      name: "walk.bvh",
+      file: new Blob([await engine.rolloutBvh(learned.request)]),
+    };
+    const { first, end } = clip;
+    return this.#document.ask(await this.#text.text, (worker) =>
+      worker.complete({ ...request, clip: { id: 0, source, first, end } }),
+    );
+  }
+
+  #take({ motion, recorded, scores }: CompletedClip, { model, clip, request }: Asked): void {
+    if (!this.#shown || model.revision !== this.#model.model?.revision) return;
+    this.#scores = scores;
+    const { figure, joints, parts } = model.info;
+    this.#stage.showCompleted({
+      kind: "completed",
+      figure,
+      joints: joints.map(({ name }) => name),
+      parts,
+      motion,
+      ghost: recorded,
+      caption: completingWords().caption(request.given, clip.title),
+    });
+    this.changed();
+  }
+}
