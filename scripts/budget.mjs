@@ -14,8 +14,8 @@ export const budget = {
    * experiment with words in two languages.
    */
   onDemand: 868_000,
-  /** The graphics Turing test with jsPsych. */
-  perception: 50_000,
+  /** The graphics Turing test with jsPsych, and its words in two languages. */
+  perception: 52_000,
   /** The movements of the page's own study. */
   study: 170_000,
   /** The view of primitives with its library, and its words in two languages. */

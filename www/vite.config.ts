@@ -64,7 +64,8 @@ const isLab = (file: string) =>
 const isTeaching = (file: string) =>
   /\/src\/(teach|exercises|words\/(en|de)\/teach)|\/node_modules\/qr\//.test(file);
 /** The graphics Turing test, with jsPsych. */
-const isPerception = (file: string) => /\/src\/perception\/|\/jspsych\//.test(file);
+const isPerception = (file: string) =>
+  /\/src\/(words\/((en|de)\/)?)?perception[/.]|\/src\/words\/(en|de)\/study\.|\/jspsych\//.test(file);
 
 /**
  * What is loaded after the first visit's page, by the folder of the site; scripts/site.mjs counts it by that.

@@ -1,7 +1,10 @@
 // The Lab in two languages: the words of each tab, and their place on the screen.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { after, before, describe, it } from "node:test";
-import { barriers, openSite, openTab, ready } from "./site.mjs";
+import { at } from "../../scripts/run.mjs";
+import { barriers, drop, openSite, openTab, ready, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -52,10 +55,42 @@ const VIEWS = [
     ready: (/** @type {Page} */ page) => page.locator(".curves-picture path").first().waitFor(),
   },
   {
+    view: "perception",
+    ready: async (/** @type {Page} */ page) => {
+      await page.getByTestId("begin").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
+      await page.evaluate(() => {
+        for (const folded of document.querySelectorAll("pg-perception details"))
+          folded.toggleAttribute("open", true);
+      });
+      await drop(page, { "answers.json": answers() });
+      await page.getByTestId("analysed").nth(1).waitFor({ timeout: 60_000, state: "attached" });
+      await page.locator("perception-inducing figcaption").waitFor({ timeout: 30_000 });
+    },
+  },
+  {
     view: "method",
     ready: (/** @type {Page} */ page) => page.locator("pg-method math").first().waitFor(),
   },
 ];
+
+/** The answers of two participants of the page's study, as a file. */
+function answers() {
+  const { Study } = /** @type {typeof import("vcgpdm")} */ (
+    createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"))
+  );
+  const study = Study.fromJson(readFileSync(at("www/dist/study/walks.study.json"), "utf8"));
+  const { stimuli, hash } = study.info;
+  const id = (/** @type {number} */ place) => stimuli[place]?.id;
+  const rows = [1, 2].flatMap((seed) =>
+    study.trials(seed).map(({ kind, left, right, naturalSide }, i) => {
+      const sides = { left: id(left), right: id(right) };
+      const taken = kind === "comparison" && i % 2 === 0;
+      const response = (naturalSide === "left") === taken ? "right" : "left";
+      return { participant: `p${seed}`, study: hash, trial_index: i, kind, ...sides, response };
+    }),
+  );
+  return JSON.stringify(rows);
+}
 
 /** Texts of the library, which are English everywhere, such as titles and settings; the credit of the recordings; a function. */
 const OF_LIBRARY = [
@@ -217,6 +252,43 @@ describe("the Lab in German", () => {
         await leave();
       }
     });
+
+  it("runs the perception test in German, and stores its answers as in English", async () => {
+    for (const viewport of SIZES) {
+      const where = `${viewport.width} x ${viewport.height}`;
+      const options = { locale: "de-DE", viewport, settings: "view=perception", seen: true };
+      const { page, problems, leave } = await site.visit(options);
+      await page.getByTestId("begin").and(page.locator(":enabled")).click({ timeout: 30_000 });
+      const fits = async () => {
+        assert.deepEqual(await cutTexts(page), [], where);
+        assert.deepEqual(await barriers(page), [], where);
+      };
+      const pages = [
+        ["consent", "freiwillig", "Ich bin einverstanden"],
+        ["instructions", "Pfeiltaste", "Beginnen"],
+      ];
+      for (const [name = "", text = "", button = ""] of pages) {
+        await page.getByTestId(`page-${name}`).getByText(text).waitFor({ timeout: 30_000 });
+        await fits();
+        await page.getByTestId("run").getByRole("button", { name: button }).click();
+      }
+      await page.getByText("Auf welcher Seite").waitFor({ timeout: 30_000 });
+      await fits();
+      await page.getByRole("button", { name: "Links" }).click();
+      await page.getByText("1 von 60").first().waitFor();
+      await page.getByRole("button", { name: "Verlassen" }).click();
+      const { text } = await saved(page, "save-csv");
+      const [head = ""] = text.split("\r\n");
+      assert.match(head, /"participant","study","seed".*"natural_side","heading","response"/);
+      assert.match(text, /"comparison"|"attention"/);
+      assert.match(text, /"left"/);
+      assert.doesNotMatch(text, /Links|Seite|Versuchsperson/);
+      const study = JSON.parse((await saved(page, "save-study")).text);
+      assert.equal(study.texts.question, "On which side did you perceive the more natural movement?");
+      assert.deepEqual(problems, []);
+      await leave();
+    }
+  });
 
   it("follows the switch, and keeps the couplings", async () => {
     const { page, problems, leave } = await site.visit({ locale: "en-GB" });

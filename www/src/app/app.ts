@@ -115,12 +115,14 @@ export class App {
   });
 
   readonly perception = new Lazy(async () => {
-    const [{ PerceptionStore }, { studyOfThePage }, database] = await Promise.all([
+    const [{ PerceptionStore }, { studyOfThePage }, { loadPerception }, database] = await Promise.all([
       import("../perception/perception-store"),
       import("../perception/study-of-the-page"),
+      import("../words/perception"),
       // The experiment works also in a browser that stores nothing.
       this.#answers.get().catch(() => null),
     ]);
+    await loadPerception(this.words);
     return new PerceptionStore(wholeWorkers(), database, studyOfThePage);
   });
 

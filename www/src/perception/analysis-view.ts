@@ -9,7 +9,7 @@ import { fileButton } from "../ui/file-button";
 import { messageOf, sentence } from "../ui/format";
 import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";
-import "../terms/term";
+import { withTerms } from "../terms/term";
 import { View } from "../ui/view";
 import type { AnalysisStore } from "./analysis-store";
 import { csvFile } from "./answer-files";
@@ -17,6 +17,7 @@ import "./heat-maps";
 import "./inducing-figure";
 import "./pairwise-figure";
 import { answered } from "./participation";
+import { perceptionWords } from "../words/perception";
 import type { PerceptionStore } from "./perception-store";
 import "./rate-figures";
 import "./score-figures";
@@ -25,7 +26,7 @@ import "./score-figures";
 export const readAnswers = (files: readonly File[]): Promise<AnswersFile[]> =>
   Promise.all(
     files.map(async (file) => {
-      if (file.size > LARGEST_FILE) throw new Error(`${file.name} has more than 200 MB; expected answers.`);
+      if (file.size > LARGEST_FILE) throw new Error(perceptionWords().analysis.tooLarge(file.name));
       return { name: file.name, text: await file.text() };
     }),
   );
@@ -33,19 +34,18 @@ export const readAnswers = (files: readonly File[]): Promise<AnswersFile[]> =>
 /** The name of the answers from codes in the list of files. */
 const CODES_FILE = "codes.csv";
 
-const COLUMNS = ["Participant", "Answers", "Attention checks passed", "Median answer, s", "Left", "Counts"];
-
 function participantRow(participant: Participant) {
   const { name, comparisons, unanswered, attentionChecks, attentionHits, excluded, left, medianRt } =
     participant;
+  const words = perceptionWords().analysis;
   return html`
     <tr class=${excluded ? "left-out" : ""} data-testid="analysed">
       <th scope="row">${name}</th>
-      <td>${comparisons}${unanswered > 0 ? html` <small>${unanswered} not answered</small>` : nothing}</td>
-      <td>${attentionChecks > 0 ? `${attentionHits} of ${attentionChecks}` : "none shown"}</td>
+      <td>${comparisons}${unanswered > 0 ? html` <small>${words.unanswered(unanswered)}</small>` : nothing}</td>
+      <td>${attentionChecks > 0 ? words.of(attentionHits, attentionChecks) : words.noneShown}</td>
       <td>${medianRt === null ? "–" : plain(medianRt / 1000)}</td>
       <td>${left === null ? "–" : percent(left)}</td>
-      <td>${excluded ? html`<strong>left out</strong>` : "yes"}</td>
+      <td>${excluded ? html`<strong>${words.leftOut}</strong>` : words.counts}</td>
     </tr>`;
 }
 
@@ -55,21 +55,20 @@ function participantRow(participant: Participant) {
 function countWords({ participants, all, options }: PerceptionResults): string {
   const out = participants.filter(({ excluded }) => excluded).length;
   const counted = participants.length - out;
-  const people = `${counted} ${counted === 1 ? "participant" : "participants"}`;
-  const excluded =
-    out > 0 ? ` ${out} left out, below ${percent(options.attention)} of the attention checks.` : "";
-  return `${all.trials} answers of ${people}: the model’s movement was taken for the natural one in ${percent(all.hits / all.trials)}.${excluded}`;
+  const words = perceptionWords().analysis;
+  const excluded = out > 0 ? words.excluded(out, percent(options.attention)) : "";
+  return `${words.count(all.trials, counted, percent(all.hits / all.trials))}${excluded}`;
 }
 
 function catchWords({ catch: caught }: PerceptionResults) {
   if (!caught) return nothing;
   const { confusion, isHalf } = caught;
-  return html`Of ${confusion.trials} <pg-term of="catch-trial" text="catch trials"></pg-term> the movement not seen before won ${confusion.hits}: with probability ${plain(isHalf)} nobody knew the others by heart.`;
+  return withTerms(perceptionWords().analysis.caught(confusion.trials, confusion.hits, plain(isHalf)));
 }
 
 function neededWords({ needed: { toTell, forPrecision } }: PerceptionResults): string {
   if (toTell === null || forPrecision === null) return "";
-  return `A setting needs ${toTell} answers to tell a rate 0.1 away from one half (power 0.8), and ${forPrecision} to know that it is within 0.05 of it.`;
+  return perceptionWords().analysis.needed(toTell, forPrecision);
 }
 
 export class AnalysisView extends View {
@@ -86,7 +85,7 @@ export class AnalysisView extends View {
     try {
       if (study) await this.analysis.add(study.text, await readAnswers(files));
     } catch (problem) {
-      this.notices.addError("The answers were not opened", messageOf(problem));
+      this.notices.addError(perceptionWords().analysis.notOpened, messageOf(problem));
     }
   }
 
@@ -107,7 +106,7 @@ export class AnalysisView extends View {
       if (!study || participations.length === 0) return;
       await this.analysis.add(study.text, [{ name: CODES_FILE, text: csvFile(participations).text }]);
     } catch (problem) {
-      this.notices.addError("The codes were not read", sentence(messageOf(problem)));
+      this.notices.addError(perceptionWords().codes.notRead, sentence(messageOf(problem)));
     }
   }
 
@@ -124,7 +123,7 @@ export class AnalysisView extends View {
       const text = await this.analysis.json(study.text);
       download("perception.results.json", new Blob([text], { type: "application/json" }));
     } catch (problem) {
-      this.notices.addError("The results were not saved", messageOf(problem));
+      this.notices.addError(perceptionWords().analysis.notSaved, messageOf(problem));
     }
   }
 
@@ -132,47 +131,49 @@ export class AnalysisView extends View {
     const { analysis, perception } = this;
     const { study } = perception;
     const here = this.#here().length;
+    const { analysis: words, codes } = perceptionWords();
     return html`
       <div class="files">
-        <button class="small" data-testid="analyse-here" ?disabled=${here === 0 || analysis.busy} @click=${() => this.#analyseHere()}>Analyse those on this machine</button>
+        <button class="small" data-testid="analyse-here" ?disabled=${here === 0 || analysis.busy} @click=${() => this.#analyseHere()}>${words.here}</button>
         ${fileButton({
-          label: "Open answers",
-          meaning: "Open the answers (.csv or .json) of one or more participants",
+          label: words.open,
+          meaning: words.openMeaning,
           testId: "open-answers",
           accept: ".csv,.json,text/csv,application/json",
           multiple: true,
           disabled: study === null,
           chosen: (files) => void this.#open(files),
         })}
-        <button class="small" data-testid="save-analysis" ?disabled=${analysis.results === null || analysis.busy} @click=${() => void this.#save()}>${icon("save")} Save results</button>
+        <button class="small" data-testid="save-analysis" ?disabled=${analysis.results === null || analysis.busy} @click=${() => void this.#save()}>${icon("save")} ${words.save}</button>
       </div>
       <details class="advanced">
-        <summary>Codes of a class</summary>
-        <label class="field wide"><span>One code in each line</span>
+        <summary>${codes.title}</summary>
+        <label class="field wide"><span>${codes.label}</span>
           <textarea rows="4" data-testid="codes" spellcheck="false" autocomplete="off"></textarea></label>
-        <button class="small" data-testid="add-codes" ?disabled=${study === null || analysis.busy} @click=${() => void this.#addCodes()}>Analyse the codes</button>
+        <button class="small" data-testid="add-codes" ?disabled=${study === null || analysis.busy} @click=${() => void this.#addCodes()}>${codes.analyse}</button>
       </details>
       ${
         analysis.files.length > 0
-          ? html`<ul class="answer-files" aria-label="Files">${analysis.files.map(
+          ? html`<ul class="answer-files" aria-label=${words.files}>${analysis.files.map(
               ({ name }) => html`
-              <li>${name} <button class="round" aria-label="Leave out ${name}" title="Leave out" @click=${() => study && void analysis.remove(study.text, name)}>${icon("close")}</button></li>`,
+              <li>${name} <button class="round" aria-label=${words.leaveOutOf(name)} title=${words.leaveOut} @click=${() => study && void analysis.remove(study.text, name)}>${icon("close")}</button></li>`,
             )}</ul>`
           : nothing
       }`;
   }
 
   #results(results: PerceptionResults) {
+    const words = perceptionWords().analysis;
     const failed = ({ detail }: CustomEvent<SaveFailure>) =>
-      this.notices.addError(`${detail.name} was not saved`, detail.message);
+      this.notices.addError(words.fileNotSaved(detail.name), detail.message);
     return html`
       <p data-testid="analysis-words">${countWords(results)} ${catchWords(results)}</p>
       <p class="hint">${neededWords(results)}</p>
       <details class="advanced" ?open=${results.participants.some(({ excluded }) => excluded)}>
-        <summary>Participants</summary>
-        <div class="table-box" tabindex="0" role="region" aria-label="Participants of the analysis">
+        <summary>${words.participants}</summary>
+        <div class="table-box" tabindex="0" role="region" aria-label=${words.participantsLabel}>
           <table class="participants">
-            <thead><tr>${COLUMNS.map((title) => html`<th scope="col">${title}</th>`)}</tr></thead>
+            <thead><tr>${words.heads.map((title) => html`<th scope="col">${title}</th>`)}</tr></thead>
             <tbody>${results.participants.map(participantRow)}</tbody>
           </table>
         </div>
@@ -189,15 +190,12 @@ export class AnalysisView extends View {
 
   protected override render() {
     const { results, busy, problem } = this.analysis;
+    const words = perceptionWords().analysis;
     return html`
       ${this.#files()}
-      ${busy ? html`<p class="hint" role="status">Analysing</p>` : nothing}
+      ${busy ? html`<p class="hint" role="status">${words.busy}</p>` : nothing}
       ${problem ? html`<p class="bad" role="alert" data-testid="analysis-problem">${sentence(problem)}</p>` : nothing}
-      ${
-        results
-          ? this.#results(results)
-          : html`<p class="empty">Drop the files of all participants here. The study that they answered must be open.</p>`
-      }`;
+      ${results ? this.#results(results) : html`<p class="empty">${words.empty}</p>`}`;
   }
 }
 customElements.define("pg-perception-analysis", AnalysisView);

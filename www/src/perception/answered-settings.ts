@@ -1,6 +1,7 @@
 // The settings of models that have answers, and the data of their figures. No rendering.
 import type { Confusion, Regression, PerceptionResults, SettingResult } from "../engine/whole-protocol";
 import { estimateText } from "../figures/numbers";
+import { perceptionWords } from "../words/perception";
 
 /** A setting with its scores and its rate. */
 export type Answered = SettingResult & {
@@ -16,11 +17,12 @@ export const answeredSettings = ({ settings }: PerceptionResults): Answered[] =>
 
 export type Score = "mse" | "bound" | "dynamics" | "pose";
 
-export const SCORES: readonly { score: Score; name: string; axis: string }[] = [
-  { score: "mse", name: "test MSE", axis: "Test MSE" },
-  { score: "bound", name: "bound", axis: "Bound, nats" },
-  { score: "dynamics", name: "dynamics part of the bound", axis: "Dynamics part, nats" },
-  { score: "pose", name: "pose part of the bound", axis: "Pose part, nats" },
+/** The scores with their names in files. */
+export const SCORES: readonly { score: Score; name: string }[] = [
+  { score: "mse", name: "test MSE" },
+  { score: "bound", name: "bound" },
+  { score: "dynamics", name: "dynamics part of the bound" },
+  { score: "pose", name: "pose part of the bound" },
 ];
 
 /** The rate over a score, of one kind of model or of all; null when too few settings have the score. */
@@ -41,7 +43,7 @@ export function evidenceWords({
   logBayesFactorError: standardError,
   folds,
 }: Regression): string {
-  if (mean === null) return "ln K needs more answers";
+  if (mean === null) return perceptionWords().figures.moreAnswers;
   const words = estimateText({ mean, standardError, count: folds });
   return `ln K = ${words.mean} ${words.error}`.trim();
 }

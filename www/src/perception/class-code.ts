@@ -1,5 +1,7 @@
 // The answers of a participant as one short code, which a class can read out or paste as a column. The code
 // has the seed, from which the trials follow, and a bit for each answer; it has no times.
+import { messageOf } from "../ui/format";
+import { perceptionWords } from "../words/perception";
 import type { Row } from "./participation";
 import type { Side } from "./trial-view";
 
@@ -61,15 +63,15 @@ function signsOf(bytes: readonly number[]): string {
 export function readCode(hash: string, code: string): CodedAnswers {
   const signs = code.toLowerCase().replace(/[\s-]/g, "").replaceAll("o", "0").replace(/[il]/g, "1");
   const wrong = [...signs].find((sign) => !SIGNS.includes(sign));
-  if (wrong !== undefined) throw new Error(`expected letters and digits, found “${wrong}”`);
+  if (wrong !== undefined) throw new Error(perceptionWords().codes.sign(wrong));
   const bits = [...signs].map((sign) => SIGNS.indexOf(sign).toString(2).padStart(BITS, "0")).join("");
   const all = (bits.match(/.{8}/g) ?? []).map((byte) => Number.parseInt(byte, 2));
   const count = (all[HEAD - 1] ?? 0) & ~SIMULATED;
   const length = HEAD + Math.ceil(count / 8);
   if (count === 0 || all.length !== length + 1 || checkOf(all.slice(0, length)) !== all[length])
-    throw new Error("expected a whole code, found a mistyped or incomplete one");
+    throw new Error(perceptionWords().codes.notWhole);
   if (studyBytes(hash).some((byte, at) => byte !== all[at]))
-    throw new Error("expected a code of the open study, found one of another study");
+    throw new Error(perceptionWords().codes.otherStudy);
   const seed = all.slice(2, HEAD - 1).reduce((sum, byte) => sum * 256 + byte, 0);
   const answers = Array.from({ length: count }, (_, place): Side => {
     const byte = all[HEAD + Math.floor(place / 8)] ?? 0;
@@ -97,7 +99,7 @@ export function codesOf(hash: string, text: string): CodedAnswers[] {
       const coded = readCode(hash, line);
       bySeed.set(coded.seed, coded);
     } catch (problem) {
-      throw new Error(`line ${i + 1}: ${problem instanceof Error ? problem.message : problem}`);
+      throw new Error(perceptionWords().codes.line(i + 1, messageOf(problem)));
     }
   });
   return [...bySeed.values()];

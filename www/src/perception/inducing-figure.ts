@@ -13,6 +13,7 @@ import {
   rateFields,
   regressionOf,
 } from "./answered-settings";
+import { perceptionWords } from "../words/perception";
 import { type Grid, gridsOf } from "./grids";
 import { type Panel, type PanelAxis, type PanelPoint, panels } from "./panel";
 
@@ -28,24 +29,29 @@ interface Measure {
   of(setting: Answered): Value;
 }
 
-const CONFUSION: Measure = {
-  name: "confusion rate",
-  axis: { title: "Confusion rate", kind: "linear", reach: [0, 0.5] },
-  references: [0.5],
-  of: ({ confusion }) => rateBar(confusion),
-};
-const ERROR: Measure = {
-  name: "test MSE",
-  axis: { title: "Test MSE, log scale", kind: "log", reach: [] },
-  references: [],
-  of: ({ scores }) => certain(scores.mse),
-};
-const BOUND: Measure = {
-  name: "bound",
-  axis: { title: "Bound, nats", kind: "linear", reach: [] },
-  references: [],
-  of: ({ scores }) => certain(scores.bound),
-};
+function measures() {
+  const { measures: words, logMse } = perceptionWords().figures;
+  const confusion: Measure = {
+    name: words.rate.name,
+    axis: { title: words.rate.axis, kind: "linear", reach: [0, 0.5] },
+    references: [0.5],
+    of: ({ confusion }) => rateBar(confusion),
+  };
+  const error: Measure = {
+    name: words.mse.name,
+    axis: { title: logMse, kind: "log", reach: [] },
+    references: [],
+    of: ({ scores }) => certain(scores.mse),
+  };
+  const bound: Measure = {
+    name: words.bound.name,
+    axis: { title: words.bound.axis, kind: "linear", reach: [] },
+    references: [],
+    of: ({ scores }) => certain(scores.bound),
+  };
+  const linearError: Measure = { ...error, axis: { title: words.mse.axis, kind: "linear", reach: [] } };
+  return { confusion, error, bound, linearError };
+}
 
 /** The width of an ellipse grows with the dynamics points, its height with the pose points. */
 const sizeOf = (count: number, most: number) => 0.18 + 0.42 * (count / most);
@@ -71,9 +77,11 @@ function over(grid: Grid, placed: Placed, y: Measure, x: Measure, lines: Panel["
     const ellipse = [sizeOf(dynamics, mostDynamics), sizeOf(pose, mostPose)] as const;
     return [{ model: grid.model, x: across.y, y: up.y, low: up.y, high: up.y, ellipse }];
   });
+  const words = perceptionWords().figures;
+  const named = words.over(y.name, x.name);
   return {
-    heading: heading(grid, `${y.name} over ${x.name}`),
-    words: `${modelStyle(grid.model).name}: ${y.name} over ${x.name}, ${points.length} settings`,
+    heading: heading(grid, named),
+    words: `${modelStyle(grid.model).name}: ${words.settings(named, points.length)}`,
     ...{ x: x.axis, y: y.axis, points, lines, references: y.references },
   };
 }
@@ -89,12 +97,12 @@ function lined(grid: Grid, placed: Placed, measure: Measure): Panel {
       })
       .sort((a, b) => a.x - b.x),
   );
-  const words = `${measure.name}, a line for each number of pose points: ${grid.pose.join(", ")}`;
+  const { inducing: words, dynamics } = perceptionWords().figures;
   return {
-    heading: heading(grid, `${measure.name} for numbers of pose points`),
-    words: `${modelStyle(grid.model).name}: ${words}`,
+    heading: heading(grid, words.lines(measure.name)),
+    words: `${modelStyle(grid.model).name}: ${words.linesOf(measure.name, grid.pose.join(", "))}`,
     // The axis begins at 0: a single number would give it fractions of a point.
-    x: { title: "Dynamics points", kind: "linear", reach: [0] },
+    x: { title: dynamics, kind: "linear", reach: [0] },
     y: measure.axis,
     points: rows.flat(),
     lines: rows.map((row, i) => ({
@@ -106,29 +114,30 @@ function lined(grid: Grid, placed: Placed, measure: Measure): Panel {
   };
 }
 
-const LINEAR_ERROR: Measure = { ...ERROR, axis: { title: "Test MSE", kind: "linear", reach: [] } };
-
 function panelsOf(grid: Grid, results: PerceptionResults): Panel[] {
   const placed = settingsOf(grid, results);
   if (placed.length === 0) return [];
   const regression = regressionOf(results, grid.model, "mse");
   const fitted = regression ? [{ model: grid.model, places: curveOf(regression) }] : [];
   const withBound = placed.some(({ setting }) => setting.scores.bound !== null);
+  const { confusion, error, bound, linearError } = measures();
   return [
-    over(grid, placed, CONFUSION, LINEAR_ERROR, fitted),
-    ...(withBound ? [over(grid, placed, ERROR, BOUND, [])] : []),
-    lined(grid, placed, CONFUSION),
-    lined(grid, placed, ERROR),
+    over(grid, placed, confusion, linearError, fitted),
+    ...(withBound ? [over(grid, placed, error, bound, [])] : []),
+    lined(grid, placed, confusion),
+    lined(grid, placed, error),
   ];
 }
 
 export class InducingFigure extends FigureElement<PerceptionResults> {
-  protected readonly heading = "What inducing points do";
+  protected get heading() {
+    return perceptionWords().figures.inducing.heading;
+  }
   protected readonly file = "confusion-error-and-bound-over-inducing-points";
 
   protected missing(results: PerceptionResults): string | null {
     return gridsOf(results.settings).every((grid) => settingsOf(grid, results).length === 0)
-      ? "Needs answers about a vCGPDM or a vGPDM."
+      ? perceptionWords().figures.needsPoints
       : null;
   }
 
@@ -157,7 +166,7 @@ export class InducingFigure extends FigureElement<PerceptionResults> {
     const all = gridsOf(results.settings).flatMap((grid) => panelsOf(grid, results));
     return html`
       ${panels(all, this.width, this.type, 4)}
-      <figcaption>An ellipse is the wider, the more dynamics inducing points a setting has, and the higher, the more pose inducing points.</figcaption>`;
+      <figcaption>${perceptionWords().figures.inducing.caption}</figcaption>`;
   }
 }
 customElements.define("perception-inducing", InducingFigure);

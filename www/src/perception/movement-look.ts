@@ -8,6 +8,7 @@ import type { NoticesStore } from "../ui/notices-store";
 import { View } from "../ui/view";
 import { motionsOf } from "./motions";
 import { CanvasPair } from "./pair-stage";
+import { perceptionWords } from "../words/perception";
 import type { PerceptionStore } from "./perception-store";
 import "../ui/dialog.css";
 
@@ -49,7 +50,7 @@ export class MovementLook extends View {
       this.querySelector("dialog")?.showModal();
       this.#play(new CanvasPair(study.info, motionOf), pair, study.info.seconds);
     } catch (problem) {
-      this.notices.addError("The movement cannot be shown", messageOf(problem));
+      this.notices.addError(perceptionWords().look.failed, messageOf(problem));
     }
   }
 
@@ -70,13 +71,14 @@ export class MovementLook extends View {
   }
 
   protected override render() {
+    const words = perceptionWords().look;
     return html`
-      <dialog class="look" aria-label="A movement" data-testid="look" @close=${() => this.#end()}>
+      <dialog class="look" aria-label=${words.label} data-testid="look" @close=${() => this.#end()}>
         <div class="dialog-body">
           <header><h2>${this.#id || nothing}</h2>
-            <form method="dialog"><button class="round" aria-label="Close">${icon("close")}</button></form></header>
+            <form method="dialog"><button class="round" aria-label=${words.close}>${icon("close")}</button></form></header>
           <div class="pair-scene"></div>
-          <p class="hint look-sides"><span>Natural</span><span>Generated</span></p>
+          <p class="hint look-sides"><span>${words.natural}</span><span>${words.generated}</span></p>
         </div>
       </dialog>`;
   }

@@ -5,23 +5,27 @@ import type { PerceptionResults } from "../engine/whole-protocol";
 import { FigureElement } from "../figures/figure-element";
 import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import "../terms/term";
+import { fixed, localNumber } from "../ui/format";
 import { styled } from "../ui/styled";
+import { perceptionWords } from "../words/perception";
 import { RATE_TITLES, rateFields } from "./answered-settings";
 
-const two = (value: number) => value.toFixed(2);
+const two = (value: number) => fixed(value, 2);
 
 /** Only an exact 0 or 1 is written as 0 or 1. */
 function probability(value: number): string {
-  if (value > 0 && value < 0.005) return "< 0.01";
-  return value < 1 && value >= 0.995 ? "> 0.99" : two(value);
+  if (value > 0 && value < 0.005) return localNumber("< 0.01");
+  return value < 1 && value >= 0.995 ? localNumber("> 0.99") : two(value);
 }
 
 export class PairwiseFigure extends FigureElement<PerceptionResults> {
-  protected readonly heading = "The best of each model";
+  protected get heading() {
+    return perceptionWords().figures.pairwise.heading;
+  }
   protected readonly file = "best-of-each-model";
 
   protected missing({ best }: PerceptionResults): string | null {
-    return best.length === 0 ? "Needs answers about a model’s movements." : null;
+    return best.length === 0 ? perceptionWords().figures.needsModel : null;
   }
 
   protected table({ best, pairs }: PerceptionResults) {
@@ -50,7 +54,7 @@ export class PairwiseFigure extends FigureElement<PerceptionResults> {
       <tr style=${inColour(model)}>
         <th scope="row" class="who"><div><svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${modelMark(model, 7, 7, 4.6)}</svg>
           <span class="name">${modelStyle(model).name}</span><small>${label}</small></div></th>
-        <td>${two(mean)} <small>± ${two(deviation)}</small><small class="counts">${hits} of ${trials}</small></td>
+        <td>${two(mean)} <small>± ${two(deviation)}</small><small class="counts">${perceptionWords().analysis.of(hits, trials)}</small></td>
         <td>${probability(aboveHalf)}</td>
         ${best.map((_, j) => {
           const value = pairs[i]?.[j];
@@ -63,22 +67,22 @@ export class PairwiseFigure extends FigureElement<PerceptionResults> {
   protected figure(results: PerceptionResults) {
     const { best, orders } = results;
     const [likeliest] = orders;
-    const order = likeliest?.models.map((model) => modelStyle(model).name).join(" > ");
+    const words = perceptionWords().figures.pairwise;
+    const order = likeliest?.models.map((model) => modelStyle(model).name).join(" > ") ?? "";
     return html`
       <div class="figure-scroll" tabindex="0" role="region" aria-label=${this.heading}>
         <table class="pairwise">
           <thead><tr>
-            <th scope="col">Model and its best settings</th><th scope="col"><pg-term of="confusion-rate" text="Confusion rate"></pg-term></th><th scope="col">P(rate &gt; ½)</th>
+            <th scope="col">${words.model}</th><th scope="col"><pg-term of="confusion-rate" text=${words.rate}></pg-term></th><th scope="col">${words.aboveHalf}</th>
             ${best.map(
               ({ model }) => html`
-            <th scope="col" class="pair" style=${inColour(model)}><small>better than</small> <span class="name">${svgMark(model)} ${modelStyle(model).name}</span></th>`,
+            <th scope="col" class="pair" style=${inColour(model)}><small>${words.betterThan}</small> <span class="name">${svgMark(model)} ${modelStyle(model).name}</span></th>`,
             )}
           </tr></thead>
           <tbody>${best.map((_, i) => this.#row(results, i))}</tbody>
         </table>
       </div>
-      <figcaption>Each row: how probable it is that the model’s best setting has a higher rate than that of the column, from the posteriors of both.
-        ${likeliest ? `The likeliest order, with probability ${probability(likeliest.probability)}: ${order}.` : ""}</figcaption>`;
+      <figcaption>${words.caption} ${likeliest ? words.order(probability(likeliest.probability), order) : ""}</figcaption>`;
   }
 }
 

@@ -47,6 +47,9 @@ export interface Panel {
   references: readonly number[];
 }
 
+/** Half the width of the last label of an axis across, in em. */
+const LABEL = 1.8;
+
 const drawable = ({ x, y }: PanelPoint) => Number.isFinite(x) && Number.isFinite(y);
 
 const scaleOf = ({ kind, reach }: PanelAxis, values: readonly number[], from: number, to: number): Scale =>
@@ -64,7 +67,11 @@ export function panel(
 ) {
   const height = Math.round(Math.min(0.72 * width, 240) + 2 * type);
   const labelled = Math.max(0, ...lines.map(({ label = "" }) => textWidth(label, type)));
-  const [top, bottom, right] = [2.2 * type, height - 3.4 * type, width - 10 - labelled];
+  const [top, bottom, right] = [
+    2.2 * type,
+    height - 3.4 * type,
+    width - Math.max(10 + labelled, LABEL * type),
+  ];
   const drawn = points.filter(drawable);
   const heights = drawn.flatMap((point) => [point.low, point.y, point.high]);
   const yScale = scaleOf(y, heights, bottom, top);

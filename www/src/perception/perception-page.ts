@@ -19,9 +19,13 @@ import "./run-dialog";
 import { studyCard } from "./study-card";
 import { STUDY_OF_THE_PAGE } from "./study-of-the-page";
 import { lab } from "../words/lab";
+import { perceptionWords } from "../words/perception";
+
+/** What a link to the view ends with, and the component of a JATOS study. */
+const [ADDRESS, COMPONENT] = ["#view=perception", "index.html"];
 
 async function chosenStudy(file: File): Promise<string> {
-  if (file.size > LARGEST_FILE) throw new Error("This file has more than 200 MB; expected a study.");
+  if (file.size > LARGEST_FILE) throw new Error(perceptionWords().study.tooLarge);
   return file.text();
 }
 
@@ -59,25 +63,27 @@ export class PerceptionPage extends View {
   #setup() {
     const { perception } = this;
     const { study, busy, problem, active } = perception;
+    const words = perceptionWords();
+    const [where, address, jatos, component] = words.elsewhereText;
     const cannot = study === null || busy || active !== null;
     return html`
-      <h2>Which is natural?</h2>
-      <p class="hint">Two movements side by side, one natural, one made by a model. The more often people take the model’s for the natural one, the better the model.</p>
-      <label class="field"><span>Participant</span>
-        <input type="text" data-testid="participant-name" maxlength="40" autocomplete="off" spellcheck="false" placeholder="a code at random" title="A code, no name" /></label>
+      <h2>${words.title}</h2>
+      <p class="hint">${words.about}</p>
+      <label class="field"><span>${words.participant}</span>
+        <input type="text" data-testid="participant-name" maxlength="40" autocomplete="off" spellcheck="false" placeholder=${words.code} title=${words.codeMeaning} /></label>
       <div class="begin">
-        <button class="primary big" data-testid="begin" ?disabled=${cannot} @click=${() => this.#begin(false)}>Begin</button>
-        <button data-testid="simulate" class="small" ?disabled=${cannot} title="The program answers, to try the experiment out" @click=${() => this.#begin(true)}>Simulate</button>
+        <button class="primary big" data-testid="begin" ?disabled=${cannot} @click=${() => this.#begin(false)}>${words.begin}</button>
+        <button data-testid="simulate" class="small" ?disabled=${cannot} title=${words.simulateMeaning} @click=${() => this.#begin(true)}>${words.simulate}</button>
       </div>
-      <p class="hint">This page records no person and sends nothing. Answers stay in this browser until you save or forget them.</p>
-      <h3>Study</h3>
+      <p class="hint">${words.privacy}</p>
+      <h3>${words.study.title}</h3>
       ${problem ? html`<p class="bad" role="alert" data-testid="study-problem">${sentence(problem)}</p>` : nothing}
       ${studyCard(perception, (id) => void this.querySelector<MovementLook>("pg-perception-look")?.open(id))}
       <div class="files">
-        <button class="small" data-testid="save-study" ?disabled=${study === null} @click=${() => perception.saveStudy()}>${icon("save")} Save study</button>
+        <button class="small" data-testid="save-study" ?disabled=${study === null} @click=${() => perception.saveStudy()}>${icon("save")} ${words.study.save}</button>
         ${fileButton({
-          label: "Open study",
-          meaning: "Open a study (.json)",
+          label: words.study.open,
+          meaning: words.study.openMeaning,
           testId: "open-study",
           accept: ".json,application/json",
           multiple: false,
@@ -86,20 +92,20 @@ export class PerceptionPage extends View {
         })}
       </div>
       <details class="advanced">
-        <summary>Run it elsewhere</summary>
-        <p class="hint">Put the built page on any static host, with your study as <code>${STUDY_OF_THE_PAGE}</code>, and give out its address with <code>#view=perception</code>. In JATOS the built folder is the study’s assets,
-          and <code>index.html</code> the component. Nothing is sent there either: participants save their file and hand it in.</p>
+        <summary>${words.elsewhere}</summary>
+        <p class="hint">${where} <code>${STUDY_OF_THE_PAGE}</code>${address} <code>${ADDRESS}</code>${jatos} <code>${COMPONENT}</code> ${component}</p>
       </details>`;
   }
 
   protected override render() {
     const { perception, analysis, notices } = this;
+    const words = perceptionWords();
     return html`
-      <section class="card setup" aria-label="The experiment">${this.#setup()}</section>
-      <section class="found" aria-label="Answers">
+      <section class="card setup" aria-label=${words.setup}>${this.#setup()}</section>
+      <section class="found" aria-label=${words.found}>
         ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice, lab().files.dismiss))}
-        <div class="card"><h2>On this machine</h2>${participants(perception)}</div>
-        <div class="card"><h2>What the answers say</h2>
+        <div class="card"><h2>${words.here}</h2>${participants(perception)}</div>
+        <div class="card"><h2>${words.answersSay}</h2>
           <pg-perception-analysis .analysis=${analysis} .perception=${perception} .notices=${notices}></pg-perception-analysis></div>
       </section>
       <pg-perception-look .perception=${perception} .notices=${notices}></pg-perception-look>

@@ -18,6 +18,7 @@ import {
   type Row,
   sessionCount,
 } from "./participation";
+import { perceptionWords } from "../words/perception";
 import { codesOf } from "./class-code";
 import { type Step, stepsOf, trialColumns } from "./steps";
 
@@ -81,7 +82,7 @@ export class PerceptionStore extends Store {
 
   /** Why answers are not stored beyond this visit; empty when they are. */
   get storageProblem(): string {
-    return this.#database === null ? "this browser keeps nothing" : this.#storageProblem;
+    return this.#database === null ? perceptionWords().participants.keepsNothing : this.#storageProblem;
   }
 
   /** Adds the participations of earlier visits. */
@@ -114,7 +115,7 @@ export class PerceptionStore extends Store {
     const study = this.#study;
     if (!study || study.text === this.#onDisk) return null;
     return {
-      what: `the study “${study.info.title}” as it was made or changed here`,
+      what: perceptionWords().study.unsaved(study.info.title),
       save: () => this.saveStudy(),
     };
   }
@@ -173,7 +174,7 @@ export class PerceptionStore extends Store {
   resume(key: string): Promise<void> {
     return this.#inTurn(async () => {
       if (this.#active) return;
-      if (!(await this.#lock(key))) throw new Error("Another tab of this browser goes on with it.");
+      if (!(await this.#lock(key))) throw new Error(perceptionWords().run.otherTab);
       // Another tab may have added answers meanwhile.
       const now = (await this.#database?.all())?.find((other) => other.key === key);
       if (now && !this.#storageProblem) this.#replace(now);
@@ -185,8 +186,7 @@ export class PerceptionStore extends Store {
       const { seed } = participation;
       const text = this.#texts.get(key) ?? (await this.#database?.study(key));
       try {
-        if (typeof text !== "string")
-          throw new Error("The study that it belongs to is not on this machine any more.");
+        if (typeof text !== "string") throw new Error(perceptionWords().run.noStudy);
         const { info } = await this.#whole.desk.run((worker) => worker.openStudy(text));
         const trials = await this.#whole.desk.run((worker) => worker.drawTrials(text, seed));
         const movements = await this.#whole.desk.run((worker) => worker.movements(text));
@@ -204,7 +204,7 @@ export class PerceptionStore extends Store {
    */
   async fromCodes(text: string): Promise<StoredParticipation[]> {
     const { study } = this;
-    if (!study) throw new Error("There is no study yet.");
+    if (!study) throw new Error(perceptionWords().study.none);
     const { info } = study;
     const coded = codesOf(info.hash, text);
     const trials = await this.#whole.desk.run((worker) =>

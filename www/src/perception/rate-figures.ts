@@ -12,13 +12,14 @@ import {
   rateBar,
   rateFields,
 } from "./answered-settings";
+import { perceptionWords } from "../words/perception";
 import { type Panel, type PanelAxis, type PanelPoint, panels } from "./panel";
 
 /** The names of the building blocks that a model counts. */
-const BLOCKS: Partial<Record<ModelKind, string>> = {
-  tmp: "Primitives",
-  "dmp-discrete": "Bases",
-  "dmp-rhythmic": "Bases",
+const BLOCKS: Partial<Record<ModelKind, "primitives" | "bases">> = {
+  tmp: "primitives",
+  "dmp-discrete": "bases",
+  "dmp-rhythmic": "bases",
 };
 
 interface Row {
@@ -47,26 +48,29 @@ interface Measure {
 
 const certain = (y: number | null) => (y === null ? null : { y, low: y, high: y });
 
-const MEASURES: Measure[] = [
-  {
-    name: "confusion rate",
-    axis: { title: "Confusion rate", kind: "linear", reach: [0, 0.5] },
-    references: [0.5],
-    of: ({ confusion }) => rateBar(confusion),
-  },
-  {
-    name: "test MSE",
-    axis: { title: "Test MSE, log scale", kind: "log", reach: [] },
-    references: [],
-    of: ({ scores }) => certain(scores.mse),
-  },
-  {
-    name: "bound",
-    axis: { title: "Bound, nats", kind: "linear", reach: [] },
-    references: [],
-    of: ({ scores }) => certain(scores.bound),
-  },
-];
+function measures(): Measure[] {
+  const { measures: words, logMse } = perceptionWords().figures;
+  return [
+    {
+      name: words.rate.name,
+      axis: { title: words.rate.axis, kind: "linear", reach: [0, 0.5] },
+      references: [0.5],
+      of: ({ confusion }) => rateBar(confusion),
+    },
+    {
+      name: words.mse.name,
+      axis: { title: logMse, kind: "log", reach: [] },
+      references: [],
+      of: ({ scores }) => certain(scores.mse),
+    },
+    {
+      name: words.bound.name,
+      axis: { title: words.bound.axis, kind: "linear", reach: [] },
+      references: [],
+      of: ({ scores }) => certain(scores.bound),
+    },
+  ];
+}
 
 function panelOf(
   model: ModelKind,
@@ -78,11 +82,12 @@ function panelOf(
     return value ? [{ model, x: blocks, ...value }] : [];
   });
   if (points.length === 0) return null;
-  const title = BLOCKS[model] ?? "";
+  const words = perceptionWords().figures.rates;
+  const kind = BLOCKS[model] ?? "bases";
   return {
     heading: html`<span class="name">${modelStyle(model).name}</span> <small>${name}</small>`,
-    words: `${modelStyle(model).name}, ${name}: ${points.map(({ x, y }) => `${plain(y)} with ${x} ${title.toLowerCase()}`).join(", ")}`,
-    x: { title, kind: "linear", reach: [] },
+    words: `${modelStyle(model).name}, ${name}: ${points.map(({ x, y }) => words.value(plain(y), x, kind)).join(", ")}`,
+    x: { title: words.blocks[kind], kind: "linear", reach: [] },
     y: axis,
     points,
     lines: [{ model, places: points.map(({ x, y }) => [x, y] as const) }],
@@ -91,11 +96,13 @@ function panelOf(
 }
 
 export class RatesFigure extends FigureElement<PerceptionResults> {
-  protected readonly heading = "Over the number of primitives or bases";
+  protected get heading() {
+    return perceptionWords().figures.rates.heading;
+  }
   protected readonly file = "confusion-over-primitives-and-bases";
 
   protected missing(results: PerceptionResults): string | null {
-    return counted(results).length === 0 ? "Needs answers about a TMP or a DMP." : null;
+    return counted(results).length === 0 ? perceptionWords().figures.needsBlocks : null;
   }
 
   protected table(results: PerceptionResults) {
@@ -110,12 +117,13 @@ export class RatesFigure extends FigureElement<PerceptionResults> {
   }
 
   protected figure(results: PerceptionResults) {
+    const words = perceptionWords().figures;
     const all = counted(results).flatMap(([model, rows]) =>
-      MEASURES.flatMap((measure) => panelOf(model, rows, measure) ?? []),
+      measures().flatMap((measure) => panelOf(model, rows, measure) ?? []),
     );
     return html`
       ${panels(all, this.width, this.type)}
-      <figcaption>Bars: one standard deviation of the rate’s posterior. At 0.5, the dashed line, nobody can tell the model’s movement from the natural one.</figcaption>`;
+      <figcaption>${words.bars} ${words.rates.caption}</figcaption>`;
   }
 }
 customElements.define("perception-rates", RatesFigure);

@@ -9,6 +9,7 @@ import type { PerceptionStore, ActiveParticipation } from "./perception-store";
 import { answered } from "./participation";
 import { run, type Running } from "./run";
 import { messageOf } from "../ui/format";
+import { perceptionWords } from "../words/perception";
 import "../ui/dialog.css";
 import "./run-dialog.css";
 
@@ -40,10 +41,8 @@ export class RunDialog extends View {
     try {
       stage = new CanvasPair(active.study, motionsOf(active.study, active.movements));
     } catch {
-      this.notices.addError(
-        "The movements cannot be shown",
-        "This browser shows no 3-D graphics (WebGL). Answers can still be analysed.",
-      );
+      const { notShown, noGraphics } = perceptionWords().run;
+      this.notices.addError(notShown, noGraphics);
       perception.leave();
       return;
     }
@@ -56,7 +55,7 @@ export class RunDialog extends View {
       begins: () => display.focus({ preventScroll: true }),
     });
     this.#running.over
-      .catch((problem) => this.notices.addError("The experiment stopped", messageOf(problem)))
+      .catch((problem) => this.notices.addError(perceptionWords().run.stopped, messageOf(problem)))
       .finally(() => {
         this.#running = null;
         stage.dispose();
@@ -73,15 +72,16 @@ export class RunDialog extends View {
   protected override render() {
     const { participation } = this.perception.active ?? {};
     const [done, all] = participation ? [answered(participation), participation.trials] : [0, 1];
+    const { run: words, setup } = perceptionWords();
     return html`
-      <dialog class="run" aria-label="The experiment" data-testid="run" @cancel=${(event: Event) => {
+      <dialog class="run" aria-label=${setup} data-testid="run" @cancel=${(event: Event) => {
         event.preventDefault();
         this.#leave();
       }}>
         <header>
-          <progress max=${all} .value=${done} aria-label="Trials answered"></progress>
-          <span class="hint" data-testid="run-progress">${done} of ${all}</span>
-          <button class="small" data-testid="run-leave" title="The answers so far are kept: you can go on later" @click=${() => this.#leave()}>${icon("close")} Leave</button>
+          <progress max=${all} .value=${done} aria-label=${words.progress}></progress>
+          <span class="hint" data-testid="run-progress">${words.of(done, all)}</span>
+          <button class="small" data-testid="run-leave" title=${words.leaveMeaning} @click=${() => this.#leave()}>${icon("close")} ${words.leave}</button>
         </header>
         <div class="run-place"></div>
       </dialog>`;

@@ -5,6 +5,7 @@ import { pairPlugin } from "./pair-plugin";
 import type { PairStage } from "./pair-stage";
 import type { Row } from "./participation";
 import { confusionOf, simulatedAnswer } from "./simulated";
+import { shownText } from "./standard-texts";
 import { type Step, trialColumns } from "./steps";
 import { TextPlugin } from "./text-plugin";
 
@@ -46,7 +47,7 @@ export function run(display: HTMLElement, stage: PairStage, experiment: Experime
           ...{
             type: PairPlugin,
             pair: step.trial,
-            question: study.texts.question,
+            question: shownText("question", study.texts.question),
             data: trialColumns(study, step),
           },
           ...{

@@ -2,7 +2,7 @@
 // models together (figure 7).
 import { html } from "lit";
 import type { ModelKind, Regression, PerceptionResults } from "../engine/whole-protocol";
-import "../terms/term";
+import { withTerms } from "../terms/term";
 import { FigureElement } from "../figures/figure-element";
 import { modelMark, modelStyle, inColour } from "../figures/model-style";
 import {
@@ -15,13 +15,13 @@ import {
   rateBar,
   rateFields,
   regressionOf,
+  type Score,
   SCORES,
 } from "./answered-settings";
-import { type Panel, type PanelPoint, panels } from "./panel";
+import { perceptionWords } from "../words/perception";
+import { type Panel, type PanelAxis, type PanelPoint, panels } from "./panel";
 
-type Drawn = (typeof SCORES)[number];
-
-const pointsOf = (settings: readonly Answered[], { score }: Drawn): PanelPoint[] =>
+const pointsOf = (settings: readonly Answered[], score: Score): PanelPoint[] =>
   settings.flatMap(({ model, scores, confusion }) => {
     const x = scores[score];
     return x === null ? [] : [{ model, x, ...rateBar(confusion) }];
@@ -30,22 +30,26 @@ const pointsOf = (settings: readonly Answered[], { score }: Drawn): PanelPoint[]
 const linesOf = (regression: Regression | null, model: ModelKind | null) =>
   regression ? [{ model, places: curveOf(regression) }] : [];
 
-const AXIS = { title: "Confusion rate", kind: "linear", reach: [0, 0.5] } as const;
+const rateAxis = (): PanelAxis => ({
+  ...{ title: perceptionWords().figures.measures.rate.axis, kind: "linear", reach: [0, 0.5] },
+});
 
-function panelOf(results: PerceptionResults, model: ModelKind, score: Drawn): Panel | null {
+function panelOf(results: PerceptionResults, model: ModelKind, score: Score): Panel | null {
   const points = pointsOf(
     answeredSettings(results).filter((setting) => setting.model === model),
     score,
   );
   if (points.length === 0) return null;
-  const regression = regressionOf(results, model, score.score);
+  const regression = regressionOf(results, model, score);
+  const words = perceptionWords().figures;
+  const { [score]: measure, rate } = words.measures;
   const { name } = modelStyle(model);
-  const evidence = regression ? evidenceWords(regression) : "too few settings";
+  const evidence = regression ? evidenceWords(regression) : words.tooFew;
   return {
-    heading: html`<span class="name">${name}</span> <small>${score.name}, <b data-testid="ln-k">${evidence}</b></small>`,
-    words: `${name}: confusion rate over ${score.name}, ${points.length} settings, ${evidence}`,
-    x: { title: score.axis, kind: "linear", reach: [] },
-    y: AXIS,
+    heading: html`<span class="name">${name}</span> <small>${measure.name}, <b data-testid="ln-k">${evidence}</b></small>`,
+    words: `${name}: ${words.settings(words.over(rate.name, measure.name), points.length)}, ${evidence}`,
+    x: { title: measure.axis, kind: "linear", reach: [] },
+    y: rateAxis(),
     points,
     lines: linesOf(regression, model),
     references: [0.5],
@@ -57,10 +61,12 @@ const modelsOf = (settings: readonly Answered[]): ModelKind[] => [
 ];
 
 const missingIn = (results: PerceptionResults) =>
-  answeredSettings(results).length === 0 ? "Needs answers about a model’s movements." : null;
+  answeredSettings(results).length === 0 ? perceptionWords().figures.needsModel : null;
 
 export class ScoresFigure extends FigureElement<PerceptionResults> {
-  protected readonly heading = "Confusion rate over each score";
+  protected get heading() {
+    return perceptionWords().figures.scores.heading;
+  }
   protected readonly file = "confusion-over-scores";
 
   protected missing(results: PerceptionResults): string | null {
@@ -95,18 +101,19 @@ export class ScoresFigure extends FigureElement<PerceptionResults> {
 
   protected figure(results: PerceptionResults) {
     const all = modelsOf(answeredSettings(results)).flatMap((model) =>
-      SCORES.flatMap((score) => panelOf(results, model, score) ?? []),
+      SCORES.flatMap(({ score }) => panelOf(results, model, score) ?? []),
     );
     return html`
       ${panels(all, this.width, this.type, 4)}
-      <figcaption>Curves: logistic regression with a ceiling of one half. <pg-term of="ln-k" text="ln K"></pg-term> compares it with the best constant, each tried on answers that it was not fitted to: above 0 the score says something about
-        what people see.</figcaption>`;
+      <figcaption>${withTerms(perceptionWords().figures.scores.caption)}</figcaption>`;
   }
 }
 customElements.define("perception-scores", ScoresFigure);
 
 export class AllModelsFigure extends FigureElement<PerceptionResults> {
-  protected readonly heading = "All models over the test error";
+  protected get heading() {
+    return perceptionWords().figures.all.heading;
+  }
   protected readonly file = "confusion-of-all-models";
 
   protected missing(results: PerceptionResults): string | null {
@@ -131,11 +138,12 @@ export class AllModelsFigure extends FigureElement<PerceptionResults> {
     }));
     const regression = regressionOf(results, null, "mse");
     const names = modelsOf(settings);
+    const words = perceptionWords().figures;
     const panel: Panel = {
-      heading: html`<small>All models${regression ? html`, <b>${evidenceWords(regression)}</b>` : ""}</small>`,
-      words: `Confusion rate over test MSE of ${points.length} settings of ${names.length} models`,
-      x: { title: "Test MSE, log scale", kind: "log", reach: [] },
-      y: AXIS,
+      heading: html`<small>${words.all.title}${regression ? html`, <b>${evidenceWords(regression)}</b>` : ""}</small>`,
+      words: words.all.label(points.length, names.length),
+      x: { title: words.logMse, kind: "log", reach: [] },
+      y: rateAxis(),
       points,
       lines: linesOf(regression, null),
       references: [0.5],
@@ -148,7 +156,7 @@ export class AllModelsFigure extends FigureElement<PerceptionResults> {
             html`<li style=${inColour(model)}><svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${modelMark(model, 7, 7, 4.6)}</svg> ${modelStyle(model).name}</li>`,
         )}</ul>
       </div>
-      <figcaption>Bars: one standard deviation of the rate’s posterior. The curve is fitted to all settings at once.</figcaption>`;
+      <figcaption>${words.bars} ${words.all.caption}</figcaption>`;
   }
 }
 customElements.define("perception-all-models", AllModelsFigure);

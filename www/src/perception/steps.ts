@@ -1,6 +1,8 @@
 // The steps of a participant: pages of text and pairs of movements. No rendering.
 import type { StudyInfo, StudyTrial } from "../engine/whole-protocol";
+import { perceptionWords } from "../words/perception";
 import type { Row } from "./participation";
+import { shownText } from "./standard-texts";
 
 /** The purpose of a page of text. */
 export type TextPage = "consent" | "instructions" | "pause" | "end";
@@ -50,16 +52,17 @@ export function stepsOf(
   answered: number,
 ): Step[] {
   const page = (page: TextPage, onward: string, wait = 0): TextStep => ({
-    ...{ kind: "text", page, paragraphs: paragraphsOf(texts[page]), onward, wait },
+    ...{ kind: "text", page, paragraphs: paragraphsOf(shownText(page, texts[page])), onward, wait },
   });
-  const steps: Step[] = answered === 0 ? [page("consent", "I agree")] : [];
-  steps.push(page("instructions", answered === 0 ? "Begin" : "Go on"));
+  const words = perceptionWords().run;
+  const steps: Step[] = answered === 0 ? [page("consent", words.agree)] : [];
+  steps.push(page("instructions", answered === 0 ? words.begin : words.goOn));
   trials.forEach((trial, position) => {
     if (position < answered) return;
     const before = trials[position - 1];
     if (position > answered && before && before.block !== trial.block)
-      steps.push(page("pause", "Go on", pauseSeconds));
+      steps.push(page("pause", words.goOn, pauseSeconds));
     steps.push({ kind: "pair", position, trial });
   });
-  return [...steps, page("end", "Done")];
+  return [...steps, page("end", words.done)];
 }

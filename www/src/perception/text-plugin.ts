@@ -1,5 +1,6 @@
 // jsPsych's plugin for a page of text with a button: consent, instructions, a pause, thanks.
 import { type JsPsych, type JsPsychPlugin, ParameterType, type TrialType } from "jspsych";
+import { perceptionWords } from "../words/perception";
 import type { TextStep } from "./steps";
 
 const info = {
@@ -78,7 +79,7 @@ export class TextPlugin implements JsPsychPlugin<Info> {
       const rest = Math.ceil(wait - (performance.now() - since) / 1000);
       button.disabled = rest > 0;
       button.textContent = onward;
-      left.textContent = rest > 0 ? `You can go on in ${rest} s.` : "";
+      left.textContent = rest > 0 ? perceptionWords().run.wait(rest) : "";
       if (rest > 0) return void this.#jsPsych.pluginAPI.setTimeout(count, Math.min(SECOND, SECOND * rest));
       button.focus({ preventScroll: true });
       open(button);

@@ -1,4 +1,6 @@
 // The display of a trial: the cross, the movements, and the question with a button for each side.
+import { perceptionWords } from "../words/perception";
+
 export const SIDES = ["left", "right"] as const;
 export type Side = (typeof SIDES)[number];
 
@@ -27,7 +29,7 @@ export function trialView(display: HTMLElement, stage: HTMLElement, question: st
   const asked = made("p", "pair-question");
   asked.setAttribute("role", "status");
   const buttons = SIDES.map((side) => {
-    const button = made("button", "primary big", side === "left" ? "← Left" : "Right →") as HTMLButtonElement;
+    const button = made("button", "primary big", perceptionWords().run[side]) as HTMLButtonElement;
     button.type = "button";
     button.dataset.testid = `answer-${side}`;
     return button;

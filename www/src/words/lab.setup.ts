@@ -5,6 +5,7 @@ import { loadHelp } from "./help";
 import { loadLab } from "./lab";
 import { loadMethod } from "./method";
 import { loadNumbers } from "./numbers";
+import { loadPerception } from "./perception";
 import { loadPrimitives } from "./primitives";
 import { loadSeries } from "./series";
 import { loadSession } from "./session";
@@ -18,6 +19,7 @@ for (const load of [
   loadHelp,
   loadMethod,
   loadNumbers,
+  loadPerception,
   loadPrimitives,
   loadSeries,
   loadSession,
