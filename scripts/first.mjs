@@ -3,39 +3,19 @@
 // the study some walkers for the first chapter of the story.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { rounded, shortened } from "../www/src/links/digits.js";
 import { at, filesUnder, whenChanged } from "./run.mjs";
 
 /** A little more than one step of each foot; it plays in a loop. */
 const SECONDS = 1.5;
 
 /**
- * Seven digits halve the file and change the position of a joint by less than a twentieth of a millimetre in
- * ten seconds.
+ * Digits of matrices; other numbers have seven. All rounding together changes the deviations of predictions
+ * by less than 6 % (tests/node/uncertainty.test.mjs), and the bound of a model with fewer inducing points by
+ * less than 2 nats.
  */
-const DIGITS = 7;
-/**
- * Digits of matrices. All rounding together changes the deviations of predictions by less than 6 %
- * (tests/node/uncertainty.test.mjs), and the bound of a model with fewer inducing points by less than 2 nats.
- */
-const MATRIX_DIGITS = /** @type {Record<string, number>} */ ({ u_covariance: 2, sum_psi2: 9 });
-
-const rounded = (/** @type {unknown} */ value, /** @type {number} */ digits) =>
-  typeof value === "number" && !Number.isInteger(value) ? Number(value.toPrecision(digits)) : value;
-
-/**
- * A document with fewer digits.
- * @param {any} value
- * @returns {any}
- */
-const shortened = (value, digits = DIGITS) => {
-  if (Array.isArray(value)) return value.map((entry) => shortened(entry, digits));
-  if (value === null || typeof value !== "object") return rounded(value, digits);
-  const entries = Object.entries(value).map(([name, entry]) => [
-    name,
-    shortened(entry, MATRIX_DIGITS[name] ?? digits),
-  ]);
-  return Object.fromEntries(entries);
-};
+const MATRIX_DIGITS = { u_covariance: 2, sum_psi2: 9 };
+const digits = at("www/src/links/digits.js");
 
 /**
  * The library of the view Primitives. Its covariances keep seven digits, because couplings are fitted with
@@ -43,8 +23,9 @@ const shortened = (value, digits = DIGITS) => {
  */
 function writeLibrary() {
   const [library, sent] = [at("www/first/library.json"), at("www/public/primitives/library.json")];
-  return whenChanged("library", { inputs: [library, at("scripts/first.mjs")], outputs: [sent] }, async () => {
-    const fewer = (/** @type {string} */ _, /** @type {unknown} */ value) => rounded(value, DIGITS);
+  const inputs = [library, digits, at("scripts/first.mjs")];
+  return whenChanged("library", { inputs, outputs: [sent] }, async () => {
+    const fewer = (/** @type {string} */ _, /** @type {unknown} */ value) => rounded(value);
     mkdirSync(at("www/public/primitives"), { recursive: true });
     writeFileSync(sent, JSON.stringify(JSON.parse(readFileSync(library, "utf8")), fewer));
   });
@@ -99,11 +80,12 @@ export async function writeFirst() {
   await writeWalkers();
   const [model, encoder] = [at("www/first/model.json"), at("www/src/stage/first-motion.js")];
   const [sent, motion] = [at("www/public/first/model.json"), at("www/public/first/motion.bin")];
-  const inputs = [model, encoder, at("scripts/first.mjs"), ...filesUnder([at("crate/wasm/pkg/node")])];
+  const own = [encoder, digits, at("scripts/first.mjs")];
+  const inputs = [model, ...own, ...filesUnder([at("crate/wasm/pkg/node")])];
   return whenChanged("first", { inputs, outputs: [sent, motion] }, async () => {
     const { Model } = createRequire(import.meta.url)("../crate/wasm/pkg/node/vcgpdm.js");
     const { encodeFirstMotion } = await import("../www/src/stage/first-motion.js");
-    const text = JSON.stringify(shortened(JSON.parse(readFileSync(model, "utf8"))));
+    const text = JSON.stringify(shortened(JSON.parse(readFileSync(model, "utf8")), MATRIX_DIGITS));
 
     const opened = Model.fromJson(text);
     const { frameTime, figure, joints, parts } = opened.info();

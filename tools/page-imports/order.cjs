@@ -6,6 +6,7 @@ const { join } = require("node:path");
 /** The folders of www/src. A folder imports only from lines above its own. */
 const ORDER = [
   ["ui"], // what all stores and views are made of. No model
+  ["links"], // models in links
   ["words"], // the sentences of the page, one folder for each language
   ["engine", "terms", "offline"], // messages to the workers; the meaning of terms; the service worker
   ["unsaved"], // asks before work is lost
