@@ -60,9 +60,11 @@ const isOnDemand = (file: string) =>
 /** The Lab, and what it shares with chapters of the story. A first visit loads none of it. */
 const isLab = (file: string) =>
   /\/src\/(app\/page|words\/(en|de)\/lab|couplings\/body-layout)\.|\/src\/latents\//.test(file);
-/** The page for teachers with its words, and the codes in squares. */
+/** The page for teachers with its words, the codes in squares, and links with a model in them. */
 const isTeaching = (file: string) =>
-  /\/src\/(teach|exercises|words\/(en|de)\/teach)|\/node_modules\/qr\//.test(file);
+  /\/src\/(teach|exercises|links|app\/linked-model|words\/(en|de)\/(teach|links))|\/node_modules\/qr\//.test(
+    file,
+  );
 /** The graphics Turing test, with jsPsych. */
 const isPerception = (file: string) =>
   /\/src\/(words\/((en|de)\/)?)?perception[/.]|\/src\/words\/(en|de)\/study\.|\/jspsych\//.test(file);

@@ -59,10 +59,11 @@ listenToKeys(() => app.isLab, {
   },
 });
 addEventListener("hashchange", () => app.followAddress());
+document.addEventListener("share", () => void showCode(app.stateFragment));
 // The browser asks whether to leave.
 addEventListener("beforeunload", (event) => wouldLose(app) && event.preventDefault());
 
-const start = () => app.start(startEngine, fetchStartModel());
+const start = () => app.start(startEngine, fetchStartModel);
 
 let keepsFiles = false;
 /** Keeps the files of the page for later visits, once the first engine runs or has failed. */
@@ -93,6 +94,8 @@ function startLab(page: PageView): void {
       );
     });
   });
+  // The stored motion is not that of a link's model.
+  if (app.settings.bringsModel) return;
   fetchStartMotion().then(
     (motion) => {
       // Until the model has rolled out the real thing.

@@ -26,7 +26,10 @@ function begin(fragment = ""): void {
 beforeEach(() => begin());
 
 const start = (text: string | null = modelText(1)) =>
-  app.start(() => Promise.resolve(started(engine, trainers)), Promise.resolve(text));
+  app.start(
+    () => Promise.resolve(started(engine, trainers)),
+    async () => text,
+  );
 const file = (name: string, text: string) => new File([text], name);
 /** Begins a training with a first model. Returns a function that ends the training. */
 async function train() {
@@ -53,7 +56,7 @@ describe("the start of the page", () => {
   it("says why the engine cannot start, and opens no files then", async () => {
     await app.start(
       () => Promise.reject(new Error("this browser has no WebAssembly")),
-      Promise.resolve(null),
+      async () => null,
     );
     expect([app.engine.state, app.engine.problem]).toEqual(["failed", "this browser has no WebAssembly"]);
     expect(app.training.whyNot()).toBe("The model cannot run in this browser");

@@ -13,7 +13,7 @@ import { PointingStore } from "../latents/pointing-store";
 import { PredictionsStore } from "../latents/predictions-store";
 import type { AnswerCounts } from "../session/answer-database";
 import type { AddressBar } from "../settings/address";
-import { writeSettings } from "../settings/settings";
+import { type Settings, writeSettings } from "../settings/settings";
 import { IN_LAB, SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
 import { momentOf, takeMoment } from "../stage/moment";
@@ -26,6 +26,9 @@ import { Switch } from "../ui/switch";
 import { WordsStore } from "../words/words";
 import { Lazy } from "./lazy";
 import { lab } from "../words/lab";
+
+/** Opens the models of links. */
+const linked = () => import("./linked-model");
 
 export class App {
   /** Whether the chapters are shown as slides of a lecture. */
@@ -216,21 +219,27 @@ export class App {
     return this.isLab && this.settings.values.view === "play";
   }
 
-  /** Starts the engine and opens the first model, then the sample clips. `text`: null without a model. */
+  /**
+   * Starts the engine and opens the first model, or that of the address, then the sample clips. `firstModel`:
+   * null without a model.
+   */
   async start(
     startEngine: (events: SupervisedEvents) => Promise<StartedEngine>,
-    text: Promise<string | null>,
+    firstModel: () => Promise<string | null>,
   ): Promise<void> {
+    const text = this.settings.bringsModel ? null : firstModel();
     // When the engine cannot start, nobody waits for the model.
-    text.catch(() => {});
+    text?.catch(() => {});
     const events: SupervisedEvents = {
       restarted: (why) => this.notices.addError(lab().files.startedAgain, lab().files.startedAgainWhy(why)),
       stopped: (problem) => this.engine.stop(problem),
     };
     const started = () => startEngine(events);
     await this.engine.start(started, async () => {
-      const first = await text;
-      if (first !== null) await this.model.openStart(first);
+      if (text || !(await (await linked()).openFirst(this))) {
+        const first = await (text ?? firstModel());
+        if (first !== null) await this.model.openStart(first);
+      }
       this.takeMoment();
     });
     if (this.engine.state !== "ready") return;
@@ -253,17 +262,33 @@ export class App {
 
   /** The visitor has followed a link or pressed Back. */
   followAddress(): void {
+    if (this.engine.engine !== null && this.settings.bringsOtherModel()) {
+      const fragment = this.settings.address.read();
+      linked()
+        .then(({ follow }) => follow(this, fragment))
+        .catch(() => this.notices.addError("Link", this.words.now.frame.notLoaded));
+      return;
+    }
     this.settings.readAddress();
     if (!this.isLab) return;
     this.model.restart();
     this.takeMoment();
   }
 
-  /** The fragment of an address with this state of the Lab. */
+  /** The fragment of an address with this state of the Lab; only the name of its model is in it. */
   get stateFragment(): string {
-    const { settings, stage, playback, model } = this;
+    return this.#fragment({ ...this.settings.written, packedModel: "" });
+  }
+
+  /** The fragment of an address with this state of the Lab and this packed model. */
+  fragmentWith(packedModel: string): string {
+    return this.#fragment({ ...this.settings.values, model: "", modelFile: "", packedModel });
+  }
+
+  #fragment(settings: Settings): string {
+    const { stage, playback, model } = this;
     const moment = this.isPlayView ? momentOf(stage, playback, model.rollout?.motion ?? null) : {};
-    return writeSettings({ ...settings.written, ...IN_LAB, ...moment });
+    return writeSettings({ ...settings, ...IN_LAB, ...moment });
   }
 
   /** Takes camera and time of a link. */

@@ -163,9 +163,22 @@ export class ModelStore extends Store {
     trainingLatents: Float64Array[] | null = null,
   ): Promise<void> {
     const opened = await this.#running().openModel(text, this.#settings.values.frames);
+    if (this.#settings.bringsModel) this.#settings.change({ modelFile: "", packedModel: "" });
     this.#text = text;
     this.#madeHere = false;
     this.#takeUp({ ...opened, model: { ...opened.model, trainingLatents } }, keep);
+  }
+
+  /**
+   * Opens the model of a link. `take` takes the settings of the link, once the document has proved to be a
+   * model.
+   */
+  async openLinked(text: string, take: () => void): Promise<void> {
+    const opened = await this.#running().openModel(text, this.#settings.values.frames);
+    take();
+    this.#text = text;
+    this.#madeHere = false;
+    this.#takeUp(opened, { couplings: "link", clip: false });
   }
 
   /** Opens the model that comes with the page, under the couplings of the address. */

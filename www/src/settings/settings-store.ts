@@ -34,6 +34,18 @@ export class SettingsStore extends Store {
     return writeSettings({ ...this.written, ...IN_LAB });
   }
 
+  /** Whether the address brings a model: in itself, or in a file of the page's host. */
+  get bringsModel(): boolean {
+    return this.#values.modelFile !== "" || this.#values.packedModel !== "";
+  }
+
+  /** Whether the browser's address brings a model, and another one than these settings. */
+  bringsOtherModel(): boolean {
+    const { modelFile, packedModel } = readSettings(this.address.read());
+    const isSame = modelFile === this.#values.modelFile && packedModel === this.#values.packedModel;
+    return !isSame && (modelFile !== "" || packedModel !== "");
+  }
+
   /** Keeps settings of a link in the address that do not apply yet; `{}`: there are none. */
   holdBack(waiting: Partial<Settings>): void {
     this.#waiting = waiting;

@@ -78,9 +78,12 @@ describe("settings in the URL", () => {
       growth: true,
       drawn: 7,
       driving: false,
+      packedModel: "1.4.Ab-_",
     };
     const untouched = Object.entries(settings).filter(
       ([name, value]) =>
+        // It has the key of `model`.
+        name !== "modelFile" &&
         JSON.stringify(value) === JSON.stringify(SETTINGS[name as keyof typeof SETTINGS].initial),
     );
     expect(untouched).toEqual([]);
@@ -112,9 +115,16 @@ describe("settings in the URL", () => {
     expect(settings.alpha).toEqual({ "0.1": ALPHA_MAX });
   });
 
+  it("takes a model that is no hash for a file, whose name then stands for the model in the address", () => {
+    const settings = readSettings("#model=walks/mine.json&alpha=0.1:2");
+    expect([settings.model, settings.modelFile]).toEqual(["", "walks/mine.json"]);
+    expect(writeSettings({ ...settings, model: "0123abcd" })).toBe("model=walks/mine.json&alpha=0.1:2");
+    expect(readSettings("#model=0123abcd").modelFile).toBe("");
+  });
+
   it("ignores invalid values", () => {
     const text =
-      "#model=../x&latent=NaN&fps=Infinity&alpha=0.1:-2&split=legs:5-2&reading=maybe&loop=perhaps&parts=<b>&unknown=1";
+      "#model=&latent=NaN&fps=Infinity&alpha=0.1:-2&split=legs:5-2&reading=maybe&loop=perhaps&parts=<b>&unknown=1";
     expect(readSettings(text)).toEqual(initialSettings());
   });
 

@@ -194,6 +194,24 @@ const model: Setting<string> = {
   limit: (value) => (/^([0-9a-f]{8})?$/.test(value) ? value : null),
 };
 
+/** A model file on the page's host; empty: the link names no file. */
+const modelFile: Setting<string> = {
+  key: model.key,
+  initial: "",
+  read: (text) => (model.limit(text) === null ? text : null),
+  write: (value) => value,
+  limit: (value) => value,
+};
+
+/** A model in the link itself (links/packed-model.ts); empty: there is none. */
+const packedModel: Setting<string> = {
+  key: "packed",
+  initial: "",
+  read: (text) => text,
+  write: (value) => value,
+  limit: (value) => value,
+};
+
 const reading: Setting<Reading> = {
   key: "reading",
   // In this reading uncoupled parts fall out of step; as learned, they stop (docs/couplings.md).
@@ -337,6 +355,8 @@ export const SETTINGS = {
   /** The frame of that sequence where the motion begins. */
   startFrame: whole("frame", 0, 0, 99_999),
   model,
+  // After `model`: the address then names the file.
+  modelFile,
   reading,
   alpha: changedCouplings,
   plot: choice("plot", "2d", ["2d", "3d"] as const),
@@ -358,6 +378,8 @@ export const SETTINGS = {
   drawn: whole("draw", 0, 0, 4294967295),
   /** Whether the first part drives the second. */
   driving: flag("driving", true),
+  // The last and longest part of an address.
+  packedModel,
 };
 
 export type Settings = {
@@ -400,7 +422,12 @@ export function writeSettings(settings: Settings): string {
     if (text !== row.write(row.initial)) given.set(row.key, text);
   }
   if (given.size === 0) given.set(SETTINGS.view.key, settings.view);
-  return given.toString().replace(/%3A/gi, ":").replace(/%2C/gi, ",").replace(/%3B/gi, ";");
+  return given
+    .toString()
+    .replace(/%3A/gi, ":")
+    .replace(/%2C/gi, ",")
+    .replace(/%3B/gi, ";")
+    .replace(/%2F/gi, "/");
 }
 
 /** These values within the limits of their settings, without invalid ones. */

@@ -1,0 +1,137 @@
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { FakeEngine, FakeTrainers, modelText, settled, started } from "../engine/engine.fake";
+import { packed } from "../links/packed-model";
+import { FakeAddressBar } from "../settings/address.fake";
+import { visitor } from "../unsaved/choice-dialog.fake";
+import { App } from "./app";
+
+vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));
+
+let bar: FakeAddressBar;
+let app: App;
+let fetchedFirst: number;
+
+/** Opens the page at an address. */
+async function open(fragment: string): Promise<void> {
+  bar = new FakeAddressBar(fragment);
+  app = new App(bar, false);
+  fetchedFirst = 0;
+  await app.words.load("en");
+  await app.start(
+    async () => started(new FakeEngine(), new FakeTrainers(1)),
+    async () => {
+      fetchedFirst += 1;
+      return modelText(1);
+    },
+  );
+  await settled();
+}
+
+/** Follows a link, and waits until its model is open or refused. */
+async function follow(fragment: string): Promise<void> {
+  bar.pages.push(fragment);
+  const before = app.notices.all.length;
+  const text = app.model.openedText;
+  app.followAddress();
+  await vi.waitFor(() => expect(app.notices.all.length > before || app.model.openedText !== text).toBe(true));
+  await vi.waitFor(() => expect(app.settings.address.fragment).toBe(bar.read()));
+}
+
+const notices = () => app.notices.all.map(({ title, text }) => `${title}: ${text}`);
+
+beforeEach(() => {
+  Object.assign(globalThis, { document: { documentElement: { lang: "" }, baseURI: "https://a.org/p/" } });
+  vi.unstubAllGlobals();
+});
+
+describe("the address of the first visit", () => {
+  it("opens the model in it, with its couplings, and asks for no other", async () => {
+    const link = await packed(modelText(9));
+    await open(`alpha=0.1:50&packed=${link}`);
+    expect([app.model.openedText, app.model.couplings.alpha[0]?.[1], fetchedFirst]).toEqual([
+      modelText(9),
+      50,
+      0,
+    ]);
+    expect(bar.read()).toContain(`packed=${link}`);
+    expect(notices()).toEqual([]);
+  });
+
+  it("says what is wrong with a link, and opens the page's model without the link's couplings", async () => {
+    const link = await packed(modelText(9));
+    await open(`alpha=0.1:50&latent=2&packed=${link.slice(0, -1)}`);
+    expect(notices()).toEqual([
+      expect.stringMatching(
+        /^The model of this link was not opened: Expected \d+ characters of a packed model, found \d+: the link was cut off or changed on its way\.$/,
+      ),
+    ]);
+    expect([app.model.openedText, app.model.couplings.altered, fetchedFirst]).toEqual([null, false, 1]);
+    await vi.waitFor(() => expect(bar.read()).toBe("latent=2"));
+  });
+
+  it("repeats the words of the reader about a document that is no model", async () => {
+    await open(`packed=${await packed('"no model"')}`);
+    expect(notices()).toEqual(["The model of this link was not opened: Expected a model."]);
+    expect(app.model.openedText).toBe(null);
+  });
+
+  it("opens a file of its host", async () => {
+    const fetched = vi.fn(async () => new Response(modelText(7)));
+    vi.stubGlobal("fetch", fetched);
+    await open("model=models/seven.json&alpha=0.1:50");
+    expect(fetched.mock.calls).toEqual([["https://a.org/p/models/seven.json", { redirect: "error" }]]);
+    expect([app.model.openedText, app.model.couplings.alpha[0]?.[1]]).toEqual([modelText(7), 50]);
+  });
+
+  it("asks no other host for a file", async () => {
+    const fetched = vi.fn();
+    vi.stubGlobal("fetch", fetched);
+    await open("model=https://b.org/seven.json");
+    expect(fetched).not.toHaveBeenCalled();
+    expect(notices()).toEqual([
+      "The model of this link was not opened: Expected the name of a JSON file on the host of this page, found “https://b.org/seven.json”.",
+    ]);
+  });
+});
+
+describe("a link that is followed", () => {
+  it("replaces the model and its couplings", async () => {
+    await open("alpha=0.1:3");
+    await follow(`packed=${await packed(modelText(9))}`);
+    expect([app.model.openedText, app.model.couplings.altered]).toEqual([modelText(9), false]);
+  });
+
+  it("changes nothing when it is damaged", async () => {
+    await open("alpha=0.1:3&view=compare");
+    const link = (await packed(modelText(9))).replace(/.{4}$/, "AAAA");
+    await follow(`alpha=0.1:7&packed=${link}`);
+    expect(notices()).toEqual([expect.stringContaining("Expected a packed model whose check number fits")]);
+    expect([app.model.openedText, app.model.couplings.alpha[0]?.[1], app.settings.values.view]).toEqual([
+      null,
+      3,
+      "compare",
+    ]);
+    await vi.waitFor(() => expect(bar.read()).toMatch(/^(?=.*alpha=0\.1:3)(?!.*packed)/));
+  });
+
+  it("changes nothing when the visitor keeps the model that was made here", async () => {
+    await open("");
+    await app.model.open(modelText(5));
+    app.model.markMadeHere();
+    visitor.arrives("keep");
+    bar.pages.push(`packed=${await packed(modelText(9))}`);
+    app.followAddress();
+    await vi.waitFor(() => expect(visitor.asked.length).toBeGreaterThan(0));
+    await vi.waitFor(() => expect(bar.read()).not.toContain("packed"));
+    expect(app.model.openedText).toBe(modelText(5));
+  });
+
+  it("stays in the address until another model is opened", async () => {
+    await open(`packed=${await packed(modelText(9))}`);
+    app.model.couplings.set(0, 1, 20);
+    await vi.waitFor(() => expect(bar.read()).toMatch(/alpha=0\.1:20&packed=1\./));
+    expect(app.stateFragment).not.toContain("packed");
+    await app.model.open(modelText(5));
+    await vi.waitFor(() => expect(bar.read()).not.toContain("packed"));
+  });
+});

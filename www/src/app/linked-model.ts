@@ -1,0 +1,69 @@
+// Opens the model that an address brings: in itself, or in a file of the page's host. Loaded at the first use.
+import type { ModelStore } from "../couplings/model-store";
+import { stageWork } from "../couplings/model-work";
+import type { EngineStore } from "../engine/engine-store";
+import { textOfFile } from "../links/model-file";
+import { unpacked } from "../links/packed-model";
+import { LinkError } from "../links/problem";
+import { readSettings, type Settings } from "../settings/settings";
+import type { SettingsStore } from "../settings/settings-store";
+import type { TrainingStore } from "../training/training-store";
+import { messageOf, sentence } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
+import { mayLose } from "../unsaved/unsaved";
+import { lab } from "../words/lab";
+import { linkWords } from "../words/links";
+import type { WordsStore } from "../words/words";
+
+interface Stores {
+  words: WordsStore;
+  settings: SettingsStore;
+  engine: EngineStore;
+  model: ModelStore;
+  training: TrainingStore;
+  notices: NoticesStore;
+  takeMoment(): void;
+}
+type Brought = Pick<Settings, "modelFile" | "packedModel">;
+
+const documentOf = ({ modelFile, packedModel }: Brought) =>
+  packedModel === "" ? textOfFile(modelFile) : unpacked(packedModel);
+
+async function say({ words, notices }: Stores, problem: unknown): Promise<void> {
+  const section = linkWords(words);
+  await section.load();
+  const { notOpened, problems } = section.now;
+  const why = problem instanceof LinkError ? problems(problem.problem) : sentence(messageOf(problem));
+  notices.addError(notOpened, why);
+}
+
+/** Opens the model of the first address. Returns false when the page's own model has to take its place. */
+export async function openFirst(app: Stores): Promise<boolean> {
+  const { settings, model } = app;
+  try {
+    await model.openLinked(await documentOf(settings.values), () => {});
+    return true;
+  } catch (problem) {
+    // Couplings and start of the link belong to its model.
+    settings.change({ modelFile: "", packedModel: "", model: "", alpha: {}, start: 0, startFrame: 0 });
+    await say(app, problem);
+    return false;
+  }
+}
+
+/** Opens the model of an address that the visitor has followed. After a problem everything is as before. */
+export async function follow(app: Stores, fragment: string): Promise<void> {
+  const { settings, model, training } = app;
+  const stay = () => settings.address.writeSoon(settings.written);
+  try {
+    const text = await documentOf(readSettings(fragment));
+    if (training.busy) throw new Error(lab().files.trainingRuns);
+    if (!(await mayLose(stageWork(model, app.engine)))) return stay();
+    await model.openLinked(text, () => settings.takeFragment(fragment));
+    training.unchoose();
+    app.takeMoment();
+  } catch (problem) {
+    stay();
+    await say(app, problem);
+  }
+}

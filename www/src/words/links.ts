@@ -1,0 +1,11 @@
+// The words about links that bring a model. They load at their first use.
+import type { LinkWords } from "./en/links";
+import { SectionWords } from "./section";
+import type { WordsStore } from "./words";
+
+/** The words in the language of the page; load them first. */
+export const linkWords = (words: WordsStore) =>
+  new SectionWords<LinkWords>(words, {
+    en: async () => (await import("./en/links")).links,
+    de: async () => (await import("./de/links")).links,
+  });
