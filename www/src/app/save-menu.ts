@@ -1,4 +1,4 @@
-// The menu Save: the motion on the stage in several formats, and the model.
+// The menu Save: the motion on the stage in several formats, the model, and its link.
 import { html, nothing } from "lit";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
@@ -45,6 +45,11 @@ export class SaveMenu extends View {
         <span>${title}<small>${instead ?? about}</small></span><small>${kind}</small></button>`;
   }
 
+  #share(): void {
+    this.querySelector<HTMLElement>("#save-menu")?.hidePopover();
+    this.dispatchEvent(new CustomEvent("share", { bubbles: true }));
+  }
+
   protected override render() {
     const { engine, model } = this.app;
     const clip = clipOnStage(this.app);
@@ -63,6 +68,7 @@ export class SaveMenu extends View {
         ${this.#item("latents", "CSV", hasModel && !clip, noRollout)}
         ${this.#item("account", "JSON", hasModel && !clip, noRollout)}
         ${this.#item("model", "JSON", hasModel)}
+        <button data-testid="share" ?disabled=${!hasModel} @click=${this.#share}><span>${words.share.title}<small>${words.share.about}</small></span><small>URL</small></button>
       </div>`;
   }
 }

@@ -1,14 +1,21 @@
-// A dialog with the QR code and the link of a state of the page.
+// The dialog "Share": the link of a state of the page, with the model in it or without, its QR code, and the
+// line for a frame in another page.
 import { html, nothing, render } from "lit";
 import type { App } from "../app/app";
+import { packed } from "../links/packed-model";
+import { LinkError } from "../links/problem";
 import "../ui/dialog.css";
+import { messageOf } from "../ui/format";
 import { icon } from "../ui/icons";
+import { linkWords } from "../words/links";
 import { teachWords } from "../words/teach";
-import { addressOf, codeOf } from "./code";
+import { addressOf, codeOf, frameLine, LONGEST_CODE } from "./code";
 import "./code.css";
 
 /** Hosts that no other machine can reach. */
 const LOCAL = /^(localhost|127\.|\[::1\]|$)/;
+/** Characters of a link that are shown. */
+const SHOWN = 120;
 
 /** The code as a picture, dark on white. */
 export function codePicture(address: string, label: string) {
@@ -16,34 +23,90 @@ export function codePicture(address: string, label: string) {
   return html`<svg class="code-picture" role="img" aria-label=${label} viewBox="0 0 ${side} ${side}" shape-rendering="crispEdges"><path d=${path}></path></svg>`;
 }
 
+const shortened = (address: string) => (address.length > SHOWN ? `${address.slice(0, SHOWN)}…` : address);
+
+/** `fragment`: the state without a model in it. */
 export async function showCode(app: App, fragment: string): Promise<void> {
   if (document.querySelector(".code-dialog")) return;
-  const section = teachWords(app.words);
-  await section.load();
-  const { code, exercises } = section.now;
-  const address = addressOf(fragment);
+  const [teach, links] = [teachWords(app.words), linkWords(app.words)];
+  await Promise.all([teach.load(), links.load()]);
+  const { code, exercises } = teach.now;
+  const words = links.now;
   const dialog = document.createElement("dialog");
   dialog.className = "code-dialog";
   dialog.setAttribute("aria-labelledby", "code-title");
   dialog.dataset.testid = "code";
-  const copy = async ({ currentTarget }: Event) => {
-    const button = currentTarget as HTMLButtonElement;
-    await navigator.clipboard.writeText(address);
-    button.textContent = code.copied;
+
+  const { engine } = app.engine;
+  const hasModel = app.isPlayView && engine !== null && app.model.model !== null;
+  /** Why no link with the model can be made. */
+  let problem = "";
+  let withModel = false;
+  /** The fragment with the model in it; null: it is not made yet. */
+  let carrying: string | null = null;
+
+  async function carryModel(on: boolean): Promise<void> {
+    withModel = on;
+    draw();
+    if (!on || !engine || carrying !== null) return;
+    try {
+      carrying = app.fragmentWith(await packed(await engine.modelJson()));
+    } catch (thrown) {
+      const long = thrown instanceof LinkError && thrown.problem.what === "long" ? thrown.problem : null;
+      problem = long ? words.tooLong(long.most, long.found) : messageOf(thrown);
+    }
+    draw();
+  }
+
+  const copy = (text: string) => async (event: Event) => {
+    const button = event.currentTarget as HTMLButtonElement;
+    const said = await navigator.clipboard?.writeText(text).then(
+      () => code.copied,
+      () => code.notCopied,
+    );
+    button.textContent = said ?? code.notCopied;
   };
-  render(
-    html`
-    <div class="dialog-body">
-      <header><h2 id="code-title">${code.title}</h2>
-        <button class="round" aria-label=${code.close} title=${code.close} @click=${() => dialog.close()}>${icon("close")}</button></header>
-      ${codePicture(address, exercises.code)}
-      <p class="code-address"><a href=${address} data-testid="code-address" @click=${() => dialog.close()}>${address}</a></p>
+
+  const choice = () => html`
+    <label class="check"><input type="checkbox" data-testid="with-model" .checked=${withModel}
+      @change=${({ target }: Event) => void carryModel((target as HTMLInputElement).checked)} />
+      <span>${words.withModel} <small>${words.withModelMeaning}</small></span></label>`;
+
+  function link(fragment: string) {
+    const address = addressOf(fragment);
+    const line = frameLine(addressOf(fragment, "?embed"), words.frameTitle);
+    const isLong = address.length > LONGEST_CODE;
+    return html`
+      ${isLong ? html`<p data-testid="no-code">${words.length(address.length)} ${words.noCode(LONGEST_CODE)}</p>` : codePicture(address, exercises.code)}
+      <p class="code-address"><a href=${address} data-testid="code-address" @click=${() => dialog.close()}>${shortened(address)}</a></p>
       ${LOCAL.test(location.hostname) ? html`<p class="hint">${code.local}</p>` : nothing}
-      ${app.isLab && app.model.openedText !== null ? html`<p class="hint">${code.model}</p>` : nothing}
-      <div class="button-row"><button class="small" data-testid="copy-address" @click=${(event: Event) => void copy(event)}>${code.copy}</button></div>
-    </div>`,
-    dialog,
-  );
+      <div class="button-row"><button class="small" data-testid="copy-address" @click=${copy(address)}>${code.copy}</button></div>
+      <details class="code-frame"><summary>${words.frame}</summary>
+        <textarea readonly rows="3" aria-label=${words.frame} data-testid="frame-line" .value=${line}></textarea>
+        <div class="button-row"><button class="small" @click=${copy(line)}>${words.copyFrame}</button></div></details>`;
+  }
+
+  function content() {
+    if (!withModel) return link(fragment);
+    if (problem !== "") return html`<p role="alert" data-testid="no-link">${problem}</p>`;
+    return carrying === null ? html`<p role="status">${words.making}</p>` : link(carrying);
+  }
+
+  function draw(): void {
+    render(
+      html`
+      <div class="dialog-body">
+        <header><h2 id="code-title">${code.title}</h2>
+          <button class="round" aria-label=${code.close} title=${code.close} @click=${() => dialog.close()}>${icon("close")}</button></header>
+        ${hasModel ? choice() : nothing}
+        ${content()}
+      </div>`,
+      dialog,
+    );
+  }
+
+  // Without its model, the link of a model that came from no link and no host brings nothing to others.
+  await carryModel(hasModel && app.model.openedText !== null && app.settings.values.modelFile === "");
   document.body.append(dialog);
   dialog.showModal();
   dialog.addEventListener("close", () => dialog.remove());

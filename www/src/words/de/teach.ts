@@ -140,11 +140,11 @@ export const teach: TeachWords = {
     open: "Den Test öffnen",
   },
   code: {
-    title: "Diese Ansicht",
+    title: "Teilen",
     copy: "Link kopieren",
     copied: "Kopiert.",
+    notCopied: "Der Browser erlaubt es nicht: Kopiere von Hand.",
     close: "Schließen",
     local: "Diese Adresse gilt nur auf diesem Gerät. Lege die Seite für eine Klasse auf einen Webspace.",
-    model: "Das Modell auf der Bühne steht in keinem Link: Die Klasse braucht seine Datei.",
   },
 };

@@ -140,12 +140,12 @@ export const teach = {
     open: "Open the test",
   },
   code: {
-    title: "This view",
+    title: "Share",
     copy: "Copy the link",
     copied: "Copied.",
+    notCopied: "The browser does not allow it: copy it by hand.",
     close: "Close",
     local: "This address works on this machine only. Put the page on a web space for a class.",
-    model: "The model on the stage is in no link: students need its file.",
   },
 };
 

@@ -1,0 +1,180 @@
+// Links that bring a model: in themselves, or in a file of the page's host.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, describe, it } from "node:test";
+import { at } from "../../scripts/run.mjs";
+import { barriers, openSite, ready, saved, soon } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+/** A model that is not the page's own: it has all its digits. */
+const model = {
+  name: "mine.json",
+  mimeType: "application/json",
+  buffer: readFileSync(at("www/first/model.json")),
+};
+
+/** A visitor with this model on the stage, one coupling changed, and a camera of their own. */
+async function visitorWithMine() {
+  const visitor = await site.visit({ settings: "alpha=0.1:3" });
+  const { page } = visitor;
+  await ready(page);
+  await page.getByTestId("open-model").setInputFiles(model);
+  // Another model has couplings of its own.
+  await page.waitForURL(/#view=play$/);
+  await page.evaluate(() => Object.assign(location, { hash: "alpha=0.1:0.05&camera=0.5,0.3,1.2" }));
+  await page.waitForURL(/#model=[0-9a-f]{8}&alpha=0\.1:0\.05$/);
+  return visitor;
+}
+
+/** The fragment of the link with the model in it. */
+async function linkOf(/** @type {Page} */ page) {
+  await page.getByTestId("save").click();
+  await page.getByTestId("share").click();
+  const withModel = page.getByTestId("with-model");
+  await withModel.setChecked(true);
+  const address = page.getByTestId("code-address");
+  await soon(async () => assert.match(`${await address.getAttribute("href")}`, /packed=/));
+  return new URL(`${await address.getAttribute("href")}`).hash.slice(1);
+}
+
+/** The numbers of the table of joint positions. */
+async function positions(/** @type {Page} */ page) {
+  const { text } = await saved(page, "save-positions");
+  const rows = text.trim().split("\r\n").slice(1);
+  return rows.flatMap((row) => row.split(",").slice(2).map(Number));
+}
+
+const apart = (/** @type {number[]} */ a, /** @type {number[]} */ b) => {
+  assert.equal(a.length, b.length);
+  return Math.max(...a.map((value, i) => Math.abs(value - (b[i] ?? Number.NaN))));
+};
+
+/** The link of a document that is right in length and check number. */
+async function packedText(/** @type {string} */ text) {
+  const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate"));
+  const data = Buffer.from(await new Response(stream).arrayBuffer()).toString("base64url");
+  return `1.${data.length}.${data}`;
+}
+
+describe("a link with the model in it", () => {
+  let link = "";
+  let frame = "";
+  /** @type {number[]} */
+  let moved = [];
+
+  it("is made by Share, which says that it is too long for a QR code, and shows one without the model", async () => {
+    const { page, problems, leave } = await visitorWithMine();
+    moved = await positions(page);
+    link = await linkOf(page);
+    assert.match(link, /^camera=0\.5,0\.3,1\.2&alpha=0\.1:0\.05&packed=1\.\d+\.[\w-]+$/);
+    assert.ok(link.length < 30_000, `${link.length} characters`);
+    assert.match(
+      await page.getByTestId("no-code").innerText(),
+      /2\d,\d{3} characters.*at most 2,331 characters/,
+    );
+    frame = await page.getByTestId("frame-line").inputValue();
+    assert.deepEqual(await barriers(page), []);
+    await page.getByTestId("with-model").setChecked(false);
+    await page.locator(".code-picture").waitFor();
+    assert.match(`${await page.getByTestId("code-address").getAttribute("href")}`, /#(?!.*packed)/);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("opens for another visitor, who sees the same motion from the same side, without a further request", async () => {
+    const { page, problems, leave } = await site.visit({ settings: link });
+    await ready(page);
+    await page.waitForLoadState("networkidle");
+    const asked = await page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => name));
+    const ownFiles =
+      /\/some\/where\/(assets\/[\w/-]+\.(js|css|wasm)|first\/walkers\.bin|unserved\.js|favicon\.svg|manifest\.webmanifest)$/;
+    assert.deepEqual(
+      asked.filter((address) => !ownFiles.test(address)),
+      [],
+    );
+    assert.ok(asked.length > 10);
+    const far = apart(await positions(page), moved);
+    // Experts inferred again from rounded sums.
+    assert.ok(far > 0 && far < 2e-3, `${far} m apart`);
+    const again = await linkOf(page);
+    assert.equal(again, link);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("moves in a sandboxed frame of another page", async () => {
+    assert.match(
+      frame,
+      /^<iframe src="[^"]+\?embed#[^"]+" title="[^"]+" [^>]*sandbox="allow-scripts allow-same-origin">/,
+    );
+    const { page, problems, leave } = await site.visit({ story: true });
+    await page.setContent(`<!doctype html><title>A page</title>${frame}`);
+    const inner = page.frameLocator("iframe");
+    await inner.locator("html[data-engine=ready]").waitFor({ timeout: 30_000 });
+    await inner.getByTestId("coupling-numbers").waitFor();
+    assert.equal(await inner.locator("pg-header").count(), 0);
+    const [, child] = page.frames();
+    const address = new URL(child?.url() ?? "");
+    assert.match(address.hash, /alpha=0\.1:0\.05&packed=1\./);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("says what is wrong when it is cut off, in German too, and changes nothing when it is followed", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "alpha=0.1:3", locale: "de" });
+    await ready(page);
+    const before = await positions(page);
+    await page.evaluate((cut) => Object.assign(location, { hash: cut }), link.slice(0, -500));
+    const notice = page.locator("pg-notices");
+    await notice.getByText(/Erwartet sind [\d.]+ Zeichen eines gepackten Modells, gefunden [\d.]+/).waitFor();
+    assert.deepEqual(await positions(page), before);
+    await page.waitForURL(/#(view=play&)?(model=[0-9a-f]{8}&)?alpha=0\.1:3$/);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("of a newer version gets the words of the reader of models, and the page opens its own model", async () => {
+    const document = JSON.parse(readFileSync(at("www/first/model.json"), "utf8"));
+    const newer = await packedText(JSON.stringify({ ...document, version: 99 }));
+    const { page, problems, leave } = await site.visit({ settings: `packed=${newer}` });
+    await ready(page);
+    const notice = page.locator("pg-notices");
+    assert.match(await notice.innerText(), /The model of this link was not opened\s+.*99/);
+    assert.ok((await positions(page)).length > 1000);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
+
+describe("a link to a file", () => {
+  it("opens the model of the page's own host", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "model=first/model.json&alpha=0.1:0.05" });
+    await ready(page);
+    assert.ok((await positions(page)).length > 1000);
+    assert.equal(await page.locator("pg-notices .notice").count(), 0);
+    await page.keyboard.press("q");
+    const address = `${await page.getByTestId("code-address").getAttribute("href")}`;
+    assert.match(address, /model=first\/model\.json&alpha=0\.1:0\.05$/);
+    await page.locator(".code-picture").waitFor();
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("asks no other host, and says what was expected", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "model=https://example.org/x.json" });
+    await ready(page);
+    await page
+      .getByText(/Expected the name of a JSON file on the host of this page, found “https:\/\/example/)
+      .waitFor();
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
