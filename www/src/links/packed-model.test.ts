@@ -3,6 +3,7 @@ import model from "../../first/model.json?raw";
 import { LARGEST_DOCUMENT } from "./bytes";
 import { LONGEST, packed, unpacked } from "./packed-model";
 import { LinkError } from "./problem";
+import { positions, trainedDocument } from "./trained-model.fake";
 
 /** What a link with this packed model says; null: it was unpacked. */
 const problem = (text: string) =>
@@ -37,6 +38,16 @@ it("brings a document back with seven digits, all fields, and symmetric matrices
       const precision = path.includes("u_covariance") ? 0.06 : 6e-7;
       expect(Math.abs(Number(found) - value), path).toBeLessThanOrEqual(precision * Math.abs(value));
     }
+  }
+});
+
+it("moves joints by less than 3 mm in ten seconds, also where other couplings infer experts again", async () => {
+  const document = await trainedDocument();
+  const back = await unpacked(await packed(document));
+  for (const factor of [0.05, 1, 100]) {
+    const [before, after] = [positions(document, factor), positions(back, factor)];
+    const apart = before.map((value, i) => Math.abs(value - (after[i] ?? Number.NaN)));
+    expect(Math.max(...apart), `factor ${factor}`).toBeLessThan(3e-3);
   }
 });
 

@@ -10,8 +10,8 @@ const FORM = "1";
 export const LONGEST = 200_000;
 
 /**
- * The sums from which experts are inferred again need more digits than other numbers: with 9, re-inferred
- * positions moved by up to 0.9 m, with 12 by at most 1.2 mm in ten seconds.
+ * The sums from which experts are inferred again need more digits than other numbers: with seven and nine, the
+ * joints of a re-inferred walk move by centimetres, with twelve by a millimetre (packed-model.test.ts).
  */
 const DIGITS = { u_covariance: 2, sum_psi2: 12, sum_psi1_mu: 12, other_precision: 12, other_b: 12 };
 
