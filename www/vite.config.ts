@@ -54,7 +54,7 @@ const isAsked = (file: string) =>
   );
 /** The whole program and the views that need it, when they are opened. */
 const isOnDemand = (file: string) =>
-  /\/src\/(comparison|experiment|figures)\/|\/src\/words\/((en|de)\/)?(compare|experiment)\.|\/training\/progress-|\/ui\/two-columns|\/pkg\/web\/|\/whole(-engine|-desk)?\.ts$/.test(
+  /\/src\/(comparison|experiment|figures)\/|\/src\/words\/((en|de)\/)?(compare|experiment)\.|\/training\/progress-|\/app\/any-model\.|\/ui\/two-columns|\/pkg\/web\/|\/whole(-engine|-desk)?\.ts$/.test(
     file,
   );
 /** The Lab, and what it shares with chapters of the story. A first visit loads none of it. */

@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { after, before, describe, it } from "node:test";
 import { AnimationMixer, PropertyBinding, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+import { at } from "../../scripts/run.mjs";
 import { dist } from "../../scripts/site.mjs";
 import { bvh } from "./clips.mjs";
 import {
@@ -254,4 +255,30 @@ describe("without a network", () => {
     await compare.waitFor({ timeout: 60_000 });
     await leave();
   });
+});
+
+it("a model of a kind without couplings moves on the stage, says so, and its motion is saved", async () => {
+  const { page, problems, leave } = await site.visit();
+  await ready(page);
+  const documents = at("crate/vcgpdm/tests/library/documents");
+  for (const [file, name] of [
+    ["tmp", "TMP"],
+    ["map-cgpdm", "MAP CGPDM"],
+    ["dmp-discrete", "DMP (discrete)"],
+    ["dmp-rhythmic", "DMP (rhythmic)"],
+  ]) {
+    await page.getByTestId("open-model").setInputFiles(join(documents, `${file}.json`));
+    const title = page.getByTestId("stage-title");
+    await title.getByText(`Made by a ${name}`, { exact: true }).waitFor({ timeout: 30_000 });
+    await page.getByText("A model without couplings").waitFor();
+    const motion = await saved(page, "save-motion");
+    assert.equal(motion.name, `${file}.bvh`);
+    assert.ok(frames(motion.text) > 100 && !/NaN|inf/i.test(motion.text));
+    const rows = (await saved(page, "save-positions")).text.trim().split("\r\n");
+    assert.equal(rows.length - 1, frames(motion.text));
+  }
+  await page.getByRole("button", { name: "Back to the model" }).click();
+  await page.getByText("Made by the model").waitFor();
+  assert.deepEqual(problems, []);
+  await leave();
 });

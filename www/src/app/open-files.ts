@@ -11,6 +11,8 @@ import { lab } from "../words/lab";
 
 /** In bytes. */
 const LONGEST_HEADER = 100_000;
+/** Models that the program of the first visit does not know: without coupling variances. */
+const OTHER_KIND = /"kind"\s*:\s*"(map-gpdm|map-cgpdm|tmp|dmp-discrete|dmp-rhythmic)"/;
 
 /**
  * Opens the files one after the other. A notice at the place of the drop says what failed; null: the notice
@@ -98,6 +100,8 @@ async function openJson(app: App, kind: DocumentKind, name: string, text: string
   } else if (kind === "series-model") {
     const { model } = await app.series.get();
     if (await model.open(text)) app.settings.change({ view: "series" });
+  } else if (OTHER_KIND.test(text)) {
+    await (await import("./any-model")).showAnyModel(app, name, text);
   } else {
     await openModel(app, text);
   }

@@ -55,7 +55,9 @@ export class SaveMenu extends View {
     const clip = clipOnStage(this.app);
     const hasModel = engine.engine !== null && model.rollout !== null;
     const words = lab().files;
-    const noRollout = clip ? words.modelFirst : undefined;
+    // A clip, or the motion of a model of another kind.
+    const isBehind = this.app.stage.clip !== null;
+    const noRollout = isBehind ? words.modelFirst : undefined;
     // Other views save their own files: the stage is not visible there.
     const { isPlayView } = this.app;
     return html`
@@ -65,8 +67,8 @@ export class SaveMenu extends View {
         ${this.#item("motion", "BVH", hasModel || clip !== null, clip ? words.motion.ofClip(clip.title) : undefined)}
         ${this.#item("glb", "GLB", hasModel || clip !== null)}
         ${this.#item("positions", "CSV", hasModel || clip !== null)}
-        ${this.#item("latents", "CSV", hasModel && !clip, noRollout)}
-        ${this.#item("account", "JSON", hasModel && !clip, noRollout)}
+        ${this.#item("latents", "CSV", hasModel && !isBehind, noRollout)}
+        ${this.#item("account", "JSON", hasModel && !isBehind, noRollout)}
         ${this.#item("model", "JSON", hasModel)}
         <button data-testid="share" ?disabled=${!hasModel} @click=${this.#share}><span>${words.share.title}<small>${words.share.about}</small></span><small>URL</small></button>
       </div>`;

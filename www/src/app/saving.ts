@@ -5,6 +5,7 @@ import type { Figure, JointInfo, Motion, PartSpec } from "../engine/protocol";
 import { download } from "../ui/download";
 import { messageOf } from "../ui/format";
 import type { App } from "./app";
+import { motionOnStage } from "./any-model";
 import { clipOnStage } from "./caption";
 import { motionName } from "./file-names";
 import { lab } from "../words/lab";
@@ -41,7 +42,7 @@ export async function save(app: App, what: Saved): Promise<void> {
 /** Null: there is nothing of this kind now. */
 function fileOf(app: App, what: Saved): File | null {
   if (what === "motion" || what === "glb" || what === "positions") {
-    const moved = movedClip(app) ?? movedModel(app);
+    const moved = movedClip(app) ?? movedOther(app) ?? movedModel(app);
     return moved && motionFile(moved, what);
   }
   const { engine } = app.engine;
@@ -87,6 +88,14 @@ function movedClip(app: App): StageMotion | null {
     motion: async () => content.motion,
     bvh: () => clips.clipBvh({ id: loaded.id, source, first, end }),
   };
+}
+
+/** Of a model without couplings. */
+function movedOther({ stage }: App): StageMotion | null {
+  const made = motionOnStage(stage);
+  if (!made) return null;
+  const { name, motion, bvh, ...body } = made;
+  return { name: plain(name) || made.kind, body, motion: async () => motion, bvh: async () => bvh };
 }
 
 function movedModel(app: App): StageMotion | null {

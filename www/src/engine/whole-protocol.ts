@@ -7,6 +7,7 @@ import type {
   FinishedJob,
   Job,
   MadeMovement,
+  ModelKind,
   Outcome,
   PartCompletion,
   PerceptionResults,
@@ -26,9 +27,12 @@ import type {
 import type { LibraryWorker } from "./library-protocol";
 import type {
   ClipsWorker,
+  Figure,
   Health,
+  JointInfo,
   Measures,
   Motion,
+  PartSpec,
   Report,
   RolloutRequest,
   Trainee,
@@ -302,10 +306,27 @@ export interface PerceptionWorker {
   makeStudy(request: StudyRequest): Promise<string>;
 }
 
+/** A motion that a model of any kind has made. */
+export interface MadeMotion {
+  kind: ModelKind;
+  figure: Figure;
+  joints: JointInfo[];
+  parts: PartSpec[];
+  motion: Motion;
+  /** The motion as BVH. */
+  bvh: string;
+}
+
+export interface AnyModelWorker {
+  /** The rollout of a model of any kind, from the start of its first sequence. */
+  rollOutAny(text: string, frames: number): MadeMotion;
+}
+
 /** All calls of a worker that runs the whole program. */
 export interface WholeWorker
   extends Trainee,
     ClipsWorker,
+    AnyModelWorker,
     ComparisonWorker,
     ExperimentWorker,
     UncertaintyWorker,

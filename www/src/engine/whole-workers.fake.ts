@@ -13,6 +13,7 @@ import type {
   FinishedJob,
   Job,
   CompletionRequest,
+  MadeMotion,
   ModelKind,
   Outcome,
   PartMoments,
@@ -61,6 +62,15 @@ export const clip = (id: number): TrainingClip => ({
   first: 0,
   end: 100,
 });
+
+/** The motion of a model of another kind, whose document has only its kind. */
+function made(text: string, frames: number): MadeMotion {
+  const { kind } = JSON.parse(text) as { kind: ModelKind };
+  const figure = { nodes: [{ joint: 0, parent: null, endSite: false }] };
+  const joints = [{ name: "hips", parent: null, channels: [] }];
+  const motion = { positions: new Float32Array(3 * frames), frames, nodes: 1, frameTime: 0.1 };
+  return { kind, figure, joints, parts: [{ name: "whole", joints: [0] }], motion, bvh: "HIERARCHY" };
+}
 
 const idOf = ({ candidate, heldOut, trainingTrials, seed }: Job) =>
   `${candidate.model} ${heldOut + 1} of ${trainingTrials} seed ${seed}`;
@@ -251,6 +261,7 @@ export class FakeProgram implements WholeWorkers {
       openOutlook: async (text) => {
         this.outlooks.push(text);
       },
+      rollOutAny: async (text, frames) => made(text, frames),
       complete: async (request) => {
         this.completions.push(request);
         failing();

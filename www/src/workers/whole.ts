@@ -3,6 +3,7 @@
 // are no body. No DOM.
 import init from "vcgpdm";
 import type { WholeWorker } from "../engine/whole-protocol";
+import { anyModelWorker } from "./any-model";
 import { clipsWorker } from "./clips";
 import { comparisonWorker } from "./evaluation";
 import { experimentWorker } from "./experiment";
@@ -16,6 +17,7 @@ import { uncertaintyWorker } from "./uncertainty";
 const worker: WholeWorker = {
   start: (wasm) => start(init, wasm),
   ...clipsWorker,
+  ...anyModelWorker,
   ...trainee,
   ...comparisonWorker,
   ...experimentWorker,

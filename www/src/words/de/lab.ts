@@ -74,6 +74,10 @@ export const lab: LabWords = {
     },
     rollout: "Ein [Rollout|rollout]",
     clip: "Clip",
+    otherKind: {
+      made: (kind) => `Gemacht von einem ${kind}`,
+      noCouplings: "Ein Modell ohne Kopplungen: Hier ändert nichts seine Bewegung",
+    },
     madeClip: "Ein Clip, von einem Programm gemacht: nicht das Modell",
     ownClip: "Ein Clip, wie aufgenommen: nicht das Modell",
     point: "Wofür ein Stützpunkt steht",

@@ -87,6 +87,10 @@ export const lab = {
       question: "do they keep step?",
     },
     rollout: "A [rollout|rollout]",
+    otherKind: {
+      made: (kind: string) => `Made by a ${kind}`,
+      noCouplings: "A model without couplings: nothing here changes its motion",
+    },
     clip: "Clip",
     madeClip: "A clip, made by a procedural walker: not the model",
     ownClip: "A clip, as it was recorded: not the model",
