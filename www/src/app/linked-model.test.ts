@@ -5,6 +5,12 @@ import { FakeAddressBar } from "../settings/address.fake";
 import { visitor } from "../unsaved/choice-dialog.fake";
 import { App } from "./app";
 
+// Its marks are drawn with the DOM.
+vi.mock("../figures/model-style", () => ({ modelStyle: () => ({ name: "TMP" }) }));
+vi.mock("../engine/whole-workers", async () => {
+  const { FakeProgram } = await import("../engine/whole-workers.fake");
+  return { wholeWorkers: () => new FakeProgram() };
+});
 vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));
 
 let bar: FakeAddressBar;
@@ -81,6 +87,18 @@ describe("the address of the first visit", () => {
     await open("model=models/seven.json&alpha=0.1:50");
     expect(fetched.mock.calls).toEqual([["https://a.org/p/models/seven.json", { redirect: "error" }]]);
     expect([app.model.openedText, app.model.couplings.alpha[0]?.[1]]).toEqual([modelText(7), 50]);
+  });
+
+  it("shows the motion of a model without couplings in front of the page's own model", async () => {
+    vi.stubGlobal(
+      "fetch",
+      vi.fn(async () => new Response('{"kind":"tmp"}')),
+    );
+    await open("model=walk.json");
+    await vi.waitFor(() => expect(app.stage.content?.caption?.title).toBe("Made by a TMP"));
+    expect([app.model.openedText, fetchedFirst]).toEqual([null, 1]);
+    await vi.waitFor(() => expect(bar.read()).toBe("model=walk.json"));
+    expect(notices()).toEqual([]);
   });
 
   it("asks no other host for a file", async () => {

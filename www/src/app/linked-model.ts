@@ -1,4 +1,5 @@
 // Opens the model that an address brings: in itself, or in a file of the page's host. Loaded at the first use.
+import type { StageStore } from "../stage/stage-store";
 import type { ModelStore } from "../couplings/model-store";
 import { stageWork } from "../couplings/model-work";
 import type { EngineStore } from "../engine/engine-store";
@@ -14,11 +15,13 @@ import { mayLose } from "../unsaved/unsaved";
 import { lab } from "../words/lab";
 import { linkWords } from "../words/links";
 import type { WordsStore } from "../words/words";
+import { hasNoCouplings } from "./model-kinds";
 
 interface Stores {
   words: WordsStore;
   settings: SettingsStore;
   engine: EngineStore;
+  stage: StageStore;
   model: ModelStore;
   training: TrainingStore;
   notices: NoticesStore;
@@ -37,11 +40,33 @@ async function say({ words, notices }: Stores, problem: unknown): Promise<void> 
   notices.addError(notOpened, why);
 }
 
+/** Shows the motion of a model without couplings. `name`: that of its file. */
+const show = async (app: Stores, name: string, text: string) =>
+  (await import("./any-model")).showAnyModel(app, name.split("/").at(-1) ?? "", text);
+
+function whenReady(engine: EngineStore, act: () => void): void {
+  const stop = engine.on(() => {
+    if (engine.state === "loading") return;
+    stop();
+    if (engine.state === "ready") act();
+  });
+}
+
 /** Opens the model of the first address. Returns false when the page's own model has to take its place. */
 export async function openFirst(app: Stores): Promise<boolean> {
   const { settings, model } = app;
+  const { modelFile } = settings.values;
   try {
-    await model.openLinked(await documentOf(settings.values), () => {});
+    const text = await documentOf(settings.values);
+    if (hasNoCouplings(text)) {
+      // Its motion moves in front of the page's own model.
+      whenReady(app.engine, () => {
+        settings.change({ modelFile });
+        show(app, modelFile, text).catch((problem: unknown) => say(app, problem));
+      });
+      return false;
+    }
+    await model.openLinked(text, () => {});
     return true;
   } catch (problem) {
     // Couplings and start of the link belong to its model.
@@ -57,6 +82,10 @@ export async function follow(app: Stores, fragment: string): Promise<void> {
   const stay = () => settings.address.writeSoon(settings.written);
   try {
     const text = await documentOf(readSettings(fragment));
+    if (hasNoCouplings(text)) {
+      await show(app, readSettings(fragment).modelFile, text);
+      return settings.takeFragment(fragment);
+    }
     if (training.busy) throw new Error(lab().files.trainingRuns);
     if (!(await mayLose(stageWork(model, app.engine)))) return stay();
     await model.openLinked(text, () => settings.takeFragment(fragment));

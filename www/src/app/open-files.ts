@@ -7,12 +7,11 @@ import { stageWork } from "../couplings/model-work";
 import { mayLose } from "../unsaved/unsaved";
 import type { DocumentKind } from "../engine/protocol";
 import type { App } from "./app";
+import { hasNoCouplings } from "./model-kinds";
 import { lab } from "../words/lab";
 
 /** In bytes. */
 const LONGEST_HEADER = 100_000;
-/** Models that the program of the first visit does not know: without coupling variances. */
-const OTHER_KIND = /"kind"\s*:\s*"(map-gpdm|map-cgpdm|tmp|dmp-discrete|dmp-rhythmic)"/;
 
 /**
  * Opens the files one after the other. A notice at the place of the drop says what failed; null: the notice
@@ -100,7 +99,7 @@ async function openJson(app: App, kind: DocumentKind, name: string, text: string
   } else if (kind === "series-model") {
     const { model } = await app.series.get();
     if (await model.open(text)) app.settings.change({ view: "series" });
-  } else if (OTHER_KIND.test(text)) {
+  } else if (hasNoCouplings(text)) {
     await (await import("./any-model")).showAnyModel(app, name, text);
   } else {
     await openModel(app, text);
