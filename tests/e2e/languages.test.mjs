@@ -95,8 +95,6 @@ function answers() {
 /** Texts of the library, which are English everywhere, such as titles and settings; the credit of the recordings; a function. */
 const OF_LIBRARY = [
   /^Walk/,
-  /^(Whole|Lower and upper) body$/,
-  /^(Body|Legs), .*left arm, right arm$/,
   /^\w+ [XYZ]rotation/,
   /mocap\.cs\.cmu\.edu/,
   /^MAP C?GPDM$/,
@@ -196,6 +194,7 @@ describe("the Lab in German", () => {
       await ready(page);
       await page.getByTestId("preset-arms-go").click();
       await page.getByText("nicht im Gleichschritt").first().waitFor();
+      assert.match(await page.getByTestId("clock-period-0").innerText(), /^Unterkörper/);
       assert.match(await page.getByTestId("measured").innerText(), /schwingt 0,8\d × so weit/);
       await wordsOfTabs(page, async (tab) => {
         assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), viewport.width, tab);

@@ -10,7 +10,7 @@ import type { App } from "./app";
 import "./caption.css";
 import { healthWords } from "./health-words";
 import { type StageWords, stageWords } from "./stage-words";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 
 /** The clip on the stage; null: the model's motion is there. */
 export function clipOnStage({ clips, stage }: App): ClipEntry | null {
@@ -38,7 +38,7 @@ export function wordsNow(app: App): StageWords {
       text: effectText(
         reports.now,
         reports.learned,
-        parts.map(({ name }) => name),
+        parts.map(({ name }) => shownPart(name)),
       ),
       reading: reports.now.request.reading,
     },
@@ -52,7 +52,7 @@ export function wordsNow(app: App): StageWords {
 }
 
 function pointWords({ report }: PointingStore, parts: readonly { name: string }[]): string {
-  const name = (part: number) => parts[part]?.name ?? "";
+  const name = (part: number) => shownPart(parts[part]?.name ?? "");
   if (!report) return "";
   const { point } = report;
   const { posePoint, stepPoint } = lab().stage;

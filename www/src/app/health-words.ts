@@ -3,7 +3,7 @@
 import { troubleText } from "../couplings/measures-text";
 import type { BodyReport } from "../engine/protocol";
 import { sentence } from "../ui/format";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 
 /** The motion on the stage. */
 interface StageMotion {
@@ -16,7 +16,7 @@ interface StageMotion {
 
 /** One sentence; empty for a healthy motion. */
 export function healthWords(health: BodyReport["health"], { seconds, parts, altered }: StageMotion): string {
-  const names = parts.map(({ name }) => name);
+  const names = parts.map(({ name }) => shownPart(name));
   const words = troubleText(health, names);
   // The measured motion may be longer than the shown one.
   if (!words || (health.from ?? 0) >= seconds) return "";

@@ -11,7 +11,7 @@ import { View } from "../ui/view";
 import type { ComparisonStore } from "./comparison-store";
 import { modelStyle } from "../figures/model-style";
 import { type CompareWords, compareWords } from "../words/compare";
-import { lab } from "../words/lab";
+import { lab, shownPart, shownSplit } from "../words/lab";
 
 /** The settings with a label. */
 type FieldName = Exclude<keyof CompareWords["fields"], "byHand" | "growthNeeds" | "growthTimes">;
@@ -134,13 +134,13 @@ export class ComparisonChoices extends View {
     const { settings, comparison, clips } = this;
     const [clip] = clips.ticked;
     const { parts } = settings.values;
-    const names = clips.parts.map(({ name }) => name).join(", ");
+    const names = clips.parts.map(({ name }) => shownPart(name)).join(", ");
     const words = compareWords().fields;
     return html`
       <label class="field wide" title=${words.parts.hint}><span>${words.parts.label}</span>
         <select data-testid="compare-parts" ?disabled=${comparison.busy || !clip}
           @change=${(event: Event) => settings.change({ parts: (event.target as HTMLSelectElement).value })}>
-          ${(clip?.loaded.info.presets ?? []).map(({ id, title }) => html`<option value=${id} ?selected=${id === parts}>${title}</option>`)}
+          ${(clip?.loaded.info.presets ?? []).map((preset) => html`<option value=${preset.id} ?selected=${preset.id === parts}>${shownSplit(preset)}</option>`)}
           ${parts === BY_HAND ? html`<option value=${BY_HAND} selected>${words.byHand(names)}</option>` : nothing}
         </select>
       </label>`;

@@ -9,6 +9,7 @@ import { View } from "../ui/view";
 import { completingWords } from "../words/completing";
 import "./completing.css";
 import type { CompletingStore } from "./completing-store";
+import { shownPart } from "../words/lab";
 
 export class CompletingView extends View {
   declare completing: CompletingStore;
@@ -25,7 +26,7 @@ export class CompletingView extends View {
     const place = this.model.model?.info.parts.findIndex(({ name }) => name === part) ?? 0;
     return html`
       <p class="limbs" data-testid="completed-${place}" style=${partStyle(partColour(place))}>
-        <i class="swatch"></i>${error(part, ratio({ mse, mseMeanPose }))}${afterCut ? html`, ${after(ratio(afterCut))}` : nothing}
+        <i class="swatch"></i>${error(shownPart(part), ratio({ mse, mseMeanPose }))}${afterCut ? html`, ${after(ratio(afterCut))}` : nothing}
       </p>`;
   }
 
@@ -50,7 +51,7 @@ export class CompletingView extends View {
     const chips = parts.map(
       ({ name }, place) => html`
         <button class="chip" type="button" aria-pressed=${place === part ? "true" : "false"} data-testid="given-${place}"
-          style=${partStyle(partColour(place))} @click=${() => completing.give(place)}>${name}</button>`,
+          style=${partStyle(partColour(place))} @click=${() => completing.give(place)}>${shownPart(name)}</button>`,
     );
     return html`
       <p class="hint">${words.about}</p>

@@ -12,7 +12,7 @@ import { type Arrow, type Body, bodyOf, bowBetween, HEIGHT, loopAt, NODE, WIDTH 
 import type { ModelStore } from "./model-store";
 import { alphaOf, placeOf, STRONGEST, strengthOf, WEAKEST } from "./strength";
 import { weights, weightText } from "./weights";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 
 /** Pixels of drag for a factor of ten in alpha. */
 const DECADE = 50;
@@ -133,7 +133,7 @@ export class BodyMap extends View {
   }
 
   #names({ source, target }: Coupling): string {
-    const name = (part: number) => this.model.model?.info.parts[part]?.name ?? "";
+    const name = (part: number) => shownPart(this.model.model?.info.parts[part]?.name ?? "");
     const { drives, itself } = lab().couplings;
     return drives(name(source), source === target ? itself : name(target));
   }

@@ -17,7 +17,7 @@ import "./presets-view";
 import type { ReadingsStore } from "./readings-store";
 import "./readings-view";
 import "./weight-bar";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 
 export class CouplingsView extends View {
   declare model: ModelStore;
@@ -36,7 +36,7 @@ export class CouplingsView extends View {
       html`<pg-weight-bar .model=${this.model} .target=${target}></pg-weight-bar>`;
     return couplingsTable({
       couplings: this.model.couplings,
-      parts: info.parts.map(({ name }) => name),
+      parts: info.parts.map(({ name }) => shownPart(name)),
       ...(info.parts.length > 1 ? { above: bar } : {}),
     });
   }

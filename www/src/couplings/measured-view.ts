@@ -10,7 +10,7 @@ import "./measured-view.css";
 import type { ModelStore } from "./model-store";
 import { readingText } from "./reading-text";
 import type { ReadingsStore } from "./readings-store";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 
 export class MeasuredView extends View {
   declare model: ModelStore;
@@ -24,7 +24,7 @@ export class MeasuredView extends View {
   protected override render() {
     const { reports, isCurrent } = this.body;
     if (!reports) return nothing;
-    const names = (this.model.model?.info.parts ?? []).map(({ name }) => name);
+    const names = (this.model.model?.info.parts ?? []).map(({ name }) => shownPart(name));
     const { parts, step, trouble } = measuresText(reports.now, reports.learned, names);
     const which = this.readings.bothShown ? readingText(reports.now.request.reading) : "";
     const end = [

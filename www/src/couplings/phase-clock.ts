@@ -6,6 +6,7 @@ import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import "./phase-clock.css";
 import type { PhasesStore } from "./phases-store";
+import { shownPart } from "../words/lab";
 
 /** Half the width of the clock in its own units, and the length of a hand. */
 const HALF = 50;
@@ -82,7 +83,7 @@ export class PhaseClock extends View {
       <ul class="clock-periods" data-testid="clock-periods" data-current=${isCurrent ? "yes" : "no"}>
         ${parts.map(({ name }, part) => {
           const period = this.phases.period(part);
-          return html`<li data-testid="clock-period-${part}" style=${partStyle(partColour(part))}><i class="swatch"></i>${this.names?.[part] ?? name}
+          return html`<li data-testid="clock-period-${part}" style=${partStyle(partColour(part))}><i class="swatch"></i>${this.names?.[part] ?? shownPart(name)}
             <b>${period === "still" ? words.still : period === null ? "…" : words.seconds(period)}</b></li>`;
         })}
         ${step ? html`<li data-testid="clock-step" data-step=${step}>${words.step[step]}</li>` : nothing}

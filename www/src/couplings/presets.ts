@@ -4,7 +4,7 @@ import startPresets from "../../first/presets.json";
 import type { ModelView, Reading } from "../engine/protocol";
 import { type ChangedCouplings, limited } from "../settings/settings";
 import { isClose } from "./couplings-store";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 
 export interface Preset {
   id: string;
@@ -34,7 +34,7 @@ export const INVITATION = { preset: "arms-go" };
 /** The name of a preset and the meaning of its couplings, not their effect. */
 export function presetWords({ id, part }: Preset): { name: string; meaning: string } {
   const { start, learned, alone, follows } = lab().presets;
-  if (part) return id.endsWith("-alone") ? alone(part) : follows(part);
+  if (part) return id.endsWith("-alone") ? alone(shownPart(part)) : follows(shownPart(part));
   return (part === undefined && start[id]) || learned;
 }
 

@@ -6,7 +6,7 @@ import type { ModelStore } from "./model-store";
 import "./weight-bar.css";
 import { dividers, weightText } from "./weights";
 import { partStyle, styled } from "../ui/styled";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 
 /** How far a key moves a divider. */
 const STEPS: Record<string, number> = {
@@ -94,7 +94,7 @@ export class WeightBar extends View {
 
   protected override render() {
     const { model, target } = this;
-    const names = (model.model?.info.parts ?? []).map(({ name }) => name);
+    const names = (model.model?.info.parts ?? []).map(({ name }) => shownPart(name));
     const weights = model.couplings.weightsInto(target);
     const words = lab().couplings;
     const text = (source: number) => `${names[source]} ${weightText(weights[source] ?? 0)}`;

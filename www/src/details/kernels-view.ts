@@ -6,6 +6,7 @@ import { partColour } from "../ui/palette";
 import type { Kernels } from "./kernels";
 import { partStyle } from "../ui/styled";
 import { numbers as words } from "../words/numbers";
+import { shownPart } from "../words/lab";
 
 /** The name of a part with its colour. */
 export const partCell = (name: string, part: number) =>
@@ -40,7 +41,7 @@ export function kernelTables({ poses, experts, order }: Kernels) {
           </thead>
           <tbody>${poses.map(
             ({ part, variance, noise, lengthscales }, i) =>
-              html`<tr><th scope="row">${partCell(part, i)}</th>${numbers([variance, noise, ...lengthscales])}</tr>`,
+              html`<tr><th scope="row">${partCell(shownPart(part), i)}</th>${numbers([variance, noise, ...lengthscales])}</tr>`,
           )}</tbody>
         </table>
       </div>
@@ -57,7 +58,7 @@ export function kernelTables({ poses, experts, order }: Kernels) {
           </thead>
           <tbody>${experts.map(
             ({ source, target, coupling, lengthscales }) =>
-              html`<tr><th scope="row">${partCell(name(source), source)}</th><th scope="row">${partCell(name(target), target)}</th>
+              html`<tr><th scope="row">${partCell(shownPart(name(source)), source)}</th><th scope="row">${partCell(shownPart(name(target)), target)}</th>
               ${numbers([coupling, ...lengthscales])}</tr>`,
           )}</tbody>
         </table>

@@ -18,6 +18,7 @@ import "./details.css";
 import { type Kernels, kernelsOf } from "./kernels";
 import { kernelTables, partCell } from "./kernels-view";
 import { numbers as words } from "../words/numbers";
+import { shownPart } from "../words/lab";
 
 /** A clip on the stage. */
 type Clip = Pick<ClipEntry, "title" | "loaded" | "source" | "first" | "end">;
@@ -107,7 +108,7 @@ export class NumbersView extends View {
 
   #couplings() {
     const { couplings, model } = this.model;
-    const names = model?.info.parts.map(({ name }) => name) ?? [];
+    const names = model?.info.parts.map(({ name }) => shownPart(name)) ?? [];
     const pairs = names.flatMap((_, target) => names.map((__, source) => ({ source, target })));
     const { couplings: heads } = words();
     return html`

@@ -15,7 +15,7 @@ import { type PointingStore, samePoint } from "./pointing-store";
 import type { PushHandle } from "./push-handle";
 import { type Projection, principalAxes, type Turn } from "./projection";
 import { partStyle } from "../ui/styled";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 
 /** The inducing points that the plots show. */
 export interface Layers {
@@ -118,7 +118,7 @@ export class LatentPlot extends View {
     if (!model) return [];
     const part = this.bodyPart;
     const { parts, order } = model.info;
-    const name = (index: number) => parts[index]?.name ?? "";
+    const name = (index: number) => shownPart(parts[index]?.name ?? "");
     const marks: Mark[] = [];
     const words = lab().loops;
     parts.forEach((_, target) => {
@@ -298,7 +298,7 @@ export class LatentPlot extends View {
 
   protected override render() {
     const { pointing } = this;
-    const name = this.model.model?.info.parts[this.bodyPart]?.name ?? "";
+    const name = shownPart(this.model.model?.info.parts[this.bodyPart]?.name ?? "");
     const point = (to: InducingPoint | null) => () => pointing.pointAt(to);
     return html`
       <figure class="latent" style=${partStyle(partColour(this.bodyPart))}>

@@ -13,7 +13,7 @@ import "./live.css";
 import { type LiveStore, type Mark, SHOWN_SECONDS } from "./live-store";
 import { actionText, distanceLines, type Pieces, phaseLines } from "./strip";
 import "./wheel-view";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 
 /** The distance at the top of the chart, in radii. */
 const FARTHEST = 1.5;
@@ -40,7 +40,7 @@ export class LiveView extends View {
   }
 
   get #names(): string[] {
-    return this.model.model?.info.parts.map(({ name }) => name) ?? [];
+    return this.model.model?.info.parts.map(({ name }) => shownPart(name)) ?? [];
   }
 
   override updated(): void {

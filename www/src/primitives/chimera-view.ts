@@ -7,7 +7,7 @@ import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import type { LibraryStore } from "./library-store";
 import { type LockingStore, type LockingMap, STRENGTHS, TEMPOS } from "./locking-store";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 import { primitivesWords } from "../words/primitives";
 
 /** Steps of arrow keys in the map: tempos up, strengths to the right. */
@@ -40,7 +40,7 @@ export class ChimeraView extends View {
   }
 
   #name(part: number): string {
-    return this.library.current?.info.parts[part]?.name ?? "";
+    return shownPart(this.library.current?.info.parts[part]?.name ?? "");
   }
 
   #tempo(tempo: number, part: number) {
@@ -122,7 +122,7 @@ export class ChimeraView extends View {
     const parts = this.library.current?.info.parts ?? [];
     const choice = (label: string, chosen: number, other: number, take: (part: number) => void) => html`
       <label>${label} <select aria-label=${label} @change=${(event: Event) => take(Number((event.target as HTMLSelectElement).value))}>
-        ${parts.map(({ name }, part) => html`<option value=${part} ?selected=${part === chosen} ?disabled=${part === other}>${name}</option>`)}
+        ${parts.map(({ name }, part) => html`<option value=${part} ?selected=${part === chosen} ?disabled=${part === other}>${shownPart(name)}</option>`)}
       </select></label>`;
     const { leads, follows } = primitivesWords().chimera;
     return html`

@@ -1,5 +1,6 @@
 // The combinations of the primitives of a library, and their titles. No rendering, no worker.
 import type { LibraryInfo } from "../engine/library-protocol";
+import { shownPart } from "../words/lab";
 
 /** The indices of the primitives of a part. */
 export function primitivesOf({ primitives }: LibraryInfo, part: number): number[] {
@@ -30,7 +31,9 @@ export function recordedAs({ movements }: LibraryInfo, uses: readonly number[]):
 
 /** "lower: walk, upper: wave" */
 export function titleOf({ parts, primitives }: LibraryInfo, uses: readonly number[]): string {
-  return parts.map(({ name }, part) => `${name}: ${primitives[uses[part] ?? -1]?.name ?? ""}`).join(", ");
+  return parts
+    .map(({ name }, part) => `${shownPart(name)}: ${primitives[uses[part] ?? -1]?.name ?? ""}`)
+    .join(", ");
 }
 
 /** A recorded combination with the primitive, else the first combination with it. */

@@ -14,6 +14,7 @@ import "./small-figure-view";
 import type { LibraryStore } from "./library-store";
 import { originText } from "./origin-text";
 import { primitivesWords } from "../words/primitives";
+import { shownPart } from "../words/lab";
 
 export class DrawerView extends View {
   static override properties = { playing: {} };
@@ -48,14 +49,14 @@ export class DrawerView extends View {
     return html`
       <div class="primitive-box">
       <button class="primitive" draggable="true" aria-pressed=${on ? "true" : "false"} data-testid="primitive-${part}-${primitive}"
-        aria-label="${partName}: ${name}" title=${text}
+        aria-label="${shownPart(partName)}: ${name}" title=${text}
         @dragstart=${(event: DragEvent) => event.dataTransfer?.setData(DRAG_TYPE, String(primitive))}
         @click=${() => library.choose(part, primitive)}>
         <pg-small-figure .body=${library.body} .motion=${library.motionOf(exampleOf(info, primitive))} .accent=${part} .playing=${this.playing}></pg-small-figure>
         <span>${name}</span>
         ${origin.relearned ? html`<small>${words.relearned}</small>` : nothing}
       </button>
-      <button class="small quiet" data-testid="save-primitive-${part}-${primitive}" aria-label=${words.saveOf(partName, name)} title=${words.saveMeaning(text)}
+      <button class="small quiet" data-testid="save-primitive-${part}-${primitive}" aria-label=${words.saveOf(shownPart(partName), name)} title=${words.saveMeaning(text)}
         @click=${() => void this.#save(partName, name, primitive)}>${words.save}</button>
       </div>`;
   }
@@ -69,8 +70,8 @@ export class DrawerView extends View {
       <p class="hint">${words.about}</p>
       ${info.parts.map(
         ({ name }, part) => html`
-        <div class="drawer-part" role="group" aria-label=${words.of(name)} style=${partStyle(partColour(part))}>
-          <h3 class="part-name"><i class="swatch"></i>${name}</h3>
+        <div class="drawer-part" role="group" aria-label=${words.of(shownPart(name))} style=${partStyle(partColour(part))}>
+          <h3 class="part-name"><i class="swatch"></i>${shownPart(name)}</h3>
           <div class="drawer-cards">${primitivesOf(info, part).map((primitive) => this.#card(part, primitive))}</div>
         </div>`,
       )}`;

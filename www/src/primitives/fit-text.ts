@@ -2,7 +2,7 @@
 import { LARGEST_COUPLING } from "../engine/limits";
 import { sentence } from "../ui/format";
 import type { FittingStore } from "./fitting-store";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 import { primitivesWords } from "../words/primitives";
 
 type Fit = Pick<FittingStore, "busy" | "iteration" | "elapsed" | "ending" | "unexplained">;
@@ -17,5 +17,5 @@ export function fitText({ busy, iteration, elapsed, ending, unexplained }: Fit):
   if (!words) return { text: texts.fitAbout, failed };
   if (failed) return { text: sentence(words), failed };
   if (unexplained.length === 0) return { text: texts.fitted(sentence(words), elapsed), failed };
-  return { text: texts.unexplained(unexplained, LARGEST_COUPLING, elapsed), failed: true };
+  return { text: texts.unexplained(unexplained.map(shownPart), LARGEST_COUPLING, elapsed), failed: true };
 }

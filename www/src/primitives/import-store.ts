@@ -6,6 +6,7 @@ import { percent } from "../figures/numbers";
 import type { LibraryStore } from "./library-store";
 import { ProgressStore } from "../training/progress-store";
 import { primitivesWords } from "../words/primitives";
+import { shownPart } from "../words/lab";
 
 const MOST_ITERATIONS = 200;
 
@@ -104,7 +105,7 @@ function addedText(
   const fresh = info.primitives.slice(before?.primitives.length ?? 0);
   if (added === 0 || fresh.length === 0) return primitivesWords().imports.known;
   return primitivesWords().imports.added(
-    fresh.map(({ part, name }) => `${info.parts[part]?.name}: ${name}`).join(", "),
+    fresh.map(({ part, name }) => `${shownPart(info.parts[part]?.name ?? "")}: ${name}`).join(", "),
   );
 }
 

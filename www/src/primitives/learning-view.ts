@@ -6,6 +6,7 @@ import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import type { LearningClip, LearningStore } from "./learning-store";
 import { primitivesWords } from "../words/primitives";
+import { shownPart } from "../words/lab";
 
 export class LearningView extends View {
   declare learning: LearningStore;
@@ -33,8 +34,8 @@ export class LearningView extends View {
         @click=${() => learning.setShared(name, shared)}>${words}</button>`;
     const { drawer, learning: texts } = primitivesWords();
     return html`
-      <div class="learning-part" role="group" aria-label=${drawer.of(name)} style=${partStyle(partColour(part))}>
-        <span class="part-name"><i class="swatch"></i>${name}</span>
+      <div class="learning-part" role="group" aria-label=${drawer.of(shownPart(name))} style=${partStyle(partColour(part))}>
+        <span class="part-name"><i class="swatch"></i>${shownPart(name)}</span>
         <span class="segments">${choice(true, texts.same)}${choice(false, texts.own)}</span>
       </div>`;
   }

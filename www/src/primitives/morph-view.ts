@@ -6,6 +6,7 @@ import { View } from "../ui/view";
 import { primitivesOf } from "./combinations";
 import type { LibraryStore } from "./library-store";
 import { primitivesWords } from "../words/primitives";
+import { shownPart } from "../words/lab";
 
 export class MorphView extends View {
   declare library: LibraryStore;
@@ -25,7 +26,7 @@ export class MorphView extends View {
     if (other === undefined) return nothing;
     const share = mix?.share ?? 0;
     const name = (primitive: number) => info.primitives[primitive]?.name ?? "";
-    const title = info.parts[part]?.name ?? "";
+    const title = shownPart(info.parts[part]?.name ?? "");
     const words = primitivesWords().morph;
     return html`
       <div class="morph" style=${partStyle(partColour(part))}>

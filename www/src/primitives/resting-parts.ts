@@ -2,6 +2,7 @@
 import type { LibraryInfo, PartMotion } from "../engine/library-protocol";
 import { sentence } from "../ui/format";
 import { primitivesWords } from "../words/primitives";
+import { shownPart } from "../words/lab";
 
 /** Names the parts that rest under these couplings, with the reason; empty if all parts move. */
 export function restingPartsText(
@@ -10,7 +11,7 @@ export function restingPartsText(
   moves: readonly PartMotion[],
 ): string {
   const words = primitivesWords().couplings.rests;
-  const name = (part: number) => parts[part]?.name ?? "";
+  const name = (part: number) => shownPart(parts[part]?.name ?? "");
   const primitive = (part: number) => `${name(part)}: ${primitives[uses[part] ?? -1]?.name ?? ""}`;
   const why = ({ leader }: PartMotion, part: number): string => {
     if (!leader) return words.alone;

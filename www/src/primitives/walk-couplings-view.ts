@@ -9,7 +9,7 @@ import { fitText } from "./fit-text";
 import type { FittingStore } from "./fitting-store";
 import type { LibraryStore } from "./library-store";
 import { restingPartsText } from "./resting-parts";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 import { primitivesWords } from "../words/primitives";
 
 export class WalkCouplingsView extends View {
@@ -64,7 +64,7 @@ export class WalkCouplingsView extends View {
       <p class="hint">${words.about}</p>
       ${couplingsTable({
         couplings: library.couplings,
-        parts: parts.map(({ name }) => name),
+        parts: parts.map(({ name }) => shownPart(name)),
         trained: false,
         prefix: "walk-",
       })}

@@ -12,7 +12,7 @@ import { View } from "../ui/view";
 import { exampleOf } from "./combinations";
 import { DRAG_TYPE } from "./drag-type";
 import type { LibraryStore } from "./library-store";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 import { primitivesWords } from "../words/primitives";
 
 export class WalkView extends View {
@@ -118,7 +118,7 @@ export class WalkView extends View {
               @dragover=${(event: DragEvent) => accepts(event, part)} @dragleave=${() => {
                 this.over = null;
               }} @drop=${(event: DragEvent) => this.#drop(event, part)}>
-              <title>${name}: ${primitive}</title>
+              <title>${shownPart(name)}: ${primitive}</title>
               <circle class="slot-reach" cx=${spot.x} cy=${spot.y} r=${2.4 * NODE} />
               <circle class="map-node" cx=${spot.x} cy=${spot.y} r=${NODE} />
               <text x=${spot.x} y=${spot.y + 2.3 * NODE}>${primitive}</text>

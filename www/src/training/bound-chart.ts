@@ -6,7 +6,7 @@ import { onThemeChange } from "../ui/palette";
 import { View } from "../ui/view";
 import { termLines } from "./bound-lines";
 import type { TrainingStore } from "./training-store";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 import { partStyle } from "../ui/styled";
 
 export class BoundChart extends View {
@@ -42,7 +42,7 @@ export class BoundChart extends View {
   protected override render() {
     const { charted, learning, runs } = this.training;
     const last = charted?.steps.at(-1);
-    const parts = charted?.settings.parts.map(({ name }) => name) ?? [];
+    const parts = charted?.settings.parts.map(({ name }) => shownPart(name)) ?? [];
     const words = lab().learn.bound;
     // The line is too short for both.
     const phase = learning && last ? `, ${lab().learn.phases[last.phase]}` : "";

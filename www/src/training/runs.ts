@@ -2,7 +2,7 @@
 import { troubleText } from "../couplings/measures-text";
 import type { TermName } from "../terms/terms";
 import type { ClipSource, TrainedModel, TrainingProgress, TrainingSettings } from "../engine/protocol";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 
 export interface RunClip {
   id: number;
@@ -57,7 +57,7 @@ export function endOfMotion({ model, settings }: Pick<Run, "model" | "settings">
   const { motion } = lab().learn.ending;
   if (!health || health.state === "not-finite") return motion.breaksDown;
   if (health.state === "rests-as-recorded") return motion.rests;
-  const names = settings.parts.map(({ name }) => name);
+  const names = settings.parts.map(({ name }) => shownPart(name));
   const since = health.from === null ? "" : lab().measured.since(health.from);
   return health.state === "leaves-training-range" ? motion.farFromClips(since) : troubleText(health, names);
 }
@@ -114,9 +114,9 @@ function allColumns(): Column[] {
     {
       head: words.parts,
       meaning: words.parts,
-      text: ({ settings }) => settings.parts.map(({ name }) => name).join(", "),
+      text: ({ settings }) => settings.parts.map(({ name }) => shownPart(name)).join(", "),
       key: ({ settings }) =>
-        settings.parts.map(({ name, joints }) => runs.joints(name, joints.length)).join(", "),
+        settings.parts.map(({ name, joints }) => runs.joints(shownPart(name), joints.length)).join(", "),
     },
     count("Q", words.latent.label, ({ latent }) => latent, "latent-space"),
     count("K", words.dynamicsIps.label, ({ dynamicsIps }) => dynamicsIps, "dynamics-points"),

@@ -16,7 +16,7 @@ import "./bound-chart";
 import { isOver, secondsLeft, share } from "./runs";
 import "./training.css";
 import type { TrainingStore } from "./training-store";
-import { type LearnWords, lab } from "../words/lab";
+import { type LearnWords, lab, shownPart, shownSplit } from "../words/lab";
 import { timeLeft } from "./words";
 import { partStyle } from "../ui/styled";
 
@@ -64,14 +64,14 @@ export class TrainingView extends View {
       <div class="field wide">
         <span><pg-term of="part" text=${words.parts}></pg-term></span>
         <select data-testid="setting-parts" aria-label=${words.parts} ?disabled=${clips.locked || !clip} @change=${choose}>
-          ${presets.map(({ id, title }) => html`<option value=${id} ?selected=${id === chosen}>${title}</option>`)}
+          ${presets.map((preset) => html`<option value=${preset.id} ?selected=${preset.id === chosen}>${shownSplit(preset)}</option>`)}
           <option value=${BY_HAND} ?selected=${byHand}>${words.byHand}</option>
         </select>
       </div>
       <ul class="part-row" aria-label=${words.partsToTrain}>
         ${clips.parts.map(
           ({ name, joints }, part) => html`
-          <li style=${partStyle(partColour(part))}><i class="swatch"></i>${name} <small>${words.joints(joints.length)}</small></li>`,
+          <li style=${partStyle(partColour(part))}><i class="swatch"></i>${shownPart(name)} <small>${words.joints(joints.length)}</small></li>`,
         )}
       </ul>
       ${byHand && clip ? html`<pg-parts-editor .settings=${this.settings} .clips=${clips}></pg-parts-editor>` : nothing}`;

@@ -10,6 +10,22 @@ export const lab: LabWords = {
   files,
   learn,
   loops,
+  partNames: {
+    body: "Körper",
+    lower: "Unterkörper",
+    upper: "Oberkörper",
+    // The same joints as those of the lower body. A plural would need other verbs.
+    legs: "Unterkörper",
+    trunk: "Rumpf",
+    "left arm": "linker Arm",
+    "right arm": "rechter Arm",
+  },
+  splits: {
+    whole: "Ganzer Körper",
+    "lower-upper": "Unter- und Oberkörper",
+    "body-arms": "Körper, linker Arm, rechter Arm",
+    "legs-trunk-arms": "Unterkörper, Rumpf, linker Arm, rechter Arm",
+  },
   title: "Gekoppelte [Bewegungs\u00adprimitive|movement-primitive]",
   views: {
     play: "Labor",

@@ -25,6 +25,9 @@ export const lab = {
   files,
   learn,
   loops,
+  /** Names of parts, and titles of splits by their ids: those of the library, which are English already. */
+  partNames: {} as Readonly<Record<string, string>>,
+  splits: {} as Readonly<Record<string, string>>,
   title: "Coupled [movement primitives|movement-primitive]",
   views: {
     play: "Lab",
