@@ -236,7 +236,8 @@ export class App {
     };
     const started = () => startEngine(events);
     await this.engine.start(started, async () => {
-      if (text || !(await (await linked()).openFirst(this))) {
+      // The visitor may have followed a link since.
+      if (!this.settings.bringsModel || !(await (await linked()).openFirst(this))) {
         const first = await (text ?? firstModel());
         if (first !== null) await this.model.openStart(first);
       }

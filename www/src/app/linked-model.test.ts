@@ -113,6 +113,25 @@ describe("the address of the first visit", () => {
 });
 
 describe("a link that is followed", () => {
+  it("opens its model also before the page is ready", async () => {
+    bar = new FakeAddressBar("alpha=0.1:3");
+    app = new App(bar, false);
+    await app.words.load("en");
+    let begin = () => {};
+    const engine = new Promise<void>((resolve) => {
+      begin = resolve;
+    });
+    const over = app.start(
+      async () => engine.then(() => started(new FakeEngine(), new FakeTrainers(1))),
+      async () => modelText(1),
+    );
+    bar.pages.push(`packed=${await packed(modelText(9))}`);
+    app.followAddress();
+    begin();
+    await over;
+    expect([app.model.openedText, bar.read()]).toEqual([modelText(9), expect.stringContaining("packed=1.")]);
+  });
+
   it("replaces the model and its couplings", async () => {
     await open("alpha=0.1:3");
     await follow(`packed=${await packed(modelText(9))}`);
