@@ -22,7 +22,7 @@ import "./header";
 import "./lead";
 import type { HelpView } from "./help";
 import { openFiles, openModel } from "./open-files";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 import { loadNumbers } from "../words/numbers";
 import { languageSwitch } from "./language-switch";
 
@@ -272,7 +272,8 @@ export class PageView extends View {
     if (stage.clip !== null) import("../clips/trim-view").catch(() => {});
     return html`
       <section class="stage-area" aria-label=${words.now.frame.stage}>
-        <pg-stage .stage=${stage} .playback=${playback} .running=${isPlayView} .label=${lab().stage.figure}></pg-stage>
+        <pg-stage .stage=${stage} .playback=${playback} .running=${isPlayView} .label=${lab().stage.figure}
+          .legend=${{ label: lab().learn.settings.parts, nameOf: shownPart }}></pg-stage>
         <pg-caption .app=${this.app}></pg-caption>
         <pg-phase-clock .phases=${phases} .playback=${playback} .words=${lab().clock}></pg-phase-clock>
         ${stage.clip === null ? nothing : html`<pg-trim .clips=${clips} .stage=${stage} .playback=${playback}></pg-trim>`}

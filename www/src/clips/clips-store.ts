@@ -14,6 +14,7 @@ import type { StageStore } from "../stage/stage-store";
 import { clipTitle, messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import { partsFor } from "./parts";
+import { lab } from "../words/lab";
 
 /** Bytes. A larger file is no motion clip and would fill the memory. */
 export const LARGEST_FILE = 200e6;
@@ -269,7 +270,7 @@ export class ClipsStore extends Store {
 
   async #read(source: ClipSource): Promise<LoadedClip> {
     const { clips } = this.#engine;
-    if (!clips) throw new Error("The page is still getting ready; try again in a moment.");
+    if (!clips) throw new Error(lab().files.gettingReady);
     return this.#numbered(await clips.readClip(source));
   }
 

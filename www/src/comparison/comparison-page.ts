@@ -31,7 +31,7 @@ const NARROW = "(max-width: 759.98px)";
 /** The results that come with the page: all models on ten recorded walks. */
 async function recordedWalks(): Promise<string> {
   const answer = await fetch(new URL("comparison/walks.results.json", document.baseURI));
-  if (!answer.ok) throw new Error(`the host answered ${answer.status} for ${answer.url}`);
+  if (!answer.ok) throw new Error(lab().files.hostAnswered(answer.status, answer.url));
   return answer.text();
 }
 

@@ -1,4 +1,5 @@
 // A picture of a part of the page: a copy of its elements and styles that the browser draws.
+import { lab } from "../words/lab";
 
 const SIDES = ["top", "right", "bottom", "left"];
 
@@ -116,15 +117,13 @@ function heightAt(copy: HTMLElement, width: number): number {
 export async function pictureOf(element: HTMLElement, scale = 2, margin = 20): Promise<Blob> {
   const width = wholeWidth(element);
   const copy = styled(element) as HTMLElement | null;
-  if (!copy || width === 0) throw new Error("The figure is not on the page now.");
+  if (!copy || width === 0) throw new Error(lab().files.figures.notOnPage);
   copy.style.margin = "0";
   const height = heightAt(copy, width);
   const [fullWidth, fullHeight] = [width + 2 * margin, height + 2 * margin];
   const [across, down] = [Math.round(scale * fullWidth), Math.round(scale * fullHeight)];
   if (Math.max(across, down) > LARGEST) {
-    throw new Error(
-      `The picture would be ${across} by ${down} pixels, and a browser draws at most ${LARGEST} either way.`,
-    );
+    throw new Error(lab().files.figures.tooLarge(across, down, LARGEST));
   }
   const html = new XMLSerializer().serializeToString(copy);
   const drawing = `<svg xmlns="http://www.w3.org/2000/svg" width="${across}" height="${down}" viewBox="0 0 ${fullWidth} ${fullHeight}">
@@ -133,18 +132,18 @@ export async function pictureOf(element: HTMLElement, scale = 2, margin = 20): P
   // A canvas that has drawn a blob with foreign content cannot be read; a data URL is allowed.
   image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(drawing)}`;
   await image.decode().catch(() => {
-    throw new Error("The browser could not draw the figure.");
+    throw new Error(lab().files.figures.notDrawn);
   });
   const canvas = document.createElement("canvas");
   [canvas.width, canvas.height] = [across, down];
   const context = canvas.getContext("2d");
-  if (!context) throw new Error("The browser gave no canvas to draw the figure on.");
+  if (!context) throw new Error(lab().files.figures.notDrawn);
   context.fillStyle = ground(element);
   context.fillRect(0, 0, across, down);
   context.drawImage(image, 0, 0, across, down);
   return new Promise((resolve, reject) => {
     canvas.toBlob(
-      (blob) => (blob ? resolve(blob) : reject(new Error("The browser made no PNG of the figure."))),
+      (blob) => (blob ? resolve(blob) : reject(new Error(lab().files.figures.notDrawn))),
       "image/png",
     );
   });

@@ -11,6 +11,7 @@ import { ImportStore } from "./import-store";
 import { LearningStore } from "./learning-store";
 import { LibraryStore } from "./library-store";
 import { LockingStore } from "./locking-store";
+import { lab } from "../words/lab";
 
 /** All stores of the view, and the seed of the settings. */
 export type Primitives = ReturnType<typeof openPrimitives>;
@@ -18,7 +19,7 @@ export type Primitives = ReturnType<typeof openPrimitives>;
 /** The document of the library that comes with the page. */
 async function fetchLibrary(): Promise<string> {
   const answer = await fetch(new URL("primitives/library.json", document.baseURI));
-  if (!answer.ok) throw new Error(`the host answered ${answer.status} for ${answer.url}`);
+  if (!answer.ok) throw new Error(lab().files.hostAnswered(answer.status, answer.url));
   return answer.text();
 }
 

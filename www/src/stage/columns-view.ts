@@ -9,6 +9,7 @@ import type { Playback } from "./playback";
 import { sameBody } from "./stage";
 import type { StageContent, StageColumn, StageStore } from "./stage-store";
 import { styled } from "../ui/styled";
+import { lab } from "../words/lab";
 
 export class ColumnsView extends View {
   declare stage: StageStore;
@@ -74,7 +75,7 @@ export class ColumnsView extends View {
     const titles = columns.map(({ title }) => title);
     return html`
       <canvas class="stage-canvas" tabindex="0" role="img" data-testid="stage-columns"
-        aria-label="${columns.length} figures side by side: ${titles.join(", ")}. Drag to look from another side; with the keyboard: w, a, s, d."></canvas>
+        aria-label=${lab().stage.figures(titles)}></canvas>
       <ol class="stage-columns" style=${styled({ "--columns": columns.length })}>${titles.map((title) => html`<li>${title}</li>`)}</ol>`;
   }
 }

@@ -8,17 +8,17 @@ import { Stage } from "./stage";
 import "./stage.css";
 import type { StageStore } from "./stage-store";
 import { partStyle } from "../ui/styled";
-
-const LABEL =
-  "A figure walking. Drag to look from another side, scroll to come closer; with the keyboard: w, a, s, d, plus and minus.";
+import { withLab } from "../words/lab";
 
 export class StageView extends View {
   declare stage: StageStore;
   declare playback: Playback;
   /** Whether the clock of the stage runs. */
   declare running: boolean;
-  /** The name of the picture, for another language. */
-  declare label: string | undefined;
+  /** The name of the picture. */
+  declare label: string;
+  /** The name of the list of parts, and that of each part as it is shown; absent: no list. */
+  declare legend: { label: string; nameOf: (part: string) => string } | undefined;
   /** Null where there is no WebGL. */
   scene: Stage | null = null;
   #problem = "";
@@ -34,18 +34,17 @@ export class StageView extends View {
     try {
       this.scene = new Stage(this.stage, this.playback, canvas);
     } catch {
-      this.#problem =
-        "This browser shows no 3-D graphics (WebGL), so the figure cannot be drawn. The latent plots, couplings and training work all the same.";
-      this.requestUpdate();
+      this.#fail("noGraphics");
       return;
     }
     const { scene } = this;
+    let isLost = false;
     this.listen(canvas, "webglcontextlost", () => {
-      this.#problem =
-        "The browser has taken the 3-D graphics away, perhaps because other pages need them. The figure comes back when it gives them back; reloading the page may help.";
-      this.requestUpdate();
+      isLost = true;
+      this.#fail("graphicsLost", () => isLost);
     });
     this.listen(canvas, "webglcontextrestored", () => {
+      isLost = false;
       this.#problem = "";
       scene.update();
       this.requestUpdate();
@@ -53,6 +52,15 @@ export class StageView extends View {
     this.whenLeaving(this.stage.on(() => scene.update()));
     this.whenLeaving(this.playback.on(() => scene.tick()));
     this.whenLeaving(() => scene.dispose());
+  }
+
+  /** Says why nothing is drawn, if that still holds when the words are there. */
+  #fail(why: "noGraphics" | "graphicsLost", holds = () => true): void {
+    withLab(({ stage }) => {
+      if (!holds()) return;
+      this.#problem = stage[why];
+      this.requestUpdate();
+    });
   }
 
   /** Moves the clock on and draws, once a display frame. */
@@ -72,20 +80,27 @@ export class StageView extends View {
     return html`<pg-columns .stage=${this.stage} .playback=${this.playback}></pg-columns>`;
   }
 
+  #legend() {
+    if (!this.legend) return nothing;
+    const { label, nameOf } = this.legend;
+    return html`
+      <ul class="stage-legend" aria-label=${label}>
+        ${(this.stage.content?.parts ?? []).map(
+          ({ name }, part) =>
+            html`<li style=${partStyle(partColour(part))}><i class="swatch"></i>${nameOf(name)}</li>`,
+        )}
+      </ul>`;
+  }
+
   protected override render() {
     return html`
       <canvas ?hidden=${this.stage.columns !== null}
         class="stage-canvas" tabindex="0" role="img" data-testid="stage"
-        aria-label=${this.label ?? LABEL}
+        aria-label=${this.label}
       ></canvas>
       ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
       ${this.#columns()}
-      <ul class="stage-legend" aria-label="Parts">
-        ${(this.stage.content?.parts ?? []).map(
-          ({ name }, part) =>
-            html`<li style=${partStyle(partColour(part))}><i class="swatch"></i>${name}</li>`,
-        )}
-      </ul>
+      ${this.#legend()}
     `;
   }
 }

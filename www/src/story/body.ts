@@ -14,6 +14,7 @@ import { Playback } from "../stage/playback";
 import { StageStore } from "../stage/stage-store";
 import { NoticesStore } from "../ui/notices-store";
 import { prefersReducedMotion } from "../ui/reduced-motion";
+import { withLab } from "../words/lab";
 
 /** The settings of the story's body are in no address. */
 export const NO_ADDRESS: AddressBar = { read: () => "", write() {}, push() {} };
@@ -69,7 +70,8 @@ export class StoryBody {
     // When the engine cannot start, nobody waits for the model.
     text.catch(() => {});
     const events = {
-      restarted: (why: string) => this.notices.addError("The program was started again", `${why}.`),
+      restarted: (why: string) =>
+        withLab(({ files }) => this.notices.addError(files.startedAgain, `${why}.`)),
       stopped: (problem: unknown) => this.engine.stop(problem),
     };
     await this.engine.start(

@@ -4,6 +4,7 @@ import type { TrainingWorker } from "../engine/whole-workers";
 import type { EngineStore } from "../engine/engine-store";
 import type { Report, TrainedModel, TrainingOutcome } from "../engine/protocol";
 import type { Run } from "./runs";
+import { lab } from "../words/lab";
 
 /** The connection of a training to the page. */
 export interface Send {
@@ -59,7 +60,7 @@ export class PausedRuns {
   async goOn(run: Run, more: number, { report, signal, begun }: Send): Promise<TrainingOutcome> {
     const paused = this.#workers.get(run);
     const { pool } = this.#engine;
-    if (!paused || !pool) throw new Error("The worker that trained it is gone.");
+    if (!paused || !pool) throw new Error(lab().learn.training.workerGone);
     const work = (worker: TrainingWorker) => {
       begun();
       return worker.goOn(more, report, signal);

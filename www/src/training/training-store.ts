@@ -331,7 +331,7 @@ export class TrainingStore extends Store {
   /** Trains on a free worker of the pool. */
   #train(run: Run, { report, signal, begun }: Send): Promise<TrainingOutcome> {
     const { pool } = this.#engine;
-    if (!pool) throw new Error("The model cannot run in this browser.");
+    if (!pool) throw new Error(lab().learn.training.whyNot.cannotRun);
     const { frames } = this.#settings.values;
     return pool.run(async (worker) => {
       begun();

@@ -6,9 +6,9 @@ const SOURCES = import.meta.glob<string>(
     // The frame of the Lab, its stage and the tabs.
     "../app/{site-head,page,header,lead,caption,stage-words,health-words,save-menu,help}.ts",
     "../couplings/**/*.ts",
-    "../{clips,comparison,details,experiment,figures,latents,live,method,perception,primitives,series,session,training,unsaved}/**/*.ts",
+    "../{clips,comparison,completing,details,experiment,figures,latents,live,method,perception,primitives,series,session,training,unsaved}/**/*.ts",
     "../settings/*-field.ts",
-    "../stage/timeline.ts",
+    "../stage/*.ts",
     "!../**/*.test.ts",
   ],
   { query: "?raw", import: "default", eager: true },

@@ -20,6 +20,7 @@ export const files: FilesWords = {
   nothingSaved: "Nichts wurde gespeichert",
   notTakenUp: "Dieses Modell kam nicht auf die Bühne",
   nothingOpened: "Nichts wurde geöffnet",
+  hostAnswered: (status, address) => `der Webspace antwortete ${status} für ${address}`,
   gettingReady: "Die Seite wird noch vorbereitet; versuche es gleich noch einmal.",
   tooLarge: "Diese Datei hat mehr als 200 MB; erwartet wird ein Clip oder ein Modell.",
   expected: "Erwartet wird ein Clip (.bvh), ein Modell (.json) oder eine Tabelle (.csv).",
@@ -42,6 +43,10 @@ export const files: FilesWords = {
     png: "Ein Bild dieser Abbildung speichern",
     oneTrial: "ein Versuch",
     unknown: "unbekannt",
+    notOnPage: "Die Abbildung ist gerade nicht auf der Seite.",
+    tooLarge: (across, down, most) =>
+      `Das Bild hätte ${across} mal ${down} Pixel, und ein Browser zeichnet höchstens ${most} in jeder Richtung.`,
+    notDrawn: "Der Browser konnte die Abbildung nicht zeichnen.",
   },
   newVersion: {
     title: "Die neue Version jetzt laden?",

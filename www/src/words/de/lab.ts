@@ -119,6 +119,12 @@ export const lab: LabWords = {
     otherSeedsMeaning: "Trainiert neu mit den nächsten Startwerten",
     figure:
       "Eine gehende Figur. Ziehen dreht die Ansicht, Scrollen holt sie näher; Tasten: w, a, s, d, plus und minus.",
+    figures: (titles) =>
+      `${titles.length} Figuren nebeneinander: ${titles.join(", ")}. Ziehen dreht die Ansicht; Tasten: w, a, s, d.`,
+    noGraphics:
+      "Dieser Browser zeigt keine 3-D-Grafik (WebGL), also kann er die Figur nicht zeichnen. Latente Räume, Kopplungen und Training gehen trotzdem.",
+    graphicsLost:
+      "Der Browser hat der Seite die 3-D-Grafik genommen, vielleicht weil andere Seiten sie brauchen. Die Figur kommt wieder, sobald er sie zurückgibt; Neuladen hilft vielleicht.",
   },
   clock: {
     clock: "Phasenuhr: ein Zeiger für jeden Teil, der sich in jeder Periode einmal dreht",

@@ -143,6 +143,7 @@ export const learn: LearnWords = {
     days: (days) => `${days} Tage`,
     hours: (hours) => `${number(hours, hours % 1 === 0 ? 0 : 1)} Stunden`,
     about: "Zu diesem Training",
+    workerGone: "Der Worker, der es trainierte, läuft nicht mehr.",
     notTakenUp: (seed) => `Das Modell von Startwert ${seed} kam nicht auf die Bühne`,
   },
   ending: {

@@ -36,7 +36,6 @@ export const perception: PerceptionWords = {
     openFirst: "Öffne eine Studie (.json), um zu beginnen.",
     none: "Es gibt noch keine Studie.",
     tooLarge: "Diese Datei hat mehr als 200 MB; erwartet wird eine Studie.",
-    notLoaded: (status, address) => `Der Webspace antwortete ${status} für ${address}`,
     unsaved: (title) => `die Studie „${title}“, wie sie hier gemacht oder geändert wurde`,
     design: (trials, blocks, pause, minutes) =>
       `${trials} Durchgänge${blocks > 1 ? ` in ${blocks} Blöcken, dazwischen mindestens ${pause} Pause` : ""}, etwa ${minutes} ${minutes === 1 ? "Minute" : "Minuten"}.`,

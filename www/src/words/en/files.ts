@@ -19,6 +19,7 @@ export const files = {
   nothingSaved: "Nothing was saved",
   notTakenUp: "This model was not taken up",
   nothingOpened: "Nothing was opened",
+  hostAnswered: (status: number, address: string) => `the host answered ${status} for ${address}`,
   gettingReady: "The page is still getting ready; try again in a moment.",
   tooLarge: "This file has more than 200 MB; expected a motion clip or a model.",
   expected: "Expected a motion clip (.bvh), a model (.json) or a table (.csv).",
@@ -41,6 +42,10 @@ export const files = {
     png: "Save a picture of this figure",
     oneTrial: "one trial",
     unknown: "unknown",
+    notOnPage: "The figure is not on the page now.",
+    tooLarge: (across: number, down: number, most: number) =>
+      `The picture would be ${across} by ${down} pixels, and a browser draws at most ${most} either way.`,
+    notDrawn: "The browser could not draw the figure.",
   },
   newVersion: {
     title: "Load the new version now?",

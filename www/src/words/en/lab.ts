@@ -122,6 +122,12 @@ export const lab = {
     otherSeedsMeaning: "Trains anew from the next seeds",
     figure:
       "A figure walking. Drag to look from another side, scroll to come closer; with the keyboard: w, a, s, d, plus and minus.",
+    figures: (titles: readonly string[]) =>
+      `${titles.length} figures side by side: ${titles.join(", ")}. Drag to look from another side; with the keyboard: w, a, s, d.`,
+    noGraphics:
+      "This browser shows no 3-D graphics (WebGL), so the figure cannot be drawn. The latent plots, couplings and training work all the same.",
+    graphicsLost:
+      "The browser has taken the 3-D graphics away, perhaps because other pages need them. The figure comes back when it gives them back; reloading the page may help.",
   },
   clock: {
     clock: "Phase clock: one hand for each part, which turns once in each of its periods",

@@ -138,6 +138,7 @@ export const learn = {
     days: (days: number) => `${days} days`,
     hours: (hours: number) => `${hours} hours`,
     about: "About this training",
+    workerGone: "The worker that trained it is gone.",
     notTakenUp: (seed: number) => `The model of seed ${seed} was not taken up`,
   },
   ending: {

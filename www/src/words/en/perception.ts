@@ -37,7 +37,6 @@ export const perception = {
     openFirst: "Open a study (.json) to begin.",
     none: "There is no study yet.",
     tooLarge: "This file has more than 200 MB; expected a study.",
-    notLoaded: (status: number, address: string) => `the host answered ${status} for ${address}`,
     unsaved: (title: string) => `the study “${title}” as it was made or changed here`,
     /** `pause`: how long pauses are at least; null: there is one block. */
     design: (trials: number, blocks: number, pause: string, minutes: number) =>
