@@ -25,6 +25,7 @@ const MEASUREMENTS = {
       command: "npm run lab -- splits",
       tables: measured("splits", ...folders),
     }),
+  recognition: (...folders) => printTables("recognition", ...folders),
   synthetic: (...words) => printTables("synthetic", ...words),
   uncertainty: () => putTables(at("docs/uncertainty.md"), measured("uncertainty")),
 };

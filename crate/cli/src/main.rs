@@ -17,6 +17,7 @@ mod numbers;
 mod perception;
 mod primitives;
 mod progress;
+mod recognise;
 mod report;
 mod reproduce;
 mod results;
@@ -58,6 +59,7 @@ enum Command {
     Complete(complete::Arguments),
     Couple(couple::Arguments),
     Primitives(primitives::Arguments),
+    Recognise(recognise::Arguments),
     Reproduce(reproduce::Arguments),
     Rollout(rollout::Arguments),
     Score(score::Arguments),
@@ -113,6 +115,7 @@ fn run(command: Command) -> Result<(), Box<dyn Error>> {
         Command::Complete(arguments) => complete::run(&arguments),
         Command::Couple(arguments) => couple::run(&arguments),
         Command::Primitives(arguments) => primitives::run(&arguments),
+        Command::Recognise(arguments) => recognise::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Rollout(arguments) => rollout::run(&arguments),
         Command::Score(arguments) => score::run(&arguments),

@@ -10,6 +10,7 @@ mod files;
 mod library;
 mod models;
 mod perception;
+mod recognise;
 mod recordings;
 mod reproduce;
 mod rollout;

@@ -14,6 +14,7 @@ mod modularity;
 mod objectives;
 mod parallel;
 mod ratio;
+mod recognition;
 mod scaling;
 mod seeds;
 mod splits;
@@ -42,6 +43,11 @@ enum Measurement {
     Imports,
     /// Models with weighted pose terms, and uncoupled models, compared with plain ones.
     Objectives(objectives::Arguments),
+    /// Which movement of a library a clip shows.
+    Recognition {
+        /// Folders of clips (.bvh), one for each movement; absent: the project's own walks.
+        folders: Vec<PathBuf>,
+    },
     /// How time and memory grow with the size of the data and of the model.
     Scaling(scaling::Arguments),
     /// How many seeds lead to a model that keeps moving.
@@ -64,6 +70,7 @@ fn main() {
         Measurement::Modularity { picture } => modularity::run(picture.as_deref()),
         Measurement::Imports => modularity::run_imports(),
         Measurement::Objectives(arguments) => objectives::run(&arguments),
+        Measurement::Recognition { folders } => recognition::run(&folders),
         Measurement::Scaling(arguments) => scaling::run(&arguments),
         Measurement::Seeds(arguments) => seeds::run(&arguments),
         Measurement::Splits { folders } => splits::run(&folders),

@@ -11,7 +11,7 @@ const FRAMES: usize = 600;
 /// Largest latent of a rollout, relative to the range of the latents of the training.
 const LARGEST: f64 = 1.5;
 
-fn trained(max_iterations: usize) -> TrainedLibrary {
+pub fn trained(max_iterations: usize) -> TrainedLibrary {
     let clips: Vec<Clip> =
         ["walk-1", "walk-2", "walk-wave-1", "walk-wave-2"].map(|id| samples::clip(id).unwrap()).into();
     let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();

@@ -6,6 +6,7 @@ mod combinations;
 mod documents;
 mod examples;
 mod live;
+mod recognition;
 mod recordings;
 mod schema;
 mod series;

@@ -22,6 +22,7 @@ mod new_combination;
 mod origin;
 mod part_motion;
 mod plan;
+mod recognition;
 mod selection;
 mod trained_library;
 mod training_start;
@@ -44,6 +45,7 @@ pub use merge::{MergeError, Misfit};
 pub use origin::{Excerpt, FramesFrom, Origin, Relearned};
 pub use part_motion::{Leader, PartMotion};
 pub use plan::{LibraryPlan, PlanError, PlannedMovement};
+pub use recognition::{Recognition, RecognitionError, Segment};
 pub use trained_library::{EncodedClip, LibraryError, TrainedLibrary};
 
 /// The predictions of a primitive about one part.

@@ -54,7 +54,7 @@ impl Filter {
     }
 
     /// Checks the columns of all parts, and returns the number of frames.
-    pub(super) fn check(&self, y: &[DMatrix<f64>]) -> Result<usize, ObservationError> {
+    pub(in crate::models) fn check(&self, y: &[DMatrix<f64>]) -> Result<usize, ObservationError> {
         if y.len() != self.poses.len() {
             return Err(ObservationError::Parts { expected: self.poses.len(), found: y.len() });
         }

@@ -1,0 +1,68 @@
+//! `vcgpdm recognise`: which movement of a library a clip shows, moment by moment.
+
+use crate::files;
+use crate::library::{primitives_by_part, read};
+use serde_json::{Value, json};
+use std::error::Error;
+use std::path::PathBuf;
+use vcgpdm::models::library::Segment;
+
+/// Print which movement of a library a clip shows, moment by moment, as one JSON object.
+///
+/// Every movement of the library is a model of the clip. `segments` are the times in which one movement is
+/// the likeliest, in seconds, with the primitives of its parts and the mean of its probability; `share` is
+/// the share of the frames that each movement has. The clip need not be one that the library was trained on.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A library that `vcgpdm train --movement` wrote, of two movements or more.
+    #[arg(value_name = "LIBRARY.json")]
+    library: PathBuf,
+    /// A BVH file of the same body, or sample:ID.
+    #[arg(value_name = "CLIP")]
+    clip: PathBuf,
+    /// Write the probability of every movement in every frame to this file.
+    #[arg(long, value_name = "OUT.csv")]
+    out: Option<PathBuf>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let library = read(&arguments.library)?;
+    let movements = &library.library.movements;
+    if movements.len() < 2 {
+        let (path, found) = (arguments.library.display(), movements.len());
+        return Err(format!("{path}: expected a library of two movements or more, found {found}").into());
+    }
+    let read = [arguments.library.as_path(), arguments.clip.as_path()];
+    files::check_outs(arguments.out.iter().map(|out| ("--out", out)), read)?;
+    let clip = files::read_clip(&arguments.clip)?;
+    let found = library.recognise(&clip)?;
+    let names: Vec<&str> = movements.iter().map(|movement| movement.name.as_str()).collect();
+    let frame_time = library.body.frame_time;
+    let segments = found.segments();
+    let segment = |Segment { movement, frames, probability }: &Segment| {
+        json!({
+            "movement": names[*movement],
+            "from": frames.start as f64 * frame_time,
+            "to": frames.end as f64 * frame_time,
+            "probability": probability,
+            "primitives": primitives_by_part(&library, &movements[*movement]),
+        })
+    };
+    let share = |movement: usize| {
+        let own = segments.iter().filter(|segment| segment.movement == movement);
+        own.map(|segment| segment.frames.len()).sum::<usize>() as f64 / found.posterior.nrows() as f64
+    };
+    let shares: serde_json::Map<String, Value> =
+        names.iter().enumerate().map(|(k, name)| ((*name).to_owned(), share(k).into())).collect();
+    let summary = json!({
+        "clip": clip.name,
+        "seconds": found.posterior.nrows() as f64 * frame_time,
+        "share": shares,
+        "segments": segments.iter().map(segment).collect::<Vec<_>>(),
+    });
+    let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+    if let Some(out) = &arguments.out {
+        files::write_text(out, &vcgpdm::series::write(&names, &found.posterior, frame_time))?;
+    }
+    files::print_summary(&summary, &arguments.out.iter().map(PathBuf::as_path).collect::<Vec<_>>())
+}

@@ -1,0 +1,26 @@
+//! Tests of `vcgpdm recognise`.
+
+use crate::call::{fails, folder, json, prints, text};
+use std::fs;
+
+#[test]
+fn recognises_movements_in_clips_that_were_not_trained_on() {
+    let folder = folder("recognise");
+    let (library, out) = (folder.join("library.json"), folder.join("out.csv"));
+    let train = "train --movement walk=sample:walk-1,sample:walk-2 --movement wave=sample:walk-wave-1,sample:walk-wave-2 --parts lower,upper --fps 15 --max-iterations 60 --out";
+    prints(&train.split(' ').chain([text(&library)]).collect::<Vec<_>>());
+    for (clip, movement) in [("sample:walk-3", "walk"), ("sample:walk-wave-3", "wave")] {
+        let found = json(&["recognise", text(&library), clip, "--out", text(&out)]);
+        assert!(found["share"][movement].as_f64().unwrap() > 0.9, "{found}");
+        let segments = found["segments"].as_array().unwrap();
+        assert_eq!(segments[0]["from"].as_f64(), Some(0.0));
+        assert_eq!(segments.last().unwrap()["to"], found["seconds"]);
+        let rows = fs::read_to_string(&out).unwrap();
+        assert!(rows.lines().next().unwrap().contains("walk,wave"), "{rows}");
+    }
+    let one = folder.join("one.json");
+    let train = "train --movement walk=sample:walk-1 --parts lower,upper --fps 15 --max-iterations 3 --out";
+    prints(&train.split(' ').chain([text(&one)]).collect::<Vec<_>>());
+    let refused = fails(&["recognise", text(&one), "sample:walk-3"]);
+    assert!(refused.contains("expected a library of two movements or more, found 1"), "{refused}");
+}
