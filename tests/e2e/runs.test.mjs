@@ -116,7 +116,7 @@ describe("several trainings", () => {
     );
     const shown = await provenance(page);
     assert.equal(shown.settings.seed, 5 + at);
-    assert.equal(Math.round(shown.bound), bounds[at]);
+    assert.equal(Math.round(shown.objective), bounds[at]);
 
     const other = (at + 1) % 3;
     await page.getByTestId("run").nth(other).click();

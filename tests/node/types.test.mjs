@@ -102,6 +102,9 @@ describe("the declared types", () => {
     assert.deepEqual([measures.limbs.length, measures.parts.length], [4, 2]);
     hold("Rollout.health", rollout.health());
     hold("Rollout.latentField", rollout.latentField(0, [[0, 0]]));
+    const [part] = model.info().parts;
+    const observed = { given: [part?.name ?? ""], until: 1 };
+    hold("Completion.scores", model.complete(installed.vcgpdm.Clip.sample("walk-3"), observed).scores());
 
     const results = Results.empty(clips, { parts, framesPerSecond: 15 });
     hold("Results.setting", results.setting());
@@ -189,6 +192,7 @@ describe("the declared types", () => {
     const inputs = [
       "AnswersFile",
       "ComparisonSettings",
+      "CompleteOptions",
       "ErrorCode",
       "FoldOptions",
       "ImportRequest",

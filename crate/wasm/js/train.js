@@ -6,8 +6,13 @@ const PAUSE = 50;
 
 const listOf = (data) => (Array.isArray(data) ? data : [data]);
 
-/** The settings without the functions that watch. */
-function divided({ onProgress, signal, ...settings } = {}) {
+/**
+ * The settings without the functions that watch. Clips have balanced pose terms unless the caller says
+ * otherwise.
+ */
+function divided(data, { onProgress, signal, ...settings } = {}) {
+  const ofClips = !listOf(data).some((item) => item instanceof Table);
+  if (ofClips) settings.poseWeight ??= "balanced";
   return { onProgress, signal, settings };
 }
 
@@ -61,7 +66,7 @@ export async function trainSet(set, settings, onProgress, signal) {
 
 /** Trains in this thread. */
 export async function trainHere(data, options) {
-  const { onProgress, signal, settings } = divided(options);
+  const { onProgress, signal, settings } = divided(data, options);
   signal?.throwIfAborted();
   const set = new TrainingSet();
   for (const item of listOf(data)) add(set, item);
@@ -70,7 +75,7 @@ export async function trainHere(data, options) {
 
 /** Trains in the worker that `start` starts; here if it does not start. */
 export async function trainIn(start, wasm, data, options) {
-  const { onProgress, signal, settings } = divided(options);
+  const { onProgress, signal, settings } = divided(data, options);
   signal?.throwIfAborted();
   // Tables without times take their rate from the settings: only here is it known which they are.
   if (listOf(data).some((item) => item instanceof Table && item.info().frameTime === null))

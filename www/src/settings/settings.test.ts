@@ -55,7 +55,7 @@ describe("settings in the URL", () => {
       framesPerSecond: 24,
       seed: 4294967295,
       maxIterations: 1000,
-      poseWeight: "balanced" as const,
+      poseWeight: 0.3 as const,
       trainings: 5,
       frames: 600,
       start: 3,

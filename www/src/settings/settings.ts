@@ -316,7 +316,7 @@ export const MODELS = [
 export const BY_HAND = "hand";
 
 /** Weights of the pose terms in the objective of a training; with 1 it is the bound. */
-export const POSE_WEIGHTS = [1, 0.3, 0.1, "balanced"] as const;
+export const POSE_WEIGHTS = ["balanced", 1, 0.3, 0.1] as const;
 
 /** The last chapter of the story. */
 const LAST_CHAPTER = 10;
@@ -347,7 +347,7 @@ export const SETTINGS = {
   framesPerSecond: whole("fps", 30, 5, 60),
   seed: whole("seed", 1, 0, 4294967295),
   maxIterations: whole("iterations", 250, 10, 5000, 10),
-  poseWeight: choice("weight", 1, POSE_WEIGHTS),
+  poseWeight: choice("weight", "balanced", POSE_WEIGHTS),
   /** 0: the number of cores, at most a few. */
   trainings: whole("trainings", 0, 0, 20),
   frames: whole("frames", 300, 60, 1200, 30),

@@ -44,6 +44,8 @@ export class BoundChart extends View {
     const last = charted?.steps.at(-1);
     const parts = charted?.settings.parts.map(({ name }) => shownPart(name)) ?? [];
     const words = lab().learn.bound;
+    // With weighted poses it is no bound on the evidence.
+    const name = (charted?.settings.poseWeight ?? 1) === 1 ? words.name : words.weighted;
     // The line is too short for both.
     const phase = learning && last ? `, ${lab().learn.phases[last.phase]}` : "";
     const which = runs.length > 1 ? `, ${words.seed(charted?.settings.seed ?? 0)}` : phase;
@@ -52,7 +54,7 @@ export class BoundChart extends View {
     const drawing = charted && last && this.clientWidth > 0 ? this.#drawing : null;
     return html`
       <figure class="chart" data-testid="bound-chart">
-        <figcaption><span><pg-term of="bound" text=${words.name}></pg-term><small>, ${words.in} <pg-term of="nats" text=${words.nats}></pg-term>${which}</small></span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
+        <figcaption><span><pg-term of="bound" text=${name}></pg-term><small>, ${words.in} <pg-term of="nats" text=${words.nats}></pg-term>${which}</small></span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
         <div class="bound-box">
           <div class="bound" role="img" aria-label=${words.overIterations}>${drawing && charted ? drawing.boundPicture(charted, runs, this.clientWidth) : nothing}</div>
           ${isEmpty ? html`<p class="empty">${words.empty}</p>` : nothing}

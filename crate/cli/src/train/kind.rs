@@ -7,8 +7,8 @@ use clap::{ArgMatches, Command, FromArgMatches};
 use std::error::Error;
 use std::path::PathBuf;
 use vcgpdm::models::{
-    DmpSettings, MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, MapSettings, ModelKind,
-    POSE_WEIGHTS, POSE_WEIGHTS_TEXT, PoseWeight, Settings, TmpSettings, VariationalSettings,
+    BALANCED, DmpSettings, MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, MapSettings,
+    ModelKind, POSE_WEIGHTS, POSE_WEIGHTS_TEXT, PoseWeight, Settings, TmpSettings, VariationalSettings,
 };
 
 /// The options that only some kinds have. Other kinds ignore their defaults.
@@ -38,8 +38,9 @@ pub struct Options {
     /// Give dynamics and poses the same weight: balance latent dimensions against the many columns (GPDMs).
     #[arg(long)]
     balanced: bool,
-    /// Multiply the pose terms of the objective by this number (vcgpdm, vgpdm).
-    #[arg(long, value_name = "W", conflicts_with = "balanced", value_parser = pose_weight)]
+    /// Multiply the pose terms of the objective by this number, or balance them (vcgpdm, vgpdm). With 1 the
+    /// objective is the bound on the log evidence. Absent: balanced for one body, 1 for tables and libraries.
+    #[arg(long, value_name = "W|balanced", conflicts_with = "balanced", value_parser = pose_weight)]
     pose_weight: Option<PoseWeight>,
     /// Keep the couplings between parts off: each part learns as if it were alone (vcgpdm).
     #[arg(long)]
@@ -93,8 +94,9 @@ const KINDS: [(&str, &[ModelKind]); 15] = [
 ];
 
 impl Options {
-    /// The settings of a model of this kind. An option that the kind does not have is refused.
-    pub fn settings(&self, kind: ModelKind) -> Result<Settings, Box<dyn Error>> {
+    /// The settings of a model of this kind, with this weight of the pose terms if none is given. An option that
+    /// the kind does not have is refused.
+    pub fn settings(&self, kind: ModelKind, usual: PoseWeight) -> Result<Settings, Box<dyn Error>> {
         let misplaced = KINDS.iter().find(|(id, kinds)| self.given.has(id) && !kinds.contains(&kind));
         if let Some((id, kinds)) = misplaced {
             let kinds: Vec<&str> = kinds.iter().map(|kind| kind.id()).collect();
@@ -117,7 +119,8 @@ impl Options {
             bases,
             ..
         } = self;
-        let pose_weight = weight(balanced, self.pose_weight);
+        let given = if balanced { Some(PoseWeight::Balanced) } else { self.pose_weight };
+        let pose_weight = given.unwrap_or(usual);
         let variational = VariationalSettings {
             latent,
             order,
@@ -143,11 +146,6 @@ impl Options {
     }
 }
 
-/// The weight of the pose terms of `--balanced` and `--pose-weight`.
-pub fn weight(balanced: bool, pose_weight: Option<PoseWeight>) -> PoseWeight {
-    if balanced { PoseWeight::Balanced } else { pose_weight.unwrap_or_default() }
-}
-
 /// The name of the objective that a training with these settings maximises.
 pub fn objective(settings: &Settings) -> &'static str {
     match settings {
@@ -160,8 +158,11 @@ pub fn objective(settings: &Settings) -> &'static str {
 
 /// Reads the value of `--pose-weight`.
 pub fn pose_weight(text: &str) -> Result<PoseWeight, String> {
+    if text == BALANCED {
+        return Ok(PoseWeight::Balanced);
+    }
     let number = text.parse().ok().filter(|number| POSE_WEIGHTS.contains(number));
-    number.map(PoseWeight::Fixed).ok_or_else(|| format!("expected {POSE_WEIGHTS_TEXT}"))
+    number.map(PoseWeight::Fixed).ok_or_else(|| format!("expected {POSE_WEIGHTS_TEXT}, or {BALANCED}"))
 }
 
 /// Reads the value of `--model`.

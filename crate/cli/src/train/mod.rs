@@ -9,7 +9,7 @@ mod steps;
 
 pub use arguments::Arguments;
 pub use body::parts;
-pub use kind::{objective, pose_weight, weight};
+pub use kind::{objective, pose_weight};
 use steps::warn_of_training;
 pub use steps::{train_steps, warn_of_cost};
 
@@ -27,7 +27,7 @@ use std::time::Instant;
 use vcgpdm::document::DocumentError;
 use vcgpdm::models::variational::VariationalTrainer;
 use vcgpdm::models::{
-    ColumnMapping, Dataset, FittedModel, Model, ModelKind, Provenance, Settings, Source, Trainer,
+    ColumnMapping, Dataset, FittedModel, Model, ModelKind, PoseWeight, Provenance, Settings, Source, Trainer,
     with_bones_of,
 };
 use vcgpdm::motion::Clip;
@@ -89,7 +89,9 @@ fn train<S: ColumnMapping>(
     to_json: impl Fn(&Model<S>) -> Result<String, DocumentError>,
 ) -> Result<(), Box<dyn Error>> {
     let kind = kind::check_parts(arguments.model, dataset.layout.parts().len(), split)?;
-    let settings = arguments.options.settings(kind)?;
+    // Measured on walks and runs of whole bodies: docs/training.md, "The weight of the poses".
+    let usual = if arguments.columns { PoseWeight::default() } else { PoseWeight::Balanced };
+    let settings = arguments.options.settings(kind, usual)?;
     let mut read = arguments.clips.clone();
     for text in &arguments.seed_frames {
         read.push(seed_frames(text)?.0);

@@ -53,7 +53,7 @@ fn rolls_out_every_kind_of_model_as_it_was_trained() {
     };
     let point = |balanced| MapSettings { latent: 2, order: 1, max_iterations: 8, balanced, linear: false };
     let small = "--latent 2 --order 1 --seed 3 --max-iterations 8";
-    let ips = "--dynamics-ips 4 --pose-ips 5";
+    let ips = "--dynamics-ips 4 --pose-ips 5 --pose-weight 1";
     let split = "--parts lower,upper";
     let cases = [
         (Settings::Vcgpdm(gpdm.clone()), "lower-upper", format!("{split} {small} {ips}")),
@@ -150,11 +150,14 @@ fn rolls_out_every_kind_of_model_as_it_was_trained() {
 fn trains_with_weighted_pose_terms_and_without_couplings() {
     let folder = folder("models-weighted");
     let few = "--latent 2 --dynamics-ips 3 --pose-ips 3 --max-iterations 4";
-    for (option, pose_weight) in
-        [("--balanced", PoseWeight::Balanced), ("--pose-weight 0.1", PoseWeight::Fixed(0.1))]
-    {
+    for (option, pose_weight) in [
+        ("", PoseWeight::Balanced),
+        (" --balanced", PoseWeight::Balanced),
+        (" --pose-weight balanced", PoseWeight::Balanced),
+        (" --pose-weight 0.1", PoseWeight::Fixed(0.1)),
+    ] {
         let out = folder.join(format!("{pose_weight:?}.json"));
-        let printed = train(&out, &format!("--parts lower,upper {few} {option}"));
+        let printed = train(&out, &format!("--parts lower,upper {few}{option}"));
         let model = Model::from_json(&fs::read_to_string(&out).unwrap()).unwrap();
         assert_eq!(model.provenance.settings.variational().unwrap().pose_weight, pose_weight);
         assert_eq!(printed["objective"].as_f64(), Some(model.provenance.objective));
@@ -168,7 +171,7 @@ fn trains_with_weighted_pose_terms_and_without_couplings() {
         assert!((alpha[j][i].as_f64().unwrap() - LARGEST_COUPLING).abs() < 1e-9, "{alpha}");
         assert!(alpha[j][j].as_f64().unwrap() < 5.0, "{alpha}");
     }
-    let plain = train(&folder.join("plain.json"), &format!("--parts lower,upper {few}"));
+    let plain = train(&folder.join("plain.json"), &format!("--parts lower,upper {few} --pose-weight 1"));
     assert!(plain["objective"].is_null() && plain["elbo"].is_f64(), "{plain}");
 }
 
@@ -220,19 +223,19 @@ fn refuses_options_of_other_kinds() {
         ("--model vgpdm --balanced --pose-weight 0.1", "cannot be used with"),
         (
             "--model vgpdm --pose-weight 0",
-            "'0' for '--pose-weight <W>': expected a number from 0.001 to 1000",
+            "'0' for '--pose-weight <W|balanced>': expected a number from 0.001 to 1000, or balanced",
         ),
         (
             "--model vgpdm --pose-weight=-1",
-            "'-1' for '--pose-weight <W>': expected a number from 0.001 to 1000",
+            "'-1' for '--pose-weight <W|balanced>': expected a number from 0.001 to 1000, or balanced",
         ),
         (
             "--model vgpdm --pose-weight NaN",
-            "'NaN' for '--pose-weight <W>': expected a number from 0.001 to 1000",
+            "'NaN' for '--pose-weight <W|balanced>': expected a number from 0.001 to 1000, or balanced",
         ),
         (
             "--model vgpdm --pose-weight 1e9",
-            "'1e9' for '--pose-weight <W>': expected a number from 0.001 to 1000",
+            "'1e9' for '--pose-weight <W|balanced>': expected a number from 0.001 to 1000, or balanced",
         ),
         (
             "--model tmp --write-start s.json",

@@ -41,8 +41,8 @@ export const belief: Words["chapters"]["belief"] = {
     `Bisher richtig: du ${you} von ${rounds}, das Modell ${model} von ${rounds}.`,
   closing: (learned, heldOut, dmp) =>
     `Bei aufgenommenen Gängen ist der Fehler eines Modells ohne Kopplungen ${ratio(learned)} bei ` +
-    `gelernten Gängen und ${ratio(heldOut)} bei einem neuen: unentschieden. Mit Kopplungen ist er ` +
-    `${ratio(dmp)} wie der einer rhythmischen DMP: auch unentschieden.`,
+    `gelernten Gängen und ${ratio(heldOut)} bei einem neuen, im Mittel über sechs Personen. Mit Kopplungen ist er ` +
+    `${ratio(dmp)} wie der einer rhythmischen DMP: unentschieden.`,
   again: "Ein anderes Paar",
   modelRow: "das Modell glaubt",
   truthRow: "die Wahrheit",

@@ -93,7 +93,7 @@ export const learn: LearnWords = {
     maxIterations: { label: "Höchste Zahl an Iterationen", hint: "Spätestens hier endet die Optimierung" },
     poseWeight: {
       label: "Gewicht der Posen",
-      hint: "1: Das Training maximiert die Schranke. Weniger: Die latenten Zustände sind leichter vorherzusagen, die Posen weniger genau",
+      hint: "balanced: Posen zählen so viel wie die Dynamik, und die latenten Zustände sind leichter vorherzusagen. 1: Das Training maximiert die Schranke",
     },
   },
   training: {
@@ -200,6 +200,7 @@ export const learn: LearnWords = {
   },
   bound: {
     name: "Untere Schranke (ELBO)",
+    weighted: "Gewichtete Schranke",
     in: "in",
     nats: "Nats",
     seed: (seed) => `Startwert ${seed}`,

@@ -87,7 +87,7 @@ export const learn = {
     maxIterations: { label: "Iterations at most", hint: "The optimiser stops here at the latest" },
     poseWeight: {
       label: "Weight of the poses",
-      hint: "1: training maximises the bound. Less: the latents become easier to predict, and the poses less exact",
+      hint: "balanced: poses count as much as dynamics, so that the latents are easier to predict. 1: training maximises the bound",
     },
   },
   training: {
@@ -195,6 +195,7 @@ export const learn = {
   },
   bound: {
     name: "Evidence lower bound",
+    weighted: "Weighted bound",
     in: "in",
     nats: "nats",
     seed: (seed: number) => `seed ${seed}`,
