@@ -129,7 +129,9 @@ function allColumns(): Column[] {
       ({ maxIterations }) => maxIterations,
       "iterations",
     ),
-    count(runs.heads.poseWeight, words.poseWeight.label, ({ poseWeight = 1 }) => poseWeight),
+    count(runs.heads.poseWeight, words.poseWeight.label, ({ poseWeight = 1 }) =>
+      words.poseWeight.value(poseWeight),
+    ),
   ];
 }
 

@@ -174,7 +174,7 @@ export class TrainingView extends View {
           <label class="field"><span>${names.poseWeight.label}</span>
             <select data-testid="setting-poseWeight" title=${names.poseWeight.hint}
               @change=${(event: Event) => settings.change({ poseWeight: POSE_WEIGHTS[(event.target as HTMLSelectElement).selectedIndex] ?? "balanced" })}>
-              ${POSE_WEIGHTS.map((weight) => html`<option ?selected=${weight === settings.values.poseWeight}>${weight}</option>`)}
+              ${POSE_WEIGHTS.map((weight) => html`<option ?selected=${weight === settings.values.poseWeight}>${names.poseWeight.value(weight)}</option>`)}
             </select></label>
         </div>
       </details>

@@ -1,4 +1,4 @@
-import { decimal } from "../decimal";
+import { decimal, withComma } from "../decimal";
 import type { LearnWords } from "../en/learn";
 
 const number = (value: number, digits = 0) => decimal("de", value, digits);
@@ -93,7 +93,8 @@ export const learn: LearnWords = {
     maxIterations: { label: "Höchste Zahl an Iterationen", hint: "Spätestens hier endet die Optimierung" },
     poseWeight: {
       label: "Gewicht der Posen",
-      hint: "balanced: Posen zählen so viel wie die Dynamik, und die latenten Zustände sind leichter vorherzusagen. 1: Das Training maximiert die Schranke",
+      hint: "ausgewogen: Posen zählen so viel wie die Dynamik, und die latenten Zustände sind leichter vorherzusagen. 1: Das Training maximiert die Schranke",
+      value: (weight) => (weight === "balanced" ? "ausgewogen" : withComma(String(weight))),
     },
   },
   training: {

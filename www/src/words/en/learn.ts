@@ -88,6 +88,7 @@ export const learn = {
     poseWeight: {
       label: "Weight of the poses",
       hint: "balanced: poses count as much as dynamics, so that the latents are easier to predict. 1: training maximises the bound",
+      value: (weight: number | "balanced") => String(weight),
     },
   },
   training: {
