@@ -1,7 +1,16 @@
 // The clock, and couplings with their motion.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { draws, oneVisitor, openCouplingsTable, openSite, ready, readyVisitor, saved } from "./site.mjs";
+import {
+  draws,
+  oneVisitor,
+  openCouplingsTable,
+  openSite,
+  ready,
+  readyVisitor,
+  recolour,
+  saved,
+} from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -38,6 +47,24 @@ describe("the clock", () => {
 });
 
 describe("the stage", () => {
+  // The list of media whose `matches` every picture read got no event: the stage stayed light on a dark page.
+  it("turns dark with the system while the figure moves", async () => {
+    const { page, problems, leave } = await site.visit({ seen: true, moving: true });
+    await ready(page);
+    const background = () =>
+      page.getByTestId("stage").evaluate((canvas) => {
+        const gl = /** @type {HTMLCanvasElement} */ (canvas).getContext("webgl2");
+        return gl ? [...gl.getParameter(gl.COLOR_CLEAR_VALUE)].slice(0, 3) : [];
+      });
+    const brightest = async () => Math.max(...(await background()));
+    assert.ok((await brightest()) > 0.8, String(await background()));
+    await recolour(page, "dark");
+    for (let k = 0; k < 100 && (await brightest()) > 0.3; k++) await page.waitForTimeout(50);
+    assert.ok((await brightest()) < 0.3, `a dark page has a stage of ${await background()}`);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
   it("keeps the camera at the same side of the walker for two minutes", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);

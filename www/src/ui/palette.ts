@@ -47,7 +47,11 @@ const DARK: Theme = {
   ghost: "#8b939a",
 };
 
-const darkScheme = typeof matchMedia === "function" ? matchMedia("(prefers-color-scheme: dark)") : null;
+const darkQuery = () =>
+  typeof matchMedia === "function" ? matchMedia("(prefers-color-scheme: dark)") : null;
+const darkScheme = darkQuery();
+/** Never read: Chromium sends no event from a list whose `matches` was read since the colours changed. */
+const schemeChanges = darkQuery();
 
 export function theme(): Theme {
   return darkScheme?.matches ? DARK : LIGHT;
@@ -69,6 +73,6 @@ export function partColourNow(part: number): string {
 
 /** Calls back when the page turns dark or light. Returns a function that stops the calls. */
 export function onThemeChange(listener: () => void): () => void {
-  darkScheme?.addEventListener("change", listener);
-  return () => darkScheme?.removeEventListener("change", listener);
+  schemeChanges?.addEventListener("change", listener);
+  return () => schemeChanges?.removeEventListener("change", listener);
 }
