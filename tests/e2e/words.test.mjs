@@ -108,6 +108,8 @@ describe("the method", () => {
       await page.locator(`[data-place="${place}"]`).first().click();
       const focused = () => document.activeElement?.closest("main:not(.on-demand)") !== null;
       assert.ok(await page.evaluate(focused), `${place} leads to a control`);
+      // Back before the address has changed would lead past the method.
+      await page.waitForURL((url) => !url.hash.includes("view=method"));
       await page.goBack();
       await page.locator("pg-method math").first().waitFor();
     }
