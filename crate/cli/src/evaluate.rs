@@ -3,7 +3,7 @@
 use crate::numbers::{check_fps, whole};
 use crate::progress::{Progress, say};
 use crate::store::{Next, Store};
-use crate::train::{parts, pose_weight, warn_of_cost};
+use crate::train::{parts, pose_weight, warn_of_cost, weight};
 use crate::usage::usage;
 use crate::{files, interrupt};
 use serde_json::json;
@@ -312,8 +312,6 @@ impl Work {
 
 /// The jobs that the arguments ask for, on `trials` trials of a body in `parts` parts.
 fn jobs(arguments: &Arguments, trials: usize, parts: usize) -> Result<Vec<Job>, Box<dyn Error>> {
-    let weight = arguments.pose_weight.unwrap_or_default();
-    let pose_weight = if arguments.balanced { PoseWeight::Balanced } else { weight };
     let plan = Plan {
         models: models(&arguments.models)?,
         latent: arguments.latent,
@@ -325,7 +323,7 @@ fn jobs(arguments: &Arguments, trials: usize, parts: usize) -> Result<Vec<Job>, 
         normalised_time: arguments.normalised_time,
         bases: arguments.bases.clone(),
         balanced: arguments.balanced,
-        pose_weight,
+        pose_weight: weight(arguments.balanced, arguments.pose_weight, PoseWeight::default()),
         uncoupled: arguments.uncoupled,
         linear: arguments.linear,
         held_out: folds(&arguments.folds, trials)?,

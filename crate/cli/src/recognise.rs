@@ -48,12 +48,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             "primitives": primitives_by_part(&library, &movements[*movement]),
         })
     };
-    let share = |movement: usize| {
-        let own = segments.iter().filter(|segment| segment.movement == movement);
-        own.map(|segment| segment.frames.len()).sum::<usize>() as f64 / found.posterior.nrows() as f64
-    };
-    let shares: serde_json::Map<String, Value> =
-        names.iter().enumerate().map(|(k, name)| ((*name).to_owned(), share(k).into())).collect();
+    let shares = names.iter().zip(found.shares()).map(|(name, share)| ((*name).to_owned(), share.into()));
+    let shares: serde_json::Map<String, Value> = shares.collect();
     let summary = json!({
         "clip": clip.name,
         "seconds": found.posterior.nrows() as f64 * frame_time,

@@ -119,8 +119,7 @@ impl Options {
             bases,
             ..
         } = self;
-        let given = if balanced { Some(PoseWeight::Balanced) } else { self.pose_weight };
-        let pose_weight = given.unwrap_or(usual);
+        let pose_weight = weight(balanced, self.pose_weight, usual);
         let variational = VariationalSettings {
             latent,
             order,
@@ -144,6 +143,11 @@ impl Options {
             ModelKind::DmpRhythmic => Settings::DmpRhythmic(DmpSettings { bases }),
         })
     }
+}
+
+/// The weight of the pose terms of `--balanced` and `--pose-weight`, or the usual one.
+pub fn weight(balanced: bool, pose_weight: Option<PoseWeight>, usual: PoseWeight) -> PoseWeight {
+    if balanced { PoseWeight::Balanced } else { pose_weight.unwrap_or(usual) }
 }
 
 /// The name of the objective that a training with these settings maximises.

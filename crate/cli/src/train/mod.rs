@@ -9,7 +9,7 @@ mod steps;
 
 pub use arguments::Arguments;
 pub use body::parts;
-pub use kind::{objective, pose_weight};
+pub use kind::{objective, pose_weight, weight};
 use steps::warn_of_training;
 pub use steps::{train_steps, warn_of_cost};
 

@@ -99,14 +99,8 @@ pub fn run(folders: &[PathBuf]) {
         let held_out: Vec<Vec<&Clip>> = movements.iter().map(|trials| trials.half(1 - half)).collect();
         for (truth, clips) in held_out.iter().enumerate() {
             for clip in clips {
-                let found = library.recognise(clip).unwrap();
-                let frames = found.posterior.nrows() as f64;
-                let own = |movement: usize| {
-                    let segments = found.segments();
-                    let own = segments.iter().filter(|segment| segment.movement == movement);
-                    own.map(|segment| segment.frames.len()).sum::<usize>() as f64 / frames
-                };
-                (0..count).for_each(|movement| shares[truth][movement].push(own(movement)));
+                let found = library.recognise(clip).unwrap().shares();
+                shares[truth].iter_mut().zip(found).for_each(|(all, share)| all.push(share));
             }
         }
         for outer in 0..count {

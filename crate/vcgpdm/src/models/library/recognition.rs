@@ -116,6 +116,16 @@ impl Recognition {
         }
         segments
     }
+
+    /// The share of the frames in which each movement is the likeliest.
+    pub fn shares(&self) -> Vec<f64> {
+        let (all, movements) = self.posterior.shape();
+        let mut counts = vec![0; movements];
+        for Segment { movement, frames, .. } in self.segments() {
+            counts[movement] += frames.len();
+        }
+        counts.into_iter().map(|count| count as f64 / all as f64).collect()
+    }
 }
 
 fn frames_of(seconds: f64, frame_time: f64) -> usize {

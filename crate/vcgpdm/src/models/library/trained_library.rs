@@ -203,26 +203,22 @@ impl TrainedLibrary {
     ///
     /// When the clip has another body, or cannot be resampled or turned into rows.
     pub fn encode(&self, clip: &Clip) -> Result<EncodedClip, LibraryError> {
-        let clip = clip.resample(1.0 / self.body.frame_time)?;
-        let name = || clip.name.clone();
-        let mismatch = |reason| LibraryError::Body { clip: name(), reason: Box::new(reason) };
-        self.body.mapping.skeleton().same_body(&clip.skeleton).map_err(mismatch)?;
-        let failed = |reason| LibraryError::Pose { clip: name(), reason: Box::new(reason) };
-        let mut rows = self.body.mapping.encode(&clip).map_err(failed)?.y;
-        let frames = rows.nrows();
-        for (mut column, mean) in rows.column_iter_mut().zip(&self.body.column_means) {
-            column.add_scalar_mut(-mean);
-        }
+        let columns = self.body.encode(clip).map_err(|reason| match reason {
+            DatasetError::OtherBody { clip, reason } => LibraryError::Body { clip, reason },
+            DatasetError::Clip(reason) => LibraryError::Clip(reason),
+            DatasetError::Pose { clip, reason } => LibraryError::Pose { clip, reason },
+            reason => LibraryError::Training(reason),
+        })?;
         let info = SequenceInfo {
             name: clip.name.clone(),
             sha256: clip.sha256.clone(),
-            frames,
+            frames: columns.nrows(),
             rests_from: None,
             piece: clip.piece,
             bones_of: clip.bones_of.clone(),
             whole: true,
         };
-        Ok(EncodedClip { y: self.body.layout.split(&rows), info })
+        Ok(EncodedClip { y: self.body.centred(&columns), info })
     }
 
     /// Adds a combination under the couplings `alpha` [M x M] as a movement of this name, which replaces a
