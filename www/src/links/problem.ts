@@ -1,4 +1,4 @@
-// Why a link cannot be opened. The words are in words/links.
+// The reasons why a link cannot be opened. Their sentences are in words/links.
 
 export type LinkProblem =
   /** The form of the packed model is not the one of this version: the text before the first point. */

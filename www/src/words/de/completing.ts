@@ -14,7 +14,7 @@ export const completing: typeof english = {
   error: (part: string, ratio: string) => `${part}: Fehler ${ratio}`,
   after: (ratio: string) => `danach ${ratio}`,
   meaning:
-    "Quadratischer Fehler der Gelenkwinkel: 0 ist die Aufnahme selbst, 1 ist so schlecht wie eine Figur, die in der mittleren Haltung steht.",
+    "Der Fehler ist 0, wo sich der Teil wie aufgenommen bewegt, und 1, wo er nicht besser ist als die mittlere Haltung der Clips.",
   ownWalk: "Die Bewegung des Modells, wie gelernt",
   notReady: "Das Modell ist noch nicht bereit. Versuche es gleich noch einmal",
   failed: "Die Aufnahme lässt sich nicht ergänzen",

@@ -12,7 +12,7 @@ export const completing = {
   error: (part: string, ratio: string) => `${part}: error ${ratio}`,
   after: (ratio: string) => `afterwards ${ratio}`,
   meaning:
-    "Squared error of the joint angles: 0 is the recording itself, 1 is as bad as a figure that stands in the mean pose.",
+    "The error is 0 where the part moves as recorded, and 1 where it is no better than the mean pose of the clips.",
   ownWalk: "The model’s own motion, as learned",
   notReady: "The model is not ready; try again in a moment",
   failed: "The recording cannot be completed",
