@@ -1,12 +1,12 @@
 // A recording moves one part of the model's body, and the model infers the others.
 import type { ClipsStore } from "../clips/clips-store";
+import { ModelDocument } from "../couplings/model-document";
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
-import { OpenDocument } from "../engine/open-document";
 import type { ClipSource, ModelView } from "../engine/protocol";
 import type { CompletedClip, CompletionRequest, PartCompletion } from "../engine/whole-protocol";
-import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
@@ -38,15 +38,13 @@ export class CompletingStore extends Store {
   readonly #clips: ClipsStore;
   readonly #stage: StageStore;
   readonly #notices: NoticesStore;
-  readonly #document: OpenDocument<WholeCalls, void>;
+  readonly #document: ModelDocument;
   readonly #asked: Latest<Asked, CompletedClip>;
   #part = 0;
   #clip = "";
   /** Seconds; null: to the end. */
   #until: number | null = null;
   #shown = false;
-  /** The document of the model of this revision. */
-  #text: { revision: number; text: Promise<string> } | null = null;
   #scores: readonly PartCompletion[] | null = null;
   /** What the worker was last asked for. */
   #last = "";
@@ -57,12 +55,12 @@ export class CompletingStore extends Store {
     clips: ClipsStore,
     stage: StageStore,
     notices: NoticesStore,
-    { desk }: Pick<WholeWorkers, "desk">,
+    workers: Pick<WholeWorkers, "desk">,
   ) {
     super();
     [this.#engine, this.#model, this.#clips] = [engine, model, clips];
     [this.#stage, this.#notices] = [stage, notices];
-    this.#document = new OpenDocument(desk, (worker, text) => worker.openOutlook(text));
+    this.#document = new ModelDocument(engine, workers);
     this.#asked = new Latest(
       (asked) => this.#complete(asked),
       (completed, asked) => this.#take(completed, asked),
@@ -189,14 +187,12 @@ export class CompletingStore extends Store {
     const { engine } = this.#engine;
     const { learned } = this.#model;
     if (!engine || !learned) throw new Error(completingWords().notReady);
-    if (this.#text?.revision !== model.revision)
-      this.#text = { revision: model.revision, text: engine.modelJson() };
     const source = clip.source ?? {
       name: "walk.bvh",
       file: new Blob([await engine.rolloutBvh(learned.request)]),
     };
     const { first, end } = clip;
-    return this.#document.ask(await this.#text.text, (worker) =>
+    return this.#document.ask(model.revision, (worker) =>
       worker.complete({ ...request, clip: { id: 0, source, first, end } }),
     );
   }

@@ -1,12 +1,12 @@
 // The outlook: sampled futures of the rollout on the stage, Gaussian moments of its latents, and pictures of
 // how sure the model is.
+import { ModelDocument } from "../couplings/model-document";
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
-import { OpenDocument } from "../engine/open-document";
 import type { RolloutRequest, RolloutResult } from "../engine/protocol";
 import type { PartMoments, PlanePicture } from "../engine/whole-protocol";
-import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
@@ -28,15 +28,12 @@ interface Moments {
 }
 
 export class OutlookStore extends Store {
-  readonly #engine: EngineStore;
   readonly #model: ModelStore;
   readonly #stage: StageStore;
   readonly #notices: NoticesStore;
-  readonly #document: OpenDocument<WholeCalls, void>;
+  readonly #document: ModelDocument;
   readonly #pictures: PlanePictures;
   readonly #shown = new Set<Outlook>();
-  /** The document of the model of this revision. */
-  #text: { revision: number; text: Promise<string> } | null = null;
   #seed = 1;
   #futures: RolloutResult[] = [];
   #moments: Moments | null = null;
@@ -50,19 +47,16 @@ export class OutlookStore extends Store {
     model: ModelStore,
     stage: StageStore,
     notices: NoticesStore,
-    { desk }: Pick<WholeWorkers, "desk">,
+    workers: Pick<WholeWorkers, "desk">,
   ) {
     super();
-    this.#engine = engine;
     this.#model = model;
     this.#stage = stage;
     this.#notices = notices;
-    this.#document = new OpenDocument(desk, (worker, text) => worker.openOutlook(text));
+    this.#document = new ModelDocument(engine, workers);
     this.#pictures = new PlanePictures(
       async ({ rollout: { revision, request }, part, picture }) =>
-        this.#document.ask(await this.#textOf(revision), (worker) =>
-          worker.paintPlane(request, part, picture),
-        ),
+        this.#document.ask(revision, (worker) => worker.paintPlane(request, part, picture)),
       () => this.changed(),
       (problem) => this.#fail("certainty", problem),
     );
@@ -138,19 +132,8 @@ export class OutlookStore extends Store {
   }
 
   async #match({ revision, request }: RolloutResult): Promise<Moments> {
-    const text = await this.#textOf(revision);
-    return {
-      revision,
-      request,
-      parts: await this.#document.ask(text, (worker) => worker.moments(request)),
-    };
-  }
-
-  #textOf(revision: number): Promise<string> {
-    const { engine } = this.#engine;
-    if (!engine) throw new Error(lab().learn.training.whyNot.cannotRun);
-    if (this.#text?.revision !== revision) this.#text = { revision, text: engine.modelJson() };
-    return this.#text.text;
+    const parts = await this.#document.ask(revision, (worker) => worker.moments(request));
+    return { revision, request, parts };
   }
 
   #takeFutures(futures: RolloutResult[]): void {
