@@ -14,7 +14,7 @@ import {
   Vector2,
   Vector3,
 } from "three";
-import { partColourNow, theme } from "../ui/palette";
+import { partColourNow, type Theme, theme } from "../ui/palette";
 import { partOfJoints } from "./part-of-joints";
 import type { Figure, PartSpec } from "../engine/protocol";
 import { type Ball, type Capsule, type Shape, shapeOf } from "./body-shape";
@@ -57,8 +57,8 @@ function stencil<M extends Material>(material: M, mark: number): M {
  * The materials of an outline: the body itself without a colour, and a thicker body around it, of which only
  * the rim is drawn.
  */
-function outline(): { body: Material; rim: Material } {
-  const rim = new MeshBasicMaterial({ color: theme().quiet, transparent: true, depthWrite: false });
+function outline({ quiet }: Theme): { body: Material; rim: Material } {
+  const rim = new MeshBasicMaterial({ color: quiet, transparent: true, depthWrite: false });
   const body = new MeshBasicMaterial({ colorWrite: false, transparent: true, depthWrite: false });
   return { body: stencil(body, PALE), rim: stencil(rim, OUTLINE) };
 }
@@ -74,6 +74,27 @@ function orderOf(style: FigureStyle): number {
   if (style.kind === "solid") return 0;
   if (style.kind === "future") return 1 + style.index / 100;
   return style.kind === "accent" && style.opacity === 1 ? 1 : 2;
+}
+
+/** The material of a part; -1: of joints in no part. */
+function materialFor(part: number, style: FigureStyle, colours: Theme): MeshStandardMaterial {
+  const { ghost } = colours;
+  const own = part < 0 ? ghost : partColourNow(part, colours);
+  const look = { roughness: 0.62, metalness: 0 };
+  const accent = style.kind === "accent" && style.part === part;
+  const opacity = opacityOf(style, accent);
+  const color = accent || style.kind === "solid" || style.kind === "future" ? own : ghost;
+  const depthWrite = style.kind !== "future";
+  const material = new MeshStandardMaterial({
+    ...look,
+    color,
+    transparent: opacity < 1,
+    opacity,
+    depthWrite,
+  });
+  const pale = style.kind === "future" ? FIRST_FUTURE + style.index : PALE;
+  stencil(material, opacity < 1 ? pale : SOLID);
+  return material;
 }
 
 /** A capsule with a radius for each end, from the origin upwards. */
@@ -109,10 +130,11 @@ export class FigureView {
     parts: readonly PartSpec[],
     pose: Float32Array,
     style: FigureStyle,
+    colours = theme(),
   ) {
     const shape = shapeOf(figure, joints, pose);
     if (style.kind === "ghost") {
-      const { body, rim } = outline();
+      const { body, rim } = outline(colours);
       this.#materials.set(-1, body).set(-2, rim);
       this.#addBody(shape, style, 0, () => body);
       this.#addBody(shape, style, OUTLINE_WIDTH, () => rim);
@@ -121,7 +143,7 @@ export class FigureView {
     const part = partOfJoints(joints.length, parts);
     const materialOf = (joint: number) => {
       const index = part[joint] ?? -1;
-      const material = this.#materials.get(index) ?? this.#material(index, style);
+      const material = this.#materials.get(index) ?? materialFor(index, style, colours);
       this.#materials.set(index, material);
       return material;
     };
@@ -154,26 +176,6 @@ export class FigureView {
     // A rim is drawn after the body that it surrounds.
     mesh.renderOrder = orderOf(style) + thicker;
     this.group.add(mesh);
-  }
-
-  #material(part: number, style: FigureStyle): MeshStandardMaterial {
-    const { ghost } = theme();
-    const own = part < 0 ? ghost : partColourNow(part);
-    const look = { roughness: 0.62, metalness: 0 };
-    const accent = style.kind === "accent" && style.part === part;
-    const opacity = opacityOf(style, accent);
-    const color = accent || style.kind === "solid" || style.kind === "future" ? own : ghost;
-    const depthWrite = style.kind !== "future";
-    const material = new MeshStandardMaterial({
-      ...look,
-      color,
-      transparent: opacity < 1,
-      opacity,
-      depthWrite,
-    });
-    const pale = style.kind === "future" ? FIRST_FUTURE + style.index : PALE;
-    stencil(material, opacity < 1 ? pale : SOLID);
-    return material;
   }
 
   /** Fades the whole figure or one part, 0 to 1. */

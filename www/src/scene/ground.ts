@@ -65,8 +65,9 @@ export class Ground {
   readonly #plane: Mesh;
   readonly #shadow: Mesh<PlaneGeometry, ShadowMaterial>;
   #contacts: Mesh<CircleGeometry, ShaderMaterial>[] = [];
+  #dark = false;
 
-  constructor() {
+  constructor(colours = theme()) {
     this.#grid = new ShaderMaterial({
       vertexShader: GRID_VERTEX,
       fragmentShader: GRID_FRAGMENT,
@@ -83,11 +84,11 @@ export class Ground {
     this.#shadow.position.y = 0.001;
     this.#shadow.renderOrder = -2;
     this.group.add(this.#plane, this.#shadow);
-    this.recolour();
+    this.recolour(colours);
   }
 
-  recolour(): void {
-    const { dark } = theme();
+  recolour({ dark } = theme()): void {
+    this.#dark = dark;
     this.#grid.uniforms.colour!.value = new Color(dark ? "#9aa4ad" : "#6a737b");
     this.#grid.uniforms.strength!.value = dark ? 0.3 : 0.28;
     this.#shadow.material.opacity = dark ? 0.5 : 0.2;
@@ -116,7 +117,7 @@ export class Ground {
       this.#contacts.push(mesh);
       this.group.add(mesh);
     }
-    const most = theme().dark ? 0.55 : 0.3;
+    const most = this.#dark ? 0.55 : 0.3;
     this.#contacts.forEach((mesh, i) => {
       const node = nodes[i];
       mesh.visible = node !== undefined;

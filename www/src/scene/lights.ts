@@ -7,7 +7,7 @@ export class Lights {
   readonly #sky = new HemisphereLight(0xffffff, 0xb8b2a6, 1.5);
 
   /** `fineness`: pixels of the shadow, each way. */
-  constructor(scene: Scene, fineness: number) {
+  constructor(scene: Scene, fineness: number, colours = theme()) {
     const { shadow } = this.#sun;
     this.#sun.castShadow = true;
     shadow.mapSize.set(fineness, fineness);
@@ -15,11 +15,10 @@ export class Lights {
     const view = shadow.camera;
     [view.left, view.right, view.top, view.bottom, view.near, view.far] = [-1.6, 1.6, 1.9, -1.3, 0.5, 9];
     scene.add(this.#sky, this.#sun, this.#sun.target);
-    this.recolour();
+    this.recolour(colours);
   }
 
-  recolour(): void {
-    const { dark } = theme();
+  recolour({ dark } = theme()): void {
     this.#sky.intensity = dark ? 1.15 : 1.6;
     this.#sky.groundColor.set(dark ? 0x2a2d33 : 0xc9c3b8);
     this.#sun.intensity = dark ? 2.0 : 2.1;

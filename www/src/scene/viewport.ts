@@ -2,7 +2,7 @@
 // the best quality that the machine can draw in time.
 import { PCFShadowMap, PerspectiveCamera, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { onThemeChange, theme } from "../ui/palette";
+import { onThemeChange, type Theme, theme } from "../ui/palette";
 import { type Quality, PictureQuality } from "./picture-quality";
 
 /** Largest number of drawn pixels for each pixel of the page, each way. */
@@ -17,7 +17,7 @@ const ZOOMS: Record<string, number> = { "+": 0.9, "-": 1.1 };
 export interface ViewportEvents {
   /** The canvas has another size in pixels of the page. */
   resized(width: number, height: number): void;
-  /** The page turned dark or light. */
+  /** The picture turned dark or light. */
   recoloured(): void;
 }
 
@@ -30,16 +30,22 @@ export class Viewport {
   readonly #observer = new ResizeObserver(() => this.resize());
   readonly #listening = new AbortController();
   readonly #stopThemes: () => void;
+  #dark: boolean | null;
   #quality: Quality = "fine";
   #changed = true;
   #drawn = 0;
 
-  /** Throws where the browser has no WebGL. The caller calls `resize` once the camera can be fitted. */
+  /**
+   * Throws where the browser has no WebGL. The caller calls `resize` once the camera can be fitted. `dark`:
+   * null follows the system.
+   */
   constructor(
     readonly canvas: HTMLCanvasElement,
     events: ViewportEvents,
+    dark: boolean | null = null,
   ) {
     this.#events = events;
+    this.#dark = dark;
     this.renderer = new WebGLRenderer({
       canvas,
       antialias: true,
@@ -49,7 +55,7 @@ export class Viewport {
     this.renderer.outputColorSpace = SRGBColorSpace;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
-    this.renderer.setClearColor(theme().ground);
+    this.renderer.setClearColor(this.theme.ground);
     this.controls = new OrbitControls(this.camera, canvas);
     Object.assign(this.controls, {
       enablePan: false,
@@ -60,12 +66,32 @@ export class Viewport {
     this.controls.addEventListener("change", () => this.changed());
     const { signal } = this.#listening;
     canvas.addEventListener("keydown", (event) => this.#turnByKey(event), { signal });
-    this.#observer.observe(canvas.parentElement ?? canvas);
+    canvas.addEventListener("webglcontextrestored", () => this.changed(), { signal });
+    this.#observer.observe(canvas);
     this.#stopThemes = onThemeChange(() => {
-      this.renderer.setClearColor(theme().ground);
-      events.recoloured();
-      this.changed();
+      if (this.#dark === null) this.#recolour();
     });
+  }
+
+  /** The colours of the picture. */
+  get theme(): Theme {
+    return theme(this.#dark ?? undefined);
+  }
+
+  /** Whether the picture is dark; null: as the system asks. */
+  get dark(): boolean | null {
+    return this.#dark;
+  }
+
+  set dark(dark: boolean | null) {
+    this.#dark = dark;
+    this.#recolour();
+  }
+
+  #recolour(): void {
+    this.renderer.setClearColor(this.theme.ground);
+    this.#events.recoloured();
+    this.changed();
   }
 
   /** The number of drawn pictures. */
@@ -75,7 +101,7 @@ export class Viewport {
 
   /** Size in pixels of the page. */
   get size(): { width: number; height: number } {
-    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement ?? this.canvas;
+    const { clientWidth: width, clientHeight: height } = this.canvas;
     return { width, height };
   }
 
@@ -90,9 +116,18 @@ export class Viewport {
     if (width === 0 || height === 0) return;
     this.renderer.setPixelRatio(Math.min(PIXELS[this.#quality], devicePixelRatio));
     this.renderer.setSize(width, height, false);
+    this.#keepSize(width, height);
     this.#events.resized(width, height);
     this.camera.updateProjectionMatrix();
     this.changed();
+  }
+
+  /** A canvas without a size in its style would grow with its pixels. */
+  #keepSize(width: number, height: number): void {
+    const { canvas, size } = this;
+    if (size.width === width && size.height === height) return;
+    canvas.style.width = `${width}px`;
+    canvas.style.height = `${height}px`;
   }
 
   /**

@@ -6,7 +6,7 @@ import { eachFrame } from "../ui/each-frame";
 import { View } from "../ui/view";
 import "./columns-view.css";
 import type { Playback } from "./playback";
-import { sameBody } from "./stage";
+import { sameBody } from "../scene/followed-figure";
 import type { StageContent, StageColumn, StageStore } from "./stage-store";
 import { styled } from "../ui/styled";
 import { lab } from "../words/lab";

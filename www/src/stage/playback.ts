@@ -10,8 +10,10 @@ export class Playback extends Clock {
   /** The live motion in front of the walk. */
   #live: LiveTrack | null = null;
 
-  constructor(settings: SettingsStore) {
+  /** The settings give speed and loop. Without them, the motion repeats at its own speed. */
+  constructor(settings?: SettingsStore) {
     super();
+    if (!settings) return;
     const follow = () => {
       this.player.speed = settings.values.speed;
       this.player.loops = settings.values.loop;

@@ -22,4 +22,6 @@ it("has a colour of a part for styles that turns with the page, and the one of n
   expect(dark.partColour(0)).toBe(blue);
   expect(dark.partColourNow(0)).toBe("#3ea3e6");
   expect(dark.partColourNow(8)).toBe("#3ea3e6");
+  expect(dark.partColourNow(0, dark.theme(false)), "a light picture on a dark page").toBe("#0072b2");
+  expect(dark.theme(false).ground).toBe(light.theme().ground);
 });

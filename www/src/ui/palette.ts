@@ -53,8 +53,9 @@ const darkScheme = darkQuery();
 /** Never read: Chromium sends no event from a list whose `matches` was read since the colours changed. */
 const schemeChanges = darkQuery();
 
-export function theme(): Theme {
-  return darkScheme?.matches ? DARK : LIGHT;
+/** The colours of a dark or light picture. Without `dark`, those that the system asks for now. */
+export function theme(dark = darkScheme?.matches ?? false): Theme {
+  return dark ? DARK : LIGHT;
 }
 
 const shadesOf = (part: number): Shades => PARTS[part % PARTS.length] ?? BLUE;
@@ -66,9 +67,9 @@ export function partColour(part: number): string {
 }
 
 /** The present colour, for canvases, WebGL and files. Drawings with it must be redrawn `onThemeChange`. */
-export function partColourNow(part: number): string {
+export function partColourNow(part: number, { dark: isDark } = theme()): string {
   const { light, dark } = shadesOf(part);
-  return theme().dark ? dark : light;
+  return isDark ? dark : light;
 }
 
 /** Calls back when the page turns dark or light. Returns a function that stops the calls. */
