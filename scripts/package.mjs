@@ -82,6 +82,11 @@ export async function train(data, options) {
 }
 `;
 
+const PLAYER = `/* @ts-self-types="./vcgpdm.d.ts" */
+export { default } from "./load.js";
+export * from "./glue.js";
+`;
+
 const TRAIN_TYPES = `
 /** How a training is watched and stopped. */
 export interface Watch {
@@ -98,15 +103,18 @@ export function train(clips: Clip | Clip[], options?: TrainingOptions & Watch): 
 export function train(tables: Table | Table[], options?: TableTrainingOptions & Watch): Promise<Model>;
 `;
 
-const TYPES = `import type { Clip, Model, Table, TableTrainingOptions, TrainingProgress, TrainingOptions } from "../web/glue.js";
-import type { InitInput, InitOutput } from "../web/glue.js";
-export * from "../web/glue.js";
+const INIT_TYPES = `
 /**
  * Loads the wasm, once, before any other call: the file of the package, or the argument (an address, bytes, a
  * response). In Node the wasm is loaded by the import, and this does nothing.
  */
 export default function init(wasm?: { module_or_path: InitInput | Promise<InitInput> } | InitInput | Promise<InitInput>): Promise<InitOutput>;
-${TRAIN_TYPES}`;
+`;
+
+const TYPES = `import type { Clip, Model, Table, TableTrainingOptions, TrainingProgress, TrainingOptions } from "../web/glue.js";
+import type { InitInput, InitOutput } from "../web/glue.js";
+export * from "../web/glue.js";
+${INIT_TYPES}${TRAIN_TYPES}`;
 
 const INLINE = `/* @ts-self-types="./vcgpdm.d.ts" */
 import load from "../web/glue.js";
@@ -170,15 +178,27 @@ export function writeNodeEntry(/** @type {string} */ place, text = NODE_WITH_FIL
   writeFileSync(join(place, "node", "package.json"), '{"type":"module"}\n');
 }
 
+/** The declaration of `init` by wasm-bindgen, which demands an argument, with its comment. */
+const OLD_INIT = /\n\/\*\*(?:(?!\*\/)[\s\S])*\*\/\nexport default function [^\n]*\n/;
+
 /** Completes the package in \`place\`, which has the targets' folders web and player. */
 export function completePackage(/** @type {string} */ place) {
   const at = (/** @type {string[]} */ ...path) => join(place, ...path);
   for (const folder of ["web", "player"]) mend(at(folder), folder === "web");
 
-  // The entry names the wasm by its address; the glue does not, because bundlers would look for the file.
-  renameSync(at("web", "vcgpdm.js"), at("web", "glue.js"));
+  // An entry names the wasm by its address; the glue does not, because bundlers would look for the file.
+  for (const folder of ["web", "player"]) {
+    renameSync(at(folder, "vcgpdm.js"), at(folder, "glue.js"));
+    change(at(folder, "glue.js"), '/* @ts-self-types="./vcgpdm.d.ts" */\n', "");
+    copyFileSync(join(root, "crate/wasm/js/load.js"), at(folder, "load.js"));
+  }
+  writeFileSync(at("player", "vcgpdm.js"), PLAYER);
+  const playerTypes = readFileSync(at("player", "vcgpdm.d.ts"), "utf8");
+  const [oldInit] = playerTypes.match(OLD_INIT) ?? [];
+  if (!oldInit) throw new Failure("player/vcgpdm.d.ts: expected a default export, found none");
+  change(at("player", "vcgpdm.d.ts"), oldInit, INIT_TYPES);
+
   renameSync(at("web", "vcgpdm.d.ts"), at("web", "glue.d.ts"));
-  change(at("web", "glue.js"), '/* @ts-self-types="./vcgpdm.d.ts" */\n', "");
   writeFileSync(at("web", "vcgpdm.js"), WEB);
   writeFileSync(at("web", "vcgpdm.d.ts"), TYPES);
 
@@ -188,7 +208,7 @@ export function completePackage(/** @type {string} */ place) {
   writeFileSync(at("inline", "vcgpdm.js"), INLINE);
   writeFileSync(at("inline", "vcgpdm.d.ts"), TYPES);
 
-  for (const file of ["load.js", "train.js", "worker.js"])
+  for (const file of ["train.js", "worker.js"])
     copyFileSync(join(root, "crate/wasm/js", file), at("web", file));
 
   writeNodeEntry(place, NODE);

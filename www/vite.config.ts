@@ -117,9 +117,9 @@ export default defineConfig({
   plugins: [heldToPolicy, offline()],
   resolve: {
     alias: [
-      // Without `train`: the page has workers of its own, and would carry that of the package besides.
+      // Without `train` and without the address of the wasm: the page has workers and a loader of its own.
       { find: /^vcgpdm$/, replacement: wasmPackage("web/glue.js") },
-      { find: /^vcgpdm\/player$/, replacement: wasmPackage("player/vcgpdm.js") },
+      { find: /^vcgpdm\/player$/, replacement: wasmPackage("player/glue.js") },
       // For tests: Node reads no wasm from an address.
       { find: /^vcgpdm\/inline$/, replacement: wasmPackage("inline/vcgpdm.js") },
     ],
