@@ -24,6 +24,8 @@ export const budget = {
   series: 12_000,
   /** The writer of GLB files. */
   glb: 15_000,
+  /** `vcgpdm/figure` of the npm package, with three.js. */
+  figure: 150_000,
   /** The page for teachers in two languages, with the writer of QR codes and of links with a model. */
   teach: 30_000,
 };

@@ -1,15 +1,18 @@
 // `npm run build`: builds a static site in www/dist from a clean clone. With --wasm-only it stops after the
 // npm package crate/wasm/pkg.
 import { fileURLToPath } from "node:url";
+import { buildFigure } from "./figure.mjs";
 import { writeFirst } from "./first.mjs";
 import { main, step } from "./run.mjs";
 import { buildSite, weigh } from "./site.mjs";
 import { installTools } from "./tools.mjs";
 import { buildWasm, compileWasm } from "./wasm.mjs";
 
-/** Without `small`, wasm-opt is left out: the wasm is larger and ready sooner. */
+/** Without `small`, wasm-opt and the figure of the npm package are left out: the page is ready sooner. */
 export async function build({ wasmOnly = false, small = true } = {}) {
   await step("npm package vcgpdm (wasm)", () => buildWasm({ small }));
+  // The page contains the same sources, so `npm start` does not wait for the package.
+  if (small) await step("npm package vcgpdm (figure)", buildFigure);
   if (wasmOnly) return;
   await step("first model and motion", writeFirst);
   await step("page", buildSite);

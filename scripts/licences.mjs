@@ -98,8 +98,9 @@ function notice(/** @type {Part[]} */ parts) {
 
 const sorted = (/** @type {Part[]} */ parts) => parts.sort((a, b) => a.name.localeCompare(b.name, "en"));
 
-/** For the npm package, which holds the wasm. */
-export const wasmNotice = () => notice(sorted(crates()));
+/** For the npm package, which holds the wasm and, in its figure, three.js. */
+export const packageNotice = () =>
+  notice(sorted([...crates(), ...npmPackages().filter(({ name }) => name === "three")]));
 
 /** Writes `licences.txt` next to the page. */
 export function writeLicences() {

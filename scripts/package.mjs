@@ -236,6 +236,8 @@ const inNode = {
   require: { types: "./node/vcgpdm.d.cts", default: "./node/vcgpdm.cjs" },
 };
 
+const figure = { types: "./figure/figure.d.ts", default: "./figure/figure.js" };
+
 /** The fields of package.json that say which importer gets what. */
 export const entries = {
   type: "module",
@@ -246,9 +248,16 @@ export const entries = {
     ".": { node: inNode, default: entry("web") },
     "./inline": { node: inNode, default: entry("inline") },
     "./player": { node: inNode, default: entry("player") },
+    "./figure": {
+      node: {
+        import: figure,
+        require: { types: "./figure/figure.d.cts", default: "./figure/figure.cjs" },
+      },
+      default: figure,
+    },
     "./vcgpdm_bg.wasm": "./web/vcgpdm_bg.wasm",
     "./package.json": "./package.json",
   },
-  files: ["web", "inline", "node", "player", "THIRD-PARTY.txt"],
+  files: ["web", "inline", "node", "player", "figure", "THIRD-PARTY.txt"],
   sideEffects: ["./web/worker.js"],
 };

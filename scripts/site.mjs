@@ -82,6 +82,7 @@ export function weigh() {
     ["time series", sum(series), budget.series],
     ["motion as GLB", sum(glb), budget.glb],
     ["for teachers", sum(teach), budget.teach],
+    ["vcgpdm/figure", gzipSync(readFileSync(at("crate/wasm/pkg/figure/figure.js"))).length, budget.figure],
   ];
 
   const rows = [...[...first, ...besides].map(({ name, size }) => [name, size, ""]), ...sums];

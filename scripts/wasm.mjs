@@ -2,7 +2,7 @@
 // page (player/), which shows clips and models and trains none.
 import { copyFileSync, cpSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { wasmNotice } from "./licences.mjs";
+import { packageNotice } from "./licences.mjs";
 import { completePackage, entries, writeNodeEntry } from "./package.mjs";
 import { addresses } from "./release.mjs";
 import { at, Failure, filesUnder, isUpToDate, output, root, run, runModule, whenChanged } from "./run.mjs";
@@ -127,7 +127,7 @@ function describe() {
     engines: { node: ">=20.19" },
   };
   writeFileSync(at("crate/wasm/pkg/package.json"), `${JSON.stringify(about, null, 2)}\n`);
-  writeFileSync(at("crate/wasm/pkg/THIRD-PARTY.txt"), wasmNotice());
+  writeFileSync(at("crate/wasm/pkg/THIRD-PARTY.txt"), packageNotice());
   copyFileSync(at("crate/wasm/README.md"), at("crate/wasm/pkg/README.md"));
   for (const file of readdirSync(root).filter((name) => name.startsWith("LICENSE")))
     copyFileSync(at(file), at("crate/wasm/pkg", file));

@@ -126,6 +126,27 @@ describe("other bundlers", () => {
       assert.match(await titleIn(folder), DONE);
     },
   );
+  const figure = `import init, { Clip, train } from "vcgpdm/inline";
+import { Figure } from "vcgpdm/figure";
+await init();
+const model = await train(Clip.sample("walk-1").cut(0, 60), { ...${settings}, parts: "lower,upper" });
+const figure = new Figure(document.querySelector("canvas"), model);
+figure.play();
+const wait = () => {
+  if (figure.time > 0.3) document.title = "done: " + figure.alpha.length + " parts walk";
+  else requestAnimationFrame(wait);
+};
+wait();
+`;
+  client(
+    "esbuild, the figure and the inlined entry in one file",
+    ["esbuild"],
+    { "index.html": `${html("./main.js")}<canvas></canvas>\n`, "app.js": figure },
+    async (folder) => {
+      await tool(folder, "esbuild", "app.js", "--bundle", "--format=esm", "--outfile=main.js");
+      assert.equal(await titleIn(folder), "done: 2 parts walk");
+    },
+  );
   const byUrl = app().replace("init()", "init(new URL(wasm, import.meta.url))");
   const byFile = `import wasm from "vcgpdm/vcgpdm_bg.wasm";\n${byUrl}`;
   client("esbuild, by the exported file", ["esbuild"], { ...page, "app.js": byFile }, async (folder) => {
@@ -231,6 +252,11 @@ describe("runtimes", () => {
       const program = modules.replace('"vcgpdm"', `"${entry}"`);
       assert.equal(await run(folder, process.execPath, "--input-type=module", "-e", program), "252\n");
     }
+    // Servers import what their pages show.
+    const imported = 'import { Figure } from "vcgpdm/figure";\nconsole.log(typeof Figure);\n';
+    assert.equal(await run(folder, process.execPath, "--input-type=module", "-e", imported), "function\n");
+    const required = 'console.log(typeof require("vcgpdm/figure").Figure)';
+    assert.equal(await run(folder, process.execPath, "--input-type=commonjs", "-e", required), "function\n");
   });
   for (const version of ["20.19", "22", "24"]) {
     client(`Node ${version}, as module and by require`, [`node@${version}`], files, async (folder) => {
@@ -256,7 +282,20 @@ describe("runtimes", () => {
 describe("compilers and checkers", () => {
   const use =
     'import init, { Clip, type ErrorCode, type Model, Table } from "vcgpdm";\nawait init();\nconst clip: Clip = Clip.sample("walk-1");\nclip[Symbol.dispose]();\nexport const code: ErrorCode = "freed";\nexport const table = (model: Model): string => model.info().kind + Table.name;\n';
-  const checks = { "use.mts": use, "use-web.mts": use.replace('"vcgpdm"', '"vcgpdm/inline"') };
+  const figure = ["vcgpdm", "vcgpdm/inline", "vcgpdm/player"]
+    .map(
+      (entry, i) => `import type { Model as Model${i} } from "${entry}";
+export const show${i} = (canvas: HTMLCanvasElement, model: Model${i}) => new Figure(canvas, model, { dark: true });
+`,
+    )
+    .join("");
+  const checks = {
+    "use.mts": use,
+    "use-web.mts": use.replace('"vcgpdm"', '"vcgpdm/inline"'),
+    "use-figure.mts": `import { Figure } from "vcgpdm/figure";\n${figure}`,
+    "use-figure.cts": `import { Figure } from "vcgpdm/figure";\nexport const figures: Figure[] = [];\n`,
+    "use-player.mts": 'import init from "vcgpdm/player";\nawait init();\n',
+  };
   const strict = ["--noEmit", "--strict", "--skipLibCheck", "false", "--target", "es2022"];
   client("TypeScript, with the libraries checked", ["typescript"], checks, async (folder) => {
     for (const how of [
@@ -264,10 +303,7 @@ describe("compilers and checkers", () => {
       ["--module", "esnext", "--moduleResolution", "bundler"],
     ])
       for (const lib of ["es2022,dom", "esnext,dom"])
-        assert.equal(
-          await tool(folder, "tsc", ...strict, ...how, "--lib", lib, "use.mts", "use-web.mts"),
-          "",
-        );
+        assert.equal(await tool(folder, "tsc", ...strict, ...how, "--lib", lib, ...Object.keys(checks)), "");
   });
   client("publint", ["publint"], {}, async (folder) => {
     assert.match(await tool(folder, "publint", "node_modules/vcgpdm", "--strict"), /All good/);

@@ -1,5 +1,5 @@
-// Every snippet of the package's README, run as it stands there. The worker's is run in a browser:
-// tests/clients.
+// Every snippet of the package's README, run as it stands there. A browser runs the worker's (tests/clients)
+// and the figure's (tests/e2e/figure.test.mjs).
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -37,8 +37,10 @@ const PRINTS = /** @type {[string, RegExp][]} */ ([
   ["using clip", /^252\n$/],
 ]);
 
+const IN_BROWSERS = /^\/\/ worker\.js|\bfigure\./;
+
 describe("the README of the npm package", () => {
-  for (const { language, code } of snippets.filter(({ code }) => !code.startsWith("// worker.js"))) {
+  for (const { language, code } of snippets.filter(({ code }) => !IN_BROWSERS.test(code))) {
     const [mark, printed] = PRINTS.find(([mark]) => code.includes(mark)) ?? [];
     it(`runs: ${mark ?? code.split("\n")[0]}`, () => {
       assert.ok(printed, "a snippet that no test knows");
@@ -67,8 +69,14 @@ describe("the README of the npm package", () => {
   }
 
   it("has all of them", () => {
-    const known = snippets.filter(({ code }) => PRINTS.some(([mark]) => code.includes(mark)));
-    assert.deepEqual([known.length, snippets.length], [PRINTS.length, PRINTS.length + 1]);
+    const inBrowsers = snippets.filter(({ code }) => IN_BROWSERS.test(code));
+    const known = snippets.filter(
+      (snippet) => !inBrowsers.includes(snippet) && PRINTS.some(([mark]) => snippet.code.includes(mark)),
+    );
+    assert.deepEqual(
+      [known.length, inBrowsers.length, snippets.length],
+      [PRINTS.length, 3, PRINTS.length + 3],
+    );
   });
 
   it("leaves a model of two parts and a motion", () => {
