@@ -214,6 +214,51 @@ describe("a comparison of models", () => {
     await leave();
   });
 
+  it("puts the models of a trial on the stage, where they are saved", async () => {
+    const settings = "view=compare&models=vcgpdm,vgpdm,tmp&ips=5&fps=15&latent=2&steps=8&heldout=2";
+    const { page, problems, leave } = await site.visit({ settings, cores: 2 });
+    await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
+    await tick(page, 2);
+    await page.getByTestId("compare").click();
+    assert.match(await over(page), /3 of 3 trainings done/);
+    const toStage = (/** @type {string} */ model) =>
+      page.getByRole("button", { name: new RegExp(`^Put on the stage: ${model}`) }).click();
+    const title = page.getByTestId("stage-title");
+    /** The model that the Lab saves. */
+    const onStage = async () => JSON.parse((await saved(page, "save-model")).text);
+
+    await toStage("TMP");
+    await title.getByText("Made by a TMP", { exact: true }).waitFor({ timeout: 30_000 });
+    const tmp = await saved(page, "save-model");
+    assert.match(tmp.name, /^tmp-without-.*\.model\.json$/);
+    assert.equal(JSON.parse(tmp.text).kind, "tmp");
+    await page.getByTestId("save").click();
+    assert.ok(await page.getByTestId("share").isDisabled(), "a link holds no TMP");
+    await page.keyboard.press("Escape");
+
+    await page.getByTestId("view-compare").click();
+    await toStage("vCGPDM");
+    await title.getByText("Made by a TMP").waitFor({ state: "detached", timeout: 30_000 });
+    await page.getByTestId("view-compare").click();
+    // The vCGPDM is on no disk yet, so the page asks before another model takes its place.
+    await toStage("vGPDM");
+    await page.getByTestId("unsaved-keep").click();
+    await page.getByTestId("view-play").click();
+    const coupled = await onStage();
+    assert.equal(coupled.parts.length, 2);
+    assert.deepEqual(
+      coupled.sequences.map((/** @type {any} */ sequence) => sequence.whole ?? true),
+      [true, false],
+      "the last sequence is the beginning of the trial held out",
+    );
+    await page.getByTestId("view-compare").click();
+    await toStage("vGPDM");
+    await page.getByTestId("stage").waitFor();
+    assert.equal((await onStage()).parts.length, 1);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
   it("keeps results under other settings, and the stage moves after each comparison", async () => {
     const settings = "view=compare&models=vgpdm,dmp-rhythmic&ips=5&fps=15&latent=2&steps=5&heldout=1";
     const { page, problems, leave } = await site.visit({ settings, cores: 2, moving: true });

@@ -50,7 +50,7 @@ const PLAN = {
 
 describe("comparing models from Node", () => {
   it("trains every kind of model, predicts the trial held out and says what was found", () => {
-    const { Evaluation, Fold, Results, version } = installed.vcgpdm;
+    const { Evaluation, Fold, Model, Results, version } = installed.vcgpdm;
     const { clips, common } = trials();
     const results = Results.empty(clips, common);
     assert.equal(results.setting().trials.length, 3);
@@ -68,6 +68,12 @@ describe("comparing models from Node", () => {
       const predicted = prediction.positions();
       assert.equal(predicted.length, actual.length);
       assert.ok(predicted.every(Number.isFinite), candidate.model);
+      // From the last sequence, its first frames, the model of the file makes the same movement.
+      const model = Model.fromJson(training.model().toJson());
+      const { kind, sequences } = model.info();
+      assert.deepEqual([kind, sequences.length], [candidate.model, 3]);
+      const again = model.rollout({ frames: fold.frames, sequence: 2 }).positions();
+      assert.deepEqual(again, predicted, candidate.model);
       const outcome = prediction.outcome(0.5);
       assert.ok(outcome.score.dtwMse > 0 && outcome.storedNumbers > 0, candidate.model);
       assert.equal(

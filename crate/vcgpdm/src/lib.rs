@@ -128,7 +128,7 @@ pub mod internals {
     pub use crate::plural::counted;
     pub use crate::series::records::records;
 
-    use crate::models::{DatasetError, SequenceInfo, TrainingError};
+    use crate::models::{DatasetError, Progress, Provenance, SequenceInfo, Settings, TrainingError};
 
     pub mod json {
         pub use crate::json::*;
@@ -137,6 +137,16 @@ pub mod internals {
     /// A training error that names the clip instead of the number of its sequence.
     pub fn dataset_error(reason: TrainingError, sequences: &[SequenceInfo]) -> DatasetError {
         DatasetError::from_training(reason, sequences)
+    }
+
+    /// The provenance of the model of a training that is this far.
+    pub fn provenance(
+        settings: Settings,
+        seed: u32,
+        frames_per_second: f64,
+        progress: &Progress,
+    ) -> Provenance {
+        Provenance::of_training(settings, seed, frames_per_second, progress)
     }
 }
 

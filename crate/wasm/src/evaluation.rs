@@ -4,6 +4,7 @@ use crate::arguments::Whole;
 use crate::clip::TrainingSet;
 use crate::convert::{from_js, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
+use crate::model::Model;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 use vcgpdm::models::{FittedModel, Learner, Progress, Settings};
@@ -205,6 +206,8 @@ impl Fold {
 #[wasm_bindgen]
 pub struct Evaluation {
     fold: Rc<HeldOut>,
+    candidate: Settings,
+    seed: u32,
     learner: Box<dyn Learner>,
 }
 
@@ -220,7 +223,7 @@ impl Evaluation {
         let seed = seed.get(ErrorCode::Comparison, "the seed")?;
         let candidate: Settings = from_js(ErrorCode::Settings, "candidate", &candidate)?;
         let learner = fold.fold.learner(&candidate, seed)?;
-        Ok(Evaluation { fold: Rc::clone(&fold.fold), learner })
+        Ok(Evaluation { fold: Rc::clone(&fold.fold), candidate, seed, learner })
     }
 
     /// One iteration of the training.
@@ -234,6 +237,12 @@ impl Evaluation {
     pub fn prediction(&self) -> Result<Prediction, VcgpdmError> {
         let model = self.learner.model()?;
         Ok(Prediction { fold: Rc::clone(&self.fold), training: self.learner.progress(), model })
+    }
+
+    /// The best model so far, as in a file: its last sequence is the beginning of the trial held out.
+    pub fn model(&self) -> Result<Model, VcgpdmError> {
+        let (fitted, training) = (self.learner.model()?, self.learner.progress());
+        Ok(self.fold.model(fitted, &self.candidate, self.seed, &training)?.into())
     }
 }
 

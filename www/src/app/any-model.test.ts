@@ -23,7 +23,12 @@ it("shows the motion of a model without couplings, as long as that of the model,
     motion: { frames: 120 },
     caption: { title: "Made by a TMP", text: expect.stringContaining("without couplings") },
   });
-  expect(motionOnStage(stage)).toMatchObject({ name: "walk", kind: "tmp", bvh: "HIERARCHY" });
+  expect(motionOnStage(stage)).toMatchObject({
+    name: "walk",
+    kind: "tmp",
+    bvh: "HIERARCHY",
+    text: '{"kind":"tmp"}',
+  });
 });
 
 it("goes when the model comes back", async () => {

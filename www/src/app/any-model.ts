@@ -10,7 +10,10 @@ import { lab } from "../words/lab";
 /** The key of such a motion on the stage; keys of clips begin with "made-" or "own-". */
 const KEY = "other-model";
 
-const shown = new WeakMap<StageContent, MadeMotion & { name: string }>();
+/** A motion with the document of its model and the name of the file. */
+type ShownMotion = MadeMotion & { name: string; text: string };
+
+const shown = new WeakMap<StageContent, ShownMotion>();
 
 /** Rolls the model out and shows its motion. `name`: that of its file. */
 export async function showAnyModel(
@@ -26,7 +29,7 @@ export async function showAnyModel(
   const caption = { title: words.made(modelStyle(kind).name), text: words.noCouplings };
   const names = joints.map(({ name }) => name);
   const content: StageContent = { kind: "clip", clip: KEY, figure, joints: names, parts, motion, caption };
-  shown.set(content, { ...made, name: name.replace(/(\.model)?\.json$/i, "") });
+  shown.set(content, { ...made, name: name.replace(/(\.model)?\.json$/i, ""), text });
   stage.showClip(content);
 }
 

@@ -99,11 +99,16 @@ async function openJson(app: App, kind: DocumentKind, name: string, text: string
   } else if (kind === "series-model") {
     const { model } = await app.series.get();
     if (await model.open(text)) app.settings.change({ view: "series" });
-  } else if (hasNoCouplings(text)) {
-    await (await import("./any-model")).showAnyModel(app, name, text);
   } else {
-    await openModel(app, text);
+    await openAnyModel(app, name, text);
   }
+}
+
+/** Puts a model of any kind on the stage, as `openModel`. `name`: that of its file. */
+export async function openAnyModel(app: App, name: string, text: string, made = false): Promise<boolean> {
+  if (!hasNoCouplings(text)) return openModel(app, text, made);
+  await (await import("./any-model")).showAnyModel(app, name, text);
+  return true;
 }
 
 /**

@@ -4,13 +4,13 @@ import "../clips/clips-view";
 import "../couplings/couplings-view";
 import "../couplings/phase-clock";
 import "../latents/latents-view";
+import type { StagedModel } from "../stage/staged-model";
 import "../stage/stage-view";
 import "../stage/timeline";
 import "../training/training-view";
 import "../ui/notices-view";
 import type { HoldCoupling } from "../couplings/body-map";
 import type { LiveStore } from "../live/live-store";
-import type { StagedModel } from "../primitives/primitives-page";
 import type { SessionStore } from "../session/session-store";
 import { type Settings, TABS } from "../settings/settings";
 import { messageOf } from "../ui/format";
@@ -21,7 +21,7 @@ import { clipOnStage } from "./caption";
 import "./header";
 import "./lead";
 import type { HelpView } from "./help";
-import { openFiles, openModel } from "./open-files";
+import { openAnyModel, openFiles } from "./open-files";
 import { lab, shownPart } from "../words/lab";
 import { loadNumbers } from "../words/numbers";
 import { languageSwitch } from "./language-switch";
@@ -212,10 +212,10 @@ export class PageView extends View {
   }
 
   /** Puts a model of another view on the stage. */
-  async #stageModel({ text, made }: StagedModel): Promise<void> {
+  async #stageModel({ text, name, made }: StagedModel): Promise<void> {
     const { notices, settings } = this.app;
     try {
-      if (!(await openModel(this.app, text, made))) return;
+      if (!(await openAnyModel(this.app, name, await text, made))) return;
       settings.change({ view: "play" });
     } catch (problem) {
       notices.addError(lab().files.notTakenUp, messageOf(problem));

@@ -57,6 +57,7 @@ export class SaveMenu extends View {
     const words = lab().files;
     // A clip, or the motion of a model of another kind.
     const isBehind = this.app.stage.clip !== null;
+    const isOtherKind = isBehind && !clip;
     const noRollout = isBehind ? words.modelFirst : undefined;
     // Other views save their own files: the stage is not visible there.
     const { isPlayView } = this.app;
@@ -69,8 +70,8 @@ export class SaveMenu extends View {
         ${this.#item("positions", "CSV", hasModel || clip !== null)}
         ${this.#item("latents", "CSV", hasModel && !isBehind, noRollout)}
         ${this.#item("account", "JSON", hasModel && !isBehind, noRollout)}
-        ${this.#item("model", "JSON", hasModel)}
-        <button data-testid="share" ?disabled=${!hasModel} @click=${this.#share}><span>${words.share.title}<small>${words.share.about}</small></span><small>URL</small></button>
+        ${this.#item("model", "JSON", hasModel || isOtherKind)}
+        <button data-testid="share" ?disabled=${!hasModel || isOtherKind} @click=${this.#share}><span>${words.share.title}<small>${isOtherKind ? words.share.noCouplings : words.share.about}</small></span><small>URL</small></button>
       </div>`;
   }
 }

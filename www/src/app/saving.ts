@@ -33,7 +33,8 @@ export async function save(app: App, what: Saved): Promise<void> {
   if (!file) return;
   try {
     download(file.name, new Blob([await file.content()], { type: file.type }));
-    if (what === "model") app.model.markSaved();
+    // In front of the model there may be one of another kind.
+    if (what === "model" && !motionOnStage(app.stage)) app.model.markSaved();
   } catch (problem) {
     app.notices.addError(lab().files.notSaved(file.name), messageOf(problem));
   }
@@ -44,6 +45,11 @@ function fileOf(app: App, what: Saved): File | null {
   if (what === "motion" || what === "glb" || what === "positions") {
     const moved = movedClip(app) ?? movedOther(app) ?? movedModel(app);
     return moved && motionFile(moved, what);
+  }
+  const other = motionOnStage(app.stage);
+  if (what === "model" && other) {
+    const file = `${plain(other.name) || other.kind}.model.json`;
+    return { name: file, type: "application/json", content: async () => other.text };
   }
   const { engine } = app.engine;
   const { model, rollout } = app.model;
@@ -94,7 +100,8 @@ function movedClip(app: App): StageMotion | null {
 function movedOther({ stage }: App): StageMotion | null {
   const made = motionOnStage(stage);
   if (!made) return null;
-  const { name, motion, bvh, ...body } = made;
+  const { name, motion, bvh, figure, joints, parts } = made;
+  const body = { figure, joints, parts };
   return { name: plain(name) || made.kind, body, motion: async () => motion, bvh: async () => bvh };
 }
 

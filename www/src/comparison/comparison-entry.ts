@@ -16,6 +16,12 @@ export interface Positions {
   frameTime: number;
 }
 
+/** A motion that a model predicts. */
+export interface PredictedMotion extends Positions {
+  /** The document of the model. A browser can move it from memory to disk. */
+  model: Blob;
+}
+
 export interface ComparisonEntry {
   /** Null: the results are from a file. */
   readonly request: ComparisonRequest | null;
@@ -29,14 +35,14 @@ export interface ComparisonEntry {
   /** The jobs of the last press of Compare. */
   jobs: readonly JobProgress[];
   /** The predictions of models trained on all other trials, by the job's id. */
-  readonly predictions: Map<string, Positions>;
+  readonly predictions: Map<string, PredictedMotion>;
   /** The motions of the trials held out, by the trial. */
   readonly actual: Map<number, Positions>;
 }
 
 /** A comparison for readers. */
 export type ReadonlyEntry = Readonly<Omit<ComparisonEntry, "predictions" | "actual">> & {
-  readonly predictions: ReadonlyMap<string, Positions>;
+  readonly predictions: ReadonlyMap<string, PredictedMotion>;
   readonly actual: ReadonlyMap<number, Positions>;
 };
 
@@ -102,7 +108,8 @@ export function keepMotions(
 ): void {
   if (job.trainingTrials !== results.setting.trials.length - 1) return;
   const { frameTime } = evaluated;
-  predictions.set(id, { positions: evaluated.predicted, frameTime });
+  const model = new Blob([evaluated.model], { type: "application/json" });
+  predictions.set(id, { positions: evaluated.predicted, frameTime, model });
   actual.set(job.heldOut, { positions: evaluated.actual, frameTime });
   for (const oldest of predictions.keys()) {
     if (predictions.size <= MOST_MOTIONS) break;

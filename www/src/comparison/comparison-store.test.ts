@@ -75,6 +75,8 @@ describe("a comparison", () => {
     expect(finished()).toHaveLength(6);
     expect(comparison.shown?.predictions.size).toBe(6);
     expect([...(comparison.shown?.actual.keys() ?? [])]).toEqual([0, 1, 2]);
+    const [predicted] = comparison.shown?.predictions.values() ?? [];
+    expect(await predicted?.model.text()).toBe(evaluated.model);
     await compare();
     expect(comparison.ending).toBe("All of this was finished before.");
   });

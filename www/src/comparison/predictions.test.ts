@@ -40,7 +40,8 @@ function entryOf(jobs: Job[], without: Job[] = []) {
   const setting = { trials: [], parts: [], framesPerSecond: 30, startFrames: 5 };
   const entry = newEntry(null, { text: "", setting, finished, comparison });
   for (const { id, job } of finished) {
-    if (!without.includes(job)) entry.predictions.set(id, { positions: new Float32Array(3), frameTime: 1 });
+    if (!without.includes(job))
+      entry.predictions.set(id, { positions: new Float32Array(3), frameTime: 1, model: new Blob() });
   }
   return entry;
 }

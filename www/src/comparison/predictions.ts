@@ -1,7 +1,7 @@
 // The predictions that can be shown side by side, and the chosen ones.
 import type { FinishedJob, Job, ModelSummary } from "../engine/whole-protocol";
 import type { Motion } from "../engine/protocol";
-import type { Positions, ReadonlyEntry } from "./comparison-entry";
+import type { Positions, PredictedMotion, ReadonlyEntry } from "./comparison-entry";
 
 /** More columns would be too narrow to see. */
 export const MOST_COLUMNS = 4;
@@ -11,7 +11,7 @@ export interface Prediction {
   /** The key of the model with its settings and seed, the same for all held-out trials. */
   key: string;
   finished: FinishedJob;
-  predicted: Positions;
+  predicted: PredictedMotion;
   /** The differences from other models of its kind; may be empty. */
   label: string;
 }

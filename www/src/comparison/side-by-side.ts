@@ -5,6 +5,7 @@ import { plain } from "../figures/numbers";
 import { type ColumnMotion, Columns } from "../scene/columns";
 import { distances } from "../scene/motion";
 import { Player } from "../stage/player";
+import type { StagedModel } from "../stage/staged-model";
 import { eachFrame } from "../ui/each-frame";
 import { icon } from "../ui/icons";
 import { prefersReducedMotion } from "../ui/reduced-motion";
@@ -28,6 +29,9 @@ import { compareWords } from "../words/compare";
 import { lab } from "../words/lab";
 
 const modelOf = ({ finished }: Prediction) => finished.job.candidate.model;
+
+const nameOf = (prediction: Prediction) =>
+  [modelStyle(modelOf(prediction)).name, prediction.label].filter(Boolean).join(", ");
 
 export class SideBySide extends View {
   declare comparison: ComparisonStore;
@@ -184,12 +188,11 @@ export class SideBySide extends View {
     const words = compareWords().beside;
     const full = chosen.length >= MOST_COLUMNS;
     const chip = (prediction: Prediction) => {
-      const { key, label } = prediction;
+      const { key } = prediction;
       const on = keys.includes(key);
-      const name = [modelStyle(modelOf(prediction)).name, label].filter(Boolean).join(", ");
       return html`<button class="chip" aria-pressed=${on ? "true" : "false"} ?disabled=${!on && full}
         title=${!on && full ? words.mostChosen : ""}
-        @click=${() => this.comparison.lookAt({ picked: toggled(keys, key) })}>${name}</button>`;
+        @click=${() => this.comparison.lookAt({ picked: toggled(keys, key) })}>${nameOf(prediction)}</button>`;
     };
     return html`
       <div class="which">
@@ -201,6 +204,12 @@ export class SideBySide extends View {
         </label>
         <div class="picks" role="group" aria-label=${words.models(MOST_COLUMNS)}>${predictionsOf(entry, fold).map(chip)}</div>
       </div>`;
+  }
+
+  #putOnStage(prediction: Prediction, trial: string): void {
+    const text = prediction.predicted.model.text();
+    const detail: StagedModel = { text, name: `${modelOf(prediction)} without ${trial}`, made: true };
+    this.dispatchEvent(new CustomEvent("stage-model", { detail, bubbles: true }));
   }
 
   protected override render() {
@@ -227,6 +236,8 @@ export class SideBySide extends View {
               <strong>${modelStyle(modelOf(prediction)).name}</strong>
               <span>${prediction.label}</span>
               <span>MSE ${plain(prediction.finished.outcome?.score.dtwMse ?? NaN)}</span>
+              <button class="small" data-testid="to-stage" title=${words.toStageMeaning} aria-label="${words.toStage}: ${nameOf(prediction)}"
+                @click=${() => this.#putOnStage(prediction, shown.titles[fold] ?? "")}>${words.toStage}</button>
             </li>`,
           )}
         </ol>

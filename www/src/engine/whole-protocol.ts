@@ -89,6 +89,8 @@ export interface Evaluated {
   actual: Float32Array;
   /** Seconds between frames. */
   frameTime: number;
+  /** The document of the model. */
+  model: string;
 }
 
 /** The results of a comparison for the page. */

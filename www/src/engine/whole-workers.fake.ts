@@ -54,6 +54,7 @@ export const evaluated: Evaluated = {
   predicted: new Float32Array(6),
   actual: new Float32Array(6),
   frameTime: 0.1,
+  model: '{"kind":"tmp"}',
 };
 
 export const clip = (id: number): TrainingClip => ({

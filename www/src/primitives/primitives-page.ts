@@ -17,16 +17,11 @@ import "./lesson-view";
 import "./learning-view";
 import "./morph-view";
 import type { Primitives } from "./primitives";
+import type { StagedModel } from "../stage/staged-model";
 import "./primitives.css";
 import "./walk-view";
 import { lab } from "../words/lab";
 import { primitivesWords } from "../words/primitives";
-
-/** A model for the stage. `made`: it was made here and is on no disk. */
-export interface StagedModel {
-  text: string;
-  made: boolean;
-}
 
 export class PrimitivesPage extends View {
   declare primitives: Primitives;
@@ -45,19 +40,15 @@ export class PrimitivesPage extends View {
     void this.#library.openFirst();
     this.listen(this, "put-on-stage", (event) => {
       // The event that this view sends itself has a detail.
-      if (event instanceof CustomEvent && event.detail === null) void this.#putOnStage(event);
+      if (event instanceof CustomEvent && event.detail === null) this.#putOnStage(event);
     });
   }
 
-  async #putOnStage(event: Event): Promise<void> {
+  #putOnStage(event: Event): void {
     event.stopPropagation();
-    try {
-      const made = !this.#library.isCombinationSaved;
-      const detail: StagedModel = { text: await this.#library.combinationText(), made };
-      this.dispatchEvent(new CustomEvent("stage-model", { detail, bubbles: true }));
-    } catch (problem) {
-      this.notices.addError(primitivesWords().notTakenUp, messageOf(problem));
-    }
+    const made = !this.#library.isCombinationSaved;
+    const detail: StagedModel = { text: this.#library.combinationText(), name: "combination", made };
+    this.dispatchEvent(new CustomEvent("stage-model", { detail, bubbles: true }));
   }
 
   async #open(file: File | undefined): Promise<void> {

@@ -45,7 +45,8 @@ async function evaluate(
     return using(training.prediction(), (prediction) => {
       const outcome = prediction.outcome((performance.now() - start) / 1000);
       const [predicted, actual] = [prediction.positions(), fold.actual()];
-      return transfer({ outcome, predicted, actual, frameTime: fold.frameTime }, predicted, actual);
+      const model = using(training.model(), (best) => best.toJson());
+      return transfer({ outcome, predicted, actual, frameTime: fold.frameTime, model }, predicted, actual);
     });
   });
 }

@@ -3,15 +3,17 @@
 //! of the trial; score.
 
 use crate::evaluation::dtw::{ScoreError, score_and_columns};
+use crate::evaluation::fold_model::fold_model;
 use crate::evaluation::outcome::Outcome;
 use crate::evaluation::training_trials::TrainingTrials;
 use nalgebra::DMatrix;
 use thiserror::Error;
 use vcgpdm::gp::NumericsError;
-use vcgpdm::internals::dataset_error;
+use vcgpdm::internals::{dataset_error, provenance};
 use vcgpdm::models::library::{CombinationError, PlanError};
 use vcgpdm::models::{
-    Body, Dataset, DatasetError, FittedModel, Learner, Movements, Progress, RolloutError, Settings, Source,
+    Body, Dataset, DatasetError, FittedModel, Learner, Model, Movements, Progress, RolloutError, Settings,
+    Source,
 };
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::pose::PoseError;
@@ -91,6 +93,8 @@ pub enum EvaluationError {
 pub struct Fold {
     /// The trials trained on, and the first frames of the trial held out as the last sequence.
     training: TrainingTrials,
+    /// The frame rate asked for.
+    frames_per_second: f64,
     /// All columns of the trial held out [T x D].
     actual: DMatrix<f64>,
 }
@@ -122,7 +126,7 @@ impl Fold {
         sources.push(Source { clip: trial, first_frames: Some(start_frames) });
         let dataset = Dataset::new(&sources, parts, frames_per_second)?;
         let actual = dataset.mapping.encode(&trial.resample(1.0 / dataset.frame_time)?)?.y;
-        Ok(Self { training: TrainingTrials::new(&dataset), actual })
+        Ok(Self { training: TrainingTrials::new(&dataset), frames_per_second, actual })
     }
 
     /// The training data; the last sequence has the first frames of the trial held out.
@@ -160,6 +164,21 @@ impl Fold {
         }
         let learner = candidate.learner(self.movements(), seed);
         Ok(learner.map_err(|reason| dataset_error(reason, &self.body().sequences))?)
+    }
+
+    /// The model of a candidate whose training is this far, for a file.
+    ///
+    /// # Errors
+    /// A covariance of the model cannot be factorised.
+    pub fn model(
+        &self,
+        fitted: FittedModel,
+        candidate: &Settings,
+        seed: u32,
+        training: &Progress,
+    ) -> Result<Model, EvaluationError> {
+        let provenance = provenance(candidate.clone(), seed, self.frames_per_second, training);
+        Ok(fold_model(fitted, self.body(), provenance)?)
     }
 
     /// Trains a candidate and scores its prediction. `watch` is called after every step; if it returns false,
@@ -310,6 +329,45 @@ mod tests {
             }
             let text = serde_json::to_string(&candidate).unwrap();
             assert_eq!(serde_json::from_str::<Settings>(&text).unwrap(), candidate);
+        }
+    }
+
+    /// What a fold predicts is what its model makes after its file was saved and opened, to the last bit.
+    #[test]
+    fn saves_the_model_of_a_fold() {
+        let trials = trials();
+        let presets = parts::presets(&trials[0].skeleton);
+        // The arms come after the legs, but not in the order of the body's columns.
+        let parts = &presets.iter().find(|p| p.id == "legs-trunk-arms").unwrap().parts;
+        let fold = Fold::new(&trials, 1, 2, parts, 15.0, START_FRAMES).unwrap();
+        let gpdm = VariationalSettings {
+            latent: 2,
+            dynamics_ips: 5,
+            pose_ips: 5,
+            max_iterations: 8,
+            ..Default::default()
+        };
+        let point = MapSettings { latent: 2, max_iterations: 2, ..MapSettings::default() };
+        for candidate in [
+            Settings::Vcgpdm(gpdm.clone()),
+            Settings::Vgpdm(gpdm),
+            Settings::MapGpdm(point.clone()),
+            Settings::MapCgpdm(point),
+            Settings::Tmp(TmpSettings { primitives: Some(4), ..TmpSettings::default() }),
+            Settings::DmpDiscrete(DmpSettings { bases: 20 }),
+            Settings::DmpRhythmic(DmpSettings { bases: 20 }),
+        ] {
+            let mut learner = fold.learner(&candidate, 3).unwrap();
+            while !learner.step().done {}
+            let fitted = learner.model().unwrap();
+            let predicted = fold.predict(&fitted).unwrap();
+            let model = fold.model(fitted, &candidate, 3, &learner.progress()).unwrap();
+            let opened = Model::from_json(&model.to_json().unwrap()).unwrap();
+            assert_eq!(opened.provenance.settings, candidate);
+            assert_eq!(opened.provenance.objective, learner.progress().best);
+            let (last, frames) = (opened.body.sequences.len() - 1, fold.actual().nrows());
+            assert_eq!(opened.body.sequences[last].frames, START_FRAMES);
+            assert_eq!(opened.rollout(last, frames).unwrap(), predicted, "{candidate:?}");
         }
     }
 

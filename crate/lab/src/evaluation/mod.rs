@@ -16,6 +16,7 @@ mod dtw;
 mod effect;
 mod evidence;
 mod fixed;
+mod fold_model;
 mod growth;
 mod job;
 mod labels;

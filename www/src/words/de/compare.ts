@@ -124,6 +124,9 @@ export const compare: CompareWords = {
     about:
       "In Farbe: was das Modell aus den ersten fünf Bildern des Versuchs voraussagt. Umriss: der wirkliche Versuch, darübergelegt.",
     of: (frames) => `von ${frames}`,
+    toStage: "Auf die Bühne",
+    toStageMeaning:
+      "Ins Labor, das Modell, das ohne diesen Versuch trainiert wurde: zum Bewegen, Speichern und Teilen",
   },
   distance: {
     heading: "Abstand vom wirklichen Versuch",

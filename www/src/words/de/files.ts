@@ -15,7 +15,11 @@ export const files: FilesWords = {
   latents: { title: "Latente Zustände und Gewichte", about: "Eine Zeile je Bild" },
   account: { title: "Wie die Bewegung entstand", about: "Modell, Clips, Startwert, Kopplungen, Beginn" },
   model: { title: "Modell", about: "Öffnet sich hier und im Terminal" },
-  share: { title: "Teilen", about: "Das Modell im Link, ein QR-Code, ein Rahmen" },
+  share: {
+    title: "Teilen",
+    about: "Das Modell im Link, ein QR-Code, ein Rahmen",
+    noCouplings: "In einen Link passt nur ein Modell mit Kopplungen",
+  },
   notSaved: (name) => `${name} wurde nicht gespeichert`,
   nothingSaved: "Nichts wurde gespeichert",
   notTakenUp: "Dieses Modell kam nicht auf die Bühne",

@@ -7,7 +7,6 @@ export const primitives: PrimitivesWords = {
   loading: "Wird geladen",
   tryAgain: "Noch einmal versuchen",
   notOpened: (why) => `Die Bibliothek konnte nicht geöffnet werden: ${why}`,
-  notTakenUp: "Diese Kombination kam nicht auf die Bühne",
   notPutTogether: "Diese Primitive ließen sich nicht zusammensetzen",
   doesNotMove: (title) => `${title} bewegt sich nicht`,
   stopped: "Die Figur ist stehen geblieben",

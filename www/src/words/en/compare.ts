@@ -116,6 +116,8 @@ export const compare = {
     about:
       "In colour: what the model predicts from the trial’s first five frames. Outline: the real trial, laid on top.",
     of: (frames: number) => `of ${frames}`,
+    toStage: "Put on the stage",
+    toStageMeaning: "In the Lab, the model that was trained without this trial: to move, save and share it",
   },
   distance: {
     heading: "Distance from the real trial",

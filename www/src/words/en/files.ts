@@ -14,7 +14,11 @@ export const files = {
   latents: { title: "Latents and weights", about: "A row a frame" },
   account: { title: "How the motion was made", about: "Model, clips, seed, couplings, start" },
   model: { title: "Model", about: "Opens here and in the terminal" },
-  share: { title: "Share", about: "The model in a link, a QR code, or a frame" },
+  share: {
+    title: "Share",
+    about: "The model in a link, a QR code, or a frame",
+    noCouplings: "A link holds only a model with couplings",
+  },
   notSaved: (name: string) => `${name} was not saved`,
   nothingSaved: "Nothing was saved",
   notTakenUp: "This model was not taken up",

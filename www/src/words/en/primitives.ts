@@ -7,7 +7,6 @@ export const primitives = {
   loading: "Loading",
   tryAgain: "Try again",
   notOpened: (why: string) => `The library could not be opened: ${why}`,
-  notTakenUp: "This combination was not taken up",
   notPutTogether: "These primitives could not be put together",
   doesNotMove: (title: string) => `${title} does not move`,
   stopped: "The figure has stopped",

@@ -1,6 +1,8 @@
 //! Provenance of a model.
 
+use crate::models::training::progress::Progress;
 use crate::models::training::settings::Settings;
+use crate::models::variational::BoundTerms;
 
 /// The program and its version, as in documents and results.
 pub const ENGINE: &str = concat!("vcgpdm ", env!("CARGO_PKG_VERSION"));
@@ -31,6 +33,27 @@ pub struct Provenance {
 }
 
 impl Provenance {
+    /// The provenance of the model of a training that is this far.
+    pub(crate) fn of_training(
+        settings: Settings,
+        seed: u32,
+        frames_per_second: f64,
+        progress: &Progress,
+    ) -> Self {
+        let weighted = settings.variational().is_some_and(|s| !s.pose_weight.is_plain());
+        Self {
+            engine: ENGINE.to_owned(),
+            seed: if settings.is_random() { seed } else { 0 },
+            settings,
+            frames_per_second,
+            objective: progress.best,
+            plain_bound: progress.terms.as_ref().filter(|_| weighted).map(BoundTerms::total),
+            iterations: progress.iteration,
+            evaluations: progress.evaluations,
+            note: None,
+        }
+    }
+
     /// The bound on the log evidence that training reached, in nats; for a model without a bound, the
     /// objective.
     pub fn bound(&self) -> f64 {

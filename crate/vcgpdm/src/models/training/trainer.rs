@@ -6,12 +6,12 @@ use crate::models::data::dataset::{Dataset, DatasetError};
 use crate::models::data::movements::Movements;
 use crate::models::fitted::body::Body;
 use crate::models::fitted::model::Model;
-use crate::models::fitted::provenance::{ENGINE, Provenance};
+use crate::models::fitted::provenance::Provenance;
 use crate::models::training::error::TrainingError;
 use crate::models::training::learner::Learner;
 use crate::models::training::progress::Progress;
 use crate::models::training::settings::{Settings, VariationalSettings};
-use crate::models::variational::{BoundTerms, Vcgpdm};
+use crate::models::variational::Vcgpdm;
 use crate::motion::pose::PoseMapping;
 use nalgebra::DMatrix;
 use std::ops::ControlFlow;
@@ -96,18 +96,7 @@ impl<S: ColumnMapping> Trainer<S> {
         if let (Settings::Vcgpdm(s), 1) = (&settings, self.body.layout.parts().len()) {
             settings = Settings::Vgpdm(s.clone());
         }
-        let weighted = settings.variational().is_some_and(|s| !s.pose_weight.is_plain());
-        let provenance = Provenance {
-            engine: ENGINE.to_owned(),
-            seed: if settings.is_random() { self.seed } else { 0 },
-            settings,
-            frames_per_second: self.frames_per_second,
-            objective: progress.best,
-            plain_bound: progress.terms.as_ref().filter(|_| weighted).map(BoundTerms::total),
-            iterations: progress.iteration,
-            evaluations: progress.evaluations,
-            note: None,
-        };
+        let provenance = Provenance::of_training(settings, self.seed, self.frames_per_second, &progress);
         Ok(Model { fitted: self.learner.model()?, body: self.body.clone(), provenance })
     }
 
