@@ -6,32 +6,68 @@ import { modelStyle } from "../figures/model-style";
 import type { SettingsStore } from "../settings/settings-store";
 import type { StageContent, StageStore } from "../stage/stage-store";
 import { lab } from "../words/lab";
+import { OTHER_MODEL } from "./model-kinds";
 
-/** The key of such a motion on the stage; keys of clips begin with "made-" or "own-". */
-const KEY = "other-model";
+/** A model without couplings on the stage, with its motion. */
+interface OtherModel extends MadeMotion {
+  /** That of its file, without extension; empty: it came in a link. */
+  name: string;
+  /** Its document. */
+  text: string;
+  /** The file on the page's host that the address names; empty: none. */
+  modelFile: string;
+}
 
-/** A motion with the document of its model and the name of the file. */
-type ShownMotion = MadeMotion & { name: string; text: string };
+const shown = new WeakMap<StageContent, OtherModel>();
 
-const shown = new WeakMap<StageContent, ShownMotion>();
+/** A link that brings a model. */
+interface BringingLink {
+  /** The length of the motion. */
+  frames: number;
+  /** Takes the settings of the link, once the document has proved to be a model. */
+  take(): void;
+}
 
-/** Rolls the model out and shows its motion. `name`: that of its file. */
+/** Rolls the model out and shows its motion. `name`: that of its file. `link`: null for a visitor's file. */
 export async function showAnyModel(
   { stage, settings }: { stage: StageStore; settings: SettingsStore },
-  name: string,
-  text: string,
+  { name, text, link }: { name: string; text: string; link: BringingLink | null },
   workers = wholeWorkers(),
 ): Promise<void> {
-  const { frames } = settings.values;
+  const { frames } = link ?? settings.values;
   const made = await workers.desk.run((worker) => worker.rollOutAny(text, frames));
   const { figure, joints, parts, motion, kind } = made;
   const words = lab().stage.otherKind;
   const caption = { title: words.made(modelStyle(kind).name), text: words.noCouplings };
   const names = joints.map(({ name }) => name);
-  const content: StageContent = { kind: "clip", clip: KEY, figure, joints: names, parts, motion, caption };
-  shown.set(content, { ...made, name: name.replace(/(\.model)?\.json$/i, ""), text });
+  const content: StageContent = {
+    kind: "clip",
+    clip: OTHER_MODEL,
+    figure,
+    joints: names,
+    parts,
+    motion,
+    caption,
+  };
+  link?.take();
+  const { modelFile, packedModel } = settings.values;
+  shown.set(content, {
+    ...made,
+    text,
+    name: name.replace(/(\.model)?\.json$/i, ""),
+    modelFile: link ? modelFile : "",
+  });
   stage.showClip(content);
+  if (!link) return;
+  // The address brings this model as long as the model is on the stage.
+  const stop = stage.on(() => {
+    if (stage.content === content) return;
+    stop();
+    const now = settings.values;
+    if (now.modelFile === modelFile && now.packedModel === packedModel)
+      settings.change({ modelFile: "", packedModel: "" });
+  });
 }
 
-/** The motion on the stage, where another kind of model has made it. */
-export const motionOnStage = ({ content }: StageStore) => (content && shown.get(content)) ?? null;
+/** The model on the stage, if it is one without couplings. */
+export const otherModelOnStage = ({ content }: StageStore) => (content && shown.get(content)) ?? null;

@@ -25,6 +25,7 @@ import { mayLose } from "../unsaved/unsaved";
 import { Switch } from "../ui/switch";
 import { WordsStore } from "../words/words";
 import { Lazy } from "./lazy";
+import { OTHER_MODEL } from "./model-kinds";
 import { lab } from "../words/lab";
 
 /** Opens the models of links. */
@@ -272,7 +273,7 @@ export class App {
     }
     this.settings.readAddress();
     if (!this.isLab) return;
-    this.model.restart();
+    this.model.restart(this.#showsOtherModel && this.settings.bringsModel);
     this.takeMoment();
   }
 
@@ -281,14 +282,24 @@ export class App {
     return this.#fragment({ ...this.settings.written, packedModel: "" });
   }
 
-  /** The fragment of an address with this state of the Lab and this packed model. */
-  fragmentWith(packedModel: string): string {
-    return this.#fragment({ ...this.settings.values, model: "", modelFile: "", packedModel });
+  /** The fragment of an address that brings the model on the stage, in itself or in a file of the host. */
+  fragmentWith(brings: Partial<Pick<Settings, "modelFile" | "packedModel">>): string {
+    const none: Partial<Settings> = { model: "", modelFile: "", packedModel: "" };
+    // Couplings and start are those of the model behind.
+    const behind: Partial<Settings> = { alpha: {}, start: 0, startFrame: 0 };
+    const other = this.#showsOtherModel ? behind : {};
+    return this.#fragment({ ...this.settings.values, ...none, ...other, ...brings });
+  }
+
+  /** Whether the model on the stage is one without couplings. */
+  get #showsOtherModel(): boolean {
+    return this.stage.clip === OTHER_MODEL;
   }
 
   #fragment(settings: Settings): string {
     const { stage, playback, model } = this;
-    const moment = this.isPlayView ? momentOf(stage, playback, model.rollout?.motion ?? null) : {};
+    const motion = this.#showsOtherModel ? null : (model.rollout?.motion ?? null);
+    const moment = this.isPlayView ? momentOf(stage, playback, motion) : {};
     return writeSettings({ ...settings, ...IN_LAB, ...moment });
   }
 

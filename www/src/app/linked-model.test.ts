@@ -101,6 +101,23 @@ describe("the address of the first visit", () => {
     expect(notices()).toEqual([]);
   });
 
+  it("shows a model without couplings that is in the link, which stays there until the model leaves", async () => {
+    const link = await packed('{"kind":"tmp"}');
+    await open(`frames=90&packed=${link}`);
+    const title = () => app.stage.content?.caption?.title;
+    await vi.waitFor(() =>
+      expect([title(), app.stage.content?.motion.frames]).toEqual(["Made by a TMP", 90]),
+    );
+    await vi.waitFor(() => expect(bar.read()).toBe(`frames=90&packed=${link}`));
+    // The visitor comes back from another view.
+    bar.pages.push(`tab=loops&frames=90&packed=${link}`);
+    app.followAddress();
+    expect([title(), app.settings.values.tab]).toEqual(["Made by a TMP", "loops"]);
+    app.stage.endClip();
+    await vi.waitFor(() => expect(bar.read()).toBe("tab=loops&frames=90"));
+    expect([app.model.openedText, fetchedFirst, notices()]).toEqual([null, 1, []]);
+  });
+
   it("asks no other host for a file", async () => {
     const fetched = vi.fn();
     vi.stubGlobal("fetch", fetched);
@@ -136,6 +153,16 @@ describe("a link that is followed", () => {
     await open("alpha=0.1:3");
     await follow(`packed=${await packed(modelText(9))}`);
     expect([app.model.openedText, app.model.couplings.altered]).toEqual([modelText(9), false]);
+  });
+
+  it("shows a model without couplings at its length, in front of the model as learned", async () => {
+    await open("alpha=0.1:3");
+    bar.pages.push(`frames=120&packed=${await packed('{"kind":"tmp"}')}`);
+    app.followAddress();
+    await vi.waitFor(() => expect(app.stage.content?.caption?.title).toBe("Made by a TMP"));
+    expect(app.stage.content?.motion.frames).toBe(120);
+    await vi.waitFor(() => expect(app.model.rollout?.request).toMatchObject({ frames: 120, alpha: null }));
+    expect(app.model.couplings.altered).toBe(false);
   });
 
   it("changes nothing when it is damaged", async () => {

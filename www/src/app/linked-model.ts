@@ -40,9 +40,17 @@ async function say({ words, notices }: Stores, problem: unknown): Promise<void> 
   notices.addError(notOpened, why);
 }
 
-/** Shows the motion of a model without couplings. `name`: that of its file. */
-const show = async (app: Stores, name: string, text: string) =>
-  (await import("./any-model")).showAnyModel(app, name.split("/").at(-1) ?? "", text);
+/** Shows the motion of a model without couplings. `take` takes the settings of the link. */
+async function show(
+  app: Stores,
+  text: string,
+  { modelFile, frames }: Pick<Settings, "modelFile" | "frames">,
+  take: () => void,
+): Promise<void> {
+  const { showAnyModel } = await import("./any-model");
+  await showAnyModel(app, { name: modelFile.split("/").at(-1) ?? "", text, link: { frames, take } });
+  app.takeMoment();
+}
 
 function whenReady(engine: EngineStore, act: () => void): void {
   const stop = engine.on(() => {
@@ -55,14 +63,14 @@ function whenReady(engine: EngineStore, act: () => void): void {
 /** Opens the model of the first address. Returns false when the page's own model has to take its place. */
 export async function openFirst(app: Stores): Promise<boolean> {
   const { settings, model } = app;
-  const { modelFile } = settings.values;
+  const { modelFile, packedModel, frames, camera, time } = settings.values;
+  const link = { modelFile, packedModel, frames, camera, time };
   try {
-    const text = await documentOf(settings.values);
+    const text = await documentOf(link);
     if (hasNoCouplings(text)) {
-      // Its motion moves in front of the page's own model.
+      // Its motion moves in front of the page's own model, which clears these settings.
       whenReady(app.engine, () => {
-        settings.change({ modelFile });
-        show(app, modelFile, text).catch((problem: unknown) => say(app, problem));
+        show(app, text, link, () => settings.change(link)).catch((problem: unknown) => say(app, problem));
       });
       return false;
     }
@@ -81,10 +89,13 @@ export async function follow(app: Stores, fragment: string): Promise<void> {
   const { settings, model, training } = app;
   const stay = () => settings.address.writeSoon(settings.written);
   try {
-    const text = await documentOf(readSettings(fragment));
+    const link = readSettings(fragment);
+    const text = await documentOf(link);
     if (hasNoCouplings(text)) {
-      await show(app, readSettings(fragment).modelFile, text);
-      return settings.takeFragment(fragment);
+      return await show(app, text, link, () => {
+        settings.takeFragment(fragment);
+        model.restart();
+      });
     }
     if (training.busy) throw new Error(lab().files.trainingRuns);
     if (!(await mayLose(stageWork(model, app.engine)))) return stay();

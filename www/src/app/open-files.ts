@@ -107,7 +107,7 @@ async function openJson(app: App, kind: DocumentKind, name: string, text: string
 /** Puts a model of any kind on the stage, as `openModel`. `name`: that of its file. */
 export async function openAnyModel(app: App, name: string, text: string, made = false): Promise<boolean> {
   if (!hasNoCouplings(text)) return openModel(app, text, made);
-  await (await import("./any-model")).showAnyModel(app, name, text);
+  await (await import("./any-model")).showAnyModel(app, { name, text, link: null });
   return true;
 }
 

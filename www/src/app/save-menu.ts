@@ -71,7 +71,7 @@ export class SaveMenu extends View {
         ${this.#item("latents", "CSV", hasModel && !isBehind, noRollout)}
         ${this.#item("account", "JSON", hasModel && !isBehind, noRollout)}
         ${this.#item("model", "JSON", hasModel || isOtherKind)}
-        <button data-testid="share" ?disabled=${!hasModel || isOtherKind} @click=${this.#share}><span>${words.share.title}<small>${isOtherKind ? words.share.noCouplings : words.share.about}</small></span><small>URL</small></button>
+        <button data-testid="share" ?disabled=${!hasModel && !isOtherKind} @click=${this.#share}><span>${words.share.title}<small>${words.share.about}</small></span><small>URL</small></button>
       </div>`;
   }
 }

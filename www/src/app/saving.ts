@@ -1,23 +1,16 @@
 // Saves files to the visitor's disk. Loaded at the first use.
 import type { ClipEntry } from "../clips/clips-store";
-import { modelFile, plain } from "../couplings/model-file";
+import { plain } from "../couplings/model-file";
 import type { Figure, JointInfo, Motion, PartSpec } from "../engine/protocol";
-import { download } from "../ui/download";
-import { messageOf } from "../ui/format";
 import type { App } from "./app";
-import { motionOnStage } from "./any-model";
+import { otherModelOnStage } from "./any-model";
 import { clipOnStage } from "./caption";
 import { motionName } from "./file-names";
-import { lab } from "../words/lab";
+import { type SavedFile, saveFile } from "./save-file";
+import { modelOnStage } from "./stage-model";
 
 /** The kinds of files: of the clip on the stage, or of the model and its motion. */
 export type Saved = "model" | "motion" | "glb" | "positions" | "latents" | "account";
-
-interface File {
-  name: string;
-  type: string;
-  content(): Promise<string | ArrayBuffer>;
-}
 
 /** A motion on the stage, which can be saved in three formats. */
 interface StageMotion {
@@ -30,32 +23,20 @@ interface StageMotion {
 
 export async function save(app: App, what: Saved): Promise<void> {
   const file = fileOf(app, what);
-  if (!file) return;
-  try {
-    download(file.name, new Blob([await file.content()], { type: file.type }));
-    // In front of the model there may be one of another kind.
-    if (what === "model" && !motionOnStage(app.stage)) app.model.markSaved();
-  } catch (problem) {
-    app.notices.addError(lab().files.notSaved(file.name), messageOf(problem));
-  }
+  if (file) await saveFile(app, file);
 }
 
 /** Null: there is nothing of this kind now. */
-function fileOf(app: App, what: Saved): File | null {
+function fileOf(app: App, what: Saved): SavedFile | null {
   if (what === "motion" || what === "glb" || what === "positions") {
     const moved = movedClip(app) ?? movedOther(app) ?? movedModel(app);
     return moved && motionFile(moved, what);
   }
-  const other = motionOnStage(app.stage);
-  if (what === "model" && other) {
-    const file = `${plain(other.name) || other.kind}.model.json`;
-    return { name: file, type: "application/json", content: async () => other.text };
-  }
+  if (what === "model") return modelOnStage(app);
   const { engine } = app.engine;
   const { model, rollout } = app.model;
   const name = rolledOutName(app);
   if (!engine || !model || !rollout || name === null) return null;
-  if (what === "model") return modelFile(app.model, engine);
   const request = app.model.rolloutRequest();
   if (what === "latents") {
     const content = async () => (await files()).rolloutCsv(model, await engine.rollout(request));
@@ -68,7 +49,10 @@ function fileOf(app: App, what: Saved): File | null {
 
 const files = () => import("./stage-files");
 
-function motionFile({ name, body, motion, bvh }: StageMotion, what: "motion" | "glb" | "positions"): File {
+function motionFile(
+  { name, body, motion, bvh }: StageMotion,
+  what: "motion" | "glb" | "positions",
+): SavedFile {
   if (what === "motion") return { name: `${name}.bvh`, type: "text/plain", content: bvh };
   if (what === "positions") {
     const content = async () => (await files()).positionsCsv(body, await motion());
@@ -98,10 +82,9 @@ function movedClip(app: App): StageMotion | null {
 
 /** Of a model without couplings. */
 function movedOther({ stage }: App): StageMotion | null {
-  const made = motionOnStage(stage);
+  const made = otherModelOnStage(stage);
   if (!made) return null;
-  const { name, motion, bvh, figure, joints, parts } = made;
-  const body = { figure, joints, parts };
+  const { name, motion, bvh, ...body } = made;
   return { name: plain(name) || made.kind, body, motion: async () => motion, bvh: async () => bvh };
 }
 

@@ -188,10 +188,13 @@ export class ModelStore extends Store {
     this.changed();
   }
 
-  /** Takes the couplings and the start from the address, after the address has changed. */
-  restart(): void {
+  /**
+   * Takes the couplings and the start from the address, after the address has changed. `clip`: whether the motion
+   * in front of the model stays.
+   */
+  restart(clip = false): void {
     if (!this.#model || !this.#learned) return;
-    this.#takeUp({ model: this.#model, rollout: this.#learned }, { couplings: "link", clip: false });
+    this.#takeUp({ model: this.#model, rollout: this.#learned }, { couplings: "link", clip });
   }
 
   takePreset(preset: Preset): void {

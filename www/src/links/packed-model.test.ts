@@ -49,7 +49,7 @@ it("moves joints by less than 3 mm in ten seconds, also where other couplings in
     const apart = before.map((value, i) => Math.abs(value - (after[i] ?? Number.NaN)));
     expect(Math.max(...apart), `factor ${factor}`).toBeLessThan(3e-3);
   }
-});
+}, 60_000);
 
 it("makes the same link of a document that came by a link", async () => {
   const link = await packed(model);

@@ -11,9 +11,14 @@ export const LONGEST = 200_000;
 
 /**
  * The sums from which experts are inferred again need more digits than other numbers: with seven and nine, the
- * joints of a re-inferred walk move by centimetres, with twelve by a millimetre (packed-model.test.ts).
+ * joints of a re-inferred walk move by centimetres, with twelve by a millimetre (packed-model.test.ts). Latents
+ * and coefficients of MAP models need nine: with seven, joints move by four millimetres.
  */
-const DIGITS = { u_covariance: 2, sum_psi2: 12, sum_psi1_mu: 12, other_precision: 12, other_b: 12 };
+const DIGITS = {
+  u_covariance: 2,
+  ...{ sum_psi2: 12, sum_psi1_mu: 12, other_precision: 12, other_b: 12 },
+  ...{ latents: 9, coefficients: 9 },
+};
 
 const SYMMETRIC: ReadonlySet<string> = new Set([
   "v_covariance",

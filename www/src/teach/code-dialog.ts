@@ -29,6 +29,7 @@ const shortened = (address: string) => (address.length > SHOWN ? `${address.slic
 export async function showCode(app: App, fragment: string): Promise<void> {
   if (document.querySelector(".code-dialog")) return;
   const [teach, links] = [teachWords(app.words), linkWords(app.words)];
+  const stage = app.isPlayView ? await import("../app/stage-model") : null;
   await Promise.all([teach.load(), links.load()]);
   const { code, exercises } = teach.now;
   const words = links.now;
@@ -37,8 +38,7 @@ export async function showCode(app: App, fragment: string): Promise<void> {
   dialog.setAttribute("aria-labelledby", "code-title");
   dialog.dataset.testid = "code";
 
-  const { engine } = app.engine;
-  const hasModel = app.isPlayView && engine !== null && app.model.model !== null;
+  const model = stage?.modelOnStage(app) ?? null;
   /** Why no link with the model can be made. */
   let problem = "";
   let withModel = false;
@@ -48,9 +48,9 @@ export async function showCode(app: App, fragment: string): Promise<void> {
   async function carryModel(on: boolean): Promise<void> {
     withModel = on;
     draw();
-    if (!on || !engine || carrying !== null) return;
+    if (!on || !model || carrying !== null) return;
     try {
-      carrying = app.fragmentWith(await packed(await engine.modelJson()));
+      carrying = app.fragmentWith({ packedModel: await packed(await model.content()) });
     } catch (thrown) {
       const long = thrown instanceof LinkError && thrown.problem.what === "long" ? thrown.problem : null;
       problem = long ? words.tooLong(long.most, long.found) : messageOf(thrown);
@@ -98,15 +98,15 @@ export async function showCode(app: App, fragment: string): Promise<void> {
       <div class="dialog-body">
         <header><h2 id="code-title">${code.title}</h2>
           <button class="round" aria-label=${code.close} title=${code.close} @click=${() => dialog.close()}>${icon("close")}</button></header>
-        ${hasModel ? choice() : nothing}
+        ${model ? choice() : nothing}
         ${content()}
       </div>`,
       dialog,
     );
   }
 
-  // Without its model, the link of a model that came from no link and no host brings nothing to others.
-  await carryModel(hasModel && app.model.openedText !== null && app.settings.values.modelFile === "");
+  // Without its model, the link of a model that is on no host brings nothing to others.
+  await carryModel(model !== null && !model.isOnHost);
   document.body.append(dialog);
   dialog.showModal();
   dialog.addEventListener("close", () => dialog.remove());

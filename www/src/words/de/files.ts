@@ -18,7 +18,6 @@ export const files: FilesWords = {
   share: {
     title: "Teilen",
     about: "Das Modell im Link, ein QR-Code, ein Rahmen",
-    noCouplings: "In einen Link passt nur ein Modell mit Kopplungen",
   },
   notSaved: (name) => `${name} wurde nicht gespeichert`,
   nothingSaved: "Nichts wurde gespeichert",

@@ -17,7 +17,6 @@ export const files = {
   share: {
     title: "Share",
     about: "The model in a link, a QR code, or a frame",
-    noCouplings: "A link holds only a model with couplings",
   },
   notSaved: (name: string) => `${name} was not saved`,
   nothingSaved: "Nothing was saved",
