@@ -207,6 +207,30 @@ describe("a model without couplings on the stage", () => {
 });
 
 describe("a link to a file", () => {
+  it("is offered with its QR code where the model makes the link too long for one", async () => {
+    const { page, problems, leave } = await visitorWithMine();
+    const moved = await positions(page);
+    await linkOf(page);
+    const [name, address] = [page.getByTestId("model-file"), page.getByTestId("short-address")];
+    assert.match(await name.inputValue(), /^07_01-2-parts-[0-9a-f]{8}\.model\.json$/);
+    await name.fill("models/a walk");
+    await page.getByText(/Expected the name of a JSON file on the host of this page/).waitFor();
+    assert.equal(await page.locator(".code-short .code-picture").count(), 0);
+    await name.fill("models/walk.json");
+    await page.locator(".code-short .code-picture").waitFor();
+    const link = new URL(`${await address.getAttribute("href")}`).hash.slice(1);
+    assert.equal(link, "camera=0.5,0.3,1.2&model=models/walk.json&alpha=0.1:0.05");
+    const file = await saved(page, "save-short");
+    assert.equal(file.name, "walk.json");
+    assert.deepEqual(await barriers(page), []);
+    await page.route("**/models/walk.json", (route) => route.fulfill({ body: file.bytes }));
+    await address.click();
+    await page.waitForURL(/#model=models\/walk\.json&alpha=0\.1:0\.05$/);
+    assert.deepEqual(await positions(page), moved);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
   it("opens the model of the page's own host", async () => {
     const { page, problems, leave } = await site.visit({ settings: "model=first/model.json&alpha=0.1:0.05" });
     await ready(page);

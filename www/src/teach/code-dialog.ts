@@ -2,8 +2,10 @@
 // line for a frame in another page.
 import { html, nothing, render } from "lit";
 import type { App } from "../app/app";
+import { saveFile } from "../app/save-file";
+import { addressOf as addressOfFile } from "../links/model-file";
 import { packed } from "../links/packed-model";
-import { LinkError } from "../links/problem";
+import { LinkError, type LinkProblem } from "../links/problem";
 import "../ui/dialog.css";
 import { messageOf } from "../ui/format";
 import { icon } from "../ui/icons";
@@ -23,6 +25,17 @@ export function codePicture(address: string, label: string) {
   return html`<svg class="code-picture" role="img" aria-label=${label} viewBox="0 0 ${side} ${side}" shape-rendering="crispEdges"><path d=${path}></path></svg>`;
 }
 
+/** Null: the page can open a file of this name. */
+function problemOfName(file: string): LinkProblem | null {
+  try {
+    addressOfFile(file, document.baseURI);
+    return null;
+  } catch (thrown) {
+    if (thrown instanceof LinkError) return thrown.problem;
+    throw thrown;
+  }
+}
+
 const shortened = (address: string) => (address.length > SHOWN ? `${address.slice(0, SHOWN)}…` : address);
 
 /** `fragment`: the state without a model in it. */
@@ -39,6 +52,8 @@ export async function showCode(app: App, fragment: string): Promise<void> {
   dialog.dataset.testid = "code";
 
   const model = stage?.modelOnStage(app) ?? null;
+  /** The name of the model's file on the page's host. */
+  let file = model?.name ?? "";
   /** Why no link with the model can be made. */
   let problem = "";
   let withModel = false;
@@ -72,24 +87,59 @@ export async function showCode(app: App, fragment: string): Promise<void> {
       @change=${({ target }: Event) => void carryModel((target as HTMLInputElement).checked)} />
       <span>${words.withModel} <small>${words.withModelMeaning}</small></span></label>`;
 
-  function link(fragment: string) {
+  /** An address that opens and can be copied. */
+  const link = (address: string, testId: string) => html`
+    <p class="code-address"><a href=${address} data-testid=${testId} @click=${() => dialog.close()}>${shortened(address)}</a></p>
+    <div class="button-row"><button class="small" data-testid="copy-${testId}" @click=${copy(address)}>${code.copy}</button></div>`;
+
+  /** The link of a file, short enough for a code, in place of a long link. */
+  function shortLink() {
+    const { short } = words;
+    const address = addressOf(app.fragmentWith({ modelFile: file }));
+    const wrong = problemOfName(file);
+    return html`
+      <section class="code-short" aria-labelledby="code-short">
+        <h3 id="code-short">${short.title}</h3>
+        <p>${short.how}</p>
+        <label><span>${short.file}</span>
+          <input data-testid="model-file" spellcheck="false" .value=${file} aria-invalid=${wrong ? "true" : "false"} @input=${rename} />
+          <button class="small" data-testid="save-short" ?disabled=${wrong !== null} @click=${saveModel}>${icon("save")} ${short.save}</button></label>
+        ${
+          wrong
+            ? html`<p role="alert">${links.now.problems(wrong)}</p>`
+            : html`${codePicture(address, exercises.code)} ${link(address, "short-address")}`
+        }
+      </section>`;
+  }
+
+  function rename({ target }: Event): void {
+    file = (target as HTMLInputElement).value.trim();
+    draw();
+  }
+
+  function saveModel(): void {
+    // Without the folders of its address.
+    if (model) void saveFile(app, { ...model, name: file.split("/").at(-1) ?? file });
+  }
+
+  function state(fragment: string) {
     const address = addressOf(fragment);
     const line = frameLine(addressOf(fragment, "?embed"), words.frameTitle);
     const isLong = address.length > LONGEST_CODE;
     return html`
       ${isLong ? html`<p data-testid="no-code">${words.length(address.length)} ${words.noCode(LONGEST_CODE)}</p>` : codePicture(address, exercises.code)}
-      <p class="code-address"><a href=${address} data-testid="code-address" @click=${() => dialog.close()}>${shortened(address)}</a></p>
+      ${link(address, "code-address")}
       ${LOCAL.test(location.hostname) ? html`<p class="hint">${code.local}</p>` : nothing}
-      <div class="button-row"><button class="small" data-testid="copy-address" @click=${copy(address)}>${code.copy}</button></div>
       <details class="code-frame"><summary>${words.frame}</summary>
         <textarea readonly rows="3" aria-label=${words.frame} data-testid="frame-line" .value=${line}></textarea>
-        <div class="button-row"><button class="small" @click=${copy(line)}>${words.copyFrame}</button></div></details>`;
+        <div class="button-row"><button class="small" @click=${copy(line)}>${words.copyFrame}</button></div></details>
+      ${isLong ? shortLink() : nothing}`;
   }
 
   function content() {
-    if (!withModel) return link(fragment);
-    if (problem !== "") return html`<p role="alert" data-testid="no-link">${problem}</p>`;
-    return carrying === null ? html`<p role="status">${words.making}</p>` : link(carrying);
+    if (!withModel) return state(fragment);
+    if (problem !== "") return html`<p role="alert" data-testid="no-link">${problem}</p>${shortLink()}`;
+    return carrying === null ? html`<p role="status">${words.making}</p>` : state(carrying);
   }
 
   function draw(): void {

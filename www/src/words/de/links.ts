@@ -35,8 +35,13 @@ export const links: LinkWords = {
   length: (characters) => `Der Link hat ${number(characters)} Zeichen.`,
   noCode: (most) =>
     `Zu lang für einen QR-Code, der höchstens ${number(most)} Zeichen fasst: Verschicke den Link.`,
-  tooLong: (most, found) =>
-    `Der Link hätte ${number(found)} Zeichen, mehr als ${number(most)}. Speichere stattdessen das Modell und lege seine Datei neben die Seite: #model=DATEI.json öffnet sie.`,
+  tooLong: (most, found) => `Der Link hätte ${number(found)} Zeichen, mehr als ${number(most)}.`,
+  short: {
+    title: "Ein kurzer Link, mit QR-Code",
+    how: "Speichere das Modell und lege seine Datei auf dem Webspace neben die Seite. Dann öffnet dieser Link sie.",
+    file: "Datei",
+    save: "Modell speichern",
+  },
   frame: "Auf einer eigenen Seite zeigen",
   copyFrame: "Zeile für diese Seite kopieren",
   frameTitle: "Ein Modell von Bewegungen",

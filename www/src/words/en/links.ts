@@ -36,7 +36,14 @@ export const links = {
   noCode: (most: number) =>
     `Too long for a QR code, which holds at most ${number(most)} characters: send the link.`,
   tooLong: (most: number, found: number) =>
-    `The link would have ${number(found)} characters, more than ${number(most)}. Save the model and put its file beside the page instead: #model=FILE.json opens it.`,
+    `The link would have ${number(found)} characters, more than ${number(most)}.`,
+  /** A link of a file, in place of a long link. */
+  short: {
+    title: "A short link, with a QR code",
+    how: "Save the model, and put its file on the host beside the page. Then this link opens it.",
+    file: "File",
+    save: "Save the model",
+  },
   frame: "Show it on a page of your own",
   copyFrame: "Copy the line for your page",
   frameTitle: "A motion model",
