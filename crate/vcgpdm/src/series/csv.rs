@@ -9,6 +9,8 @@ use nalgebra::DMatrix;
 
 /// Largest size of a number: the squares of larger numbers could dominate all others.
 const LARGEST: f64 = 1e9;
+/// The numbers of at most this size as text.
+const USABLE: &str = "a number from -1e9 to 1e9";
 /// Largest number of values in a table.
 const MOST_NUMBERS: usize = 20_000_000;
 /// Largest number of columns of a table.
@@ -22,6 +24,42 @@ impl Table {
     pub fn new(name: &str, columns: Vec<String>, values: DMatrix<f64>, frame_time: f64) -> Table {
         let sha256 = sha256(write(&columns, &values, frame_time).as_bytes());
         Table { name: name.to_owned(), sha256, columns, values, frame_time: Some(frame_time) }
+    }
+
+    /// As [`Table::new`], of values [rows x columns] from another program, under the rules for files.
+    ///
+    /// # Errors
+    ///
+    /// [`SeriesError::Table`] when there are fewer than two rows, no columns, two columns of one name, or a
+    /// number that is not finite or too large.
+    pub fn checked(
+        name: &str,
+        columns: Vec<String>,
+        values: DMatrix<f64>,
+        frame_time: f64,
+    ) -> Result<Table, SeriesError> {
+        let refuse = |problem: String| Err(SeriesError::Table { table: name.to_owned(), problem });
+        let (rows, width) = values.shape();
+        if width == 0 || width != columns.len() {
+            return refuse(format!("expected one name for each column, found {} for {width}", columns.len()));
+        }
+        if let Err(problem) = check_names(&columns) {
+            return refuse(problem);
+        }
+        if rows < 2 {
+            return refuse(format!("expected at least two rows of numbers, found {rows}"));
+        }
+        if rows.saturating_mul(width) > MOST_NUMBERS {
+            return refuse(format!("expected at most {MOST_NUMBERS} numbers, found {rows} rows of {width}"));
+        }
+        let wrong = |at: &usize| !is_usable(values[(at / width, at % width)]);
+        if let Some(at) = (0..rows * width).find(wrong) {
+            let (row, column) = (at / width, at % width);
+            let found = values[(row, column)];
+            let name = &columns[column];
+            return refuse(format!("row {row}, column {column} ({name}): expected {USABLE}, found {found}"));
+        }
+        Ok(Table::new(name, columns, values, frame_time))
     }
 }
 
@@ -154,11 +192,16 @@ fn check_names(names: &[String]) -> Result<(), String> {
     Ok(())
 }
 
+/// Whether the number is finite and not too large.
+fn is_usable(number: f64) -> bool {
+    number.abs() <= LARGEST
+}
+
 /// The number in a field, or the expectation that it does not meet.
 fn number(field: &str) -> Result<f64, &'static str> {
     match field.parse::<f64>() {
-        Ok(number) if number.abs() <= LARGEST => Ok(number),
-        Ok(_) => Err("a number from -1e9 to 1e9"),
+        Ok(number) if is_usable(number) => Ok(number),
+        Ok(_) => Err(USABLE),
         Err(_) if field.contains(',') => Err("a number with a point, such as 1.5"),
         Err(_) if field.is_empty() => Err("a number (fill gaps before)"),
         Err(_) => Err("a number"),

@@ -42,6 +42,14 @@ pub enum SeriesError {
         /// The difference.
         problem: String,
     },
+    /// A table that does not come from a file is wrong.
+    #[error("{table}: {problem}")]
+    Table {
+        /// The name of the table.
+        table: String,
+        /// What was expected and found.
+        problem: String,
+    },
     /// An invalid split of the columns into parts.
     #[error("{0}")]
     Parts(String),

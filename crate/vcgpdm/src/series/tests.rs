@@ -59,6 +59,28 @@ fn errors_name_file_line_and_column() {
 }
 
 #[test]
+fn numbers_of_other_programs_follow_the_rules_for_files() {
+    let values = nalgebra::DMatrix::from_row_slice(3, 2, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+    let checked = |names: [&str; 2], values: &nalgebra::DMatrix<f64>| {
+        Table::checked("trial 0", names.map(str::to_owned).to_vec(), values.clone(), 0.5)
+    };
+    let table = checked(["x", "y"], &values).unwrap();
+    assert_eq!(table, read("trial 0", write(&table.columns, &values, 0.5).as_bytes()).unwrap());
+    let refusal = |names, values: &_| checked(names, values).unwrap_err().to_string();
+    let mut gap = values.clone();
+    gap[(1, 1)] = f64::NAN;
+    let expected = "trial 0: row 1, column 1 (y): expected a number from -1e9 to 1e9, found NaN";
+    assert_eq!(refusal(["x", "y"], &gap), expected);
+    let expected = "trial 0: expected a name of its own for column 2, found \"x\", as column 1 has";
+    assert_eq!(refusal(["x", "x"], &values), expected);
+    let one = values.rows(0, 1).into_owned();
+    assert_eq!(refusal(["x", "y"], &one), "trial 0: expected at least two rows of numbers, found 1");
+    let narrow = values.columns(0, 1).into_owned();
+    let expected = "trial 0: expected one name for each column, found 2 for 1";
+    assert_eq!(refusal(["x", "y"], &narrow), expected);
+}
+
+#[test]
 fn columns_are_put_into_the_order_of_the_first_table() {
     let first = read("a.csv", b"x,y\n1,2\n3,4\n").unwrap();
     let turned = read("b.csv", b"y,x\n2,1\n4,3\n").unwrap().like(&first).unwrap();
