@@ -94,6 +94,7 @@ async function imports() {
 
 async function format() {
   await run("cargo", "fmt", "--all", "--check");
+  await run("cargo", "fmt", "--manifest-path", at("crate/python/Cargo.toml"), "--check");
   await biome("format");
 }
 
