@@ -12,19 +12,20 @@ const IS_LICENCE = /^(licen[cs]e|copying|notice|unlicense)([-._].*)?$/i;
 const MAY_BE_MIT = /^[^()]*\bMIT\b( OR |\/)|( OR |\/)MIT\b[^()]*$/;
 const IS_MIT_OR_NOTICE = /mit|notice/i;
 
-/** The crates in the wasm, without our own. @returns {Part[]} */
-function crates() {
-  const text = output(
-    "cargo",
-    "metadata",
-    "--format-version",
-    "1",
-    "--filter-platform",
-    "wasm32-unknown-unknown",
-  );
+/** The crates in the wasm, without our own. */
+const wasmCrates = () => crates("vcgpdm-wasm", "--filter-platform", "wasm32-unknown-unknown");
+
+/**
+ * The crates in what a crate of ours compiles to, without our own.
+ * @param {string} crate
+ * @param {string[]} options further options of cargo metadata
+ * @returns {Part[]}
+ */
+function crates(crate, ...options) {
+  const text = output("cargo", "metadata", "--locked", "--format-version", "1", ...options);
   const { packages, resolve } = JSON.parse(text ?? "null") ?? {};
   if (!packages) throw new Failure("cargo metadata failed");
-  /** Macros write source code; nothing of them is in the wasm. */
+  /** Macros write source code; nothing of them is in the result. */
   const macros = new Set(
     packages
       .filter((/** @type {any} */ { targets }) =>
@@ -37,11 +38,11 @@ function crates() {
   const visit = (/** @type {string} */ id) => {
     if (inside.has(id) || macros.has(id)) return;
     inside.add(id);
-    // Build scripts and tests are not in the wasm.
+    // Build scripts and tests are not in the result.
     for (const { pkg, dep_kinds } of nodes.get(id).deps)
       if (dep_kinds.some((/** @type {{ kind: string | null }} */ { kind }) => kind === null)) visit(pkg);
   };
-  visit(packages.find((/** @type {{ name: string }} */ { name }) => name === "vcgpdm-wasm").id);
+  visit(packages.find((/** @type {{ name: string }} */ { name }) => name === crate).id);
   return packages
     .filter(
       (/** @type {{ id: string, source: string | null }} */ { id, source }) =>
@@ -96,14 +97,23 @@ function notice(/** @type {Part[]} */ parts) {
   return `This contains software of others. ${choice}\n\n${lines.join("\n")}\n\n${quoted.join("\n\n")}\n`;
 }
 
+/** The npm packages in `vcgpdm/figure`. */
+const figurePackages = () => npmPackages().filter(({ name }) => name === "three");
+
 const sorted = (/** @type {Part[]} */ parts) => parts.sort((a, b) => a.name.localeCompare(b.name, "en"));
 
 /** For the npm package, which holds the wasm and, in its figure, three.js. */
-export const packageNotice = () =>
-  notice(sorted([...crates(), ...npmPackages().filter(({ name }) => name === "three")]));
+export const packageNotice = () => notice(sorted([...wasmCrates(), ...figurePackages()]));
+
+/** For the wheels of the Python package, which hold the module, and the same figure and wasm as its widget. */
+export function wheelNotice() {
+  const module = crates("vcgpdm-python", "--manifest-path", at("crate/python/Cargo.toml"));
+  const parts = [...module, ...wasmCrates(), ...figurePackages()];
+  return notice(sorted([...new Map(parts.map((part) => [`${part.name} ${part.version}`, part])).values()]));
+}
 
 /** Writes `licences.txt` next to the page. */
 export function writeLicences() {
   mkdirSync(at("www/public"), { recursive: true });
-  writeFileSync(at("www/public/licences.txt"), notice(sorted([...crates(), ...npmPackages()])));
+  writeFileSync(at("www/public/licences.txt"), notice(sorted([...wasmCrates(), ...npmPackages()])));
 }
