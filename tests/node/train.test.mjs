@@ -128,9 +128,9 @@ describe("the face", () => {
     assert.deepEqual(missing({ a: "by OWNER", b: "by x" }), ["a: expected the real value, found OWNER"]);
   });
 
-  it("has the licence in the published crate, and pins every action by its hash", () => {
-    assert.equal(read("crate/vcgpdm/LICENSE"), read("LICENSE"));
-    for (const name of ["advisories", "pages", "release", "tests"]) {
+  it("has the licence in published packages, and pins every action by its hash", () => {
+    for (const folder of ["vcgpdm", "python"]) assert.equal(read(`crate/${folder}/LICENSE`), read("LICENSE"));
+    for (const name of ["advisories", "pages", "release", "tests", "wheels"]) {
       const used = [...read(`.github/workflows/${name}.yml`).matchAll(/uses: (\S+)/g)].map(([, at]) => at);
       for (const action of used.filter((action) => !action?.startsWith("./")))
         assert.match(action ?? "", /^[\w/-]+@[0-9a-f]{40}$/, name);
