@@ -260,6 +260,30 @@ describe("embedded", () => {
     });
   }
 
+  it("lets a class solve the exercise with a training, at the size of a frame", async () => {
+    const settings = "exercise=6&dynamics=6&poses=6&iterations=20&fps=10&trainings=1";
+    const viewport = { width: 800, height: 500 };
+    const { page, problems, leave } = await site.visit({ query: "?embed", settings, viewport });
+    await ready(page);
+    assert.deepEqual(await page.getByRole("tab").allInnerTexts(), ["Listen", "Loops", "Learn"]);
+    await openTab(page, "learn");
+    await page.getByTestId("train").click();
+    await page
+      .getByTestId("exercise")
+      .getByText("This model has 6 points for a part.")
+      .waitFor({ timeout: 60_000 });
+    await openTab(page, "listen");
+    await page.getByTestId("completing").waitFor();
+    assert.deepEqual(await barriers(page), []);
+    const { scrollWidth } = await size(page);
+    assert.ok(scrollWidth <= 800, `${scrollWidth} pixels wide`);
+    await page.evaluate(() => Object.assign(location, { hash: "tab=numbers" }));
+    await page.locator("#tab-numbers[aria-selected=true]").waitFor();
+    await page.locator("pg-numbers table").first().waitFor();
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
   it("shows any view, without header and footer", async () => {
     const { page, problems, leave } = await site.visit({ query: "?embed", settings: "view=primitives" });
     await page.locator("pg-gallery").waitFor();

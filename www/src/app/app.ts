@@ -176,7 +176,7 @@ export class App {
 
   constructor(
     address: AddressBar,
-    /** Whether the page is in a frame of another page: without header, footer and training. */
+    /** Whether the page is in a frame of another page: without header and footer. */
     readonly embedded: boolean,
   ) {
     this.settings = new SettingsStore(address);

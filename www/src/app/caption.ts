@@ -80,7 +80,7 @@ export class CaptionView extends View {
 
   /** A notice with buttons, for a motion that is not healthy, such as one whose pose stops changing. */
   #healthNotice() {
-    const { stage, model, training, pointing, body, embedded } = this.app;
+    const { stage, model, training, pointing, body } = this.app;
     const { content } = stage;
     if (content?.kind !== "model" || training.learning || pointing.report || !body.reports || !body.isCurrent)
       return nothing;
@@ -95,7 +95,7 @@ export class CaptionView extends View {
     const points = run && training.morePoints(run);
     const buttons = model.couplings.altered
       ? html`<button class="small" @click=${() => model.couplings.resetAll()}>${lab().stage.asLearned}</button>`
-      : run && !embedded && !training.busy && training.whyNot() === ""
+      : run && !training.busy && training.whyNot() === ""
         ? html`${
             points === null
               ? nothing

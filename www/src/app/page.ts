@@ -20,6 +20,7 @@ import type { App } from "./app";
 import { clipOnStage } from "./caption";
 import "./header";
 import "./lead";
+import { FrameTabs } from "./frame-tabs";
 import type { HelpView } from "./help";
 import { openAnyModel, openFiles } from "./open-files";
 import { lab, shownPart } from "../words/lab";
@@ -27,8 +28,6 @@ import { loadNumbers } from "../words/numbers";
 import { languageSwitch } from "./language-switch";
 
 type Tab = Settings["tab"];
-/** The tabs in a frame of another page. */
-const EMBEDDED_TABS: readonly Tab[] = ["listen", "loops"];
 
 interface Clock {
   togglePlay(): void;
@@ -103,6 +102,7 @@ export class PageView extends View {
   declare liveView: (() => TemplateResult) | null;
   #keyHolds: { source: number; target: number } | null = null;
   declare app: App;
+  readonly #frameTabs = new FrameTabs();
   readonly #loaded = new Map<keyof typeof ON_DEMAND, "loading" | "failed" | (() => TemplateResult)>();
 
   constructor() {
@@ -258,12 +258,11 @@ export class PageView extends View {
   }
 
   get #tabs(): readonly Tab[] {
-    return this.app.embedded ? EMBEDDED_TABS : TABS;
+    return this.app.embedded ? this.#frameTabs.shown(this.app.settings.values) : TABS;
   }
 
   get #tab(): Tab {
-    const { tab } = this.app.settings.values;
-    return this.#tabs.includes(tab) ? tab : "listen";
+    return this.app.settings.values.tab;
   }
 
   #stageArea() {
@@ -303,8 +302,8 @@ export class PageView extends View {
       pointing,
       predictions,
       training,
-      embedded,
     } = this.app;
+    const tabs = this.#tabs;
     const panel = (id: Tab, content: TemplateResult) => html`
       <section id="panel-${id}" class="panel" role="tabpanel" aria-labelledby="tab-${id}" ?hidden=${id !== this.#tab}>${content}</section>`;
     return [
@@ -312,25 +311,25 @@ export class PageView extends View {
         "listen",
         html`<pg-lead .app=${this.app}></pg-lead>
         <pg-couplings .playback=${playback} .model=${model} .settings=${settings} .engine=${engine} .body=${body} .readings=${readings}></pg-couplings>
-        ${embedded ? nothing : this.#completing()}`,
+        ${tabs.includes("learn") ? this.#completing() : nothing}`,
       ),
       panel(
         "loops",
         html`<pg-latents .openOutlook=${this.app.openOutlook} .model=${model} .pointing=${pointing} .predictions=${predictions} .settings=${settings} .engine=${engine} .stage=${stage} .playback=${playback}></pg-latents>`,
       ),
-      embedded
-        ? nothing
-        : panel(
+      tabs.includes("learn")
+        ? panel(
             "learn",
             html`
             <pg-clips .clips=${clips} .stage=${stage} .engine=${engine}></pg-clips>
             <pg-training .training=${training} .settings=${settings} .clips=${clips} .engine=${engine}></pg-training>`,
-          ),
-      embedded ? nothing : panel("numbers", this.#numbers()),
+          )
+        : nothing,
+      tabs.includes("numbers") ? panel("numbers", this.#numbers()) : nothing,
     ];
   }
 
-  /** A recording that moves one part; loaded when it is opened for the first time. */
+  /** A recording, opened on the tab Learn, that moves one part; loaded when it is opened for the first time. */
   #completing() {
     const { model, completing } = this.app;
     if ((model.model?.info.parts.length ?? 0) < 2) return nothing;
