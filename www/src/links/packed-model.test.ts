@@ -24,6 +24,8 @@ async function linkOf(text: string): Promise<string> {
 it("brings a document back with seven digits, all fields, and symmetric matrices whole", async () => {
   const link = await packed(model);
   expect(link).toMatch(/^1\.\d+\.[\w-]+$/);
+  // docs/page.md says how long.
+  expect(link.length).toBeLessThan(24_000);
   const back = JSON.parse(await unpacked(link));
   const numbers = (value: unknown, path = ""): [string, unknown][] =>
     typeof value === "object" && value !== null
