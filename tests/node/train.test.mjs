@@ -118,7 +118,10 @@ describe("the face", () => {
     const citation = read("CITATION.cff");
     assert.equal(withAddresses(citation, cargo), citation, "node scripts/release.mjs writes it");
     assert.equal(zenodo(citation), read(".zenodo.json"), "node scripts/release.mjs writes it");
-    assert.match(citation, new RegExp(`^version: ${cargo.match(/^version = "(.*)"$/m)?.[1]}$`, "m"));
+    const version = cargo.match(/^version = "(.*)"$/m)?.[1];
+    assert.match(citation, new RegExp(`^version: ${version}$`, "m"));
+    // A workspace of its own cannot take the version from the other one.
+    assert.match(read("crate/python/Cargo.toml"), new RegExp(`^version = "${version}"$`, "m"));
     assert.deepEqual(addresses({ repository: "https://github.com/OWNER/a", homepage: "https://a" }), {});
     assert.deepEqual(addresses({ repository: "https://github.com/x/a", homepage: "https://a" }), {
       repository: { type: "git", url: "git+https://github.com/x/a.git" },

@@ -165,7 +165,8 @@ def test_progress_is_reported_and_can_end_the_training(walk):
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no os.kill for SIGINT")
 def test_ctrl_c_raises_with_the_best_model_so_far(walk):
     def press():
-        time.sleep(0.5)
+        # By then the training has begun.
+        time.sleep(1.5)
         os.kill(os.getpid(), signal.SIGINT)
 
     threading.Thread(target=press).start()
