@@ -249,6 +249,28 @@ describe("a library of primitives", () => {
     // @ts-expect-error: of no kind that there is
     assert.throws(() => from({ from: "afar" }), { code: "model" });
   });
+
+  it("says which of its movements clips show, one after the other", () => {
+    const clips = set(["walk-3", "walk-wave-3"]);
+    const found = library.recognise(clips);
+    const segments = found.segments();
+    assert.deepEqual(
+      segments.map(({ movement }) => movement),
+      [0, 1],
+    );
+    const { figure, frameTime, movements } = library.info();
+    const seconds = sample("walk-3").info().frames * sample("walk-3").info().frameTime;
+    assert.ok(Math.abs((segments[0]?.end ?? 0) * frameTime - seconds) < 0.3);
+    assert.equal(segments.at(-1)?.end, found.frames);
+    assert.equal(found.positions().length, found.frames * figure.nodes.length * 3);
+    const probabilities = found.probabilities();
+    assert.equal(probabilities.length, found.frames * movements.length);
+    assert.ok(Math.abs((probabilities[0] ?? 0) + (probabilities[1] ?? 0) - 1) < 1e-9);
+    assert.throws(() => library.recognise(new vcgpdm.TrainingSet()), {
+      code: "clips",
+      message: /expected one clip or more, found none/,
+    });
+  });
 });
 
 /** Takes steps until the end. */

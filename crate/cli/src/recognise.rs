@@ -7,19 +7,20 @@ use std::error::Error;
 use std::path::PathBuf;
 use vcgpdm::models::library::Segment;
 
-/// Print which movement of a library a clip shows, moment by moment, as one JSON object.
+/// Print which movement of a library clips show, moment by moment, as one JSON object.
 ///
-/// Every movement of the library is a model of the clip. `segments` are the times in which one movement is
+/// Every movement of the library is a model of the clips. Several clips count as one recording, in the order
+/// given; each begins where the one before ends. `segments` are the times in which one movement is
 /// the likeliest, in seconds, with the primitives of its parts and the mean of its probability; `share` is
-/// the share of the frames that each movement has. The clip need not be one that the library was trained on.
+/// the share of the frames that each movement has. The library need not be trained on the clips.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A library that `vcgpdm train --movement` wrote, of two movements or more.
     #[arg(value_name = "LIBRARY.json")]
     library: PathBuf,
-    /// A BVH file of the same body, or sample:ID.
-    #[arg(value_name = "CLIP")]
-    clip: PathBuf,
+    /// BVH files of the same body, or sample:ID.
+    #[arg(value_name = "CLIP", required = true)]
+    clips: Vec<PathBuf>,
     /// Write the probability of every movement in every frame to this file.
     #[arg(long, value_name = "OUT.csv")]
     out: Option<PathBuf>,
@@ -32,10 +33,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         let (path, found) = (arguments.library.display(), movements.len());
         return Err(format!("{path}: expected a library of two movements or more, found {found}").into());
     }
-    let read = [arguments.library.as_path(), arguments.clip.as_path()];
+    let read = std::iter::once(&arguments.library).chain(&arguments.clips).map(PathBuf::as_path);
     files::check_outs(arguments.out.iter().map(|out| ("--out", out)), read)?;
-    let clip = files::read_clip(&arguments.clip)?;
-    let found = library.recognise(&clip)?;
+    let clips = arguments.clips.iter().map(|clip| files::read_clip(clip)).collect::<Result<Vec<_>, _>>()?;
+    let found = library.recognise(&clips.iter().collect::<Vec<_>>())?;
     let names: Vec<&str> = movements.iter().map(|movement| movement.name.as_str()).collect();
     let frame_time = library.body.frame_time;
     let segments = found.segments();
@@ -51,7 +52,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let shares = names.iter().zip(found.shares()).map(|(name, share)| ((*name).to_owned(), share.into()));
     let shares: serde_json::Map<String, Value> = shares.collect();
     let summary = json!({
-        "clip": clip.name,
+        "clips": clips.iter().map(|clip| clip.name.as_str()).collect::<Vec<_>>(),
         "seconds": found.posterior.nrows() as f64 * frame_time,
         "share": shares,
         "segments": segments.iter().map(segment).collect::<Vec<_>>(),

@@ -7,7 +7,7 @@ use vcgpdm::document::DocumentError;
 use vcgpdm::gp::NumericsError;
 #[cfg(feature = "training")]
 use vcgpdm::models::library::{
-    CombinationError, ImportError, LibraryError as PrimitivesError, MergeError, WalkError,
+    CombinationError, ImportError, LibraryError as PrimitivesError, MergeError, RecognitionError, WalkError,
 };
 use vcgpdm::models::variational::InducingError;
 #[cfg(feature = "training")]
@@ -291,6 +291,18 @@ impl LibraryError for PrimitivesError {
             PrimitivesError::Combination(reason) => reason.code(),
             PrimitivesError::Training(reason) => reason.code(),
             _ => ErrorCode::Model,
+        }
+    }
+}
+
+#[cfg(feature = "training")]
+impl LibraryError for RecognitionError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            RecognitionError::Combination(reason) => reason.code(),
+            RecognitionError::Clip(reason) => reason.code(),
+            RecognitionError::Observation { reason, .. } => reason.code(),
+            _ => ErrorCode::Clips,
         }
     }
 }

@@ -40,6 +40,8 @@ mod predictions;
 mod primitives;
 #[cfg(feature = "training")]
 mod progress;
+#[cfg(feature = "training")]
+mod recognition;
 #[cfg(test)]
 mod refused_calls;
 #[cfg(feature = "training")]

@@ -18,6 +18,11 @@ fn recognises_movements_in_clips_that_were_not_trained_on() {
         let rows = fs::read_to_string(&out).unwrap();
         assert!(rows.lines().next().unwrap().contains("walk,wave"), "{rows}");
     }
+    let both = json(&["recognise", text(&library), "sample:walk-3", "sample:walk-wave-3"]);
+    let movements: Vec<_> =
+        both["segments"].as_array().unwrap().iter().map(|segment| &segment["movement"]).collect();
+    assert_eq!(movements, ["walk", "wave"], "{both}");
+    assert_eq!(both["clips"].as_array().unwrap().len(), 2);
     let one = folder.join("one.json");
     let train = "train --movement walk=sample:walk-1 --parts lower,upper --fps 15 --max-iterations 3 --out";
     prints(&train.split(' ').chain([text(&one)]).collect::<Vec<_>>());

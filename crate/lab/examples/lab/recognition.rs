@@ -5,7 +5,6 @@
 //! and recognises the rest; then the two halves change places.
 
 use crate::clips;
-use nalgebra::DMatrix;
 use std::path::PathBuf;
 use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
 use vcgpdm::models::{Dataset, PoseWeight, Source, VariationalSettings};
@@ -62,21 +61,9 @@ fn library(movements: &[Trials], half: usize) -> TrainedLibrary {
     trainer.finish().unwrap()
 }
 
-/// Clips of one body one after the other, at the frame rate of the first.
-fn joined(clips: &[&Clip]) -> Clip {
-    let rows: usize = clips.iter().map(|clip| clip.frames()).sum();
-    let mut values = DMatrix::zeros(rows, clips[0].values.ncols());
-    let mut row = 0;
-    for clip in clips {
-        values.rows_mut(row, clip.frames()).copy_from(&clip.values);
-        row += clip.frames();
-    }
-    Clip { values, ..clips[0].clone() }
-}
-
 /// The errors of the boundaries, in seconds, of three clips that were joined; `None`: other pieces were found.
 fn boundary_errors(library: &TrainedLibrary, clips: [&Clip; 3], expected: [usize; 3]) -> Option<[f64; 2]> {
-    let segments = library.recognise(&joined(&clips)).unwrap().segments();
+    let segments = library.recognise(&clips).unwrap().segments();
     let found: Vec<usize> = segments.iter().map(|segment| segment.movement).collect();
     if found != expected {
         return None;
@@ -99,7 +86,7 @@ pub fn run(folders: &[PathBuf]) {
         let held_out: Vec<Vec<&Clip>> = movements.iter().map(|trials| trials.half(1 - half)).collect();
         for (truth, clips) in held_out.iter().enumerate() {
             for clip in clips {
-                let found = library.recognise(clip).unwrap().shares();
+                let found = library.recognise(&[clip]).unwrap().shares();
                 shares[truth].iter_mut().zip(found).for_each(|(all, share)| all.push(share));
             }
         }

@@ -45,7 +45,7 @@ pub use merge::{MergeError, Misfit};
 pub use origin::{Excerpt, FramesFrom, Origin, Relearned};
 pub use part_motion::{Leader, PartMotion};
 pub use plan::{LibraryPlan, PlanError, PlannedMovement};
-pub use recognition::{Recognition, RecognitionError, Segment};
+pub use recognition::{Recogniser, Recognition, RecognitionError, Segment};
 pub use trained_library::{EncodedClip, LibraryError, TrainedLibrary};
 
 /// The predictions of a primitive about one part.

@@ -3,13 +3,14 @@
 //! Each movement of the library is a model of the recording, and all share the pose maps, so their densities
 //! can be compared. A window slides over the recording. In each window every movement is filtered from the
 //! likeliest place of its own training, as if the recording began there. The log density of a frame under a
-//! movement is the mean over the windows that contain the frame.
+//! movement is that in the window that contains the frame and is the likeliest in the mean of its frames. A
+//! window across the border of two movements is unlikely under both, so that it does not count.
 //!
 //! A hidden Markov chain with a sticky prior joins the frames (Velychko et al. 2018, section 6, propose one):
 //! the movement changes with the probability `1 / (frames of STAY)` from one frame to the next, to all
 //! others alike. Errors of neighbouring frames are alike, because a pose map errs in the same way where the
 //! poses are alike. So the frames of one window count as one observation: log densities are divided by the
-//! frames of a window. Window, stay and this division are choices of ours.
+//! frames of a window. Window, stay, starting points and this division are choices of ours.
 
 use crate::elementary::Elementary;
 use crate::models::data::dataset::DatasetError;
@@ -27,6 +28,8 @@ const WINDOW: f64 = 0.5;
 const HOP: f64 = 0.1;
 /// Seconds that a movement lasts under the prior, in the mean.
 const STAY: f64 = 2.0;
+/// Starting points that are tried for a window.
+const STARTS: usize = 3;
 /// The log density of a frame whose filter fails, in nats.
 const IMPOSSIBLE: f64 = -1e4;
 
@@ -37,14 +40,20 @@ pub enum RecognitionError {
     /// A movement of the library is no model.
     #[error(transparent)]
     Combination(#[from] CombinationError),
+    /// The library has no movement.
+    #[error("expected a library of one movement or more, found none")]
+    NoMovement,
+    /// There is no clip.
+    #[error("expected one clip or more, found none")]
+    NoClip,
     /// The clip does not fit the body.
     #[error(transparent)]
     Clip(#[from] DatasetError),
     /// The columns cannot be filtered.
-    #[error("{clip}: {reason}")]
+    #[error("{clips}: {reason}")]
     Observation {
-        /// The clip.
-        clip: String,
+        /// The clips.
+        clips: String,
         /// The reason.
         reason: Box<ObservationError>,
     },
@@ -53,7 +62,9 @@ pub enum RecognitionError {
 /// The movements of a recording.
 #[derive(Clone, Debug)]
 pub struct Recognition {
-    /// log p of every frame under every movement [frames x movements], in nats; means over windows.
+    /// The recording [frames x columns], at the frame rate of the library.
+    pub y: DMatrix<f64>,
+    /// log p of every frame under every movement [frames x movements], in nats, in the likeliest window.
     pub log_densities: DMatrix<f64>,
     /// The probability of every movement in every frame given all frames [frames x movements].
     pub posterior: DMatrix<f64>,
@@ -70,31 +81,107 @@ pub struct Segment {
     pub probability: f64,
 }
 
+/// A recognition under way: one step filters one window under every movement.
+pub struct Recogniser {
+    filters: Vec<Filter>,
+    columns: DMatrix<f64>,
+    y: Vec<DMatrix<f64>>,
+    frame_time: f64,
+    /// The first frames of the windows.
+    starts: Vec<usize>,
+    /// Frames of a window.
+    window: usize,
+    /// Windows that are filtered.
+    done: usize,
+    /// For each movement and frame, the mean log density of the likeliest window, and that of the frame in it.
+    best: Vec<Vec<(f64, f64)>>,
+}
+
 impl TrainedLibrary {
-    /// The movements of this library in a clip of its body.
+    /// The movements of this library in clips of its body. Several clips count as one recording: each begins
+    /// where the one before ends, in the same direction.
     ///
     /// # Errors
     ///
-    /// When the clip has another body or fewer frames than one history, or a covariance cannot be factorised.
-    pub fn recognise(&self, clip: &Clip) -> Result<Recognition, RecognitionError> {
-        let columns = self.body.encode(clip)?;
+    /// When there is no clip, a clip has another body, all have fewer frames than one history, or a covariance
+    /// cannot be factorised.
+    pub fn recognise(&self, clips: &[&Clip]) -> Result<Recognition, RecognitionError> {
+        let mut recogniser = self.recogniser(clips)?;
+        while recogniser.step() < 1.0 {}
+        Ok(recogniser.finish())
+    }
+
+    /// The same step by step.
+    ///
+    /// # Errors
+    ///
+    /// As [`recognise`](Self::recognise).
+    pub fn recogniser(&self, clips: &[&Clip]) -> Result<Recogniser, RecognitionError> {
+        let columns = self.joined(clips)?;
         let y = self.body.centred(&columns);
-        let named =
-            |reason| RecognitionError::Observation { clip: clip.name.clone(), reason: Box::new(reason) };
-        let mut log_densities = DMatrix::zeros(columns.nrows(), self.library.movements.len());
-        for movement in 0..log_densities.ncols() {
+        let named = |reason| {
+            let names: Vec<&str> = clips.iter().map(|clip| clip.name.as_str()).collect();
+            RecognitionError::Observation { clips: names.join(", "), reason: Box::new(reason) }
+        };
+        let filter = |movement: usize| {
             let model = self.movement(movement)?;
-            let Some(coupled) = model.coupled() else { continue };
-            let filter = coupled
-                .filter(&RolloutRequest::default())
-                .map_err(|reason| named(ObservationError::Rollout(reason)))?;
-            let found = in_windows(&filter, &y, self.body.frame_time).map_err(named)?;
-            log_densities.column_mut(movement).copy_from_slice(&found);
+            let view = model.coupled().ok_or(RecognitionError::NoMovement)?;
+            let filter = view.filter(&RolloutRequest::default());
+            filter.map_err(|reason| named(ObservationError::Rollout(reason)))
+        };
+        let filters = (0..self.library.movements.len()).map(filter).collect::<Result<Vec<_>, _>>()?;
+        let first = filters.first().ok_or(RecognitionError::NoMovement)?;
+        let frames = first.check(&y).map_err(named)?;
+        let frame_time = self.body.frame_time;
+        let window = frames_of(WINDOW, frame_time).max(first.order() + 1).min(frames);
+        let last = frames - window;
+        let starts = (0..last).step_by(frames_of(HOP, frame_time)).chain([last]).collect();
+        let best = vec![vec![(f64::NEG_INFINITY, IMPOSSIBLE); frames]; filters.len()];
+        Ok(Recogniser { filters, columns, y, frame_time, starts, window, done: 0, best })
+    }
+
+    /// The columns of the clips one after the other. Columns hold the speed of the body, not its place, so it
+    /// does not jump from one clip to the next.
+    fn joined(&self, clips: &[&Clip]) -> Result<DMatrix<f64>, RecognitionError> {
+        let pieces = clips.iter().map(|clip| self.body.encode(clip)).collect::<Result<Vec<_>, _>>()?;
+        let width = pieces.first().ok_or(RecognitionError::NoClip)?.ncols();
+        let mut columns = DMatrix::zeros(pieces.iter().map(DMatrix::nrows).sum(), width);
+        let mut row = 0;
+        for piece in &pieces {
+            columns.rows_mut(row, piece.nrows()).copy_from(piece);
+            row += piece.nrows();
         }
-        let window = frames_of(WINDOW, self.body.frame_time) as f64;
-        let switch = (self.body.frame_time / STAY).min(0.5);
-        let posterior = smoothed(&(&log_densities / window), switch);
-        Ok(Recognition { log_densities, posterior })
+        Ok(columns)
+    }
+}
+
+impl Recogniser {
+    /// Filters the next window; returns the share of the windows that are done.
+    pub fn step(&mut self) -> f64 {
+        if let Some(&start) = self.starts.get(self.done) {
+            let piece: Vec<DMatrix<f64>> =
+                self.y.iter().map(|y| y.rows(start, self.window).into_owned()).collect();
+            for (filter, best) in self.filters.iter().zip(&mut self.best) {
+                let Some((_, run)) = filter.likeliest(&piece, STARTS) else { continue };
+                let mean = run.evidence() / self.window as f64;
+                for (of_frame, density) in best[start..].iter_mut().zip(run.log_densities) {
+                    if mean > of_frame.0 {
+                        *of_frame = (mean, density.max(IMPOSSIBLE));
+                    }
+                }
+            }
+            self.done += 1;
+        }
+        self.done as f64 / self.starts.len() as f64
+    }
+
+    /// The movements, after all windows are done.
+    pub fn finish(self) -> Recognition {
+        let (frames, movements) = (self.columns.nrows(), self.filters.len());
+        let log_densities = DMatrix::from_fn(frames, movements, |t, movement| self.best[movement][t].1);
+        let switch = (self.frame_time / STAY).min(0.5);
+        let posterior = smoothed(&(&log_densities / self.window as f64), switch);
+        Recognition { y: self.columns, log_densities, posterior }
     }
 }
 
@@ -130,25 +217,6 @@ impl Recognition {
 
 fn frames_of(seconds: f64, frame_time: f64) -> usize {
     ((seconds / frame_time).round() as usize).max(1)
-}
-
-/// The log density of each frame: the mean over the windows that contain it.
-fn in_windows(filter: &Filter, y: &[DMatrix<f64>], frame_time: f64) -> Result<Vec<f64>, ObservationError> {
-    let frames = filter.check(y)?;
-    let window = frames_of(WINDOW, frame_time).max(filter.order() + 1).min(frames);
-    let last = frames - window;
-    let starts = (0..last).step_by(frames_of(HOP, frame_time)).chain([last]);
-    let (mut sums, mut counts) = (vec![0.0; frames], vec![0.0_f64; frames]);
-    for start in starts {
-        let piece: Vec<DMatrix<f64>> = y.iter().map(|y| y.rows(start, window).into_owned()).collect();
-        let found = filter.run_from_best(&piece, window).map(|run| run.log_densities);
-        for k in 0..window {
-            let density = found.as_ref().map_or(IMPOSSIBLE, |found| found[k]);
-            sums[start + k] += if density.is_finite() { density.max(IMPOSSIBLE) } else { IMPOSSIBLE };
-            counts[start + k] += 1.0;
-        }
-    }
-    Ok(sums.iter().zip(counts).map(|(sum, count)| sum / count).collect())
 }
 
 /// The probability of each state in each row given all rows, from the log density of each row under each state
@@ -200,7 +268,7 @@ mod tests {
         };
         let log_densities = DMatrix::from_fn(120, 2, of);
         let posterior = smoothed(&log_densities, 1.0 / 60.0);
-        let found = Recognition { log_densities, posterior };
+        let found = Recognition { y: DMatrix::zeros(120, 0), log_densities, posterior };
         let pieces: Vec<_> = found.segments().into_iter().map(|s| (s.movement, s.frames)).collect();
         assert_eq!(pieces, [(0, 0..40), (1, 40..80), (0, 80..120)]);
         assert!(found.posterior.row_iter().all(|row| (row.sum() - 1.0).abs() < 1e-12));

@@ -6,7 +6,7 @@ use crate::models::variational::filter::step::Filter;
 use crate::models::variational::moments::Belief;
 use nalgebra::{DMatrix, DVector};
 
-/// Starting points that are tried.
+/// Starting points that are tried for a whole recording.
 const STARTS: usize = 8;
 /// The covariance of a starting point is that of all histories of the training times this.
 const SPREAD: f64 = 0.1;
@@ -37,21 +37,30 @@ impl Filter {
         let first = (0..frames).find(|&t| y.iter().any(|y| y.row(t).iter().any(|value| !value.is_nan())));
         let window = (first.unwrap_or(0) + window).clamp(self.order(), frames);
         let part: Vec<DMatrix<f64>> = y.iter().map(|y| y.rows(0, window).into_owned()).collect();
-        let mut best: Option<(f64, Belief)> = None;
-        for start in self.starts(&part) {
+        match self.likeliest(&part, STARTS) {
+            Some((_, run)) if window == frames => Ok(run),
+            Some((start, _)) => self.run(start, y),
+            None => self.run(self.unknown(), y),
+        }
+    }
+
+    /// The starting point under which these frames are the likeliest, and the filter from there; `None` if it
+    /// fails from each of them. At most `starts` points are tried.
+    pub(crate) fn likeliest(&self, y: &[DMatrix<f64>], starts: usize) -> Option<(Belief, Filtered)> {
+        let mut best: Option<(f64, Belief, Filtered)> = None;
+        for start in self.starts(y, starts) {
             // A start from which the numbers run away is not the place.
-            let Ok(run) = self.run(start.clone(), &part) else { continue };
+            let Ok(run) = self.run(start.clone(), y) else { continue };
             let evidence = run.evidence();
-            if evidence.is_finite() && best.as_ref().is_none_or(|(most, _)| evidence > *most) {
-                best = Some((evidence, start));
+            if evidence.is_finite() && best.as_ref().is_none_or(|(most, ..)| evidence > *most) {
+                best = Some((evidence, start, run));
             }
         }
-        let start = best.map_or_else(|| self.unknown(), |(_, start)| start);
-        self.run(start, y)
+        best.map(|(_, start, run)| (start, run))
     }
 
     /// Beliefs about the first p frames of these observed columns.
-    fn starts(&self, y: &[DMatrix<f64>]) -> Vec<Belief> {
+    fn starts(&self, y: &[DMatrix<f64>], most: usize) -> Vec<Belief> {
         let covariance = self.history_covariance();
         let mut places = self.places_by_error(y);
         places.sort_by(|a, b| a.error.total_cmp(&b.error));
@@ -59,7 +68,7 @@ impl Filter {
         let mut chosen: Vec<Place> = Vec::new();
         for place in places {
             let near = |other: &Place| other.path == place.path && other.frame.abs_diff(place.frame) < apart;
-            if chosen.len() < STARTS && !chosen.iter().any(near) {
+            if chosen.len() < most && !chosen.iter().any(near) {
                 chosen.push(place);
             }
         }
