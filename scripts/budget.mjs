@@ -13,13 +13,13 @@ export const budget = {
    * The whole program, with the filter that completes recordings; the comparison of models and the synthetic
    * experiment with words in two languages.
    */
-  onDemand: 868_000,
+  onDemand: 880_000,
   /** The graphics Turing test with jsPsych, and its words in two languages. */
   perception: 52_000,
   /** The movements of the page's own study. */
   study: 170_000,
   /** The view of primitives with its library, and its words in two languages. */
-  primitives: 79_000,
+  primitives: 82_000,
   /** The view of time series. */
   series: 12_000,
   /** The writer of GLB files. */

@@ -7,6 +7,7 @@ import type {
   ModularityFold,
   ModularityOutcome,
   PartMotion,
+  RecognisedSegment,
 } from "vcgpdm";
 import type { Couplings, Motion, Report, TrainingClip, TrainingOutcome, TrainingSettings } from "./protocol";
 
@@ -18,6 +19,7 @@ export type {
   ModularityOutcome,
   PartMotion,
   PrimitiveOrigin,
+  RecognisedSegment,
 } from "vcgpdm";
 
 /** A change of an endless walk before its next frames. */
@@ -97,6 +99,19 @@ export interface LockingJob {
   strengths: number[];
 }
 
+/** Clips, one after the other, whose movements are wanted. */
+export interface RecognitionJob {
+  /** The document of the library. */
+  library: string;
+  clips: TrainingClip[];
+}
+
+/** A recording, and when it shows which movement of a library. */
+export interface Recognised {
+  motion: Motion;
+  segments: RecognisedSegment[];
+}
+
 /**
  * The calls of a worker for libraries. The worker keeps one library with one walk. The trainings get the
  * library as an argument and keep nothing.
@@ -152,4 +167,10 @@ export interface LibraryWorker {
   ): Promise<TrainingOutcome>;
   /** How firmly the target is locked to the source at each strength of the coupling, from 0 to 1. */
   lockingRow(job: LockingJob): Float64Array;
+  /** Reports the share that is done. Answers null if it was cancelled. */
+  recognise(
+    job: RecognitionJob,
+    report: (fraction: number) => void,
+    signal: AbortSignal,
+  ): Promise<Recognised | null>;
 }

@@ -14,6 +14,8 @@ import type {
   ModularityOutcome,
   PartMotion,
   PrimitiveOrigin,
+  RecognisedSegment,
+  RecognitionJob,
   WalkChange,
 } from "./library-protocol";
 import type { Couplings, Motion, Report, TrainingOutcome, TrainingReport } from "./protocol";
@@ -114,6 +116,9 @@ export class FakeLibraries {
   /** The long-run motion of every combination. */
   moves: PartMotion[] = [];
   readonly rows: LockingJob[] = [];
+  readonly recognitions: RecognitionJob[] = [];
+  /** What is recognised in every recording: the movement of each of its frames. */
+  recognised: number[] = [0, 0, 1, 1, 1, 0];
   /** The reason why documents are refused; empty if they are accepted. */
   refused = "";
   /** The error of the next frames; empty if they arrive. */
@@ -196,6 +201,20 @@ export class FakeLibraries {
       lockingRow: async (job) => {
         this.rows.push(job);
         return Float64Array.from(job.strengths, () => 1 / job.tempo);
+      },
+      recognise: async (job, report, signal) => {
+        if (this.broken) throw new Error(this.broken);
+        this.recognitions.push(job);
+        report(0.5);
+        await Promise.resolve();
+        if (signal.aborted) return null;
+        const segments: RecognisedSegment[] = [];
+        for (const [frame, movement] of this.recognised.entries()) {
+          const last = segments.at(-1);
+          if (last?.movement === movement) last.end = frame + 1;
+          else segments.push({ movement, first: frame, end: frame + 1, probability: 1 });
+        }
+        return { motion: motion([0], this.recognised.length), segments };
       },
     };
   }

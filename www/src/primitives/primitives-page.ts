@@ -19,6 +19,7 @@ import "./morph-view";
 import type { Primitives } from "./primitives";
 import type { StagedModel } from "../stage/staged-model";
 import "./primitives.css";
+import "./recognition-view";
 import "./walk-view";
 import { lab } from "../words/lab";
 import { primitivesWords } from "../words/primitives";
@@ -101,7 +102,7 @@ export class PrimitivesPage extends View {
 
   protected override render() {
     const { clips } = this;
-    const { library, fitting, imports, locking, learning, fold } = this.primitives;
+    const { library, fitting, imports, locking, learning, fold, recognition } = this.primitives;
     const { playing } = library.walk.player;
     const words = primitivesWords();
     const { areas } = words;
@@ -116,15 +117,18 @@ export class PrimitivesPage extends View {
       <div class="primitives">
         ${this.#head()}
         ${here.length > 0 ? html`<div class="library-notices">${here.map((notice) => noticeCard(this.notices, notice, lab().files.dismiss))}</div>` : nothing}
-        <section class="panel walk-panel" aria-label=${areas.figure}><pg-walk .library=${library}></pg-walk></section>
-        <div class="beside-figure">
-          <section class="panel" aria-label=${words.drawer.title}><pg-drawer .library=${library} .playing=${playing} .notices=${this.notices}></pg-drawer></section>
-          <section class="panel" aria-label=${words.gallery.title}><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
-          <section class="panel" aria-label=${areas.chimera}><pg-chimera .library=${library} .locking=${locking}></pg-chimera></section>
-          <section class="panel" aria-label=${areas.couplings}><pg-walk-couplings .library=${library} .fitting=${fitting} .clips=${clips}></pg-walk-couplings>
-            <pg-morph .library=${library}></pg-morph></section>
-          <section class="panel" aria-label=${areas.imports}><pg-import .imports=${imports} .clips=${clips} .notices=${this.notices} .seed=${this.primitives.seed()}></pg-import></section>
+        <div class="walk-and-controls">
+          <section class="panel walk-panel" aria-label=${areas.figure}><pg-walk .library=${library}></pg-walk></section>
+          <div class="beside-figure">
+            <section class="panel" aria-label=${words.drawer.title}><pg-drawer .library=${library} .playing=${playing} .notices=${this.notices}></pg-drawer></section>
+            <section class="panel" aria-label=${words.gallery.title}><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
+            <section class="panel" aria-label=${areas.chimera}><pg-chimera .library=${library} .locking=${locking}></pg-chimera></section>
+            <section class="panel" aria-label=${areas.couplings}><pg-walk-couplings .library=${library} .fitting=${fitting} .clips=${clips}></pg-walk-couplings>
+              <pg-morph .library=${library}></pg-morph></section>
+            <section class="panel" aria-label=${areas.imports}><pg-import .imports=${imports} .clips=${clips} .notices=${this.notices} .seed=${this.primitives.seed()}></pg-import></section>
+          </div>
         </div>
+        <section class="panel recognition-panel" aria-label=${words.recognition.title}><pg-recognition .recognition=${recognition} .library=${library}></pg-recognition></section>
         <section class="panel learning-panel" aria-label=${words.learning.title}><pg-learning .learning=${learning}></pg-learning></section>
         <section class="panel lesson-panel" aria-label=${areas.experiment}><pg-lesson .learning=${learning} .fold=${fold}></pg-lesson></section>
       </div>`;

@@ -11,6 +11,7 @@ import { ImportStore } from "./import-store";
 import { LearningStore } from "./learning-store";
 import { LibraryStore } from "./library-store";
 import { LockingStore } from "./locking-store";
+import { RecognitionStore } from "./recognition-store";
 import { lab } from "../words/lab";
 
 /** All stores of the view, and the seed of the settings. */
@@ -42,5 +43,6 @@ export function openPrimitives(
     locking: new LockingStore(whole, library),
     learning: new LearningStore(whole, engine, settings, clips, library),
     fold: new FoldStore(whole, engine),
+    recognition: new RecognitionStore(whole, clips, library),
   };
 }

@@ -11,7 +11,7 @@ const HEIGHT = 2.15;
 /** Space below the feet, metres. */
 const BELOW = 0.08;
 /** The angle between heading and camera, radians. */
-const SIDE = 0.95;
+export const SIDE = 0.95;
 
 /** A line of a figure, in pixels, with its part. */
 export interface Stroke {

@@ -19,6 +19,7 @@ import type {
 import type { Motion } from "../engine/protocol";
 import { clipSet } from "./clips";
 import { follow } from "./follow";
+import { inSlices } from "./slices";
 import { transfer } from "./transfer";
 import { using } from "./using";
 
@@ -195,4 +196,23 @@ export const libraryWorker: LibraryWorker = {
     );
     return transfer(row, row);
   },
+  recognise: async ({ library, clips }, report, signal) =>
+    using(await clipSet(clips), (set) =>
+      using(Library.fromJson(library), (parsed) =>
+        using(parsed.recogniser(set), async (recogniser) => {
+          let fraction = 0;
+          const step = () => {
+            fraction = recogniser.step();
+            return fraction === 1;
+          };
+          if (!(await inSlices(signal, step, () => void report(fraction)))) return null;
+          const { figure, frameTime } = parsed.info();
+          return using(recogniser.finish(), (found) => {
+            const positions = found.positions();
+            const motion = { positions, frames: found.frames, nodes: figure.nodes.length, frameTime };
+            return transfer({ motion, segments: found.segments() }, positions);
+          });
+        }),
+      ),
+    ),
 };

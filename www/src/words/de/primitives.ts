@@ -151,6 +151,20 @@ export const primitives: PrimitivesWords = {
     two: "Wähle Clips von zwei Bewegungen.",
     another: "Wähle auch Clips einer anderen Bewegung.",
   },
+  recognition: {
+    title: "Welche Bewegung ist das?",
+    about:
+      "Jede Bewegung der Bibliothek folgt der Aufnahme und sagt, wie wahrscheinlich sie ist; so bekommt jeder Moment seine wahrscheinlichste Bewegung und jeder Teil sein Primitiv. Wähle Clips, die aneinandergehängt werden, oder lege hier eine Aufnahme desselben Körpers ab.",
+    clip: "Clip",
+    after: "dann",
+    nothing: "nichts",
+    recognise: "Erkennen",
+    going: "Jede Bewegung folgt der Aufnahme",
+    tooFew: "Die Bibliothek hat nur eine Bewegung: Es gibt nichts zu wählen.",
+    figure: "Die Aufnahme",
+    time: "Zeit",
+    segment: (movement, first, end) => `${movement} von ${first} bis ${end} s`,
+  },
   lesson: {
     title: "Ist ein gemeinsames Primitiv so gut wie ein eigenes?",
     question:

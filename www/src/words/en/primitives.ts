@@ -150,6 +150,20 @@ export const primitives = {
     two: "Choose clips of two movements.",
     another: "Choose clips of another movement too.",
   },
+  recognition: {
+    title: "Which movement is this?",
+    about:
+      "Each movement of the library follows the recording and says how likely it is; so each moment gets its most likely movement, and each part its primitive. Choose clips, which are joined, or drop a recording of the same body here.",
+    clip: "Clip",
+    after: "then",
+    nothing: "nothing",
+    recognise: "Recognise",
+    going: "Every movement follows the recording",
+    tooFew: "The library has one movement only: there is nothing to choose from.",
+    figure: "The recording",
+    time: "Time",
+    segment: (movement: string, first: string, end: string) => `${movement} from ${first} to ${end} s`,
+  },
   lesson: {
     title: "Is a shared primitive as good as one of its own?",
     question:

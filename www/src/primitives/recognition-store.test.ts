@@ -1,0 +1,114 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import type { ClipEntry, ClipsStore } from "../clips/clips-store";
+import { libraryText } from "../engine/library.fake";
+import { FakeProgram, settled } from "../engine/whole-workers.fake";
+import { NoticesStore } from "../ui/notices-store";
+import { Store } from "../ui/store";
+import { LibraryStore } from "./library-store";
+import { bandsOf, RecognitionStore } from "./recognition-store";
+
+/** Clips that tests put there. */
+class FakeClips extends Store {
+  all: ClipEntry[] = [];
+
+  set(...clips: ClipEntry[]): void {
+    this.all = clips;
+    this.changed();
+  }
+}
+
+let ids = 0;
+function clip(key: string, origin: "made" | "own", joints = ["hips", "chest"]): ClipEntry {
+  const source = origin === "made" ? { sample: key } : { name: key, file: new Blob() };
+  const loaded = { id: ++ids, info: { joints: joints.map((name) => ({ name })) } };
+  return { key, title: key, origin, source, loaded, first: 0, end: 9 } as unknown as ClipEntry;
+}
+
+let program: FakeProgram;
+let library: LibraryStore;
+let clips: FakeClips;
+let recognition: RecognitionStore;
+const chosen = () => recognition.chosen.map((clip) => clip?.key ?? "");
+beforeEach(async () => {
+  program = new FakeProgram();
+  library = new LibraryStore(program, new NoticesStore(), async () => libraryText("first"));
+  clips = new FakeClips();
+  recognition = new RecognitionStore(program, clips as unknown as ClipsStore, library);
+  await library.openFirst();
+  clips.set(...["walk-1", "walk-2", "walk-wave-1", "walk-wave-2"].map((key) => clip(key, "made")));
+});
+
+describe("the clips that are recognised", () => {
+  it("are at first a made walk, a wave and another walk", () => {
+    expect(chosen()).toEqual(["walk-1", "walk-wave-1", "walk-2"]);
+  });
+
+  it("are those of the visitor as soon as there are any of the same body", () => {
+    clips.set(...clips.all, clip("mine", "own"), clip("dog", "own", ["spine", "tail"]));
+    expect(chosen()).toEqual(["mine", "", ""]);
+    expect(recognition.clips.map(({ key }) => key)).not.toContain("dog");
+  });
+
+  it("can be chosen, and none at a place", async () => {
+    recognition.choose(0, "walk-2");
+    recognition.choose(2, "");
+    expect(chosen()).toEqual(["walk-2", "walk-wave-1", ""]);
+    await recognition.recognise();
+    expect(program.libraries.recognitions[0]?.clips.map(({ source }) => source)).toEqual([
+      { sample: "walk-2" },
+      { sample: "walk-wave-1" },
+    ]);
+  });
+});
+
+describe("a recognised recording", () => {
+  it("plays, and belongs to the library and the clips of its question", async () => {
+    await recognition.recognise();
+    expect(recognition.found?.segments.map(({ movement }) => movement)).toEqual([0, 1, 0]);
+    expect(recognition.player.last).toBe(5);
+    recognition.goTo(3);
+    expect([recognition.player.frame, recognition.player.playing]).toEqual([3, false]);
+    recognition.choose(0, "walk-2");
+    expect(recognition.found).toBeNull();
+    await recognition.recognise();
+    await library.open(libraryText("second"), "another", false);
+    expect(recognition.found).toBeNull();
+  });
+
+  it("tells how much is done, and can be cancelled", async () => {
+    const first = recognition.recognise();
+    expect(recognition.fraction).toBe(0);
+    recognition.cancel();
+    await first;
+    expect([recognition.found, recognition.fraction]).toEqual([null, null]);
+  });
+
+  it("is dropped when another question came meanwhile", async () => {
+    const first = recognition.recognise();
+    recognition.choose(0, "walk-2");
+    await first;
+    await settled();
+    expect([recognition.found, recognition.fraction]).toEqual([null, null]);
+  });
+
+  it("says why there is none", async () => {
+    program.libraries.broken = "it is not of the body of the model";
+    await recognition.recognise();
+    expect([recognition.problem, recognition.found, recognition.fraction]).toEqual([
+      "it is not of the body of the model",
+      null,
+      null,
+    ]);
+    recognition.choose(1, "");
+    expect(recognition.problem).toBe("");
+  });
+});
+
+it("a primitive that two movements share is one band", () => {
+  const segments = [0, 1, 0, 2].map((movement, k) => ({ movement, first: k, end: k + 1, probability: 1 }));
+  const shared = [4, 4, 5];
+  expect(bandsOf(segments, (movement) => shared[movement] ?? -1)).toEqual([
+    { primitive: 4, first: 0, end: 3 },
+    { primitive: 5, first: 3, end: 4 },
+  ]);
+});
