@@ -22,4 +22,4 @@ def test_the_notebook_runs(tmp_path):
     )
     client.execute()
     assert (tmp_path / "model.json").stat().st_size > 10_000
-    assert (tmp_path / "loose-arms.bvh").read_text().startswith("HIERARCHY")
+    assert (tmp_path / "other-arms.bvh").read_text().startswith("HIERARCHY")
