@@ -1,7 +1,8 @@
 // `npm run alpha -- [SITE_FOLDER] [--learned]`: measures the time from a coupling's slider to the new motion,
 // in headless Chromium, with experts re-inferred or as learned. For each event it measures two times: in the
 // page, from the event to the new positions; in the worker, from the request to its answer. Then it measures
-// the worker's time for the next frames of a live motion.
+// the worker's time for the next frames of a live motion, and the time from a turn of the wheel to the first
+// frame that obeys it.
 import { resolve } from "node:path";
 import { parseArgs } from "node:util";
 import { launchChromium } from "./chromium.mjs";
@@ -13,6 +14,9 @@ const EVENTS = 200;
 /** Events before the measurement, while the browser still compiles the program. */
 const WARM_UP = 20;
 const LIVE_SECONDS = 10;
+/** Turns of the wheel, each this many milliseconds after the one before. */
+const TURNS = 60;
+const BETWEEN_TURNS = 100;
 
 /** In a worker: records the times of each request and of its answer. Comlink gives both the same id. */
 function recordAnswers() {
@@ -74,6 +78,20 @@ async function slide({ slider, events }) {
   return times;
 }
 
+/**
+ * In the page: collects the measures of the wheel from now on. Nothing is drawn any more: without a graphics
+ * card a picture takes longer than a display frame.
+ */
+function collectTurns() {
+  const scope = /** @type {any} */ (globalThis);
+  for (const draw of ["drawArrays", "drawArraysInstanced", "drawElements", "drawElementsInstanced"])
+    Object.assign(WebGL2RenderingContext.prototype, { [draw]() {} });
+  scope.turns = [];
+  new PerformanceObserver((list) =>
+    scope.turns.push(...list.getEntriesByName("wheel-answer").map(({ duration }) => duration)),
+  ).observe({ type: "measure" });
+}
+
 /** The value below which this share of the values lies. */
 const quantile = (/** @type {number[]} */ values, /** @type {number} */ share) =>
   values.toSorted((a, b) => a - b)[Math.ceil(share * values.length) - 1] ?? NaN;
@@ -121,6 +139,13 @@ await main(async () => {
       const times = await worker.evaluate(() => /** @type {any} */ (globalThis).answerTimes());
       if (times.length > 0) print("live, in the worker", times);
     }
+    await page.evaluate(collectTurns);
+    await page.getByTestId("wheel").focus();
+    for (let turn = 0; turn < TURNS; turn++) {
+      await page.keyboard.press("ArrowRight");
+      await page.waitForTimeout(BETWEEN_TURNS);
+    }
+    print("wheel to frame", await page.evaluate(() => /** @type {any} */ (globalThis).turns));
   } finally {
     await browser.close();
     await close();

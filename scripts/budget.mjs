@@ -7,8 +7,8 @@ export const budget = {
   lab: 50_000,
   /** The chapters of the story after the first. */
   story: 60_000,
-  /** Help, method and details of the Lab, with the words of all three in two languages. */
-  whenAsked: 71_000,
+  /** Help, method, details of the Lab and its recordings that move parts, with their words in two languages. */
+  whenAsked: 77_000,
   /**
    * The whole program, with the filter that completes recordings; the comparison of models and the synthetic
    * experiment with words in two languages.

@@ -23,6 +23,7 @@ const WHEN_ASKED = [
   "latents/outlook-view",
   "details/",
   "latents/push-handle",
+  "completing/",
   "live/",
   "offline/service-workers",
   "method/",
@@ -36,11 +37,12 @@ const WHEN_ASKED = [
   "ui/dialog",
   "clips/part-names",
   "unsaved/choice-dialog",
+  "words/completing",
   "words/help",
   "words/method",
   "words/session",
   "words/terms",
-  ...["help", "method", "numbers", "session", "terms"].flatMap((name) => [
+  ...["completing", "help", "method", "numbers", "session", "terms"].flatMap((name) => [
     `words/en/${name}`,
     `words/de/${name}`,
   ]),

@@ -237,8 +237,10 @@ describe("a live rollout", () => {
     test.diagnostic(`a turn of the wheel is in the picture after ${median.toFixed(0)} ms (median of 5)`);
     await page.mouse.up();
 
-    // Another part, by keys.
-    await page.getByTestId("wheel-1").click();
+    // Another part, by keys: it stands until the wheel is turned.
+    const who = page.getByTestId("mover-1");
+    await who.selectOption("you");
+    assert.equal((await newest()).driven, 1);
     await wheel.focus();
     await page.keyboard.press("ArrowRight");
     await frames(3);
@@ -249,7 +251,111 @@ describe("a live rollout", () => {
     assert.ok(Math.abs(apart((await newest()).arms, arms.arms) - 0.25) < 0.04);
     await page.keyboard.press("Escape");
     assert.equal((await newest()).driven, null);
+    await page.waitForFunction(
+      () => /** @type {any} */ (document.querySelector("[data-testid=mover-1]")).value === "model",
+    );
     assert.deepEqual(await barriers(page), []);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("lets a recording move the legs, with its outline, while the sense is cut, and gives them back", async () => {
+    const { page, problems, leave } = await site.visit({ moving: true });
+    await ready(page);
+    await page.getByTestId("live-on").click();
+    const legs = page.getByTestId("mover-0");
+    await legs.waitFor();
+    // The model's own walk is the last recording.
+    const own = legs.locator("optgroup option").last();
+    await legs.selectOption((await own.getAttribute("value")) ?? "");
+    const marks = () =>
+      page
+        .locator("pg-live")
+        .evaluate((view) =>
+          /** @type {any} */ (view).live.marks.map((/** @type {any} */ { kind, to }) => [kind, to !== null]),
+        );
+    await page.waitForFunction(() => {
+      const stage = /** @type {any} */ (document.querySelector("pg-stage"))?.stage;
+      return stage?.ghost && stage.ghostFrame !== null;
+    });
+    assert.deepEqual(await marks(), [["record", false]]);
+    assert.match((await page.getByTestId("live").innerText()) ?? "", /A recording moves .*Outline/);
+    // The recorded legs take the arms along.
+    await until(page, ({ apart }) => Math.abs(apart) < 0.06);
+    await page.getByTestId("stage").focus();
+    await page.keyboard.down("c");
+    await until(page, ({ cuts, apart }) => cuts === 1 && Math.abs(apart) > 0.3);
+    assert.deepEqual(await marks(), [
+      ["record", false],
+      ["cut", false],
+    ]);
+    await page.keyboard.up("c");
+    await until(page, ({ cuts, apart }) => cuts === 0 && Math.abs(apart) < 0.05);
+    await legs.selectOption("model");
+    assert.deepEqual(await marks(), [
+      ["record", true],
+      ["cut", true],
+    ]);
+    const { frame } = await now(page);
+    await until(page, (state) => state.frame > frame + 30);
+    assert.ok(Math.abs((await now(page)).apart) < 0.1, "the model walks on");
+    const ghost = await page
+      .locator("pg-stage")
+      .evaluate((view) => /** @type {any} */ (view).stage.ghost === null);
+    assert.ok(ghost, "no outline");
+    assert.deepEqual(await barriers(page), []);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("lets a hand follow the pointer while it is held, and go home afterwards", async () => {
+    const { page, problems, leave } = await site.visit({ moving: true });
+    await ready(page);
+    await page.getByTestId("live-on").click();
+    const arms = page.getByTestId("mover-1");
+    await arms.waitFor();
+    /** The place of the right hand in the picture, and how far the arms are from their loop. */
+    const hand = () =>
+      page.getByTestId("stage").evaluate((canvas) => {
+        const { stage, scene } = /** @type {any} */ (canvas.closest("pg-stage"));
+        const { left, top } = canvas.getBoundingClientRect();
+        const { figure, joints } = stage.content;
+        const node = figure.nodes.findIndex(
+          (/** @type {any} */ { joint, endSite }) => !endSite && joints[joint] === "RightHand",
+        );
+        const { x, y } = scene.placeOf(node);
+        const hips = scene.placeOf(0).x - x;
+        const { trace } = /** @type {any} */ (document.querySelector("pg-live")).live;
+        return { x: left + x, y: top + y, hips, away: trace.at(-1).distances[1] };
+      });
+    // The hand stands still while it is looked for.
+    await page.getByTestId("play").click();
+    await page.getByRole("button", { name: "Play", exact: true }).waitFor();
+    const begin = await hand();
+    await page.mouse.move(begin.x, begin.y);
+    await page.mouse.down();
+    // Towards the hips, where the hand swings in each step.
+    const [x, y] = [begin.x + 40 * Math.sign(begin.hips), begin.y];
+    await page.mouse.move(x, y, { steps: 4 });
+    const moved = (/** @type {string} */ by) =>
+      page.waitForFunction(
+        (by) => /** @type {any} */ (document.querySelector("[data-testid=mover-1]")).value === by,
+        by,
+      );
+    await moved("you");
+    let nearest = Infinity;
+    for (let k = 0; k < 40; k++) {
+      await page.waitForTimeout(50);
+      const now = await hand();
+      nearest = Math.min(nearest, Math.hypot(now.x - x, now.y - y));
+    }
+    assert.ok(nearest < 20, `the hand comes as near as ${nearest} of 40 pixels`);
+    await page.mouse.up();
+    await moved("model");
+    for (let k = 0; (await hand()).away > 0.2; k++) {
+      assert.ok(k < 100, "the arms come home");
+      await page.waitForTimeout(100);
+    }
     assert.deepEqual(problems, []);
     await leave();
   });

@@ -71,3 +71,58 @@ it("arms follow driven legs at half to twice the learned pace, forward and back,
   live.release(1);
   remove();
 });
+
+it("a recording moves the legs, the arms follow, and a hand follows a place until it is released", async () => {
+  const { vcgpdm, remove } = await installPackage();
+  const model = vcgpdm.Model.fromJson(readFileSync(at("www/public/first/model.json"), "utf8"));
+  const info = coupledInfo(model);
+  const rollout = model.rollout({ frames: 300, sequence: 0, alpha: null, reading: "as-learned" });
+  const walk = vcgpdm.Clip.read("walk.bvh", new TextEncoder().encode(rollout.toBvh()));
+  const { name = "" } = info.parts[0] ?? {};
+  const latents = model.complete(walk, { given: [name] }).latents(0);
+
+  const live = new vcgpdm.LiveRollout(rollout, 150);
+  assert.ok(
+    live
+      .advance(3)
+      .recorded()
+      .every((frame) => frame === -1),
+  );
+  live.record(0, latents);
+  live.advance(60);
+  const moved = live.advance(30);
+  const frames = [...moved.recorded()];
+  const first = frames[0] ?? Number.NaN;
+  assert.deepEqual(
+    frames,
+    Array.from({ length: 60 }, (_, k) => (k % 2 === 0 ? first + k / 2 : -1)),
+  );
+  const phases = moved.phases();
+  for (let frame = 0; frame < 30; frame++) {
+    const apart = (phases[2 * frame] ?? Number.NaN) - (phases[2 * frame + 1] ?? Number.NaN);
+    assert.ok(Math.abs(apart - Math.round(apart)) < 0.1, `frame ${frame}: ${apart}`);
+  }
+  assert.throws(() => live.record(0, new Float64Array(7)), /expected latents of a recording .*found 1 x 7/);
+  assert.throws(() => live.record(5, latents), /expected a part from 0 to 1, found 5/);
+  live.release(0);
+
+  const hand = info.figure.nodes.findIndex(
+    ({ joint, endSite }) => !endSite && info.joints[joint]?.name === "RightHand",
+  );
+  const nodes = info.figure.nodes.length;
+  const place = (/** @type {Float32Array} */ positions, /** @type {number} */ frame) =>
+    [0, 1, 2].map((axis) => {
+      const at = (/** @type {number} */ node) => positions[3 * (frame * nodes + node) + axis] ?? Number.NaN;
+      return at(hand) - at(0);
+    });
+  const wanted = place(live.advance(10).positions(), 0);
+  const [x = 0, y = 0, z = 0] = wanted;
+  live.reach(hand, x, y, z);
+  const reached = place(live.advance(40).positions(), 39);
+  const away = Math.hypot(...reached.map((now, axis) => now - (wanted[axis] ?? Number.NaN)));
+  assert.ok(away < 0.03, `${away} m`);
+  assert.throws(() => live.reach(hand, Number.NaN, 0, 0), /expected a place of three finite numbers/);
+  live.release(1);
+  assert.ok((live.advance(150).distances().at(-1) ?? 1) < 0.2, "the arms are home");
+  remove();
+});

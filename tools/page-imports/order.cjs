@@ -16,8 +16,8 @@ const ORDER = [
   ["clips"],
   ["couplings"],
   ["latents"],
-  ["live"], // the rollout without an end
   ["completing"], // a recording that moves one part
+  ["live"], // the rollout without an end
   ["training"],
   ["comparison", "experiment", "perception", "primitives", "series", "method", "details"],
   ["exercises"], // what a class does in the Lab, and when it is solved

@@ -88,7 +88,26 @@ impl LiveRollout {
         Ok(self.live.drive(part, turns)?)
     }
 
-    /// Lets a driven part go on by itself.
+    /// Lets a recording move a part, again and again until it is released: `latents` are those of the part in
+    /// all frames of the recording [frames x Q], as in a `Completion`. The recording begins where it is most
+    /// like the part now.
+    pub fn record(&mut self, part: &Whole, latents: &[f64]) -> Result<(), VcgpdmError> {
+        let part = part.count(ErrorCode::Rollout, "the part")?;
+        let width = coupled(&self.model)?.model.latent_dimensions().get(part).copied().unwrap_or(1);
+        // Numbers that do not fill a frame make a matrix that fits no part.
+        let columns = if latents.len().is_multiple_of(width) { width } else { latents.len() };
+        let latents = DMatrix::from_row_slice(latents.len() / columns.max(1), columns, latents);
+        Ok(self.live.record(part, latents)?)
+    }
+
+    /// Lets the part of a node of the figure follow a place until it is released: the node comes as near to it
+    /// as poses like those of the training allow. The place is relative to the figure's root, in metres.
+    pub fn reach(&mut self, node: &Whole, x: f64, y: f64, z: f64) -> Result<(), VcgpdmError> {
+        let node = node.count(ErrorCode::Rollout, "the node")?;
+        Ok(self.live.reach(coupled(&self.model)?, node, [x, y, z])?)
+    }
+
+    /// Lets a part go on by itself that was driven, recorded or followed a place.
     pub fn release(&mut self, part: &Whole) -> Result<(), VcgpdmError> {
         self.live.release(part.count(ErrorCode::Rollout, "the part")?);
         Ok(())
@@ -122,6 +141,12 @@ impl LiveFrames {
     /// the same phase. Empty if the learned rollout is not periodic.
     pub fn phases(&self) -> Vec<f64> {
         self.0.places.iter().map(|place: &CyclePlace| place.phase).collect()
+    }
+
+    /// The frame of the recording that moves each part [frames x parts], -1 without a recording.
+    pub fn recorded(&self) -> Vec<i32> {
+        let number = |frame: &Option<usize>| frame.and_then(|frame| i32::try_from(frame).ok()).unwrap_or(-1);
+        self.0.recorded.iter().map(number).collect()
     }
 
     /// The distance of each part from its learned cycle, in radii of the cycle [frames x parts]. Empty if

@@ -55,16 +55,34 @@ export class App {
     return new LiveStore(this.engine, this.settings, this.model, this.stage, this.playback, this.notices);
   });
 
-  /** A recording that moves one part, with its view. */
-  readonly completing = new Lazy(async () => {
-    const [{ CompletingStore }, { loadCompleting }] = await Promise.all([
-      import("../completing/completing-store"),
+  /** The recordings that can give a part of the model, with their words. */
+  readonly recordings = new Lazy(async () => {
+    const [{ Recordings }, { loadCompleting }] = await Promise.all([
+      import("../completing/recordings"),
       import("../words/completing"),
-      import("../completing/completing-view"),
     ]);
     await loadCompleting(this.words);
-    const { engine, model, clips, stage, notices } = this;
-    return new CompletingStore(engine, model, clips, stage, notices, wholeWorkers());
+    return new Recordings(this.engine, this.model, this.clips, wholeWorkers());
+  });
+
+  /** Recordings that move parts of the live motion. */
+  readonly recordedParts = new Lazy(async () => {
+    const [recordings, live, { RecordedParts }] = await Promise.all([
+      this.recordings.get(),
+      this.live.get(),
+      import("../live/recorded-parts"),
+    ]);
+    return new RecordedParts(recordings, this.model, live, this.notices);
+  });
+
+  /** A recording that moves one part, with its view. */
+  readonly completing = new Lazy(async () => {
+    const [recordings, { CompletingStore }] = await Promise.all([
+      this.recordings.get(),
+      import("../completing/completing-store"),
+      import("../completing/completing-view"),
+    ]);
+    return new CompletingStore(recordings, this.model, this.stage, this.notices);
   });
 
   readonly comparison = new Lazy(async () => {

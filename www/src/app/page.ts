@@ -143,9 +143,14 @@ export class PageView extends View {
   /** The live motion with its view; null: it cannot be loaded. */
   async #liveStore(): Promise<LiveStore | null> {
     try {
-      const [live] = await Promise.all([this.app.live.get(), import("../live/live-view")]);
+      const { app } = this;
+      const [live, recorded] = await Promise.all([
+        app.live.get(),
+        app.recordedParts.get(),
+        import("../live/live-view"),
+      ]);
       this.liveView ??= () =>
-        html`<pg-live .live=${live} .model=${this.app.model} .playback=${this.app.playback}></pg-live>`;
+        html`<pg-live .live=${live} .model=${app.model} .playback=${app.playback} .recorded=${recorded}></pg-live>`;
       return live;
     } catch {
       this.#notLoaded("live");

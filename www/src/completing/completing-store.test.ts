@@ -12,6 +12,7 @@ import { NoticesStore } from "../ui/notices-store";
 import { loadCompleting } from "../words/completing";
 import { WordsStore } from "../words/words";
 import { CompletingStore } from "./completing-store";
+import { Recordings } from "./recordings";
 
 let engine: FakeEngine;
 let model: ModelStore;
@@ -29,7 +30,7 @@ beforeEach(async () => {
   stage = new StageStore(new Playback(settings));
   model = new ModelStore(store, settings, stage, notices);
   const clips = new ClipsStore(store, settings, stage);
-  completing = new CompletingStore(store, model, clips, stage, notices, whole);
+  completing = new CompletingStore(new Recordings(store, model, clips, whole), model, stage, notices);
   await store.start(
     () => Promise.resolve(started(engine)),
     () => model.open(modelText(1)),

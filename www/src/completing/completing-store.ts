@@ -1,30 +1,14 @@
 // A recording moves one part of the model's body, and the model infers the others.
-import type { ClipsStore } from "../clips/clips-store";
-import { ModelDocument } from "../couplings/model-document";
 import type { ModelStore } from "../couplings/model-store";
-import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
-import type { ClipSource, ModelView } from "../engine/protocol";
+import type { ModelView } from "../engine/protocol";
 import type { CompletedClip, CompletionRequest, PartCompletion } from "../engine/whole-protocol";
-import type { WholeWorkers } from "../engine/whole-workers";
 import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import { completingWords } from "../words/completing";
-
-/** A recording that can be given. */
-interface Recording {
-  key: string;
-  title: string;
-  /** Null: the walk of the model under its learned couplings, as if it were recorded. */
-  source: ClipSource | null;
-  /** The frames to use: first up to, not including, end. */
-  first: number;
-  end: number;
-  /** Seconds between frames. */
-  frameTime: number;
-}
+import type { Recording, Recordings } from "./recordings";
 
 interface Asked {
   model: ModelView;
@@ -33,12 +17,10 @@ interface Asked {
 }
 
 export class CompletingStore extends Store {
-  readonly #engine: EngineStore;
+  readonly #recordings: Recordings;
   readonly #model: ModelStore;
-  readonly #clips: ClipsStore;
   readonly #stage: StageStore;
   readonly #notices: NoticesStore;
-  readonly #document: ModelDocument;
   readonly #asked: Latest<Asked, CompletedClip>;
   #part = 0;
   #clip = "";
@@ -49,56 +31,23 @@ export class CompletingStore extends Store {
   /** What the worker was last asked for. */
   #last = "";
 
-  constructor(
-    engine: EngineStore,
-    model: ModelStore,
-    clips: ClipsStore,
-    stage: StageStore,
-    notices: NoticesStore,
-    workers: Pick<WholeWorkers, "desk">,
-  ) {
+  constructor(recordings: Recordings, model: ModelStore, stage: StageStore, notices: NoticesStore) {
     super();
-    [this.#engine, this.#model, this.#clips] = [engine, model, clips];
+    [this.#recordings, this.#model] = [recordings, model];
     [this.#stage, this.#notices] = [stage, notices];
-    this.#document = new ModelDocument(engine, workers);
     this.#asked = new Latest(
-      (asked) => this.#complete(asked),
+      ({ model, clip, request }) => recordings.complete(model, clip, request),
       (completed, asked) => this.#take(completed, asked),
       (problem) => {
         this.hide();
         this.#notices.addError(completingWords().failed, messageOf(problem));
       },
     );
-    model.on(() => this.#follow());
-    clips.on(() => this.#follow());
+    recordings.on(() => this.#follow());
   }
 
-  /** The clips of the model's body, and the model's own walk. */
   get clips(): readonly Recording[] {
-    const { learned, model } = this.#model;
-    if (!model || !learned) return [];
-    const { frames, frameTime } = learned.motion;
-    const own = {
-      key: "own-motion",
-      title: completingWords().ownWalk,
-      source: null,
-      first: 0,
-      end: frames,
-      frameTime,
-    };
-    const names = model.info.joints.map(({ name }) => name).join();
-    const fitting = this.#clips.all
-      .map(({ key, title, source, first, end, loaded: { info } }) => ({
-        key,
-        title,
-        source,
-        first,
-        end,
-        info,
-      }))
-      .filter(({ info }) => info.joints.map(({ name }) => name).join() === names)
-      .map(({ info, ...clip }) => ({ ...clip, frameTime: info.frameTime }));
-    return [...fitting, own];
+    return this.#recordings.all;
   }
 
   get clip(): Recording | undefined {
@@ -181,20 +130,6 @@ export class CompletingStore extends Store {
     if (asked === this.#last) return;
     this.#last = asked;
     this.#asked.request({ model, clip, request });
-  }
-
-  async #complete({ model, clip, request }: Asked): Promise<CompletedClip> {
-    const { engine } = this.#engine;
-    const { learned } = this.#model;
-    if (!engine || !learned) throw new Error(completingWords().notReady);
-    const source = clip.source ?? {
-      name: "walk.bvh",
-      file: new Blob([await engine.rolloutBvh(learned.request)]),
-    };
-    const { first, end } = clip;
-    return this.#document.ask(model.revision, (worker) =>
-      worker.complete({ ...request, clip: { id: 0, source, first, end } }),
-    );
   }
 
   #take({ motion, recorded, scores }: CompletedClip, { model, clip, request }: Asked): void {

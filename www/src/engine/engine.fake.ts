@@ -286,8 +286,24 @@ export class FakeEngine implements Partial<Engine>, ClipCalls {
     this.live.frames += frames;
     const latents = [0, 1].map(() => new Float64Array(2 * frames));
     const places = () => new Float64Array(2 * frames);
-    const next = { motion: still(frames), latents, phases: places(), distances: places() };
+    const next = {
+      motion: still(frames),
+      latents,
+      phases: places(),
+      distances: places(),
+      recorded: this.#recorded(frames),
+    };
     return this.#answer("advanceLive", [changes, frames], next);
+  }
+
+  /** Recordings begin at their frame 5 at once. */
+  #recorded(frames: number): Int32Array {
+    const recorded = new Int32Array(2 * frames).fill(-1);
+    for (const part of [0, 1]) {
+      const last = this.live?.changes.findLast((change) => "part" in change && change.part === part);
+      if (last?.kind === "record") for (let k = 0; k < frames; k++) recorded[2 * k + part] = 5 + k;
+    }
+    return recorded;
   }
 
   endLive(): Promise<void> {

@@ -147,6 +147,8 @@ export interface LiveFrames {
    * `phases` is empty.
    */
   distances: Float64Array;
+  /** The frame of the recording that moves each part [frames x parts], -1 without a recording. */
+  recorded: Int32Array;
 }
 
 /** A change of a live rollout before its next frames. */
@@ -159,6 +161,10 @@ export type LiveChange =
   | { kind: "pull"; node: number; by: [number, number, number] }
   /** Drives a part round its learned cycle, by turns within the next frames, until it is released. */
   | { kind: "drive"; part: number; turns: number }
+  /** Lets a recording with these latents [frames x Q] move a part until it is released. */
+  | { kind: "record"; part: number; latents: Float64Array }
+  /** Lets the part of a node follow a place, in metres relative to the root, until it is released. */
+  | { kind: "reach"; node: number; place: [number, number, number] }
   | { kind: "release"; part: number };
 
 /** A model with its rollout under the learned couplings. */

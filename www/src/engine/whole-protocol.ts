@@ -219,6 +219,8 @@ export interface CompletedClip {
   /** The observed part as recorded while it is observed, all else as inferred. */
   motion: Motion;
   recorded: Motion;
+  /** The latents of the observed part [frames x Q]. */
+  latents: Float64Array;
   /** The errors of the other parts. */
   scores: PartCompletion[];
 }

@@ -268,7 +268,12 @@ export class FakeProgram implements WholeWorkers {
         failing();
         const motion = { positions: new Float32Array(12), frames: 2, nodes: 2, frameTime: 0.1 };
         const score = { mse: 1, mseMeanPose: 2, coverage95: 0.9, logDensity: 3 };
-        return { motion, recorded: motion, scores: [{ part: "other", ...score }] };
+        return {
+          motion,
+          recorded: motion,
+          latents: new Float64Array(4),
+          scores: [{ part: "other", ...score }],
+        };
       },
       moments: (request) => pending(this.moments, request, () => {}),
       trainExperiment: (experiment, report, signal) =>

@@ -6,15 +6,11 @@ import type { LiveStore } from "./live-store";
 const REACH = 26;
 
 /**
- * A node near the pointer follows it; anywhere else a drag turns the camera. `dropped` is called after the
- * drag of a node. Returns a function that ends this.
+ * A node near the pointer follows it while the pointer is held, as far as the poses of the model allow; anywhere
+ * else a drag turns the camera. Returns a function that ends this.
  */
-export function letDragLimbs(
-  stage: StageView,
-  picture: HTMLCanvasElement,
-  live: LiveStore,
-  dropped = () => {},
-): () => void {
+export function letDragLimbs(stage: StageView, picture: HTMLCanvasElement, live: LiveStore): () => void {
+  /** The node, and where the pointer is relative to it, in pixels. */
   let grabbed: { node: number; x: number; y: number } | null = null;
   const place = (event: PointerEvent) => {
     const { left, top } = picture.getBoundingClientRect();
@@ -26,19 +22,21 @@ export function letDragLimbs(
   const grab = (event: PointerEvent) => {
     const { x, y } = place(event);
     const node = live.running ? (stage.scene?.nodeAt(x, y, REACH) ?? null) : null;
-    if (node === null) return;
-    grabbed = { node, x, y };
+    const at = node === null ? null : stage.scene?.placeOf(node);
+    if (node === null || !at) return;
+    grabbed = { node, x: x - at.x, y: y - at.y };
     turn(false);
     picture.setPointerCapture(event.pointerId);
   };
   const drag = (event: PointerEvent) => {
     if (!grabbed || !stage.scene) return;
     const { x, y } = place(event);
-    live.pull(grabbed.node, stage.scene.dragged(grabbed.node, x - grabbed.x, y - grabbed.y));
-    grabbed = { ...grabbed, x, y };
+    const { node } = grabbed;
+    const at = stage.scene.placeOf(node);
+    if (at) live.reach(node, stage.scene.dragged(node, x - grabbed.x - at.x, y - grabbed.y - at.y));
   };
   const drop = () => {
-    if (grabbed) dropped();
+    if (grabbed) live.letGo(grabbed.node);
     grabbed = null;
     turn(true);
   };

@@ -65,8 +65,8 @@ describe("a live rollout", () => {
     await live.start();
     expect(stage.content?.live).toBe(true);
     expect(playback.playing).toBe(true);
-    await pass(20);
-    expect(playback.frame).toBeGreaterThan(19 * 30);
+    await pass(14);
+    expect(playback.frame).toBeGreaterThan(13 * 30);
     // The stored seconds do not grow.
     expect(live.trace.length).toBeLessThanOrEqual(12 * 30);
     expect(live.track?.latents(0)).toHaveLength(2 * (live.track?.motion.frames ?? 0));
@@ -145,8 +145,8 @@ describe("a live rollout", () => {
     live.drive(1, 0.5);
     expect(live.driven).toBe(1);
     await pass(0.1);
-    live.release();
-    live.release();
+    live.release(1);
+    live.release(1);
     expect(live.driven).toBeNull();
     await pass(0.1);
     expect(engine.live?.changes.slice(1)).toEqual([
@@ -156,6 +156,64 @@ describe("a live rollout", () => {
       { kind: "release", part: 1 },
     ]);
     expect(live.marks.map((mark) => mark.kind === "drive" && mark.to !== null && mark.part)).toEqual([0, 1]);
+  });
+
+  it("lets a recording move a part, with the recording as an outline, until another mover takes the part", async () => {
+    const motion = { positions: new Float32Array(60), frames: 10, nodes: 2, frameTime: 0.1 };
+    const recording = { key: "a", title: "Walk", latents: new Float64Array(20), motion };
+    live.record(0, recording);
+    expect(live.moverOf(0)).toBeNull();
+    await live.start();
+    live.record(0, recording);
+    expect([live.moverOf(0)?.kind, live.moverOf(1), stage.ghost]).toEqual(["record", null, motion]);
+    // The outline begins with the first frame that the recording moves.
+    expect(stage.ghostFrame).toBeNull();
+    await pass(0.5);
+    expect(stage.ghostFrame).toBeGreaterThanOrEqual(5);
+    // The other part stays free, and couplings into it can be cut.
+    await live.hold(0, 1, true);
+    await live.hold(0, 1, false);
+    live.drive(0, 0);
+    expect([live.moverOf(0)?.kind, live.driven, stage.ghost]).toEqual(["drive", 0, null]);
+    live.record(0, recording);
+    live.release(0);
+    await pass(0.5);
+    expect([live.moverOf(0), stage.ghost, stage.ghostFrame]).toEqual([null, null, null]);
+    expect(engine.live?.changes.slice(1).map(({ kind }) => kind)).toEqual([
+      ...["record", "cut", "cut", "drive", "record", "release"],
+    ]);
+    expect(live.marks.map((mark) => [mark.kind, mark.kind !== "push" && mark.to !== null])).toEqual([
+      ["record", true],
+      ["cut", true],
+      ["drive", true],
+      ["record", true],
+    ]);
+    live.record(1, recording);
+    live.stop();
+    expect(stage.ghost).toBeNull();
+  });
+
+  it("lets a part follow a dragged node, relative to the root, and marks it as one push", async () => {
+    await live.start();
+    live.reach(1, [0.5, 0, 0]);
+    live.reach(1, [0.25, 0, 0]);
+    expect([live.moverOf(1)?.kind, live.driven]).toEqual(["push", null]);
+    await pass(0.5);
+    const pose = playback.pose ?? new Float32Array(6);
+    const [x = 0, y = 0, z = 0] = [0, 1, 2].map((axis) => (pose[3 + axis] ?? 0) - (pose[axis] ?? 0));
+    expect(engine.live?.changes.slice(1)).toEqual([
+      { kind: "reach", node: 1, place: [x + 0.25, y, z].map((value): unknown => expect.closeTo(value, 5)) },
+    ]);
+    const [mark] = live.marks;
+    expect(mark?.kind === "push" && mark.from - mark.began).toBeGreaterThan(3);
+    live.letGo(1);
+    live.letGo(1);
+    const from = mark?.kind === "push" ? mark.from : 0;
+    await pass(0.5);
+    expect(live.marks).toEqual([
+      { kind: "push", part: 1, began: expect.any(Number) as number, from, held: false },
+    ]);
+    expect(engine.live?.changes.at(-1)).toEqual({ kind: "release", part: 1 });
   });
 
   it("ends with a clip on the stage, with another model, and when the model cannot go on", async () => {

@@ -1,8 +1,8 @@
-// The live rollout: the model continues from the figure's state, while couplings are cut and parts are
-// pushed.
+// The live rollout: the model continues from the figure's state, while couplings are cut, and parts are pushed
+// or moved by a hand or a recording.
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
-import type { Engine, LiveChange, LiveFrames, ModelInfo } from "../engine/protocol";
+import type { Engine, LiveChange, LiveFrames, ModelInfo, Motion } from "../engine/protocol";
 import { LiveTrack } from "../scene/live-track";
 import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
@@ -17,16 +17,35 @@ import { withLab } from "../words/lab";
 export const SHOWN_SECONDS = 12;
 /** Frames computed ahead of the clock. Actions of the visitor are visible this much later. */
 const LEAD = 3;
-/** The same while the visitor turns the wheel, who would feel the delay. */
-const DRIVEN_LEAD = 1;
+/** The same while the visitor moves a part, who would feel the delay. */
+const DRIVEN_LEAD = 0.5;
+/** The measure from a turn of the wheel to the first frame that obeys it; `npm run alpha` reads it. */
+const WHEEL_MEASURE = "wheel-answer";
+
+/** What moves a part in place of the model, in frames from the start. */
+export type MoverMark =
+  /** The visitor at the wheel. */
+  | { kind: "drive"; part: number; from: number; to: number | null }
+  | { kind: "record"; part: number; key: string; title: string; from: number; to: number | null }
+  /**
+   * The visitor drags a node, or pushes the part. `began` is the first frame of the push, `from` its last;
+   * `held`: it goes on.
+   */
+  | { kind: "push"; part: number; began: number; from: number; held?: boolean };
 
 /** An action of the visitor, in frames from the start. */
 export type Mark =
   | { kind: "cut"; source: number; target: number; from: number; to: number | null }
-  /** The visitor drives a part by the wheel. */
-  | { kind: "drive"; part: number; from: number; to: number | null }
-  /** A drag is one push: `began` is its first frame, `from` its last. */
-  | { kind: "push"; part: number; began: number; from: number };
+  | MoverMark;
+
+/** A recording that moves one part. */
+export interface RecordedPart {
+  key: string;
+  title: string;
+  /** The latents of the part in all frames [frames x Q]. */
+  latents: Float64Array;
+  motion: Motion;
+}
 
 /** The phases and distances of one frame. */
 export interface TracePoint {
@@ -49,13 +68,17 @@ export class LiveStore extends Store {
   #trace: TracePoint[] = [];
   #marks: Mark[] = [];
   readonly #cuts = new Map<string, Extract<Mark, { kind: "cut" }>>();
-  /** The drive of the present; null without one. */
-  #drive: Extract<Mark, { kind: "drive" }> | null = null;
+  /** The parts that the model does not move now. */
+  readonly #movers = new Map<number, MoverMark>();
+  /** The recordings that move parts; the newest one is the outline. */
+  readonly #recordings = new Map<number, Motion>();
   /** Changes for the next frames. */
   #changes: LiveChange[] = [];
   #busy = false;
   /** The time of the last request for frames. */
   #askedAt = 0;
+  /** The time of the first turn of the wheel that no frame obeys yet; null without one. */
+  #turnedAt: number | null = null;
   /** The couplings and the model of the worker. */
   #sent: LiveChange | null = null;
   #revision = 0;
@@ -136,8 +159,7 @@ export class LiveStore extends Store {
     await engine.startLive(request, frame);
     this.#sent = this.#couplings();
     [this.#trace, this.#marks, this.#changes] = [[], [], []];
-    this.#cuts.clear();
-    this.#drive = null;
+    this.#forget();
     const stored = Math.round(SHOWN_SECONDS / frameTime);
     const widths = parts.map(({ latent }) => latent);
     const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, stored, widths);
@@ -150,11 +172,15 @@ export class LiveStore extends Store {
   stop(): void {
     if (!this.#track) return;
     this.#track = null;
-    this.#cuts.clear();
-    this.#drive = null;
+    this.#forget();
     this.#stage.endLive();
     void this.#engine.engine?.endLive();
     this.changed();
+  }
+
+  #forget(): void {
+    for (const all of [this.#cuts, this.#movers, this.#recordings]) all.clear();
+    this.#turnedAt = null;
   }
 
   /** Cuts a coupling for as long as it is held. */
@@ -163,7 +189,7 @@ export class LiveStore extends Store {
     if (held === this.#cuts.has(key)) return;
     if (held) await this.start();
     if (!this.#track) return;
-    const from = this.#track.last + 1;
+    const from = this.#next;
     if (held) {
       const others = this.#model.model?.info.parts.some(
         (_, other) => other !== source && !this.isCut(other, target),
@@ -184,11 +210,27 @@ export class LiveStore extends Store {
     this.changed();
   }
 
-  /** Drags a node of the figure by metres, in the axes of the stage. */
+  /** Pushes the part of a node by metres, in the axes of the stage. */
   pull(node: number, by: readonly [number, number, number]): void {
     if (!this.#track) return;
     this.#changes.push({ kind: "pull", node, by: this.#track.turnedBack(by) });
     this.#markPush(this.#partOf(node));
+  }
+
+  /** Lets the part of a node follow the node's place in the picture, shifted by metres, until it is released. */
+  reach(node: number, by: readonly [number, number, number]): void {
+    const part = this.#partOf(node);
+    const { pose } = this.#playback;
+    if (!this.#track || !pose || part < 0) return;
+    const mover = this.#movers.get(part);
+    if (mover?.kind !== "push")
+      this.#move({ kind: "push", part, began: this.#next, from: this.#next, held: true });
+    const fromRoot = (axis: 0 | 1 | 2) => (pose[3 * node + axis] ?? 0) - (pose[axis] ?? 0) + by[axis];
+    const place = this.#track.turnedBack([fromRoot(0), fromRoot(1), fromRoot(2)]);
+    // Only the newest place matters.
+    if (this.#changes.at(-1)?.kind === "reach") this.#changes.pop();
+    this.#changes.push({ kind: "reach", node, place });
+    this.changed();
   }
 
   /** Shifts a part in each latent dimension. */
@@ -198,34 +240,80 @@ export class LiveStore extends Store {
     this.#markPush(part);
   }
 
-  /** The part that the visitor drives; null without one. */
-  get driven(): number | null {
-    return this.#drive?.part ?? null;
+  /** What moves a part; null: the model. */
+  moverOf(part: number): MoverMark | null {
+    return this.#movers.get(part) ?? null;
   }
 
-  /** Drives a part by turns round its learned cycle. With 0 it stands still. */
+  /** The part that the visitor drives by the wheel; null without one. */
+  get driven(): number | null {
+    return [...this.#movers.values()].find(({ kind }) => kind === "drive")?.part ?? null;
+  }
+
+  /** Drives a part by turns round its learned cycle. With 0 it stands still. There is one wheel. */
   drive(part: number, turns: number): void {
     if (!this.#track) return;
-    if (this.#drive?.part !== part) {
-      this.release();
-      this.#drive = { kind: "drive", part, from: this.#track.last + 1, to: null };
-      this.#marks.push(this.#drive);
-      this.#playback.play();
+    const { driven } = this;
+    if (driven !== part) {
+      if (driven !== null) this.release(driven);
+      this.#move({ kind: "drive", part, from: this.#next, to: null });
     }
+    if (turns !== 0) this.#turnedAt ??= performance.now();
     const last = this.#changes.at(-1);
     if (last?.kind === "drive" && last.part === part) last.turns += turns;
     else this.#changes.push({ kind: "drive", part, turns });
+    void this.#fill();
     this.changed();
   }
 
-  /** Lets the driven part go on by itself. */
-  release(): void {
-    const drive = this.#drive;
-    if (!drive || !this.#track) return;
-    this.#drive = null;
-    drive.to = this.#track.last + 1;
-    this.#changes.push({ kind: "release", part: drive.part });
+  /** Lets a recording move a part until it is released, and draws the recording as an outline. */
+  record(part: number, { key, title, latents, motion }: RecordedPart): void {
+    if (!this.#track) return;
+    this.#move({ kind: "record", part, key, title, from: this.#next, to: null });
+    this.#changes.push({ kind: "record", part, latents });
+    this.#recordings.set(part, motion);
+    this.#showRecording();
     this.changed();
+  }
+
+  /** Lets the model move a part from where it is. */
+  release(part: number): void {
+    const mover = this.#movers.get(part);
+    if (!mover || !this.#track) return;
+    this.#end(mover);
+    this.#changes.push({ kind: "release", part });
+    this.changed();
+  }
+
+  /** Lets go the part of a node that was dragged. */
+  letGo(node: number): void {
+    const part = this.#partOf(node);
+    if (this.#movers.get(part)?.kind === "push") this.release(part);
+  }
+
+  /** The next frame. */
+  get #next(): number {
+    return (this.#track?.last ?? 0) + 1;
+  }
+
+  /** Replaces what moves a part. */
+  #move(mark: MoverMark): void {
+    const before = this.#movers.get(mark.part);
+    if (before) this.#end(before);
+    this.#movers.set(mark.part, mark);
+    this.#marks.push(mark);
+    this.#playback.play();
+  }
+
+  #end(mark: MoverMark): void {
+    if (mark.kind === "push") mark.held = false;
+    else mark.to = this.#next;
+    this.#movers.delete(mark.part);
+    if (this.#recordings.delete(mark.part)) this.#showRecording();
+  }
+
+  #showRecording(): void {
+    this.#stage.setRecording([...this.#recordings.values()].at(-1) ?? null);
   }
 
   #partOf(node: number): number {
@@ -235,7 +323,7 @@ export class LiveStore extends Store {
   }
 
   #markPush(part: number): void {
-    const from = (this.#track?.last ?? 0) + 1;
+    const from = this.#next;
     const last = this.#marks.at(-1);
     // A drag is many small pushes with one mark.
     if (last?.kind === "push" && last.part === part && from - last.from < 10) last.from = from;
@@ -272,18 +360,21 @@ export class LiveStore extends Store {
     const now = performance.now();
     const seconds = Math.min(LONGEST_PICTURE, (now - this.#askedAt) / 1000);
     this.#askedAt = now;
-    const lead = this.#drive ? DRIVEN_LEAD : LEAD;
+    const isHeld = [...this.#movers.values()].some(({ kind }) => kind !== "record");
+    const lead = isHeld ? DRIVEN_LEAD : LEAD;
     const ahead = lead + (seconds * this.#settings.values.speed) / track.motion.frameTime;
     if (track.last - this.#playback.frame >= ahead) return;
     this.#busy = true;
     const changes = this.#changes;
-    this.#changes = [];
+    const turnedAt = this.#turnedAt;
+    [this.#changes, this.#turnedAt] = [[], null];
     try {
       const frames = Math.max(1, Math.ceil(ahead + this.#playback.frame - track.last));
       const next = await engine.advanceLive(changes, frames);
       if (this.#track === track) {
         this.#take(track, next);
         this.#playback.follow(track);
+        if (turnedAt !== null) performance.measure(WHEEL_MEASURE, { start: turnedAt });
       }
     } catch (problem) {
       if (this.#track === track) {
@@ -296,11 +387,18 @@ export class LiveStore extends Store {
     this.changedSoon();
   }
 
-  #take(track: LiveTrack, { motion, latents, phases, distances }: LiveFrames): void {
+  #take(track: LiveTrack, { motion, latents, phases, distances, recorded }: LiveFrames): void {
     const before = track.last;
-    track.append(motion, latents);
-    const stored = Math.round(SHOWN_SECONDS / motion.frameTime);
     const parts = latents.length;
+    const outlined = [...this.#recordings.keys()].at(-1) ?? 0;
+    const frames = Array.from({ length: motion.frames }, (_, k) => recorded[k * parts + outlined] ?? -1);
+    track.append(
+      motion,
+      latents,
+      frames.map((frame) => (frame < 0 ? null : frame)),
+    );
+    for (const mover of this.#movers.values()) if (mover.kind === "push") mover.from = track.last + 1;
+    const stored = Math.round(SHOWN_SECONDS / motion.frameTime);
     for (let k = 0; k < motion.frames; k++) {
       const place = (values: Float64Array) => [...values.subarray(k * parts, (k + 1) * parts)];
       this.#trace.push({ frame: before + 1 + k, phases: place(phases), distances: place(distances) });

@@ -1,4 +1,5 @@
-// The live view over the stage: the cuts, and a strip chart of phases and distances. Limbs can be dragged.
+// The live view over the stage: the cuts, who moves each part, and a strip chart of phases and distances. Limbs
+// can be dragged.
 import { html, nothing } from "lit";
 import type { ModelStore } from "../couplings/model-store";
 import "../latents/push-handle";
@@ -6,12 +7,14 @@ import type { PushPart } from "../latents/push-handle";
 import type { Playback } from "../stage/playback";
 import type { StageView } from "../stage/stage-view";
 import { clearCanvas } from "../ui/canvas";
-import { onThemeChange, partColourNow } from "../ui/palette";
+import { onThemeChange, partColour, partColourNow } from "../ui/palette";
+import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import { letDragLimbs } from "./drag-limbs";
 import "./live.css";
 import { type LiveStore, type Mark, SHOWN_SECONDS } from "./live-store";
 import { actionText, distanceLines, type Pieces, phaseLines } from "./strip";
+import type { RecordedParts } from "./recorded-parts";
 import "./wheel-view";
 import { lab, shownPart } from "../words/lab";
 
@@ -22,9 +25,12 @@ export class LiveView extends View {
   declare live: LiveStore;
   declare model: ModelStore;
   declare playback: Playback;
+  declare recorded: RecordedParts;
+  /** The part of the wheel. */
+  #wheel = 0;
 
   protected override stores() {
-    return [this.live, this.model];
+    return [this.live, this.model, this.recorded];
   }
 
   protected override arrived(): void {
@@ -48,20 +54,51 @@ export class LiveView extends View {
     if (canvas) drawStrip(canvas, this.live, this.model.model?.info.frameTime ?? 1 / 30);
   }
 
+  /** The choice of who moves a part: "model", "you", or the key of a recording after a dot. */
+  #choose(part: number, value: string): void {
+    const { live, recorded } = this;
+    recorded.choose(part, value.startsWith(".") ? value.slice(1) : null);
+    if (value === "model") live.release(part);
+    // The part stands still until the wheel is turned.
+    if (value === "you") live.drive(part, 0);
+  }
+
+  /** Who moves a part. */
+  #mover(part: number, name: string, isCyclic: boolean) {
+    const { live, recorded } = this;
+    const words = lab().live;
+    const key = recorded.keyOf(part);
+    const isYou = key === null && live.moverOf(part) !== null;
+    const option = (value: string, text: string, chosen: boolean) =>
+      html`<option value=${value} .selected=${chosen}>${text}</option>`;
+    const recordings = recorded.all.map(({ key: own, title }) => option(`.${own}`, title, own === key));
+    return html`
+      <label style=${partStyle(partColour(part))}><i class="swatch"></i>${name}
+        <select data-testid="mover-${part}" aria-label=${words.mover(name)}
+          @change=${(event: Event) => this.#choose(part, (event.target as HTMLSelectElement).value)}>
+          ${option("model", words.model, key === null && !isYou)}
+          ${isCyclic || isYou ? option("you", words.you, isYou) : nothing}
+          ${recordings.length > 0 ? html`<optgroup label=${words.recording}>${recordings}</optgroup>` : nothing}
+        </select></label>`;
+  }
+
   protected override render() {
     const { live } = this;
     const names = this.#names;
     const words = lab().live;
     if (!live.running) return nothing;
+    if (live.driven !== null) this.#wheel = live.driven;
+    if (this.#wheel >= names.length) this.#wheel = 0;
     const isCyclic = (live.trace.at(-1)?.phases.length ?? 0) > 0;
     const text = actionText(live.marks, names) ?? words.hint;
     return html`
       <div class="live-strip" data-testid="live">
         <p role="status">${text}</p>
+        <div class="movers" role="group" aria-label=${words.movers}>${names.map((name, part) => this.#mover(part, name, isCyclic))}</div>
         ${
           isCyclic
             ? html`
-          <pg-wheel .live=${live} .playback=${this.playback} .names=${names} .words=${words}></pg-wheel>
+          <pg-wheel .live=${live} .playback=${this.playback} .index=${this.#wheel} .name=${names[this.#wheel] ?? ""} .words=${words}></pg-wheel>
           <p class="strip-legend"><span>${words.ahead(names[0] ?? "")}</span><span>${words.distance}</span></p>
           <canvas role="img" aria-label=${words.chart(names[0] ?? "", names.slice(1))}></canvas>`
             : html`<p>${words.noPhase}</p>`
@@ -121,7 +158,9 @@ function drawMark(
 ) {
   const from = x(mark.from);
   if (mark.kind === "push") {
-    draw.strokeStyle = mark.part < 0 ? "gray" : partColourNow(mark.part);
+    const colour = mark.part < 0 ? "gray" : partColourNow(mark.part);
+    draw.strokeStyle = colour;
+    band(draw, colour, x(mark.began), from, height);
     draw.setLineDash([3, 3]);
     line(
       draw,
@@ -134,9 +173,20 @@ function drawMark(
     draw.setLineDash([]);
     return;
   }
-  draw.fillStyle = partColourNow(mark.kind === "cut" ? mark.source : mark.part);
+  const colour = partColourNow(mark.kind === "cut" ? mark.source : mark.part);
+  band(draw, colour, from, x(mark.to ?? last), height);
+}
+
+function band(
+  draw: CanvasRenderingContext2D,
+  colour: string,
+  from: number,
+  to: number,
+  height: number,
+): void {
+  draw.fillStyle = colour;
   draw.globalAlpha = 0.18;
-  draw.fillRect(from, 0, x(mark.to ?? last) - from, height);
+  draw.fillRect(from, 0, to - from, height);
   draw.globalAlpha = 1;
 }
 

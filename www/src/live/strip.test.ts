@@ -33,10 +33,19 @@ it("names the coupling that is cut", () => {
   const cut = { kind: "cut" as const, source: 0, target: 1, from: 3, to: null };
   expect(actionText([cut], ["lower", "upper"])).toBe("upper does not hear lower");
   expect(actionText([{ ...cut, to: 9 }], ["lower", "upper"])).toBeNull();
-  const drive = { kind: "drive" as const, part: 0, from: 2, to: null };
-  expect(actionText([cut, drive], ["lower", "upper"])).toBe(
-    "You move lower. The others follow as the couplings say.",
-  );
-  expect(actionText([{ ...drive, to: 3 }], ["lower", "upper"])).toBeNull();
   expect(actionText([cut, { ...cut, source: 1 }], ["lower", "upper"])).toBe("2 couplings are cut");
+});
+
+it("says who moves a part, unless a coupling is cut", () => {
+  const names = ["lower", "upper"];
+  const drive = { kind: "drive" as const, part: 0, from: 2, to: null };
+  expect(actionText([drive], names)).toBe("You move lower. The others follow as the couplings say.");
+  expect(actionText([{ ...drive, to: 3 }], names)).toBeNull();
+  const record = { kind: "record" as const, part: 1, key: "a", title: "Walk 1", from: 4, to: null };
+  expect(actionText([drive, record], names)).toBe("A recording moves upper: Walk 1. Outline: the recording.");
+  const push = { kind: "push" as const, part: 0, began: 4, from: 9 };
+  expect(actionText([push], names)).toBeNull();
+  expect(actionText([{ ...push, held: true }], names)).toMatch(/^You move lower/);
+  const cut = { kind: "cut" as const, source: 0, target: 1, from: 3, to: null };
+  expect(actionText([cut, drive], names)).toBe("upper does not hear lower");
 });

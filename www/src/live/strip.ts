@@ -39,14 +39,21 @@ export function distanceLines(trace: readonly TracePoint[]): Pieces[] {
   ]);
 }
 
-/** A sentence about the part that the visitor moves, or the couplings that are cut now; null without one. */
+/**
+ * A sentence about the couplings that are cut now, or about the part that the visitor or a recording moves; null
+ * without one.
+ */
 export function actionText(marks: readonly Mark[], names: readonly string[]): string | null {
   const cuts = marks.flatMap((mark) => (mark.kind === "cut" && mark.to === null ? [mark] : []));
   const name = (part: number) => names[part] ?? "";
   const words = lab().live;
-  const driven = marks.find((mark) => mark.kind === "drive" && mark.to === null);
-  if (driven?.kind === "drive") return words.driven(name(driven.part));
   const [cut] = cuts;
-  if (!cut) return null;
-  return cuts.length > 1 ? words.cuts(cuts.length) : words.cut(name(cut.source), name(cut.target));
+  if (cut) return cuts.length > 1 ? words.cuts(cuts.length) : words.cut(name(cut.source), name(cut.target));
+  const mover = marks.findLast((mark) =>
+    mark.kind === "push" ? mark.held === true : mark.kind !== "cut" && mark.to === null,
+  );
+  if (!mover || mover.kind === "cut") return null;
+  return mover.kind === "record"
+    ? words.recorded(name(mover.part), mover.title)
+    : words.driven(name(mover.part));
 }

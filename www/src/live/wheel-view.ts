@@ -1,5 +1,5 @@
 // The wheel: the visitor moves one part round its learned cycle, and the others follow through the couplings.
-import { html, nothing } from "lit";
+import { html } from "lit";
 import type { Playback } from "../stage/playback";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
@@ -22,18 +22,18 @@ export interface WheelWords {
   /** The name of the wheel of a part, for the keyboard. */
   wheel(part: string): string;
   wheelMeaning: string;
-  /** In front of the choice of a part. */
-  youAre: string;
 }
 
-/** `<pg-wheel .live=${live} .playback=${playback} .names=${parts} .words=${...}>`; one name: no choice. */
+/** `<pg-wheel .live=${live} .playback=${playback} .index=${place} .name=${part} .words=${...}>` */
 export class WheelView extends View {
-  static override properties = { names: {}, words: {} };
+  static override properties = { index: {}, name: {}, words: {} };
   declare live: LiveStore;
   declare playback: Playback;
-  declare names: readonly string[];
+  /** The place of the part in the list of the parts. */
+  declare index: number;
+  /** The name of the part. */
+  declare name: string;
   declare words: WheelWords;
-  #part = 0;
   /** The turns of the pointer round the middle; null while the wheel is not held. */
   #held: number | null = null;
 
@@ -54,7 +54,7 @@ export class WheelView extends View {
     const { trace } = this.live;
     const first = trace[0]?.frame ?? 0;
     const now = trace[Math.min(trace.length - 1, Math.max(0, Math.round(this.playback.frame) - first))];
-    return now?.phases[this.#part] ?? null;
+    return now?.phases[this.index] ?? null;
   }
 
   /** Turns the mark of the wheel to the phase of the part. */
@@ -75,55 +75,43 @@ export class WheelView extends View {
     if (event.button !== 0) return;
     (event.currentTarget as Element).setPointerCapture(event.pointerId);
     this.#held = this.#turnsOf(event);
-    this.live.drive(this.#part, 0);
+    this.live.drive(this.index, 0);
   }
 
   #turn(event: PointerEvent): void {
     if (this.#held === null) return;
     const now = this.#turnsOf(event);
-    this.live.drive(this.#part, phaseDifference(now, this.#held));
+    this.live.drive(this.index, phaseDifference(now, this.#held));
     this.#held = now;
   }
 
   #letGo(): void {
     this.#held = null;
-    this.live.release();
+    const { driven } = this.live;
+    if (driven !== null) this.live.release(driven);
   }
 
   #key(event: KeyboardEvent): void {
     const turns = KEYS[event.key];
-    if (turns !== undefined) this.live.drive(this.#part, turns);
-    else if (event.key === "Escape" && this.live.driven !== null) this.live.release();
+    if (turns !== undefined) this.live.drive(this.index, turns);
+    else if (event.key === "Escape" && this.live.driven !== null) this.#letGo();
     else return;
     event.preventDefault();
     event.stopPropagation();
   }
 
-  #choose(part: number): void {
-    this.live.release();
-    this.#part = part;
-    this.requestUpdate();
-  }
-
   protected override render() {
-    const { names, words } = this;
-    if (this.#part >= names.length) this.#part = 0;
-    const chips = names.map(
-      (name, part) => html`
-        <button class="chip" type="button" aria-pressed=${part === this.#part ? "true" : "false"} data-testid="wheel-${part}"
-          style=${partStyle(partColour(part))} @click=${() => this.#choose(part)}>${name}</button>`,
-    );
+    const { name, words } = this;
     return html`
-      <div class="wheel" style=${partStyle(partColour(this.#part))}>
+      <div class="wheel" style=${partStyle(partColour(this.index))}>
         <div class="wheel-rim" role="slider" tabindex="0" data-testid="wheel" title=${words.wheelMeaning}
-          aria-label=${words.wheel(names[this.#part] ?? "")} aria-valuemin="0" aria-valuemax="100"
+          aria-label=${words.wheel(name)} aria-valuemin="0" aria-valuemax="100"
           @pointerdown=${this.#hold} @pointermove=${this.#turn} @pointerup=${this.#letGo}
           @pointercancel=${this.#letGo} @keydown=${this.#key} @blur=${this.#letGo}>
           <svg viewBox="-50 -50 100 100" aria-hidden="true">
             <circle r="38" /><line y1="0" y2="-38" /><circle class="wheel-grip" cy="-38" r="9" />
           </svg>
         </div>
-        ${names.length > 1 ? html`<div class="wheel-parts" role="group" aria-label=${words.youAre}><span>${words.youAre}</span>${chips}</div>` : nothing}
       </div>`;
   }
 }

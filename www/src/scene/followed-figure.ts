@@ -50,6 +50,8 @@ export interface FigureClock {
 export interface Companion {
   style: FigureStyle;
   motion: Motion;
+  /** Its frame now, null to hide it; absent: the frame of the clock. */
+  frame?: () => number | null;
 }
 
 export class FollowedFigure {
@@ -271,10 +273,13 @@ export class FollowedFigure {
   }
 
   /** Poses another motion at the place of the figure. */
-  #poseCompanion({ view, motion }: { view: FigureView; motion: Motion }, pose: Float32Array): void {
+  #poseCompanion(companion: Companion & { view: FigureView }, pose: Float32Array): void {
+    const { view, motion } = companion;
+    const frame = companion.frame ? companion.frame() : this.#clock.frame;
+    view.group.visible = frame !== null;
+    if (frame === null) return;
     if (motion.nodes * 3 !== pose.length) return;
     if (this.#otherPose.length !== pose.length) this.#otherPose = new Float32Array(pose.length);
-    const { frame } = this.#clock;
     poseAt(motion, frame, HERE, this.#otherPose);
     view.pose(poseAt(motion, frame, placeOnto(this.#otherPose, pose), this.#otherPose));
   }

@@ -41,3 +41,13 @@ it("starts at the place and in the direction of the figure, and turns displaceme
   const [x, y, z] = track.turnedBack([1, 0.5, 0]);
   expect([x, y, z].map((value) => Math.round(value * 2) / 2)).toEqual([0, 0.5, 1]);
 });
+
+it("knows the frames of a recording that moves a part", () => {
+  const track = new LiveTrack({ nodes: 2, frameTime: 1 / 30 }, 10);
+  for (let frame = 0; frame < 30; frame += 5) track.append(walk(frame, 5));
+  track.append(walk(30, 3), [], [null, 7, 8]);
+  expect([29, 30, 31, 31.5, 32].map((frame) => track.recordedAt(frame))).toEqual([null, null, 7, 7.5, 8]);
+  track.cutAfter(30);
+  track.append(walk(31, 1), [], [4]);
+  expect([track.recordedAt(30), track.recordedAt(31)]).toEqual([null, 4]);
+});

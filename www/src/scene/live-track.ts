@@ -12,6 +12,8 @@ export class LiveTrack {
   readonly #latents: readonly { values: Float64Array; width: number }[];
   /** The latent path of each part: row k is frame `first` + k. Rows after the newest frame are scratch. */
   readonly paths: readonly Float64Array[];
+  /** The frame of the recording that moves a part, in each stored frame; null without one. */
+  #recorded: (number | null)[] = [];
   #placement: Placement = HERE;
 
   /** Keeps the last `kept` frames, and a little more; `widths`: the latent dimensions of each part. */
@@ -54,15 +56,28 @@ export class LiveTrack {
   cutAfter(number: number): void {
     const dropped = Math.max(0, this.last - Math.max(number, this.first - 1));
     this.#motion.frames -= dropped;
+    this.#recorded.length = this.#motion.frames;
   }
 
-  append({ positions, frames, nodes }: Motion, latents: readonly Float64Array[] = []): void {
+  /** The frame of the recording at a frame, which need not be whole; null without a recording. */
+  recordedAt(frame: number): number | null {
+    const from = this.#recorded[Math.floor(frame) - this.first] ?? null;
+    return from === null ? null : from + (frame % 1);
+  }
+
+  /** `recorded`: the frame of the recording that moves a part, in each of the frames. */
+  append(
+    { positions, frames, nodes }: Motion,
+    latents: readonly Float64Array[] = [],
+    recorded: readonly (number | null)[] = Array(frames).fill(null),
+  ): void {
     const motion = this.#motion;
     if (motion.frames + frames > 2 * this.#kept) this.#forget(motion.frames - this.#kept);
     motion.positions.set(positions, motion.frames * nodes * 3);
     this.#latents.forEach(({ values, width }, part) =>
       values.set(latents[part] ?? [], motion.frames * width),
     );
+    this.#recorded.push(...recorded);
     motion.frames += frames;
   }
 
@@ -87,6 +102,7 @@ export class LiveTrack {
     motion.positions.copyWithin(0, frames * motion.nodes * 3, motion.frames * motion.nodes * 3);
     for (const { values, width } of this.#latents)
       values.copyWithin(0, frames * width, motion.frames * width);
+    this.#recorded.splice(0, frames);
     motion.frames -= frames;
     this.first += frames;
   }

@@ -55,6 +55,8 @@ export class StageStore extends Store {
   /** The live motion in front of the model's motion. */
   #live: StageContent | null = null;
   #track: LiveTrack | null = null;
+  /** The recording that moves a part of the live motion. */
+  #recording: Motion | null = null;
   /** The completed recording in front of the model's motion. */
   #completed: StageContent | null = null;
   #ghost: Motion | null = null;
@@ -102,8 +104,16 @@ export class StageStore extends Store {
   /** The outline with the figure: the motion as learned under other couplings, or the recording. */
   get ghost(): Motion | null {
     const { content } = this;
+    if (content?.live) return this.#recording;
     if (content?.ghost) return content.ghost;
-    return content?.kind === "model" && !content.live ? this.#ghost : null;
+    return content?.kind === "model" ? this.#ghost : null;
+  }
+
+  /** The frame of the outline now; null while it has none. */
+  get ghostFrame(): number | null {
+    const { live } = this;
+    const { frame } = this.#playback;
+    return live ? live.recordedAt(frame) : frame;
   }
 
   get marks(): Marks | null {
@@ -144,7 +154,15 @@ export class StageStore extends Store {
   endLive(): void {
     if (!this.#live) return;
     this.#live = null;
+    this.#recording = null;
     if (!this.#clip && this.content) this.#play(this.content, true);
+    this.changed();
+  }
+
+  /** The recording that moves a part of the live motion, as an outline; null: none. */
+  setRecording(recording: Motion | null): void {
+    if (recording === this.#recording) return;
+    this.#recording = recording;
     this.changed();
   }
 

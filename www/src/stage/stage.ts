@@ -64,10 +64,11 @@ export class Stage {
   /** The ghost and the futures. */
   #companions(content: StageContent): Companion[] {
     const { ghost } = this.#store;
+    const frame = () => this.#store.ghostFrame;
     const futures = content.kind === "model" && !content.live ? this.#store.futures : [];
     return [
       ...futures.map((motion, index): Companion => ({ style: { kind: "future", index }, motion })),
-      ...(ghost ? [{ style: { kind: "ghost" }, motion: ghost } satisfies Companion] : []),
+      ...(ghost ? [{ style: { kind: "ghost" }, motion: ghost, frame } satisfies Companion] : []),
     ];
   }
 

@@ -34,8 +34,9 @@ export class Live {
         frameTime: info.frameTime,
       };
       const latents = info.parts.map((_, part) => next.latents(part));
-      const result = { motion, latents, phases: next.phases(), distances: next.distances() };
-      return transfer(result, motion.positions, ...latents, result.phases, result.distances);
+      const [phases, distances, recorded] = [next.phases(), next.distances(), next.recorded()];
+      const result = { motion, latents, phases, distances, recorded };
+      return transfer(result, motion.positions, ...latents, phases, distances, recorded);
     });
   }
 
@@ -60,6 +61,12 @@ export class Live {
         break;
       case "drive":
         rollout.drive(change.part, change.turns);
+        break;
+      case "record":
+        rollout.record(change.part, change.latents);
+        break;
+      case "reach":
+        rollout.reach(change.node, ...change.place);
         break;
       case "release":
         rollout.release(change.part);

@@ -44,12 +44,13 @@ export const uncertaintyWorker: UncertaintyWorker = {
     return using(await pieceOf(clip), (piece) =>
       using(model.complete(piece, options), (found) => {
         const { frames } = found;
-        const { figure, frameTime } = model.info();
+        const { figure, frameTime, parts } = model.info();
         const shape = { frames, nodes: figure?.nodes.length ?? 0, frameTime };
         const motion = { ...shape, positions: found.positions() };
         const recorded = { ...shape, positions: found.recorded() };
-        const answer = { motion, recorded, scores: found.scores() };
-        return transfer(answer, motion.positions, recorded.positions);
+        const latents = found.latents(parts.findIndex(({ name }) => name === given));
+        const answer = { motion, recorded, latents, scores: found.scores() };
+        return transfer(answer, motion.positions, recorded.positions, latents);
       }),
     );
   },

@@ -111,3 +111,128 @@ fn a_driven_part_has_the_phase_that_it_is_given_and_the_other_follows() {
     assert_eq!(error(0, 11.0), "expected from -10 to 10 turns, found 11");
     assert!(error(2, 0.5).starts_with("expected a part"), "{}", error(2, 0.5));
 }
+
+#[test]
+fn a_recording_moves_a_part_round_and_round_and_the_model_goes_on_when_it_is_released() {
+    let model = start_model();
+    let model = model.coupled().unwrap();
+    let rollout = model.rollout(&RolloutRequest { frames: 300, ..RolloutRequest::default() }).unwrap();
+    // The model's own walk as a recording: its legs, 90 frames of it.
+    let recorded = rollout.latents[0].rows(200, 90).into_owned();
+    let mut live = LiveRollout::after(model, &rollout, 150, 0).unwrap();
+    let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
+    live.record(0, recorded.clone()).unwrap();
+    let moved = live.advance(model, &dynamics, 200).unwrap();
+    let frames: Vec<usize> = moved.recorded.chunks_exact(2).map(|both| both[0].unwrap()).collect();
+    assert!(moved.recorded.chunks_exact(2).all(|both| both[1].is_none()));
+    assert!(frames.windows(2).filter(|pair| pair[1] != pair[0] + 1).count() >= 2, "{frames:?}");
+    for (t, frame) in frames.iter().enumerate().skip(20) {
+        assert!((moved.latents[0].row(t) - recorded.row(*frame)).amax() < 0.2, "{t}");
+    }
+    // The arms follow: they are in step with the recorded legs.
+    let apart = |a: f64, b: f64| (a - b + 0.5).rem_euclid(1.0) - 0.5;
+    for both in moved.places.chunks_exact(2).skip(60) {
+        assert!(apart(both[0].phase, both[1].phase).abs() < 0.1, "{both:?}");
+    }
+    live.release(0);
+    let free = live.advance(model, &dynamics, 60).unwrap();
+    assert!(free.recorded.iter().all(Option::is_none));
+    let jump = (free.latents[0].row(0) - moved.latents[0].row(199)).amax();
+    // The legs' loop has a radius of about 2, so a step is about 0.4.
+    assert!(jump < 0.8, "{jump}");
+    assert!(free.places.iter().all(|place| place.distance < 0.3), "{:?}", free.places);
+
+    let error = |part, rows, value| {
+        let latents = DMatrix::from_element(rows, 3, value);
+        live.clone().record(part, latents).unwrap_err().to_string()
+    };
+    let expected = "expected latents of a recording for part 1: 4 or more x 3 finite numbers, found ";
+    assert_eq!(error(1, 3, 0.0), format!("{expected}3 x 3"));
+    assert_eq!(error(1, 90, f64::NAN), format!("{expected}NaN"));
+    assert_eq!(error(2, 90, 0.0), "expected a part from 0 to 1, found 2");
+}
+
+/// The horizontal axis of the pelvis, and the place of a node relative to the root, in each of the frames
+/// [frames x nodes x 3].
+fn places(positions: &[f32], nodes: usize, node: usize, hips: [usize; 2]) -> Vec<([f64; 2], [f64; 3])> {
+    let at = |frame: &[f32], node: usize, axis: usize| f64::from(frame[3 * node + axis]);
+    let place = |frame: &[f32]| {
+        let [x, z] = [0, 2].map(|axis| at(frame, hips[1], axis) - at(frame, hips[0], axis));
+        let length = (x * x + z * z).sqrt();
+        let place = std::array::from_fn(|axis| at(frame, node, axis) - at(frame, 0, axis));
+        ([x / length, z / length], place)
+    };
+    positions.chunks_exact(3 * nodes).map(place).collect()
+}
+
+/// A place turned from one axis of the pelvis to another.
+fn turned([x, y, z]: [f64; 3], from: [f64; 2], to: [f64; 2]) -> [f64; 3] {
+    let (cosine, sine) = (from[0] * to[0] + from[1] * to[1], from[0] * to[1] - from[1] * to[0]);
+    [cosine * x - sine * z, y, sine * x + cosine * z]
+}
+
+fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
+}
+
+#[test]
+fn a_dragged_node_reaches_its_place_and_distant_places_leave_the_pose_plausible() {
+    let model = start_model();
+    let model = model.coupled().unwrap();
+    let rollout = model.rollout(&RolloutRequest { frames: 300, ..RolloutRequest::default() }).unwrap();
+    let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
+    let skeleton = model.body.mapping.skeleton();
+    let figure = skeleton.figure();
+    let of = |name: &str| {
+        figure.iter().position(|node| !node.end_site && skeleton.joints[node.joint].name == name).unwrap()
+    };
+    let mut free = LiveRollout::after(model, &rollout, 150, 0).unwrap();
+    let free = free.advance(model, &dynamics, 40).unwrap().positions;
+    let hips = [of("LeftUpLeg"), of("RightUpLeg")];
+    let all = model.positions(&rollout).unwrap();
+    let seen = |positions: &[f32], node| places(positions, figure.len(), node, hips);
+    let (now, _) = seen(&all, 0)[150];
+    let held = |node: usize, place: [f64; 3], frames: usize| {
+        let mut live = LiveRollout::after(model, &rollout, 150, 0).unwrap();
+        live.reach(model, node, place).unwrap();
+        let next = live.advance(model, &dynamics, frames).unwrap();
+        assert!(next.latents.iter().flat_map(|x| x.iter()).all(|x| x.is_finite()));
+        (live, next)
+    };
+    let (mut reached, mut strange) = (0, 1.0_f64);
+    for name in ["RightHand", "LeftHand", "RightFoot", "LeftFoot"] {
+        let node = of(name);
+        // The places of the node in a step can be reached, and the node stays within 5 cm of them although the
+        // other part walks on.
+        for (axis, place) in seen(&free, node).into_iter().step_by(5) {
+            let (_, next) = held(node, turned(place, axis, now), 60);
+            let stays = seen(&next.positions, node)[20..]
+                .iter()
+                .all(|(to, found)| distance(found, &turned(place, axis, *to)) < 0.05);
+            reached += usize::from(stays);
+        }
+        for far in [[3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [-1.0, 0.5, 4.0], [1e9, 0.0, 0.0]] {
+            let (mut live, next) = held(node, far, 90);
+            let share = model.model.familiarity(&next.latents).unwrap();
+            let least = share.iter().flatten().copied().fold(1.0, f64::min);
+            strange = strange.min(least);
+            // The model takes over and walks on.
+            live.release(0);
+            live.release(1);
+            let home = live.advance(model, &dynamics, 150).unwrap().places;
+            assert!(
+                home[298..].iter().all(|place| place.distance < 0.1),
+                "{name} {far:?} {:?}",
+                &home[298..]
+            );
+        }
+    }
+    // Between the foot and two of the 32 places lie poses from which every small step leads away.
+    assert!(reached >= 30, "{reached}");
+    assert!(strange > 0.95, "{strange}");
+
+    let mut live = LiveRollout::after(model, &rollout, 150, 0).unwrap();
+    let error = live.reach(model, 0, [0.0, f64::NAN, 0.0]).unwrap_err().to_string();
+    assert_eq!(error, "expected a place of three finite numbers, found NaN");
+    assert!(live.reach(model, 999, [0.0; 3]).unwrap_err().to_string().starts_with("expected a node"));
+}

@@ -74,7 +74,7 @@ export class PushChapter extends Store implements Chapter {
       ${
         legs
           ? html`<div class="push-wheel"><b>${wheel.youAre}</b>
-              <pg-wheel .live=${legs} .playback=${playback} .names=${parts.slice(0, 1)} .words=${wheel}></pg-wheel></div>`
+              <pg-wheel .live=${legs} .playback=${playback} .index=${0} .name=${parts[0] ?? ""} .words=${wheel}></pg-wheel></div>`
           : nothing
       }
     </div>`;

@@ -32,6 +32,11 @@ impl LatentPaths {
         Self { order, ..self }
     }
 
+    /// The order p: frames of a history.
+    pub(crate) fn order(&self) -> usize {
+        self.order
+    }
+
     /// Latent dimensions Q of each part.
     pub(crate) fn latent(&self) -> &[usize] {
         &self.latent

@@ -3,8 +3,10 @@
 use crate::models::fitted::coupled::Coupled;
 use crate::models::rollout::latent_dynamics::LatentDynamics;
 use crate::models::rollout::latent_paths::LatentPaths;
+use crate::models::rollout::movers::{Moved, Mover};
+use crate::models::rollout::reach::Reach;
 use crate::models::rollout::request::{Push, Rollout, RolloutError};
-use crate::models::variational::{Cycle, CyclePlace};
+use crate::models::variational::{Cycle, CyclePlace, Familiarity};
 use crate::motion::pose::{RootStart, RootTrack};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
@@ -13,22 +15,8 @@ const DIFFERENCE: f64 = 1e-4;
 /// Regularisation of a pull, in metres squared: a joint that moves less than its root for a latent step of 1
 /// is hardly pushed.
 const STIFFNESS: f64 = 1e-4;
-/// A driven part that was beside its cycle keeps this share of the distance from one frame to the next.
-const APPROACH: f64 = 0.8;
 /// Turns of a drive at a time, forward or back.
 const MOST_TURNS: f64 = 10.0;
-
-/// A part that somebody drives round its learned cycle.
-#[derive(Clone, Debug)]
-struct Drive {
-    part: usize,
-    /// In turns.
-    phase: f64,
-    /// Turns that are left for the next frames.
-    ahead: f64,
-    /// The rest of the distance from the cycle at the beginning `[Q_i]`.
-    beside: Vec<f64>,
-}
 
 /// A rollout without an end.
 #[derive(Clone, Debug)]
@@ -36,7 +24,8 @@ pub struct LiveRollout {
     paths: LatentPaths,
     track: RootTrack,
     cycle: Option<Cycle>,
-    drives: Vec<Drive>,
+    /// The parts that the model does not move; each part once.
+    moved: Vec<Moved>,
 }
 
 /// The next frames of a live rollout.
@@ -50,6 +39,8 @@ pub struct LiveFrames {
     /// The place of each part on the learned cycle [frames x M], frame by frame; empty when the learned
     /// rollout does not repeat itself.
     pub places: Vec<CyclePlace>,
+    /// The frame of the recording that moves each part [frames x M], frame by frame.
+    pub recorded: Vec<Option<usize>>,
 }
 
 impl LiveRollout {
@@ -75,7 +66,7 @@ impl LiveRollout {
         let mut track = model.body.mapping.track(&RootStart::default());
         model.body.mapping.continue_positions(&rollout.y.rows(0, newest + 1).into_owned(), &mut track)?;
         let paths = LatentPaths::new(&start, order, &model.model.latent_dimensions())?;
-        Ok(Self { paths, track, cycle: model.model.cycle(sequence)?, drives: Vec::new() })
+        Ok(Self { paths, track, cycle: model.model.cycle(sequence)?, moved: Vec::new() })
     }
 
     /// The next `frames` frames under these dynamics of the model.
@@ -92,9 +83,13 @@ impl LiveRollout {
         model.check_frames(frames)?;
         self.paths.forget();
         let before = self.paths.frames();
+        let mut recorded = Vec::with_capacity(frames * self.paths.latent().len());
         for k in 0..frames {
             dynamics.extend(&mut self.paths, before + k + 1);
-            self.drive_newest(frames - k);
+            for moved in &mut self.moved {
+                moved.set_newest(&mut self.paths, model, self.cycle.as_ref(), frames - k);
+            }
+            recorded.extend((0..self.paths.latent().len()).map(|part| self.recorded_frame(part)));
         }
         let latents = self.paths.matrices(before..before + frames);
         let y = model.body.columns(&model.model.observations(&latents));
@@ -104,7 +99,7 @@ impl LiveRollout {
             (before + 1..=before + frames).flat_map(|end| parts.clone().map(move |part| (end, part)));
         let place = |(end, part)| self.cycle.as_ref()?.place(part, self.paths.history_until(part, end));
         let places = places.filter_map(place).collect();
-        Ok(LiveFrames { latents, positions, places })
+        Ok(LiveFrames { latents, positions, places, recorded })
     }
 
     /// Pushes a part before the next frame, whatever the `frame` of the push.
@@ -129,36 +124,82 @@ impl LiveRollout {
             return Err(RolloutError::Turns { most: MOST_TURNS, found: turns });
         }
         let cycle = self.cycle.as_ref().ok_or(RolloutError::NoCycle)?;
-        if let Some(drive) = self.drives.iter_mut().find(|drive| drive.part == part) {
-            drive.ahead += turns;
+        self.check_part(part)?;
+        let held = self.moved.iter_mut().find(|moved| moved.part == part);
+        if let Some(Mover::Wheel { ahead, .. }) = held.map(|moved| &mut moved.by) {
+            *ahead += turns;
             return Ok(());
         }
-        let count = self.paths.latent().len();
-        if part >= count {
-            return Err(RolloutError::Part { count, found: part });
-        }
-        let phase = cycle.place(part, self.paths.history(part)).map_or(0.0, |place| place.phase);
-        let on_cycle = cycle.latents(part, phase).unwrap_or_default();
-        let beside = self.paths.newest(part).iter().zip(on_cycle).map(|(x, on)| x - on).collect();
-        self.drives.push(Drive { part, phase, ahead: turns, beside });
+        let moved = Moved::by_wheel(part, &self.paths, cycle, turns);
+        self.replace(moved);
         Ok(())
     }
 
-    /// Lets a driven part go: it goes on by itself from where it is.
-    pub fn release(&mut self, part: usize) {
-        self.drives.retain(|drive| drive.part != part);
+    /// Lets a recording move a part: the part has the `latents` of the recording [frames x Q_i], again and
+    /// again, until it is released. The recording begins, and begins again, in its first half, where it is most
+    /// like the last frames of the part.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such part, or the latents do not fit it, are not finite or have fewer than 2 p frames.
+    pub fn record(&mut self, part: usize, latents: DMatrix<f64>) -> Result<(), RolloutError> {
+        self.check_part(part)?;
+        let (least, columns) = (2 * self.paths.order(), self.paths.latent()[part]);
+        let found = match latents.iter().find(|x| !x.is_finite()) {
+            Some(number) => number.to_string(),
+            None if latents.nrows() >= least && latents.ncols() == columns => {
+                self.replace(Moved::by_recording(part, &self.paths, latents));
+                return Ok(());
+            }
+            None => format!("{} x {}", latents.nrows(), latents.ncols()),
+        };
+        Err(RolloutError::Recording { part, least, columns, found })
     }
 
-    /// Puts driven parts where they have to be in the newest frame; `frames` frames are left for its turns, this one included.
-    fn drive_newest(&mut self, frames: usize) {
-        for drive in &mut self.drives {
-            let step = drive.ahead / frames as f64;
-            drive.ahead -= step;
-            drive.phase += step;
-            drive.beside.iter_mut().for_each(|x| *x *= APPROACH);
-            let on_cycle = self.cycle.as_ref().and_then(|cycle| cycle.latents(drive.part, drive.phase));
-            let latents = on_cycle.into_iter().flatten().zip(&drive.beside).map(|(on, beside)| on + beside);
-            self.paths.set_newest(drive.part, &latents.collect::<Vec<_>>());
+    /// Lets the part of a node of the figure, counted as in its positions, follow a `place` until it is released:
+    /// the node comes as near to it as poses like those of the training allow. The place is relative to the
+    /// figure's root, in metres for a body 1.7 m tall, y up, in the directions of the positions. It turns with
+    /// the figure.
+    ///
+    /// # Errors
+    ///
+    /// When there is no such node, the place is not finite, or a covariance cannot be factorised.
+    pub fn reach(&mut self, model: Coupled, node: usize, place: [f64; 3]) -> Result<(), RolloutError> {
+        if let Some(&found) = place.iter().find(|x| !x.is_finite()) {
+            return Err(RolloutError::Place { found });
+        }
+        let part = part_of(model, node)?;
+        let place = self.track.relative_to_heading(&place.into());
+        let held = self.moved.iter_mut().find(|moved| moved.part == part);
+        if let Some(Mover::Hand(reach)) = held.map(|moved| &mut moved.by) {
+            (reach.node, reach.place) = (node, place);
+            return Ok(());
+        }
+        let familiarity = Familiarity::new(&model.model.parts[part], model.model.jitter)?;
+        self.replace(Moved::by_hand(part, Reach::new(node, place, familiarity)));
+        Ok(())
+    }
+
+    /// Lets a part go: the model moves it from where it is.
+    pub fn release(&mut self, part: usize) {
+        self.moved.retain(|moved| moved.part != part);
+    }
+
+    fn replace(&mut self, moved: Moved) {
+        self.release(moved.part);
+        self.moved.push(moved);
+    }
+
+    fn check_part(&self, part: usize) -> Result<(), RolloutError> {
+        let count = self.paths.latent().len();
+        if part < count { Ok(()) } else { Err(RolloutError::Part { count, found: part }) }
+    }
+
+    /// The frame of the recording that moves a part in the newest frame.
+    fn recorded_frame(&self, part: usize) -> Option<usize> {
+        match self.moved.iter().find(|moved| moved.part == part)?.by {
+            Mover::Recording { frame, .. } => Some(frame),
+            Mover::Wheel { .. } | Mover::Hand(_) => None,
         }
     }
 
@@ -171,11 +212,7 @@ impl LiveRollout {
     ///
     /// When there is no such node, or the poses are no longer finite.
     pub fn pull(&self, model: Coupled, node: usize, by: [f64; 3]) -> Result<Push, RolloutError> {
-        let figure = model.body.mapping.skeleton().figure();
-        let found = figure.get(node).and_then(|node| {
-            model.body.layout.parts().iter().position(|part| part.joints.contains(&node.joint))
-        });
-        let part = found.ok_or(RolloutError::Node { count: figure.len(), found: node })?;
+        let part = part_of(model, node)?;
         let last = self.paths.frames();
         let newest = self.paths.matrices(last - 1..last);
         let q = newest[part].ncols();
@@ -200,4 +237,13 @@ impl LiveRollout {
         let by = slopes.iter().map(|slope| slope.dot(&solved)).collect();
         Ok(Push { part, by, ..Push::default() })
     }
+}
+
+/// The part of a node of the figure.
+fn part_of(model: Coupled, node: usize) -> Result<usize, RolloutError> {
+    let figure = model.body.mapping.skeleton().figure();
+    let found = figure
+        .get(node)
+        .and_then(|node| model.body.layout.parts().iter().position(|part| part.joints.contains(&node.joint)));
+    found.ok_or(RolloutError::Node { count: figure.len(), found: node })
 }

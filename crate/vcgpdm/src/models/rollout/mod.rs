@@ -5,4 +5,6 @@ pub(crate) mod health;
 pub(crate) mod latent_dynamics;
 pub(crate) mod latent_paths;
 pub(crate) mod live;
+mod movers;
+mod reach;
 pub(crate) mod request;

@@ -142,6 +142,27 @@ pub enum RolloutError {
         /// The number asked for.
         found: f64,
     },
+    /// The latents of a recording do not fit the part that it shall move.
+    #[error(
+        "expected latents of a recording for part {part}: {least} or more x {columns} finite numbers, found \
+         {found}"
+    )]
+    Recording {
+        /// The part, counted from 0.
+        part: usize,
+        /// The fewest frames: twice the order p of the dynamics.
+        least: usize,
+        /// The latent dimensions Q of the part.
+        columns: usize,
+        /// The shape found, or a number that is not finite.
+        found: String,
+    },
+    /// The wanted place of a node is not finite.
+    #[error("expected a place of three finite numbers, found {found}")]
+    Place {
+        /// The number found.
+        found: f64,
+    },
     /// The figure has no such node.
     #[error("expected a node of the figure from 0 to {}, found {found}", count - 1)]
     Node {

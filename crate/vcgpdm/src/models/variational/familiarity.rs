@@ -1,7 +1,7 @@
 //! The distance of latents from those of the training.
 
-use crate::gp::NumericsError;
 use crate::gp::linalg::Factor;
+use crate::gp::{Kernel, NumericsError};
 use crate::models::variational::maps::PoseMap;
 use crate::models::variational::model::Vcgpdm;
 use nalgebra::DMatrix;
@@ -16,18 +16,39 @@ impl Vcgpdm {
     /// When a covariance of inducing points cannot be factorised.
     pub fn familiarity(&self, latents: &[DMatrix<f64>]) -> Result<Vec<Vec<f64>>, NumericsError> {
         let parts = self.parts.iter().zip(latents);
-        parts.map(|(map, x)| explained(map, x, self.jitter)).collect()
+        parts.map(|(map, x)| Ok(Familiarity::new(map, self.jitter)?.shares(x))).collect()
     }
 }
 
-fn explained(map: &PoseMap, x: &DMatrix<f64>, jitter: f64) -> Result<Vec<f64>, NumericsError> {
-    let (kernel, r) = (map.kernel(), map.r());
-    let k = kernel.inducing_covariance(r, jitter);
-    let factor = Factor::new(&k, "covariance of the pose inducing points")?;
-    // With K = L L^T the share is |L^-1 k(r, x)|^2 / sigma^2.
-    let mut whitened = kernel.cross_covariance(r, x);
-    factor.solve_lower_mut(&mut whitened);
-    Ok(whitened.column_iter().map(|column| column.norm_squared() / kernel.variance).collect())
+/// The inducing points of the pose map of one part.
+#[derive(Clone, Debug)]
+pub(in crate::models) struct Familiarity {
+    r: DMatrix<f64>,
+    kernel: Kernel,
+    factor: Factor,
+}
+
+impl Familiarity {
+    /// # Errors
+    ///
+    /// When the covariance of the inducing points cannot be factorised.
+    pub(in crate::models) fn new(map: &PoseMap, jitter: f64) -> Result<Self, NumericsError> {
+        let (kernel, r) = (map.kernel().clone(), map.r().clone());
+        let k = kernel.inducing_covariance(&r, jitter);
+        Ok(Self { factor: Factor::new(&k, "covariance of the pose inducing points")?, r, kernel })
+    }
+
+    /// The explained share of the prior variance at latents `[Q_i]`.
+    pub(in crate::models) fn share(&self, x: &[f64]) -> f64 {
+        self.shares(&DMatrix::from_row_slice(1, x.len(), x)).first().copied().unwrap_or(0.0)
+    }
+
+    fn shares(&self, x: &DMatrix<f64>) -> Vec<f64> {
+        // With K = L L^T the share is |L^-1 k(r, x)|^2 / sigma^2.
+        let mut whitened = self.kernel.cross_covariance(&self.r, x);
+        self.factor.solve_lower_mut(&mut whitened);
+        whitened.column_iter().map(|column| column.norm_squared() / self.kernel.variance).collect()
+    }
 }
 
 #[cfg(test)]

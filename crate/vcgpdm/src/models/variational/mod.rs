@@ -28,6 +28,7 @@ pub use crate::models::training::parameters::LARGEST_COUPLING;
 pub use cycle::{Cycle, CyclePlace};
 pub(crate) use elbo::stack_offsets;
 pub use elbo::{BoundTerms, DynamicsSums, Objective, Posteriors, StoredMaps, Workspace};
+pub(in crate::models) use familiarity::Familiarity;
 pub use fewer_points::{KeptPoints, KeptPointsError};
 pub use filter::{ColumnMoments, CompletionScore, Filter, Filtered, ObservationError};
 pub use inducing::InducingError;

@@ -41,6 +41,12 @@ impl RootTrack {
         Self { begin, before: None }
     }
 
+    /// A vector in a world with y up, turned so that z is the heading of the newest row.
+    pub(crate) fn relative_to_heading(&self, vector: &Vector3<f64>) -> Vector3<f64> {
+        let [yaw, ..] = self.before.as_ref().unwrap_or(&self.begin).angles;
+        rotation::about_axis(1, -yaw) * vector
+    }
+
     /// Adds a row and returns its pose.
     pub(super) fn push(&mut self, row: &[f64; 6]) -> RootPose {
         let pose = integrate(row, self.before.as_ref(), &self.begin);

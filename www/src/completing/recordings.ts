@@ -1,0 +1,82 @@
+// The recordings that can give a part of the model, and what the model infers of them.
+import type { ClipsStore } from "../clips/clips-store";
+import { ModelDocument } from "../couplings/model-document";
+import type { ModelStore } from "../couplings/model-store";
+import type { EngineStore } from "../engine/engine-store";
+import type { ClipSource, ModelView } from "../engine/protocol";
+import type { CompletedClip, CompletionRequest } from "../engine/whole-protocol";
+import type { WholeWorkers } from "../engine/whole-workers";
+import { Store } from "../ui/store";
+import { completingWords } from "../words/completing";
+
+export interface Recording {
+  key: string;
+  title: string;
+  /** Null: the walk of the model under its learned couplings, as if it were recorded. */
+  source: ClipSource | null;
+  /** The frames to use: first up to, not including, end. */
+  first: number;
+  end: number;
+  /** Seconds between frames. */
+  frameTime: number;
+}
+
+/** It changes with the model and the open clips. */
+export class Recordings extends Store {
+  readonly #engine: EngineStore;
+  readonly #model: ModelStore;
+  readonly #clips: ClipsStore;
+  readonly #document: ModelDocument;
+
+  constructor(
+    engine: EngineStore,
+    model: ModelStore,
+    clips: ClipsStore,
+    workers: Pick<WholeWorkers, "desk">,
+  ) {
+    super();
+    [this.#engine, this.#model, this.#clips] = [engine, model, clips];
+    this.#document = new ModelDocument(engine, workers);
+    model.on(() => this.changed());
+    clips.on(() => this.changed());
+  }
+
+  /** The clips of the model's body, and the model's own walk. */
+  get all(): readonly Recording[] {
+    const { learned, model } = this.#model;
+    if (!model || !learned) return [];
+    const { frames, frameTime } = learned.motion;
+    const title = completingWords().ownWalk;
+    const own = { key: "own-motion", title, source: null, first: 0, end: frames, frameTime };
+    const names = model.info.joints.map(({ name }) => name).join();
+    const fitting = this.#clips.all
+      .filter(({ loaded }) => loaded.info.joints.map(({ name }) => name).join() === names)
+      .map(({ key, title, source, first, end, loaded }) => ({
+        key,
+        title,
+        source,
+        first,
+        end,
+        frameTime: loaded.info.frameTime,
+      }));
+    return [...fitting, own];
+  }
+
+  /** Lets the model observe one part of a recording and infer the others. */
+  async complete(
+    model: ModelView,
+    { source, first, end }: Recording,
+    request: Omit<CompletionRequest, "clip">,
+  ): Promise<CompletedClip> {
+    const { engine } = this.#engine;
+    const { learned } = this.#model;
+    if (!engine || !learned) throw new Error(completingWords().notReady);
+    const read = source ?? {
+      name: "walk.bvh",
+      file: new Blob([await engine.rolloutBvh(learned.request)]),
+    };
+    return this.#document.ask(model.revision, (worker) =>
+      worker.complete({ ...request, clip: { id: 0, source: read, first, end } }),
+    );
+  }
+}

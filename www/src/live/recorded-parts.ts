@@ -1,0 +1,77 @@
+// Recordings that move parts of the live motion. The latents of the part come from the model's filter, once.
+import type { Recording, Recordings } from "../completing/recordings";
+import type { ModelStore } from "../couplings/model-store";
+import { Latest } from "../engine/latest";
+import type { ModelView } from "../engine/protocol";
+import type { CompletedClip } from "../engine/whole-protocol";
+import { messageOf } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
+import { Store } from "../ui/store";
+import { completingWords } from "../words/completing";
+import type { LiveStore } from "./live-store";
+
+interface Asked {
+  model: ModelView;
+  part: number;
+  recording: Recording;
+}
+
+export class RecordedParts extends Store {
+  readonly #recordings: Recordings;
+  readonly #model: ModelStore;
+  readonly #live: LiveStore;
+  readonly #asked: Latest<Asked, CompletedClip>;
+  /** The key of the recording that each part waits for. */
+  readonly #waiting = new Map<number, string>();
+
+  constructor(recordings: Recordings, model: ModelStore, live: LiveStore, notices: NoticesStore) {
+    super();
+    [this.#recordings, this.#model, this.#live] = [recordings, model, live];
+    this.#asked = new Latest(
+      ({ model, part, recording }) => {
+        const given = model.info.parts[part]?.name ?? "";
+        const request = { given, until: null, alpha: null, reading: "as-learned" as const };
+        return recordings.complete(model, recording, request);
+      },
+      (completed, asked) => this.#take(completed, asked),
+      (problem) => {
+        this.#waiting.clear();
+        this.changed();
+        notices.addError(completingWords().failed, messageOf(problem));
+      },
+    );
+    recordings.on(() => this.changed());
+  }
+
+  /** The recordings to choose from; the model needs another part, which it infers. */
+  get all(): readonly Recording[] {
+    return (this.#model.model?.info.parts.length ?? 0) > 1 ? this.#recordings.all : [];
+  }
+
+  /** The recording that a part waits for or has. */
+  keyOf(part: number): string | null {
+    const mover = this.#live.moverOf(part);
+    return this.#waiting.get(part) ?? (mover?.kind === "record" ? mover.key : null);
+  }
+
+  /** Lets a recording move a part as soon as its latents are there; null: not any more. */
+  choose(part: number, key: string | null): void {
+    const { model } = this.#model;
+    const recording = this.all.find((recording) => recording.key === key);
+    this.#waiting.delete(part);
+    if (model && recording) {
+      this.#waiting.set(part, recording.key);
+      this.#asked.request({ model, part, recording });
+    }
+    this.changed();
+  }
+
+  #take({ recorded, latents }: CompletedClip, { model, part, recording }: Asked): void {
+    const { key, title } = recording;
+    const isWanted = this.#waiting.get(part) === key && model.revision === this.#model.model?.revision;
+    if (!isWanted) return;
+    this.#waiting.delete(part);
+    this.#live.record(part, { key, title, latents, motion: recorded });
+    this.changed();
+  }
+}
