@@ -21,7 +21,7 @@ export const budget = {
   /** The view of primitives with its library, and its words in two languages. */
   primitives: 82_000,
   /** The view of time series. */
-  series: 12_000,
+  series: 12_500,
   /** The writer of GLB files. */
   glb: 15_000,
   /** `vcgpdm/figure` of the npm package, with three.js. */

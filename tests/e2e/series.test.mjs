@@ -75,6 +75,40 @@ describe("tables of columns", () => {
       before,
     );
 
+    // A recorded column is given, then drawn by hand; the model infers the others, and then moves all again.
+    const another = async (/** @type {number} */ curve, /** @type {string | null} */ from) => {
+      await page.waitForFunction(
+        ({ curve, from }) =>
+          document.querySelector(`[data-testid=curve-${curve}] .rolled-out path`)?.getAttribute("d") !== from,
+        { curve, from },
+      );
+      return course(page, curve);
+    };
+    const giver = page.getByTestId("giver-0");
+    await giver.selectOption("recording");
+    const inferred = await another(2, before);
+    await giver.selectOption("hand");
+    const curve = page.locator("[data-testid=curve-0] svg");
+    const drawn = await course(page, 0);
+    await curve.focus();
+    for (let k = 0; k < 3; k++) await page.keyboard.press("ArrowUp");
+    const bent = await another(0, drawn);
+    await curve.scrollIntoViewIfNeeded();
+    const box = (await curve.boundingBox()) ?? assert.fail();
+    await page.mouse.move(box.x + 0.3 * box.width, box.y + 0.5 * box.height);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.3 * box.height, { steps: 5 });
+    await page.mouse.up();
+    await another(0, bent);
+    await another(2, inferred);
+    assert.deepEqual(await barriers(page), []);
+    await giver.selectOption("model");
+    await page.waitForFunction(
+      (before) =>
+        document.querySelector("[data-testid=curve-2] .rolled-out path")?.getAttribute("d") === before,
+      before,
+    );
+
     // The page asks before it replaces an unsaved model; closing the question keeps the model.
     const leaving = () =>
       page.evaluate(() => !dispatchEvent(new Event("beforeunload", { cancelable: true })));

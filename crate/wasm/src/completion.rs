@@ -5,11 +5,14 @@ use crate::clip::Clip;
 use crate::convert::{flat, from_js, matrix, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::model::Model;
-use crate::trained::coupled;
+use crate::rollout::Rollout;
+use crate::trained::{Trained, coupled};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
-use vcgpdm::models::{Model as BodyModel, PartCompletion, Reading, RolloutRequest};
+use vcgpdm::models::{
+    ColumnMapping, Model as TrainedModel, PartCompletion, Reading, Rollout as Rolled, RolloutRequest,
+};
 use vcgpdm::motion::bvh;
 use wasm_bindgen::prelude::*;
 
@@ -69,7 +72,7 @@ struct PartScores<'a> {
 pub struct Completion {
     found: vcgpdm::models::Completion,
     recorded: DMatrix<f64>,
-    model: Rc<BodyModel>,
+    model: Rc<TrainedModel>,
 }
 
 #[wasm_bindgen]
@@ -99,6 +102,41 @@ impl Model {
         let request = RolloutRequest { alpha, reading: options.reading, ..RolloutRequest::default() };
         let found = view.complete(&request, &recorded, &given, cut)?;
         Ok(Completion { found, recorded, model: Rc::clone(model) })
+    }
+}
+
+/// The motion in which the numbers of `observed` [frames x columns] are given, and the missing ones, which are
+/// NaN, inferred.
+fn filled<S: ColumnMapping>(
+    model: &TrainedModel<S>,
+    observed: &[f64],
+    request: &RolloutRequest,
+) -> Result<Rolled, VcgpdmError> {
+    let (expected, found) = (request.frames.saturating_mul(model.body.column_means.len()), observed.len());
+    if found != expected {
+        let words = format_args!("expected {expected} numbers, one for each frame and column, found {found}");
+        return Err(VcgpdmError::new(ErrorCode::Rollout, &words));
+    }
+    let columns = DMatrix::from_row_slice(request.frames, model.body.column_means.len(), observed);
+    Ok(coupled(model)?.fill(request, &columns)?)
+}
+
+#[wasm_bindgen]
+impl Model {
+    /// Fills in the missing numbers of columns, NaN in `observed` [frames x columns], through the couplings: the
+    /// other numbers stay. The start of the options is not used.
+    pub fn fill(
+        &self,
+        observed: &[f64],
+        #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
+    ) -> Result<Rollout, VcgpdmError> {
+        let request: RolloutRequest = from_js(ErrorCode::Rollout, "fill", &options)?;
+        match &self.model {
+            Trained::Body(body) => Rollout::new(body, filled(body, observed, &request)?, &request),
+            Trained::Table(table) => {
+                Ok(Rollout::of_table(table, filled(table, observed, &request)?, request))
+            }
+        }
     }
 }
 

@@ -11,6 +11,8 @@ use crate::trained::column_names;
 use crate::trained::{Trained, coupled};
 use serde::Serialize;
 use std::rc::Rc;
+#[cfg(feature = "training")]
+use vcgpdm::models::SeriesModel;
 use vcgpdm::models::{ColumnMapping, Model, Rollout as Columns, RolloutRequest};
 use vcgpdm::motion::bvh;
 use vcgpdm::motion::measures::{PartMeasures, measures};
@@ -166,9 +168,15 @@ impl Rollout {
             #[cfg(feature = "training")]
             Trained::Table(table) => {
                 let rollout = columns(table, &request)?;
-                Ok(Self { rollout, positions: Vec::new(), model: model.clone(), request })
+                Ok(Self::of_table(table, rollout, request))
             }
         }
+    }
+
+    /// A rollout of a model of tables.
+    #[cfg(feature = "training")]
+    pub(crate) fn of_table(model: &Rc<SeriesModel>, rollout: Columns, request: RolloutRequest) -> Self {
+        Self { rollout, positions: Vec::new(), model: Trained::Table(Rc::clone(model)), request }
     }
 
     /// A rollout of a model of a body.

@@ -37,6 +37,8 @@ export interface SeriesRequest {
   /** Null: the learned couplings. */
   alpha: Couplings | null;
   reading: Reading;
+  /** Numbers that are given [frames x columns], NaN for those to infer; null: the model goes on from its start. */
+  observed: Float64Array | null;
 }
 
 export interface SeriesRollout {

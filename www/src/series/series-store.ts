@@ -1,4 +1,4 @@
-// The shown model of tables: its current couplings and its rollout.
+// The shown model of tables: its current couplings, its given columns and its rollout.
 import { CouplingsStore } from "../couplings/couplings-store";
 import { Latest } from "../engine/latest";
 import type { SeriesInfo, SeriesRequest, SeriesRollout, TrainedSeries } from "../engine/series-protocol";
@@ -8,6 +8,7 @@ import { download } from "../ui/download";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import { mayLose, type Work } from "../unsaved/unsaved";
+import { type Giver, GivenColumns } from "./given-columns";
 import { SeriesClock } from "./series-clock";
 import type { TableEntry, TablesStore } from "./tables-store";
 import { seriesWords } from "../words/series";
@@ -41,6 +42,7 @@ export class SeriesStore extends Store {
   readonly #document: OpenDocument<WholeCalls, SeriesInfo>;
   readonly #tables: TablesStore;
   readonly #rollouts: Latest<SeriesRequest, Rolled>;
+  readonly #given = new GivenColumns();
   #opened: OpenModel | null = null;
   #sequence = 0;
   #rolled: Rolled | null = null;
@@ -51,7 +53,7 @@ export class SeriesStore extends Store {
     this.#document = new OpenDocument(desk, (worker, text) => worker.openSeries(text));
     this.#tables = tables;
     // The visitor may have opened or removed the table that the rollout starts from.
-    tables.on(() => this.changed());
+    tables.on(() => (this.#given.isEmpty ? this.changed() : this.#request()));
     this.#rollouts = new Latest(
       (asked) => this.#roll(asked),
       (rolled) => this.#show(rolled),
@@ -135,10 +137,37 @@ export class SeriesStore extends Store {
   #takeUp({ opened, rolled }: { opened: OpenModel; rolled: Rolled }): void {
     this.#rollouts.drop();
     this.#opened = opened;
+    this.#given.clear();
     this.couplings.learn(opened.info.alpha ?? []);
     this.#sequence = 0;
     this.#rolled = null;
     this.#show(rolled);
+  }
+
+  /** Who moves a column; null: the model. */
+  giverOf(column: string): Giver | null {
+    return this.#given.giverOf(column);
+  }
+
+  /** Gives a column to the recording or to the visitor's hand, or back to the model: then it is missing. */
+  give(column: string, giver: Giver | null): void {
+    const { info } = this.#opened ?? {};
+    const [place, width] = [info?.columns.indexOf(column) ?? -1, info?.columns.length ?? 1];
+    const curve = this.rollout?.values.filter((_, i) => i % width === place) ?? new Float64Array();
+    this.#given.give(column, giver, curve);
+    this.#request();
+  }
+
+  /** Draws a line between two points, each a frame and a value, of a column by hand. */
+  draw(column: string, from: readonly [number, number], to: readonly [number, number]): void {
+    this.#given.draw(column, from, to);
+    this.#request();
+  }
+
+  /** Bends a column by hand at the frame of the clock. */
+  bend(column: string, by: number): void {
+    this.#given.bend(column, Math.round(this.clock.frame), by);
+    this.#request();
   }
 
   setSequence(sequence: number): void {
@@ -157,7 +186,9 @@ export class SeriesStore extends Store {
     const { info } = this.#opened ?? {};
     this.changed();
     if (!info) return;
-    const asked = asLearned(info, this.#sequence);
+    const learned = asLearned(info, this.#sequence);
+    const observed = this.#given.observed(info, learned.frames, this.recorded);
+    const asked = { ...learned, observed };
     const { alpha, altered, reading } = this.couplings;
     this.#rollouts.request(altered ? { ...asked, alpha, reading } : asked);
   }
@@ -169,7 +200,7 @@ export class SeriesStore extends Store {
     const before =
       opened === this.#opened && this.#rolled?.asked.sequence === asked.sequence ? this.#rolled : null;
     const learned = before?.learned ?? (await ask(asLearned(info, asked.sequence)));
-    return { asked, learned, rollout: asked.alpha ? await ask(asked) : learned };
+    return { asked, learned, rollout: asked.alpha || asked.observed ? await ask(asked) : learned };
   }
 
   #show(rolled: Rolled): void {
@@ -182,5 +213,5 @@ export class SeriesStore extends Store {
 
 function asLearned({ sequences }: SeriesInfo, sequence: number): SeriesRequest {
   const frames = Math.max(2, Math.round(AS_LONG * (sequences[sequence]?.frames ?? 0)));
-  return { frames, sequence, alpha: null, reading: "as-learned" };
+  return { frames, sequence, alpha: null, reading: "as-learned", observed: null };
 }

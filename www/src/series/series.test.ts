@@ -169,6 +169,32 @@ describe("a model of tables", () => {
     expect(program.series.rollouts.at(-1)).toMatchObject({ sequence: 1, frames: 15, alpha: null });
   });
 
+  it("infers columns from those that a recording or a hand gives, until the model moves all again", async () => {
+    const { tables, model } = series;
+    await model.open(seriesText(["a.csv"]));
+    await tables.open(file("a.csv"));
+    const asked = () => [...(program.series.rollouts.at(-1)?.observed ?? [])].slice(0, 9);
+    model.give("arm_y", "recording");
+    await settled();
+    // The recording has two rows.
+    const missing = Number.NaN;
+    expect(asked()).toEqual([missing, 2, missing, missing, 5, missing, missing, missing, missing]);
+    model.give("leg_x", "hand");
+    model.draw("leg_x", [0, 7], [1, 8]);
+    await settled();
+    expect(asked()).toEqual([missing, 2, 7, missing, 5, 8, missing, missing, 0]);
+    expect([model.giverOf("arm_y"), model.giverOf("leg_x"), model.giverOf("arm_x")]).toEqual([
+      ...["recording", "hand", null],
+    ]);
+    model.give("arm_y", null);
+    model.give("leg_x", null);
+    await settled();
+    expect(model.rollout).toBe(model.learned);
+    model.give("leg_x", "hand");
+    await model.open(seriesText(["b.csv"]));
+    expect(model.giverOf("leg_x")).toBeNull();
+  });
+
   it("of another kind has curves alone", async () => {
     const { model } = series;
     await model.open(seriesText(["a.csv"], { coupled: false }));

@@ -41,10 +41,14 @@ async function setOf(tables: readonly TableSource[]): Promise<TrainingSet> {
   }
 }
 
-function withRollout<Found>(request: SeriesRequest, look: (rollout: Rollout, parts: number) => Found): Found {
+function withRollout<Found>(
+  { observed, ...options }: SeriesRequest,
+  look: (rollout: Rollout, parts: number) => Found,
+): Found {
   if (!open) throw new Error("There is no model yet: open one.");
   const { model, parts } = open;
-  return using(model.rollout(request), (rollout) => look(rollout, parts));
+  const rollout = observed ? model.fill(observed, options) : model.rollout(options);
+  return using(rollout, (rollout) => look(rollout, parts));
 }
 
 export const seriesWorker: SeriesWorker = {

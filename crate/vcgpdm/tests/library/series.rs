@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 use vcgpdm::document::Document;
 use vcgpdm::models::{
-    Dataset, DmpSettings, MapSettings, Model, SeriesModel, Settings, TmpSettings, Trainer,
+    Dataset, DmpSettings, MapSettings, Model, RolloutRequest, SeriesModel, Settings, TmpSettings, Trainer,
     VariationalSettings,
 };
 use vcgpdm::series::{Table, parse_parts, read, write};
@@ -115,4 +115,28 @@ fn wrong_documents_of_tables_are_refused() {
     let body = include_str!("documents/vcgpdm.json");
     assert!(matches!(Document::from_json(body), Ok(Document::Body(_))));
     assert!(Model::coupled_from_json(body).is_ok());
+}
+
+#[test]
+fn a_model_of_tables_fills_in_the_column_that_is_missing() {
+    let model =
+        trained(1.0, Settings::Vcgpdm(VariationalSettings { max_iterations: 150, ..SMALL }), TWO_PARTS);
+    let recorded = &tables(1.0)[1].values;
+    let mut given = recorded.clone();
+    given.column_mut(2).fill(f64::NAN);
+    // A column that is given for some time only.
+    given.view_mut((40, 0), (20, 2)).fill(f64::NAN);
+    let model = model.coupled().unwrap();
+    let found = model.fill(&RolloutRequest::default(), &given).unwrap();
+    assert!(found.y.iter().all(|y| y.is_finite()));
+    assert!(given.iter().zip(found.y.iter()).all(|(given, found)| given.is_nan() || given == found));
+    let error = |rows: std::ops::Range<usize>| -> f64 {
+        rows.map(|t| (found.y[(t, 2)] - recorded[(t, 2)]).powi(2)).sum::<f64>() / 20.0
+    };
+    // The follower's variance is 0.32.
+    assert!(error(10..30) < 0.05 && error(40..60) < 0.15, "{} {}", error(10..30), error(40..60));
+    let weights = found.weights.column_sum();
+    assert!(found.latents.len() == 2 && weights.nrows() == 2, "{weights}");
+    let narrow = model.fill(&RolloutRequest::default(), &given.columns(0, 1).into_owned());
+    assert_eq!(narrow.unwrap_err().to_string(), "expected 3 columns, found 1");
 }

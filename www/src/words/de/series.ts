@@ -49,7 +49,7 @@ export const series: SeriesWords = {
   saveModel: "Modell, JSON",
   saveModelMeaning: "Öffnet sich hier und im Terminal",
   recorded:
-    "In Farbe: das Modell allein, ab den ersten Zeilen der Tabelle. Gestrichelt: was aufgenommen wurde.",
+    "In Farbe: das Modell allein, ab den ersten Zeilen der Tabelle, oder was es aus gegebenen Spalten erschließt. Gestrichelt: was aufgenommen wurde.",
   notRecorded:
     "Das Modell allein. Seine Datei enthält nicht, was aufgenommen wurde: Öffne die Tabellen, um es gestrichelt zu sehen.",
   provenance: (engine, iterations, seed) =>
@@ -70,6 +70,14 @@ export const series: SeriesWords = {
   overTime: "Spalten über der Zeit",
   time: "Zeit (s)",
   curve: (name, recorded) => `${name} über der Zeit, ausgerollt${recorded ? " und aufgenommen" : ""}`,
+  givers: {
+    who: (name) => `Wer ${name} gibt`,
+    model: "das Modell",
+    recording: "die Aufnahme",
+    hand: "von Hand",
+    draw: (name) =>
+      `${name} von Hand: Ziehen zeichnet die Kurve, die Pfeiltasten biegen sie zur gezeigten Zeit.`,
+  },
   unsaved: "das Modell von Tabellen, das hier trainiert wurde",
   noModel: "Es gibt noch kein Modell: Trainiere eines, oder öffne eines.",
 };

@@ -50,7 +50,7 @@ export const series = {
   saveModel: "Model, JSON",
   saveModelMeaning: "Opens here and in the terminal",
   recorded:
-    "In colour: the model on its own, from the first rows of the table on. Dashed: what was recorded.",
+    "In colour: the model on its own, from the first rows of the table on, or what it infers from the columns that are given. Dashed: what was recorded.",
   notRecorded:
     "The model on its own. Its file does not hold what was recorded: open the tables to see them dashed.",
   provenance: (engine: string, iterations: number, seed: number) =>
@@ -71,6 +71,15 @@ export const series = {
   time: "time (s)",
   curve: (name: string, recorded: boolean) =>
     `${name} against time, rolled out${recorded ? " and recorded" : ""}`,
+  /** Who moves a column. */
+  givers: {
+    who: (name: string) => `Who gives ${name}`,
+    model: "the model",
+    recording: "the recording",
+    hand: "you, by hand",
+    draw: (name: string) =>
+      `${name} by hand: drag to draw its curve, or bend the curve at the time shown with the arrow keys.`,
+  },
   unsaved: "the model of tables that was trained here",
   noModel: "There is no model yet: train one or open one.",
 };

@@ -2,8 +2,10 @@
 
 use crate::models::data::column_mapping::ColumnMapping;
 use crate::models::fitted::coupled::Coupled;
+use crate::models::rollout::couplings::coupling_weight_matrix;
 use crate::models::rollout::request::{Rollout, RolloutError, RolloutRequest};
 use crate::models::variational::{Filter, LatentMoments, ObservationError};
+use crate::motion::pose::PoseError;
 use nalgebra::DMatrix;
 
 /// Where in the movement a recording starts follows from this time of it, in seconds.
@@ -37,6 +39,32 @@ impl<S: ColumnMapping> Coupled<'_, S> {
     ) -> Result<LatentMoments, ObservationError> {
         let searched = (SEARCHED / self.body.frame_time).round() as usize;
         Ok(filter.smoothed(&filter.run_from_best(observed, searched)?)?)
+    }
+
+    /// The motion in which columns [frames x D] are as they are given, and their missing numbers, which are NaN,
+    /// are inferred under the couplings of a request.
+    ///
+    /// # Errors
+    ///
+    /// When the rows have another number of columns, and as [`Coupled::filter`] and [`Coupled::infer`].
+    #[doc(hidden)]
+    pub fn fill(
+        &self,
+        request: &RolloutRequest,
+        columns: &DMatrix<f64>,
+    ) -> Result<Rollout, ObservationError> {
+        self.check_frames(columns.nrows())?;
+        let (expected, found) = (self.body.column_means.len(), columns.ncols());
+        if found != expected {
+            return Err(RolloutError::from(PoseError::Columns { expected, found }).into());
+        }
+        let filter = self.filter(request)?;
+        let latents = self.infer(&filter, &self.body.centred(columns))?;
+        let parts = (0..latents.means.len()).map(|part| filter.mean_columns(part, &latents));
+        let means = self.body.columns(&parts.collect::<Result<Vec<_>, _>>()?);
+        let y = columns.zip_map(&means, |given, mean| if given.is_nan() { mean } else { given });
+        let weights = coupling_weight_matrix(request.alpha_or(&self.model.alpha));
+        Ok(Rollout { latents: latents.means, y, weights })
     }
 
     /// The mean rollout that begins with these latents [frames x Q_i] of each part, p frames or more, in place
