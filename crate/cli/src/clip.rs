@@ -1,5 +1,6 @@
 //! `vcgpdm clip`: prints what is in a clip, and writes the clip back.
 
+use crate::clips::{self, Names, Up};
 use crate::files;
 use crate::numbers::{check_fps, check_within};
 use serde_json::json;
@@ -24,13 +25,12 @@ pub struct Arguments {
     #[arg(long, value_name = "F")]
     fps: Option<f64>,
     #[command(flatten)]
-    up: files::Up,
+    up: Up,
     /// Write the clip to this file.
     #[arg(long, value_name = "OUT.bvh")]
     out: Option<PathBuf>,
-    /// Write names of letters, digits, "_" and "-" only, without a prefix such as "mixamorig:".
-    #[arg(long, requires = "out")]
-    plain_names: bool,
+    #[command(flatten)]
+    names: Names,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
@@ -38,18 +38,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         check_fps(fps)?;
     }
     let skeleton = arguments.clip.as_path();
-    let clip = match &arguments.motion {
-        None => files::read_clip(skeleton)?,
+    let mut clip = match &arguments.motion {
+        None => clips::read_quietly(skeleton, &arguments.up)?,
         Some(motion) => {
             check_within("--amc-fps", "frames a second", 0.1..=100_000.0, arguments.amc_fps)?;
             let (skeleton_bytes, motion_bytes) = (files::read_bytes(skeleton)?, files::read_bytes(motion)?);
             let (skeleton_name, motion_name) = (files::read_name(skeleton), files::read_name(motion));
             let skeleton = asf::File { name: &skeleton_name, bytes: &skeleton_bytes };
             let motion = asf::File { name: &motion_name, bytes: &motion_bytes };
-            asf::read(skeleton, motion, arguments.amc_fps)?.into_clip()
+            arguments.up.of(asf::read(skeleton, motion, arguments.amc_fps)?.into_clip())
         }
     };
-    let mut clip = arguments.up.of(clip);
     if let Some(out) = &arguments.out {
         files::check_writable(out, [skeleton].into_iter().chain(arguments.motion.as_deref()))?;
     }
@@ -57,7 +56,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         clip = clip.resample(fps)?;
     }
     if let Some(out) = &arguments.out {
-        files::write_text(out, &files::bvh(clip.clone(), arguments.plain_names))?;
+        files::write_text(out, &arguments.names.bvh(clip.clone()))?;
     }
     let joints = clip.skeleton.joints.iter().map(|joint| {
         let channels: Vec<&str> = joint.channels.iter().map(|channel| channel.name()).collect();

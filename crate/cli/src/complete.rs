@@ -1,5 +1,6 @@
 //! `vcgpdm complete`: infers the parts of a clip that are not given.
 
+use crate::clips::{self, Up};
 use crate::files;
 use crate::numbers::check_within;
 use crate::rollout;
@@ -47,7 +48,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let given = given(&arguments.given, &model.body)?;
     let read = [arguments.model.as_path(), arguments.clip.as_path()];
     files::check_outs(arguments.out.iter().map(|out| ("--out", out)), read)?;
-    let clip = files::read_clip(&arguments.clip)?;
+    let clip = clips::read(&arguments.clip, &Up::default())?;
     let columns = model.body.encode(&clip)?;
     let cut = arguments.until.map(|until| frame_of(until, &model, columns.nrows())).transpose()?;
     let completed = coupled

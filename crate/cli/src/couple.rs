@@ -1,9 +1,10 @@
 //! `vcgpdm couple`: combines primitives of a library in a new way.
 
+use crate::clips::Up;
 use crate::numbers::whole;
 use crate::train::{objective, train_steps};
 use crate::usage::usage;
-use crate::{files, library};
+use crate::{clips, files, library};
 use serde_json::json;
 use std::error::Error;
 use std::path::PathBuf;
@@ -63,7 +64,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             trained.add(trained.library.nearest_combination(name, &uses)?, sequences)?;
         } else {
             let mut clips = Vec::new();
-            for clip in files::read_clips(&arguments.clips, &files::Up::default())? {
+            for clip in clips::read_all(&arguments.clips, &Up::default())? {
                 clips.push(trained.encode(&clip)?);
             }
             let mut trainer = CouplingTrainer::new(&trained, &uses, &clips, arguments.max_iterations)?;

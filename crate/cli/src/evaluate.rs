@@ -1,5 +1,6 @@
 //! `vcgpdm evaluate`: compares models by leave-one-trial-out cross-validation, in parallel and resumable.
 
+use crate::clips::{self, Up};
 use crate::numbers::{check_fps, whole};
 use crate::progress::{Progress, say};
 use crate::store::{Next, Store};
@@ -88,7 +89,7 @@ pub struct Arguments {
     #[arg(long, value_name = "F", default_value_t = 30.0)]
     fps: f64,
     #[command(flatten)]
-    up: files::Up,
+    up: Up,
     /// Predict from this number of first frames of the trial held out.
     #[arg(long, value_name = "N", default_value_t = START_FRAMES as u16, value_parser = whole(1..=u16::MAX))]
     start_frames: u16,
@@ -110,7 +111,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     check_fps(arguments.fps)?;
-    let mut clips = files::read_clips(&arguments.clips, &arguments.up)?;
+    let mut clips = clips::read_all(&arguments.clips, &arguments.up)?;
     if arguments.whole_cycles {
         clips = whole_cycles(&clips, arguments.fps)?.0;
     }

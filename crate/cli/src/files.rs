@@ -9,59 +9,8 @@ use std::fs::{self, File};
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use vcgpdm::motion::stage::UpAxis;
-use vcgpdm::motion::{Clip, bvh, samples};
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
-
-/// Reads a BVH file, or makes the sample clip that `sample:ID` names.
-pub fn read_clip(path: &Path) -> Result<Clip> {
-    if let Some(id) = path.to_str().and_then(|path| path.strip_prefix("sample:")) {
-        return samples::clip(id).ok_or_else(|| {
-            let samples: Vec<&str> = samples::list().iter().map(|info| info.id).collect();
-            format!("expected one of the samples {}, found {id:?}", samples.join(", ")).into()
-        });
-    }
-    let bytes = read_bytes(path)?;
-    Ok(bvh::read(&read_name(path), &bytes)?.into_clip())
-}
-
-/// Reads BVH files, or makes the sample clips that they name.
-pub fn read_clips(paths: &[PathBuf], up: &Up) -> Result<Vec<Clip>> {
-    paths.iter().map(|path| Ok(up.of(read_clip(path)?))).collect()
-}
-
-/// The option `--up`.
-#[derive(Default, clap::Args)]
-pub struct Up {
-    /// The axis that points up in the clips: x, y, z, -x, -y or -z; absent: found from the motion.
-    #[arg(long = "up", value_name = "AXIS", value_parser = up_axis, allow_hyphen_values = true)]
-    pub axis: Option<UpAxis>,
-}
-
-impl Up {
-    /// The clip with the axis that the user states.
-    pub fn of(&self, clip: Clip) -> Clip {
-        Clip { up: self.axis.or(clip.up), ..clip }
-    }
-}
-
-fn up_axis(text: &str) -> std::result::Result<UpAxis, String> {
-    UpAxis::from_name(text).ok_or_else(|| "expected x, y, z, -x, -y or -z".to_owned())
-}
-
-/// The text of a BVH file.
-pub fn bvh(clip: Clip, plain_names: bool) -> String {
-    bvh::write(&if plain_names { clip.with_plain_names() } else { clip })
-}
-
-/// The clip of this content. `name` is its name in the file that needs the clip.
-pub fn find_clip<'a>(clips: &'a [Clip], name: &str, sha256: &str) -> Result<&'a Clip> {
-    clips.iter().find(|clip| clip.sha256 == sha256).ok_or_else(|| {
-        let start: String = sha256.chars().take(8).collect();
-        format!("expected the clip {name} (SHA-256 {start}...) among those given, found none").into()
-    })
-}
 
 /// Name of the input file as stored in outputs.
 pub fn read_name(path: &Path) -> String {

@@ -6,6 +6,7 @@
 
 mod bound;
 mod clip;
+mod clips;
 mod complete;
 mod couple;
 mod evaluate;

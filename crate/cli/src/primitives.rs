@@ -1,5 +1,6 @@
 //! `vcgpdm primitives`: lists the primitives of a library, saves some, or adds those of another library.
 
+use crate::clips::{self, Up};
 use crate::files;
 use crate::library::{primitives_by_part, read};
 use crate::numbers::whole;
@@ -126,7 +127,7 @@ fn relearn(
         }
     }
     let mut clips = Vec::new();
-    for clip in files::read_clips(&arguments.clips, &files::Up::default())? {
+    for clip in clips::read_all(&arguments.clips, &Up::default())? {
         clips.push(library.encode(&clip)?);
     }
     let frames = match (clips.is_empty(), arguments.generated) {

@@ -1,5 +1,6 @@
 //! `vcgpdm recognise`: which movement of a library a clip shows, moment by moment.
 
+use crate::clips::{self, Up};
 use crate::files;
 use crate::library::{primitives_by_part, read};
 use serde_json::{Value, json};
@@ -35,7 +36,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let read = std::iter::once(&arguments.library).chain(&arguments.clips).map(PathBuf::as_path);
     files::check_outs(arguments.out.iter().map(|out| ("--out", out)), read)?;
-    let clips = arguments.clips.iter().map(|clip| files::read_clip(clip)).collect::<Result<Vec<_>, _>>()?;
+    let clips = clips::read_all(&arguments.clips, &Up::default())?;
     let found = library.recognise(&clips.iter().collect::<Vec<_>>())?;
     let names: Vec<&str> = movements.iter().map(|movement| movement.name.as_str()).collect();
     let frame_time = library.body.frame_time;

@@ -1,5 +1,6 @@
 //! `vcgpdm reproduce`: trains a model again with the settings of its file, and compares.
 
+use crate::clips::{self, Up};
 use crate::numbers::whole;
 use crate::usage::usage;
 use crate::{files, interrupt};
@@ -58,8 +59,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         files::check_writable(out, read.chain([path.as_path()]))?;
     }
     // The axis that pointed up in the recorded training: found, or stated by the user.
-    let up = files::Up { axis: Some(recorded.body.mapping.stage().up) };
-    let given = files::read_clips(&arguments.clips, &up)?;
+    let up = Up { axis: Some(recorded.body.mapping.stage().up) };
+    let given = clips::read_all(&arguments.clips, &up)?;
     let infos = &recorded.body.sequences;
     let clips = infos.iter().map(|info| clip_of(info, infos, &given)).collect::<Result<Vec<_>, _>>()?;
     let first_frames = |info: &SequenceInfo| (!info.whole).then_some(info.frames);
@@ -119,7 +120,7 @@ fn is_combination(model: &FittedModel) -> bool {
 
 /// The clip of a sequence, with the bones of the training.
 fn clip_of(info: &SequenceInfo, infos: &[SequenceInfo], given: &[Clip]) -> Result<Clip, Box<dyn Error>> {
-    let find = |info: &SequenceInfo| files::find_clip(given, &info.name, &info.sha256);
+    let find = |info: &SequenceInfo| clips::find(given, &info.name, &info.sha256);
     let mut clip = find(info)?.clone();
     if let Some(name) = &info.bones_of {
         let owner = owner_of(name, infos);

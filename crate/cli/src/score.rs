@@ -1,5 +1,6 @@
 //! `vcgpdm score`: the error of a rollout compared with a whole trial.
 
+use crate::clips::{self, Up};
 use crate::files;
 use crate::numbers::whole;
 use std::error::Error;
@@ -23,7 +24,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = crate::rollout::read_model(&arguments.model)?;
     let body = &model.body;
-    let clip = files::read_clip(&arguments.clip)?;
+    let clip = clips::read(&arguments.clip, &Up::default())?;
     let actual = body.encode(&clip)?;
     let predicted = model.rollout(arguments.from, actual.nrows())?;
     files::print_json(&dtw_mse(&predicted, &actual)?)

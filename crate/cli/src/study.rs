@@ -1,5 +1,6 @@
 //! `vcgpdm study`: makes a study of perceived naturalness from an evaluation and its clips.
 
+use crate::clips::{self, Up};
 use crate::evaluate::models;
 use crate::numbers::{check_within, whole};
 use crate::progress::Progress;
@@ -38,7 +39,7 @@ pub struct Arguments {
     #[arg(long, value_name = "CLIP", num_args = 1.., value_delimiter = ',')]
     unseen: Vec<PathBuf>,
     #[command(flatten)]
-    up: files::Up,
+    up: Up,
     /// Only these models: all, or ids; absent: all.
     #[arg(long, value_name = "all|ID,ID")]
     models: Option<String>,
@@ -160,9 +161,9 @@ fn look(id: &str) -> Result<Look, Box<dyn Error>> {
 fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> {
     let results = results::read(&arguments.source)?;
     let setting = results.setting();
-    let given = files::read_clips(&arguments.clips, &arguments.up)?;
+    let given = clips::read_all(&arguments.clips, &arguments.up)?;
     let clips = setting.trials.iter().map(|trial| clip_of(trial, &given)).collect::<Result<Vec<_>, _>>()?;
-    let unseen = files::read_clips(&arguments.unseen, &arguments.up)?;
+    let unseen = clips::read_all(&arguments.unseen, &arguments.up)?;
     let best = best(arguments, &results)?;
     let (rate, start) = (setting.frames_per_second, setting.start_frames);
 
@@ -196,7 +197,7 @@ fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> 
 
 /// The clip of a trial, cut as in the evaluation.
 fn clip_of(trial: &TrialClip, given: &[Clip]) -> Result<Clip, Box<dyn Error>> {
-    let clip = files::find_clip(given, &trial.name, &trial.sha256)?;
+    let clip = clips::find(given, &trial.name, &trial.sha256)?;
     Ok(match trial.piece {
         Some((first, end)) => clip.cut(first, end)?,
         None => clip.clone(),

@@ -4,6 +4,7 @@ mod latents;
 mod parse;
 mod summary;
 
+use crate::clips::{self, Names, Up};
 use crate::files;
 use crate::numbers::whole;
 use crate::rollout::parse::Start;
@@ -18,6 +19,7 @@ use vcgpdm::internals::counted;
 use vcgpdm::models::{
     Body, ColumnMapping, Coupled, MOST_FRAMES, MOST_SAMPLES, Model, Reading, Rollout, RolloutRequest,
 };
+use vcgpdm::motion::Clip;
 use vcgpdm::series;
 
 /// Roll a model out and write the motion as BVH, or its columns as CSV.
@@ -66,9 +68,8 @@ pub struct Arguments {
     /// Write the motion to this file. A model of tables has no motion, only columns.
     #[arg(long, value_name = "OUT.bvh", required_unless_present = "columns")]
     out: Option<PathBuf>,
-    /// Write names of letters, digits, "_" and "-" only, without a prefix such as "mixamorig:".
-    #[arg(long, requires = "out")]
-    plain_names: bool,
+    #[command(flatten)]
+    names: Names,
     /// Write all predicted columns with a header row to this file: of a body, the rates of the root and the
     /// rotation vectors of the joints.
     #[arg(long, value_name = "OUT.csv")]
@@ -114,10 +115,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         Document::Body(model) => {
             let motion = |body: &Body, y: &DMatrix<f64>, out: &Path| -> Result<(), Box<dyn Error>> {
                 let clip = body.clip(y, &files::name_of(out))?;
-                files::write_text(out, &files::bvh(clip, arguments.plain_names))
+                files::write_text(out, &arguments.names.bvh(clip))
             };
             let given = match (&arguments.from, model.coupled()) {
-                (Start::Clip { clip, frames }, Some(model)) => Some(observed(model, clip, *frames)?),
+                (Start::Clip { clip, frames }, Some(model)) => {
+                    Some(observed(model, &clips::read(clip, &Up::default())?, *frames)?)
+                }
                 _ => None,
             };
             let rolled_out = roll_out(arguments, &model, given.as_deref(), &motion)?;
@@ -143,9 +146,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 }
 
 /// The latents [frames x Q_i] of each part in the first frames of a clip.
-fn observed(model: Coupled, clip: &Path, frames: usize) -> Result<Vec<DMatrix<f64>>, Box<dyn Error>> {
-    let clip = files::read_clip(clip)?;
-    let columns = model.body.encode(&clip)?;
+fn observed(model: Coupled, clip: &Clip, frames: usize) -> Result<Vec<DMatrix<f64>>, Box<dyn Error>> {
+    let columns = model.body.encode(clip)?;
     let found = columns.nrows();
     if found < frames {
         let found = counted(found, "frame");

@@ -1,6 +1,6 @@
 //! The arguments of `vcgpdm train`.
 
-use crate::files;
+use crate::clips::Up;
 use crate::train::kind;
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -49,7 +49,7 @@ pub struct Arguments {
     #[arg(long)]
     pub(super) first_bones: bool,
     #[command(flatten)]
-    pub(super) up: files::Up,
+    pub(super) up: Up,
     /// Store a note in the model, such as an acknowledgement.
     #[arg(long, value_name = "TEXT")]
     pub(super) note: Option<String>,

@@ -1,5 +1,6 @@
 //! `vcgpdm train --movement`: trains a library of primitives on clips of several movements.
 
+use crate::clips;
 use crate::files;
 use crate::library::primitives_by_part;
 use crate::numbers::check_fps;
@@ -47,7 +48,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     check_fps(arguments.fps)?;
     let paths: Vec<PathBuf> = movements.iter().flat_map(|movement| movement.clips.clone()).collect();
-    let mut clips = files::read_clips(&paths, &arguments.up)?;
+    let clips = paths.iter().map(|path| clips::read_quietly(path, &arguments.up));
+    let mut clips = clips.collect::<Result<Vec<_>, _>>()?;
     if arguments.first_bones {
         let first = clips[0].clone();
         for clip in &mut clips {

@@ -13,6 +13,7 @@ pub use kind::{objective, pose_weight, weight};
 use steps::warn_of_training;
 pub use steps::{train_steps, warn_of_cost};
 
+use crate::clips;
 use crate::files;
 use crate::numbers::check_fps;
 use crate::progress::say;
@@ -47,11 +48,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         return train(arguments, split, &dataset, |model| model.to_json());
     }
     check_fps(arguments.fps)?;
-    let mut clips: Vec<(Clip, Option<usize>)> =
-        files::read_clips(&arguments.clips, &arguments.up)?.into_iter().map(|clip| (clip, None)).collect();
+    let mut clips: Vec<(Clip, Option<usize>)> = Vec::new();
+    for path in &arguments.clips {
+        clips.push((clips::read_quietly(path, &arguments.up)?, None));
+    }
     for text in &arguments.seed_frames {
         let (path, count) = seed_frames(text)?;
-        clips.push((arguments.up.of(files::read_clip(&path)?), Some(count)));
+        clips.push((clips::read_quietly(&path, &arguments.up)?, Some(count)));
     }
     if arguments.first_bones {
         let first = clips[0].0.clone();

@@ -97,3 +97,19 @@ pub fn one_frame(folder: &Path) -> PathBuf {
         .unwrap();
     short
 }
+
+/// Writes a clip under a root that stands still, as MotionBuilder and game engines write them. All names have a
+/// prefix. The root turns the motion by `turn` degrees about x: by 90, z points up.
+pub fn under_a_still_root(clip: &str, turn: f64, out: &Path) {
+    prints(&["clip", clip, "--out", text(out)]);
+    let text = fs::read_to_string(out).unwrap();
+    let (hierarchy, motion) = text.split_once("MOTION\n").unwrap();
+    let body = hierarchy.trim_start_matches("HIERARCHY\n").replacen("ROOT ", "JOINT ", 1);
+    let body = body.replace("JOINT ", "JOINT rig:");
+    let (head, rows) = motion.split_at(motion.find("Frame Time").unwrap());
+    let (time, rows) = rows.split_once('\n').unwrap();
+    let rows: String = rows.lines().map(|row| format!("0 0 0 0 {turn} 0 {row}\n")).collect();
+    let root = "ROOT rig:Reference\n{\n\tOFFSET 0 0 0\n\tCHANNELS 6 Xposition Yposition Zposition Zrotation \
+                Xrotation Yrotation\n";
+    fs::write(out, format!("HIERARCHY\n{root}{body}}}\nMOTION\n{head}{time}\n{rows}")).unwrap();
+}

@@ -1,6 +1,6 @@
 //! Tests of `vcgpdm clip`, and of files that are read and written.
 
-use crate::call::{fails, folder, json, json_and_stderr, prints, text};
+use crate::call::{fails, folder, json, json_and_stderr, prints, text, under_a_still_root};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -47,22 +47,6 @@ fn the_user_can_state_the_axis_that_points_up() {
     assert!(err.contains("expected x, y, z, -x, -y or -z"), "{err}");
 }
 
-/// A file of the sample walk under a root that stands still, as MotionBuilder and game engines write them.
-/// All names have a prefix.
-fn under_a_still_root(out: &Path) {
-    json(&["clip", "sample:walk-1", "--out", text(out)]);
-    let text = fs::read_to_string(out).unwrap();
-    let (hierarchy, motion) = text.split_once("MOTION\n").unwrap();
-    let body = hierarchy.trim_start_matches("HIERARCHY\n").replacen("ROOT ", "JOINT ", 1);
-    let body = body.replace("JOINT ", "JOINT rig:");
-    let (head, rows) = motion.split_at(motion.find("Frame Time").unwrap());
-    let (time, rows) = rows.split_once('\n').unwrap();
-    let rows: String = rows.lines().map(|row| format!("0 0 0 0 0 0 {row}\n")).collect();
-    let root = "ROOT rig:Reference\n{\n\tOFFSET 0 0 0\n\tCHANNELS 6 Xposition Yposition Zposition Zrotation \
-                Xrotation Yrotation\n";
-    fs::write(out, format!("HIERARCHY\n{root}{body}}}\nMOTION\n{head}{time}\n{rows}")).unwrap();
-}
-
 /// The way over the ground of the root of a BVH file, in file units a second.
 fn speed(path: &Path) -> f64 {
     let text = fs::read_to_string(path).unwrap();
@@ -87,7 +71,7 @@ fn hips_below_a_still_root_travel_at_their_own_speed_after_training() {
     let folder = folder("still-root");
     let [walk, own, model, out] =
         ["walk.bvh", "own.bvh", "model.json", "out.bvh"].map(|name| folder.join(name));
-    under_a_still_root(&walk);
+    under_a_still_root("sample:walk-1", 0.0, &walk);
     let info = json(&["clip", text(&walk), "--out", text(&own)]);
     assert_eq!(info["joints"].as_array().map(Vec::len), Some(21));
     assert_eq!(

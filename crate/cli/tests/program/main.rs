@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::disallowed_methods)]
 
 mod call;
+mod clips;
 mod columns;
 mod commands;
 mod complete;

@@ -1,0 +1,78 @@
+//! Reading and writing clips for all commands, and the options for it.
+
+use crate::files::{read_bytes, read_name};
+use crate::progress::say;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use vcgpdm::motion::stage::UpAxis;
+use vcgpdm::motion::{Clip, bvh, samples};
+
+type Result<T> = std::result::Result<T, Box<dyn Error>>;
+
+/// Reads a BVH file, or makes the sample clip that `sample:ID` names. Writes to stderr what is unusual in the
+/// file.
+pub fn read(path: &Path, up: &Up) -> Result<Clip> {
+    let clip = read_quietly(path, up)?;
+    clip.warnings.iter().for_each(|warning| say(&format!("{}: {warning}", clip.name)));
+    Ok(clip)
+}
+
+/// Reads several clips; see [`read`].
+pub fn read_all(paths: &[PathBuf], up: &Up) -> Result<Vec<Clip>> {
+    paths.iter().map(|path| read(path, up)).collect()
+}
+
+/// As [`read`], for commands whose results have the warnings of the clip.
+pub fn read_quietly(path: &Path, up: &Up) -> Result<Clip> {
+    if let Some(id) = path.to_str().and_then(|path| path.strip_prefix("sample:")) {
+        let clip = samples::clip(id).ok_or_else(|| {
+            let samples: Vec<&str> = samples::list().iter().map(|info| info.id).collect();
+            format!("expected one of the samples {}, found {id:?}", samples.join(", "))
+        })?;
+        return Ok(up.of(clip));
+    }
+    let bytes = read_bytes(path)?;
+    Ok(up.of(bvh::read(&read_name(path), &bytes)?.into_clip()))
+}
+
+/// The option `--up`.
+#[derive(Default, clap::Args)]
+pub struct Up {
+    /// The axis that points up in the clips: x, y, z, -x, -y or -z; absent: found from the motion.
+    #[arg(long = "up", value_name = "AXIS", value_parser = up_axis, allow_hyphen_values = true)]
+    pub axis: Option<UpAxis>,
+}
+
+impl Up {
+    /// The clip with the axis that the user states.
+    pub fn of(&self, clip: Clip) -> Clip {
+        Clip { up: self.axis.or(clip.up), ..clip }
+    }
+}
+
+fn up_axis(text: &str) -> std::result::Result<UpAxis, String> {
+    UpAxis::from_name(text).ok_or_else(|| "expected x, y, z, -x, -y or -z".to_owned())
+}
+
+/// The option `--plain-names` of commands that write a clip to `--out`.
+#[derive(clap::Args)]
+pub struct Names {
+    /// Write names of letters, digits, "_" and "-" only, without a prefix such as "mixamorig:".
+    #[arg(long = "plain-names", requires = "out")]
+    plain: bool,
+}
+
+impl Names {
+    /// The text of a BVH file.
+    pub fn bvh(&self, clip: Clip) -> String {
+        bvh::write(&if self.plain { clip.with_plain_names() } else { clip })
+    }
+}
+
+/// The clip of this content. `name` is its name in the file that needs the clip.
+pub fn find<'a>(clips: &'a [Clip], name: &str, sha256: &str) -> Result<&'a Clip> {
+    clips.iter().find(|clip| clip.sha256 == sha256).ok_or_else(|| {
+        let start: String = sha256.chars().take(8).collect();
+        format!("expected the clip {name} (SHA-256 {start}...) among those given, found none").into()
+    })
+}
