@@ -2,6 +2,7 @@
 
 use crate::files::{read_bytes, read_name};
 use crate::progress::say;
+use crate::usage::usage;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use vcgpdm::motion::stage::UpAxis;
@@ -38,7 +39,8 @@ pub fn read_quietly(path: &Path, up: &Up) -> Result<Clip> {
 /// The option `--up`.
 #[derive(Default, clap::Args)]
 pub struct Up {
-    /// The axis that points up in the clips: x, y, z, -x, -y or -z; absent: found from the motion.
+    /// The axis that points up in the clips: x, y, z, -x, -y or -z; absent: the axis of the model, or the axis
+    /// found from the motion.
     #[arg(long = "up", value_name = "AXIS", value_parser = up_axis, allow_hyphen_values = true)]
     pub axis: Option<UpAxis>,
 }
@@ -47,6 +49,14 @@ impl Up {
     /// The clip with the axis that the user states.
     pub fn of(&self, clip: Clip) -> Clip {
         Clip { up: self.axis.or(clip.up), ..clip }
+    }
+
+    /// Refuses the option if the command reads no clip. `expected` is the option that would give a clip.
+    pub fn check(&self, reads_clips: bool, expected: &str) -> Result<()> {
+        if reads_clips || self.axis.is_none() {
+            return Ok(());
+        }
+        Err(usage(format!("--up: expected {expected} with it")))
     }
 }
 

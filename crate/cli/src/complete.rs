@@ -37,6 +37,8 @@ pub struct Arguments {
     /// Write the completed motion to this file: the given parts as recorded, the others as inferred.
     #[arg(long, value_name = "OUT.bvh")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    up: Up,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
@@ -48,7 +50,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let given = given(&arguments.given, &model.body)?;
     let read = [arguments.model.as_path(), arguments.clip.as_path()];
     files::check_outs(arguments.out.iter().map(|out| ("--out", out)), read)?;
-    let clip = clips::read(&arguments.clip, &Up::default())?;
+    let clip = clips::read(&arguments.clip, &arguments.up)?;
     let columns = model.body.encode(&clip)?;
     let cut = arguments.until.map(|until| frame_of(until, &model, columns.nrows())).transpose()?;
     let completed = coupled

@@ -28,6 +28,8 @@ pub struct Arguments {
     /// Fit the couplings to this clip, a BVH file or sample:ID; may be given several times.
     #[arg(long = "clip", value_name = "CLIP")]
     clips: Vec<PathBuf>,
+    #[command(flatten)]
+    up: Up,
     /// Most iterations of the fit.
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = whole(1..=MOST_ITERATIONS))]
     max_iterations: usize,
@@ -43,6 +45,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    arguments.up.check(!arguments.clips.is_empty(), "--clip")?;
     let mut trained = library::read(&arguments.library)?;
     let uses = trained.read_uses(&arguments.uses).map_err(|error| usage(format!("--use: {error}")))?;
     let read = arguments.clips.iter().map(PathBuf::as_path).chain([arguments.library.as_path()]);
@@ -64,7 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             trained.add(trained.library.nearest_combination(name, &uses)?, sequences)?;
         } else {
             let mut clips = Vec::new();
-            for clip in clips::read_all(&arguments.clips, &Up::default())? {
+            for clip in clips::read_all(&arguments.clips, &arguments.up)? {
                 clips.push(trained.encode(&clip)?);
             }
             let mut trainer = CouplingTrainer::new(&trained, &uses, &clips, arguments.max_iterations)?;

@@ -41,6 +41,8 @@ pub struct Arguments {
     /// Learn from this clip of their movement, a BVH file or sample:ID; may be given several times.
     #[arg(long = "clip", value_name = "CLIP", requires = "relearn")]
     clips: Vec<PathBuf>,
+    #[command(flatten)]
+    up: Up,
     /// Learn from rollouts of the movements in the added file, not from the latents that the file stores.
     #[arg(long, requires = "relearn", conflicts_with = "clips")]
     generated: bool,
@@ -59,6 +61,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    arguments.up.check(!arguments.clips.is_empty(), "--clip")?;
     let library = read(&arguments.library)?;
     let Some(out) = &arguments.out else {
         return files::print_json(&summary(&library));
@@ -127,7 +130,7 @@ fn relearn(
         }
     }
     let mut clips = Vec::new();
-    for clip in clips::read_all(&arguments.clips, &Up::default())? {
+    for clip in clips::read_all(&arguments.clips, &arguments.up)? {
         clips.push(library.encode(&clip)?);
     }
     let frames = match (clips.is_empty(), arguments.generated) {

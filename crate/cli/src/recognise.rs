@@ -22,6 +22,8 @@ pub struct Arguments {
     /// BVH files of the same body, or sample:ID.
     #[arg(value_name = "CLIP", required = true)]
     clips: Vec<PathBuf>,
+    #[command(flatten)]
+    up: Up,
     /// Write the probability of every movement in every frame to this file.
     #[arg(long, value_name = "OUT.csv")]
     out: Option<PathBuf>,
@@ -36,7 +38,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let read = std::iter::once(&arguments.library).chain(&arguments.clips).map(PathBuf::as_path);
     files::check_outs(arguments.out.iter().map(|out| ("--out", out)), read)?;
-    let clips = clips::read_all(&arguments.clips, &Up::default())?;
+    let clips = clips::read_all(&arguments.clips, &arguments.up)?;
     let found = library.recognise(&clips.iter().collect::<Vec<_>>())?;
     let names: Vec<&str> = movements.iter().map(|movement| movement.name.as_str()).collect();
     let frame_time = library.body.frame_time;

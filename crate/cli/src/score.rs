@@ -16,6 +16,8 @@ pub struct Arguments {
     /// The trial: a BVH file of the same body, or sample:ID.
     #[arg(value_name = "CLIP")]
     clip: PathBuf,
+    #[command(flatten)]
+    up: Up,
     /// Start where this training sequence starts, counted from 0 in the order of the training.
     #[arg(long, value_name = "SEQUENCE", default_value_t = 0, value_parser = whole::<usize>(0..))]
     from: usize,
@@ -24,7 +26,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = crate::rollout::read_model(&arguments.model)?;
     let body = &model.body;
-    let clip = clips::read(&arguments.clip, &Up::default())?;
+    let clip = clips::read(&arguments.clip, &arguments.up)?;
     let actual = body.encode(&clip)?;
     let predicted = model.rollout(arguments.from, actual.nrows())?;
     files::print_json(&dtw_mse(&predicted, &actual)?)

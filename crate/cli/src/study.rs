@@ -81,6 +81,7 @@ impl Arguments {
     fn making_option(&self) -> Option<&'static str> {
         let options = [
             ("--unseen", !self.unseen.is_empty()),
+            ("--up", self.up.axis.is_some()),
             ("--models", self.models.is_some()),
             ("--folds", self.folds.is_some()),
             ("--seconds", self.seconds.is_some()),

@@ -36,6 +36,8 @@ pub struct Arguments {
     /// from them and goes on.
     #[arg(long, value_name = "SEQUENCE|CLIP:FRAMES", default_value = "0", value_parser = parse::start)]
     from: Start,
+    #[command(flatten)]
+    up: Up,
     /// Start at this frame of the sequence, counted from 0. Models of earlier versions have the first frames
     /// only.
     #[arg(long, value_name = "FRAME", default_value_t = 0, value_parser = whole::<usize>(0..))]
@@ -96,6 +98,7 @@ impl From<ReadingOption> for Reading {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    arguments.up.check(matches!(arguments.from, Start::Clip { .. }), "--from CLIP:FRAMES")?;
     let document = Document::from_json(&files::read_text(&arguments.model)?);
     let document = document.map_err(|error| files::with_path(&arguments.model, &error))?;
     let outs = [&arguments.out, &arguments.columns, &arguments.latents, &arguments.variance];
@@ -119,7 +122,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             };
             let given = match (&arguments.from, model.coupled()) {
                 (Start::Clip { clip, frames }, Some(model)) => {
-                    Some(observed(model, &clips::read(clip, &Up::default())?, *frames)?)
+                    Some(observed(model, &clips::read(clip, &arguments.up)?, *frames)?)
                 }
                 _ => None,
             };

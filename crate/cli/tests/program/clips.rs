@@ -1,14 +1,16 @@
-//! Tests of what holds for every command that reads clips: warnings.
+//! Tests of what holds for every command that reads clips: warnings, and the axis that points up.
 
-use crate::call::{folder, json_and_stderr, run, text, under_a_still_root};
+use crate::call::{fails, folder, json_and_stderr, run, text, under_a_still_root};
 use serde_json::Value;
 use std::path::PathBuf;
 
-/// Two walks under a still root, a model and two libraries that were trained on them.
+/// Two walks under a still root, a model and two libraries that were trained on them, and the first walk with
+/// z up.
 struct Files {
     folder: PathBuf,
     walk: String,
     other: String,
+    turned: String,
     model: String,
     library: String,
     stroll: String,
@@ -21,6 +23,7 @@ impl Files {
         let files = Files {
             walk: file("walk.bvh"),
             other: file("other.bvh"),
+            turned: file("turned.bvh"),
             model: file("model.json"),
             library: file("library.json"),
             stroll: file("stroll.json"),
@@ -28,6 +31,7 @@ impl Files {
         };
         under_a_still_root("sample:walk-1", 0.0, files.walk.as_ref());
         under_a_still_root("sample:walk-2", 0.0, files.other.as_ref());
+        under_a_still_root("sample:walk-1", 90.0, files.turned.as_ref());
         files
     }
 
@@ -42,6 +46,7 @@ impl Files {
             let named = [
                 ("{walk}", &self.walk),
                 ("{other}", &self.other),
+                ("{turned}", &self.turned),
                 ("{model}", &self.model),
                 ("{library}", &self.library),
                 ("{stroll}", &self.stroll),
@@ -87,4 +92,60 @@ fn every_command_says_once_what_is_unusual_in_a_clip() {
     // The summary of a clip has the warnings.
     let clip = run(&["clip", &files.walk]);
     assert!(clip.stderr.is_empty() && String::from_utf8(clip.stdout).unwrap().contains("only carries"));
+}
+
+/// The numbers of a summary, without times.
+fn numbers(value: &Value) -> Vec<f64> {
+    match value {
+        Value::Number(number) => vec![number.as_f64().unwrap()],
+        Value::Array(values) => values.iter().flat_map(numbers).collect(),
+        Value::Object(fields) => fields
+            .iter()
+            .filter(|(name, _)| *name != "seconds")
+            .flat_map(|(_, value)| numbers(value))
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// The largest difference of two lists, relative to the larger number.
+fn difference(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    a.iter().zip(b).map(|(a, b)| (a - b).abs() / a.abs().max(b.abs()).max(1e-9)).fold(0.0, f64::max)
+}
+
+#[test]
+fn a_clip_can_have_another_axis_than_the_model() {
+    let files = Files::new("axes");
+    files.train();
+    for line in [
+        "complete {model} CLIP --given lower",
+        "rollout {model} --frames 12 --from CLIP:5 --out {folder}/out.bvh",
+        "score {model} CLIP",
+        "recognise {library} CLIP",
+        "couple {library} --use lower=a,upper=b --clip CLIP --max-iterations 1 --out {folder}/fitted.json",
+        "primitives {library} --add {stroll} --relearn --max-iterations 1 --clip CLIP --out {folder}/two.json",
+    ] {
+        let summary = |clip: &str, option: &str| {
+            numbers(&files.run(&format!("{} {option}", line.replace("CLIP", clip))).0)
+        };
+        let as_in_model = summary("{walk}", "");
+        let stated = difference(&summary("{turned}", "--up z"), &as_in_model);
+        assert!(stated < 1e-6, "{line}: {stated}");
+        // A body that lies is unlike every movement, and the shares can stay the same.
+        if !line.starts_with("recognise") {
+            let unstated = difference(&summary("{turned}", ""), &as_in_model);
+            assert!(unstated > 1e-3, "{line}: {unstated}");
+        }
+    }
+    // Only clips have the axis.
+    for (line, expected) in [
+        ("rollout {model} --frames 12 --up z --out {folder}/out.bvh", "--from CLIP:FRAMES"),
+        ("couple {library} --use lower=a,upper=b --up z --out {folder}/fitted.json", "--clip"),
+        ("primitives {library} --add {stroll} --up z --out {folder}/two.json", "--clip"),
+    ] {
+        let line = files.line(line);
+        let refused = fails(&line.iter().map(String::as_str).collect::<Vec<_>>());
+        assert_eq!(refused, format!("vcgpdm: --up: expected {expected} with it\n"));
+    }
 }

@@ -81,7 +81,8 @@ fn makes_a_study_of_an_evaluation_and_changes_a_study() {
     assert!(no_study.contains("expected a study with \"format\": \"vcgpdm study\", found"), "{no_study}");
     let id = fails(&["study", text(&made), "--failed", "trial-1", "--out", text(&other)]);
     assert!(id.contains("expected a movement of the study, found trial-1"), "{id}");
-    for option in [["--models", "tmp"], ["--folds", "1"], ["--unseen", "sample:walk-6"], ["--seconds", "2"]] {
+    let making = ["--models tmp", "--folds 1", "--unseen sample:walk-6", "--seconds 2", "--up z"];
+    for option in making.map(|option| option.split(' ').collect::<Vec<_>>()) {
         let found = fails(&[&["study", text(&made), "--out", text(&other)], &option[..]].concat());
         let expected = format!("{}: expected the clips of an evaluation with it", option[0]);
         assert!(found.contains(&expected), "{found}");

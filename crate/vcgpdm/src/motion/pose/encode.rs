@@ -28,7 +28,8 @@ const STILL: f64 = 1e-3;
 
 impl PoseMapping {
     /// Turns a clip of the same body into rows of Y [frames x columns]. The clip may have other channels than
-    /// the mapping's body.
+    /// the mapping's body. If the clip states the axis that points up ([`Clip::up`]), this axis counts for its
+    /// rows, else the mapping's.
     ///
     /// # Errors
     ///
@@ -39,7 +40,8 @@ impl PoseMapping {
         body.map_err(|reason| PoseError::Body { clip: clip.name.clone(), reason })?;
         let poses: Vec<LocalPose> = (0..clip.frames()).map(|frame| clip.local_pose(frame)).collect();
         let mut y = DMatrix::zeros(poses.len(), self.column_count());
-        let (turn, upright) = (self.stage.up.to_y_up(), self.upright().inverse());
+        let up = clip.up.unwrap_or(self.stage.up);
+        let (turn, upright) = (up.to_y_up(), self.upright().inverse());
         let angles = root::continuous_angles(poses.iter().map(|pose| turn * pose.rotations[0] * upright));
         let roots: Vec<RootPose> = (poses.iter().zip(&angles))
             .map(|(pose, &angles)| RootPose { place: turn * pose.positions[0] / self.leg(), angles })
@@ -61,7 +63,15 @@ impl PoseMapping {
             }
         }
         let start = match (poses.first(), angles.first()) {
-            (Some(pose), Some(angles)) => RootStart { position: pose.positions[0].into(), yaw: angles[0] },
+            (Some(pose), Some(angles)) => {
+                // A start is in the axes of the mapping.
+                let place = if up == self.stage.up {
+                    pose.positions[0]
+                } else {
+                    self.stage.up.to_y_up().inverse() * (turn * pose.positions[0])
+                };
+                RootStart { position: place.into(), yaw: angles[0] }
+            }
             _ => RootStart::default(),
         };
         Ok(Encoded { y, start, warnings: self.moving_joints(clip) })

@@ -131,6 +131,20 @@ fn rows_do_not_depend_on_the_axes_of_the_world() {
 }
 
 #[test]
+fn a_clip_can_state_another_axis_than_the_mapping() {
+    let clip = walker();
+    let mapping = PoseMapping::new(&clip);
+    let rows = mapping.encode(&clip).unwrap();
+    let turn = rotation::exp(&(Vector3::x() * std::f64::consts::FRAC_PI_2));
+    let other = in_other_world(&clip, turn, Vector3::zeros());
+    let stated = mapping.encode(&Clip { up: Some(UpAxis::Z), ..other.clone() }).unwrap();
+    assert_abs_diff_eq!(stated.y, rows.y, epsilon = 1e-9);
+    // The motion starts at the same height: the heading is a choice.
+    assert_abs_diff_eq!(stated.start.position[1], rows.start.position[1], epsilon = 1e-9);
+    assert!((mapping.encode(&other).unwrap().y - rows.y).amax() > 0.1);
+}
+
+#[test]
 fn rows_do_not_depend_on_the_axes_of_the_root() {
     // The same motion with a root whose y axis points ahead, as in files with bone-aligned joints.
     let clip = walker();
