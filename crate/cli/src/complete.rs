@@ -1,6 +1,6 @@
 //! `vcgpdm complete`: infers the parts of a clip that are not given.
 
-use crate::clips::{self, Up};
+use crate::clips::{self, Names, Up};
 use crate::files;
 use crate::numbers::check_within;
 use crate::rollout;
@@ -10,7 +10,6 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::path::PathBuf;
 use vcgpdm::models::{Body, Model, PartCompletion, RolloutRequest};
-use vcgpdm::motion::bvh;
 
 /// Infer the other parts of a clip from the given ones, and print their errors as one JSON object.
 ///
@@ -38,6 +37,8 @@ pub struct Arguments {
     #[arg(long, value_name = "OUT.bvh")]
     out: Option<PathBuf>,
     #[command(flatten)]
+    names: Names,
+    #[command(flatten)]
     up: Up,
 }
 
@@ -59,7 +60,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let parts = model.body.layout.parts();
     let names: Vec<&str> = given.iter().map(|&part| parts[part].name.as_str()).collect();
     if let Some(out) = &arguments.out {
-        files::write_text(out, &bvh::write(&model.body.clip(&completed.y, &files::name_of(out))?))?;
+        let clip = model.body.clip(&completed.y, &files::name_of(out))?;
+        files::write_text(out, &arguments.names.bvh(clip))?;
     }
     let scores: BTreeMap<&str, PartCompletion> =
         completed.parts.iter().map(|(part, score)| (parts[*part].name.as_str(), *score)).collect();

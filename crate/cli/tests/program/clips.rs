@@ -149,3 +149,16 @@ fn a_clip_can_have_another_axis_than_the_model() {
         assert_eq!(refused, format!("vcgpdm: --up: expected {expected} with it\n"));
     }
 }
+
+#[test]
+fn writes_a_completed_motion_with_plain_names() {
+    let files = Files::new("names");
+    let train = "train {walk} --parts lower,upper --fps 10 --max-iterations 1 --out {model}";
+    files.run(train);
+    files.run("complete {model} {walk} --given lower --plain-names --out {folder}/out.bvh");
+    let written = std::fs::read_to_string(files.folder.join("out.bvh")).unwrap();
+    assert!(written.contains("ROOT Hips\n") && !written.contains("rig:"));
+    let line = files.line("complete {model} {walk} --given lower --plain-names");
+    let refused = run(&line.iter().map(String::as_str).collect::<Vec<_>>());
+    assert_eq!(refused.status.code(), Some(2), "--plain-names needs --out");
+}
