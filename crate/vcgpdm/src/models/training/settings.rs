@@ -14,7 +14,15 @@ pub const MOST_PRIMITIVES: usize = 40;
 /// The most basis functions of a DMP.
 pub const MOST_BASES: usize = 200;
 
-/// Settings of the variational models, vCGPDM and vGPDM.
+/// Settings of the variational models, vCGPDM and vGPDM. Every setting has a default, and a struct literal
+/// states the others, as for all settings of this crate:
+///
+/// ```
+/// use vcgpdm::models::VariationalSettings;
+///
+/// let settings = VariationalSettings { latent: 2, order: 1, ..Default::default() };
+/// assert_eq!(settings.dynamics_ips, 12);
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct VariationalSettings {
