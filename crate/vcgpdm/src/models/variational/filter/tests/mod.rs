@@ -1,6 +1,8 @@
 //! The filter against brute force, against what the model itself draws, and in cases of which the answer is
 //! known.
 
+mod kalman;
+
 use crate::models::rollout::couplings::Reading;
 use crate::models::training::pose_weight::PoseWeight;
 use crate::models::training::settings::VariationalSettings;
