@@ -24,6 +24,14 @@ it("couplings change the curves, and weights and latents are there", () => {
   const { Model, Table, Trainer, TrainingSet } = installed.vcgpdm;
   const rows = Array.from({ length: 60 }, (_, t) => [Math.sin(t / 4), Math.cos(t / 4), Math.sin(t / 4 - 1)]);
   const table = Table.of("trial", ["x", "y", "follower"], new Float64Array(rows.flat()), 0.02);
+  const without = table.without(["x"]);
+  assert.deepEqual(without.info().columns, ["y", "follower"]);
+  assert.equal(without.info().sha256, table.info().sha256);
+  assert.equal(without.values().length, 2 * rows.length);
+  assert.throws(() => table.without(["z"]), {
+    code: "table",
+    message: /expected some of the columns x, y, follower to leave out, found "z"/,
+  });
   const parts = [
     { name: "machine", columns: ["x", "y"] },
     { name: "follower", columns: ["follower"] },

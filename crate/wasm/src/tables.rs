@@ -102,6 +102,13 @@ impl Table {
         Ok(Table { table: read(&name, text.as_bytes())? })
     }
 
+    /// The same table without the named columns. `x*` stands for all columns whose names begin with `x`, and
+    /// `*x` for all whose names end with it.
+    pub fn without(&self, names: Vec<String>) -> Result<Table, VcgpdmError> {
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        Ok(Table { table: self.table.without(&names)? })
+    }
+
     /// The name, size and columns of the table.
     #[wasm_bindgen(unchecked_return_type = "TableInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {

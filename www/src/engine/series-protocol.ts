@@ -9,6 +9,8 @@ export type SeriesInfo = ModelInfo;
 export interface TableSource {
   name: string;
   file: Blob;
+  /** The columns that are left out. A name can begin or end with `*`, which stands for any letters. */
+  without: string[];
 }
 
 export interface ReadTable {

@@ -44,14 +44,17 @@ function infoOf(text: string): SeriesInfo {
   };
 }
 
-async function read({ name, file }: TableSource): Promise<ReadTable> {
+async function read({ name, file, without }: TableSource): Promise<ReadTable> {
   const [head = "", ...rows] = (await file.text()).trim().split("\n");
   if (rows.length < 2) throw new Error(`${name}, line 1: expected at least two rows of numbers`);
-  const values = Float64Array.from(rows.flatMap((row) => row.split(",").map(Number)));
-  return {
-    info: { name, sha256: name, columns: head.split(","), rows: rows.length, frameTime: 0.1 },
-    values,
-  };
+  const columns = head.split(",");
+  const unknown = without.find((column) => !columns.includes(column));
+  if (unknown)
+    throw new Error(`${name}: expected some of the columns ${columns.join(", ")}, found ${unknown}`);
+  const kept = columns.filter((column) => !without.includes(column));
+  const numbers = (row: string) => row.split(",").filter((_, place) => kept.includes(columns[place] ?? ""));
+  const values = Float64Array.from(rows.flatMap((row) => numbers(row).map(Number)));
+  return { info: { name, sha256: name, columns: kept, rows: rows.length, frameTime: 0.1 }, values };
 }
 
 export class FakeSeries {

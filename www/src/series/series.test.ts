@@ -53,6 +53,30 @@ describe("tables", () => {
     expect([tables.parts, tables.clash]).toEqual([[{ name: "whole", columns: ["x", "y"] }], ""]);
   });
 
+  it("leave columns out by name, also of tables that open later, until all tables are removed", async () => {
+    const { tables, training } = series;
+    await tables.open(file("a.csv"));
+    await tables.leaveOut(" arm_y, ");
+    expect([tables.columns, tables.leftOut]).toEqual([["arm_x", "leg_x"], ["arm_y"]]);
+    expect([...(tables.all[0]?.values ?? [])]).toEqual([1, 3, 4, 6]);
+    await tables.open(file("b.csv"));
+    expect(tables.all[1]?.info.columns).toEqual(["arm_x", "leg_x"]);
+    await tables.leaveOut("arm_z");
+    expect(tables.leftOutProblem).toMatch(/^a\.csv: expected some of the columns .*, found arm_z$/);
+    expect([tables.columns, tables.leftOut]).toEqual([["arm_x", "leg_x"], ["arm_y"]]);
+    void training.train();
+    await settled();
+    expect(program.series.trainings[0]?.job.tables.map(({ without }) => without)).toEqual([
+      ["arm_y"],
+      ["arm_y"],
+    ]);
+    await tables.leaveOut("");
+    expect([tables.columns.length, tables.leftOutProblem]).toEqual([3, ""]);
+    await tables.leaveOut("leg_x");
+    for (const table of [...tables.all]) await tables.remove(table);
+    expect(tables.leftOut).toEqual([]);
+  });
+
   it("have parts with names of their own: another gives way to the old one, with a word until the next change", async () => {
     const { tables } = series;
     await tables.open(file("a.csv"));

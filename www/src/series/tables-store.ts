@@ -20,6 +20,9 @@ export class TablesStore extends Store {
   #columns: readonly string[] = [];
   #clash = "";
   #refused = "";
+  /** The columns that are left out of all tables, as the visitor wrote them. */
+  #leftOut: readonly string[] = [];
+  #leftOutProblem = "";
   #checks = 0;
 
   constructor(whole: WholeWorkers) {
@@ -55,9 +58,41 @@ export class TablesStore extends Store {
     return this.#refused;
   }
 
+  /** The names of the columns that are left out of all tables. */
+  get leftOut(): readonly string[] {
+    return this.#leftOut;
+  }
+
+  /** The reason why these columns could not be left out; empty after the next change. */
+  get leftOutProblem(): string {
+    return this.#leftOutProblem;
+  }
+
+  /** Leaves columns out of all tables, by names with commas between them. A name can begin or end with `*`. */
+  async leaveOut(text: string): Promise<void> {
+    const without = text
+      .split(",")
+      .map((name) => name.trim())
+      .filter((name) => name !== "");
+    const before = this.#tables;
+    const read = async (table: TableEntry): Promise<TableEntry> => {
+      const source = { ...table.source, without };
+      return { ...table, ...(await this.#whole.desk.run((worker) => worker.readTable(source))), source };
+    };
+    try {
+      const tables = await Promise.all(before.map(read));
+      // The visitor may have opened or removed a table meanwhile.
+      if (this.#tables !== before) return this.leaveOut(text);
+      [this.#tables, this.#leftOut, this.#leftOutProblem] = [tables, without, ""];
+    } catch (problem) {
+      this.#leftOutProblem = messageOf(problem);
+    }
+    await this.#changedTables();
+  }
+
   /** Opens a file. If the same file is already open, nothing changes. */
   async open(file: File): Promise<void> {
-    const source: TableSource = { name: file.name, file };
+    const source: TableSource = { name: file.name, file, without: [...this.#leftOut] };
     const read = await this.#whole.desk.run((worker) => worker.readTable(source));
     if (this.#tables.some(({ info }) => info.sha256 === read.info.sha256)) return;
     this.#tables = [...this.#tables, { ...read, source, ticked: true }];
@@ -71,6 +106,8 @@ export class TablesStore extends Store {
 
   async remove(table: TableEntry): Promise<void> {
     this.#tables = this.#tables.filter((other) => other !== table);
+    // Other tables have other columns.
+    if (this.#tables.length === 0) [this.#leftOut, this.#leftOutProblem] = [[], ""];
     await this.#changedTables();
   }
 

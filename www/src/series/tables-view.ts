@@ -10,6 +10,9 @@ import type { TableEntry, TablesStore } from "./tables-store";
 import { lab } from "../words/lab";
 import { seriesWords } from "../words/series";
 
+/** Columns of mediapipe that are no places. */
+const LEFT_OUT = "*.visibility, *.presence";
+
 export class TablesView extends View {
   static override properties = { busy: { type: Boolean } };
   declare tables: TablesStore;
@@ -45,6 +48,17 @@ export class TablesView extends View {
     });
   }
 
+  #leaveOut() {
+    const { tables, busy } = this;
+    const { label, hint } = seriesWords().leaveOut;
+    return html`
+      <div class="field"><label for="series-without" title=${hint}>${label}</label>
+        <input type="text" id="series-without" data-testid="series-without" spellcheck="false" autocomplete="off"
+          placeholder=${LEFT_OUT} .value=${tables.leftOut.join(", ")} ?disabled=${busy}
+          @change=${(event: Event) => void tables.leaveOut((event.target as HTMLInputElement).value)} /></div>
+      ${tables.leftOutProblem ? html`<p class="bad" role="alert">${tables.leftOutProblem}</p>` : nothing}`;
+  }
+
   protected override render() {
     const { tables, busy } = this;
     const parts = tables.parts.map(({ name, columns }) => ({ name, size: columns.length }));
@@ -56,6 +70,7 @@ export class TablesView extends View {
         tables.columns.length === 0
           ? nothing
           : html`
+          ${this.#leaveOut()}
           <h3>${seriesWords().parts}</h3>
           <div class="series-parts">
             ${partNames({

@@ -25,8 +25,8 @@ function openModel(text: string): SeriesInfo {
   return info;
 }
 
-async function read({ name, file }: TableSource): Promise<Table> {
-  return Table.read(name, new Uint8Array(await file.arrayBuffer()));
+async function read({ name, file, without }: TableSource): Promise<Table> {
+  return using(Table.read(name, new Uint8Array(await file.arrayBuffer())), (table) => table.without(without));
 }
 
 /** The tables as a set for a training. Throws the reason when they do not go together. */

@@ -26,7 +26,7 @@ pub struct Arguments {
     /// How to split the body: a preset by its id or its parts' names (whole; lower,upper; body,left arm,right
     /// arm; legs,trunk,left arm,right arm), or a file with a list like [{"name": "legs", "joints":
     /// ["LeftUpLeg", 3]}]. Models that are not coupled need none. With --columns: arm=x,y;leg=z (a name that
-    /// ends with * means all columns that begin like it), or a file with [{"name": "arm", "columns": ["x",
+    /// begins or ends with * means all columns that end or begin like it), or a file with [{"name": "arm", "columns": ["x",
     /// "y"]}].
     #[arg(long, value_name = "lower,upper|whole|FILE")]
     pub(super) parts: Option<String>,
@@ -34,6 +34,10 @@ pub struct Arguments {
     /// row for each moment. A column "time" (or "t", "seconds") holds seconds; a column "frame" is ignored.
     #[arg(long, conflicts_with_all = ["seed_frames", "first_bones"])]
     pub(super) columns: bool,
+    /// Leave these columns out. A name that begins or ends with * means all columns that end or begin like
+    /// it.
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', requires = "columns")]
+    pub(super) without: Vec<String>,
     /// Write the model to this file.
     #[arg(long, value_name = "MODEL.json")]
     pub(super) out: PathBuf,

@@ -10,17 +10,25 @@ use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::series::{Columns, SeriesError, Table, parse_parts, parts_from_json, read, whole};
 
 /// The tables as a data set. `split` is the value of `--parts`; `rate` is the number of rows a second of
-/// files without times.
-pub fn dataset(paths: &[PathBuf], split: &str, rate: f64) -> Result<Dataset<Columns>, Box<dyn Error>> {
+/// files without times; the columns of `without` are left out.
+pub fn dataset(
+    paths: &[PathBuf],
+    split: &str,
+    without: &[String],
+    rate: f64,
+) -> Result<Dataset<Columns>, Box<dyn Error>> {
     check_within("--fps", "rows a second", 0.1..=100_000.0, rate)?;
-    let tables = paths.iter().map(|path| table(path)).collect::<Result<Vec<_>, _>>()?;
+    let without: Vec<&str> = without.iter().map(|name| name.trim()).collect();
+    let tables = paths.iter().map(|path| table(path, &without)).collect::<Result<Vec<_>, _>>()?;
     let parts = parts(split, &tables[0].columns)?;
     Ok(Dataset::of_tables(&tables, &parts, rate)?)
 }
 
-fn table(path: &Path) -> Result<Table, Box<dyn Error>> {
+fn table(path: &Path, without: &[&str]) -> Result<Table, Box<dyn Error>> {
     let bytes = files::read_bytes(path)?;
-    Ok(read(&files::read_name(path), &bytes)?)
+    read(&files::read_name(path), &bytes)?
+        .without(without)
+        .map_err(|error| usage(format!("--without: {error}")))
 }
 
 /// The parts of `--parts`.

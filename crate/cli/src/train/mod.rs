@@ -44,7 +44,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let split = split(arguments)?;
     if arguments.columns {
-        let dataset = columns::dataset(&arguments.clips, split, arguments.fps)?;
+        let dataset = columns::dataset(&arguments.clips, split, &arguments.without, arguments.fps)?;
         return train(arguments, split, &dataset, |model| model.to_json());
     }
     check_fps(arguments.fps)?;

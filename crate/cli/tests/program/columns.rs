@@ -53,6 +53,25 @@ fn trains_on_columns_and_rolls_them_out() {
 }
 
 #[test]
+fn leaves_columns_out_by_name() {
+    let folder = folder("columns-left-out");
+    let [one, other] = trials(&folder);
+    let (model, out) = (folder.join("m.json"), folder.join("out.csv"));
+    let train = |without| {
+        let tables = ["train", text(&one), text(&other), "--columns", "--model", "dmp-rhythmic"];
+        [&tables[..], &["--without", without, "--out", text(&model)]].concat()
+    };
+    json(&train("*_y, leg"));
+    prints(&["rollout", text(&model), "--frames", "9", "--columns", text(&out)]);
+    assert_eq!(fs::read_to_string(&out).unwrap().lines().next(), Some("frame,time,arm_x"));
+    let found = fails(&train("arm_z"));
+    assert!(found.contains("expected some of the columns arm_x, arm_y, leg to leave out"), "{found}");
+    let found =
+        fails(&["train", "sample:walk-1", "--parts", "whole", "--without", "x", "--out", text(&model)]);
+    assert!(found.contains("--columns"), "{found}");
+}
+
+#[test]
 fn warns_of_a_column_that_never_changes() {
     let folder = folder("constant-column");
     let (table, model) = (folder.join("t.csv"), folder.join("m.json"));

@@ -42,7 +42,7 @@ pub enum SeriesError {
         /// The difference.
         problem: String,
     },
-    /// A table that does not come from a file is wrong.
+    /// A table that does not come from a file is wrong, or columns cannot be left out.
     #[error("{table}: {problem}")]
     Table {
         /// The name of the table.

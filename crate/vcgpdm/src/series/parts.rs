@@ -10,7 +10,7 @@ pub fn whole(columns: usize) -> Vec<PartSpec> {
 }
 
 /// Reads a split such as `arm=x,y;leg=z`, which lists the columns of each part. `x*` stands for all columns
-/// whose names begin with `x`.
+/// whose names begin with `x`, and `*x` for all whose names end with it.
 ///
 /// # Errors
 ///
@@ -59,12 +59,7 @@ pub fn parts_from_json(text: &str, columns: &[String]) -> Result<Vec<PartSpec>, 
 fn places(part: &str, named: &[&str], columns: &[String]) -> Result<Vec<usize>, SeriesError> {
     let mut places = Vec::new();
     for name in named {
-        let exact = columns.iter().position(|column| column == name);
-        let found: Vec<usize> = match (exact, name.strip_suffix('*')) {
-            (Some(place), _) => vec![place],
-            (None, Some(start)) => (0..columns.len()).filter(|&k| columns[k].starts_with(start)).collect(),
-            (None, None) => Vec::new(),
-        };
+        let found = places_of(name, columns);
         if found.is_empty() {
             return Err(SeriesError::Parts(format!(
                 "part {part:?}: expected some of the columns {}, found {name:?}",
@@ -74,6 +69,19 @@ fn places(part: &str, named: &[&str], columns: &[String]) -> Result<Vec<usize>, 
         places.extend(found);
     }
     Ok(places)
+}
+
+/// The indices of the columns with this name. `*` at its beginning or end stands for any letters.
+pub(super) fn places_of(name: &str, columns: &[String]) -> Vec<usize> {
+    let all = |fits: &dyn Fn(&String) -> bool| (0..columns.len()).filter(|&k| fits(&columns[k])).collect();
+    if let Some(place) = columns.iter().position(|column| column == name) {
+        return vec![place];
+    }
+    match (name.strip_suffix('*'), name.strip_prefix('*')) {
+        (Some(start), _) => all(&|column| column.starts_with(start)),
+        (_, Some(end)) => all(&|column| column.ends_with(end)),
+        (None, None) => Vec::new(),
+    }
 }
 
 /// Checks that every column is in exactly one part, and that every part has columns and a name of its own.
@@ -127,7 +135,7 @@ pub fn check_parts(parts: &[PartSpec], columns: &[String]) -> Result<(), SeriesE
     Ok(())
 }
 
-fn shortened(names: &[String]) -> String {
+pub(super) fn shortened(names: &[String]) -> String {
     let first: Vec<&str> = names.iter().take(8).map(String::as_str).collect();
     let more = names.len().saturating_sub(8);
     if more > 0 { format!("{} and {more} more", first.join(", ")) } else { first.join(", ") }

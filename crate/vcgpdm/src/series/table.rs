@@ -1,6 +1,7 @@
 //! One trial of a time series.
 
 use crate::series::error::SeriesError;
+use crate::series::parts::{places_of, shortened};
 use nalgebra::DMatrix;
 
 /// A trial: named columns, with rows at equal time steps.
@@ -22,6 +23,33 @@ pub struct Table {
 const SAME_RATE: f64 = 0.02;
 
 impl Table {
+    /// The same trial without the named columns. `x*` stands for all columns whose names begin with `x`, and
+    /// `*x` for all whose names end with it.
+    ///
+    /// # Errors
+    ///
+    /// [`SeriesError::Table`] when a name stands for no column, or no column would be left.
+    pub fn without(&self, names: &[&str]) -> Result<Table, SeriesError> {
+        let refuse = |problem: String| Err(SeriesError::Table { table: self.name.clone(), problem });
+        let mut gone = vec![false; self.columns.len()];
+        for name in names {
+            let places = places_of(name, &self.columns);
+            if places.is_empty() {
+                let columns = shortened(&self.columns);
+                return refuse(format!(
+                    "expected some of the columns {columns} to leave out, found {name:?}"
+                ));
+            }
+            places.into_iter().for_each(|place| gone[place] = true);
+        }
+        let kept: Vec<usize> = (0..gone.len()).filter(|&place| !gone[place]).collect();
+        if kept.is_empty() {
+            return refuse("expected at least one column that is not left out, found none".to_owned());
+        }
+        let columns = kept.iter().map(|&place| self.columns[place].clone()).collect();
+        Ok(Table { columns, values: self.values.select_columns(&kept), ..self.clone() })
+    }
+
     /// The same trial with its columns in the order of `first`. All tables of a data set have that order.
     ///
     /// # Errors

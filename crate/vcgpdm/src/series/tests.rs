@@ -26,6 +26,24 @@ fn a_written_table_is_read_as_the_same_table() {
 }
 
 #[test]
+fn columns_can_be_left_out_by_name() {
+    let table =
+        read("trial.csv", b"time,hand.x,hand.visibility,foot.x,foot.visibility\n0,1,2,3,4\n1,5,6,7,8\n");
+    let table = table.unwrap();
+    let left = table.without(&["*.visibility"]).unwrap();
+    assert_eq!(left.columns, ["hand.x", "foot.x"]);
+    assert_eq!(left.values, nalgebra::dmatrix![1.0, 3.0; 5.0, 7.0]);
+    assert_eq!((&left.sha256, left.frame_time), (&table.sha256, Some(1.0)));
+    assert_eq!(table.without(&["hand.x", "foot*"]).unwrap().columns, ["hand.visibility"]);
+    assert_eq!(table.without(&[]).unwrap(), table);
+    let refusal = |names: &[&str]| table.without(names).unwrap_err().to_string();
+    let found = refusal(&["hand.x", "head"]);
+    assert!(found.starts_with("trial.csv: expected some of the columns hand.x, "), "{found}");
+    assert!(found.ends_with(" to leave out, found \"head\""), "{found}");
+    assert_eq!(refusal(&["*"]), "trial.csv: expected at least one column that is not left out, found none");
+}
+
+#[test]
 fn errors_name_file_line_and_column() {
     assert_eq!(
         refusal("x,knee\n1,2\n3,n/a\n"),

@@ -36,6 +36,10 @@ export const series: SeriesWords = {
     example: "Ein Beispiel öffnen",
     machines: "Zwei erdachte Maschinen, aus einer Formel; die zweite folgt der ersten etwas später.",
   },
+  leaveOut: {
+    label: "Weglassen",
+    hint: "Namen von Spalten, mit Kommas dazwischen. * am Anfang oder Ende steht für beliebige Zeichen",
+  },
   parts: "Teile",
   columns: "Spalten und ihre Teile",
   size: (rows, columns, seconds) => `${rows} Zeilen zu ${columns}${seconds === null ? "" : `, ${seconds}`}`,
@@ -68,6 +72,7 @@ export const series: SeriesWords = {
   },
   reset: "Alles wie gelernt",
   overTime: "Spalten über der Zeit",
+  figure: "Die Spalten NAME.x, NAME.y und NAME.z als Punkte, durch Knochen verbunden",
   time: "Zeit (s)",
   curve: (name, recorded) => `${name} über der Zeit, ausgerollt${recorded ? " und aufgenommen" : ""}`,
   givers: {

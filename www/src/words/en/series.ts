@@ -36,6 +36,10 @@ export const series = {
     example: "Open an example",
     machines: "Two made-up machines, by a formula; the second follows the first a little later.",
   },
+  leaveOut: {
+    label: "Leave out",
+    hint: "Names of columns, with commas between them. * at the beginning or end stands for any letters",
+  },
   parts: "Parts",
   columns: "Columns and their parts",
   size: (rows: number, columns: number, seconds: string | null) =>
@@ -68,6 +72,7 @@ export const series = {
   },
   reset: "All as learned",
   overTime: "Columns over time",
+  figure: "The columns NAME.x, NAME.y and NAME.z as points, joined by bones",
   time: "time (s)",
   curve: (name: string, recorded: boolean) =>
     `${name} against time, rolled out${recorded ? " and recorded" : ""}`,
