@@ -20,8 +20,8 @@ export const budget = {
   study: 170_000,
   /** The view of primitives with its library, and its words in two languages. */
   primitives: 82_000,
-  /** The view of time series. */
-  series: 12_500,
+  /** The view of time series, with the figure of points. */
+  series: 15_000,
   /** The writer of GLB files. */
   glb: 15_000,
   /** `vcgpdm/figure` of the npm package, with three.js. */

@@ -1,7 +1,18 @@
 // Time series other than bodies: tables, and the curves, couplings and files of their model.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { barriers, drop, keepsNobodyOut, openSite, openTab, ready, saved } from "./site.mjs";
+import {
+  barriers,
+  changes,
+  drop,
+  keepsNobodyOut,
+  openSite,
+  openTab,
+  ready,
+  rests,
+  saved,
+  soon,
+} from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -20,6 +31,39 @@ function trial(/** @type {number} */ phase) {
     return values.map((value) => value.toFixed(4)).join(",");
   });
   return `time,drive_a,drive_b,load_c\n${rows.join("\n")}\n`;
+}
+
+/**
+ * A trial of a walker in millimetres with z up: each leg swings from its hip, and the knee bends. Each point has
+ * a column that says whether it was seen.
+ */
+function walker(/** @type {number} */ phase) {
+  const rows = Array.from({ length: 60 }, (_, row) => {
+    const now = phase + row / 5;
+    /** @type {[string, number, number, number][]} */
+    const points = [
+      ["pelvis", 0, 0, 950],
+      ["chest", 0, 0, 1400],
+      ["head", 0, 0, 1650],
+    ];
+    for (const [side, sign] of /** @type {[string, number][]} */ ([
+      ["left", 1],
+      ["right", -1],
+    ])) {
+      const [hip, knee] = [0.5 * Math.sin(now + (sign * Math.PI) / 2), 0.5 * Math.sin(now - 1 + sign)];
+      const at = { y: 430 * Math.sin(hip), z: 950 - 430 * Math.cos(hip) };
+      points.push([`${side}_hip`, 100 * sign, 0, 950], [`${side}_knee`, 100 * sign, at.y, at.z]);
+      const bent = hip - 0.5 + knee;
+      points.push([`${side}_ankle`, 100 * sign, at.y + 420 * Math.sin(bent), at.z - 420 * Math.cos(bent)]);
+    }
+    return { points };
+  });
+  const names = rows[0]?.points.map(([name]) => name) ?? [];
+  const head = names.flatMap((name) => [`${name}.x`, `${name}.y`, `${name}.z`, `${name}.visibility`]);
+  const lines = rows.map(({ points }, row) =>
+    [row / 30, ...points.flatMap(([, ...at]) => [...at, 0.9])].map((value) => value.toFixed(4)).join(","),
+  );
+  return `time,${head.join(",")}\n${lines.join("\n")}\n`;
 }
 
 /** The solid curve of a column. */
@@ -48,6 +92,7 @@ describe("tables of columns", () => {
     await page.getByTestId("series-words").filter({ hasText: "Trained." }).waitFor({ timeout: 60_000 });
     await page.locator(".series-curve").nth(2).waitFor();
     assert.equal(await page.locator(".series-curve").count(), 3);
+    assert.equal(await page.getByTestId("series-figure").count(), 0, "no figure of machines");
     assert.equal(
       await page.locator(".series-curve .rolled-out + .recorded").count(),
       3,
@@ -160,6 +205,42 @@ describe("tables of columns", () => {
     await other.page.locator(".series-curve .recorded").nth(2).waitFor();
     assert.deepEqual(other.problems, []);
     await other.leave();
+  });
+
+  it("are drawn as a figure of points and bones, without the columns that are left out", async () => {
+    const settings = "latent=2&dynamics=6&poses=6&iterations=60";
+    const { page, problems, leave } = await site.visit({ settings, seen: true });
+    await ready(page);
+    await drop(page, { "walk-1.csv": walker(0), "walk-2.csv": walker(2) });
+    const columns = page.locator("pg-tables .joint-tree li");
+    await soon(async () => assert.equal(await columns.count(), 36));
+    const without = page.getByTestId("series-without");
+    await without.fill("*.colour");
+    await without.press("Enter");
+    await page.getByText('to leave out, found "*.colour"').waitFor();
+    await without.fill("*.visibility");
+    await without.press("Enter");
+    await soon(async () => assert.equal(await columns.count(), 27));
+    await page.getByTestId("series-train").click();
+    await page.getByTestId("series-words").filter({ hasText: "Trained." }).waitFor({ timeout: 60_000 });
+    const figure = page.getByTestId("series-figure");
+    await figure.scrollIntoViewIfNeeded();
+    const header = (await saved(page, "save-curves")).text.split("\n", 1)[0] ?? "";
+    assert.match(header, /^frame,time,pelvis\.x,.*right_ankle\.z$/);
+    assert.ok(!header.includes("visibility"));
+
+    await page.getByTestId("series-scrub").fill("30");
+    assert.ok(await rests(figure));
+    const learned = await figure.screenshot();
+    // The pelvis decides about the right leg.
+    await page.locator("pg-series [data-testid=coupling-0-4]").fill("-3");
+    await soon(async () =>
+      assert.ok(!(await figure.screenshot()).equals(learned), "moves with the couplings"),
+    );
+    await page.getByTestId("series-play").click();
+    assert.ok(await changes(figure), "walks with the clock of the curves");
+    assert.deepEqual(problems, []);
+    await leave();
   });
 
   keepsNobodyOut(

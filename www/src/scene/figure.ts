@@ -203,6 +203,8 @@ export class FigureView {
       const length = this.#b.length();
       mesh.position.copy(this.#a);
       if (length < 1e-6) continue;
+      // Bones between recorded points do not keep their length exactly.
+      mesh.scale.y = length / capsule.length;
       this.#b.divideScalar(length);
       if (capsule.across) this.#turnAcross(mesh, this.#b, positions, capsule.across);
       else mesh.quaternion.setFromUnitVectors(UP, this.#b);

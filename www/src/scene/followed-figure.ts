@@ -107,6 +107,12 @@ export class FollowedFigure {
     this.viewport.dispose();
   }
 
+  /** Lets the page scroll by wheel and finger over the canvas. */
+  scrollsWithPage(): void {
+    this.viewport.controls.enableZoom = false;
+    this.viewport.canvas.style.touchAction = "pan-y";
+  }
+
   /** The figure; null before the first motion. */
   get figure(): FigureView | null {
     return this.#figure;

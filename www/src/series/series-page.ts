@@ -18,6 +18,7 @@ import type { Series } from "./series";
 import "./series.css";
 import { seriesCouplings } from "./series-couplings";
 import "./series-curves";
+import "./series-figure";
 import "./series-latent";
 import "./tables-view";
 import { lab } from "../words/lab";
@@ -155,7 +156,10 @@ export class SeriesPage extends View {
             <button class="small" data-testid="save-series" title=${words.saveModelMeaning} @click=${() => model.save()}>${icon("save")} ${words.saveModel}</button>
           </div>
         </header>
-        <pg-series-curves .model=${model} data-testid="series-curves"></pg-series-curves>
+        <div class="series-motion">
+          <pg-series-curves .model=${model} data-testid="series-curves"></pg-series-curves>
+          <pg-series-figure .model=${model}></pg-series-figure>
+        </div>
         ${this.#controls()}
         <p class="hint">${
           recorded ? words.recorded : words.notRecorded

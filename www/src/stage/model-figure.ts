@@ -93,9 +93,7 @@ export class Figure {
     // Before the canvas is used: a refused option leaves nothing behind.
     this.#rollOut(alpha);
     this.#picture = new FollowedFigure(canvas, this.#playback, () => this.#show(), dark);
-    this.#picture.viewport.controls.enableZoom = false;
-    // On a telephone the page still scrolls by a finger on the figure.
-    canvas.style.touchAction = "pan-y";
+    this.#picture.scrollsWithPage();
     this.#show();
     this.#sight = new IntersectionObserver((entries) => {
       this.#isSeen = entries.at(-1)?.isIntersecting ?? true;
