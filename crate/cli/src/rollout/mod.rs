@@ -23,6 +23,10 @@ use vcgpdm::motion::Clip;
 use vcgpdm::series;
 
 /// Roll a model out and write the motion as BVH, or its columns as CSV.
+///
+/// Of a model of a body with couplings, one JSON object says how the motion ends, measures it, and has its
+/// predicted_naturalness: the mean log density of the latents of a frame under the learned dynamics, and its
+/// difference from that of the training, in nats a frame.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A trained model of any kind.

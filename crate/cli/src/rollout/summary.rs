@@ -1,11 +1,11 @@
-//! The summary of a rollout of a body: how it ends, and the measures of its motion.
+//! The summary of a rollout of a body: how it ends, the measures of its motion, and its predicted naturalness.
 
 use crate::files;
 use crate::progress::say;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::error::Error;
 use std::path::Path;
-use vcgpdm::models::{Coupled, Ending, Health, Rollout, RolloutRequest};
+use vcgpdm::models::{Coupled, Ending, Health, Rollout, RolloutError, RolloutRequest};
 use vcgpdm::motion::measures::measures;
 
 /// Prints the summary as JSON, and a warning if the motion does not move on.
@@ -22,8 +22,27 @@ pub fn print(
     if let Some(words) = warning(&health, &names) {
         say(&format!("warning: the motion {words}"));
     }
-    let value = json!({ "parts": names, "health": health, "measures": measures });
+    let value = json!({
+        "parts": names,
+        "health": health,
+        "measures": measures,
+        "predicted_naturalness": predicted_naturalness(model, rollout)?,
+    });
     files::print_summary(&value, &out.into_iter().collect::<Vec<_>>())
+}
+
+/// The mean log density of the latents of a frame under the learned dynamics, in the rollout and in the
+/// training. Files of earlier versions have no latents of the training.
+fn predicted_naturalness(model: Coupled, rollout: &Rollout) -> Result<Value, RolloutError> {
+    let learned = model.predictive_dynamics(&RolloutRequest::default())?;
+    let of_rollout = learned.mean_log_density(std::slice::from_ref(&rollout.latents))?;
+    let of_training = learned.mean_log_density(&model.model.starts)?;
+    Ok(json!({
+        "rollout": of_rollout,
+        "training": of_training,
+        "difference": of_rollout.zip(of_training).map(|(rollout, training)| rollout - training),
+        "unit": "nats a frame",
+    }))
 }
 
 /// What a viewer sees of a motion that does not move on: the end of a sentence.

@@ -1,6 +1,7 @@
 //! Tests of `vcgpdm rollout` with the first model of the page: cuts, pushes, samples and variances.
 
-use crate::call::{folder, run, text};
+use crate::call::{folder, json_and_stderr, run, text};
+use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use std::process::Output;
@@ -152,4 +153,26 @@ fn starts_with_frames_of_a_clip_that_was_not_trained_on() {
         assert_eq!(output.status.code(), Some(status), "{options:?}: {error}");
         assert!(error.contains(found) && error.matches('\n').count() == 1, "{options:?}: {error}");
     }
+}
+
+#[test]
+fn predicts_that_other_couplings_look_less_natural() {
+    let folder = folder("naturalness");
+    let (model, out) = (folder.join("model.json"), folder.join("out.bvh"));
+    let train = "train sample:walk-1 --parts lower,upper --max-iterations 60 --out";
+    assert!(run(&train.split(' ').chain([text(&model)]).collect::<Vec<_>>()).status.success());
+    let predicted = |model: &str, more: &[&str]| {
+        let whole = ["rollout", model, "--frames", "90", "--out", text(&out)];
+        json_and_stderr(&[&whole[..], more].concat()).0["predicted_naturalness"].clone()
+    };
+    let learned = predicted(text(&model), &[]);
+    let number = |value: &Value, name: &str| value[name].as_f64().unwrap();
+    let difference = number(&learned, "rollout") - number(&learned, "training");
+    assert!((number(&learned, "difference") - difference).abs() < 1e-9, "{learned}");
+    let changed = predicted(text(&model), &["--alpha", "lower:upper=50", "upper:upper=0.001"]);
+    assert!(number(&changed, "rollout") < number(&learned, "rollout"), "{learned} {changed}");
+    assert_eq!(changed["training"], learned["training"]);
+    // A file of an earlier version has the first latents only.
+    let first = predicted(MODEL, &[]);
+    assert!(first["rollout"].is_number() && first["difference"].is_null(), "{first}");
 }

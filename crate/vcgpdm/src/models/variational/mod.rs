@@ -16,6 +16,7 @@ pub(crate) mod maps;
 pub(crate) mod model;
 mod moments;
 pub(crate) mod params;
+mod path_density;
 pub(crate) mod predictive;
 pub(crate) mod repertoire;
 pub(crate) mod start;
