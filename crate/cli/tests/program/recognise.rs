@@ -16,7 +16,18 @@ fn recognises_movements_in_clips_that_were_not_trained_on() {
         assert_eq!(segments[0]["from"].as_f64(), Some(0.0));
         assert_eq!(segments.last().unwrap()["to"], found["seconds"]);
         let rows = fs::read_to_string(&out).unwrap();
-        assert!(rows.lines().next().unwrap().contains("walk,wave"), "{rows}");
+        assert_eq!(rows.lines().next(), Some("frame,time,walk,wave,walk log density,wave log density"));
+        // The means of the columns.
+        let numbers: Vec<Vec<f64>> = (rows.lines().skip(1))
+            .map(|row| row.split(',').map(|number| number.parse().unwrap()).collect())
+            .collect();
+        let mean = |column: usize| numbers.iter().map(|row| row[column]).sum::<f64>() / numbers.len() as f64;
+        let density = |name: &str| found["log_density"][name].as_f64().unwrap();
+        assert!((density("walk") - mean(4)).abs() < 1e-5 * mean(4).abs(), "{found}");
+        assert!((density("wave") - mean(5)).abs() < 1e-5 * mean(5).abs(), "{found}");
+        let other = if movement == "walk" { "wave" } else { "walk" };
+        assert!(density(movement) > density(other), "{found}");
+        assert!(segments[0]["log_density"].as_f64().unwrap() > density(other), "{found}");
     }
     let both = json(&["recognise", text(&library), "sample:walk-3", "sample:walk-wave-3"]);
     let movements: Vec<_> =
