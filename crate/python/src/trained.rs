@@ -86,5 +86,6 @@ pub fn after_observed<S: ColumnMapping>(
 ) -> PyResult<Rollout> {
     let filter = model.filter(request).map_err(refused)?;
     let latents = model.infer(&filter, &model.body.centred(observed)).map_err(refused)?;
-    model.rollout_after(&latents.means, request).map_err(refused)
+    let request = RolloutRequest { start: Some(latents.means), ..request.clone() };
+    model.rollout(&request).map_err(refused)
 }

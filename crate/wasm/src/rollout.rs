@@ -34,6 +34,11 @@ export interface RolloutOptions {
     sequence?: number;
     /** The frame of that sequence that begins the rollout, counted from 0; absent: its first. */
     frame?: number;
+    /**
+     * Latents that begin the rollout in place of a training sequence, `[part][frame][dimension]`: `order` frames or
+     * more, such as those of a clip's first frames from `Model.infer`. Without `sequence` and `frame`.
+     */
+    start?: number[][][] | null;
     /** Coupling variances `alpha[source][target]`; absent: as learned. */
     alpha?: number[][] | null;
     /** Absent: as learned. */
@@ -195,9 +200,10 @@ fn columns<S: ColumnMapping>(model: &Model<S>, request: &RolloutRequest) -> Resu
     if let Some(coupled) = model.coupled() {
         return Ok(coupled.rollout(request)?);
     }
-    if request.alpha.is_some() || request.frame > 0 {
+    if request.alpha.is_some() || request.frame > 0 || request.start.is_some() {
         let words = format_args!(
-            "expected a vcgpdm or vgpdm model for other couplings or another frame, found a {} model",
+            "expected a vcgpdm or vgpdm model for other couplings, another frame or start latents, found a {} \
+             model",
             model.kind().id()
         );
         return Err(VcgpdmError::new(ErrorCode::Rollout, &words));

@@ -15,11 +15,9 @@ use std::error::Error;
 use std::iter::once;
 use std::path::{Path, PathBuf};
 use vcgpdm::document::Document;
-use vcgpdm::internals::counted;
 use vcgpdm::models::{
     Body, ColumnMapping, Coupled, MOST_FRAMES, MOST_SAMPLES, Model, Reading, Rollout, RolloutRequest,
 };
-use vcgpdm::motion::Clip;
 use vcgpdm::series;
 
 /// Roll a model out and write the motion as BVH, or its columns as CSV.
@@ -112,8 +110,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let mut read = vec![arguments.model.as_path()];
     if let Start::Clip { clip, .. } = &arguments.from {
-        if let Some(option) = arguments.sequence_option() {
-            return Err(usage(format!("{option}: expected --from SEQUENCE, found --from CLIP:FRAMES")));
+        if arguments.frame > 0 {
+            return Err(usage("--frame: expected --from SEQUENCE, found --from CLIP:FRAMES"));
         }
         read.push(clip);
     }
@@ -124,13 +122,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
                 let clip = body.clip(y, &files::name_of(out))?;
                 files::write_text(out, &arguments.names.bvh(clip))
             };
-            let given = match (&arguments.from, model.coupled()) {
+            let start = match (&arguments.from, model.coupled()) {
                 (Start::Clip { clip, frames }, Some(model)) => {
-                    Some(observed(model, &clips::read(clip, &arguments.up)?, *frames)?)
+                    Some(model.latents_of_clip(&clips::read(clip, &arguments.up)?, *frames)?)
                 }
                 _ => None,
             };
-            let rolled_out = roll_out(arguments, &model, given.as_deref(), &motion)?;
+            let rolled_out = roll_out(arguments, &model, start, &motion)?;
             match (model.coupled(), rolled_out) {
                 (Some(model), Some((request, rollout))) => {
                     summary::print(model, &request, &rollout, arguments.out.as_deref())
@@ -152,24 +150,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
 }
 
-/// The latents [frames x Q_i] of each part in the first frames of a clip.
-fn observed(model: Coupled, clip: &Clip, frames: usize) -> Result<Vec<DMatrix<f64>>, Box<dyn Error>> {
-    let columns = model.body.encode(clip)?;
-    let found = columns.nrows();
-    if found < frames {
-        let found = counted(found, "frame");
-        return Err(format!(
-            "{}: expected {frames} frames or more to start from, found {found} at the frame rate of the model",
-            clip.name
-        )
-        .into());
-    }
-    let first = model.body.centred(&columns.rows(0, frames).into_owned());
-    let filter = model.filter(&RolloutRequest::default())?;
-    let latents = model.infer(&filter, &first).map_err(|error| format!("{}: {error}", clip.name))?;
-    Ok(latents.means)
-}
-
 /// Writes columns [frames x D] as the motion of a body to a file.
 type WriteMotion<'a, S> = &'a dyn Fn(&Body<S>, &DMatrix<f64>, &Path) -> Result<(), Box<dyn Error>>;
 
@@ -177,11 +157,11 @@ type WriteMotion<'a, S> = &'a dyn Fn(&Body<S>, &DMatrix<f64>, &Path) -> Result<(
 fn roll_out<S: ColumnMapping>(
     arguments: &Arguments,
     model: &Model<S>,
-    given: Option<&[DMatrix<f64>]>,
+    start: Option<Vec<DMatrix<f64>>>,
     motion: WriteMotion<S>,
 ) -> Result<Option<(RolloutRequest, Rollout)>, Box<dyn Error>> {
     match model.coupled() {
-        Some(model) => roll_out_coupled(arguments, model, given, motion).map(Some),
+        Some(model) => roll_out_coupled(arguments, model, start, motion).map(Some),
         None => {
             if let Some(option) = arguments.coupling_option() {
                 let kind = model.kind().id();
@@ -197,21 +177,12 @@ fn roll_out<S: ColumnMapping>(
 }
 
 impl Arguments {
-    /// The training sequence that the rollout starts as; with a clip, one that no model has.
+    /// The training sequence that the rollout starts as; 0 with a clip.
     fn sequence(&self) -> usize {
         match self.from {
             Start::Sequence(sequence) => sequence,
-            Start::Clip { .. } => usize::MAX,
+            Start::Clip { .. } => 0,
         }
-    }
-
-    /// The first option on the command line that needs a start from a training sequence.
-    fn sequence_option(&self) -> Option<&'static str> {
-        first_given([
-            ("--frame", self.frame > 0),
-            ("--samples", self.samples.is_some()),
-            ("--variance", self.variance.is_some()),
-        ])
     }
 
     /// The first option on the command line that only models with couplings have.
@@ -259,7 +230,11 @@ impl Arguments {
         Ok(())
     }
 
-    fn request<S: ColumnMapping>(&self, model: Coupled<S>) -> Result<RolloutRequest, Usage> {
+    fn request<S: ColumnMapping>(
+        &self,
+        model: Coupled<S>,
+        start: Option<Vec<DMatrix<f64>>>,
+    ) -> Result<RolloutRequest, Usage> {
         let parts = &part_names(model.body);
         let mut alpha = model.model.alpha.clone();
         for coupling in &self.alpha {
@@ -270,6 +245,7 @@ impl Arguments {
             frames: self.frames,
             sequence: self.sequence(),
             frame: self.frame,
+            start,
             alpha: Some(alpha),
             reading: self.reading.into(),
             cuts: self
@@ -297,15 +273,12 @@ pub fn part_names<S>(body: &Body<S>) -> Vec<String> {
 fn roll_out_coupled<S: ColumnMapping>(
     arguments: &Arguments,
     model: Coupled<S>,
-    given: Option<&[DMatrix<f64>]>,
+    start: Option<Vec<DMatrix<f64>>>,
     motion: WriteMotion<S>,
 ) -> Result<(RolloutRequest, Rollout), Box<dyn Error>> {
     let parts = part_names(model.body);
-    let request = arguments.request(model)?;
-    let rollout = match given {
-        Some(given) => model.rollout_after(given, &request)?,
-        None => model.rollout(&request)?,
-    };
+    let request = arguments.request(model, start)?;
+    let rollout = model.rollout(&request)?;
     let write = |rollout: &Rollout, number: Option<usize>| -> Result<(), Box<dyn Error>> {
         arguments.write(model.body, &rollout.y, number, motion)?;
         if let Some(path) = &arguments.latents {

@@ -140,12 +140,16 @@ fn starts_with_frames_of_a_clip_that_was_not_trained_on() {
     assert_eq!(cut[..20], start[..20]);
     assert_ne!(cut[20], start[20]);
     assert_ne!(latents(&["--from", "sample:walk-5:20"])[15], start[15]);
+    // A sampled rollout starts with the same frames.
+    assert_eq!(latents(&["--from", "sample:walk-5:10", "--samples", "1", "--seed", "1"]), start);
+    let sample = rows(&folder.join("latents-1.csv"));
+    assert_eq!(sample[..10], start[..10]);
+    assert_ne!(sample[10], start[10]);
     for (options, status, found) in [
         (&["--from", "sample:walk-5:1"][..], 1, "expected at least 2 frames"),
         (&["--from", "sample:walk-5:9999"], 1, "expected 9999 frames or more to start from, found"),
         (&["--from", "sample:walk-5"], 2, "or CLIP:FRAMES"),
         (&["--from", "sample:walk-5:9", "--frame", "3"], 2, "--frame: expected --from SEQUENCE"),
-        (&["--from", "sample:walk-5:9", "--samples", "1", "--seed", "1"], 2, "--samples: expected"),
         (&["--from", "sample:walk-5:9", "--push", "upper@3=3f"], 1, "from 9 on and before 90, found 3"),
     ] {
         let output = rollout(options);

@@ -18,6 +18,18 @@ pub fn matrix_from_rows(rows: &[Vec<f64>]) -> Result<DMatrix<f64>, String> {
     Ok(DMatrix::from_fn(rows.len(), width, |i, j| rows[i][j]))
 }
 
+/// For `#[serde(deserialize_with = "rows::optional_matrices")]`: a list of matrices; both an absent field and
+/// `null` become `None`.
+pub fn optional_matrices<'de, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<Option<Vec<DMatrix<f64>>>, D::Error> {
+    let all = Option::<Vec<Vec<Vec<f64>>>>::deserialize(deserializer)?;
+    let matrix = |(k, rows): (usize, &Vec<Vec<f64>>)| {
+        matrix_from_rows(rows).map_err(|reason| D::Error::custom(format_args!("matrix {k}: {reason}")))
+    };
+    all.map(|all| all.iter().enumerate().map(matrix).collect()).transpose()
+}
+
 /// For `#[serde(deserialize_with = "rows::optional_matrix")]`: both an absent field and `null` become `None`.
 pub fn optional_matrix<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<DMatrix<f64>>, D::Error> {
     let rows = Option::<Vec<Vec<f64>>>::deserialize(deserializer)?;

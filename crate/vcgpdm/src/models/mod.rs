@@ -32,6 +32,8 @@ pub use fitted::completion::{Completion, PartCompletion};
 pub use fitted::coupled::Coupled;
 pub use fitted::fitted_model::FittedModel;
 pub use fitted::model::{Model, SeriesModel};
+#[doc(hidden)]
+pub use fitted::observed::ObservedClipError;
 pub use fitted::provenance::{ENGINE, Provenance};
 pub use rollout::couplings::{
     CouplingsError, Reading, check_couplings, coupling_weight_matrix, coupling_weights,

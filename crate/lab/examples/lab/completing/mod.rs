@@ -248,11 +248,10 @@ fn conditioned(trials: &[Clip], held_out: usize, parts: &[PartSpec], coupled: Co
 
     let actual = fold.actual();
     let begin = Instant::now();
-    let first = coupled.body.centred(&actual.rows(0, START_FRAMES).into_owned());
-    let filter = coupled.filter(&RolloutRequest::default()).unwrap();
-    let latents = coupled.infer(&filter, &first).unwrap().means;
-    let request = RolloutRequest { frames: actual.nrows(), ..RolloutRequest::default() };
-    let observed = coupled.rollout_after(&latents, &request).unwrap().y;
+    let start = coupled.latents_of(&actual.rows(0, START_FRAMES).into_owned()).unwrap();
+    let frames = actual.nrows();
+    let request = RolloutRequest { frames, start: Some(start), ..RolloutRequest::default() };
+    let observed = coupled.rollout(&request).unwrap().y;
     let seconds = begin.elapsed().as_secs_f64();
     let error = |y: &DMatrix<f64>| dtw_mse(y, actual).unwrap().dtw_mse;
     [error(&trained), error(&observed), training, seconds]

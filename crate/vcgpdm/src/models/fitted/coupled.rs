@@ -56,12 +56,13 @@ impl<'a, S: ColumnMapping> Coupled<'a, S> {
         self.body.check_frames(frames, self.model.latent_dimensions().iter().sum())
     }
 
-    /// The mean rollout from the start latents of a training sequence, under the learned couplings or others.
+    /// The mean rollout from a training sequence's start or from the start latents of the request, under the
+    /// learned couplings or others.
     ///
     /// # Errors
     ///
-    /// When the couplings do not fit the model, there is no such sequence, or the number of frames is 0 or
-    /// too large.
+    /// When the couplings or the start latents do not fit the model, there is no such sequence, or the number of
+    /// frames is 0 or too large.
     pub fn rollout(&self, request: &RolloutRequest) -> Result<Rollout, RolloutError> {
         self.check_frames(request.frames)?;
         Ok(self.rollout_along(self.model.path(request)?, request))
@@ -84,7 +85,7 @@ impl<'a, S: ColumnMapping> Coupled<'a, S> {
     {
         self.check_frames(request.frames)?;
         let dynamics = self.predictive_dynamics(request)?;
-        let start = self.model.start(request.sequence, request.frame)?;
+        let start = self.model.start_of(request)?;
         Ok(seeds
             .into_iter()
             .map(move |seed| Ok(self.rollout_along(dynamics.sample(&start, request.frames, seed)?, request))))
@@ -99,8 +100,7 @@ impl<'a, S: ColumnMapping> Coupled<'a, S> {
     /// factorised.
     pub fn moments(&self, request: &RolloutRequest) -> Result<LatentMoments, RolloutError> {
         self.check_frames(request.frames)?;
-        self.predictive_dynamics(request)?
-            .moments(&self.model.start(request.sequence, request.frame)?, request.frames)
+        self.predictive_dynamics(request)?.moments(&self.model.start_of(request)?, request.frames)
     }
 
     /// The dynamics with their variances under the couplings of a request.
@@ -116,7 +116,7 @@ impl<'a, S: ColumnMapping> Coupled<'a, S> {
         self.model.predictive_dynamics(request.alpha_or(&self.model.alpha), request.reading)
     }
 
-    pub(super) fn rollout_along(&self, latents: Vec<DMatrix<f64>>, request: &RolloutRequest) -> Rollout {
+    fn rollout_along(&self, latents: Vec<DMatrix<f64>>, request: &RolloutRequest) -> Rollout {
         let y = self.body.columns(&self.model.observations(&latents));
         Rollout { latents, y, weights: coupling_weight_matrix(request.alpha_or(&self.model.alpha)) }
     }

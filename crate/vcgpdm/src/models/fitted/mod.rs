@@ -6,5 +6,5 @@ pub(crate) mod coupled;
 pub(crate) mod fitted_model;
 pub(crate) mod json;
 pub(crate) mod model;
-mod observed;
+pub(crate) mod observed;
 pub(crate) mod provenance;

@@ -1,15 +1,50 @@
-//! Models that follow a recording: latents of observed columns, and rollouts that go on from them.
+//! Models that follow a recording: latents of observed columns and clips.
 
 use crate::models::data::column_mapping::ColumnMapping;
+use crate::models::data::dataset::DatasetError;
 use crate::models::fitted::coupled::Coupled;
 use crate::models::rollout::couplings::coupling_weight_matrix;
 use crate::models::rollout::request::{Rollout, RolloutError, RolloutRequest};
 use crate::models::variational::{Filter, LatentMoments, ObservationError};
+use crate::motion::Clip;
 use crate::motion::pose::PoseError;
+use crate::plural::counted;
 use nalgebra::DMatrix;
+use thiserror::Error;
 
 /// Where in the movement a recording starts follows from this time of it, in seconds.
 const SEARCHED: f64 = 0.5;
+
+/// Why the latents of a clip's first frames cannot be inferred.
+#[doc(hidden)]
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ObservedClipError {
+    /// The clip has another body, or cannot be brought to the frame rate of the model.
+    #[error(transparent)]
+    Dataset(#[from] DatasetError),
+    /// The clip has too few frames.
+    #[error(
+        "{clip}: expected {expected} frames or more to start from, found {} at the frame rate of the model",
+        counted(*found, "frame")
+    )]
+    Short {
+        /// The clip's name.
+        clip: String,
+        /// Frames asked for.
+        expected: usize,
+        /// Frames found.
+        found: usize,
+    },
+    /// The frames cannot be filtered.
+    #[error("{clip}: {reason}")]
+    Observation {
+        /// The clip's name.
+        clip: String,
+        /// The reason.
+        reason: ObservationError,
+    },
+}
 
 impl<S: ColumnMapping> Coupled<'_, S> {
     /// The model as a filter of observed columns, under the couplings of a request.
@@ -67,19 +102,38 @@ impl<S: ColumnMapping> Coupled<'_, S> {
         Ok(Rollout { latents: latents.means, y, weights })
     }
 
-    /// The mean rollout that begins with these latents [frames x Q_i] of each part, p frames or more, in place
-    /// of a training sequence. The frames of the request include them.
+    /// The latents [frames x Q_i] of each part in observed columns [frames x D], p frames or more, under the
+    /// learned couplings: the start latents of a rollout that goes on from them.
     ///
     /// # Errors
     ///
-    /// As [`Coupled::rollout`], and when the latents do not fit the model.
+    /// As [`infer`](Self::infer).
     #[doc(hidden)]
-    pub fn rollout_after(
+    pub fn latents_of(&self, columns: &DMatrix<f64>) -> Result<Vec<DMatrix<f64>>, ObservationError> {
+        let filter = self.filter(&RolloutRequest::default())?;
+        Ok(self.infer(&filter, &self.body.centred(columns))?.means)
+    }
+}
+
+impl Coupled<'_> {
+    /// The latents [frames x Q_i] of each part in the first `frames` frames of a clip, at the frame rate of the
+    /// model, as in [`latents_of`](Self::latents_of). The clip need not be a training clip.
+    ///
+    /// # Errors
+    ///
+    /// When the clip has another body or too few frames, or as in [`infer`](Self::infer).
+    #[doc(hidden)]
+    pub fn latents_of_clip(
         &self,
-        given: &[DMatrix<f64>],
-        request: &RolloutRequest,
-    ) -> Result<Rollout, RolloutError> {
-        self.check_frames(request.frames)?;
-        Ok(self.rollout_along(self.model.path_after(given, request)?, request))
+        clip: &Clip,
+        frames: usize,
+    ) -> Result<Vec<DMatrix<f64>>, ObservedClipError> {
+        let columns = self.body.encode(clip)?;
+        let (name, found) = (&clip.name, columns.nrows());
+        if found < frames {
+            return Err(ObservedClipError::Short { clip: name.clone(), expected: frames, found });
+        }
+        let latents = self.latents_of(&columns.rows(0, frames).into_owned());
+        latents.map_err(|reason| ObservedClipError::Observation { clip: name.clone(), reason })
     }
 }

@@ -190,7 +190,9 @@ impl Coupled<'_> {
         if (3.0 * squares / steps.len() as f64).sqrt() / frame_time >= TRAVELS {
             return Ending::KeepsOnePose;
         }
-        let recorded = self.body.sequences.get(request.sequence).and_then(|info| info.rests_from);
+        // The rest of a sequence is not that of other start latents.
+        let sequence = self.body.sequences.get(request.sequence).filter(|_| request.start.is_none());
+        let recorded = sequence.and_then(|info| info.rests_from);
         // The rollout may start at a later frame of the recording.
         let start = request.frame as f64 * frame_time;
         if recorded.is_some_and(|rest| start + from >= rest - EARLY) {
@@ -372,6 +374,10 @@ mod tests {
         let model = model.coupled().unwrap();
         let found = model.health(&rollout, &request, &model.positions(&rollout).unwrap()).unwrap();
         assert_eq!(found.state, Ending::RestsAsRecorded);
+        // A rollout of start latents has no recording.
+        let request = RolloutRequest { start: Some(Vec::new()), frame: 30, ..RolloutRequest::default() };
+        let found = model.health(&rollout, &request, &model.positions(&rollout).unwrap()).unwrap();
+        assert_eq!(found.state, Ending::StandsStill);
     }
 
     #[test]

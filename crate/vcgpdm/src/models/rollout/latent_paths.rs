@@ -14,22 +14,19 @@ pub(crate) struct LatentPaths {
 }
 
 impl LatentPaths {
-    /// Paths that begin with the `start` [p x Q_i] of each part, of an `order` p and `latent` dimensions Q_i.
+    /// Paths that begin with the `start` [frames x Q_i] of each part, `order` p frames or more, of `latent`
+    /// dimensions Q_i.
     pub(crate) fn new(start: &[DMatrix<f64>], order: usize, latent: &[usize]) -> Result<Self, RolloutError> {
+        let rows = start.first().map_or(0, DMatrix::nrows).max(order);
         for (part, &columns) in latent.iter().enumerate() {
             let (found_rows, found_columns) = start.get(part).map_or((0, 0), |s| s.shape());
-            if (found_rows, found_columns) != (order, columns) {
-                return Err(RolloutError::Start { part, rows: order, columns, found_rows, found_columns });
+            if (found_rows, found_columns) != (rows, columns) {
+                return Err(RolloutError::Start { part, rows, columns, found_rows, found_columns });
             }
         }
         let rows = |start: &DMatrix<f64>| start.transpose().as_slice().to_vec();
         let paths = start.iter().take(latent.len()).map(rows).collect();
         Ok(Self { order, latent: latent.to_vec(), paths })
-    }
-
-    /// The same paths with another order, which is at most the number of frames.
-    pub(crate) fn of_order(self, order: usize) -> Self {
-        Self { order, ..self }
     }
 
     /// The order p: frames of a history.

@@ -26,6 +26,10 @@ pub struct RolloutRequest {
     /// of its first frames alone.
     #[serde(default)]
     pub frame: usize,
+    /// Latents [frames x Q_i] of each part, p frames or more, that the rollout starts with in place of a
+    /// training sequence: `sequence` and `frame` must then be 0. `frames` counts them too.
+    #[serde(default, deserialize_with = "rows::optional_matrices")]
+    pub start: Option<Vec<DMatrix<f64>>>,
     /// Coupling variances [M x M], row the source, column the target; absent: as learned.
     #[serde(default, deserialize_with = "rows::optional_matrix")]
     pub alpha: Option<DMatrix<f64>>,
@@ -121,6 +125,25 @@ pub enum RolloutError {
         /// The last frame with stored latents.
         most: usize,
         /// The number asked for.
+        found: usize,
+    },
+    /// The request has start latents, and a training sequence or a frame of one too.
+    #[error(
+        "expected start latents, or a training sequence and its frame, found both: sequence {sequence} and \
+         frame {frame}"
+    )]
+    TwoStarts {
+        /// The sequence asked for.
+        sequence: usize,
+        /// The frame asked for.
+        frame: usize,
+    },
+    /// The start latents have another number of parts than the model.
+    #[error("expected start latents of {expected} parts, found {found}")]
+    StartParts {
+        /// Parts of the model.
+        expected: usize,
+        /// Parts found.
         found: usize,
     },
     /// There is no such part.
@@ -234,7 +257,7 @@ pub enum RolloutError {
     Start {
         /// The part, counted from 0.
         part: usize,
-        /// Rows expected: the order p of the dynamics.
+        /// Rows expected: the order p of the dynamics, or as many as the first part has.
         rows: usize,
         /// Columns expected: the latent dimensions Q of the part.
         columns: usize,

@@ -47,25 +47,12 @@ impl Vcgpdm {
     /// # Errors
     ///
     /// When the couplings, cuts or pushes do not fit the model, a cut or a push has no frame in which it
-    /// acts, or there is no such sequence.
+    /// acts, there is no such sequence, or the start latents do not fit the model.
     pub fn path(&self, request: &RolloutRequest) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-        self.path_after(&self.start(request.sequence, request.frame)?, request)
-    }
-
-    /// As [`path`](Self::path), but the path begins with these latents [frames x Q_i] of each part, p frames or
-    /// more, in place of a training sequence.
-    ///
-    /// # Errors
-    ///
-    /// As [`path`](Self::path), and when the latents do not fit the model.
-    pub fn path_after(
-        &self,
-        given: &[DMatrix<f64>],
-        request: &RolloutRequest,
-    ) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         let alpha = request.alpha_or(&self.alpha);
         let latent = self.latent_dimensions();
-        let (first, end) = (given.first().map_or(0, DMatrix::nrows), request.frames);
+        let mut paths = LatentPaths::new(&self.start_of(request)?, self.order, &latent)?;
+        let (first, end) = (paths.frames(), request.frames);
         let frames = end.max(first);
         let unfelt = |what, found| RolloutError::Unfelt { what, first, end, found };
         for push in &request.pushes {
@@ -80,7 +67,6 @@ impl Vcgpdm {
                 return Err(unfelt("cut", cut.from));
             }
         }
-        let mut paths = LatentPaths::new(given, first.max(self.order), &latent)?.of_order(self.order);
         let changes = request.cuts.iter().flat_map(|cut| [cut.from, cut.to]);
         let changes: Vec<usize> = changes.chain(request.pushes.iter().map(|push| push.frame)).collect();
         let mut seen = paths.clone();
@@ -142,7 +128,11 @@ mod tests {
     fn a_path_goes_on_after_given_latents() {
         let model = fitted(3);
         let given: Vec<_> = model.starts[0].iter().map(|x| x.rows(1, 6).into_owned()).collect();
-        let path = model.path_after(&given, &request(15)).unwrap();
+        let after = |given: &[DMatrix<f64>], frames| RolloutRequest {
+            start: Some(given.to_vec()),
+            ..request(frames)
+        };
+        let path = model.path(&after(&given, 15)).unwrap();
         let last: Vec<_> = given.iter().map(|x| x.rows(4, 2).into_owned()).collect();
         let expected = model.dynamics(&model.alpha, Reading::AsLearned).unwrap().path(&last, 11).unwrap();
         for part in 0..3 {
@@ -150,10 +140,41 @@ mod tests {
             assert_eq!(path[part].rows(4, 11), expected[part]);
         }
         let early = Push { part: 0, frame: 5, by: vec![1.0], ahead: 0.0 };
-        let error = model.path_after(&given, &RolloutRequest { pushes: vec![early], ..request(15) });
-        let words = "expected a push in a frame that is predicted, from 6 on and before 15, found 5";
-        assert_eq!(error.unwrap_err().to_string(), words);
-        assert!(model.path_after(&given[..2], &request(15)).is_err());
+        let refused = |request: RolloutRequest| model.path(&request).unwrap_err().to_string();
+        assert_eq!(
+            refused(RolloutRequest { pushes: vec![early], ..after(&given, 15) }),
+            "expected a push in a frame that is predicted, from 6 on and before 15, found 5"
+        );
+        assert_eq!(refused(after(&given[..2], 15)), "expected start latents of 3 parts, found 2");
+        let mut uneven = given.clone();
+        uneven[1] = uneven[1].rows(0, 5).into_owned();
+        let words = "the start latents of part 1 must be 6 x 2 numbers, found 5 x 2";
+        assert_eq!(refused(after(&uneven, 15)), words);
+        assert_eq!(
+            refused(RolloutRequest { frame: 4, ..after(&given, 15) }),
+            "expected start latents, or a training sequence and its frame, found both: sequence 0 and frame 4"
+        );
+        assert_eq!(model.path(&after(&given, 3)).unwrap()[0], given[0].rows(0, 3));
+    }
+
+    #[test]
+    fn samples_and_moments_go_on_after_given_latents() {
+        let model = fitted(3);
+        let given: Vec<_> = model.starts[0].iter().map(|x| x.rows(1, 6).into_owned()).collect();
+        let last: Vec<_> = given.iter().map(|x| x.rows(4, 2).into_owned()).collect();
+        let dynamics = model.predictive_dynamics(&model.alpha, Reading::AsLearned).unwrap();
+        let (sample, expected) =
+            (dynamics.sample(&given, 15, 4).unwrap(), dynamics.sample(&last, 11, 4).unwrap());
+        let (moments, short) = (dynamics.moments(&given, 9).unwrap(), dynamics.moments(&last, 5).unwrap());
+        for part in 0..3 {
+            assert_eq!(sample[part].rows(0, 6), given[part]);
+            assert_eq!(sample[part].rows(4, 11), expected[part]);
+            assert_eq!(moments.means[part].rows(0, 6), given[part]);
+            assert_eq!(moments.means[part].rows(4, 5), short.means[part]);
+            assert!(moments.covariances[part][..6].iter().all(|covariance| covariance.norm() == 0.0));
+            assert_eq!(moments.covariances[part][4..], short.covariances[part]);
+        }
+        assert_eq!(dynamics.moments(&given, 4).unwrap().means[0], given[0].rows(0, 4));
     }
 
     #[test]

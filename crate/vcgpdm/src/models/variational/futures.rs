@@ -9,13 +9,13 @@ use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
 impl PredictiveDynamics {
-    /// A latent path of every part [frames x Q_i] that begins with the `start` [p x Q_i] of each part and
-    /// then draws x^i_t ~ N(mean, variance) of the product of experts, all parts advancing together. The
+    /// A latent path of every part [frames x Q_i] that begins with the `start` of each part, p frames or more,
+    /// and then draws x^i_t ~ N(mean, variance) of the product of experts, all parts advancing together. The
     /// functions are drawn anew at every frame. The same `seed` gives the same path.
     ///
     /// # Errors
     ///
-    /// When the start latents are not p x Q_i numbers for each part.
+    /// When the start latents are not p or more frames of Q_i numbers for each part.
     pub fn sample(
         &self,
         start: &[DMatrix<f64>],

@@ -4,7 +4,7 @@ use crate::gp::linalg::Factor;
 use crate::gp::{KernelSum, NumericsError};
 use crate::models::rollout::couplings::{Reading, check_couplings, coupling_weights};
 use crate::models::rollout::latent_dynamics::LatentDynamics;
-use crate::models::rollout::request::{RolloutError, check_frames};
+use crate::models::rollout::request::{RolloutError, RolloutRequest, check_frames};
 use crate::models::training::kind::ModelKind;
 use crate::models::variational::elbo::{BoundTerms, DynamicsSums, Objective, stack_offsets};
 use crate::models::variational::maps::{FittedExpert, FittedMaps, PoseMap};
@@ -130,6 +130,24 @@ impl Vcgpdm {
         Ok(stored.iter().map(|x| x.rows(frame, self.order).into_owned()).collect())
     }
 
+    /// The latents [frames x Q_i] of each part that the rollout of a request starts with: p frames of a training
+    /// sequence, or the start latents of the request.
+    ///
+    /// # Errors
+    ///
+    /// As [`start`](Self::start), and when the request has two starts, or start latents of other parts.
+    pub fn start_of(&self, request: &RolloutRequest) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        let (sequence, frame) = (request.sequence, request.frame);
+        let Some(given) = &request.start else { return self.start(sequence, frame) };
+        if sequence > 0 || frame > 0 {
+            return Err(RolloutError::TwoStarts { sequence, frame });
+        }
+        if given.len() != self.part_count() {
+            return Err(RolloutError::StartParts { expected: self.part_count(), found: given.len() });
+        }
+        Ok(given.clone())
+    }
+
     /// The mean dynamics under the couplings `alpha` [M x M], row the source, column the target. As learned,
     /// only the weights of the experts depend on the couplings; re-inferred, the experts into every part are
     /// solved for again.
@@ -232,7 +250,6 @@ impl Vcgpdm {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::models::rollout::request::RolloutRequest;
     use crate::models::variational::testing::{fitted, random_case};
     use approx::assert_relative_eq;
 

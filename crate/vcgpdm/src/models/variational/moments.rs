@@ -28,27 +28,28 @@ pub struct Belief {
 }
 
 impl PredictiveDynamics {
-    /// The moments of the latents from a certain `start` [p x Q_i] of each part on. A step is exact for a
+    /// The moments of the latents from a certain `start` [frames x Q_i] of each part on. A step is exact for a
     /// Gaussian history; its result is replaced by a Gaussian with the same mean and covariance. The cost of
     /// a frame grows with the pairs of dynamics inducing points of all experts.
     ///
     /// # Errors
     ///
-    /// When the start latents are not p x Q_i numbers for each part, or a covariance cannot be factorised.
+    /// When the start latents are not p or more frames of Q_i numbers for each part, or a covariance cannot be
+    /// factorised.
     pub fn moments(&self, start: &[DMatrix<f64>], frames: usize) -> Result<LatentMoments, RolloutError> {
         let paths = LatentPaths::new(start, self.order, &self.latent)?;
         let mut means: Vec<Vec<f64>> = Vec::new();
         let mut covariances: Vec<Vec<DMatrix<f64>>> = Vec::new();
-        let given = frames.min(self.order);
-        for (part, &q) in self.latent.iter().enumerate() {
-            means.push(paths.history(part)[..given * q].to_vec());
+        let given = frames.min(paths.frames());
+        for (start, &q) in paths.matrices(0..given).iter().zip(&self.latent) {
+            means.push(start.transpose().as_slice().to_vec());
             covariances.push(vec![DMatrix::zeros(q, q); given]);
         }
         let history: Vec<f64> =
             (0..self.latent.len()).flat_map(|part| paths.history(part).to_vec()).collect();
         let size = history.len();
         let mut belief = Belief { mean: DVector::from_vec(history), covariance: DMatrix::zeros(size, size) };
-        for _ in self.order..frames {
+        for _ in paths.frames()..frames {
             belief = self.advanced(&self.joint(&belief)?);
             for (part, &q) in self.latent.iter().enumerate() {
                 let newest = self.inputs(part).end - q;
