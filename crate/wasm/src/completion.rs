@@ -2,7 +2,7 @@
 
 use crate::arguments::Whole;
 use crate::clip::Clip;
-use crate::convert::{flat, from_js, matrix, to_js};
+use crate::convert::{flat, from_js, matrix, rows, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::model::Model;
 use crate::rollout::Rollout;
@@ -102,6 +102,16 @@ impl Model {
         let request = RolloutRequest { alpha, reading: options.reading, ..RolloutRequest::default() };
         let found = view.complete(&request, &recorded, &given, cut)?;
         Ok(Completion { found, recorded, model: Rc::clone(model) })
+    }
+
+    /// Infers the latents in the first frames of a clip, `[part][frame][dimension]`: the `start` of rollouts that
+    /// go on from these frames. The frames count at the frame rate of the model. The clip need not be one that
+    /// the model was trained on, but must be of the same body.
+    #[wasm_bindgen(unchecked_return_type = "number[][][]")]
+    pub fn infer(&self, clip: &Clip, frames: &Whole) -> Result<JsValue, VcgpdmError> {
+        let frames = frames.count(ErrorCode::Rollout, "the number of frames")?;
+        let latents = coupled(self.model.body()?)?.latents_of_clip(&clip.clip, frames)?;
+        to_js(&latents.iter().map(rows).collect::<Vec<_>>())
     }
 }
 

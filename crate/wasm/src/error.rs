@@ -6,6 +6,8 @@ use std::fmt::Display;
 use vcgpdm::document::DocumentError;
 use vcgpdm::gp::NumericsError;
 #[cfg(feature = "training")]
+use vcgpdm::models::ObservedClipError;
+#[cfg(feature = "training")]
 use vcgpdm::models::library::{
     CombinationError, ImportError, LibraryError as PrimitivesError, MergeError, RecognitionError, WalkError,
 };
@@ -244,6 +246,17 @@ impl LibraryError for ObservationError {
             ObservationError::Numerics(_) => ErrorCode::Numerics,
             ObservationError::Short { .. } => ErrorCode::Clip,
             _ => ErrorCode::Rollout,
+        }
+    }
+}
+
+#[cfg(feature = "training")]
+impl LibraryError for ObservedClipError {
+    fn code(&self) -> ErrorCode {
+        match self {
+            ObservedClipError::Dataset(reason) => reason.code(),
+            ObservedClipError::Observation { reason, .. } => reason.code(),
+            _ => ErrorCode::Clip,
         }
     }
 }

@@ -304,7 +304,7 @@ impl Model {
     }
 
     /// The mean rollout from a training sequence's start. A vCGPDM or vGPDM can also start from another frame
-    /// and have other couplings than the learned ones.
+    /// or from latents, and have other couplings than the learned ones.
     pub fn rollout(
         &self,
         #[wasm_bindgen(unchecked_optional_param_type = "RolloutOptions")] options: JsValue,
