@@ -1,6 +1,7 @@
 // Makes all stores of the page and connects them.
 import { ClipsStore } from "../clips/clips-store";
 import { BodyStore } from "../couplings/body-store";
+import { ClipStartStore } from "../couplings/clip-start-store";
 import { ModelStore } from "../couplings/model-store";
 import { PhasesStore } from "../couplings/phases-store";
 import { ReadingsStore } from "../couplings/readings-store";
@@ -48,6 +49,7 @@ export class App {
   readonly readings: ReadingsStore;
   readonly pointing: PointingStore;
   readonly predictions: PredictionsStore;
+  readonly starts: ClipStartStore;
   readonly training: TrainingStore;
 
   readonly live = new Lazy(async () => {
@@ -207,6 +209,7 @@ export class App {
     this.readings = new ReadingsStore(this.engine, this.model, this.stage);
     this.pointing = new PointingStore(this.engine, this.model, this.stage);
     this.predictions = new PredictionsStore(this.engine, this.model);
+    this.starts = new ClipStartStore(this.engine, this.model, this.clips, this.notices, wholeWorkers);
     const mayTakeStage = () => mayLose(stageWork(this.model, this.engine));
     this.training = new TrainingStore(
       this.engine,

@@ -51,6 +51,7 @@ describe("the name of a motion", () => {
       { ...asLearned, alpha: { ...many, "1.1": 5 } },
       { ...asLearned, sequence: 1 },
       { ...asLearned, sequence: 1, frame: 9 },
+      { ...asLearned, clip: "walk 5" },
       { ...asLearned, frames: 150 },
     ];
     expect(new Set(variants.map(motionName)).size).toBe(variants.length);

@@ -18,15 +18,18 @@ export interface RolledOut {
   sequence: number;
   /** The frame of that sequence; absent: the first. */
   frame?: number | undefined;
+  /** The title of the clip that begins the motion in place of a sequence. */
+  clip?: string | undefined;
   frames: number;
 }
 
 /** The name of the model and the differences of this motion: "...-lower-upper-5-as-35_02-10s". */
 export function motionName(motion: RolledOut): string {
-  const { info, sequence, frame, frames } = motion;
+  const { info, sequence, frame, frames, clip } = motion;
   const start = info.sequences[sequence];
   const words = [modelName(motion), ...couplingWords(motion)];
-  if (sequence > 0 && start) words.push(`as-${plain(clipTitle(start.name)) || sequence + 1}`);
+  if (clip) words.push(`as-${plain(clip) || "clip"}`);
+  else if (sequence > 0 && start) words.push(`as-${plain(clipTitle(start.name)) || sequence + 1}`);
   if (frame) words.push(`from-${frame + 1}`);
   words.push(`${Number((frames * info.frameTime).toFixed(1))}s`);
   return words.join("-");

@@ -306,6 +306,7 @@ export class PageView extends View {
       readings,
       pointing,
       predictions,
+      starts,
       training,
     } = this.app;
     const tabs = this.#tabs;
@@ -315,7 +316,7 @@ export class PageView extends View {
       panel(
         "listen",
         html`<pg-lead .app=${this.app}></pg-lead>
-        <pg-couplings .playback=${playback} .model=${model} .settings=${settings} .engine=${engine} .body=${body} .readings=${readings}></pg-couplings>
+        <pg-couplings .playback=${playback} .model=${model} .settings=${settings} .engine=${engine} .body=${body} .readings=${readings} .starts=${starts}></pg-couplings>
         ${tabs.includes("learn") ? this.#completing() : nothing}`,
       ),
       panel(

@@ -108,7 +108,8 @@ function rolledOutName(app: App): string | null {
   if (!model || !rollout) return null;
   const { alpha, reading } = app.settings.values;
   const { sequence, frame, frames } = app.model.rolloutRequest();
-  return motionName({ info: model.info, id, alpha, reading, sequence, frame, frames });
+  const clip = app.model.clipStart?.title;
+  return motionName({ info: model.info, id, alpha, reading, sequence, frame, frames, clip });
 }
 
 function clipName({ title, first, end, loaded }: ClipEntry): string {

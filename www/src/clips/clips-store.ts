@@ -3,6 +3,7 @@ import type { EngineStore } from "../engine/engine-store";
 import type {
   Clash,
   ClipSource,
+  JointInfo,
   LoadedClip,
   PartSpec,
   ShownClip,
@@ -62,6 +63,12 @@ export class ClipsStore extends Store {
 
   get all(): readonly ClipEntry[] {
     return this.#clips;
+  }
+
+  /** The clips of a body with these joints. */
+  ofBody(joints: readonly JointInfo[]): readonly ClipEntry[] {
+    const names = (all: readonly JointInfo[]) => all.map(({ name }) => name).join();
+    return this.#clips.filter(({ loaded }) => names(loaded.info.joints) === names(joints));
   }
 
   get ticked(): readonly ClipEntry[] {

@@ -48,9 +48,8 @@ export class Recordings extends Store {
     const { frames, frameTime } = learned.motion;
     const title = completingWords().ownWalk;
     const own = { key: "own-motion", title, source: null, first: 0, end: frames, frameTime };
-    const names = model.info.joints.map(({ name }) => name).join();
-    const fitting = this.#clips.all
-      .filter(({ loaded }) => loaded.info.joints.map(({ name }) => name).join() === names)
+    const fitting = this.#clips
+      .ofBody(model.info.joints)
       .map(({ key, title, source, first, end, loaded }) => ({
         key,
         title,

@@ -1,14 +1,16 @@
 // The couplings: presets, arrows on the body, readings, and behind "Numbers" a table of sliders.
 import { html, nothing } from "lit";
+import { live } from "lit/directives/live.js";
 import type { EngineStore } from "../engine/engine-store";
 import type { ModelInfo } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
-import { clipTitle } from "../ui/format";
+import { clipTitle, fixed } from "../ui/format";
 import { withTerms } from "../terms/term";
 import { View } from "../ui/view";
 import "./body-map";
 import type { BodyStore } from "./body-store";
+import type { ClipStartStore } from "./clip-start-store";
 import "./couplings.css";
 import { couplingsTable } from "./couplings-table";
 import "./measured-view";
@@ -26,9 +28,10 @@ export class CouplingsView extends View {
   declare body: BodyStore;
   declare readings: ReadingsStore;
   declare playback: Playback;
+  declare starts: ClipStartStore;
 
   protected override stores() {
-    return [this.model, this.settings, this.engine];
+    return [this.model, this.settings, this.engine, this.starts];
   }
 
   #table(info: ModelInfo) {
@@ -51,18 +54,40 @@ export class CouplingsView extends View {
       this.model.setStart(start, (event.target as HTMLInputElement).valueAsNumber);
     };
     const frames =
-      last > 0
+      last > 0 && this.starts.clip === null
         ? html`<label class="start">${lab().couplings.fromFrame} <input type="range" min="0" max=${last} .value=${String(frame)} data-testid="start-frame"
             aria-valuetext=${lab().couplings.frame(frame + 1, last + 1)} @input=${from} /><output>${frame + 1}</output></label>`
         : nothing;
-    if (sequences.length < 2) return frames;
+    return html`${this.#startChoice(sequences, start)}${frames}`;
+  }
+
+  /** The training sequences and the other clips that a rollout can start as. */
+  #startChoice(sequences: ModelInfo["sequences"], start: number) {
+    const { clip: chosen, clips, observed } = this.starts;
+    if (sequences.length + clips.length < 2) return nothing;
+    const words = lab().couplings;
+    const choose = (event: Event) => {
+      const { value } = event.target as HTMLSelectElement;
+      if (clips.some(({ key }) => key === value)) this.starts.chooseClip(value);
+      else this.starts.chooseSequence(Number(value));
+    };
+    // A choice that failed must show the present start again.
+    const option = (value: string, name: string, selected: boolean) =>
+      html`<option value=${value} .selected=${live(selected)}>${clipTitle(name)}</option>`;
     return html`
-      <label class="start">${lab().couplings.startAs}
-        <select aria-label=${lab().couplings.startLabel} @change=${(event: Event) =>
-          this.model.setStart(Number((event.target as HTMLSelectElement).value))}>
-          ${sequences.map(({ name }, i) => html`<option value=${i} ?selected=${i === start}>${clipTitle(name)}</option>`)}
+      <label class="start">${words.startAs}
+        <select aria-label=${words.startLabel} aria-busy=${this.starts.isBusy ? "true" : "false"} @change=${choose}>
+          <optgroup label=${words.trainedOn}>
+            ${sequences.map(({ name }, i) => option(String(i), name, chosen === null && i === start))}
+          </optgroup>
+          ${
+            clips.length > 0
+              ? html`<optgroup label=${words.notTrainedOn}>${clips.map(({ key, title }) => option(key, title, key === chosen))}</optgroup>`
+              : nothing
+          }
         </select>
-      </label>${frames}`;
+      </label>
+      ${chosen === null ? nothing : html`<p class="hint" data-testid="clip-start">${words.clipStart(fixed(observed, 1))}</p>`}`;
   }
 
   #numbers(info: ModelInfo) {

@@ -38,6 +38,15 @@ export interface Keep {
   clip: boolean;
 }
 
+/** A clip whose first frames begin the rollouts, with the latents that the model infers in them. */
+export interface ClipStart {
+  /** The key of the clip in the list of clips. */
+  key: string;
+  title: string;
+  /** `[part][frame][dimension]` */
+  latents: number[][][];
+}
+
 const KEEP_NOTHING: Keep = { couplings: "none", clip: false };
 
 export class ModelStore extends Store {
@@ -57,6 +66,7 @@ export class ModelStore extends Store {
   readonly #saved = new Set<string>();
   #learned: RolloutResult | null = null;
   #rollout: RolloutResult | null = null;
+  #clipStart: ClipStart | null = null;
   /** The time when the visitor changed a coupling; null once its rollout has arrived. */
   #changedAt: number | null = null;
   readonly #rollouts: Latest<RolloutRequest, RolloutResult>;
@@ -143,13 +153,15 @@ export class ModelStore extends Store {
     return (info && this.presets.find((preset) => isPreset(preset, info, this.#settings.values))) ?? null;
   }
 
+  /** The clip that begins the rollouts; null: a training sequence does. */
+  get clipStart(): ClipStart | null {
+    return this.#clipStart;
+  }
+
   /** The request for the rollout on the stage. */
   rolloutRequest(): RolloutRequest {
-    const { frames, reading, start, startFrame } = this.#settings.values;
-    const sequences = this.#model?.info.sequences.length ?? 1;
-    const sequence = Math.min(start, Math.max(0, sequences - 1));
-    const frame = Math.min(startFrame, this.startFrames(sequence) - 1);
-    const begins = frame > 0 ? { frames, sequence, frame } : { frames, sequence };
+    const { reading } = this.#settings.values;
+    const begins = this.#beginning();
     const { alpha, altered } = this.couplings;
     return altered ? { ...begins, alpha, reading } : { ...begins, alpha: null, reading: "as-learned" };
   }
@@ -210,8 +222,16 @@ export class ModelStore extends Store {
     return this.#model?.info.startFrames[sequence] ?? 1;
   }
 
+  /** Starts the rollouts with the first frames of a clip. The address does not keep this start. */
+  startWith(clip: ClipStart): void {
+    this.#clipStart = clip;
+    this.#change({ start: 0, startFrame: 0 });
+    this.#rollOutBoth();
+  }
+
   /** Starts the rollouts from a frame of a training sequence; the ghost starts there too. */
   setStart(start: number, startFrame = 0): void {
+    this.#clipStart = null;
     this.#change({ start, startFrame });
     this.#rollOutBoth();
   }
@@ -240,6 +260,16 @@ export class ModelStore extends Store {
     const { alpha, start, startFrame } = { ...this.#settings.values, ...change };
     const aboutModel = start + startFrame > 0 || Object.keys(alpha).length > 0;
     this.#settings.change({ ...change, model: aboutModel ? this.id : "" }, turnsPage);
+  }
+
+  /** The length of the rollouts, and what begins them. */
+  #beginning(): Omit<RolloutRequest, "alpha" | "reading"> {
+    const { frames, start, startFrame } = this.#settings.values;
+    if (this.#clipStart) return { frames, sequence: 0, start: this.#clipStart.latents };
+    const sequences = this.#model?.info.sequences.length ?? 1;
+    const sequence = Math.min(start, Math.max(0, sequences - 1));
+    const frame = Math.min(startFrame, this.startFrames(sequence) - 1);
+    return frame > 0 ? { frames, sequence, frame } : { frames, sequence };
   }
 
   #couplingsChanged(change: CouplingsChange): void {
@@ -288,6 +318,7 @@ export class ModelStore extends Store {
     this.#rollouts.drop();
     this.#learnedRollouts.drop();
     this.#model = model;
+    this.#clipStart = null;
     this.couplings.setLearned(model.info.alpha);
     this.#learned = rollout;
     this.#rollout = rollout;

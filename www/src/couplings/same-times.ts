@@ -3,5 +3,7 @@ import type { RolloutRequest } from "../engine/protocol";
 
 /** Whether two rollouts have the same start and the same length. */
 export function sameTimes(a: RolloutRequest, b: RolloutRequest): boolean {
-  return a.frames === b.frames && a.sequence === b.sequence && a.frame === b.frame;
+  const times = ({ frames, sequence, frame, start }: RolloutRequest) =>
+    JSON.stringify([frames, sequence, frame, start]);
+  return times(a) === times(b);
 }

@@ -94,6 +94,10 @@ export interface RolloutRequest {
   sequence: number;
   /** The frame of the sequence at which the rollout starts; absent: the first. */
   frame?: number;
+  /**
+   * Latents that begin the rollout in place of the sequence, `[part][frame][dimension]`; `sequence` is then 0.
+   */
+  start?: number[][][];
   /** Absent: the learned couplings. */
   alpha: Couplings | null;
   reading: Reading;

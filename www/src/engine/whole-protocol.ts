@@ -240,6 +240,11 @@ export interface UncertaintyWorker {
   keptBounds(choices: KeptPoints[]): number[];
   /** Observes one part of a recording and infers the others. */
   complete(request: CompletionRequest): Promise<CompletedClip>;
+  /**
+   * The latents that the model of this document infers in the first frames of a clip, `[part][frame][dimension]`.
+   * The frames count at the frame rate of the model.
+   */
+  inferStart(text: string, clip: TrainingClip, frames: number): Promise<number[][][]>;
   /** A rollout of the model with some of its inducing points only. */
   keptRollout(kept: KeptPoints, request: RolloutRequest): KeptReport;
 }

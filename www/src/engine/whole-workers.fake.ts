@@ -155,6 +155,7 @@ export class FakeProgram implements WholeWorkers {
   /** The documents of the models opened for moments and images. */
   readonly outlooks: string[] = [];
   readonly completions: CompletionRequest[] = [];
+  readonly starts: Pending<{ text: string; clip: TrainingClip; frames: number }, never, number[][][]>[] = [];
   readonly libraries = new FakeLibraries();
   readonly series = new FakeSeries();
   /** The states and files to which outcomes were to be added. */
@@ -275,6 +276,7 @@ export class FakeProgram implements WholeWorkers {
           scores: [{ part: "other", ...score }],
         };
       },
+      inferStart: (text, clip, frames) => pending(this.starts, { text, clip, frames }, () => {}),
       moments: (request) => pending(this.moments, request, () => {}),
       trainExperiment: (experiment, report, signal) =>
         Promise.race([

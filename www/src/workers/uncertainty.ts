@@ -54,6 +54,8 @@ export const uncertaintyWorker: UncertaintyWorker = {
       }),
     );
   },
+  inferStart: async (text, clip, frames) =>
+    using(await pieceOf(clip), (piece) => using(Model.fromJson(text), (model) => model.infer(piece, frames))),
   keptBounds: (choices) => choices.map((kept) => keptBound(current(), kept)),
   keptRollout: (kept, request) => {
     const report = keptReport(current(), kept, request);

@@ -194,6 +194,11 @@ export const lab: LabWords = {
     table: "Eine Zeile entscheidet über eine Spalte. Rechts ist stark: kleines [α|alpha], großes [w|weight].",
     startAs: "Beginn wie Clip",
     startLabel: "Beginn wie in",
+    trainedOn: "Aus dem Training",
+    notTrainedOn: "Nicht trainiert",
+    clipStart: (seconds) =>
+      `Das Modell erschließt die ersten ${seconds} s aus dem Clip, dann geht es allein weiter. Ein Link behält diesen Beginn nicht.`,
+    startFailed: "Die Bewegung kann nicht mit diesem Clip beginnen",
     fromFrame: "ab Bild",
     frame: (frame, count) => `Bild ${frame} von ${count}`,
     decides: "wer",

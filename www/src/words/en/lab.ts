@@ -169,6 +169,11 @@ export const lab = {
     table: "A row decides about a column. Right is strong: small [α|alpha], large [w|weight].",
     startAs: "Start as clip",
     startLabel: "Start as in",
+    trainedOn: "Trained on",
+    notTrainedOn: "Not trained on",
+    clipStart: (seconds: string) =>
+      `The model infers the first ${seconds} s from the clip, then goes on by itself. A link does not keep this start.`,
+    startFailed: "The motion cannot start with this clip",
     fromFrame: "from frame",
     frame: (frame: number, count: number) => `Frame ${frame} of ${count}`,
     decides: "who decides",
