@@ -25,6 +25,12 @@ function __thrown(message) {
     if (message !== "null pointer passed to rust") return new Error(message);
     return __error("freed", "expected an object in use, found one after its free()");
 }
+function __checkNumbers(found) {
+    if (ArrayBuffer.isView(found) || (Array.isArray(found) && found.every((item) => typeof item === "number"))) return;
+    const wrong = Array.isArray(found) ? found.find((item) => typeof item !== "number") : found;
+    const words = Array.isArray(wrong) ? "a list" : wrong && typeof wrong === "object" ? "an object" : String(wrong);
+    throw __error("argument", \`expected a list of numbers, found \${words}\${found === wrong ? "" : " in it"}\`);
+}
 function __otherClass(expected, found) {
     const name = found === null ? "null" : typeof found === "object" ? found.constructor?.name ?? "object" : typeof found;
     return __error("argument", \`expected an instance of \${expected}, found \${name}\`);
@@ -52,20 +58,33 @@ function mend(/** @type {string} */ folder, /** @type {boolean} */ reads) {
     ["throw new Error(`expected instance of $", "{klass.name}`);"].join(""),
     "throw __otherClass(klass.name, instance);",
   );
+  for (const kind of ["F32", "F64"]) {
+    const start = `function passArray${kind}ToWasm0(arg, malloc) {\n`;
+    if (readFileSync(script, "utf8").includes(start))
+      change(script, start, `${start}    __checkNumbers(arg);\n`);
+  }
   writeFileSync(script, readFileSync(script, "utf8") + ERRORS);
   const types = join(folder, "vcgpdm.d.ts");
   // A Blob gives its bytes only later. The player reads no files.
   if (reads) {
-    change(script, "static read(name, bytes) {\n", `static read(name, bytes) {\n${LATER}`);
-    const read = "static read(name: string, bytes: string | ArrayBuffer | Uint8Array): Clip;";
-    change(types, read, `${read}\n    static read(name: string, file: Blob): Promise<Clip>;`);
+    for (const name of ["Clip", "Table"]) {
+      change(
+        script,
+        `static read(name, bytes) {\n        const`,
+        `static read(name, bytes) {\n${later(name)}        const`,
+      );
+      const read = `static read(name: string, bytes: string | ArrayBuffer | Uint8Array): ${name};`;
+      change(types, read, `${read}\n    static read(name: string, file: Blob): Promise<${name}>;`);
+    }
   }
   writeFileSync(types, readFileSync(types, "utf8") + DISPOSE);
   rmSync(join(folder, "vcgpdm_bg.wasm.d.ts"));
 }
 
-const LATER = `        if (typeof Blob === "function" && bytes instanceof Blob)
-            return bytes.arrayBuffer().then((bytes) => Clip.read(name, bytes));
+const later = (
+  /** @type {string} */ name,
+) => `        if (typeof Blob === "function" && bytes instanceof Blob)
+            return bytes.arrayBuffer().then((bytes) => ${name}.read(name, bytes));
 `;
 
 const WEB = `/* @ts-self-types="./vcgpdm.d.ts" */

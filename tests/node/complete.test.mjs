@@ -41,7 +41,7 @@ it("a model observes the legs of a clip, infers the arms, and goes on by itself 
   });
   assert.throws(refused({ given: ["lower"], until: 60 }), {
     code: "rollout",
-    message: /the cut: expected a frame/,
+    message: /^complete: `until`: expected from 0\.\d+ to \d+\.\d+ seconds, found 60$/,
   });
   assert.throws(refused({ given: ["lower"], alpha: [[1]] }), { code: "rollout" });
   remove();

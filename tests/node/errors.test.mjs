@@ -90,13 +90,17 @@ it("errors have a name, a code of the declared ones, and words", () => {
     [
       "clip",
       () => Clip.read("a.bvh", /** @type {any} */ ({})),
-      /expected a string, an ArrayBuffer or a Uint8Array, found object/,
+      /expected a string, an ArrayBuffer, a Uint8Array or a Blob, found an object/,
     ],
-    ["rollout", () => model.rollout({ frames: 1.5 }), /^rollout: expected a whole number, found `1.5`$/],
+    [
+      "rollout",
+      () => model.rollout({ frames: 1.5 }),
+      /^rollout: `frames`: expected a whole number from 0 to 4294967295, found 1.5$/,
+    ],
     [
       "settings",
       () => new Trainer(clips, { ...settings, seed: -1 }),
-      /^settings: expected a whole number, found `-1`$/,
+      /^settings: `seed`: expected a whole number from 0 to \d+, found -1$/,
     ],
     ["parts", () => new Trainer(clips, { ...settings, parts }), /./],
     [
@@ -107,13 +111,13 @@ it("errors have a name, a code of the declared ones, and words", () => {
     [
       "settings",
       () => new Trainer(clips, /** @type {any} */ ({ ...settings, latent: "3" })),
-      /^settings: expected a whole number, found "3"$/,
+      /^settings: `latent`: expected a whole number from 0 to \d+, found "3"$/,
     ],
     [
       "settings",
       () =>
         new Evaluation(new Fold(clips, common, { heldOut: 0 }), /** @type {any} */ ({ model: "gplvm" }), 0),
-      /^candidate: unknown variant `gplvm`/,
+      /^candidate: `model`: expected one of "vcgpdm", .*"dmp-rhythmic", found "gplvm"$/,
     ],
     ["training", () => new Trainer(set(clip.cut(0, 2)), { ...settings, order: 9 }), /./],
     ["model", () => Model.fromJson("{}"), /./],
@@ -132,12 +136,12 @@ it("errors have a name, a code of the declared ones, and words", () => {
     [
       "rollout",
       () => model.rollout({ frames: 5, sequence: 0, alpha: [[1], [1, 2]] }),
-      /^rollout: expected rows of 1 numbers/,
+      /^rollout: `alpha`: expected rows of 1 numbers/,
     ],
     [
       "rollout",
       () => model.rollout(/** @type {any} */ ({ frames: 5, sequence: 0, reading: "guessed" })),
-      /^rollout: unknown variant `guessed`/,
+      /^rollout: `reading`: expected "as-learned" or "re-inferred", found "guessed"$/,
     ],
     ["comparison", () => new Fold(clips, common, { heldOut: 2 }), /expected a trial from 0 to 1, found 2/],
     [
@@ -227,10 +231,10 @@ it("errors have a name, a code of the declared ones, and words", () => {
     [
       "clip",
       () => Clip.read("a", odd.number),
-      /^the file: expected a string, an ArrayBuffer or a Uint8Array, found 7/,
+      /^the file: expected a string, an ArrayBuffer, a Uint8Array or a Blob, found 7/,
     ],
-    ["clip", () => Clip.read("a", odd.nil), /^the file: expected a string, .* or a Uint8Array, found null/],
-    ["table", () => Table.read("a", odd.nil), /^the file: expected a string, .* or a Uint8Array, found null/],
+    ["clip", () => Clip.read("a", odd.nil), /^the file: expected a string, .* or a Blob, found null/],
+    ["table", () => Table.read("a", odd.nil), /^the file: expected a string, .* or a Blob, found null/],
     ["settings", () => new Trainer(clips, odd.nil), /^settings: expected an object, found null/],
     [
       "parts",
@@ -241,24 +245,87 @@ it("errors have a name, a code of the declared ones, and words", () => {
     ["argument", () => new Trainer(odd.word, settings), /^expected an instance of TrainingSet, found string/],
     ["clip", () => Clip.sample(odd.number), /^the id of a sample: expected a text, found 7/],
     ["clip", () => Clip.read(odd.nothing, new Uint8Array(3)), /^the name: expected a text, found undefined/],
-    ["model", () => Model.fromJson(odd.object), /^the document: expected a text, found object/],
+    ["model", () => Model.fromJson(odd.object), /^the document: expected a text, found an object/],
     ["results", () => Results.fromJson(odd.number), /^the document: expected a text, found 7/],
     ["clip", () => clip.cut(-1, 5), /^the first frame: expected a whole number from 0 to \d+, found -1/],
     ["clip", () => clip.cut(0, 2.5), /^the end: expected a whole number from 0 to \d+, found 2.5/],
     [
       "comparison",
       () => new Evaluation(new Fold(clips, common, { heldOut: 0 }), odd.object, odd.word),
-      /^the seed: expected a whole number from 0 to \d+, found string/,
+      /^the seed: expected a whole number from 0 to \d+, found "x"/,
     ],
-    [
-      "model",
-      () => model.poseIps(odd.word),
-      /^the part: expected a whole number from 0 to \d+, found string/,
-    ],
+    ["model", () => model.poseIps(odd.word), /^the part: expected a whole number from 0 to \d+, found "x"/],
     [
       "rollout",
       () => model.sampledRollouts({ frames: 5, sequence: 0 }, NaN, 1),
       /^the number of rollouts: .*found NaN/,
+    ],
+  );
+  // Fields of the wrong kind: the place, what was expected and what was found.
+  const two = new Trainer(clips, { ...settings, parts: "lower,upper" }).model();
+  const plain = (/** @type {unknown} */ value) => /** @type {any} */ (value);
+  const complete = (/** @type {object} */ options) => () => two.complete(clip, plain(options));
+  const state = clip.state();
+  cases.push(
+    ["rollout", complete({ given: "lower" }), /^complete: `given`: expected a list, found "lower"$/],
+    ["rollout", complete({ given: ["lower", 1] }), /^complete: `given\[1\]`: expected a text, found 1$/],
+    [
+      "rollout",
+      complete({ given: ["lower"], until: -1 }),
+      /^complete: `until`: expected from 0\.\d+ to \d\.\d+ seconds, found -1$/,
+    ],
+    ["rollout", complete({ given: ["lower"], until: NaN }), /^complete: `until`: .* seconds, found NaN$/],
+    ["rollout", complete(clip), /^complete: expected an object, found an instance of Clip$/],
+    [
+      "parts",
+      () => new Trainer(clips, plain({ ...settings, parts: [{ name: "a", joints: "x" }] })),
+      /^parts: `\[0\]\.joints`: expected a list, found "x"$/,
+    ],
+    ["rollout", () => model.rollout(plain({ alpha: "x" })), /^rollout: `alpha`: expected a list, found "x"$/],
+    [
+      "rollout",
+      () => model.rollout(plain({ frames: {} })),
+      /^rollout: `frames`: expected a whole number from 0 to \d+, found an object$/,
+    ],
+    [
+      "rollout",
+      () => model.rollout(plain({ frames: [1] })),
+      /^rollout: `frames`: expected a whole number from 0 to \d+, found a list$/,
+    ],
+    [
+      "rollout",
+      () => model.rollout(plain({ reading: 3 })),
+      /^rollout: `reading`: expected "as-learned" or "re-inferred", found 3$/,
+    ],
+    ["rollout", () => model.rollout(plain([])), /^rollout: expected an object, found a list$/],
+    ["model", () => model.withPoints(plain("x"), []), /^poses: expected a list, found "x"$/],
+    [
+      "clip",
+      () => Clip.fromState(plain({ ...state, piece: [1, 2, 3] })),
+      /^state: `piece`: expected a list of 2 items, found a list of 3$/,
+    ],
+    [
+      "clip",
+      () => Clip.fromState(plain({ ...state, piece: 4 })),
+      /^state: `piece`: expected a list of 2 items, found 4$/,
+    ],
+    [
+      "table",
+      () => Table.of("t", plain([3]), new Float64Array(3), 0.1),
+      /^the columns: `\[0\]`: expected a text, found 3$/,
+    ],
+    ["argument", () => Table.of("t", ["x"], plain("abc"), 0.1), /^expected a list of numbers, found abc$/],
+    ["argument", () => Table.of("t", ["x"], plain([1, "2"])), /^expected a list of numbers, found 2 in it$/],
+    ["argument", () => model.pose(0, plain(null)), /^expected a list of numbers, found null$/],
+    [
+      "comparison",
+      () => Results.empty(clips, plain({ framesPerSecond: "x" })),
+      /^settings: `framesPerSecond`: expected a number, found "x"$/,
+    ],
+    [
+      "clip",
+      () => Clip.read("t.csv", "x,y\n1,2\n3,4\n"),
+      /^t\.csv, line 1: expected a BVH file, found a table of numbers, as CSV \(.*Table\.read\)$/,
     ],
   );
   assert.equal(set(clip, taller.withBonesOf(clip)).length, 2);
@@ -282,6 +349,26 @@ it("errors have a name, a code of the declared ones, and words", () => {
   );
 });
 
+it("`train` refuses other arguments before it begins", async () => {
+  const { Clip, train } = installed.vcgpdm;
+  const clip = Clip.sample("walk-1").cut(0, 60);
+  /** @type {[unknown[], string, string][]} */
+  const cases = [
+    [[clip, null], "settings", "settings: expected an object, found null"],
+    [[clip, 7], "settings", "settings: expected an object, found 7"],
+    [[null], "argument", "expected an instance of Clip or of Table, or a list of them, found null"],
+    [
+      [[clip, {}]],
+      "argument",
+      "expected an instance of Clip or of Table, or a list of them, found an object",
+    ],
+    [[clip, { onProgress: 3 }], "settings", "settings: `onProgress`: expected a function, found 3"],
+    [[clip, { signal: "x" }], "settings", 'settings: `signal`: expected an AbortSignal, found "x"'],
+  ];
+  for (const [given, code, message] of cases)
+    await assert.rejects(/** @type {any} */ (train)(...given), { name: "VcgpdmError", code, message });
+});
+
 it("an error of the caller's own getter is passed on", () => {
   const { Clip, Trainer, TrainingSet } = installed.vcgpdm;
   const clips = new TrainingSet();
@@ -303,7 +390,7 @@ it("names in snake_case are refused with the name to write", () => {
   const clips = new TrainingSet();
   clips.add(Clip.sample("walk-1"));
   clips.add(Clip.sample("walk-2"));
-  const odd = /** @type {any} */ ({ parts: [], frames_per_second: 15 });
+  const odd = /** @type {any} */ ({ frames_per_second: 15 });
   assert.throws(() => Results.empty(clips, odd), {
     message: "settings: expected fields in camelCase, found `frames_per_second`; write `framesPerSecond`",
   });

@@ -4,14 +4,42 @@ import { Clip, Model, Table, Trainer, TrainingSet } from "./glue.js";
 /** Milliseconds from one report to the next, and of the longest stretch without a pause. */
 const PAUSE = 50;
 
-const listOf = (data) => (Array.isArray(data) ? data : [data]);
+/** A value for an error message, as the wasm names values. */
+function found(value) {
+  if (typeof value === "string") return JSON.stringify(value);
+  if (typeof value === "function") return "function";
+  if (typeof value !== "object" || value === null) return String(value);
+  const name = value.constructor?.name;
+  return Array.isArray(value) ? "a list" : name && name !== "Object" ? `an instance of ${name}` : "an object";
+}
+
+function refuse(code, expected, value) {
+  const error = new Error(`${expected}, found ${found(value)}`);
+  throw Object.assign(error, { name: "VcgpdmError", code });
+}
+
+/** The clips or tables as a list. */
+function listOf(data) {
+  const list = Array.isArray(data) ? data : [data];
+  for (const item of list)
+    if (!(item instanceof Clip || item instanceof Table))
+      refuse("argument", "expected an instance of Clip or of Table, or a list of them", item);
+  return list;
+}
 
 /**
  * The settings without the functions that watch. Clips have balanced pose terms unless the caller says
  * otherwise.
  */
-function divided(data, { onProgress, signal, ...settings } = {}) {
+function divided(data, options = {}) {
   const ofClips = !listOf(data).some((item) => item instanceof Table);
+  if (typeof options !== "object" || options === null || Array.isArray(options))
+    refuse("settings", "settings: expected an object", options);
+  const { onProgress, signal, ...settings } = options;
+  if (typeof (onProgress ?? divided) !== "function")
+    refuse("settings", "settings: `onProgress`: expected a function", onProgress);
+  if (signal && typeof signal.throwIfAborted !== "function")
+    refuse("settings", "settings: `signal`: expected an AbortSignal", signal);
   if (ofClips) settings.poseWeight ??= "balanced";
   return { onProgress, signal, settings };
 }
@@ -33,7 +61,6 @@ function add(set, item) {
 export function setOf(states) {
   const set = new TrainingSet();
   for (const { clip, table } of states) {
-    if (table && table.frameTime === null) throw new TypeError(`${table.name}: expected a column of times`);
     const item = clip
       ? Clip.fromState(clip)
       : Table.of(table.name, table.columns, table.values, table.frameTime);
@@ -77,9 +104,6 @@ export async function trainHere(data, options) {
 export async function trainIn(start, wasm, data, options) {
   const { onProgress, signal, settings } = divided(data, options);
   signal?.throwIfAborted();
-  // Tables without times take their rate from the settings: only here is it known which they are.
-  if (listOf(data).some((item) => item instanceof Table && item.info().frameTime === null))
-    return trainHere(data, options);
   const states = listOf(data).map(stateOf);
   // A Request or Response cannot be sent, and was used up by this thread.
   const address =

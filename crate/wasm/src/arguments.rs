@@ -2,6 +2,7 @@
 //! foreign memory, and take a text in the place of a number or of bytes for zeros.
 
 use crate::error::{ErrorCode, VcgpdmError};
+use crate::wording::found_value;
 #[cfg(feature = "training")]
 use js_sys::{ArrayBuffer, Uint8Array};
 use vcgpdm::models::variational::InducingError;
@@ -45,7 +46,7 @@ impl Bytes {
         };
         bytes
             .map(|bytes| bytes.to_vec())
-            .ok_or_else(|| refused(code, what, "a string, an ArrayBuffer or a Uint8Array", self))
+            .ok_or_else(|| refused(code, what, "a string, an ArrayBuffer, a Uint8Array or a Blob", self))
     }
 }
 
@@ -68,15 +69,6 @@ impl Whole {
     pub fn part_of<'a, T>(&self, code: ErrorCode, all: &'a [T]) -> Result<&'a T, VcgpdmError> {
         let found = self.count(code, "the part")?;
         Ok(all.get(found).ok_or(InducingError::Part { count: all.len(), found })?)
-    }
-}
-
-/// A value for an error message.
-pub(crate) fn found_value(found: &JsValue) -> String {
-    match found.as_f64() {
-        Some(number) => number.to_string(),
-        None if found.is_null() => "null".to_owned(),
-        None => found.js_typeof().as_string().unwrap_or_default(),
     }
 }
 

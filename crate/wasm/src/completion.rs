@@ -10,6 +10,7 @@ use crate::trained::{Trained, coupled};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
+use vcgpdm::models::variational::ObservationError;
 use vcgpdm::models::{
     ColumnMapping, Model as TrainedModel, PartCompletion, Reading, Rollout as Rolled, RolloutRequest,
 };
@@ -97,10 +98,21 @@ impl Model {
         };
         let given = options.given.iter().map(number).collect::<Result<Vec<usize>, _>>()?;
         let recorded = model.body.encode(&clip.clip)?;
-        let cut = options.until.map(|until| (until / model.body.frame_time).round() as usize);
+        let frame_time = model.body.frame_time;
+        let cut = options.until.map(|until| (until / frame_time).round() as usize);
         let alpha = options.alpha.as_deref().map(matrix);
         let request = RolloutRequest { alpha, reading: options.reading, ..RolloutRequest::default() };
-        let found = view.complete(&request, &recorded, &given, cut)?;
+        let found = view.complete(&request, &recorded, &given, cut).map_err(|reason| {
+            let (ObservationError::Cut { least, end, .. }, Some(until)) = (&reason, options.until) else {
+                return VcgpdmError::from(reason);
+            };
+            let seconds = |frame: usize| frame as f64 * frame_time;
+            let (first, last) = (seconds(*least), seconds(end.saturating_sub(1)));
+            let words = format_args!(
+                "complete: `until`: expected from {first:.2} to {last:.2} seconds, found {until}"
+            );
+            VcgpdmError::new(ErrorCode::Rollout, &words)
+        })?;
         Ok(Completion { found, recorded, model: Rc::clone(model) })
     }
 

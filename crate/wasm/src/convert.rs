@@ -1,14 +1,17 @@
 //! Values of the library in JavaScript and back. Fields are snake_case in the library and in files, camelCase
-//! in JavaScript; only this file converts them. Absent options are `null`.
+//! in JavaScript; only this file and `read.rs` convert them. Absent options are `null`.
 //!
 //! A visitor downloads this code, so generic functions are small.
 
-use crate::arguments::found_value;
 use crate::error::{ErrorCode, VcgpdmError};
+use crate::read::{Names, Value, fields_of};
+use crate::wording::camel;
 use js_sys::{Array, ArrayBuffer, Object, Reflect};
 use nalgebra::DMatrix;
 use serde::Serialize;
-use serde::de::{DeserializeOwned, Deserializer, Visitor};
+use serde::de::DeserializeOwned;
+#[cfg(feature = "training")]
+use serde::de::{Deserializer, Visitor};
 use serde_wasm_bindgen::{Error, Serializer};
 use wasm_bindgen::prelude::*;
 
@@ -17,66 +20,21 @@ const SERIALIZER: Serializer =
 
 /// A value for JavaScript.
 pub fn to_js<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, VcgpdmError> {
-    in_camel_case(value.serialize(&SERIALIZER))
+    Ok(renamed(&value.serialize(&SERIALIZER).map_err(unconverted)?))
 }
 
 /// A value from JavaScript. The error has this code; its message begins with `what`, the value's name.
 pub fn from_js<T: DeserializeOwned>(code: ErrorCode, what: &str, value: &JsValue) -> Result<T, VcgpdmError> {
-    read(code, what, checked(code, what, value, fields::<T>())?)
+    read(code, what, Value::new(value, Names::JavaScript, &[]))
 }
 
-/// A copy of a value with the field names of the library. Unknown fields are an error.
-fn checked(code: ErrorCode, what: &str, value: &JsValue, fields: &[&str]) -> Result<JsValue, VcgpdmError> {
-    let value = renamed(value, &snake).map_err(|problem| match problem {
-        Problem::Name(reason) => refused(code, what, &reason),
-        Problem::Thrown(value) => VcgpdmError::Thrown(value),
-    })?;
-    check_fields(&value, fields).map_err(|reason| refused(code, what, &reason))?;
-    Ok(value)
-}
-
-fn read<T: DeserializeOwned>(code: ErrorCode, what: &str, value: JsValue) -> Result<T, VcgpdmError> {
-    let attempt = |value: JsValue| serde_wasm_bindgen::from_value::<T>(value);
-    attempt(value.clone()).map_err(|reason| {
-        let problem = |value: JsValue| attempt(value).err();
-        refused(code, what, &reason_of(&value, &reason, &problem))
-    })
-}
-
-/// Why a value cannot be read. Reading a list from null gives a message of JavaScript's own; without the
-/// field, serde names it. `problem`: the error of another value.
-fn reason_of(value: &JsValue, reason: &Error, problem: &dyn Fn(JsValue) -> Option<Error>) -> String {
-    for field in fields_of(value) {
-        let missing = format!("missing field `{field}`");
-        let copy = without_null(value, &field);
-        if copy
-            .and_then(|copy| problem(copy.into()))
-            .is_some_and(|problem| problem.to_string().contains(&missing))
-        {
-            return format!("`{}`: expected a value, found null", camel(&field, true));
-        }
-    }
-    message(reason)
-}
-
-/// A copy of an object without this field; none where the field is not null.
-fn without_null(value: &JsValue, field: &str) -> Option<Object> {
-    if !Reflect::get(value, &field.into()).is_ok_and(|inner| inner.is_null()) {
-        return None;
-    }
-    let copy = Object::assign(&Object::new(), value.unchecked_ref::<Object>());
-    Reflect::delete_property(&copy, &field.into()).is_ok_and(|deleted| deleted).then_some(copy)
-}
-
-/// The names of the fields of a value.
-fn fields_of(value: &JsValue) -> Vec<String> {
-    if !value.is_object() {
-        return Vec::new();
-    }
-    Object::keys(value.unchecked_ref::<Object>()).iter().filter_map(|field| field.as_string()).collect()
+fn read<T: DeserializeOwned>(code: ErrorCode, what: &str, value: Value) -> Result<T, VcgpdmError> {
+    let names = value.names;
+    T::deserialize(value).map_err(|reason| reason.named(code, what, names))
 }
 
 /// The names of the fields of a struct; none of anything else.
+#[cfg(feature = "training")]
 fn fields<T: DeserializeOwned>() -> &'static [&'static str] {
     let mut fields: &[&str] = &[];
     // Always fails: `FieldNames` has no value, it only collects names.
@@ -84,9 +42,11 @@ fn fields<T: DeserializeOwned>() -> &'static [&'static str] {
     fields
 }
 
-/// Collects the field names of a struct. serde_wasm_bindgen reads only these fields and ignores others.
+/// Collects the field names of a struct.
+#[cfg(feature = "training")]
 struct FieldNames<'a>(&'a mut &'static [&'static str]);
 
+#[cfg(feature = "training")]
 impl<'de> Deserializer<'de> for FieldNames<'_> {
     type Error = serde::de::value::Error;
 
@@ -110,23 +70,6 @@ impl<'de> Deserializer<'de> for FieldNames<'_> {
     }
 }
 
-/// Refuses an object with an unknown field. An empty list of names allows any field.
-fn check_fields(value: &JsValue, fields: &[&str]) -> Result<(), String> {
-    if fields.is_empty() {
-        return Ok(());
-    }
-    if !value.is_object() {
-        return Err(format!("expected an object, found {}", found_value(value)));
-    }
-    for found in fields_of(value) {
-        if !fields.contains(&found.as_str()) {
-            let known = fields.join("`, `");
-            return Err(camel(&format!("unknown field `{found}`, expected some of `{known}`"), false));
-        }
-    }
-    Ok(())
-}
-
 /// One object with the fields of two values. (serde's `flatten` would take ten times as many bytes of wasm.)
 pub fn to_js_joined<A: Serialize, B: Serialize>(first: &A, second: &B) -> Result<JsValue, VcgpdmError> {
     let (first, second) = (to_js(first)?, to_js(second)?);
@@ -142,9 +85,8 @@ pub fn from_js_split<A: DeserializeOwned, B: DeserializeOwned>(
     value: &JsValue,
 ) -> Result<(A, B), VcgpdmError> {
     let (first, second) = (fields::<A>(), fields::<B>());
-    let value = checked(code, what, value, &[first, second].concat())?;
-    let (first, second) = divided(&value, first);
-    Ok((read(code, what, first.into())?, read(code, what, second.into())?))
+    let first_struct = read(code, what, Value::new(value, Names::JavaScript, second))?;
+    Ok((first_struct, read(code, what, Value::new(value, Names::JavaScript, first))?))
 }
 
 /// A value as JSON for a file, with the fields of the library. JavaScript's own writer saves bytes of wasm.
@@ -157,8 +99,12 @@ pub fn to_json<T: Serialize>(value: &T) -> Result<String, VcgpdmError> {
 /// A value from the JSON of a file, with the fields of the library.
 #[cfg(feature = "training")]
 pub fn from_json<T: DeserializeOwned>(code: ErrorCode, what: &str, text: &str) -> Result<T, VcgpdmError> {
-    let value = js_sys::JSON::parse(text).map_err(Error::from).and_then(serde_wasm_bindgen::from_value);
-    value.map_err(|reason| refused(code, what, plain(&reason.to_string())))
+    let value = js_sys::JSON::parse(text).map_err(|thrown| {
+        // Always an error of the class SyntaxError.
+        let reason: js_sys::Error = thrown.unchecked_into();
+        VcgpdmError::new(code, &format_args!("{what}: {}", String::from(reason.message())))
+    })?;
+    read(code, what, Value::new(&value, Names::File, &[]))
 }
 
 /// A matrix from its rows.
@@ -180,151 +126,32 @@ pub fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
     matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
 }
 
-fn in_camel_case(value: Result<JsValue, Error>) -> Result<JsValue, VcgpdmError> {
-    let value = value.map_err(unconverted)?;
-    renamed(&value, &|field| Ok(camel(field, true))).map_err(|problem| match problem {
-        Problem::Name(reason) => VcgpdmError::new(ErrorCode::Numerics, &reason),
-        Problem::Thrown(value) => VcgpdmError::Thrown(value),
-    })
-}
-
 fn unconverted(reason: Error) -> VcgpdmError {
-    VcgpdmError::new(ErrorCode::Numerics, &plain(&reason.to_string()))
+    let text = reason.to_string();
+    // JavaScript puts the name of the class before the message.
+    VcgpdmError::new(ErrorCode::Numerics, &text.strip_prefix("Error: ").unwrap_or(&text))
 }
 
-fn refused(code: ErrorCode, what: &str, reason: &str) -> VcgpdmError {
-    VcgpdmError::new(code, &format_args!("{what}: {reason}"))
-}
-
-/// The object's fields of these names, and the others.
-#[cfg(feature = "training")]
-fn divided(value: &JsValue, names: &[&str]) -> (Object, Object) {
-    let (first, second) = (Object::new(), Object::new());
-    for name in fields_of(value) {
-        let object = if names.contains(&name.as_str()) { &first } else { &second };
-        let field = name.into();
-        // The value is a copy of ours: a plain object without getters.
-        let _ = Reflect::set(object, &field, &Reflect::get(value, &field).unwrap_or_default());
-    }
-    (first, second)
-}
-
-/// Why a value cannot be copied.
-enum Problem {
-    /// The name of a field is wrong.
-    Name(String),
-    /// A getter of the value threw this.
-    Thrown(JsValue),
-}
-
-/// A copy in which every field of every object has another name.
-fn renamed(value: &JsValue, name: &dyn Fn(&str) -> Result<String, String>) -> Result<JsValue, Problem> {
+/// A copy in which every field of every object has its name in JavaScript.
+fn renamed(value: &JsValue) -> JsValue {
     if Array::is_array(value) {
         let items: &Array = value.unchecked_ref();
         // Numbers have no fields, and there may be many.
         if items.get(0).as_f64().is_some() {
-            return Ok(value.clone());
+            return value.clone();
         }
-        let copy = Array::new();
-        for item in items.iter() {
-            copy.push(&renamed(&item, name)?);
-        }
-        return Ok(copy.into());
+        return items.iter().map(|item| renamed(&item)).collect::<Array>().into();
     }
     if !value.is_object() || ArrayBuffer::is_view(value) {
-        return Ok(value.clone());
+        return value.clone();
     }
     let copy = Object::new();
     for field in fields_of(value) {
-        let new_name = name(&field).map_err(Problem::Name)?;
-        let inner = Reflect::get(value, &field.into()).map_err(Problem::Thrown)?;
-        // A new plain object accepts any field.
-        let _ = Reflect::set(&copy, &new_name.into(), &renamed(&inner, name)?);
+        // Both are plain objects of ours: no getter throws, and any field is accepted.
+        let inner = Reflect::get(value, &field.as_str().into()).unwrap_or_default();
+        let _ = Reflect::set(&copy, &camel(&field).into(), &renamed(&inner));
     }
-    Ok(copy.into())
-}
-
-/// "dynamics_ips" as "dynamicsIps". In a sentence, only field names in backticks change.
-fn camel(text: &str, mut is_field: bool) -> String {
-    let mut words = Vec::new();
-    let mut capital = false;
-    for letter in text.bytes() {
-        is_field ^= letter == b'`';
-        if is_field && letter == b'_' {
-            capital = true;
-        } else {
-            words.push(if capital { letter.to_ascii_uppercase() } else { letter });
-            capital = false;
-        }
-    }
-    string(words)
-}
-
-/// "dynamicsIps" as "dynamics_ips".
-fn snake(field: &str) -> Result<String, String> {
-    let mut name = Vec::new();
-    for letter in field.bytes() {
-        if letter == b'_' {
-            let right = camel(field, true);
-            return Err(format!("expected fields in camelCase, found `{field}`; write `{right}`"));
-        }
-        if letter.is_ascii_uppercase() {
-            name.push(b'_');
-        }
-        name.push(letter.to_ascii_lowercase());
-    }
-    Ok(string(name))
-}
-
-/// The text of these bytes, of which only ASCII letters were changed.
-fn string(letters: Vec<u8>) -> String {
-    String::from_utf8(letters).unwrap_or_default()
-}
-
-/// An error of serde with the field names of JavaScript: serde puts field names in backticks.
-fn message(reason: &Error) -> String {
-    camel(&in_words(plain(&reason.to_string())), false)
-}
-
-/// The words of serde and of Rust for kinds of values, and those of JavaScript.
-const WORDS: [(&str, &str); 12] = [
-    ("usize", "a whole number"),
-    ("u64", "a whole number"),
-    ("u32", "a whole number"),
-    ("f64", "a number"),
-    ("a sequence", "a list"),
-    ("sequence", "a list"),
-    ("a map", "an object"),
-    ("map", "an object"),
-    ("unit value", "nothing"),
-    ("Option value", "a value"),
-    ("unit", "nothing"),
-    ("variant identifier", "a text"),
-];
-
-/// "expected a whole number, found `1.5`" of "invalid type: floating point `1.5`, expected usize". Messages
-/// of another form stay.
-fn in_words(text: &str) -> String {
-    let kinds = ["invalid type: ", "invalid value: "];
-    let rest = kinds.iter().find_map(|kind| text.strip_prefix(kind));
-    let Some((found, expected)) = rest.and_then(|rest| rest.split_once(", expected ")) else {
-        return text.to_owned();
-    };
-    let word = |kind: &str| WORDS.iter().find(|(rust, _)| *rust == kind).map(|(_, word)| (*word).to_owned());
-    let expected = match expected.strip_prefix("struct ") {
-        Some(_) => "an object".to_owned(),
-        None => word(expected).unwrap_or_else(|| expected.to_owned()),
-    };
-    let bare = ["floating point ", "integer ", "string ", "boolean "];
-    let value = bare.iter().find_map(|kind| found.strip_prefix(kind)).map(str::to_owned);
-    let found = value.or_else(|| word(found)).unwrap_or_else(|| found.to_owned());
-    // Rust writes a whole number of JavaScript as `-1.0`.
-    format!("expected {expected}, found {}", found.replace(".0`", "`"))
-}
-
-/// The message without the class name that JavaScript puts before it.
-fn plain(text: &str) -> &str {
-    text.strip_prefix("Error: ").unwrap_or(text)
+    copy.into()
 }
 
 #[cfg(test)]
@@ -395,7 +222,7 @@ mod tests {
     #[wasm_bindgen_test]
     fn a_null_field_is_named() {
         let refused = refusal(r#"{"dynamicsIps":null,"allScores":[],"sha256":null}"#);
-        assert_eq!(refused, "it: `dynamicsIps`: expected a value, found null");
+        assert_eq!(refused, "it: `dynamicsIps`: expected a list, found null");
     }
 
     #[wasm_bindgen_test]
@@ -421,15 +248,25 @@ mod tests {
         let snake = refusal(r#"{"dynamics_ips":[],"allScores":[]}"#);
         assert_eq!(snake, "it: expected fields in camelCase, found `dynamics_ips`; write `dynamicsIps`");
         assert_eq!(refusal(r#"{"allScores":[]}"#), "it: missing field `dynamicsIps`");
-        assert_eq!(refusal(r#"{"dynamicsIps":[],"allScores":[{}]}"#), "it: missing field `dtwMse`");
+        let inner = refusal(r#"{"dynamicsIps":[],"allScores":[{}]}"#);
+        assert_eq!(inner, "it: `allScores[0]`: missing field `dtwMse`");
         let unknown = refusal(r#"{"dynamicsIps":[],"allScores":[],"allScore":1}"#);
         assert_eq!(
             unknown,
             "it: unknown field `allScore`, expected some of `dynamicsIps`, `allScores`, `sha256`"
         );
-        let kind = refusal(r#"{"dynamicsIps":[["a_b"]],"allScores":[]}"#);
-        assert_eq!(kind, "it: expected a whole number, found \"a_b\"");
-        let kind = refusal(r#"{"dynamicsIps":[[1.5]],"allScores":[]}"#);
-        assert_eq!(kind, "it: expected a whole number, found `1.5`");
+        let kinds = [
+            (
+                r#"[["a_b"]]"#,
+                "`dynamicsIps[0][0]`: expected a whole number from 0 to 4294967295, found \"a_b\"",
+            ),
+            ("[[1, 1.5]]", "`dynamicsIps[0][1]`: expected a whole number from 0 to 4294967295, found 1.5"),
+            ("[[], true]", "`dynamicsIps[1]`: expected a list, found true"),
+            (r#"{"a_b":1}"#, "`dynamicsIps`: expected a list, found an object"),
+        ];
+        for (found, words) in kinds {
+            let text = format!(r#"{{"dynamicsIps":{found},"allScores":[]}}"#);
+            assert_eq!(refusal(&text), format!("it: {words}"));
+        }
     }
 }

@@ -40,6 +40,7 @@ mod predictions;
 mod primitives;
 #[cfg(feature = "training")]
 mod progress;
+mod read;
 #[cfg(feature = "training")]
 mod recognition;
 #[cfg(test)]
@@ -57,6 +58,7 @@ mod tables;
 mod trained;
 #[cfg(feature = "training")]
 mod trainer;
+mod wording;
 
 use error::{ErrorCode, VcgpdmError};
 use wasm_bindgen::prelude::*;

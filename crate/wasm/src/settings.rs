@@ -2,11 +2,11 @@
 
 use crate::arguments::Whole;
 #[cfg(feature = "training")]
-use crate::arguments::found_value;
-#[cfg(feature = "training")]
 use crate::convert::from_js_split;
 use crate::convert::{from_js, to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
+#[cfg(feature = "training")]
+use crate::wording::{found_value, quoted};
 #[cfg(feature = "training")]
 use js_sys::{Array, Object, Reflect};
 #[cfg(feature = "training")]
@@ -189,7 +189,7 @@ pub fn body_parts(value: &JsValue, skeleton: &Skeleton) -> Result<Vec<PartSpec>,
         VcgpdmError::new(ErrorCode::Parts, &format_args!("parts: expected {expected}, found {found}"))
     };
     if let Some(text) = value.as_string() {
-        return parts::preset_parts(&text, skeleton).ok_or_else(|| refused(&format!("{text:?}")));
+        return parts::preset_parts(&text, skeleton).ok_or_else(|| refused(&quoted(&text)));
     }
     if !Array::is_array(value) {
         return Err(refused(&found_value(value)));

@@ -1,7 +1,7 @@
 //! Tables of time series.
 
 use crate::arguments::{Bytes, Text};
-use crate::convert::{flat, to_js};
+use crate::convert::{flat, from_js, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
@@ -86,11 +86,12 @@ impl Table {
     /// the next.
     pub fn of(
         name: &Text,
-        columns: Vec<String>,
+        #[wasm_bindgen(unchecked_param_type = "string[]")] columns: JsValue,
         values: &[f64],
         #[wasm_bindgen(js_name = frameTime)] frame_time: f64,
     ) -> Result<Table, VcgpdmError> {
         let name = name.get(ErrorCode::Table, "the name")?;
+        let columns: Vec<String> = from_js(ErrorCode::Table, "the columns", &columns)?;
         let d = columns.len();
         if d == 0 || values.is_empty() || !values.len().is_multiple_of(d) {
             let found = format_args!("expected rows of {d} numbers, found {} numbers", values.len());

@@ -1,6 +1,6 @@
 //! Recognises other motion formats by their first bytes, so that an error can say how to convert them.
 
-/// The format of a file that is not BVH, and how to convert the file; `None` for an unknown format.
+/// The format of a file that is not BVH, and what to do with the file; `None` for an unknown format.
 ///
 /// ```
 /// let format = vcgpdm::motion::foreign_format(b"Kaydara FBX Binary  \0");
@@ -55,5 +55,24 @@ pub fn foreign_format(bytes: &[u8]) -> Option<&'static str> {
             "an ASF skeleton (it needs an .amc motion: vcgpdm clip BODY.asf MOTION.amc --out MOTION.bvh)",
         );
     }
-    None
+    is_table(bytes).then_some(
+        "a table of numbers, as CSV (a table is trained on as it is: vcgpdm train TABLE.csv --columns, in \
+         JavaScript Table.read)",
+    )
+}
+
+/// Whether the first two lines have as many cells, with the same sign between them, and the second a number.
+fn is_table(bytes: &[u8]) -> bool {
+    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(1 << 16)]);
+    let mut lines = head.trim_start_matches('\u{feff}').lines();
+    let (Some(names), Some(numbers)) = (lines.next(), lines.next()) else { return false };
+    [',', ';', '\t'].iter().any(|sign| {
+        let mut cells = numbers.split(*sign);
+        let count = cells.clone().count();
+        count > 1 && names.split(*sign).count() == count && cells.any(is_number)
+    })
+}
+
+fn is_number(cell: &str) -> bool {
+    cell.trim().trim_matches('"').replace(',', ".").parse::<f64>().is_ok()
 }

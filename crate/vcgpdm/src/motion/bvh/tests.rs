@@ -113,6 +113,14 @@ fn errors_say_where_what_was_expected_and_what_was_found() {
         (with("HIERARCHY\n", ""), r#"line 1: expected HIERARCHY, found "ROOT""#.into()),
         (with("ROOT Hips", "JOINT Hips"), r#"line 2: expected ROOT, found "JOINT""#.into()),
         (String::new(), "line 1: expected HIERARCHY, found the end of the file".into()),
+        (
+            "time,knee\n0,1.5\n".to_owned(),
+            "line 1: expected a BVH file, found a table of numbers, as CSV".into(),
+        ),
+        (
+            "knee;hip\n1,5;2,5\n".to_owned(),
+            "line 1: expected a BVH file, found a table of numbers, as CSV".into(),
+        ),
         (with("MOTION", "ROOT Other\n{\n}\nMOTION"), "line 16: expected MOTION, found a second ROOT".into()),
         (with("}\nMOTION", "MOTION"), r#"line 15: expected JOINT, End Site or "}", found "MOTION""#.into()),
         (
