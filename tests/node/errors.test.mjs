@@ -323,6 +323,11 @@ it("errors have a name, a code of the declared ones, and words", () => {
       /^settings: `framesPerSecond`: expected a number, found "x"$/,
     ],
     [
+      "parts",
+      () => new Fold(clips, { parts: "wings" }),
+      /^parts: expected a list of parts or a split of this body \(.*\), found "wings"$/,
+    ],
+    [
       "clip",
       () => Clip.read("t.csv", "x,y\n1,2\n3,4\n"),
       /^t\.csv, line 1: expected a BVH file, found a table of numbers, as CSV \(.*Table\.read\)$/,

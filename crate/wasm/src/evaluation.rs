@@ -1,31 +1,34 @@
 //! One model in one fold: trained on all trials but one, and tested on that one.
 
 use crate::arguments::Whole;
+use crate::candidate::candidate_from_js;
 use crate::clip::TrainingSet;
 use crate::convert::{from_js, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::model::Model;
+use crate::settings::{FRAMES_PER_SECOND, body_parts, with_defaults, with_parts};
+use js_sys::Object;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
-use vcgpdm::models::{FittedModel, Learner, Progress, Settings};
+use vcgpdm::models::{DatasetError, FittedModel, Learner, ModelKind, Progress, Settings};
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm_lab::evaluation::{Fold as HeldOut, START_FRAMES};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** The settings that all folds of a comparison share. */
+/** The settings that all folds of a comparison share. Each has a default. */
 export interface ComparisonSettings {
-    /** The parts of the coupled models. */
-    parts: PartSpec[];
-    /** The clips are brought to about this rate. */
-    framesPerSecond: number;
+    /** The parts of the coupled models, as in `TrainingOptions`. */
+    parts?: string | NamedPart[];
+    /** The clips are brought to about this rate; absent: 30. */
+    framesPerSecond?: number;
 }
 
 /** A trial held out, and how many of the others are trained on. */
 export interface FoldOptions {
-    /** Counted from 0. */
-    heldOut: number;
+    /** Counted from 0; absent: the first. */
+    heldOut?: number;
     /** Trains on the first ones of the other trials; absent: on all. */
     trainingTrials?: number;
 }
@@ -135,8 +138,24 @@ pub struct ComparisonSettings {
     pub frames_per_second: f64,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Serialize)]
+struct UsualRate {
+    frames_per_second: f64,
+}
+
+impl ComparisonSettings {
+    /// The settings from JavaScript, for the body of these clips.
+    pub fn read(settings: &JsValue, clips: &TrainingSet) -> Result<Self, VcgpdmError> {
+        let skeleton = &clips.clips.first().ok_or(DatasetError::Empty)?.skeleton;
+        let usual = to_js(&UsualRate { frames_per_second: FRAMES_PER_SECOND })?;
+        let settings = with_defaults(ErrorCode::Comparison, "settings", settings, usual)?;
+        let settings = with_parts(settings, |parts| body_parts(parts, skeleton))?;
+        from_js(ErrorCode::Comparison, "settings", &settings)
+    }
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 struct FoldOptions {
     held_out: usize,
     training_trials: Option<usize>,
@@ -162,26 +181,29 @@ struct EvaluationProgress {
 #[wasm_bindgen]
 pub struct Fold {
     fold: Rc<HeldOut>,
+    /// The kind of model that is trained if the caller names none.
+    usual: ModelKind,
 }
 
 #[wasm_bindgen]
 impl Fold {
-    /// Holds one trial out and trains on the others.
+    /// Holds one trial out, by default the first, and trains on the others.
     #[wasm_bindgen(constructor)]
     pub fn new(
         clips: &TrainingSet,
-        #[wasm_bindgen(unchecked_param_type = "ComparisonSettings")] settings: JsValue,
-        #[wasm_bindgen(unchecked_param_type = "FoldOptions")] options: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "ComparisonSettings")] settings: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "FoldOptions")] options: JsValue,
     ) -> Result<Fold, VcgpdmError> {
+        let options = with_defaults(ErrorCode::Comparison, "fold", &options, Object::new().into())?;
         let FoldOptions { held_out, training_trials } = from_js(ErrorCode::Comparison, "fold", &options)?;
         let count = clips.clips.len();
         check_held_out(held_out, count)?;
         let training_trials = training_trials.unwrap_or(count - 1);
-        let ComparisonSettings { parts, frames_per_second } =
-            from_js(ErrorCode::Comparison, "settings", &settings)?;
+        let ComparisonSettings { parts, frames_per_second } = ComparisonSettings::read(&settings, clips)?;
         let fold =
             HeldOut::new(&clips.clips, held_out, training_trials, &parts, frames_per_second, START_FRAMES)?;
-        Ok(Fold { fold: Rc::new(fold) })
+        let usual = if parts.len() > 1 { ModelKind::Vcgpdm } else { ModelKind::Vgpdm };
+        Ok(Fold { fold: Rc::new(fold), usual })
     }
 
     /// Frames of the trial held out.
@@ -213,15 +235,16 @@ pub struct Evaluation {
 
 #[wasm_bindgen]
 impl Evaluation {
-    /// Prepares the training.
+    /// Prepares the training. Absent fields of the candidate are the defaults of its model, an absent model
+    /// is a vCGPDM (a vGPDM if there is one part), and an absent seed is 0.
     #[wasm_bindgen(constructor)]
     pub fn new(
         fold: &Fold,
-        #[wasm_bindgen(unchecked_param_type = "Candidate")] candidate: JsValue,
-        seed: &Whole,
+        #[wasm_bindgen(unchecked_optional_param_type = "CandidateOptions")] candidate: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] seed: Option<Whole>,
     ) -> Result<Evaluation, VcgpdmError> {
-        let seed = seed.get(ErrorCode::Comparison, "the seed")?;
-        let candidate: Settings = from_js(ErrorCode::Settings, "candidate", &candidate)?;
+        let seed = seed.map_or(Ok(0), |seed| seed.get(ErrorCode::Comparison, "the seed"))?;
+        let candidate = candidate_from_js(ErrorCode::Settings, "candidate", &candidate, fold.usual)?;
         let learner = fold.fold.learner(&candidate, seed)?;
         Ok(Evaluation { fold: Rc::clone(&fold.fold), candidate, seed, learner })
     }

@@ -6,6 +6,8 @@
 
 mod arguments;
 mod body;
+#[cfg(feature = "training")]
+mod candidate;
 #[cfg(feature = "speed")]
 mod case;
 mod clip;

@@ -8,23 +8,28 @@ use crate::library::{Library, uses_of};
 use crate::model::Model;
 use crate::progress::progress_to_js;
 use crate::settings::{Task, body_parts, settings_from_js};
-use serde::Deserialize;
+use crate::wording::quoted;
+use serde::de::Visitor;
+use serde::{Deserialize, Deserializer};
+use std::fmt::{self, Formatter};
 use std::rc::Rc;
 use vcgpdm::models::library::{
     CouplingTrainer as Fit, LibraryPlan, LibraryTrainer as Training, PlannedMovement,
 };
-use vcgpdm::models::{Dataset, DatasetError, Source};
+use vcgpdm::models::{Dataset, DatasetError, Source, VariationalSettings};
+use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /**
- * The plan of a library's training: the movements in order, the number of clips of each movement, and for
- * each part whether all movements share its primitive.
+ * The plan of a library's training: the movements in order, the number of clips of each movement (absent: 1),
+ * and the parts whose primitive all movements share: by name, or for each part whether it is shared. Absent: no
+ * part is shared.
  */
 export interface LibraryPlan {
-    movements: { name: string; sequences: number }[];
-    shared: boolean[];
+    movements: { name: string; sequences?: number }[];
+    shared?: string[] | boolean[];
 }
 "#;
 
@@ -32,14 +37,70 @@ export interface LibraryPlan {
 #[serde(deny_unknown_fields)]
 struct Planned {
     movements: Vec<PlannedName>,
-    shared: Vec<bool>,
+    shared: Option<Vec<Shared>>,
+}
+
+/// A part by its name, or whether the part at this place is shared.
+enum Shared {
+    Name(String),
+    Place(bool),
+}
+
+impl<'de> Deserialize<'de> for Shared {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(SharedVisitor)
+    }
+}
+
+struct SharedVisitor;
+
+impl Visitor<'_> for SharedVisitor {
+    type Value = Shared;
+
+    fn expecting(&self, formatter: &mut Formatter) -> fmt::Result {
+        formatter.write_str("the name of a part, or true or false")
+    }
+
+    fn visit_bool<E>(self, shared: bool) -> Result<Shared, E> {
+        Ok(Shared::Place(shared))
+    }
+
+    fn visit_str<E>(self, name: &str) -> Result<Shared, E> {
+        Ok(Shared::Name(name.to_owned()))
+    }
+}
+
+/// For each part, whether all movements share its primitive.
+fn shared_parts(given: Vec<Shared>, parts: &[PartSpec]) -> Result<Vec<bool>, VcgpdmError> {
+    let is_name = |one: &Shared| matches!(one, Shared::Name(_));
+    if given.is_empty() || given.iter().any(is_name) {
+        let mut shared = vec![false; parts.len()];
+        for one in given {
+            let Shared::Name(name) = one else {
+                return Err(refused_part("the names of parts, or true or false for each", "both"));
+            };
+            let place = parts.iter().position(|part| part.name == name);
+            let place = place.ok_or_else(|| {
+                let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
+                refused_part(&format!("some of the parts {}", names.join(", ")), &quoted(&name))
+            })?;
+            shared[place] = true;
+        }
+        return Ok(shared);
+    }
+    Ok(given.iter().map(|one| matches!(one, Shared::Place(true))).collect())
+}
+
+fn refused_part(expected: &str, found: &str) -> VcgpdmError {
+    let words = format_args!("the plan: `shared`: expected {expected}, found {found}");
+    VcgpdmError::new(ErrorCode::Training, &words)
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct PlannedName {
     name: String,
-    sequences: usize,
+    sequences: Option<usize>,
 }
 
 /// Trains a library step by step.
@@ -61,9 +122,11 @@ impl LibraryTrainer {
         let (Task { parts, frames_per_second, seed }, settings) =
             settings_from_js(&settings, |parts| body_parts(parts, skeleton))?;
         let Planned { movements, shared } = from_js(ErrorCode::Training, "the plan", &plan)?;
-        let movements = movements
-            .into_iter()
-            .map(|movement| PlannedMovement { name: movement.name, sequences: movement.sequences });
+        let movements = movements.into_iter().map(|PlannedName { name, sequences }| PlannedMovement {
+            name,
+            sequences: sequences.unwrap_or(1),
+        });
+        let shared = shared_parts(shared.unwrap_or_default(), &parts)?;
         let plan = LibraryPlan::new(movements.collect(), shared)
             .map_err(|reason| VcgpdmError::new(ErrorCode::Training, &reason))?;
         let sources: Vec<Source> =
@@ -104,15 +167,18 @@ pub struct CouplingTrainer {
 
 #[wasm_bindgen]
 impl CouplingTrainer {
-    /// Prepares the clips. They must have the body of the library.
+    /// Prepares the clips. They must have the body of the library. `max_iterations` is by default 250.
     #[wasm_bindgen(constructor)]
     pub fn new(
         library: &Library,
         #[wasm_bindgen(unchecked_param_type = "number[]")] uses: JsValue,
         clips: &TrainingSet,
-        max_iterations: &Whole,
+        max_iterations: Option<Whole>,
     ) -> Result<CouplingTrainer, VcgpdmError> {
-        let iterations = max_iterations.count(ErrorCode::Training, "the number of iterations")?;
+        let usual = VariationalSettings::default().max_iterations;
+        let iterations = max_iterations.map_or(Ok(usual), |iterations| {
+            iterations.count(ErrorCode::Training, "the number of iterations")
+        })?;
         let clips = library.encode(clips)?;
         Ok(CouplingTrainer { fit: Fit::new(&library.trained, &uses_of(&uses)?, &clips, iterations)? })
     }

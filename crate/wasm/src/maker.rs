@@ -1,12 +1,13 @@
 //! Makes a study from the movements of a comparison.
 
 use crate::arguments::{Text, Whole};
+use crate::candidate::candidate_from_js;
 use crate::clip::Clip;
 use crate::convert::from_js;
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::study::{Study, look, preset};
 use serde::Deserialize;
-use vcgpdm::models::Settings;
+use vcgpdm::models::ModelKind;
 use vcgpdm_lab::evaluation::{Outcome, START_FRAMES};
 use vcgpdm_lab::perception::{Maker, StudyMovement};
 use wasm_bindgen::prelude::*;
@@ -73,12 +74,12 @@ impl StudyMaker {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "MadeMovement")] movement: JsValue,
         positions: &[f32],
-        #[wasm_bindgen(unchecked_param_type = "Candidate")] candidate: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "CandidateOptions")] candidate: JsValue,
         seed: &Whole,
         #[wasm_bindgen(unchecked_param_type = "Outcome")] outcome: JsValue,
     ) -> Result<(), VcgpdmError> {
         let MadeMovement { trial, name, frame_time } = from_js(ErrorCode::Study, "the movement", &movement)?;
-        let candidate: Settings = from_js(ErrorCode::Study, "the candidate", &candidate)?;
+        let candidate = candidate_from_js(ErrorCode::Study, "the candidate", &candidate, ModelKind::Vcgpdm)?;
         let outcome: Outcome = from_js(ErrorCode::Study, "the outcome", &outcome)?;
         let seed = seed.get(ErrorCode::Study, "the seed")?;
         let shown = StudyMovement { trial, name: &name, positions, frame_time };

@@ -7,7 +7,7 @@ use crate::error::{ErrorCode, VcgpdmError};
 #[cfg(feature = "training")]
 use crate::predictions::Moments;
 use crate::rollout::Rollout;
-use crate::settings::{Task, settings_to_js};
+use crate::settings::{Task, settings_to_js, with_defaults};
 use crate::trained::{Trained, column_names, coupled};
 use serde::Serialize;
 use std::rc::Rc;
@@ -242,6 +242,15 @@ pub(crate) fn part_infos<'a>(specs: &'a [PartSpec], maps: &[PoseMap]) -> Vec<Par
     specs.iter().zip(maps).map(info).collect()
 }
 
+/// How many rollouts are sampled if the caller names no number.
+const SAMPLES: u32 = 10;
+
+/// The request of a rollout from JavaScript. Each option has a default.
+fn request_from_js(options: &JsValue) -> Result<RolloutRequest, VcgpdmError> {
+    let options = with_defaults(ErrorCode::Rollout, "rollout", options, js_sys::Object::new().into())?;
+    from_js(ErrorCode::Rollout, "rollout", &options)
+}
+
 /// A trained model of any kind, of a body or of tables. The small package `vcgpdm/player` has vCGPDM and
 /// vGPDM of bodies only.
 #[wasm_bindgen]
@@ -309,28 +318,29 @@ impl Model {
         &self,
         #[wasm_bindgen(unchecked_optional_param_type = "RolloutOptions")] options: JsValue,
     ) -> Result<Rollout, VcgpdmError> {
-        let options = if options.is_undefined() { js_sys::Object::new().into() } else { options };
-        let request = from_js(ErrorCode::Rollout, "rollout", &options)?;
+        let request = request_from_js(&options)?;
         Rollout::mean(&self.model, request)
     }
 
-    /// Sampled rollouts, at most 1000, of the seeds `seed`, `seed + 1`, and so on: every frame is drawn from
-    /// what the experts predict. Together they have no more frames than one rollout may have.
+    /// Sampled rollouts, at most 1000 and by default 10, of the seeds `seed` (by default 0), `seed + 1`, and so
+    /// on: every frame is drawn from what the experts predict. Together they have no more frames than one
+    /// rollout may have.
     #[wasm_bindgen(js_name = sampledRollouts)]
     pub fn sampled_rollouts(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
-        count: &Whole,
-        seed: &Whole,
+        #[wasm_bindgen(unchecked_optional_param_type = "RolloutOptions")] options: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] count: Option<Whole>,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] seed: Option<Whole>,
     ) -> Result<Vec<Rollout>, VcgpdmError> {
-        let count = count.get(ErrorCode::Rollout, "the number of rollouts")?;
+        let count =
+            count.map_or(Ok(SAMPLES), |count| count.get(ErrorCode::Rollout, "the number of rollouts"))?;
         if !(1..=MOST_SAMPLES).contains(&count) {
             let words =
                 format_args!("the number of rollouts: expected from 1 to {MOST_SAMPLES}, found {count}");
             return Err(VcgpdmError::new(ErrorCode::Rollout, &words));
         }
-        let seed = seed.get(ErrorCode::Rollout, "the seed")?;
-        let request: RolloutRequest = from_js(ErrorCode::Rollout, "rollout", &options)?;
+        let seed = seed.map_or(Ok(0), |seed| seed.get(ErrorCode::Rollout, "the seed"))?;
+        let request = request_from_js(&options)?;
         let together = request.frames.saturating_mul(count as usize);
         let body = self.model.body()?;
         let model = coupled(body)?;
@@ -346,9 +356,9 @@ impl Model {
     #[cfg(feature = "training")]
     pub fn moments(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "RolloutOptions")] options: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "RolloutOptions")] options: JsValue,
     ) -> Result<Moments, VcgpdmError> {
-        let request = from_js(ErrorCode::Rollout, "rollout", &options)?;
+        let request = request_from_js(&options)?;
         Ok(Moments(coupled(self.model.body()?)?.moments(&request)?))
     }
 

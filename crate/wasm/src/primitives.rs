@@ -5,8 +5,11 @@ use crate::convert::{from_js, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::library::{Library, uses_of};
 use crate::progress::progress_to_js;
+use crate::settings::with_defaults;
+use js_sys::Object;
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
+use vcgpdm::models::VariationalSettings;
 use vcgpdm::models::library::{
     ImportFrames, ImportRequest, ImportTrainer as Import, Leader, PartMotion, TrainedLibrary,
 };
@@ -37,15 +40,17 @@ export interface PartMotion {
     leader: { part: number; weight: number; met: boolean } | null;
 }
 
-/** The options of an `ImportTrainer`. */
+/** The options of an `ImportTrainer`. Each has a default. */
 export interface ImportRequest {
     /**
      * For each part, the primitive of this library to use in movements without an imported primitive of the
      * part; null if the part needs none. The default is the result of `companions`.
      */
     companions?: (number | null)[];
-    maxIterations: number;
-    seed: number;
+    /** Most iterations of the optimiser; absent: 250. */
+    maxIterations?: number;
+    /** Absent: 0. */
+    seed?: number;
 }
 "#;
 
@@ -56,11 +61,17 @@ struct Misfit {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(default, deny_unknown_fields)]
 struct Asked {
     companions: Option<Vec<Option<usize>>>,
     max_iterations: usize,
     seed: u32,
+}
+
+impl Default for Asked {
+    fn default() -> Self {
+        Self { companions: None, max_iterations: VariationalSettings::default().max_iterations, seed: 0 }
+    }
 }
 
 #[derive(Serialize)]
@@ -139,7 +150,8 @@ impl Library {
 }
 
 fn request_of(library: &Library, other: &Library, request: &JsValue) -> Result<ImportRequest, VcgpdmError> {
-    let Asked { companions, max_iterations, seed } = from_js(ErrorCode::Training, "the request", request)?;
+    let request = with_defaults(ErrorCode::Training, "the request", request, Object::new().into())?;
+    let Asked { companions, max_iterations, seed } = from_js(ErrorCode::Training, "the request", &request)?;
     let companions = companions.unwrap_or_else(|| library.trained.companions(&other.trained));
     Ok(ImportRequest { companions, max_iterations, seed })
 }
@@ -159,7 +171,7 @@ impl ImportTrainer {
     pub fn new(
         library: &Library,
         other: &Library,
-        #[wasm_bindgen(unchecked_param_type = "ImportRequest")] request: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "ImportRequest")] request: JsValue,
     ) -> Result<ImportTrainer, VcgpdmError> {
         let request = request_of(library, other, &request)?;
         let frames = other.trained.import_frames();
@@ -173,7 +185,7 @@ impl ImportTrainer {
         library: &Library,
         other: &Library,
         clips: &TrainingSet,
-        #[wasm_bindgen(unchecked_param_type = "ImportRequest")] request: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "ImportRequest")] request: JsValue,
     ) -> Result<ImportTrainer, VcgpdmError> {
         let request = request_of(library, other, &request)?;
         let clips = library.encode(clips)?;

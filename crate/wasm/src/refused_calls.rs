@@ -55,7 +55,7 @@ fn a_live_rollout_stays_usable_after_invalid_calls() {
 #[wasm_bindgen_test]
 fn all_sampled_rollouts_together_have_a_limit() {
     let (model, _) = walk();
-    let sampled = |frames, count| model.sampled_rollouts(options(frames), &whole(count), &whole(1));
+    let sampled = |frames, count| model.sampled_rollouts(options(frames), Some(whole(count)), Some(whole(1)));
     for count in [0, 1001] {
         let expected = format!("the number of rollouts: expected from 1 to 1000, found {count}");
         assert_eq!(message_of(sampled(5, count)), expected);

@@ -1,12 +1,13 @@
 //! Results of a comparison: the planned jobs, the finished jobs, and tables of the results.
 
 use crate::arguments::Text;
+use crate::candidate::job_from_js;
 use crate::clip::TrainingSet;
 use crate::convert::{from_js, from_json, to_js, to_js_joined, to_json};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::evaluation::{ComparisonSettings, check_held_out};
-use crate::settings::cost_to_js;
-use js_sys::{Array, Reflect};
+use crate::settings::{cost_to_js, with_defaults};
+use js_sys::{Array, Object, Reflect};
 use serde::Serialize;
 use vcgpdm_lab::evaluation::{Comparison, Finished, Job, Plan, Results as AllResults, START_FRAMES, Setting};
 use wasm_bindgen::prelude::*;
@@ -271,8 +272,8 @@ fn identified<T: Serialize>(job: &Job, value: &T) -> Result<JsValue, VcgpdmError
 }
 
 /// A job from JavaScript, with one of these trials held out.
-fn job_from_js(job: &JsValue, trials: usize) -> Result<Job, VcgpdmError> {
-    let job: Job = from_js(ErrorCode::Comparison, "job", job)?;
+fn checked_job(job: &JsValue, trials: usize) -> Result<Job, VcgpdmError> {
+    let job = job_from_js(job, trials)?;
     check_held_out(job.held_out, trials)?;
     Ok(job)
 }
@@ -288,10 +289,9 @@ impl Results {
     /// Results without a finished job. Each clip of the set is a trial.
     pub fn empty(
         clips: &TrainingSet,
-        #[wasm_bindgen(unchecked_param_type = "ComparisonSettings")] settings: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "ComparisonSettings")] settings: JsValue,
     ) -> Result<Results, VcgpdmError> {
-        let ComparisonSettings { parts, frames_per_second } =
-            from_js(ErrorCode::Comparison, "settings", &settings)?;
+        let ComparisonSettings { parts, frames_per_second } = ComparisonSettings::read(&settings, clips)?;
         let setting = Setting::new(&clips.clips, &parts, frames_per_second, START_FRAMES)?;
         Ok(Results { results: AllResults::new(setting) })
     }
@@ -332,12 +332,14 @@ impl Results {
         self.results.in_order().into_iter().map(|finished| identified(&finished.job, finished)).collect()
     }
 
-    /// The jobs of the plan, sorted by fold, so that the first tables appear early.
+    /// The jobs of the plan, sorted by fold, so that the first tables appear early. By default the plan has
+    /// each kind of model once, with the defaults of its settings, in each fold.
     #[wasm_bindgen(unchecked_return_type = "PlannedJob[]")]
     pub fn jobs(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "Plan")] plan: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "Partial<Plan>")] plan: JsValue,
     ) -> Result<Array, VcgpdmError> {
+        let plan = with_defaults(ErrorCode::Comparison, "plan", &plan, Object::new().into())?;
         let plan: Plan = from_js(ErrorCode::Comparison, "plan", &plan)?;
         for held_out in &plan.held_out {
             check_held_out(*held_out, self.results.setting().trials.len())?;
@@ -353,9 +355,9 @@ impl Results {
     pub fn cost_of(
         &self,
         clips: &TrainingSet,
-        #[wasm_bindgen(unchecked_param_type = "Job")] job: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "JobOptions")] job: JsValue,
     ) -> Result<JsValue, VcgpdmError> {
-        let job = job_from_js(&job, clips.clips.len())?;
+        let job = checked_job(&job, clips.clips.len())?;
         let Setting { parts, frames_per_second, .. } = self.results.setting();
         cost_to_js(job.candidate.kind(), job.cost(&clips.clips, parts, *frames_per_second))
     }
@@ -363,10 +365,10 @@ impl Results {
     /// Adds the outcome of a job that this program trained. An earlier outcome of the job is not replaced.
     pub fn add(
         &mut self,
-        #[wasm_bindgen(unchecked_param_type = "Job")] job: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "JobOptions")] job: JsValue,
         #[wasm_bindgen(unchecked_param_type = "Outcome")] outcome: JsValue,
     ) -> Result<(), VcgpdmError> {
-        let job = job_from_js(&job, self.results.setting().trials.len())?;
+        let job = checked_job(&job, self.results.setting().trials.len())?;
         let outcome = from_js(ErrorCode::Comparison, "outcome", &outcome)?;
         Ok(self.results.add(Finished::new(job, Ok(outcome)))?)
     }

@@ -5,10 +5,12 @@ use crate::arguments::Whole;
 use crate::convert::from_js_split;
 use crate::convert::{from_js, to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
+use crate::read::{Names, check_object};
 #[cfg(feature = "training")]
 use crate::wording::{found_value, quoted};
 #[cfg(feature = "training")]
-use js_sys::{Array, Object, Reflect};
+use js_sys::Array;
+use js_sys::{Object, Reflect};
 #[cfg(feature = "training")]
 use serde::de::{DeserializeOwned, Deserializer, Error, Visitor};
 use serde::{Deserialize, Serialize};
@@ -101,6 +103,10 @@ const SLOWER: f64 = 2.0;
 /// The same for exact Gaussian processes: large matrix products have no wide vectors in wasm.
 const SLOWER_EXACT: f64 = 2.5;
 
+/// The rate of the data if the caller gives none.
+#[cfg(feature = "training")]
+pub const FRAMES_PER_SECOND: f64 = 30.0;
+
 /// The cost of a training, before it begins.
 #[derive(Serialize)]
 struct Cost {
@@ -109,13 +115,15 @@ struct Cost {
 }
 
 /// The cost of a training on `frames` frames of parts with `columns` columns each (a joint has three).
-/// Right to a factor of about two.
+/// Right to a factor of about two. Absent settings are those of `TrainingOptions`.
 #[wasm_bindgen(js_name = trainingCost, unchecked_return_type = "TrainingCost")]
 pub fn training_cost(
-    #[wasm_bindgen(unchecked_param_type = "VariationalSettings")] settings: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Partial<VariationalSettings>")] settings: JsValue,
     frames: &Whole,
     #[wasm_bindgen(unchecked_param_type = "number[]")] columns: JsValue,
 ) -> Result<JsValue, VcgpdmError> {
+    let usual = to_js(&VariationalSettings::default())?;
+    let settings = with_defaults(ErrorCode::Settings, "settings", &settings, usual)?;
     let settings: VariationalSettings = from_js(ErrorCode::Settings, "settings", &settings)?;
     let columns: Vec<usize> = from_js(ErrorCode::Settings, "columns", &columns)?;
     let cost = settings.cost(frames.count(ErrorCode::Settings, "the number of frames")?, &columns);
@@ -150,6 +158,48 @@ pub fn settings_to_js(task: &Task, settings: &Settings) -> Result<JsValue, Vcgpd
     }
 }
 
+/// A copy of the caller's options in which absent fields are those of `defaults`. Absent options are the
+/// defaults. An error names the options by `what`.
+pub fn with_defaults(
+    code: ErrorCode,
+    what: &str,
+    options: &JsValue,
+    defaults: JsValue,
+) -> Result<JsValue, VcgpdmError> {
+    if options.is_undefined() {
+        return Ok(defaults);
+    }
+    check_object(options).map_err(|reason| reason.named(code, what, Names::JavaScript))?;
+    for name in Object::keys(options.unchecked_ref::<Object>()).iter() {
+        let value = Reflect::get(options, &name).map_err(VcgpdmError::Thrown)?;
+        if !value.is_undefined() {
+            // A new plain object accepts any field.
+            let _ = Reflect::set(&defaults, &name, &value);
+        }
+    }
+    Ok(defaults)
+}
+
+/// The options with their field `parts` replaced by the parts that it means.
+#[cfg(feature = "training")]
+pub fn with_parts<P: Serialize>(
+    options: JsValue,
+    parts: impl FnOnce(&JsValue) -> Result<Vec<P>, VcgpdmError>,
+) -> Result<JsValue, VcgpdmError> {
+    // The options are a plain object of ours: no getter throws, and any field is accepted.
+    let parts = parts(&Reflect::get(&options, &"parts".into()).unwrap_or_default())?;
+    let _ = Reflect::set(&options, &"parts".into(), &to_js(&parts)?);
+    Ok(options)
+}
+
+/// The settings of the data without their parts.
+#[cfg(feature = "training")]
+#[derive(Serialize)]
+struct Rate {
+    frames_per_second: f64,
+    seed: u32,
+}
+
 /// The settings of a training from JavaScript. Fields that are absent have defaults, the parts those of
 /// `parts`.
 #[cfg(feature = "training")]
@@ -157,21 +207,10 @@ pub fn settings_from_js<P: DeserializeOwned + Serialize>(
     value: &JsValue,
     parts: impl FnOnce(&JsValue) -> Result<Vec<P>, VcgpdmError>,
 ) -> Result<(Task<P>, VariationalSettings), VcgpdmError> {
-    let given = if value.is_undefined() { Object::new().into() } else { value.clone() };
-    if !given.is_object() {
-        return from_js_split(ErrorCode::Settings, "settings", &given);
-    }
-    let field = |name: &str| Reflect::get(&given, &name.into()).map_err(VcgpdmError::Thrown);
-    let parts = parts(&field("parts")?)?;
-    let task = Task { parts, frames_per_second: 30.0, seed: 0 };
-    let complete: Object = to_js_joined(&task, &VariationalSettings::default())?.unchecked_into();
-    for name in Object::keys(given.unchecked_ref::<Object>()).iter() {
-        let value = Reflect::get(&given, &name).map_err(VcgpdmError::Thrown)?;
-        if !value.is_undefined() && name != "parts" {
-            // A new plain object accepts any field.
-            let _ = Reflect::set(&complete, &name, &value);
-        }
-    }
+    let rate = Rate { frames_per_second: FRAMES_PER_SECOND, seed: 0 };
+    let usual = to_js_joined(&rate, &VariationalSettings::default())?;
+    let complete = with_defaults(ErrorCode::Settings, "settings", value, usual)?;
+    let complete = with_parts(complete, parts)?;
     from_js_split(ErrorCode::Settings, "settings", &complete)
 }
 

@@ -83,12 +83,12 @@ impl Table {
     }
 
     /// Makes a table from numbers, row after row [rows x columns], with `frameTime` seconds from one row to
-    /// the next.
+    /// the next. Without `frameTime`, the settings of a training state the rate.
     pub fn of(
         name: &Text,
         #[wasm_bindgen(unchecked_param_type = "string[]")] columns: JsValue,
         values: &[f64],
-        #[wasm_bindgen(js_name = frameTime)] frame_time: f64,
+        #[wasm_bindgen(js_name = frameTime)] frame_time: Option<f64>,
     ) -> Result<Table, VcgpdmError> {
         let name = name.get(ErrorCode::Table, "the name")?;
         let columns: Vec<String> = from_js(ErrorCode::Table, "the columns", &columns)?;
@@ -99,8 +99,12 @@ impl Table {
         }
         let values = DMatrix::from_row_slice(values.len() / d, d, values);
         // The numbers are written and read as a file, so that the same rules apply.
-        let text = vcgpdm::series::write(&columns, &values, frame_time);
-        Ok(Table { table: read(&name, text.as_bytes())? })
+        let text = vcgpdm::series::write(&columns, &values, frame_time.unwrap_or(1.0));
+        let mut table = read(&name, text.as_bytes())?;
+        if frame_time.is_none() {
+            table.frame_time = None;
+        }
+        Ok(Table { table })
     }
 
     /// The same table without the named columns. `x*` stands for all columns whose names begin with `x`, and

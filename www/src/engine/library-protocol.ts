@@ -38,7 +38,9 @@ export type WalkChange =
   | { kind: "tempo"; part: number; tempo: number };
 
 /** A training of a library. The clips are in the order of the movements. */
-export interface LearningJob extends LibraryPlan {
+export interface LearningJob extends Pick<LibraryPlan, "movements"> {
+  /** For each part, whether all movements share its primitive. */
+  shared: boolean[];
   clips: TrainingClip[];
   settings: TrainingSettings;
 }

@@ -3,7 +3,6 @@ import type {
   AnswersFile,
   Candidate,
   Comparison,
-  ComparisonSettings,
   FinishedJob,
   Job,
   MadeMovement,
@@ -46,7 +45,6 @@ export type {
   Candidate,
   Claim,
   Comparison,
-  ComparisonSettings,
   Confusion,
   Correlation,
   FinishedJob,
@@ -73,6 +71,9 @@ export type {
   SyntheticFindings,
   SyntheticTruth,
 } from "vcgpdm";
+
+/** The settings that all folds of a comparison share. */
+export type ComparisonSettings = Pick<Setting, "parts" | "framesPerSecond">;
 
 /** A job, with the clips and settings of its comparison. */
 export interface EvaluationJob extends Job {

@@ -22,7 +22,7 @@ use vcgpdm::models::{
 /// # Ok::<(), vcgpdm_lab::evaluation::ComparisonPlanError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(default, deny_unknown_fields)]
 pub struct Plan {
     /// The kinds of models.
     pub models: Vec<ModelKind>,
@@ -36,26 +36,21 @@ pub struct Plan {
     /// `pose_ips` is empty.
     pub ips: Vec<usize>,
     /// Numbers of inducing points of every pose map: each with each of `ips`.
-    #[serde(default)]
     pub pose_ips: Vec<usize>,
     /// Numbers of primitives of the TMP; `None`: the bound chooses.
     pub primitives: Vec<Option<usize>>,
     /// Whether the primitives of the TMP are functions of normalised time, with weights that all trials
     /// share, as in the papers.
-    #[serde(default)]
     pub normalised_time: bool,
     /// Numbers of basis functions of the DMPs.
     pub bases: Vec<usize>,
     /// Whether the dynamics of the MAP models are balanced (Urtasun, Fleet & Fua 2006).
     pub balanced: bool,
     /// The weight of the pose terms in the objective of the variational models.
-    #[serde(default)]
     pub pose_weight: PoseWeight,
     /// Whether the couplings between the parts of the vCGPDM are off.
-    #[serde(default)]
     pub uncoupled: bool,
     /// Whether the dynamics of the MAP models have a linear term (Wang et al. 2008).
-    #[serde(default)]
     pub linear: bool,
     /// The trials held out, counted from 0; empty: each in turn.
     pub held_out: Vec<usize>,

@@ -152,6 +152,21 @@ impl Default for Settings {
     }
 }
 
+impl From<ModelKind> for Settings {
+    /// The defaults of a kind.
+    fn from(kind: ModelKind) -> Self {
+        match kind {
+            ModelKind::Vcgpdm => Settings::Vcgpdm(VariationalSettings::default()),
+            ModelKind::Vgpdm => Settings::Vgpdm(VariationalSettings::default()),
+            ModelKind::MapGpdm => Settings::MapGpdm(MapSettings::default()),
+            ModelKind::MapCgpdm => Settings::MapCgpdm(MapSettings::default()),
+            ModelKind::Tmp => Settings::Tmp(TmpSettings::default()),
+            ModelKind::DmpDiscrete => Settings::DmpDiscrete(DmpSettings::default()),
+            ModelKind::DmpRhythmic => Settings::DmpRhythmic(DmpSettings::default()),
+        }
+    }
+}
+
 impl Settings {
     /// The kind of model.
     pub fn kind(&self) -> ModelKind {
