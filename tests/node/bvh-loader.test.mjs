@@ -32,3 +32,30 @@ it("the figure stands on the ground", () => {
     );
   }
 });
+
+it("joints with a prefix move once their names are plain", async () => {
+  const { Clip, train } = installed.vcgpdm;
+  const sample = Clip.sample("walk-1").cut(0, 60).toBvh();
+  const clip = Clip.read("mixamo.bvh", sample.replace(/(ROOT|JOINT) /g, "$1 mixamorig:"));
+  const short = { latent: 1, dynamicsIps: 3, poseIps: 3, order: 1, framesPerSecond: 15, maxIterations: 1 };
+  const model = await train(clip, { ...short, parts: "lower,upper" });
+  const completion = model.complete(clip, { given: ["lower"] });
+  /** The largest turn of a bone in the first second. */
+  const turn = (/** @type {string} */ text) => {
+    const { skeleton, clip: motion } = new BVHLoader().parse(text);
+    const [root] = skeleton.bones;
+    assert.ok(root);
+    const rest = skeleton.bones.map((bone) => bone.quaternion.clone());
+    const mixer = new AnimationMixer(root);
+    mixer.clipAction(motion).play();
+    mixer.setTime(0.5);
+    return Math.max(...skeleton.bones.map((bone, k) => bone.quaternion.angleTo(rest[k] ?? bone.quaternion)));
+  };
+  for (const motion of [clip, model.rollout({ frames: 30 }), completion]) {
+    assert.match(motion.toBvh(), /ROOT mixamorig:Hips\n/);
+    const plain = motion.toBvh({ plainNames: true });
+    assert.match(plain, /ROOT Hips\n/);
+    assert.doesNotMatch(plain, /:Hips/);
+    assert.ok(turn(plain) > 0.1);
+  }
+});

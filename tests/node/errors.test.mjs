@@ -332,6 +332,11 @@ it("errors have a name, a code of the declared ones, and words", () => {
       () => Clip.read("t.csv", "x,y\n1,2\n3,4\n"),
       /^t\.csv, line 1: expected a BVH file, found a table of numbers, as CSV \(.*Table\.read\)$/,
     ],
+    [
+      "clip",
+      () => clip.toBvh(plain({ plain: true })),
+      /^toBvh: unknown field `plain`, expected some of `plainNames`$/,
+    ],
   );
   assert.equal(set(clip, taller.withBonesOf(clip)).length, 2);
   const declared = readDeclarations(readFileSync(at("crate/wasm/pkg/web/glue.d.ts"), "utf8")).types.get(

@@ -191,6 +191,7 @@ describe("the declared types", () => {
 
     const inputs = [
       "AnswersFile",
+      "BvhOptions",
       "CandidateOptions",
       "ComparisonSettings",
       "CompleteOptions",

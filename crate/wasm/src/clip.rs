@@ -5,6 +5,8 @@ use crate::arguments::Text;
 use crate::arguments::{Bytes, Whole};
 use crate::body::BodyInfo;
 #[cfg(feature = "training")]
+use crate::bvh::bvh_text;
+#[cfg(feature = "training")]
 use crate::convert::from_js;
 use crate::convert::{to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
@@ -194,8 +196,11 @@ impl Clip {
 
     /// The clip as the text of a BVH file.
     #[wasm_bindgen(js_name = toBvh)]
-    pub fn to_bvh(&self) -> String {
-        bvh::write(&self.clip)
+    pub fn to_bvh(
+        &self,
+        #[wasm_bindgen(unchecked_optional_param_type = "BvhOptions")] options: JsValue,
+    ) -> Result<String, VcgpdmError> {
+        bvh_text(self.clip.clone(), &options)
     }
 
     /// The clip as plain data, for a worker: `Clip.fromState` makes the same clip there.

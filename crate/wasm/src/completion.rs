@@ -1,6 +1,7 @@
 //! Recordings of which a model observes some parts and infers the others.
 
 use crate::arguments::Whole;
+use crate::bvh::bvh_text;
 use crate::clip::Clip;
 use crate::convert::{flat, from_js, matrix, rows, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
@@ -14,7 +15,6 @@ use vcgpdm::models::variational::ObservationError;
 use vcgpdm::models::{
     ColumnMapping, Model as TrainedModel, PartCompletion, Reading, Rollout as Rolled, RolloutRequest,
 };
-use vcgpdm::motion::bvh;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -197,7 +197,10 @@ impl Completion {
 
     /// The completed motion as the text of a BVH file.
     #[wasm_bindgen(js_name = toBvh)]
-    pub fn to_bvh(&self) -> Result<String, VcgpdmError> {
-        Ok(bvh::write(&self.model.body.clip(&self.found.y, "completed.bvh")?))
+    pub fn to_bvh(
+        &self,
+        #[wasm_bindgen(unchecked_optional_param_type = "BvhOptions")] options: JsValue,
+    ) -> Result<String, VcgpdmError> {
+        bvh_text(self.model.body.clip(&self.found.y, "completed.bvh")?, &options)
     }
 }

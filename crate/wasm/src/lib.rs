@@ -6,6 +6,7 @@
 
 mod arguments;
 mod body;
+mod bvh;
 #[cfg(feature = "training")]
 mod candidate;
 #[cfg(feature = "speed")]

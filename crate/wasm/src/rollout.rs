@@ -1,6 +1,7 @@
 //! Rollouts: motions, or columns of numbers.
 
 use crate::arguments::Whole;
+use crate::bvh::bvh_text;
 #[cfg(feature = "training")]
 use crate::clip::Clip;
 use crate::convert::{flat, rows, to_js, to_js_joined};
@@ -14,7 +15,6 @@ use std::rc::Rc;
 #[cfg(feature = "training")]
 use vcgpdm::models::SeriesModel;
 use vcgpdm::models::{ColumnMapping, Model, Rollout as Columns, RolloutRequest};
-use vcgpdm::motion::bvh;
 use vcgpdm::motion::measures::{PartMeasures, measures};
 use wasm_bindgen::prelude::*;
 
@@ -274,8 +274,11 @@ impl Rollout {
 
     /// The motion as the text of a BVH file.
     #[wasm_bindgen(js_name = toBvh)]
-    pub fn to_bvh(&self) -> Result<String, VcgpdmError> {
-        Ok(bvh::write(&self.model.body()?.body.clip(&self.rollout.y, "rollout.bvh")?))
+    pub fn to_bvh(
+        &self,
+        #[wasm_bindgen(unchecked_optional_param_type = "BvhOptions")] options: JsValue,
+    ) -> Result<String, VcgpdmError> {
+        bvh_text(self.model.body()?.body.clip(&self.rollout.y, "rollout.bvh")?, &options)
     }
 
     /// The motion as a clip.

@@ -1,0 +1,34 @@
+//! Motions as the text of a BVH file.
+
+use crate::convert::from_js;
+use crate::error::{ErrorCode, VcgpdmError};
+use crate::settings::with_defaults;
+use js_sys::Object;
+use serde::Deserialize;
+use vcgpdm::motion::{Clip, bvh};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** How the text of a BVH file is written. */
+export interface BvhOptions {
+    /**
+     * Whether joints get names that every program reads: `mixamorig:Hips` becomes `Hips`. three.js does not
+     * move joints whose names have a colon. Absent: the names stay.
+     */
+    plainNames?: boolean;
+}
+"#;
+
+#[derive(Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct BvhOptions {
+    plain_names: bool,
+}
+
+/// The text of a BVH file.
+pub fn bvh_text(clip: Clip, options: &JsValue) -> Result<String, VcgpdmError> {
+    let options = with_defaults(ErrorCode::Clip, "toBvh", options, Object::new().into())?;
+    let BvhOptions { plain_names } = from_js(ErrorCode::Clip, "toBvh", &options)?;
+    Ok(bvh::write(&if plain_names { clip.with_plain_names() } else { clip }))
+}
