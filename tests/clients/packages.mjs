@@ -3,6 +3,7 @@ import { execFile, execFileSync, spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
+import { it } from "node:test";
 import { promisify, stripVTControlCharacters } from "node:util";
 import { launchChromium } from "../../scripts/chromium.mjs";
 import { at } from "../../scripts/run.mjs";
@@ -49,7 +50,7 @@ const MAX_INSTALLATIONS = 3;
  * @param {string[]} tools as npm names them, such as vite@8
  * @returns {() => Installed}
  */
-export function later(files, tools = []) {
+function later(files, tools = []) {
   /** @type {Installed} */
   const folder = new Promise((resolve) => asked.push({ files, tools, done: resolve }));
   // The test that waits for the folder reports the failure.
@@ -84,11 +85,27 @@ async function folderWith(/** @type {Record<string, string>} */ files, /** @type
   try {
     await npm(folder, "install", "--no-audit", "--no-fund", tarball(), ...tools);
   } catch (error) {
-    // Without tools, the package itself cannot be installed.
-    if (tools.length === 0) throw error;
+    // Without tools, the package itself cannot be installed; tools that do not fit together are a fault of ours.
+    if (tools.length === 0 || /ERESOLVE/.test(String(error))) throw error;
     return null;
   }
   return folder;
+}
+
+/**
+ * A test of a tool; skipped when the registry lacks the tool.
+ * @param {string} name
+ * @param {string[]} tools
+ * @param {Record<string, string>} files
+ * @param {(folder: string) => Promise<unknown>} work
+ */
+export function client(name, tools, files, work) {
+  const installed = later(files, tools);
+  it(name, { timeout: 300_000 }, async (test) => {
+    const folder = await installed();
+    if (folder === null) return test.skip(`the registry lacks ${tools.join(" ")}`);
+    await work(folder);
+  });
 }
 
 /** The output of a program that runs in the folder. */
@@ -145,14 +162,15 @@ export async function titleIn(/** @type {string} */ folder) {
   }
 }
 
-/** Starts a server that prints its address, and calls `work` with the address. */
+/** Starts a server, a tool or a program of Node's, that prints its address, and calls `work` with the address. */
 export async function withServer(
   /** @type {string} */ folder,
   /** @type {string} */ name,
   /** @type {string[]} */ args,
   /** @type {(address: string) => Promise<string>} */ work,
 ) {
-  const child = spawn(join(folder, "node_modules", ".bin", name), args, { cwd: folder, detached: true });
+  const program = name === process.execPath ? name : join(folder, "node_modules", ".bin", name);
+  const child = spawn(program, args, { cwd: folder, detached: true });
   try {
     const address = await new Promise((resolve, reject) => {
       let text = "";

@@ -2,9 +2,9 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, describe, it } from "node:test";
+import { after, describe } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { clear, later, run, titleIn, titleOf, tool, withServer } from "./packages.mjs";
+import { clear, client, run, titleIn, titleOf, tool, withServer } from "./packages.mjs";
 
 after(clear);
 
@@ -47,22 +47,6 @@ const { kind, parts } = model.info();
 document.title = "done: " + [kind, parts.length, started, reports > 0, model.rollout({ frames: 9 }).frames].join(" ");
 `;
 const TRAINED = "done: vcgpdm 2 1 true 9";
-
-/**
- * A test of a tool; skipped when the registry lacks the tool.
- * @param {string} name
- * @param {string[]} tools
- * @param {Record<string, string>} files
- * @param {(folder: string) => Promise<unknown>} work
- */
-function client(name, tools, files, work) {
-  const installed = later(files, tools);
-  it(name, { timeout: 300_000 }, async (test) => {
-    const folder = await installed();
-    if (folder === null) return test.skip(`the registry lacks ${tools.join(" ")}`);
-    await work(folder);
-  });
-}
 
 describe("Vite", () => {
   for (const version of ["5", "6", "7", "8"]) {
@@ -180,35 +164,6 @@ wait();
     await tool(folder, "parcel", "build", "index.html", "--no-cache", "--no-source-maps");
     assert.match(await titleIn(join(folder, "dist")), DONE);
   });
-  const layout = `export default function Layout({ children }) {
-  return <html lang="en"><body>{children}</body></html>;
-}
-`;
-  const view = `"use client";
-import init, { Clip } from "vcgpdm";
-import { useEffect } from "react";
-
-export default function Page() {
-  useEffect(() => {
-    init().then(() => { document.title = "done: " + Clip.sample("walk-1").info().frames + " frames"; });
-  }, []);
-  return <p>A walk</p>;
-}
-`;
-  for (const version of ["15", "16"]) {
-    client(
-      `Next.js ${version}: a client component with the plain import`,
-      [`next@${version}`, "react@19", "react-dom@19"],
-      { "app/layout.jsx": layout, "app/page.jsx": view },
-      async (folder) => {
-        await tool(folder, "next", "build");
-        await withServer(folder, "next", ["start", "--port", "0"], async (address) => {
-          assert.match(await titleOf(address), DONE);
-          return "";
-        });
-      },
-    );
-  }
   const serverProgram = 'import { Clip } from "vcgpdm";\nconsole.log(Clip.sample("walk-1").info().frames);\n';
   client(
     "esbuild for Node, as module and by require, moved to another folder",
