@@ -15,10 +15,10 @@ pub const MOST_PRIMITIVES: usize = 40;
 pub const MOST_BASES: usize = 200;
 
 /// Settings of the variational models, vCGPDM and vGPDM. Every setting has a default, and a struct literal
-/// states the others, as for all settings of this crate:
+/// states those that differ, as for all settings of this crate:
 ///
 /// ```
-/// use vcgpdm::models::VariationalSettings;
+/// use vcgpdm::VariationalSettings;
 ///
 /// let settings = VariationalSettings { latent: 2, order: 1, ..Default::default() };
 /// assert_eq!(settings.dynamics_ips, 12);
