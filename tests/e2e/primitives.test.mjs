@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
+import { opened } from "./library.mjs";
 import { barriers, draws, keepsNobodyOut, openSite, ready, recolour, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -19,19 +20,6 @@ after(() => site?.close());
  * transition, exchanged arms would move 1.1 m or more.
  */
 const LARGEST_STEP = 0.4;
-
-/** Waits until the library is open and all small figures have their motion. */
-async function opened(/** @type {Page} */ page) {
-  await page.getByTestId("combination").first().waitFor({ timeout: 30_000 });
-  await page.waitForFunction(
-    () => {
-      const figures = [...document.querySelectorAll("pg-small-figure")];
-      return figures.length > 0 && figures.every((figure) => /** @type {any} */ (figure).motion);
-    },
-    null,
-    { timeout: 30_000 },
-  );
-}
 
 /**
  * The number of the newest frame of the large figure, and the largest step of a node between two of the
@@ -316,70 +304,6 @@ describe("a library of primitives", () => {
     await page.getByText("A library of made walks").waitFor();
     await opened(page);
     assert.equal(await page.getByTestId("combination").count(), 4);
-    assert.deepEqual(problems, []);
-    await leave();
-  });
-
-  it("has its figure beside its controls only, not over what follows", async () => {
-    for (const viewport of [
-      { width: 1280, height: 800 },
-      { width: 390, height: 844 },
-    ]) {
-      const { page, leave } = await site.visit({ settings: "view=primitives", viewport });
-      await ready(page);
-      await opened(page);
-      const edge = async (/** @type {string} */ place, /** @type {"top" | "bottom"} */ edge) =>
-        page.locator(place).evaluate((element, edge) => element.getBoundingClientRect()[edge], edge);
-      await page.getByTestId("add-primitives").scrollIntoViewIfNeeded();
-      assert.ok((await edge(".walk-panel", "bottom")) > 0, "it is in sight beside the last control");
-      for (const panel of [".recognition-panel", ".learning-panel", ".lesson-panel"]) {
-        await page.locator(panel).scrollIntoViewIfNeeded();
-        assert.ok((await edge(".walk-panel", "bottom")) <= (await edge(".recognition-panel", "top")), panel);
-      }
-      await leave();
-    }
-  });
-
-  it("says which movement three joined clips show, moment by moment", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "view=primitives", seen: true });
-    await ready(page);
-    await opened(page);
-    const chosen = (/** @type {number} */ place) =>
-      page
-        .getByTestId(`recognise-${place}`)
-        .evaluate((list) => /** @type {HTMLSelectElement} */ (list).value);
-    await page.waitForFunction(
-      () =>
-        /** @type {HTMLSelectElement} */ (document.querySelector("[data-testid=recognise-2]")).value !== "",
-    );
-    assert.deepEqual(await Promise.all([0, 1, 2].map(chosen)), [
-      "made-walk-1",
-      "made-walk-wave-1",
-      "made-walk-2",
-    ]);
-    await page.getByTestId("recognise").click();
-    const words = page.getByTestId("recognised");
-    await words.waitFor({ timeout: 120_000 });
-    assert.match(
-      await words.innerText(),
-      /^Walk from 0\.0 to [\d.]+ s, wave from [\d.]+ to [\d.]+ s, walk from /,
-    );
-    for (const part of [0, 1])
-      assert.deepEqual(await page.locator(`[data-testid=bands-${part}] .band`).allInnerTexts(), [
-        "walk",
-        "wave",
-        "walk",
-      ]);
-    const figure = page.locator(".recognised-figure");
-    const first = await figure.screenshot();
-    await page.getByRole("slider", { name: "Time", exact: true }).fill("120");
-    assert.notDeepEqual(await figure.screenshot(), first, "the figure follows the time");
-    await page.getByTestId("recognised-play").click();
-    await page.waitForFunction(
-      () => /** @type {any} */ (document.querySelector("pg-recognition")).recognition.player.frame > 121,
-    );
-    await page.getByTestId("recognise-1").selectOption("");
-    assert.equal(await words.count(), 0);
     assert.deepEqual(problems, []);
     await leave();
   });
