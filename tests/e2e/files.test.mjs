@@ -18,6 +18,7 @@ import {
   ready,
   readyVisitor,
   saved,
+  soon,
 } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
@@ -255,6 +256,33 @@ describe("without a network", () => {
     await compare.waitFor({ timeout: 60_000 });
     await leave();
   });
+});
+
+it("a saved motion has names of joints that three.js moves", async () => {
+  const { page, problems, leave } = await site.visit();
+  await ready(page);
+  const model = JSON.parse(readFileSync(at("www/first/model.json"), "utf8"));
+  for (const joint of model.pose.skeleton.joints) joint.name = `mixamorig:${joint.name}`;
+  const file = {
+    name: "mixamo.json",
+    mimeType: "application/json",
+    buffer: Buffer.from(JSON.stringify(model)),
+  };
+  await page.getByTestId("open-model").setInputFiles(file);
+  await soon(async () => {
+    const { text } = await saved(page, "save-model");
+    assert.match(text, /mixamorig:Hips/, "the model keeps its names");
+  });
+  const { text } = await saved(page, "save-motion");
+  const names = [...text.matchAll(/(?:ROOT|JOINT) (.+)/g)].map(([, name]) => name);
+  assert.equal(names.length, model.pose.skeleton.joints.length);
+  assert.equal(names[0], "Hips");
+  assert.ok(
+    names.every((name) => PropertyBinding.sanitizeNodeName(name ?? "") === name),
+    names.join(" "),
+  );
+  assert.deepEqual(problems, []);
+  await leave();
 });
 
 it("a model of a kind without couplings moves on the stage, says so, and its motion is saved", async () => {

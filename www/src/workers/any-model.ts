@@ -12,7 +12,10 @@ export const anyModelWorker: AnyModelWorker = {
       return using(model.rollout({ frames, sequence: 0 }), (rollout) => {
         const positions = rollout.positions();
         const motion = { positions, frames: rollout.frames, nodes: figure.nodes.length, frameTime };
-        return transfer({ kind, figure, joints, parts, motion, bvh: rollout.toBvh() }, positions);
+        return transfer(
+          { kind, figure, joints, parts, motion, bvh: rollout.toBvh({ plainNames: true }) },
+          positions,
+        );
       });
     }),
 };

@@ -58,7 +58,7 @@ export class ShownModel {
   }
 
   rolloutBvh(request: RolloutRequest): string {
-    return this.withRollout(request, (rollout) => rollout.toBvh());
+    return this.withRollout(request, (rollout) => rollout.toBvh({ plainNames: true }));
   }
 
   bodyReport(request: RolloutRequest, first: number): BodyReport {
