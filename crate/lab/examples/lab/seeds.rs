@@ -1,7 +1,7 @@
 //! How many seeds lead to a model that keeps moving (docs/training.md), and what the page says about each
 //! (docs/couplings.md). Each clip is trained on alone, with several splits of the body and several sizes.
 //! Bounds are smallest / middle / largest of the seeds. The poses visited are those of the part that visits
-//! least, for each seed, in per cent of its clip's frames.
+//! least, for each seed, in per cent of its clip's frames. A last table adds up clips of similar length.
 
 use crate::clips::read_clips;
 use crate::effects::health_text;
@@ -20,10 +20,16 @@ const FRAMES_PER_SECOND: f64 = 30.0;
 /// The page trains from this many seeds and shows the best of them.
 const GROUP: usize = 4;
 
+/// The last table has a row for clips shorter than each of these seconds, and one for all longer clips.
+const LENGTHS: [f64; 3] = [4.0, 8.0, 12.0];
+
 #[derive(Args)]
 pub struct Arguments {
     /// BVH files, or folders of them; absent: the first sample walk.
     clips: Vec<PathBuf>,
+    /// Trains on the first seconds of each clip only.
+    #[arg(long)]
+    seconds: Option<f64>,
     /// Seeds, from 0.
     #[arg(long, default_value_t = 10)]
     seeds: u32,
@@ -64,22 +70,56 @@ impl Run {
     }
 }
 
+/// The trainings of one clip with the same settings.
+struct Trainings {
+    seconds: f64,
+    points: usize,
+    runs: Vec<Run>,
+    /// The error of the seed in the middle, relative to that with the first number of points.
+    relative_error: f64,
+}
+
+impl Trainings {
+    fn moving(&self) -> usize {
+        self.runs.iter().filter(|run| run.health.is_good()).count()
+    }
+
+    /// How many groups of seeds there are, and how many of their models that the page would show keep moving.
+    fn chosen(&self) -> (usize, usize) {
+        let groups: Vec<&[Run]> = self.runs.chunks_exact(GROUP).collect();
+        let is_good = |group: &&&[Run]| {
+            let best = best_to_show(group.iter().map(|run| (run.health.rank, run.error)));
+            best.is_some_and(|place| group[place].health.is_good())
+        };
+        (groups.iter().filter(is_good).count(), groups.len())
+    }
+
+    fn mean_seconds(&self) -> f64 {
+        self.runs.iter().map(|run| run.seconds).sum::<f64>() / self.runs.len() as f64
+    }
+}
+
 pub fn run(arguments: &Arguments) {
     println!(
-        "| clip | parts | points | weight of the poses | seeds that keep moving | one pose | few poses | poses visited, % | chosen of {GROUP} seeds | bound | within 0.5 % of the best | s |"
+        "| clip | s | parts | points | weight of the poses | seeds that keep moving | one pose | few poses | poses visited, % | chosen of {GROUP} seeds | error on the clip | bound | within 0.5 % of the best | s of a training |"
     );
-    println!("{}|", "|---".repeat(12));
+    println!("{}|", "|---".repeat(14));
     let mut clips: Vec<Clip> = read_clips(&arguments.clips).collect();
     if clips.is_empty() {
         clips.push(samples::clip("walk-1").unwrap());
     }
+    let mut all: Vec<Trainings> = Vec::new();
     for clip in &clips {
+        let most = arguments.seconds.map_or(clip.frames(), |seconds| (seconds / clip.frame_time) as usize);
+        let clip = &clip.cut(0, most.min(clip.frames())).unwrap();
+        let seconds = clip.frames() as f64 * clip.frame_time;
         let presets = parts::presets(&clip.skeleton);
         for preset in arguments.parts.iter().filter_map(|id| presets.iter().find(|preset| preset.id == *id)) {
             let source = Source { clip, first_frames: None };
             let dataset = Dataset::new(&[source], &preset.parts, FRAMES_PER_SECOND).unwrap();
-            for &points in &arguments.points {
-                for &pose_weight in &arguments.pose_weights {
+            for &pose_weight in &arguments.pose_weights {
+                let mut first_error = None;
+                for &points in &arguments.points {
                     let settings = VariationalSettings {
                         dynamics_ips: points,
                         pose_ips: points,
@@ -93,9 +133,56 @@ pub fn run(arguments: &Arguments) {
                         PoseWeight::Fixed(weight) => weight.to_string(),
                         PoseWeight::Balanced => "balanced".to_owned(),
                     };
-                    print(&format!("{} | {} | {points} | {weight}", clip.name, preset.id), &runs);
+                    let error = middle(runs.iter().map(|run| run.error));
+                    let relative_error = error / *first_error.get_or_insert(error);
+                    let trainings = Trainings { seconds, points, runs, relative_error };
+                    let title = format!("{} | {seconds:.1} | {} | {points} | {weight}", clip.name, preset.id);
+                    print(&title, &trainings);
+                    all.push(trainings);
                 }
             }
+        }
+    }
+    print_lengths(&all, &arguments.points);
+}
+
+fn middle(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    let mut sorted: Vec<f64> = numbers.into_iter().collect();
+    sorted.sort_by(f64::total_cmp);
+    sorted[sorted.len() / 2]
+}
+
+/// Adds up the trainings of clips of similar length.
+fn print_lengths(all: &[Trainings], points: &[usize]) {
+    println!(
+        "\n| clips | points | models that keep moving | chosen of {GROUP} seeds | error on the clip, relative to {} points | s of a training |",
+        points[0]
+    );
+    println!("{}|", "|---".repeat(6));
+    let class = |seconds: f64| LENGTHS.iter().filter(|length| seconds >= **length).count();
+    for place in 0..=LENGTHS.len() {
+        for &points in points {
+            let alike = |one: &&Trainings| one.points == points && class(one.seconds) == place;
+            let group: Vec<&Trainings> = all.iter().filter(alike).collect();
+            if group.is_empty() {
+                continue;
+            }
+            let length = match (place.checked_sub(1).map(|lower| LENGTHS[lower]), LENGTHS.get(place)) {
+                (None, Some(upper)) => format!("shorter than {upper} s"),
+                (Some(lower), Some(upper)) => format!("{lower} to {upper} s"),
+                (lower, None) => format!("{} s or longer", lower.unwrap_or(0.0)),
+            };
+            let moving: usize = group.iter().map(|one| one.moving()).sum();
+            let models: usize = group.iter().map(|one| one.runs.len()).sum();
+            let chosen: Vec<(usize, usize)> = group.iter().map(|one| one.chosen()).collect();
+            println!(
+                "| {}, {length} | {points} | {moving} of {models} | {} of {} | {:.2} | {:.1} |",
+                group.len(),
+                chosen.iter().map(|(moving, _)| moving).sum::<usize>(),
+                chosen.iter().map(|(_, groups)| groups).sum::<usize>(),
+                middle(group.iter().map(|one| one.relative_error)),
+                group.iter().map(|one| one.mean_seconds()).sum::<f64>() / group.len() as f64,
+            );
         }
     }
 }
@@ -121,30 +208,26 @@ fn train(settings: &VariationalSettings, frames: usize, dataset: &Dataset, seed:
     Run { bound: model.model.bound(), error, seconds, health }
 }
 
-fn print(title: &str, runs: &[Run]) {
+fn print(title: &str, trainings: &Trainings) {
+    let runs = &trainings.runs;
     let endings: Vec<String> =
         runs.iter().map(|run| format!("{} ({:.0})", health_text(&run.health), run.bound)).collect();
     eprintln!("{title}: {}", endings.join(", "));
-    let moving = runs.iter().filter(|run| run.health.is_good()).count();
     let ending = |states: &[Ending]| runs.iter().filter(|run| states.contains(&run.health.state)).count();
     let one_pose = ending(&[Ending::StandsStill, Ending::KeepsOnePose]);
     let few_poses = ending(&[Ending::VisitsFewPoses]);
     let visited: Vec<String> = runs.iter().map(|run| format!("{:.0}", run.visited())).collect();
-    let groups: Vec<&[Run]> = runs.chunks_exact(GROUP).collect();
-    let chosen = groups.iter().filter(|group| {
-        let best = best_to_show(group.iter().map(|run| (run.health.rank, run.error)));
-        best.is_some_and(|place| group[place].health.is_good())
-    });
-    let chosen = chosen.count();
+    let (chosen, groups) = trainings.chosen();
     let mut bounds: Vec<f64> = runs.iter().map(|run| run.bound).collect();
     bounds.sort_by(f64::total_cmp);
-    let (low, middle, high) = (bounds[0], bounds[bounds.len() / 2], bounds[bounds.len() - 1]);
+    let (low, middle_bound, high) = (bounds[0], bounds[bounds.len() / 2], bounds[bounds.len() - 1]);
     let near = bounds.iter().filter(|bound| **bound >= high - 0.005 * high.abs()).count();
-    let seconds = runs.iter().map(|run| run.seconds).sum::<f64>() / runs.len() as f64;
     println!(
-        "| {title} | {moving} of {} | {one_pose} | {few_poses} | {} | {chosen} of {} | {low:.0} / {middle:.0} / {high:.0} | {near} | {seconds:.1} |",
+        "| {title} | {} of {} | {one_pose} | {few_poses} | {} | {chosen} of {groups} | {:.5} | {low:.0} / {middle_bound:.0} / {high:.0} | {near} | {:.1} |",
+        trainings.moving(),
         runs.len(),
         visited.join(" "),
-        groups.len()
+        middle(runs.iter().map(|run| run.error)),
+        trainings.mean_seconds(),
     );
 }
