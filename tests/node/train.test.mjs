@@ -54,6 +54,26 @@ describe("one call", () => {
     assert.equal(clips[0]?.info().frames, 100, "the clips can be used again");
   });
 
+  it("gives long clips more inducing points, unless told otherwise", () => {
+    const { Clip, Trainer, TrainingSet } = installed.vcgpdm;
+    const points = (/** @type {string} */ text, settings = {}) => {
+      const set = new TrainingSet();
+      set.add(Clip.read("walk.bvh", text));
+      const trainer = new Trainer(set, { framesPerSecond: 15, maxIterations: 1, ...settings });
+      trainer.step();
+      const { dynamicsIps, poseIps } = trainer.model().info().provenance.settings;
+      return [dynamicsIps, poseIps];
+    };
+    const walk = Clip.sample("walk-1").toBvh();
+    const slow = walk.replace(
+      /Frame Time: .*/,
+      `Frame Time: ${8.1 / Number(/Frames: (\d+)/.exec(walk)?.[1])}`,
+    );
+    assert.deepEqual(points(walk), [12, 12]);
+    assert.deepEqual(points(slow), [30, 30]);
+    assert.deepEqual(points(slow, { poseIps: 9 }), [30, 9]);
+  });
+
   it("can be stopped", async () => {
     const { Clip, train } = installed.vcgpdm;
     const stop = new AbortController();

@@ -11,6 +11,7 @@ mod complete;
 mod couple;
 mod evaluate;
 mod files;
+mod health;
 mod interrupt;
 mod library;
 mod merge;

@@ -120,7 +120,9 @@ impl LibraryTrainer {
     ) -> Result<LibraryTrainer, VcgpdmError> {
         let skeleton = &clips.clips.first().ok_or(DatasetError::Empty)?.skeleton;
         let (Task { parts, frames_per_second, seed }, settings) =
-            settings_from_js(&settings, |parts| body_parts(parts, skeleton))?;
+            settings_from_js(&settings, &VariationalSettings::default(), |parts| {
+                body_parts(parts, skeleton)
+            })?;
         let Planned { movements, shared } = from_js(ErrorCode::Training, "the plan", &plan)?;
         let movements = movements.into_iter().map(|PlannedName { name, sequences }| PlannedMovement {
             name,

@@ -71,9 +71,9 @@ export interface TrainingOptions {
     parts?: string | NamedPart[];
     /** Latent dimensions Q of every part; absent: 3. */
     latent?: number;
-    /** Dynamics inducing points K of every expert; absent: 12. */
+    /** Dynamics inducing points K of every expert; absent: 12, or 30 if a clip has 8 seconds or more. */
     dynamicsIps?: number;
-    /** Pose inducing points L of every part; absent: 12. */
+    /** Pose inducing points L of every part; absent: as for the dynamics. */
     poseIps?: number;
     /** Order p of the dynamics; absent: 2. */
     order?: number;
@@ -200,15 +200,16 @@ struct Rate {
     seed: u32,
 }
 
-/// The settings of a training from JavaScript. Fields that are absent have defaults, the parts those of
+/// The settings of a training from JavaScript. Fields that are absent are as in `usual`, the parts those of
 /// `parts`.
 #[cfg(feature = "training")]
 pub fn settings_from_js<P: DeserializeOwned + Serialize>(
     value: &JsValue,
+    usual: &VariationalSettings,
     parts: impl FnOnce(&JsValue) -> Result<Vec<P>, VcgpdmError>,
 ) -> Result<(Task<P>, VariationalSettings), VcgpdmError> {
     let rate = Rate { frames_per_second: FRAMES_PER_SECOND, seed: 0 };
-    let usual = to_js_joined(&rate, &VariationalSettings::default())?;
+    let usual = to_js_joined(&rate, usual)?;
     let complete = with_defaults(ErrorCode::Settings, "settings", value, usual)?;
     let complete = with_parts(complete, parts)?;
     from_js_split(ErrorCode::Settings, "settings", &complete)

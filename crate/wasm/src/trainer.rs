@@ -11,7 +11,7 @@ use crate::tables::{TablePart, parts_of_columns};
 use crate::trained::Trained;
 use std::rc::Rc;
 use vcgpdm::Trainer as BodyTrainer;
-use vcgpdm::models::{Dataset, DatasetError, Source};
+use vcgpdm::models::{Dataset, DatasetError, Source, VariationalSettings};
 use vcgpdm::series::Columns;
 use vcgpdm_lab::evaluation::TrainingTrials;
 use wasm_bindgen::prelude::*;
@@ -90,14 +90,16 @@ impl Trainer {
         }
         let training = if set.tables.is_empty() {
             let skeleton = &set.clips[0].skeleton;
+            let seconds = set.clips.iter().map(|clip| clip.frames() as f64 * clip.frame_time);
+            let usual = VariationalSettings::for_clips(seconds.fold(0.0, f64::max));
             let (Task { parts, frames_per_second, seed }, settings) =
-                settings_from_js(&settings, |parts| body_parts(parts, skeleton))?;
+                settings_from_js(&settings, &usual, |parts| body_parts(parts, skeleton))?;
             let sources: Vec<Source> = set.clips.iter().map(Source::from).collect();
             let dataset = Dataset::new(&sources, &parts, frames_per_second)?;
             let trainer = BodyTrainer::new(&dataset, &settings.into(), seed)?;
             Training::Body(trainer, TrainingTrials::new(&dataset))
         } else {
-            let (task, settings) = settings_from_js(&settings, |parts| {
+            let (task, settings) = settings_from_js(&settings, &VariationalSettings::default(), |parts| {
                 if parts.is_undefined() {
                     return Ok(vec![TablePart::all(&set.tables[0])]);
                 }

@@ -23,12 +23,13 @@ pub struct Options {
     /// Latent dimensions of every part (GPDMs).
     #[arg(long, value_name = "Q", default_value_t = VariationalSettings::default().latent, value_parser = whole(1..=MOST_DIMENSIONS))]
     latent: usize,
-    /// Inducing points of every dynamics map (vcgpdm, vgpdm).
-    #[arg(long, value_name = "K", default_value_t = VariationalSettings::default().dynamics_ips, value_parser = whole(1..=MOST_INDUCING))]
-    dynamics_ips: usize,
-    /// Inducing points of every pose map (vcgpdm, vgpdm).
-    #[arg(long, value_name = "L", default_value_t = VariationalSettings::default().pose_ips, value_parser = whole(1..=MOST_INDUCING))]
-    pose_ips: usize,
+    /// Inducing points of every dynamics map (vcgpdm, vgpdm). Absent: 12, or 30 if a clip of the body has 8
+    /// seconds or more.
+    #[arg(long, value_name = "K", value_parser = whole(1..=MOST_INDUCING))]
+    dynamics_ips: Option<usize>,
+    /// Inducing points of every pose map (vcgpdm, vgpdm). Absent: as for the dynamics.
+    #[arg(long, value_name = "L", value_parser = whole(1..=MOST_INDUCING))]
+    pose_ips: Option<usize>,
     /// Frames of history that the dynamics see (GPDMs).
     #[arg(long, value_name = "P", default_value_t = VariationalSettings::default().order, value_parser = whole(1..=MOST_DIMENSIONS))]
     order: usize,
@@ -94,9 +95,9 @@ const KINDS: [(&str, &[ModelKind]); 15] = [
 ];
 
 impl Options {
-    /// The settings of a model of this kind, with this weight of the pose terms if none is given. An option that
-    /// the kind does not have is refused.
-    pub fn settings(&self, kind: ModelKind, usual: PoseWeight) -> Result<Settings, Box<dyn Error>> {
+    /// The settings of a model of this kind. Inducing points and the weight of the pose terms are as in `usual`
+    /// if none are given. An option that the kind does not have is refused.
+    pub fn settings(&self, kind: ModelKind, usual: &VariationalSettings) -> Result<Settings, Box<dyn Error>> {
         let misplaced = KINDS.iter().find(|(id, kinds)| self.given.has(id) && !kinds.contains(&kind));
         if let Some((id, kinds)) = misplaced {
             let kinds: Vec<&str> = kinds.iter().map(|kind| kind.id()).collect();
@@ -107,24 +108,13 @@ impl Options {
                 kind.id()
             )));
         }
-        let &Options {
-            latent,
-            order,
-            dynamics_ips,
-            pose_ips,
-            max_iterations,
-            balanced,
-            uncoupled,
-            linear,
-            bases,
-            ..
-        } = self;
-        let pose_weight = weight(balanced, self.pose_weight, usual);
+        let &Options { latent, order, max_iterations, balanced, uncoupled, linear, bases, .. } = self;
+        let pose_weight = weight(balanced, self.pose_weight, usual.pose_weight);
         let variational = VariationalSettings {
             latent,
             order,
-            dynamics_ips,
-            pose_ips,
+            dynamics_ips: self.dynamics_ips.unwrap_or(usual.dynamics_ips),
+            pose_ips: self.pose_ips.unwrap_or(usual.pose_ips),
             max_iterations,
             pose_weight,
             uncoupled,

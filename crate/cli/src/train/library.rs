@@ -17,7 +17,7 @@ use std::ffi::OsStr;
 use std::path::PathBuf;
 use std::time::Instant;
 use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
-use vcgpdm::models::{Dataset, ModelKind, PoseWeight, Setbacks, Settings, Source, with_bones_of};
+use vcgpdm::models::{Dataset, ModelKind, Setbacks, Settings, Source, VariationalSettings, with_bones_of};
 
 /// A movement of the command line.
 struct Movement {
@@ -71,7 +71,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let plan =
         LibraryPlan::new(planned.collect(), shared).map_err(|error| usage(format!("--movement: {error}")))?;
     // A library has the settings of the vCGPDM: options of other kinds are refused.
-    let model_settings = arguments.options.settings(ModelKind::Vcgpdm, PoseWeight::default())?;
+    let model_settings = arguments.options.settings(ModelKind::Vcgpdm, &VariationalSettings::default())?;
     let Settings::Vcgpdm(settings) = &model_settings else {
         return Err("expected settings of a vcgpdm".into());
     };

@@ -15,6 +15,7 @@ pub use steps::{train_steps, warn_of_cost};
 
 use crate::clips;
 use crate::files;
+use crate::health::{advice, health_of, warning};
 use crate::numbers::check_fps;
 use crate::progress::say;
 use crate::usage::usage;
@@ -28,8 +29,8 @@ use std::time::Instant;
 use vcgpdm::document::DocumentError;
 use vcgpdm::models::variational::VariationalTrainer;
 use vcgpdm::models::{
-    ColumnMapping, Dataset, FittedModel, Model, ModelKind, PoseWeight, Provenance, Settings, Source, Trainer,
-    with_bones_of,
+    ColumnMapping, Dataset, FittedModel, Health, Model, ModelKind, PoseWeight, Provenance, Settings, Source,
+    Trainer, VariationalSettings, with_bones_of,
 };
 use vcgpdm::motion::Clip;
 use vcgpdm_lab::golden::Case;
@@ -45,7 +46,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let split = split(arguments)?;
     if arguments.columns {
         let dataset = columns::dataset(&arguments.clips, split, &arguments.without, arguments.fps)?;
-        return train(arguments, split, &dataset, |model| model.to_json());
+        let usual = VariationalSettings::default();
+        return train(arguments, split, &usual, &dataset, |model| Ok((model.to_json()?, None)));
     }
     check_fps(arguments.fps)?;
     let mut clips: Vec<(Clip, Option<usize>)> = Vec::new();
@@ -66,7 +68,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let sources: Vec<Source> =
         clips.iter().map(|(clip, first_frames)| Source { clip, first_frames: *first_frames }).collect();
     let dataset = Dataset::new(&sources, &parts, arguments.fps).map_err(with_hint)?;
-    train(arguments, split, &dataset, |model| model.to_json())
+    let longest = dataset.sequences.iter().map(|sequence| sequence.frames).max().unwrap_or(0);
+    let usual = VariationalSettings {
+        // Measured on walks and runs of whole bodies: docs/training.md, "The weight of the poses".
+        pose_weight: PoseWeight::Balanced,
+        ..VariationalSettings::for_clips(longest as f64 * dataset.frame_time)
+    };
+    train(arguments, split, &usual, &dataset, |model| Ok((model.to_json()?, health_of(model))))
 }
 
 /// The value of `--parts`; without it, "whole" for models that are not coupled.
@@ -84,16 +92,16 @@ fn split(arguments: &Arguments) -> Result<&str, Box<dyn Error>> {
     }
 }
 
-/// Trains on the data set, writes the model and prints a summary.
+/// Trains on the data set, writes the model and prints a summary. `usual` has the settings that depend on the
+/// data; `finish` makes the document of the model, and finds how its motion ends.
 fn train<S: ColumnMapping>(
     arguments: &Arguments,
     split: &str,
+    usual: &VariationalSettings,
     dataset: &Dataset<S>,
-    to_json: impl Fn(&Model<S>) -> Result<String, DocumentError>,
+    finish: impl Fn(&Model<S>) -> Result<(String, Option<Health>), DocumentError>,
 ) -> Result<(), Box<dyn Error>> {
     let kind = kind::check_parts(arguments.model, dataset.layout.parts().len(), split)?;
-    // Measured on walks and runs of whole bodies: docs/training.md, "The weight of the poses".
-    let usual = if arguments.columns { PoseWeight::default() } else { PoseWeight::Balanced };
     let settings = arguments.options.settings(kind, usual)?;
     let mut read = arguments.clips.clone();
     for text in &arguments.seed_frames {
@@ -118,7 +126,8 @@ fn train<S: ColumnMapping>(
 
     let mut trained = trainer.finish()?;
     trained.provenance.note.clone_from(&arguments.note);
-    files::write_text(&arguments.out, &to_json(&trained)?)?;
+    let (document, health) = finish(&trained)?;
+    files::write_text(&arguments.out, &document)?;
     let bound = trained.provenance.bound();
     let Provenance { objective, plain_bound, iterations, evaluations, .. } = trained.provenance;
     let summary = match &trained.fitted {
@@ -137,6 +146,20 @@ fn train<S: ColumnMapping>(
             });
             if plain_bound.is_some() {
                 summary["objective"] = objective.into();
+            }
+            if let Some(settings) = trained.provenance.settings.variational() {
+                summary["dynamics_ips"] = settings.dynamics_ips.into();
+                summary["pose_ips"] = settings.pose_ips.into();
+                if let Some(health) = health {
+                    let parts = dataset.layout.parts();
+                    let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
+                    let words = warning(&health, &names).map(|ends| (ends, advice(settings, usual)));
+                    if let Some((ends, advice)) = &words {
+                        say(&format!("warning: a motion of the model {ends}; {advice}"));
+                    }
+                    summary["health"] = json!(health);
+                    summary["advice"] = json!(words.map(|(_, advice)| advice));
+                }
             }
             summary
         }

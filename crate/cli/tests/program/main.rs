@@ -10,6 +10,7 @@ mod evaluate;
 mod files;
 mod library;
 mod models;
+mod moving;
 mod perception;
 mod recognise;
 mod recordings;

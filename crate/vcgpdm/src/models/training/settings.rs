@@ -59,6 +59,24 @@ impl Default for VariationalSettings {
     }
 }
 
+/// A clip of this many seconds is long.
+const LONG_CLIP: f64 = 8.0;
+/// Inducing points of every map where a clip is long.
+const POINTS_OF_LONG_CLIPS: usize = 30;
+
+impl VariationalSettings {
+    /// The default settings for clips of which the longest has this many seconds: from 8 seconds on, every map
+    /// has 30 inducing points instead of 12. With more points more rollouts of long clips keep moving
+    /// (docs/training.md, "Points by length").
+    pub fn for_clips(longest: f64) -> Self {
+        let usual = Self::default();
+        if longest < LONG_CLIP {
+            return usual;
+        }
+        Self { dynamics_ips: POINTS_OF_LONG_CLIPS, pose_ips: POINTS_OF_LONG_CLIPS, ..usual }
+    }
+}
+
 /// Settings of the models with point estimates of their latents, MAP GPDM and MAP CGPDM.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -223,6 +241,15 @@ mod tests {
         }
         let absent = serde_json::from_str::<Settings>(r#"{"model":"tmp"}"#).unwrap();
         assert_eq!(absent, Settings::Tmp(TmpSettings::default()));
+    }
+
+    #[test]
+    fn gives_long_clips_more_inducing_points() {
+        let points = |seconds| {
+            let settings = VariationalSettings::for_clips(seconds);
+            (settings.dynamics_ips, settings.pose_ips)
+        };
+        assert_eq!([points(0.0), points(7.9), points(8.0)], [(12, 12), (12, 12), (30, 30)]);
     }
 
     #[test]
