@@ -61,7 +61,8 @@ impl Vcgpdm {
     /// of joints, and the columns of arrays by a dict of names with lists of columns. Without it, a body has
     /// the parts lower and upper, and arrays have one part. The same seed gives the same model.
     ///
-    /// `latent` (Q), `order` (p), `dynamics_ips` (K) and `pose_ips` (L) are the sizes of the model.
+    /// `latent` (Q), `order` (p), `dynamics_ips` (K) and `pose_ips` (L) are the sizes of the model. Without
+    /// them, K and L are 12, or 30 if a clip has 8 seconds or more.
     /// `pose_weight` multiplies the pose terms of the bound: a number, or "balanced" for Q_i / D_i; without
     /// it, "balanced" for clips and 1 for arrays. Clips are brought to about `fps` frames a second, and
     /// arrays have `fps` rows a second; `columns` are the names of their columns.
@@ -71,10 +72,10 @@ impl Vcgpdm {
     /// so far. Warnings about the data arrive as UserWarning, and errors as ValueError.
     #[staticmethod]
     #[pyo3(signature = (
-        data, parts=None, *, latent=Count(3), order=Count(2), dynamics_ips=Count(12), pose_ips=Count(12),
+        data, parts=None, *, latent=Count(3), order=Count(2), dynamics_ips=None, pose_ips=None,
         max_iterations=Count(250), pose_weight=None, uncoupled=false, fps=30.0, columns=None, seed=Count(0),
         threads=Count(1), progress=None
-    ), text_signature = "(data, parts=None, *, latent=3, order=2, dynamics_ips=12, pose_ips=12, \
+    ), text_signature = "(data, parts=None, *, latent=3, order=2, dynamics_ips=None, pose_ips=None, \
         max_iterations=250, pose_weight=None, uncoupled=False, fps=30.0, columns=None, seed=0, threads=1, \
         progress=None)")]
     #[allow(clippy::too_many_arguments)]
@@ -84,8 +85,8 @@ impl Vcgpdm {
         parts: Option<&Bound<'_, PyAny>>,
         latent: Count,
         order: Count,
-        dynamics_ips: Count,
-        pose_ips: Count,
+        dynamics_ips: Option<Count>,
+        pose_ips: Option<Count>,
         max_iterations: Count,
         pose_weight: Option<&Bound<'_, PyAny>>,
         uncoupled: bool,
@@ -96,14 +97,21 @@ impl Vcgpdm {
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Self> {
         let data = self::data(data, parts, columns, fps)?;
-        let usual = if matches!(data, Data::Body(_)) { PoseWeight::Balanced } else { PoseWeight::default() };
+        let usual = match &data {
+            Data::Body(dataset) => {
+                let longest = dataset.sequences.iter().map(|sequence| sequence.frames).max().unwrap_or(0);
+                let of_clips = VariationalSettings::for_clips(longest as f64 * dataset.frame_time);
+                VariationalSettings { pose_weight: PoseWeight::Balanced, ..of_clips }
+            }
+            Data::Series(_) => VariationalSettings::default(),
+        };
         let settings = Settings::Vcgpdm(VariationalSettings {
             latent: latent.0,
             order: order.0,
-            dynamics_ips: dynamics_ips.0,
-            pose_ips: pose_ips.0,
+            dynamics_ips: dynamics_ips.map_or(usual.dynamics_ips, |count| count.0),
+            pose_ips: pose_ips.map_or(usual.pose_ips, |count| count.0),
             max_iterations: max_iterations.0,
-            pose_weight: pose_weight.map_or(Ok(usual), read_weight)?,
+            pose_weight: pose_weight.map_or(Ok(usual.pose_weight), read_weight)?,
             uncoupled,
         });
         let run = Run { settings, seed: seed.seed()?, threads: threads.0.max(1), progress };

@@ -1,8 +1,10 @@
 """Clips, trainings, models and rollouts."""
 
 import copy
+import json
 import os
 import pickle
+import re
 import signal
 import threading
 import time
@@ -53,6 +55,23 @@ def test_a_rollout_has_columns_latents_positions_and_a_clip(model):
     np.testing.assert_allclose(rollout.latents["lower"][:2], start[:2], atol=1e-12)
     later = model.rollout(50, frame=20)
     np.testing.assert_allclose(later.latents["lower"][:2], start[20:22], atol=1e-12)
+
+
+def test_long_clips_have_more_inducing_points_unless_told_otherwise(walk, tmp_path):
+    path = tmp_path / "slow.bvh"
+    walk.write(path)
+    text = re.sub("Frame Time: .*", f"Frame Time: {8.1 / walk.frames}", path.read_text())
+    path.write_text(text)
+    slow = Clip.read(path)
+
+    def points(clip, **sizes):
+        model = Vcgpdm.fit(clip, fps=15, max_iterations=1, **sizes)
+        settings = json.loads(model.to_json())["provenance"]["settings"]
+        return settings["dynamics_ips"], settings["pose_ips"]
+
+    assert points(walk) == (12, 12)
+    assert points(slow) == (30, 30)
+    assert points(slow, pose_ips=9) == (30, 9)
 
 
 def test_alpha_changes_rollouts_and_not_what_was_learned(model):
