@@ -42,7 +42,7 @@ pub enum ObservedClipError {
         /// The clip's name.
         clip: String,
         /// The reason.
-        reason: ObservationError,
+        reason: Box<ObservationError>,
     },
 }
 
@@ -134,6 +134,7 @@ impl Coupled<'_> {
             return Err(ObservedClipError::Short { clip: name.clone(), expected: frames, found });
         }
         let latents = self.latents_of(&columns.rows(0, frames).into_owned());
-        latents.map_err(|reason| ObservedClipError::Observation { clip: name.clone(), reason })
+        latents
+            .map_err(|reason| ObservedClipError::Observation { clip: name.clone(), reason: Box::new(reason) })
     }
 }
