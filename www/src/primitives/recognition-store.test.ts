@@ -11,6 +11,11 @@ import { bandsOf, RecognitionStore } from "./recognition-store";
 class FakeClips extends Store {
   all: ClipEntry[] = [];
 
+  ofBody(joints: readonly { name: string }[]): ClipEntry[] {
+    const names = (all: readonly { name: string }[]) => all.map(({ name }) => name).join();
+    return this.all.filter(({ loaded }) => names(loaded.info.joints) === names(joints));
+  }
+
   set(...clips: ClipEntry[]): void {
     this.all = clips;
     this.changed();

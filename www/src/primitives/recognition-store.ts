@@ -63,11 +63,8 @@ export class RecognitionStore extends Store {
 
   /** The clips of the body of the library. */
   get clips(): readonly ClipEntry[] {
-    const names = (joints: readonly { name: string }[]) => joints.map(({ name }) => name).join();
     const { current } = this.#library;
-    if (!current) return [];
-    const wanted = names(current.info.joints);
-    return this.#clips.all.filter(({ loaded }) => names(loaded.info.joints) === wanted);
+    return current ? this.#clips.ofBody(current.info.joints) : [];
   }
 
   /** The clip of each place; null for none. */
