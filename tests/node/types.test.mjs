@@ -171,6 +171,9 @@ describe("the declared types", () => {
     // The second has primitives that were learned again.
     for (const one of [whole, some]) hold("Library.info", one.info());
     hold("Library.motion", whole.motion([0, 1]));
+    const walk = new installed.vcgpdm.TrainingSet();
+    walk.add(whole.movement(0).rollout({ frames: 12 }).toClip());
+    hold("Recognition.segments", whole.recognise(walk).segments());
     const elsewhere = JSON.parse(library);
     elsewhere.column_means[0] += 1;
     hold("Library.misfit", whole.misfit(Library.fromJson(JSON.stringify(elsewhere))));
