@@ -101,7 +101,7 @@ async function folderWith(/** @type {Record<string, string>} */ files, /** @type
  */
 export function client(name, tools, files, work) {
   const installed = later(files, tools);
-  it(name, { timeout: 300_000 }, async (test) => {
+  it(name, { timeout: 600_000 }, async (test) => {
     const folder = await installed();
     if (folder === null) return test.skip(`the registry lacks ${tools.join(" ")}`);
     await work(folder);
@@ -118,7 +118,7 @@ export async function run(
     cwd: folder,
     encoding: "utf8",
     maxBuffer: 1 << 26,
-    timeout: 300_000,
+    timeout: 600_000,
   });
   return stdout + stderr;
 }
