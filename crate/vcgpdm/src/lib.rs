@@ -15,7 +15,7 @@
 //! let parts = &part_presets(&clip.skeleton)[1].parts; // lower and upper body
 //! let dataset = Dataset::new(&[(&clip).into()], parts, 30.0)?;
 //!
-//! let settings = VariationalSettings { max_iterations: 20, ..VariationalSettings::default() };
+//! let settings = VariationalSettings::default().with_max_iterations(20);
 //! let model = Vcgpdm::fit(&dataset, &settings, 0)?;
 //!
 //! let coupled = model.coupled().ok_or("a vCGPDM has couplings")?;

@@ -14,14 +14,14 @@ pub const MOST_PRIMITIVES: usize = 40;
 /// The most basis functions of a DMP.
 pub const MOST_BASES: usize = 200;
 
-/// Settings of the variational models, vCGPDM and vGPDM. Every setting has a default, and a struct literal
-/// states those that differ, as for all settings of this crate:
+/// Settings of the variational models, vCGPDM and vGPDM. Every setting has a default. Methods state those that
+/// differ, or a struct literal, as for all settings of this crate:
 ///
 /// ```
 /// use vcgpdm::VariationalSettings;
 ///
-/// let settings = VariationalSettings { latent: 2, order: 1, ..Default::default() };
-/// assert_eq!(settings.dynamics_ips, 12);
+/// let settings = VariationalSettings::default().with_latent(2).with_order(1);
+/// assert_eq!(settings, VariationalSettings { latent: 2, order: 1, ..Default::default() });
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -66,14 +66,50 @@ const POINTS_OF_LONG_CLIPS: usize = 30;
 
 impl VariationalSettings {
     /// The default settings for clips of which the longest has this many seconds: from 8 seconds on, every map
-    /// has 30 inducing points instead of 12. With more points more rollouts of long clips keep moving
-    /// (docs/training.md, "Points by length").
+    /// has 30 inducing points instead of 12. More rollouts kept moving with them, by a small and not certain
+    /// margin (docs/training.md, "Points by length").
     pub fn for_clips(longest: f64) -> Self {
         let usual = Self::default();
         if longest < LONG_CLIP {
             return usual;
         }
-        Self { dynamics_ips: POINTS_OF_LONG_CLIPS, pose_ips: POINTS_OF_LONG_CLIPS, ..usual }
+        usual.with_points(POINTS_OF_LONG_CLIPS, POINTS_OF_LONG_CLIPS)
+    }
+
+    /// With another number of latent dimensions of every part.
+    #[must_use]
+    pub fn with_latent(self, latent: usize) -> Self {
+        Self { latent, ..self }
+    }
+
+    /// With another order of the dynamics.
+    #[must_use]
+    pub fn with_order(self, order: usize) -> Self {
+        Self { order, ..self }
+    }
+
+    /// With other numbers of inducing points: of the dynamics of every expert, and of the poses of every part.
+    #[must_use]
+    pub fn with_points(self, dynamics_ips: usize, pose_ips: usize) -> Self {
+        Self { dynamics_ips, pose_ips, ..self }
+    }
+
+    /// With another limit of the iterations.
+    #[must_use]
+    pub fn with_max_iterations(self, max_iterations: usize) -> Self {
+        Self { max_iterations, ..self }
+    }
+
+    /// With another weight of the pose terms.
+    #[must_use]
+    pub fn with_pose_weight(self, pose_weight: PoseWeight) -> Self {
+        Self { pose_weight, ..self }
+    }
+
+    /// With or without couplings between parts.
+    #[must_use]
+    pub fn with_uncoupled(self, uncoupled: bool) -> Self {
+        Self { uncoupled, ..self }
     }
 }
 
