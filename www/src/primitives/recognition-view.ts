@@ -19,7 +19,7 @@ import { primitivesWords } from "../words/primitives";
 import type { LibraryStore } from "./library-store";
 import "./recognition.css";
 import { type Band, bandsOf, type RecognitionStore } from "./recognition-store";
-import { SIDE, strokesOf } from "./small-figure";
+import { drawStrokes, SIDE, strokesOf } from "./small-figure";
 
 /** What does not change while a recording plays. */
 interface Drawn {
@@ -82,20 +82,7 @@ export class RecognitionView extends View {
     if (!found || !info || !surface) return;
     const { shape, parts, pose, floor, turn } = this.#preparedFor(found, info);
     poseAt(found.motion, player.frame, HERE, pose);
-    const { draw } = surface;
-    draw.lineCap = "round";
-    for (const { part, x0, y0, x1, y1, width } of strokesOf(shape, parts, pose, {
-      ...surface,
-      floor,
-      turn,
-    })) {
-      draw.strokeStyle = partColourNow(part);
-      draw.lineWidth = width;
-      draw.beginPath();
-      draw.moveTo(x0, y0);
-      draw.lineTo(x1, y1);
-      draw.stroke();
-    }
+    drawStrokes(surface.draw, strokesOf(shape, parts, pose, { ...surface, floor, turn }), partColourNow);
     const time = this.querySelector<HTMLInputElement>("input[type=range]");
     if (time) {
       time.value = String(player.frame);

@@ -74,6 +74,23 @@ export function strokesOf(
   return strokes.sort((a, b) => a.depth - b.depth);
 }
 
+/** Draws the lines of a pose. `colourOf`: the colour of a part, -1 for no part. */
+export function drawStrokes(
+  draw: CanvasRenderingContext2D,
+  strokes: readonly Stroke[],
+  colourOf: (part: number) => string,
+): void {
+  draw.lineCap = "round";
+  for (const { part, x0, y0, x1, y1, width } of strokes) {
+    draw.strokeStyle = colourOf(part);
+    draw.lineWidth = width;
+    draw.beginPath();
+    draw.moveTo(x0, y0);
+    draw.lineTo(x1, y1);
+    draw.stroke();
+  }
+}
+
 /** A motion in a loop on the spot. */
 export class SmallFigure {
   readonly #motion: Motion;
@@ -104,16 +121,8 @@ export class SmallFigure {
     colourOf: (part: number) => string,
   ): void {
     const pose = this.#poseAfter(seconds);
-    draw.lineCap = "round";
     const picture = { ...size, floor: this.#floor, turn: this.#turn };
-    for (const { part, x0, y0, x1, y1, width } of strokesOf(this.#shape, this.#parts, pose, picture)) {
-      draw.strokeStyle = colourOf(part);
-      draw.lineWidth = width;
-      draw.beginPath();
-      draw.moveTo(x0, y0);
-      draw.lineTo(x1, y1);
-      draw.stroke();
-    }
+    drawStrokes(draw, strokesOf(this.#shape, this.#parts, pose, picture), colourOf);
   }
 
   /** The pose at a time. The end of a lap fades into the start of the next. */
