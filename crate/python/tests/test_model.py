@@ -183,14 +183,15 @@ def test_progress_is_reported_and_can_end_the_training(walk):
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no os.kill for SIGINT")
 def test_ctrl_c_raises_with_the_best_model_so_far(walk):
+    begun = threading.Event()
+
     def press():
-        # By then the training has begun.
-        time.sleep(1.5)
+        begun.wait()
         os.kill(os.getpid(), signal.SIGINT)
 
     threading.Thread(target=press).start()
     with pytest.raises(KeyboardInterrupt) as interrupt:
-        Vcgpdm.fit(walk, max_iterations=100_000, latent=6)
+        Vcgpdm.fit(walk, max_iterations=100_000, latent=6, progress=lambda _: begun.set())
     best = interrupt.value.model
     assert best.iterations > 0
     assert len(best.rollout(20)) == 20
