@@ -267,6 +267,19 @@ mod tests {
         samples::list().iter().take(3).map(|s| samples::clip(s.id).unwrap()).collect()
     }
 
+    /// A candidate of each kind of model.
+    fn of_each_kind(gpdm: VariationalSettings, point: MapSettings) -> [Settings; 7] {
+        [
+            Settings::Vcgpdm(gpdm.clone()),
+            Settings::Vgpdm(gpdm),
+            Settings::MapGpdm(point.clone()),
+            Settings::MapCgpdm(point),
+            Settings::Tmp(TmpSettings { primitives: Some(4), ..TmpSettings::default() }),
+            Settings::DmpDiscrete(DmpSettings { bases: 20 }),
+            Settings::DmpRhythmic(DmpSettings { bases: 20 }),
+        ]
+    }
+
     #[test]
     fn predicts_a_walk_with_every_model() {
         predict_from(START_FRAMES);
@@ -293,15 +306,7 @@ mod tests {
             ..Default::default()
         };
         let point = MapSettings { latent: 2, order: 2, max_iterations: 3, balanced: false, linear: true };
-        for candidate in [
-            Settings::Vcgpdm(gpdm.clone()),
-            Settings::Vgpdm(gpdm),
-            Settings::MapGpdm(point.clone()),
-            Settings::MapCgpdm(point),
-            Settings::Tmp(TmpSettings { primitives: Some(4), ..TmpSettings::default() }),
-            Settings::DmpDiscrete(DmpSettings { bases: 20 }),
-            Settings::DmpRhythmic(DmpSettings { bases: 20 }),
-        ] {
+        for candidate in of_each_kind(gpdm, point) {
             let mut steps = 0;
             let mut watch = |progress: &Progress| {
                 steps += 1;
@@ -348,15 +353,7 @@ mod tests {
             ..Default::default()
         };
         let point = MapSettings { latent: 2, max_iterations: 2, ..MapSettings::default() };
-        for candidate in [
-            Settings::Vcgpdm(gpdm.clone()),
-            Settings::Vgpdm(gpdm),
-            Settings::MapGpdm(point.clone()),
-            Settings::MapCgpdm(point),
-            Settings::Tmp(TmpSettings { primitives: Some(4), ..TmpSettings::default() }),
-            Settings::DmpDiscrete(DmpSettings { bases: 20 }),
-            Settings::DmpRhythmic(DmpSettings { bases: 20 }),
-        ] {
+        for candidate in of_each_kind(gpdm, point) {
             let mut learner = fold.learner(&candidate, 3).unwrap();
             while !learner.step().done {}
             let fitted = learner.model().unwrap();
