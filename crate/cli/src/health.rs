@@ -1,4 +1,4 @@
-//! How the motion of a model ends, in words.
+//! Whether the motion of a trained model moves on, and what may help where it does not.
 
 use vcgpdm::models::{Ending, Health, Model, RolloutRequest, VariationalSettings};
 

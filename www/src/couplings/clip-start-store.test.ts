@@ -117,7 +117,7 @@ it("drops a start that arrives after another choice or another model", async () 
   expect([starts.clip, model.rollout?.request.start]).toEqual([null, undefined]);
 });
 
-it("says why a rollout cannot start with a clip, and keeps the start of before", async () => {
+it("says why a rollout cannot start with a clip, and keeps the earlier start", async () => {
   starts.chooseClip("made-wave-1");
   await settled();
   whole.starts.at(-1)?.fail(new Error("expected 15 frames or more"));

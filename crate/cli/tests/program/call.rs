@@ -98,7 +98,7 @@ pub fn one_frame(folder: &Path) -> PathBuf {
     short
 }
 
-/// Writes a clip under a root that stands still, as MotionBuilder and game engines write them. All names have a
+/// Writes a clip below another root, which stands still, as MotionBuilder and game engines do. All names have a
 /// prefix. The root turns the motion by `turn` degrees about x: by 90, z points up.
 pub fn under_a_still_root(clip: &str, turn: f64, out: &Path) {
     prints(&["clip", clip, "--out", text(out)]);
