@@ -35,6 +35,18 @@ impl Vcgpdm {
         Ok(Self { trained: Arc::new(trained), alpha })
     }
 
+    /// A mean rollout of `frames` frames from frame `frame` of the trial `sequence`, under these couplings.
+    fn request(
+        &self,
+        py: Python<'_>,
+        [frames, sequence, frame]: [Count; 3],
+        alpha: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<RolloutRequest> {
+        let alpha = Some(self.couplings(py, alpha)?);
+        let [frames, sequence, frame] = [frames.0, sequence.0, frame.0];
+        Ok(RolloutRequest { frames, sequence, frame, alpha, ..RolloutRequest::default() })
+    }
+
     /// The couplings of an argument, or else those of the model, after a check.
     fn couplings(&self, py: Python<'_>, given: Option<&Bound<'_, PyAny>>) -> PyResult<DMatrix<f64>> {
         let alpha = matrix(given.unwrap_or(self.alpha.bind(py)), "alpha")?;
@@ -272,12 +284,8 @@ impl Vcgpdm {
         seed: Count,
     ) -> PyResult<Bound<'py, PyAny>> {
         let request = RolloutRequest {
-            frames: frames.0,
-            sequence: sequence.0,
-            frame: frame.0,
-            alpha: Some(self.couplings(py, alpha)?),
             reading: read_reading(reading)?,
-            ..RolloutRequest::default()
+            ..self.request(py, [frames, sequence, frame], alpha)?
         };
         let rollout = |rollout: vcgpdm::Rollout| {
             Bound::new(py, Rollout::new(Arc::clone(&self.trained), request.clone(), rollout))
@@ -323,13 +331,7 @@ impl Vcgpdm {
         frame: Count,
         alpha: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let request = RolloutRequest {
-            frames: frames.0,
-            sequence: sequence.0,
-            frame: frame.0,
-            alpha: Some(self.couplings(py, alpha)?),
-            ..RolloutRequest::default()
-        };
+        let request = self.request(py, [frames, sequence, frame], alpha)?;
         let moments = coupled!(&self.trained, model => {
             py.detach(|| model.moments(&request)).map_err(refused)
         })?;
@@ -348,12 +350,7 @@ impl Vcgpdm {
         sequence: Count,
     ) -> PyResult<Bound<'py, PyAny>> {
         let actual = self.trained.rows(trial)?;
-        let request = RolloutRequest {
-            frames: actual.nrows(),
-            sequence: sequence.0,
-            alpha: Some(self.couplings(py, None)?),
-            ..RolloutRequest::default()
-        };
+        let request = self.request(py, [Count(actual.nrows()), sequence, Count(0)], None)?;
         let predicted = coupled!(&self.trained, model => model.rollout(&request).map_err(refused))?.y;
         dict(py, &py.detach(|| dtw_mse(&predicted, &actual)).map_err(refused)?)
     }
