@@ -2,7 +2,7 @@
 // and bring back.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { existsSync, mkdtempSync, readdirSync, rmSync } from "node:fs";
+import { existsSync, mkdtempSync, readdirSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, it } from "node:test";
@@ -10,6 +10,7 @@ import { env, which } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import { dist } from "../../scripts/site.mjs";
 import { bvh } from "../e2e/clips.mjs";
+import { removeFolder } from "./folders.mjs";
 import { startBrowser } from "./webdriver.mjs";
 
 const folder = mkdtempSync(join(tmpdir(), "vcgpdm-browsers-"));
@@ -105,8 +106,7 @@ before(async () => {
 after(async () => {
   display?.kill();
   await site?.close();
-  // A browser that has just ended may still write into its folder.
-  rmSync(folder, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 });
+  await removeFolder(folder);
 });
 
 for (const { name, skip, start } of BROWSERS) {

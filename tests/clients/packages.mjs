@@ -1,6 +1,6 @@
 // Installs the packed package and a tool into fresh folders, and runs programs and opens pages there.
 import { execFile, execFileSync, spawn } from "node:child_process";
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { it } from "node:test";
@@ -8,6 +8,7 @@ import { promisify, stripVTControlCharacters } from "node:util";
 import { launchChromium } from "../../scripts/chromium.mjs";
 import { at } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
+import { removeFolder } from "./folders.mjs";
 
 const execute = promisify(execFile);
 const place = mkdtempSync(join(tmpdir(), "vcgpdm-clients-"));
@@ -194,6 +195,5 @@ export async function withServer(
 /** Cleans up after all tests. */
 export async function clear() {
   await browser?.close();
-  // A server that was just ended may still write.
-  rmSync(place, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 });
+  await removeFolder(place);
 }
