@@ -70,3 +70,20 @@ for (const [locale, size] of /** @type {const} */ ([
         await leave();
       });
   });
+
+// Chapter 8 had the rules of its canvas from a file that only other chapters loaded: opened by its address, it
+// drew a figure of 300 x 150 pixels in the corner.
+it("draws each chapter over the width of its stage, opened by its address", async () => {
+  for (let number = 1; number <= 10; number++) {
+    const { page, leave } = await site.visit({ settings: `story=${number}` });
+    await page.locator(".story[data-state=open]").waitFor();
+    await page.waitForFunction(() => {
+      const stage = document.querySelector(".story-stage")?.getBoundingClientRect();
+      const pictures = [...document.querySelectorAll(".story-stage :is(canvas, svg)")];
+      const boxes = pictures.map((picture) => picture.getBoundingClientRect());
+      const width = Math.max(...boxes.map(({ right }) => right)) - Math.min(...boxes.map(({ left }) => left));
+      return stage && width >= 0.5 * stage.width;
+    });
+    await leave();
+  }
+});

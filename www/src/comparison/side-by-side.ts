@@ -27,6 +27,7 @@ import {
 import { styled } from "../ui/styled";
 import { compareWords } from "../words/compare";
 import { lab } from "../words/lab";
+import "../stage/stage-canvas.css";
 
 const modelOf = ({ finished }: Prediction) => finished.job.candidate.model;
 

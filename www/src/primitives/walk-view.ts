@@ -14,6 +14,7 @@ import { DRAG_TYPE } from "./drag-type";
 import type { LibraryStore } from "./library-store";
 import { lab, shownPart } from "../words/lab";
 import { primitivesWords } from "../words/primitives";
+import "../stage/stage-canvas.css";
 
 export class WalkView extends View {
   static override properties = { over: { state: true } };

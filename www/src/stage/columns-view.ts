@@ -10,6 +10,7 @@ import { sameBody } from "../scene/followed-figure";
 import type { StageContent, StageColumn, StageStore } from "./stage-store";
 import { styled } from "../ui/styled";
 import { lab } from "../words/lab";
+import "./stage-canvas.css";
 
 export class ColumnsView extends View {
   declare stage: StageStore;

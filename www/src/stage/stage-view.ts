@@ -5,6 +5,7 @@ import { partColour } from "../ui/palette";
 import { View } from "../ui/view";
 import type { Playback } from "./playback";
 import { Stage } from "./stage";
+import "./stage-canvas.css";
 import "./stage.css";
 import type { StageStore } from "./stage-store";
 import { partStyle } from "../ui/styled";
