@@ -37,7 +37,7 @@ export async function serve(folder, { port = 0, prefix = "/", withPolicy = true,
     }
     await before?.(path);
     const zip = /\bgzip\b/.test(String(request.headers["accept-encoding"]));
-    const body = zip ? gzipSync(readFileSync(file)) : readFileSync(file);
+    const body = zip ? zipped(file) : readFileSync(file);
     response.writeHead(200, {
       "content-type": TYPES[extname(file)] ?? "application/octet-stream",
       "content-length": body.length,
@@ -57,6 +57,20 @@ export async function serve(folder, { port = 0, prefix = "/", withPolicy = true,
         server.closeAllConnections();
       }),
   };
+}
+
+/** @type {Map<string, { changed: number, body: Buffer }>} */
+const zips = new Map();
+
+/** The gzipped content of a file, compressed once: a browser test asks for the same files at each visit. */
+function zipped(/** @type {string} */ file) {
+  const changed = statSync(file).mtimeMs;
+  let zip = zips.get(file);
+  if (zip?.changed !== changed) {
+    zip = { changed, body: gzipSync(readFileSync(file)) };
+    zips.set(file, zip);
+  }
+  return zip.body;
 }
 
 /** The decoded path of a request; "" when it cannot be decoded. */

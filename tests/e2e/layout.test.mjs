@@ -2,7 +2,16 @@
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { Clip, Trainer, TrainingSet } from "../../crate/wasm/pkg/node/vcgpdm.js";
-import { barriers, oneVisitor, openCouplingsTable, openSite, openTab, ready, readyVisitor } from "./site.mjs";
+import {
+  barriers,
+  barriersNow,
+  oneVisitor,
+  openCouplingsTable,
+  openSite,
+  openTab,
+  ready,
+  readyVisitor,
+} from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -338,7 +347,7 @@ describe("targets", () => {
     ])) {
       await page.evaluate((hash) => Object.assign(location, { hash }), view === "play" ? "" : `view=${view}`);
       await page.locator(element).first().waitFor();
-      const small = await barriers(page, ["target-size", "scrollable-region-focusable"]);
+      const small = await barriersNow(page, ["target-size", "scrollable-region-focusable"]);
       assert.deepEqual(small, [], view);
     }
     await leave();

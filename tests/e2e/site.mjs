@@ -164,6 +164,17 @@ export async function ready(/** @type {Page} */ page) {
     .waitFor({ state: "attached", timeout: 30_000 });
 }
 
+/** Gives an open page another size, and waits until the page is drawn with that size. */
+export async function resize(
+  /** @type {Page} */ page,
+  /** @type {{ width: number, height: number }} */ size,
+) {
+  await page.setViewportSize(size);
+  await page.evaluate(
+    () => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))),
+  );
+}
+
 /** Opens a tab of the Lab. */
 export async function openTab(
   /** @type {Page} */ page,
@@ -290,24 +301,34 @@ export async function drop(/** @type {Page} */ page, /** @type {Record<string, s
 
 const axe = readFileSync(at("node_modules/axe-core/axe.min.js"), "utf8");
 
-/**
- * The serious problems that axe-core finds, in light and dark colours. With `rules` it applies only these
- * rules, also those that are off by default.
- */
-export async function barriers(/** @type {Page} */ page, /** @type {string[]} */ rules = []) {
-  await page.evaluate(axe);
-  await atRest(page);
-  const found = await judged(page, rules);
-  if (rules.length > 0) return found;
+/** The serious problems that axe-core finds, in light and dark colours. */
+export async function barriers(/** @type {Page} */ page) {
+  const found = await barriersNow(page);
   const inUse = await page.evaluate(() =>
     matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light",
   );
   await recolour(page, inUse === "dark" ? "light" : "dark");
-  found.push(
-    ...(await judged(page, ["color-contrast"])).map((barrier) => `in the other colours: ${barrier}`),
-  );
+  const others = await barriersNow(page, ["color-contrast"]);
   await recolour(page, inUse);
-  return found;
+  return [...found, ...others.map((barrier) => `in the other colours: ${barrier}`)];
+}
+
+/**
+ * The serious problems that axe-core finds in the present colours: enough for another language or size. With
+ * `rules` it applies only these rules, also those that are off by default.
+ */
+export async function barriersNow(/** @type {Page} */ page, /** @type {string[]} */ rules = []) {
+  if (!(await page.evaluate(() => "axe" in globalThis))) await page.evaluate(axe);
+  await atRest(page);
+  return page.evaluate(async (rules) => {
+    const options = rules.length > 0 ? { runOnly: { type: "rule", values: rules } } : {};
+    const { violations } = await /** @type {any} */ (globalThis).axe.run(options);
+    return /** @type {import("axe-core").Result[]} */ (violations)
+      .filter(({ impact }) => impact === "serious" || impact === "critical")
+      .flatMap(({ id, nodes }) =>
+        nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")}: ${failureSummary}`),
+      );
+  }, rules);
 }
 
 /** Switches an open page to dark or light colours, as the system does. */
@@ -322,14 +343,3 @@ const atRest = (/** @type {Page} */ page) =>
     const running = document.getAnimations().filter((animation) => animation instanceof CSSTransition);
     await Promise.allSettled(running.map(({ finished }) => finished));
   });
-
-const judged = (/** @type {Page} */ page, /** @type {string[]} */ rules) =>
-  page.evaluate(async (rules) => {
-    const options = rules.length > 0 ? { runOnly: { type: "rule", values: rules } } : {};
-    const { violations } = await /** @type {any} */ (globalThis).axe.run(options);
-    return /** @type {import("axe-core").Result[]} */ (violations)
-      .filter(({ impact }) => impact === "serious" || impact === "critical")
-      .flatMap(({ id, nodes }) =>
-        nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")}: ${failureSummary}`),
-      );
-  }, rules);
