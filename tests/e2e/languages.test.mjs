@@ -4,7 +4,17 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { barriers, drop, openSite, openTab, ready, saved } from "./site.mjs";
+import {
+  barriersNow,
+  drop,
+  oneVisitor,
+  openSite,
+  openTab,
+  ready,
+  readyVisitor,
+  resize,
+  saved,
+} from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -21,14 +31,7 @@ const SIZES = /** @type {const} */ ([
   { width: 1280, height: 720 },
   { width: 390, height: 844 },
 ]);
-
-/** English first, then German at each size. */
-const VISITS = /** @type {const} */ ([
-  ["en-GB", SIZES[0]],
-  ["de-DE", SIZES[0]],
-  ["de-DE", SIZES[1]],
-  ["de-DE", SIZES[2]],
-]);
+const [ENGLISH, GERMAN] = ["en-GB", "de-DE"].map((locale) => ({ locale, viewport: SIZES[0] }));
 
 /** The views with words of their own, and when all of a view is on the page. */
 const VIEWS = [
@@ -188,10 +191,13 @@ async function wordsOfTabs(/** @type {Page} */ page, /** @type {(tab: string) =>
 }
 
 describe("the Lab in German", () => {
+  const visitor = oneVisitor(() => readyVisitor(site.visit(GERMAN)));
+
   for (const viewport of SIZES)
     it(`fits, and says what it measures: ${viewport.width} x ${viewport.height}`, async () => {
-      const { page, problems, leave } = await site.visit({ locale: "de-DE", viewport });
-      await ready(page);
+      const { page } = visitor;
+      await resize(page, viewport);
+      await openTab(page, "listen");
       await page.getByTestId("preset-arms-go").click();
       await page.getByText("nicht im Gleichschritt").first().waitFor();
       assert.match(await page.getByTestId("clock-period-0").innerText(), /^Unterkörper/);
@@ -199,98 +205,98 @@ describe("the Lab in German", () => {
       await wordsOfTabs(page, async (tab) => {
         assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), viewport.width, tab);
         assert.deepEqual(await cutTexts(page), [], tab);
-        assert.deepEqual(await barriers(page), [], tab);
+        assert.deepEqual(await barriersNow(page), [], tab);
       });
-      assert.deepEqual(problems, []);
-      await leave();
+      await openTab(page, "listen");
+      await page.getByTestId("preset-as-learned").click();
     });
 
   it("says nothing that it says in English too", async () => {
-    const words = [];
-    for (const locale of ["en-GB", "de-DE"]) {
-      const { page, leave } = await site.visit({ locale });
-      await ready(page);
-      words.push(await wordsOfTabs(page, async () => {}));
-      await leave();
-    }
-    const [english, german] = words;
-    assert.ok((english?.size ?? 0) > 100 && (german?.size ?? 0) > 100);
-    const same = [...(german ?? [])].filter((text) => english?.has(text));
+    await resize(visitor.page, SIZES[0]);
+    const german = await wordsOfTabs(visitor.page, async () => {});
+    const { page, leave } = await readyVisitor(site.visit(ENGLISH));
+    const english = await wordsOfTabs(page, async () => {});
+    await leave();
+    assert.ok(english.size > 100 && german.size > 100);
+    const same = [...german].filter((text) => english.has(text));
     assert.deepEqual(
       same.filter((text) => !OF_LIBRARY.some((of) => of.test(text))),
       [],
     );
   });
+});
 
+describe("each view in German", () => {
   for (const { view, ready: isReady } of VIEWS)
     it(`fits and says nothing English in the view ${view}`, async () => {
-      /** @type {Set<string>} */
-      let english = new Set();
-      for (const [locale, viewport] of VISITS) {
-        const { page, problems, leave } = await site.visit({ locale, viewport, settings: `view=${view}` });
+      const settings = `view=${view}`;
+      const words = [];
+      for (const options of [ENGLISH, GERMAN]) {
+        const { page, problems, leave } = await site.visit({ ...options, settings });
         await isReady(page);
-        const words = new Set(await textsOf(page));
-        const where = `${locale}, ${viewport.width} x ${viewport.height}`;
-        assert.ok(words.size > 20, where);
-        if (locale === "en-GB") english = words;
-        else {
-          const same = [...words].filter((text) => english.has(text));
-          assert.deepEqual(
-            same.filter((text) => !OF_LIBRARY.some((of) => of.test(text))),
-            [],
-          );
-          assert.equal(
-            await page.evaluate(() => document.documentElement.scrollWidth),
-            viewport.width,
-            where,
-          );
-          assert.deepEqual(await cutTexts(page), [], where);
-          assert.deepEqual(await barriers(page), [], where);
-        }
+        words.push(new Set(await textsOf(page)));
+        if (options === GERMAN)
+          for (const viewport of SIZES) {
+            const where = `${viewport.width} x ${viewport.height}`;
+            await resize(page, viewport);
+            const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+            assert.equal(wide, viewport.width, where);
+            assert.deepEqual(await cutTexts(page), [], where);
+            assert.deepEqual(await barriersNow(page), [], where);
+          }
         assert.deepEqual(problems, []);
         await leave();
       }
+      const [english = new Set(), german = new Set()] = words;
+      assert.ok(english.size > 20 && german.size > 20);
+      const same = [...german].filter((text) => english.has(text));
+      assert.deepEqual(
+        same.filter((text) => !OF_LIBRARY.some((of) => of.test(text))),
+        [],
+      );
     });
 
   it("runs the perception test in German, and stores its answers as in English", async () => {
-    for (const viewport of SIZES) {
-      const where = `${viewport.width} x ${viewport.height}`;
-      const options = { locale: "de-DE", viewport, settings: "view=perception", seen: true };
-      const { page, problems, leave } = await site.visit(options);
-      await page.getByTestId("begin").and(page.locator(":enabled")).click({ timeout: 30_000 });
-      const fits = async () => {
+    const { page, problems, leave } = await site.visit({ ...GERMAN, settings: "view=perception" });
+    await page.getByTestId("begin").and(page.locator(":enabled")).click({ timeout: 30_000 });
+    const fits = async () => {
+      for (const viewport of SIZES) {
+        await resize(page, viewport);
+        const where = `${viewport.width} x ${viewport.height}`;
         assert.deepEqual(await cutTexts(page), [], where);
-        assert.deepEqual(await barriers(page), [], where);
-      };
-      const pages = [
-        ["consent", "freiwillig", "Ich bin einverstanden"],
-        ["instructions", "Pfeiltaste", "Beginnen"],
-      ];
-      for (const [name = "", text = "", button = ""] of pages) {
-        await page.getByTestId(`page-${name}`).getByText(text).waitFor({ timeout: 30_000 });
-        await fits();
-        await page.getByTestId("run").getByRole("button", { name: button }).click();
+        assert.deepEqual(await barriersNow(page), [], where);
       }
-      await page.getByText("Auf welcher Seite").waitFor({ timeout: 30_000 });
+    };
+    const pages = [
+      ["consent", "freiwillig", "Ich bin einverstanden"],
+      ["instructions", "Pfeiltaste", "Beginnen"],
+    ];
+    for (const [name = "", text = "", button = ""] of pages) {
+      await page.getByTestId(`page-${name}`).getByText(text).waitFor({ timeout: 30_000 });
       await fits();
-      await page.getByRole("button", { name: "Links" }).click();
-      await page.getByText("1 von 60").first().waitFor();
-      await page.getByRole("button", { name: "Verlassen" }).click();
-      const { text } = await saved(page, "save-csv");
-      const [head = ""] = text.split("\r\n");
-      assert.match(head, /"participant","study","seed".*"natural_side","heading","response"/);
-      assert.match(text, /"comparison"|"attention"/);
-      assert.match(text, /"left"/);
-      assert.doesNotMatch(text, /Links|Seite|Versuchsperson/);
-      const study = JSON.parse((await saved(page, "save-study")).text);
-      assert.equal(study.texts.question, "On which side did you perceive the more natural movement?");
-      assert.deepEqual(problems, []);
-      await leave();
+      await page.getByTestId("run").getByRole("button", { name: button }).click();
     }
+    await page.getByText("Auf welcher Seite").waitFor({ timeout: 30_000 });
+    await fits();
+    await page.getByRole("button", { name: "Links" }).click();
+    await page.getByText("1 von 60").first().waitFor();
+    await page.getByRole("button", { name: "Verlassen" }).click();
+    const { text } = await saved(page, "save-csv");
+    const [head = ""] = text.split("\r\n");
+    assert.match(head, /"participant","study","seed".*"natural_side","heading","response"/);
+    assert.match(text, /"comparison"|"attention"/);
+    assert.match(text, /"left"/);
+    assert.doesNotMatch(text, /Links|Seite|Versuchsperson/);
+    const study = JSON.parse((await saved(page, "save-study")).text);
+    assert.equal(study.texts.question, "On which side did you perceive the more natural movement?");
+    assert.deepEqual(problems, []);
+    await leave();
   });
+});
 
-  it("follows the switch, and keeps the couplings", async () => {
-    const { page, problems, leave } = await site.visit({ locale: "en-GB" });
+describe("the switch of languages", () => {
+  it("changes the words, and keeps the couplings", async () => {
+    const { page, problems, leave } = await site.visit(ENGLISH);
     await ready(page);
     await page.getByTestId("preset-arms-go").click();
     await page.getByTestId("language").click();
