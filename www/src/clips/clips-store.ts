@@ -26,7 +26,7 @@ const FEWEST_FRAMES = 10;
 export interface ClipEntry {
   key: string;
   title: string;
-  /** "made": by this project's procedural walker; "own": opened by the visitor. */
+  /** "made": by this project's program; "own": opened by the visitor. */
   origin: "made" | "own";
   source: ClipSource;
   loaded: LoadedClip;

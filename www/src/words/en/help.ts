@@ -24,7 +24,7 @@ export const help = {
   about: "About",
   local: "Nothing you load leaves your machine: everything is computed in this browser.",
   samples:
-    "The sample clips are made by this project, with a procedural walker. The model that walks at the start was trained on recordings of CMU subject 7.",
+    "The sample clips are made by a program of this project. The model that walks at the start was trained on recordings of CMU subject 7.",
   provenance: (engine: string, seed: number, clips: string, version: string) =>
     `The model now: trained by ${engine} with seed ${seed} on ${clips || "clips it does not name"}. This page runs version ${version}.`,
 };

@@ -95,7 +95,7 @@ export const lab = {
       noCouplings: "A model without couplings: nothing here changes its motion",
     },
     clip: "Clip",
-    madeClip: "A clip, made by a procedural walker: not the model",
+    madeClip: "A clip, made by a program: not the model",
     ownClip: "A clip, as it was recorded: not the model",
     point: "What an inducing point stands for",
     posePoint: (part: string) => `A pose of ${part}`,

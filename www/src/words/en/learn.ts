@@ -37,7 +37,7 @@ export const learn = {
       "Open your own motion clips (.bvh) or a model (.json), or drop them anywhere. They stay on this machine.",
     series: "Time series",
     seriesView: "that are no body (.csv) have a view of their own.",
-    samples: "Samples, made by a procedural walker",
+    samples: "Samples, made by a program",
     ticked: (ticked: number, all: number) => `${ticked} of ${all} ticked, to train a new model on`,
     gettingReady: "Getting the sample clips ready",
     trim: (title: string) => `Trim ${title}`,

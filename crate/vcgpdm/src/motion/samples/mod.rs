@@ -1,9 +1,12 @@
-//! Sample clips that the project makes itself: trials of two movements by a procedural walker, built from
-//! published gait curves and body proportions, with natural variation. They are computed when asked for, and
-//! equal on every machine.
+//! Sample clips that the project makes itself: trials of walking by a procedural walker, built from published
+//! gait curves and body proportions, and of a seated person who passes a bottle from hand to hand, with
+//! natural variation. They are computed when asked for, and equal on every machine.
 
 mod body;
+mod bottle;
+mod frames;
 mod gait;
+mod turns;
 mod variation;
 mod walker;
 
@@ -19,26 +22,36 @@ pub struct SampleInfo {
     pub id: &'static str,
     /// Its title for users.
     pub title: &'static str,
-    /// The movement, "walk" or "walk and wave".
+    /// The movement, "walk", "walk and wave" or "pass a bottle".
     pub movement: &'static str,
 }
 
 struct Recipe {
     info: SampleInfo,
-    arms: Arms,
     seed: u64,
-    seconds: f64,
+    movement: Movement,
+}
+
+enum Movement {
+    Walk { arms: Arms, seconds: f64 },
+    Bottle,
 }
 
 const fn walk(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Recipe {
-    Recipe { info: SampleInfo { id, title, movement: "walk" }, arms: Arms::Swing, seed, seconds }
+    let movement = Movement::Walk { arms: Arms::Swing, seconds };
+    Recipe { info: SampleInfo { id, title, movement: "walk" }, seed, movement }
 }
 
 const fn wave(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Recipe {
-    Recipe { info: SampleInfo { id, title, movement: "walk and wave" }, arms: Arms::Wave, seed, seconds }
+    let movement = Movement::Walk { arms: Arms::Wave, seconds };
+    Recipe { info: SampleInfo { id, title, movement: "walk and wave" }, seed, movement }
 }
 
-const RECIPES: [Recipe; 10] = [
+const fn bottle(id: &'static str, title: &'static str, seed: u64) -> Recipe {
+    Recipe { info: SampleInfo { id, title, movement: "pass a bottle" }, seed, movement: Movement::Bottle }
+}
+
+const RECIPES: [Recipe; 20] = [
     walk("walk-1", "Walk, trial 1", 1, 4.2),
     walk("walk-2", "Walk, trial 2", 2, 3.9),
     walk("walk-3", "Walk, trial 3", 3, 4.4),
@@ -49,6 +62,16 @@ const RECIPES: [Recipe; 10] = [
     wave("walk-wave-2", "Walk and wave, trial 2", 12, 4.3),
     wave("walk-wave-3", "Walk and wave, trial 3", 13, 3.8),
     wave("walk-wave-4", "Walk and wave, trial 4", 14, 4.0),
+    bottle("bottle-1", "Pass a bottle, trial 1", 21),
+    bottle("bottle-2", "Pass a bottle, trial 2", 22),
+    bottle("bottle-3", "Pass a bottle, trial 3", 23),
+    bottle("bottle-4", "Pass a bottle, trial 4", 24),
+    bottle("bottle-5", "Pass a bottle, trial 5", 25),
+    bottle("bottle-6", "Pass a bottle, trial 6", 26),
+    bottle("bottle-7", "Pass a bottle, trial 7", 27),
+    bottle("bottle-8", "Pass a bottle, trial 8", 28),
+    bottle("bottle-9", "Pass a bottle, trial 9", 29),
+    bottle("bottle-10", "Pass a bottle, trial 10", 30),
 ];
 
 /// All sample clips, in the order of the movements and trials.
@@ -69,9 +92,12 @@ pub fn list() -> Vec<SampleInfo> {
 pub fn clip(id: &str) -> Option<Clip> {
     let recipe = RECIPES.iter().find(|recipe| recipe.info.id == id)?;
     let skeleton = body::skeleton();
-    let values = walker::walk(&skeleton, recipe.arms, recipe.seed, recipe.seconds);
+    let values = match recipe.movement {
+        Movement::Walk { arms, seconds } => walker::walk(&skeleton, arms, recipe.seed, seconds),
+        Movement::Bottle => bottle::pass(&skeleton, recipe.seed),
+    };
     let name = format!("{id} (made by this project).bvh");
-    Some(Clip::new(&name, skeleton, 1.0 / walker::RATE, values))
+    Some(Clip::new(&name, skeleton, 1.0 / frames::RATE, values))
 }
 
 #[cfg(test)]
@@ -82,6 +108,11 @@ mod tests {
 
     fn clips() -> Vec<Clip> {
         list().iter().map(|info| clip(info.id).unwrap()).collect()
+    }
+
+    fn walks() -> Vec<Clip> {
+        let walks = list().into_iter().filter(|info| info.movement.starts_with("walk"));
+        walks.map(|info| clip(info.id).unwrap()).collect()
     }
 
     fn place(clip: &Clip, name: &str) -> usize {
@@ -115,7 +146,7 @@ mod tests {
     #[test]
     fn each_movement_has_trials_with_their_own_ids() {
         let trials = |movement| list().iter().filter(|info| info.movement == movement).count();
-        assert!(trials("walk") >= 5 && trials("walk and wave") >= 3);
+        assert_eq!(["walk", "walk and wave", "pass a bottle"].map(trials), [6, 4, 10]);
         assert_eq!(list().iter().map(|info| info.id).collect::<HashSet<_>>().len(), list().len());
         assert_eq!(clip("walk-1").unwrap().name, "walk-1 (made by this project).bvh");
         assert!(clip("walk-0").is_none());
@@ -140,7 +171,7 @@ mod tests {
 
     #[test]
     fn the_standing_foot_does_not_slip() {
-        for clip in clips() {
+        for clip in walks() {
             let soles = soles(&clip);
             let slips = soles.windows(2).map(|pair| {
                 let lowest = (0..6).min_by(|&a, &b| pair[0][a].y.total_cmp(&pair[0][b].y)).unwrap();
@@ -158,7 +189,7 @@ mod tests {
 
     #[test]
     fn the_feet_stay_on_the_ground_and_take_turns() {
-        for clip in clips() {
+        for clip in walks() {
             let soles = soles(&clip);
             let lowest = |points: &[Vector3<f64>]| points.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
             assert!(soles.iter().all(|points| (0.0..1.2).contains(&lowest(points))), "{}", clip.name);
@@ -178,7 +209,7 @@ mod tests {
 
     #[test]
     fn walking_speed_and_bounce_are_those_of_a_person() {
-        for clip in clips() {
+        for clip in walks() {
             let speed = speed(&clip);
             assert!((105.0..160.0).contains(&speed), "{}: {speed} cm/s", clip.name);
             let heights = clip.values.column(1);
@@ -197,7 +228,7 @@ mod tests {
 
     #[test]
     fn waving_hands_are_above_the_head_and_swinging_hands_below_it() {
-        for (info, clip) in list().iter().zip(clips()) {
+        for (info, clip) in list().iter().zip(walks()) {
             let (head, hips) = (place(&clip, "Head"), place(&clip, "Hips"));
             for side in ["Left", "Right"] {
                 let hand = place(&clip, &format!("{side}Hand"));

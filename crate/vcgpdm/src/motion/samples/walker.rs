@@ -2,8 +2,9 @@
 //! place.
 
 use crate::elementary::Elementary;
-use crate::motion::rotation;
 use crate::motion::samples::body::joint;
+use crate::motion::samples::frames::{Frames, RATE};
+use crate::motion::samples::turns::{half, x, y, z};
 use crate::motion::samples::variation::{Drift, between};
 use crate::motion::samples::{body, gait};
 use crate::motion::skeleton::Skeleton;
@@ -11,8 +12,6 @@ use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
-/// Frames a second.
-pub(super) const RATE: f64 = 60.0;
 /// Steps of the integration in a frame.
 const SUBSTEPS: usize = 4;
 /// Scale of the soft minimum over the heights of the soles, centimetres.
@@ -172,10 +171,8 @@ impl Style {
 pub(super) fn walk(skeleton: &Skeleton, arms: Arms, seed: u64, seconds: f64) -> DMatrix<f64> {
     let style = Style::new(arms, seed);
     let frames = (seconds * RATE).round() as usize;
-    let channels = 3 + 3 * joint::COUNT;
-    let mut values = DMatrix::zeros(frames, channels);
+    let mut rows = Frames::new(frames);
     let step = 1.0 / (RATE * SUBSTEPS as f64);
-    let mut angles = [[0.0; 3]; joint::COUNT];
     let mut place = Vector3::zeros();
     let mut before: Option<Ground> = None;
     for tick in 0..=(frames - 1) * SUBSTEPS {
@@ -186,20 +183,11 @@ pub(super) fn walk(skeleton: &Skeleton, arms: Arms, seed: u64, seconds: f64) -> 
         }
         place.y = -ground.level;
         if tick % SUBSTEPS == 0 {
-            let mut row = values.row_mut(tick / SUBSTEPS);
-            for (column, coordinate) in place.iter().enumerate() {
-                row[column] = *coordinate;
-            }
-            for (k, rotation) in q.iter().enumerate() {
-                angles[k] = rotation::euler_near(rotation, [2, 1, 0], angles[k]);
-                for (column, angle) in angles[k].iter().enumerate() {
-                    row[3 + 3 * k + column] = angle.to_degrees();
-                }
-            }
+            rows.add(&place, &q);
         }
         before = Some(ground);
     }
-    values
+    rows.values
 }
 
 /// Heels, balls and toes of both feet relative to the root (world axes), and the share of the weight on each.
@@ -240,24 +228,4 @@ impl Ground {
         }
         moved
     }
-}
-
-/// The rotation about x by an angle in degrees.
-fn x(degrees: f64) -> UnitQuaternion<f64> {
-    rotation::about_axis(0, degrees.to_radians())
-}
-
-/// The rotation about y by an angle in degrees.
-fn y(degrees: f64) -> UnitQuaternion<f64> {
-    rotation::about_axis(1, degrees.to_radians())
-}
-
-/// The rotation about z by an angle in degrees.
-fn z(degrees: f64) -> UnitQuaternion<f64> {
-    rotation::about_axis(2, degrees.to_radians())
-}
-
-/// Half the way of a rotation.
-fn half(q: &UnitQuaternion<f64>) -> UnitQuaternion<f64> {
-    rotation::exp(&(rotation::log(q) * 0.5))
 }
