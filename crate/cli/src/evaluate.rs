@@ -16,10 +16,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use vcgpdm::models::{
-    MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, ModelKind, PoseWeight, VariationalSettings,
+    MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, PoseWeight, VariationalSettings,
 };
 use vcgpdm_lab::evaluation::{
-    ComparisonPlanError, Finished, Fold, Job, Plan, START_FRAMES, Setting, whole_cycles,
+    CandidateKind, ComparisonPlanError, Finished, Fold, Job, Plan, START_FRAMES, Setting, whole_cycles,
 };
 
 /// Compare models: train each on all trials but one, predict this trial from its first frames, and store the
@@ -33,7 +33,11 @@ pub struct Arguments {
     /// BVH files, or sample:ID; each is a trial.
     #[arg(value_name = "CLIP", required = true)]
     clips: Vec<PathBuf>,
-    /// The models: all, or ids (vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete, dmp-rhythmic).
+    /// The models: all, or ids (vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete, dmp-rhythmic, promp,
+    /// ar).
+    ///
+    /// promp: probabilistic movement primitives; ar: an autoregression on principal components. These two are
+    /// only compared: they cannot be saved.
     #[arg(long, value_name = "all|ID,ID", default_value = "all")]
     models: String,
     /// How the coupled models split the body, as for `train`.
@@ -58,16 +62,19 @@ pub struct Arguments {
     /// Numbers of primitives of the TMP: "bound" chooses by the bound.
     #[arg(long, value_name = "bound|N,N", value_delimiter = ',', default_values_t = ["bound".to_owned()])]
     primitives: Vec<String>,
-    /// Basis functions of every column of the DMPs.
+    /// Basis functions of every column of the DMPs and the ProMP.
     #[arg(long, value_name = "B,B", value_delimiter = ',', default_values_t = [20], value_parser = whole(1..=MOST_BASES))]
     bases: Vec<usize>,
+    /// Principal components of the autoregression.
+    #[arg(long, value_name = "C,C", value_delimiter = ',', default_values_t = [6], value_parser = whole(1..=MOST_DIMENSIONS))]
+    components: Vec<usize>,
     /// Numbers of trials to train on, to see how the time grows; absent: all trials but the one held out.
     #[arg(long, value_name = "N,N", value_delimiter = ',', value_parser = whole::<usize>(1..))]
     training_trials: Vec<usize>,
     /// Latent dimensions of every part.
     #[arg(long, value_name = "Q", default_value_t = VariationalSettings::default().latent, value_parser = whole(1..=MOST_DIMENSIONS))]
     latent: usize,
-    /// Frames of history that the dynamics see.
+    /// Frames of history that the dynamics and the autoregression see.
     #[arg(long, value_name = "P", default_value_t = VariationalSettings::default().order, value_parser = whole(1..=MOST_DIMENSIONS))]
     order: usize,
     /// Most iterations of the optimiser.
@@ -323,6 +330,7 @@ fn jobs(arguments: &Arguments, trials: usize, parts: usize) -> Result<Vec<Job>, 
         primitives: primitives(&arguments.primitives)?,
         normalised_time: arguments.normalised_time,
         bases: arguments.bases.clone(),
+        components: arguments.components.clone(),
         balanced: arguments.balanced,
         pose_weight: weight(arguments.balanced, arguments.pose_weight, PoseWeight::default()),
         uncoupled: arguments.uncoupled,
@@ -368,13 +376,13 @@ pub fn folds(text: &str, trials: usize) -> Result<Vec<usize>, Box<dyn Error>> {
 }
 
 /// The kinds of `--models`.
-pub fn models(text: &str) -> Result<Vec<ModelKind>, Box<dyn Error>> {
+pub fn models(text: &str) -> Result<Vec<CandidateKind>, Box<dyn Error>> {
     if text == "all" {
-        return Ok(ModelKind::ALL.to_vec());
+        return Ok(CandidateKind::all().collect());
     }
     let kind = |word: &str| {
-        ModelKind::from_id(word.trim()).ok_or_else(|| {
-            let ids: Vec<&str> = ModelKind::ALL.iter().map(|kind| kind.id()).collect();
+        CandidateKind::from_id(word.trim()).ok_or_else(|| {
+            let ids: Vec<&str> = CandidateKind::all().map(CandidateKind::id).collect();
             usage(format!("--models {word}: expected all, or some of {}", ids.join(", ")))
         })
     };

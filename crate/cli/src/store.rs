@@ -244,7 +244,7 @@ mod tests {
     }
 
     fn job(seed: u32) -> Job {
-        let candidate = Settings::Tmp(TmpSettings::default());
+        let candidate = Settings::Tmp(TmpSettings::default()).into();
         Job { candidate, held_out: 0, training_trials: 1, seed }
     }
 

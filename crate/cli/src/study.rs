@@ -12,7 +12,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
-use vcgpdm::models::{Body, with_bones_of};
+use vcgpdm::models::{Body, Settings, with_bones_of};
 use vcgpdm::motion::Clip;
 use vcgpdm::motion::pose::RootStart;
 use vcgpdm_lab::evaluation::{Fold, Job, Outcome, Results, TrialClip};
@@ -22,7 +22,7 @@ use vcgpdm_lab::perception::{Look, Maker, Preset, Study, StudyMovement, TrialKin
 /// natural?
 ///
 /// Of the results of an evaluation and its clips, the study takes every model with all its settings, and of
-/// several seeds the one with the highest objective. Each is trained again, because results do not contain
+/// several seeds the one whose rollouts repeat the training trials best. Each is trained again, because results do not contain
 /// movements, and predicts each trial held out. This takes as long as the trainings took; the number of
 /// seconds is printed before. Without clips, the command changes the design or the look of a study, or marks
 /// other movements as failures.
@@ -189,7 +189,7 @@ fn make(arguments: &Arguments, preset: Preset) -> Result<Study, Box<dyn Error>> 
         let (trial, name) = (job.held_out, &setting.trials[job.held_out].name);
         let frame_time = folds[trial].body().frame_time;
         let movement = StudyMovement { trial, name, positions: &positions, frame_time };
-        maker.generated(&movement, &job.candidate, job.seed, &outcome)?;
+        maker.generated(&movement, settings(&job)?, job.seed, &outcome)?;
     }
     let title = arguments.title.clone().unwrap_or_else(|| "Which movement is more natural?".to_owned());
     let look = Look::Figure;
@@ -212,8 +212,8 @@ fn unseen_positions(body: &Body, clip: &Clip, first: &Clip) -> Result<Vec<f32>, 
     Ok(body.mapping.decode_positions(&columns.y, &RootStart::default())?)
 }
 
-/// The seed of the highest objective of each candidate in each fold, with the seconds of its training. Only
-/// candidates that were trained on all other trials count.
+/// The seed with the best rollouts on the training trials for each candidate in each fold, with the seconds of
+/// its training. Only models of the library that were trained on all other trials count.
 fn best(arguments: &Arguments, results: &Results) -> Result<Vec<(Job, f64)>, Box<dyn Error>> {
     let trials = results.setting().trials.len();
     let kinds = models(arguments.models.as_deref().unwrap_or("all"))?;
@@ -221,8 +221,9 @@ fn best(arguments: &Arguments, results: &Results) -> Result<Vec<(Job, f64)>, Box
     let mut best: Vec<(Job, &Outcome)> = Vec::new();
     for finished in results.in_order() {
         let (job, Some(outcome)) = (&finished.job, &finished.outcome) else { continue };
-        let wanted =
-            kinds.contains(&job.candidate.kind()) && (folds.is_empty() || folds.contains(&job.held_out));
+        let wanted = settings(job).is_ok()
+            && kinds.contains(&job.candidate.kind())
+            && (folds.is_empty() || folds.contains(&job.held_out));
         if !wanted || job.training_trials + 1 != trials {
             continue;
         }
@@ -236,6 +237,12 @@ fn best(arguments: &Arguments, results: &Results) -> Result<Vec<(Job, f64)>, Box
         }
     }
     Ok(best.into_iter().map(|(job, outcome)| (job, outcome.seconds)).collect())
+}
+
+/// The settings of a model of the library. A study shows no rivals.
+fn settings(job: &Job) -> Result<&Settings, String> {
+    let kind = job.candidate.kind().id();
+    job.candidate.settings().ok_or_else(|| format!("expected a model of the library, found {kind}"))
 }
 
 type Prediction = (Vec<f32>, Outcome);
@@ -282,7 +289,7 @@ fn predictions(
 
 fn predict(fold: &Fold, job: &Job, stopped: &dyn Fn() -> bool) -> Result<Prediction, String> {
     let text = |error: &dyn Error| error.to_string();
-    let mut learner = fold.learner(&job.candidate, job.seed).map_err(|error| text(&error))?;
+    let mut learner = fold.learner(settings(job)?, job.seed).map_err(|error| text(&error))?;
     while !learner.step().done {
         if stopped() {
             return Err("stopped".to_owned());

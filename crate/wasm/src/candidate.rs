@@ -6,7 +6,7 @@ use crate::settings::with_defaults;
 use js_sys::{Object, Reflect};
 use serde::Serialize;
 use vcgpdm::models::{ModelKind, Settings};
-use vcgpdm_lab::evaluation::Job;
+use vcgpdm_lab::evaluation::{CandidateKind, Job};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -47,8 +47,12 @@ fn whole_candidate(
     let given = with_defaults(code, what, value, Object::new().into())?;
     let model = Reflect::get(&given, &"model".into()).unwrap_or_default();
     // The reader refuses an unknown kind, whatever the defaults are.
-    let kind = from_js(code, what, &model).unwrap_or(usual);
-    with_defaults(code, what, &given, to_js(&Settings::from(kind))?)
+    let kind = from_js(code, what, &model).unwrap_or(usual.into());
+    match kind {
+        CandidateKind::Model(kind) => with_defaults(code, what, &given, to_js(&Settings::from(kind))?),
+        // The rivals of a file state every setting.
+        CandidateKind::ProMp | CandidateKind::Ar => Ok(given),
+    }
 }
 
 #[derive(Serialize)]

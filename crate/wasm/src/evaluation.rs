@@ -78,6 +78,13 @@ export type Candidate =
         bases: number;
     };
 
+/** A model that only files of results of the terminal program contain. It cannot be trained here. */
+export type Rival =
+    /** Probabilistic movement primitives with basis functions of each column. */
+    | { model: "promp"; bases: number }
+    /** An autoregression on principal components, with frames of history. */
+    | { model: "ar"; components: number; order: number };
+
 /** The progress of an evaluation. */
 export interface EvaluationProgress {
     /** Share of the training done, 0 to 1. Time left is at most elapsed * (1 - fraction) / fraction. */

@@ -9,6 +9,7 @@ use crate::evaluation::{ComparisonSettings, check_held_out};
 use crate::settings::{cost_to_js, with_defaults};
 use js_sys::{Array, Object, Reflect};
 use serde::Serialize;
+use vcgpdm::models::Settings;
 use vcgpdm_lab::evaluation::{Comparison, Finished, Job, Plan, Results as AllResults, START_FRAMES, Setting};
 use wasm_bindgen::prelude::*;
 
@@ -98,6 +99,7 @@ export interface PlannedJob {
 export interface FinishedJob {
     /** A readable id that no other job has. */
     id: string;
+    /** In files of the terminal program, the candidate can also be a `Rival`. */
     job: Job;
     /** The program that computed the outcome, and its version. */
     engine: string;
@@ -116,8 +118,8 @@ export interface Spread {
 
 /** One candidate: a row of figure 4 of Velychko et al. (2018). */
 export interface ModelSummary {
-    model: ModelKind;
-    candidate: Candidate;
+    model: ModelKind | Rival["model"];
+    candidate: Candidate | Rival;
     /** The settings that differ from those of other candidates, as a short text. */
     label: string;
     /** Mean squared error after dynamic time warping. */
@@ -359,7 +361,10 @@ impl Results {
     ) -> Result<JsValue, VcgpdmError> {
         let job = checked_job(&job, clips.clips.len())?;
         let Setting { parts, frames_per_second, .. } = self.results.setting();
-        cost_to_js(job.candidate.kind(), job.cost(&clips.clips, parts, *frames_per_second))
+        cost_to_js(
+            job.candidate.settings().map(Settings::kind),
+            job.cost(&clips.clips, parts, *frames_per_second),
+        )
     }
 
     /// Adds the outcome of a job that this program trained. An earlier outcome of the job is not replaced.

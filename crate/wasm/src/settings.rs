@@ -127,13 +127,13 @@ pub fn training_cost(
     let settings: VariationalSettings = from_js(ErrorCode::Settings, "settings", &settings)?;
     let columns: Vec<usize> = from_js(ErrorCode::Settings, "columns", &columns)?;
     let cost = settings.cost(frames.count(ErrorCode::Settings, "the number of frames")?, &columns);
-    cost_to_js(ModelKind::Vcgpdm, cost)
+    cost_to_js(Some(ModelKind::Vcgpdm), cost)
 }
 
-/// The cost of a training here, from that in the native program.
-pub fn cost_to_js(kind: ModelKind, cost: TrainingCost) -> Result<JsValue, VcgpdmError> {
+/// The cost of a training here, from that in the native program. A rival has no kind of model.
+pub fn cost_to_js(kind: Option<ModelKind>, cost: TrainingCost) -> Result<JsValue, VcgpdmError> {
     let slower = match kind {
-        ModelKind::MapGpdm | ModelKind::MapCgpdm => SLOWER_EXACT,
+        Some(ModelKind::MapGpdm | ModelKind::MapCgpdm) => SLOWER_EXACT,
         _ => SLOWER,
     };
     to_js(&Cost { seconds: slower * cost.seconds, bytes: cost.bytes })

@@ -17,7 +17,7 @@ export interface Prediction {
 }
 
 // The program writes equal candidates as equal texts.
-const textOf = (candidate: Job["candidate"]): string => JSON.stringify(candidate);
+const textOf = (candidate: ModelSummary["candidate"]): string => JSON.stringify(candidate);
 
 export function labelOf(
   { candidate, seed }: Job,

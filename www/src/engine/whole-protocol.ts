@@ -60,6 +60,7 @@ export type {
   PlanePicture,
   PlannedJob,
   Regression,
+  Rival,
   Setting,
   SettingResult,
   Spread,

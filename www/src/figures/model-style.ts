@@ -1,6 +1,6 @@
 // The name, colour and mark of each kind of model in all figures. The colours are similar to those of Okabe
 // and Ito. Any two differ for colour-blind people too, and each is visible on the light and the dark page.
-import type { ModelKind } from "../engine/whole-protocol";
+import type { ModelKind, Rival } from "../engine/whole-protocol";
 import { type MarkShape, markAt } from "./marks";
 import { styled } from "../ui/styled";
 
@@ -21,18 +21,28 @@ export const LOOKS: Record<ModelKind, Look> = {
   "dmp-rhythmic": { name: "DMP (rhythmic)", light: "#9973dc", dark: "#7852d5", mark: "plus" },
 };
 
+/** Models of files of results only: grey. Their names tell them apart. */
+const RIVALS: Record<Rival["model"], Look> = {
+  promp: { name: "ProMP", light: "#6a7077", dark: "#9aa1a9", mark: "square" },
+  ar: { name: "AR", light: "#6a7077", dark: "#9aa1a9", mark: "diamond" },
+};
+
+type Compared = ModelKind | Rival["model"];
+
+const look = (kind: Compared): Look => ({ ...LOOKS, ...RIVALS })[kind];
+
 /** `colour`: a CSS colour for both themes. */
-export function modelStyle(kind: ModelKind): { name: string; colour: string; mark: MarkShape } {
-  const { name, light, dark, mark } = LOOKS[kind];
+export function modelStyle(kind: Compared): { name: string; colour: string; mark: MarkShape } {
+  const { name, light, dark, mark } = look(kind);
   return { name, colour: `light-dark(${light}, ${dark})`, mark };
 }
 
 /** The style of an element with drawings in the colour of a model. */
-export function inColour(kind: ModelKind) {
+export function inColour(kind: Compared) {
   return styled({ "--series": modelStyle(kind).colour });
 }
 
 /** The mark of a model around a point. */
-export function modelMark(kind: ModelKind, x: number, y: number, size: number) {
-  return markAt(LOOKS[kind].mark, x, y, size);
+export function modelMark(kind: Compared, x: number, y: number, size: number) {
+  return markAt(look(kind).mark, x, y, size);
 }

@@ -155,7 +155,9 @@ fn reports_a_row_for_each_model_and_the_claims() {
     let out = file("report");
     summary(&evaluate(&out, &["--models", "all", "--folds", "1", "--bases", "5,6"]));
     let text = String::from_utf8(run(&["report", out.to_str().unwrap()]).stdout).unwrap();
-    for id in ["vcgpdm", "vgpdm", "map-gpdm", "map-cgpdm", "tmp", "dmp-discrete", "dmp-rhythmic"] {
+    for id in
+        ["vcgpdm", "vgpdm", "map-gpdm", "map-cgpdm", "tmp", "dmp-discrete", "dmp-rhythmic", "promp", "ar"]
+    {
         assert!(text.contains(&format!("\n| {id} | ")), "{id} in {text}");
     }
     assert!(text.contains("| 5 bases | ") && text.contains("| 6 bases | "), "{text}");

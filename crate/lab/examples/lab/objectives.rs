@@ -104,7 +104,7 @@ fn outcomes(name: &str, trials: &[Clip], arguments: &Arguments) -> Vec<OfTrials>
         for (candidate, found) in candidates.iter().zip(&mut found) {
             let seconds = || clock.elapsed().as_secs_f64();
             found.push(each_seed(0..arguments.seeds, arguments.threads, |seed| {
-                fold.evaluate(candidate, seed, &seconds, &mut |_| true).unwrap().unwrap()
+                fold.evaluate(&candidate.clone().into(), seed, &seconds, &mut |_| true).unwrap().unwrap()
             }));
         }
     }

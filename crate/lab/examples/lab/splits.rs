@@ -13,7 +13,7 @@ use std::time::Instant;
 use vcgpdm::models::{Settings, VariationalSettings};
 use vcgpdm::motion::parts::{PartSpec, presets};
 use vcgpdm::motion::{Clip, samples};
-use vcgpdm_lab::evaluation::{Fold, Outcome, START_FRAMES};
+use vcgpdm_lab::evaluation::{Candidate, Fold, Outcome, START_FRAMES};
 
 const FRAMES_PER_SECOND: f64 = 30.0;
 const SEEDS: Range<u32> = 0..3;
@@ -75,7 +75,7 @@ fn timed(trial: &Clip, upper: &PartSpec, time: Time) -> Clip {
 /// The outcomes of both models for each trial held out, from every seed: [parts, whole].
 fn outcomes(trials: &[Clip], parts: &[PartSpec]) -> Vec<[Vec<Outcome>; 2]> {
     let settings = VariationalSettings::default();
-    let candidates = [Settings::Vcgpdm(settings.clone()), Settings::Vgpdm(settings)];
+    let candidates = [Settings::Vcgpdm(settings.clone()), Settings::Vgpdm(settings)].map(Candidate::from);
     let clock = Instant::now();
     let fold = |held_out| {
         let fold =

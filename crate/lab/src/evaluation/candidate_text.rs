@@ -1,5 +1,7 @@
 //! The settings of a candidate as text.
 
+use crate::evaluation::candidate::Candidate;
+use crate::evaluation::rivals::Rival;
 use vcgpdm::internals::counted;
 use vcgpdm::models::{PoseWeight, Settings};
 
@@ -20,8 +22,8 @@ pub(super) struct Common {
 }
 
 /// The settings that all models with latents have; absent for the others.
-pub(super) fn common(candidate: &Settings) -> Option<Common> {
-    match candidate {
+pub(super) fn common(candidate: &Candidate) -> Option<Common> {
+    match candidate.settings()? {
         Settings::Vcgpdm(s) | Settings::Vgpdm(s) => Some(Common {
             latent: s.latent,
             order: s.order,
@@ -45,8 +47,15 @@ pub(super) fn common(candidate: &Settings) -> Option<Common> {
 }
 
 /// The size of the candidate; absent if the data determine it.
-pub(super) fn size(candidate: &Settings) -> Option<String> {
-    match candidate {
+pub(super) fn size(candidate: &Candidate) -> Option<String> {
+    let settings = match candidate {
+        Candidate::Model(settings) => settings,
+        Candidate::Rival(Rival::ProMp { bases }) => return Some(basis_functions(*bases)),
+        Candidate::Rival(Rival::Ar { components, order }) => {
+            return Some(format!("{}, order {order}", counted(*components, "component")));
+        }
+    };
+    match settings {
         Settings::Vcgpdm(s) | Settings::Vgpdm(s) => {
             Some(format!("{} + {} inducing points", s.dynamics_ips, s.pose_ips))
         }
@@ -58,15 +67,16 @@ pub(super) fn size(candidate: &Settings) -> Option<String> {
             };
             Some(if s.normalised_time { format!("{count}, normalised time") } else { count })
         }
-        Settings::DmpDiscrete(s) | Settings::DmpRhythmic(s) => Some(match s.bases {
-            1 => "1 basis".to_owned(),
-            bases => format!("{bases} bases"),
-        }),
+        Settings::DmpDiscrete(s) | Settings::DmpRhythmic(s) => Some(basis_functions(s.bases)),
     }
 }
 
+fn basis_functions(count: usize) -> String {
+    if count == 1 { "1 basis".to_owned() } else { format!("{count} bases") }
+}
+
 /// The kind with every setting. The texts of different candidates differ.
-pub(super) fn every_setting(candidate: &Settings) -> String {
+pub(super) fn every_setting(candidate: &Candidate) -> String {
     let mut words = vec![candidate.kind().id().to_owned()];
     words.extend(size(candidate));
     if let Some(Common { latent, order, max_iterations, balanced, pose_weight, uncoupled, linear }) =

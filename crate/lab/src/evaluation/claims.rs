@@ -3,6 +3,7 @@
 //! A claim is a sentence of a paper. Our criterion is about an interval, and the answer is "yes" or "no" only
 //! if the whole interval agrees.
 
+use crate::evaluation::candidate::{Candidate, CandidateKind};
 use crate::evaluation::candidate_size::size;
 use crate::evaluation::contender::{Choice, Contender};
 use crate::evaluation::correlation::{correlation, training_correlation};
@@ -121,7 +122,7 @@ impl Claims {
 
 /// The claims for which there are results.
 pub(super) fn claims(rows: &[Row], growth: &[Growth], labels: &Labels) -> Vec<Claim> {
-    let contender = |kind, choice| Contender::new(settings(rows, kind, &is_plain), choice);
+    let contender = |kind: ModelKind, choice| Contender::new(settings(rows, kind, &is_plain), choice);
     let (vcgpdm, vgpdm) = (contender(Vcgpdm, Choice::Rollouts), contender(Vgpdm, Choice::Rollouts));
     let by_bound = (contender(Vcgpdm, Choice::Bound), contender(Vgpdm, Choice::Bound));
     let mut claims = Claims(Vec::new());
@@ -153,7 +154,7 @@ pub(super) fn claims(rows: &[Row], growth: &[Growth], labels: &Labels) -> Vec<Cl
         bases(&mut claims, &settings(rows, kind, &is_plain));
     }
     // The number that the bound chooses would count twice.
-    let given = |s: &Settings| matches!(s, Settings::Tmp(s) if s.primitives.is_some());
+    let given = |c: &Candidate| matches!(c, Candidate::Model(Settings::Tmp(s)) if s.primitives.is_some());
     if let Some(c) = correlation(&settings(rows, Tmp, &given), String::new(), labels) {
         let (found, answer) = correlated(&c);
         let criterion = "rank correlation over the numbers of primitives below 0 with a p value below 5 %";
@@ -161,11 +162,11 @@ pub(super) fn claims(rows: &[Row], growth: &[Growth], labels: &Labels) -> Vec<Cl
     }
     for growth in growth {
         match growth.model {
-            Vcgpdm => {
+            CandidateKind::Model(Vcgpdm) => {
                 let criterion = "the exponent is below 1.2";
                 claims.add_exponent(&LINEAR, criterion, growth, |i| is_below(i, 1.2));
             }
-            MapCgpdm => {
+            CandidateKind::Model(MapCgpdm) => {
                 let criterion = "the exponent is above 2: it reaches 3 only with more frames than these";
                 claims.add_exponent(&CUBIC, criterion, growth, |i| not(is_below(i, 2.0)));
             }
@@ -211,7 +212,7 @@ fn against_map(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &La
 fn against_all(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &Labels) {
     let mut answers = Vec::new();
     let mut found = Vec::new();
-    for kind in ModelKind::ALL.into_iter().filter(|kind| *kind != Vcgpdm) {
+    for kind in CandidateKind::all().filter(|kind| *kind != Vcgpdm) {
         let Some(other) = Contender::new(settings(rows, kind, &is_plain), Choice::Rollouts) else {
             continue;
         };

@@ -1,5 +1,6 @@
 //! The tables of a comparison: models, correlations of bound and error, growth of the time, claims.
 
+use crate::evaluation::candidate::Candidate;
 use crate::evaluation::claims::claims;
 use crate::evaluation::contender::{Choice, Contender};
 use crate::evaluation::correlation::correlations;
@@ -10,7 +11,6 @@ use crate::evaluation::results::Results;
 use crate::evaluation::rows::{Row, groups, rows};
 use crate::evaluation::summary::{Claim, Correlation, Evidence, Growth, ModelSummary};
 use serde::Serialize;
-use vcgpdm::models::Settings;
 
 /// The tables of a comparison, and the answers to the claims of the papers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -46,7 +46,7 @@ impl Comparison {
         let evidence = evidence(&rows, &|fold| names.get(fold).unwrap_or(&"").to_string());
         let claims = claims(&rows, &growth, &labels);
         let groups = groups(rows.iter()).into_iter();
-        let chosen: Vec<(&Settings, usize)> = groups
+        let chosen: Vec<(&Candidate, usize)> = groups
             .filter_map(|group| {
                 let (count, first) = (group.len(), group.first()?.candidate);
                 // Without a common trial no size can be chosen.
@@ -56,7 +56,7 @@ impl Comparison {
                 ))
             })
             .collect();
-        let stands_for = |candidate: &Settings| {
+        let stands_for = |candidate: &Candidate| {
             chosen.iter().find(|(of_group, _)| *of_group == candidate).map_or(0, |(_, count)| *count)
         };
         let summary = |row: &Row| row.summary(labels.label(row.candidate), stands_for(row.candidate));
@@ -76,7 +76,7 @@ mod tests {
     use crate::evaluation::summary::ClaimAnswer;
     use crate::evaluation::testing::{finished, map, outcome, results, variational};
     use approx::assert_relative_eq;
-    use vcgpdm::models::{DmpSettings, EndReason, ModelKind, PoseWeight, VariationalSettings};
+    use vcgpdm::models::{DmpSettings, EndReason, ModelKind, PoseWeight, Settings, VariationalSettings};
 
     #[test]
     fn seeds_are_averaged_before_folds() {
@@ -283,7 +283,7 @@ mod tests {
         assert_eq!(found.models[5].label, "12 + 12 inducing points, 800 iterations");
         assert_eq!(
             found.models[5].candidate,
-            Settings::Vgpdm(VariationalSettings { max_iterations: 800, ..variational(12) })
+            Settings::Vgpdm(VariationalSettings { max_iterations: 800, ..variational(12) }).into()
         );
         let texts: Vec<&str> = found.claims.iter().map(|claim| &claim.found[..]).collect();
         assert!(texts[0].contains("1.00 times") && texts[1].contains("-1.00 over 3 settings"), "{texts:?}");

@@ -1,17 +1,17 @@
 //! Correlation of bound and error over the sizes of a kind of model: figure 1 of the supplement of Velychko
 //! et al. (2017), and on the training trials figure 6B of Velychko et al. (2018).
 
+use crate::evaluation::candidate::CandidateKind;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::rows::{Row, common_folds, groups};
 use crate::evaluation::stats::{correlation_p_value, rank_correlation};
 use crate::evaluation::summary::{BoundAndError, Correlation};
 use std::collections::BTreeSet;
-use vcgpdm::models::ModelKind;
 
 /// One correlation for every kind of model and all its settings but the size.
 pub(super) fn correlations(rows: &[Row], labels: &Labels) -> Vec<Correlation> {
     let mut correlations = Vec::new();
-    for kind in ModelKind::ALL {
+    for kind in CandidateKind::all() {
         let groups = groups(rows.iter().filter(|row| row.candidate.kind() == kind));
         let several = groups.len() > 1;
         for group in &groups {

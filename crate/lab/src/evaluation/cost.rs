@@ -9,7 +9,7 @@ use vcgpdm::motion::parts::PartSpec;
 const COLUMNS: usize = 3;
 
 impl Job {
-    /// The estimated cost of its training on one core; that of a TMP or DMP is neglected. `trials` are all
+    /// The estimated cost of its training on one core; that of a TMP, a DMP or a rival is neglected. `trials` are all
     /// clips of the comparison in their order.
     pub fn cost(&self, trials: &[Clip], parts: &[PartSpec], frames_per_second: f64) -> TrainingCost {
         let others = trials.iter().enumerate().filter(|(k, _)| *k != self.held_out);
@@ -34,7 +34,7 @@ mod tests {
         let clips: Vec<Clip> = ["walk-1", "walk-2", "walk-3"].map(|id| samples::clip(id).unwrap()).into();
         let parts = parts::presets(&clips[0].skeleton).remove(1).parts;
         let cost = |candidate: &Settings, training_trials| {
-            let job = Job { candidate: candidate.clone(), held_out: 0, training_trials, seed: 0 };
+            let job = Job { candidate: candidate.clone().into(), held_out: 0, training_trials, seed: 0 };
             job.cost(&clips, &parts, 30.0)
         };
         let variational = Settings::Vcgpdm(variational(12));

@@ -2,9 +2,11 @@
 //! on the first frames of the trial held out as one more sequence; roll out from these frames for the length
 //! of the trial; score.
 
+use crate::evaluation::candidate::Candidate;
 use crate::evaluation::dtw::{ScoreError, score_and_columns};
 use crate::evaluation::fold_model::fold_model;
 use crate::evaluation::outcome::Outcome;
+use crate::evaluation::predictor::Predictor;
 use crate::evaluation::training_trials::TrainingTrials;
 use nalgebra::DMatrix;
 use thiserror::Error;
@@ -12,8 +14,8 @@ use vcgpdm::gp::NumericsError;
 use vcgpdm::internals::{dataset_error, provenance};
 use vcgpdm::models::library::{CombinationError, PlanError};
 use vcgpdm::models::{
-    Body, Dataset, DatasetError, FittedModel, Learner, Model, Movements, Progress, RolloutError, Settings,
-    Source,
+    Body, Dataset, DatasetError, EndReason, FittedModel, Learner, Model, Movements, Progress, RolloutError,
+    Setbacks, Settings, Source,
 };
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::motion::pose::PoseError;
@@ -148,7 +150,7 @@ impl Fold {
     ///
     /// # Errors
     /// The model cannot be rolled out for the length of the trial.
-    pub fn predict(&self, model: &FittedModel) -> Result<DMatrix<f64>, RolloutError> {
+    pub fn predict(&self, model: &dyn Predictor) -> Result<DMatrix<f64>, RolloutError> {
         self.training.rollout(model, self.movements().sequences.len() - 1, self.actual.nrows())
     }
 
@@ -188,13 +190,22 @@ impl Fold {
     /// The candidate cannot be trained, or its prediction cannot be scored.
     pub fn evaluate(
         &self,
-        candidate: &Settings,
+        candidate: &Candidate,
         seed: u32,
         seconds: &dyn Fn() -> f64,
         watch: &mut dyn FnMut(&Progress) -> bool,
     ) -> Result<Option<Outcome>, EvaluationError> {
         let begin = seconds();
-        let mut learner = self.learner(candidate, seed)?;
+        let settings = match candidate {
+            Candidate::Model(settings) => settings,
+            Candidate::Rival(rival) => {
+                let fitted = rival.fit(self.movements());
+                let model = fitted.map_err(|reason| dataset_error(reason, &self.body().sequences))?;
+                let trained = seconds() - begin;
+                return self.outcome(&*model, &self.regression(&*model), trained).map(Some);
+            }
+        };
+        let mut learner = self.learner(settings, seed)?;
         while {
             let progress = learner.step();
             if !watch(&progress) {
@@ -207,13 +218,32 @@ impl Fold {
         self.outcome(&model, &learner.progress(), trained).map(Some)
     }
 
+    /// The progress of a rival, which learns in one step. Its objective is minus the error of its rollouts on
+    /// the training trials.
+    fn regression(&self, model: &dyn Predictor) -> Progress {
+        let objective = -self.training.error(model).unwrap_or(f64::INFINITY);
+        Progress {
+            iteration: 1,
+            max_iterations: 1,
+            evaluations: 0,
+            objective,
+            best: objective,
+            terms: None,
+            phase: None,
+            done: true,
+            reason: Some(EndReason::Regression),
+            setbacks: Setbacks::default(),
+            fraction: 1.0,
+        }
+    }
+
     /// The outcome of a model whose training ended with this progress after `seconds` seconds.
     ///
     /// # Errors
     /// The prediction cannot be made or scored, or a number of the outcome is not finite.
     pub fn outcome(
         &self,
-        model: &FittedModel,
+        model: &dyn Predictor,
         training: &Progress,
         seconds: f64,
     ) -> Result<Outcome, EvaluationError> {
@@ -258,9 +288,7 @@ impl Fold {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vcgpdm::models::{
-        DmpSettings, MapSettings, ModelKind, Sequence, Setbacks, TmpSettings, VariationalSettings,
-    };
+    use vcgpdm::models::{DmpSettings, MapSettings, ModelKind, Sequence, TmpSettings, VariationalSettings};
     use vcgpdm::motion::{parts, samples};
 
     fn trials() -> Vec<Clip> {
@@ -312,7 +340,7 @@ mod tests {
                 steps += 1;
                 progress.best.is_finite() || steps < 3
             };
-            let outcome = fold.evaluate(&candidate, 1, &|| 0.0, &mut watch).unwrap().unwrap();
+            let outcome = fold.evaluate(&candidate.clone().into(), 1, &|| 0.0, &mut watch).unwrap().unwrap();
             let score = outcome.score;
             assert!(score.dtw_mse.is_finite() && score.variance > 0.0, "{candidate:?}: {score:?}");
             assert!(outcome.stored_numbers > 0 && outcome.frames > 40);
@@ -393,7 +421,7 @@ mod tests {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 0, 1, parts, 20.0, START_FRAMES).unwrap();
-        let candidate = Settings::DmpRhythmic(DmpSettings { bases: 5 });
+        let candidate = Settings::DmpRhythmic(DmpSettings { bases: 5 }).into();
         assert_eq!(fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| false).unwrap(), None);
     }
 
@@ -402,7 +430,7 @@ mod tests {
         let trials = trials();
         let parts = &parts::presets(&trials[0].skeleton)[0].parts;
         let fold = Fold::new(&trials, 0, 1, parts, 20.0, START_FRAMES).unwrap();
-        let candidate = Settings::Vcgpdm(VariationalSettings::default());
+        let candidate = Settings::Vcgpdm(VariationalSettings::default()).into();
         let error = fold.evaluate(&candidate, 0, &|| 0.0, &mut |_| true).unwrap_err().to_string();
         assert_eq!(error, "expected two parts or more for a vcgpdm model, found 1");
     }

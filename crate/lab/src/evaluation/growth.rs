@@ -1,5 +1,6 @@
 //! How the time of a training grows with the frames: figure 2 of the supplement of Velychko et al. (2017).
 
+use crate::evaluation::candidate::{Candidate, CandidateKind};
 use crate::evaluation::job::Finished;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::outcome::{Outcome, share_converged};
@@ -7,7 +8,6 @@ use crate::evaluation::results::Results;
 use crate::evaluation::stats::{exponent_interval, mean};
 use crate::evaluation::summary::{FramesAndTime, Growth};
 use std::collections::{BTreeMap, BTreeSet};
-use vcgpdm::models::{ModelKind, Settings};
 
 /// Outcomes of a candidate by the number of trials trained on, each with the trial held out.
 type Course<'a> = BTreeMap<usize, Vec<(usize, &'a Outcome)>>;
@@ -15,7 +15,7 @@ type Course<'a> = BTreeMap<usize, Vec<(usize, &'a Outcome)>>;
 /// For each kind, the candidate that was trained on the most different numbers of trials; only folds with all
 /// of these numbers count.
 pub(super) fn growth(several: &[&Results], labels: &Labels) -> Vec<Growth> {
-    let mut courses: Vec<(&Settings, Course)> = Vec::new();
+    let mut courses: Vec<(&Candidate, Course)> = Vec::new();
     let mut before = 0;
     for results in several {
         for Finished { job, outcome, .. } in results.finished() {
@@ -29,7 +29,7 @@ pub(super) fn growth(several: &[&Results], labels: &Labels) -> Vec<Growth> {
         }
         before += results.setting().trials.len();
     }
-    let growth = |kind: ModelKind| {
+    let growth = |kind: CandidateKind| {
         let of_kind = courses.iter().filter(|(candidate, _)| candidate.kind() == kind);
         let (candidate, course) = of_kind.max_by_key(|(_, course)| course.len())?;
         let points = points(course);
@@ -52,7 +52,7 @@ pub(super) fn growth(several: &[&Results], labels: &Labels) -> Vec<Growth> {
             converged: share_converged(course.values().flatten().map(|(_, outcome)| *outcome)),
         })
     };
-    ModelKind::ALL.into_iter().filter_map(growth).collect()
+    CandidateKind::all().filter_map(growth).collect()
 }
 
 /// Mean frames and seconds for each number of trials, over the folds that all of them have.

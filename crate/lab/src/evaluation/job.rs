@@ -1,17 +1,18 @@
 //! One job of a comparison, and its result.
 
+use crate::evaluation::candidate::Candidate;
 use crate::evaluation::candidate_text::every_setting;
 use crate::evaluation::outcome::Outcome;
 use serde::{Deserialize, Serialize};
 use std::fmt::{Display, Formatter};
-use vcgpdm::models::{ENGINE, Settings};
+use vcgpdm::models::ENGINE;
 
 /// One candidate in one fold with one seed. Its text is different for different jobs.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Job {
     /// The kind of model with its settings.
-    pub candidate: Settings,
+    pub candidate: Candidate,
     /// The trial held out, counted from 0.
     pub held_out: usize,
     /// Number of the other trials that are trained on.
@@ -92,7 +93,7 @@ mod tests {
     use super::*;
     use crate::evaluation::testing::{map, variational};
     use std::collections::BTreeSet;
-    use vcgpdm::models::{DmpSettings, PoseWeight, TmpSettings, VariationalSettings};
+    use vcgpdm::models::{DmpSettings, PoseWeight, Settings, TmpSettings, VariationalSettings};
 
     #[test]
     fn counts_the_trial_from_0_in_programs_and_from_1_in_files_and_texts() {
@@ -131,7 +132,7 @@ mod tests {
             Vgpdm(VariationalSettings { uncoupled: true, ..settings }),
         ];
         let job = |candidate: &Settings| Job {
-            candidate: candidate.clone(),
+            candidate: candidate.clone().into(),
             held_out: 1,
             training_trials: 3,
             seed: 7,

@@ -1,13 +1,13 @@
 //! Short names of candidates among others of their kind.
 
+use crate::evaluation::candidate::{Candidate, CandidateKind};
 use crate::evaluation::candidate_text::{Common, LINEAR, UNCOUPLED, balance, common, size, weight};
 use crate::evaluation::results::Results;
 use std::collections::HashMap;
-use vcgpdm::models::{ModelKind, Settings};
 
 /// Short names of candidates: their size, and every setting in which candidates of a kind differ.
 pub struct Labels {
-    varying: HashMap<ModelKind, Varying>,
+    varying: HashMap<CandidateKind, Varying>,
 }
 
 /// The settings in which the candidates of a kind differ.
@@ -32,9 +32,9 @@ impl Labels {
     }
 
     /// Names for these candidates.
-    pub fn of_candidates<'a>(candidates: impl Iterator<Item = &'a Settings>) -> Self {
-        let mut first: HashMap<ModelKind, Common> = HashMap::new();
-        let mut varying: HashMap<ModelKind, Varying> = HashMap::new();
+    pub fn of_candidates<'a>(candidates: impl Iterator<Item = &'a Candidate>) -> Self {
+        let mut first: HashMap<CandidateKind, Common> = HashMap::new();
+        let mut varying: HashMap<CandidateKind, Varying> = HashMap::new();
         for candidate in candidates {
             let Some(now) = common(candidate) else { continue };
             let first = *first.entry(candidate.kind()).or_insert(now);
@@ -48,7 +48,7 @@ impl Labels {
     }
 
     /// The short name of a candidate.
-    pub fn label(&self, candidate: &Settings) -> String {
+    pub fn label(&self, candidate: &Candidate) -> String {
         let words: Vec<String> = size(candidate).into_iter().chain(self.others(candidate)).collect();
         match common(candidate) {
             Some(settings) if words.is_empty() => format!("Q = {}", settings.latent),
@@ -57,11 +57,11 @@ impl Labels {
     }
 
     /// The short name without the size.
-    pub(super) fn without_size(&self, candidate: &Settings) -> String {
+    pub(super) fn without_size(&self, candidate: &Candidate) -> String {
         self.others(candidate).join(", ")
     }
 
-    fn others(&self, candidate: &Settings) -> Vec<String> {
+    fn others(&self, candidate: &Candidate) -> Vec<String> {
         let Some(settings) = common(candidate) else { return Vec::new() };
         let differ = self.varying.get(&candidate.kind()).copied().unwrap_or_default();
         // The papers do not balance: a balanced model is named even if all are balanced.
@@ -86,7 +86,7 @@ mod tests {
     use super::*;
     use crate::evaluation::job::{Finished, Job};
     use crate::evaluation::testing::setting;
-    use vcgpdm::models::{DmpSettings, MapSettings, PoseWeight, TmpSettings, VariationalSettings};
+    use vcgpdm::models::{DmpSettings, MapSettings, PoseWeight, Settings, TmpSettings, VariationalSettings};
 
     fn gpdm(max_iterations: usize, latent: usize) -> VariationalSettings {
         VariationalSettings {
@@ -104,8 +104,9 @@ mod tests {
     }
 
     fn labels(candidates: &[Settings]) -> Vec<String> {
+        let candidates: Vec<Candidate> = candidates.iter().cloned().map(Candidate::from).collect();
         let mut results = Results::new(setting(2));
-        for candidate in candidates {
+        for candidate in &candidates {
             let job = Job { candidate: candidate.clone(), held_out: 0, training_trials: 1, seed: 0 };
             results.add(Finished::new(job, Err("a test".to_owned()))).unwrap();
         }

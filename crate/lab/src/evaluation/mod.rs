@@ -3,6 +3,7 @@
 //! A [`Plan`] lists jobs, a [`Fold`] trains and scores a candidate, [`Results`] store the outcomes, and a
 //! [`Comparison`] computes tables and the answers to the papers' claims.
 
+mod candidate;
 mod candidate_size;
 mod candidate_text;
 mod claims;
@@ -24,7 +25,9 @@ mod modularity;
 mod modularity_test;
 mod outcome;
 mod plan;
+mod predictor;
 mod results;
+mod rivals;
 mod rows;
 mod setting;
 pub mod stats;
@@ -33,6 +36,7 @@ mod summary;
 pub(crate) mod testing;
 mod training_trials;
 
+pub use candidate::{Candidate, CandidateKind};
 pub use comparison::Comparison;
 pub use cross_validation::{EvaluationError, Fold, START_FRAMES};
 pub use cycles::{CyclesError, whole_cycles};
@@ -44,7 +48,9 @@ pub use modularity::{LibraryFold, LibraryOutcome, MovementTrials};
 pub use modularity_test::{FoldTraining, ModularityTest, Trained};
 pub use outcome::{Difference, Outcome};
 pub use plan::{ComparisonPlanError, Plan};
+pub use predictor::{Forecast, Predictor};
 pub use results::{Disagreement, PlannedJob, Results, ResultsError};
+pub use rivals::Rival;
 pub use setting::{Setting, SettingError, TrialClip};
 pub use summary::{
     BoundAndError, Claim, ClaimAnswer, Correlation, Evidence, FramesAndTime, Growth, ModelSummary, Spread,

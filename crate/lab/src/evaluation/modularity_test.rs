@@ -239,7 +239,7 @@ mod tests {
         let (found, _) = training.best().unwrap();
         let fold = Fold::new(&test.movements[1].trials, 1, 1, &test.parts, 30.0, START_FRAMES).unwrap();
         let plain = test.seeds.iter().map(|seed| {
-            let candidate = Settings::Vcgpdm(test.settings.clone());
+            let candidate = Settings::Vcgpdm(test.settings.clone()).into();
             fold.evaluate(&candidate, *seed, &|| 0.0, &mut |_| true).unwrap().unwrap()
         });
         let plain = plain.reduce(|a, b| if b.is_better_seed(&a) { b } else { a }).unwrap();

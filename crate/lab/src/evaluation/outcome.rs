@@ -81,10 +81,16 @@ impl Outcome {
         })
     }
 
-    /// Whether this seed represents its candidate in the fold better than another seed: its objective is
-    /// higher.
+    /// Whether this seed represents its candidate in the fold better than another seed: its rollouts repeat the
+    /// training trials with a smaller error. A seed without this error is worse. In results of earlier versions
+    /// no seed has it, and the higher objective decides.
     pub fn is_better_seed(&self, other: &Outcome) -> bool {
-        self.objective > other.objective
+        match (self.training_mse, other.training_mse) {
+            (Some(error), Some(other)) => error < other,
+            (Some(_), None) => true,
+            (None, Some(_)) => false,
+            (None, None) => self.objective > other.objective,
+        }
     }
 
     /// Whether the training ended because its objective no longer changed; absent if the reason is unknown.

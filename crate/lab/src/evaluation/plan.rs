@@ -1,6 +1,8 @@
 //! The jobs of a comparison.
 
+use crate::evaluation::candidate::{Candidate, CandidateKind};
 use crate::evaluation::job::Job;
+use crate::evaluation::rivals::Rival;
 use serde::Deserialize;
 use std::collections::HashSet;
 use thiserror::Error;
@@ -14,7 +16,7 @@ use vcgpdm::models::{
 /// use vcgpdm_lab::evaluation::Plan;
 /// use vcgpdm::models::ModelKind;
 ///
-/// let models = vec![ModelKind::Vgpdm, ModelKind::DmpRhythmic];
+/// let models = vec![ModelKind::Vgpdm.into(), ModelKind::DmpRhythmic.into()];
 /// let plan = Plan { models, seeds: vec![0, 1], ..Plan::default() };
 /// let jobs = plan.jobs(3)?;
 /// // In each of three folds two vGPDMs, and one DMP because a DMP has no random start.
@@ -25,10 +27,10 @@ use vcgpdm::models::{
 #[serde(default, deny_unknown_fields)]
 pub struct Plan {
     /// The kinds of models.
-    pub models: Vec<ModelKind>,
+    pub models: Vec<CandidateKind>,
     /// Latent dimensions Q of every part.
     pub latent: usize,
-    /// Order p of the dynamics.
+    /// Order p of the dynamics and of the autoregression.
     pub order: usize,
     /// Most iterations of the optimiser.
     pub max_iterations: usize,
@@ -42,8 +44,10 @@ pub struct Plan {
     /// Whether the primitives of the TMP are functions of normalised time, with weights that all trials
     /// share, as in the papers.
     pub normalised_time: bool,
-    /// Numbers of basis functions of the DMPs.
+    /// Numbers of basis functions of the DMPs and of the ProMP.
     pub bases: Vec<usize>,
+    /// Numbers of principal components of the autoregression.
+    pub components: Vec<usize>,
     /// Whether the dynamics of the MAP models are balanced (Urtasun, Fleet & Fua 2006).
     pub balanced: bool,
     /// The weight of the pose terms in the objective of the variational models.
@@ -64,12 +68,12 @@ pub struct Plan {
 }
 
 impl Default for Plan {
-    /// All kinds of models at the defaults of their settings, in each fold, with seed 0.
+    /// All kinds of models of the library at the defaults of their settings, in each fold, with seed 0.
     fn default() -> Self {
         let VariationalSettings { latent, order, dynamics_ips, max_iterations, .. } =
             VariationalSettings::default();
         Self {
-            models: ModelKind::ALL.to_vec(),
+            models: ModelKind::ALL.map(CandidateKind::from).to_vec(),
             latent,
             order,
             max_iterations,
@@ -78,6 +82,7 @@ impl Default for Plan {
             primitives: vec![TmpSettings::default().primitives],
             normalised_time: false,
             bases: vec![DmpSettings::default().bases],
+            components: vec![6],
             balanced: false,
             pose_weight: PoseWeight::default(),
             uncoupled: false,
@@ -120,11 +125,23 @@ impl Plan {
     }
 
     /// The models with all settings of the plan.
-    pub fn candidates(&self) -> Vec<Settings> {
+    pub fn candidates(&self) -> Vec<Candidate> {
         self.models.iter().flat_map(|kind| self.candidates_of(*kind)).collect()
     }
 
-    fn candidates_of(&self, kind: ModelKind) -> Vec<Settings> {
+    fn candidates_of(&self, kind: CandidateKind) -> Vec<Candidate> {
+        let rivals: Vec<Rival> = match kind {
+            CandidateKind::Model(kind) => return self.models_of(kind).into_iter().map(Into::into).collect(),
+            CandidateKind::ProMp => self.bases.iter().map(|&bases| Rival::ProMp { bases }).collect(),
+            CandidateKind::Ar => {
+                let order = self.order;
+                self.components.iter().map(|&components| Rival::Ar { components, order }).collect()
+            }
+        };
+        rivals.into_iter().map(Into::into).collect()
+    }
+
+    fn models_of(&self, kind: ModelKind) -> Vec<Settings> {
         let &Self { latent, order, max_iterations, pose_weight, .. } = self;
         let variational = |candidate: fn(VariationalSettings) -> Settings| {
             let settings = |(dynamics_ips, pose_ips)| VariationalSettings {
@@ -203,8 +220,7 @@ impl Plan {
     /// The coupled models on one trial, on two, and so on, up to one less than `most`.
     fn growth_jobs(&self, folds: &[usize], most: usize) -> Vec<Job> {
         let (Some(&held_out), Some(&seed)) = (folds.first(), self.seeds.first()) else { return Vec::new() };
-        let coupled =
-            ModelKind::ALL.into_iter().filter(|kind| kind.is_coupled() && self.models.contains(kind));
+        let coupled = CandidateKind::all().filter(|kind| kind.is_coupled() && self.models.contains(kind));
         coupled
             .filter_map(|kind| {
                 let candidates = self.candidates_of(kind);
@@ -262,7 +278,7 @@ mod tests {
     fn plans_each_job_once() {
         let once = Plan { held_out: vec![1, 0], training_trials: vec![2, 1], ..plan() };
         let twice = Plan {
-            models: [ModelKind::ALL, ModelKind::ALL].concat(),
+            models: [once.models.clone(), once.models.clone()].concat(),
             ips: vec![8, 12, 8, 16],
             primitives: vec![None, None],
             seeds: vec![3, 4, 3],
@@ -281,10 +297,11 @@ mod tests {
         assert_eq!(asked, whole);
         let found: Vec<_> = fewer.iter().map(|job| (job.candidate.kind(), job.training_trials)).collect();
         let kinds = [ModelKind::Vcgpdm, ModelKind::MapCgpdm];
-        let expected: Vec<_> = kinds.into_iter().flat_map(|kind| (1..4).map(move |n| (kind, n))).collect();
+        let kinds = kinds.map(CandidateKind::from).into_iter();
+        let expected: Vec<_> = kinds.flat_map(|kind| (1..4).map(move |n| (kind, n))).collect();
         assert_eq!(found, expected);
         assert!(fewer.iter().all(|job| (job.held_out, job.seed) == (0, 3)));
-        assert!(matches!(&fewer[0].candidate, Settings::Vcgpdm(s) if s.dynamics_ips == 12));
+        assert!(matches!(&fewer[0].candidate, Candidate::Model(Settings::Vcgpdm(s)) if s.dynamics_ips == 12));
         // No job is planned twice.
         let both = Plan { growth: true, training_trials: vec![1, 2, 3, 4], ..plan() };
         assert_eq!(both.jobs(5), Plan { growth: false, ..both }.jobs(5));
@@ -294,7 +311,7 @@ mod tests {
     fn leaves_out_coupled_models_for_a_body_in_one_part() {
         let candidates = plan().without_coupled().candidates();
         let coupled = [ModelKind::Vcgpdm, ModelKind::MapCgpdm];
-        assert!(candidates.iter().all(|candidate| !coupled.contains(&candidate.kind())));
+        assert!(candidates.iter().all(|candidate| coupled.iter().all(|kind| candidate.kind() != *kind)));
         assert_eq!(candidates.len(), 3 + 1 + 1 + 4);
     }
 
@@ -308,11 +325,27 @@ mod tests {
     }
 
     #[test]
+    fn plans_rivals_with_their_sizes() {
+        let models = vec![CandidateKind::ProMp, CandidateKind::Ar];
+        let rivals = Plan { models, components: vec![4, 9], order: 3, ..plan() }.candidates();
+        let expected = [
+            Rival::ProMp { bases: 10 },
+            Rival::ProMp { bases: 20 },
+            Rival::Ar { components: 4, order: 3 },
+            Rival::Ar { components: 9, order: 3 },
+        ];
+        assert_eq!(rivals, expected.map(Candidate::from));
+        // They have no seed.
+        let jobs = Plan { models: vec![CandidateKind::Ar], ..plan() }.jobs(3).unwrap();
+        assert!(jobs.len() == 3 && jobs.iter().all(|job| job.seed == 0));
+    }
+
+    #[test]
     fn combines_inducing_points_of_dynamics_and_poses() {
-        let grid = Plan { pose_ips: vec![10, 30], models: vec![ModelKind::Vgpdm], ..plan() };
+        let grid = Plan { pose_ips: vec![10, 30], models: vec![ModelKind::Vgpdm.into()], ..plan() };
         let pairs: Vec<_> = (grid.candidates().iter())
             .map(|candidate| match candidate {
-                Settings::Vgpdm(s) => (s.dynamics_ips, s.pose_ips),
+                Candidate::Model(Settings::Vgpdm(s)) => (s.dynamics_ips, s.pose_ips),
                 other => panic!("{other:?}"),
             })
             .collect();

@@ -9,7 +9,6 @@ use crate::evaluation::setting::{Setting, SettingError};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use thiserror::Error;
-use vcgpdm::models::ModelKind;
 
 const VERSION: u32 = 1;
 
@@ -171,8 +170,7 @@ impl Results {
     pub fn in_order(&self) -> Vec<&Finished> {
         let mut finished: Vec<&Finished> = self.finished.iter().collect();
         finished.sort_by_key(|Finished { job, .. }| {
-            let kind = ModelKind::ALL.iter().position(|kind| *kind == job.candidate.kind());
-            (kind, size(&job.candidate), job.seed)
+            (job.candidate.kind().place(), size(&job.candidate), job.seed)
         });
         finished
     }
@@ -290,13 +288,14 @@ fn check_finished(finished: &Finished, index: usize, trials: usize) -> Result<()
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::evaluation::candidate::Candidate;
     use crate::evaluation::outcome::Outcome;
     use crate::evaluation::testing::{outcome, setting, variational};
     use std::collections::HashSet;
-    use vcgpdm::models::{DmpSettings, Settings, TmpSettings};
+    use vcgpdm::models::{DmpSettings, ModelKind, Settings, TmpSettings};
 
     fn job(held_out: usize, training_trials: usize) -> Job {
-        let candidate = Settings::Tmp(TmpSettings::default());
+        let candidate = Settings::Tmp(TmpSettings::default()).into();
         Job { candidate, held_out, training_trials, seed: 0 }
     }
 
@@ -401,7 +400,7 @@ mod tests {
         let mut results = Results::new(setting(2));
         results.add(done(0.5)).unwrap();
         results.add(failed(1, 1)).unwrap();
-        let plan = Plan { models: vec![ModelKind::Tmp], ..Plan::default() };
+        let plan = Plan { models: vec![ModelKind::Tmp.into()], ..Plan::default() };
         let planned = results.jobs(&plan).unwrap();
         assert_eq!(planned[0], PlannedJob { job: job(0, 1), done: true });
         assert_eq!(planned[1], PlannedJob { job: job(1, 1), done: false });
@@ -410,8 +409,8 @@ mod tests {
     #[test]
     fn orders_jobs_by_model_then_size_then_seed() {
         let mut results = Results::new(setting(2));
-        let dmp = |bases: usize| Settings::DmpRhythmic(DmpSettings { bases });
-        let vgpdm = |ips: usize| Settings::Vgpdm(variational(ips));
+        let dmp = |bases: usize| Candidate::from(Settings::DmpRhythmic(DmpSettings { bases }));
+        let vgpdm = |ips: usize| Settings::Vgpdm(variational(ips)).into();
         let jobs = [(dmp(20), 0), (dmp(10), 0), (vgpdm(12), 1), (vgpdm(12), 0), (vgpdm(8), 5)];
         for (candidate, seed) in jobs.clone() {
             let job = Job { candidate, seed, ..job(0, 1) };

@@ -1,25 +1,27 @@
 //! Scores per candidate and fold. Candidates are compared over the folds that all of them have.
 
+use crate::evaluation::candidate::{Candidate, CandidateKind};
 use crate::evaluation::candidate_size::{size, without_size};
 use crate::evaluation::outcome::{Outcome, share_converged};
 use crate::evaluation::results::Results;
 use crate::evaluation::stats::{mean, median, standard_error};
 use crate::evaluation::summary::{ModelSummary, Spread, TermMeans};
 use std::collections::{BTreeMap, BTreeSet};
+use vcgpdm::models::Settings;
 use vcgpdm::models::variational::BoundTerms;
-use vcgpdm::models::{ModelKind, Settings};
 
 /// A candidate that was trained on all other trials, with at least one outcome.
 pub(super) struct Row<'a> {
-    pub candidate: &'a Settings,
+    pub candidate: &'a Candidate,
     /// By the trial held out; one outcome a seed.
     outcomes: BTreeMap<usize, Vec<&'a Outcome>>,
 }
 
 /// Whether a MAP model is neither balanced nor has a linear term, and a variational model has neither
 /// weighted pose terms nor couplings that are off.
-pub(super) fn is_plain(candidate: &Settings) -> bool {
-    match candidate {
+pub(super) fn is_plain(candidate: &Candidate) -> bool {
+    let Some(settings) = candidate.settings() else { return true };
+    match settings {
         Settings::MapGpdm(s) | Settings::MapCgpdm(s) => !s.balanced && !s.linear,
         Settings::Vcgpdm(s) | Settings::Vgpdm(s) => s.pose_weight.is_plain() && !s.uncoupled,
         Settings::Tmp(_) | Settings::DmpDiscrete(_) | Settings::DmpRhythmic(_) => true,
@@ -46,14 +48,10 @@ pub(super) fn rows<'a>(several: &[&'a Results]) -> Vec<Row<'a>> {
         before += trials;
     }
     // The order in which jobs finished is random.
-    let groups: Vec<Settings> = rows.iter().map(|row| without_size(row.candidate)).collect();
+    let groups: Vec<Candidate> = rows.iter().map(|row| without_size(row.candidate)).collect();
     rows.sort_by_cached_key(|row| {
         let (kind, alike) = (row.candidate.kind(), without_size(row.candidate));
-        (
-            ModelKind::ALL.iter().position(|other| *other == kind),
-            groups.iter().position(|other| *other == alike),
-            size(row.candidate),
-        )
+        (kind.place(), groups.iter().position(|other| *other == alike), size(row.candidate))
     });
     rows
 }
@@ -65,7 +63,7 @@ pub(super) fn common_folds(rows: &[&Row]) -> BTreeSet<usize> {
 
 /// Groups of rows that differ only in size, in the order of the rows.
 pub(super) fn groups<'a, 'r: 'a>(rows: impl Iterator<Item = &'a Row<'r>>) -> Vec<Vec<&'a Row<'r>>> {
-    let mut groups: Vec<(Settings, Vec<&Row>)> = Vec::new();
+    let mut groups: Vec<(Candidate, Vec<&Row>)> = Vec::new();
     for row in rows {
         let key = without_size(row.candidate);
         match groups.iter_mut().find(|(other, _)| *other == key) {
@@ -80,9 +78,10 @@ pub(super) fn groups<'a, 'r: 'a>(rows: impl Iterator<Item = &'a Row<'r>>) -> Vec
 /// ones the first. `wanted` says which groups count.
 pub(super) fn settings<'a, 'r>(
     rows: &'a [Row<'r>],
-    kind: ModelKind,
-    wanted: &dyn Fn(&Settings) -> bool,
+    kind: impl Into<CandidateKind>,
+    wanted: &dyn Fn(&Candidate) -> bool,
 ) -> Vec<&'a Row<'r>> {
+    let kind = kind.into();
     let chosen = |row: &&Row| row.candidate.kind() == kind && wanted(row.candidate);
     let runs = |group: &Vec<&Row>| group.iter().map(|row| row.runs()).sum::<usize>();
     groups(rows.iter().filter(chosen)).into_iter().rev().max_by_key(runs).unwrap_or_default()
@@ -212,9 +211,10 @@ mod tests {
 
     #[test]
     fn orders_rows_by_model_and_size_whichever_finished_first() {
-        let vgpdm = |ips| Settings::Vgpdm(variational(ips));
-        let dmp = |bases| Settings::DmpRhythmic(DmpSettings { bases });
-        let tmp = |primitives, normalised_time| Settings::Tmp(TmpSettings { primitives, normalised_time });
+        let vgpdm = |ips| Candidate::from(Settings::Vgpdm(variational(ips)));
+        let dmp = |bases| Settings::DmpRhythmic(DmpSettings { bases }).into();
+        let tmp =
+            |primitives, normalised_time| Settings::Tmp(TmpSettings { primitives, normalised_time }).into();
         let order =
             [vgpdm(5), vgpdm(10), tmp(None, false), tmp(Some(4), false), tmp(None, true), dmp(25), dmp(100)];
         let job = |place: usize| finished(order[place].clone(), 0, 1, 0, outcome(1.0, None, 100, 1.0));

@@ -1,8 +1,8 @@
 //! The values of a comparison: its tables, and the claims of the papers.
 
+use crate::evaluation::candidate::{Candidate, CandidateKind};
 use crate::evaluation::stats::Interval;
 use serde::Serialize;
-use vcgpdm::models::{ModelKind, Settings};
 
 /// A mean over folds; seeds of the same fold are averaged first.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -19,9 +19,9 @@ pub struct Spread {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ModelSummary {
     /// Its kind of model.
-    pub model: ModelKind,
+    pub model: CandidateKind,
     /// The kind with its settings.
-    pub candidate: Settings,
+    pub candidate: Candidate,
     /// The settings that differ from other candidates, in a few words.
     pub label: String,
     /// Mean squared error after dynamic time warping, in the squared units of the columns.
@@ -80,7 +80,7 @@ pub struct BoundAndError {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Correlation {
     /// The kind of model.
-    pub model: ModelKind,
+    pub model: CandidateKind,
     /// The settings that the candidates share, in a few words, if the kind has several such groups; else
     /// empty.
     pub label: String,
@@ -113,7 +113,7 @@ pub struct FramesAndTime {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Growth {
     /// The kind of model.
-    pub model: ModelKind,
+    pub model: CandidateKind,
     /// Its settings, in a few words.
     pub label: String,
     /// From few to many frames.

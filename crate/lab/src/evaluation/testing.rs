@@ -1,12 +1,13 @@
 //! Results for tests.
 
+use crate::evaluation::candidate::Candidate;
 use crate::evaluation::cross_validation::START_FRAMES;
 use crate::evaluation::dtw::Score;
 use crate::evaluation::job::{Finished, Job};
 use crate::evaluation::outcome::Outcome;
 use crate::evaluation::results::Results;
 use crate::evaluation::setting::{Setting, TrialClip};
-use vcgpdm::models::{MapSettings, Settings, VariationalSettings};
+use vcgpdm::models::{MapSettings, VariationalSettings};
 use vcgpdm::motion::parts::PartSpec;
 
 /// A setting of `trials` walks of a body with one named part.
@@ -57,12 +58,13 @@ pub fn outcome(dtw_mse: f64, bound: Option<f64>, frames: usize, seconds: f64) ->
 
 /// A job that ended with this outcome.
 pub fn finished(
-    candidate: Settings,
+    candidate: impl Into<Candidate>,
     held_out: usize,
     training_trials: usize,
     seed: u32,
     outcome: Outcome,
 ) -> Finished {
+    let candidate = candidate.into();
     Finished::new(Job { candidate, held_out, training_trials, seed }, Ok(outcome))
 }
 

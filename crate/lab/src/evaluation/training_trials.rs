@@ -1,9 +1,10 @@
 //! The trials that a model learns from, and how well its rollouts repeat them.
 
 use crate::evaluation::dtw::dtw_mse;
+use crate::evaluation::predictor::Predictor;
 use crate::evaluation::stats::mean;
 use nalgebra::DMatrix;
-use vcgpdm::models::{Body, ColumnMapping, Dataset, FittedModel, Movements, RolloutError, Sequence};
+use vcgpdm::models::{Body, ColumnMapping, Dataset, Movements, RolloutError, Sequence};
 use vcgpdm::motion::pose::PoseMapping;
 
 /// The trials of one data set.
@@ -35,26 +36,29 @@ impl<S: ColumnMapping> TrainingTrials<S> {
     /// The model cannot be rolled out for this number of frames.
     pub fn rollout(
         &self,
-        model: &FittedModel,
+        model: &dyn Predictor,
         sequence: usize,
         frames: usize,
     ) -> Result<DMatrix<f64>, RolloutError> {
-        let rollout = model.rollout(sequence, frames)?;
-        // A model of the whole body has one part with the columns of all parts side by side.
-        if rollout.len() == self.movements.y.len() {
-            return Ok(self.body.columns(&rollout));
+        Ok(self.body.columns(&self.by_part(model.rollout(sequence, frames)?)))
+    }
+
+    /// Columns of each part. A model of the whole body has one part with the columns of all parts side by side.
+    pub(super) fn by_part(&self, predicted: Vec<DMatrix<f64>>) -> Vec<DMatrix<f64>> {
+        if predicted.len() == self.movements.y.len() {
+            return predicted;
         }
         let mut at = 0;
-        let parts = self.movements.y.iter().map(|y| {
+        let part = |y: &DMatrix<f64>| {
             at += y.ncols();
-            rollout[0].columns(at - y.ncols(), y.ncols()).into_owned()
-        });
-        Ok(self.body.columns(&parts.collect::<Vec<_>>()))
+            predicted[0].columns(at - y.ncols(), y.ncols()).into_owned()
+        };
+        self.movements.y.iter().map(part).collect()
     }
 
     /// The mean over the trials of the error of a rollout with the length of the trial (`dtw_mse`): the
     /// smallest one decides which size or seed is chosen. Absent if a trial cannot be scored.
-    pub fn error(&self, model: &FittedModel) -> Option<f64> {
+    pub fn error(&self, model: &dyn Predictor) -> Option<f64> {
         let mut begin = 0;
         let mut errors = Vec::new();
         for (place, Sequence { frames, whole }) in self.movements.sequences.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! How often the movements of each setting were taken for the natural one, and their scores.
 
-use crate::evaluation::Labels;
 use crate::evaluation::stats::mean;
+use crate::evaluation::{Candidate, Labels};
 use crate::perception::answers::Answer;
 use crate::perception::beta::Rate;
 use crate::perception::participants::took_generated;
@@ -40,7 +40,8 @@ pub(super) fn settings(counted: &Counted) -> Vec<SettingResult> {
     let study = counted.study;
     let generated: Vec<&Generated> =
         study.stimuli.iter().filter_map(|stimulus| stimulus.generated()).collect();
-    let labels = Labels::of_candidates(generated.iter().map(|generated| &generated.candidate));
+    let all: Vec<Candidate> = generated.iter().map(|generated| generated.candidate.clone().into()).collect();
+    let labels = Labels::of_candidates(all.iter());
     let mut candidates: Vec<&Settings> = Vec::new();
     for generated in &generated {
         if !candidates.contains(&&generated.candidate) {
@@ -65,7 +66,7 @@ pub(super) fn settings(counted: &Counted) -> Vec<SettingResult> {
         SettingResult {
             model: candidate.kind(),
             candidate: (*candidate).clone(),
-            label: labels.label(candidate),
+            label: labels.label(&(*candidate).clone().into()),
             size: size(candidate),
             movements: good.len(),
             failed: generated.iter().filter(own).count() - good.len(),
