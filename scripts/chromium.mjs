@@ -7,9 +7,9 @@ const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-s
 const MAC = ["Google Chrome", "Chromium"].map((name) => `/Applications/${name}.app/Contents/MacOS/${name}`);
 
 /**
- * Features of Chromium that are off. The two popups of the address bar are pages of their own in each new window:
- * without this, each visit would need half a second of a core for them. The list replaces that of Playwright, so
- * it repeats what matters here: no requests to Google, and pages that load and end as on any host.
+ * Features of Chromium that are off. The two popups of the address bar are pages of their own in each new
+ * window, and each visit needed half a second of a core for them. This list replaces that of Playwright, so it
+ * repeats what matters here: no requests to Google, and pages that load and end as on any host.
  */
 const OFF = [
   ...["WebUIOmniboxPopup", "WebUIOmniboxAimPopup"],

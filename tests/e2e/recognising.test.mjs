@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { opened } from "./library.mjs";
-import { openSite, ready } from "./site.mjs";
+import { openSite, ready, resize } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -13,13 +13,14 @@ after(() => site?.close());
 
 describe("clips on the view of primitives", () => {
   it("has its figure beside its controls only, not over what follows", async () => {
-    for (const viewport of [
+    const { page, leave } = await site.visit({ settings: "view=primitives" });
+    await ready(page);
+    await opened(page);
+    for (const size of [
       { width: 1280, height: 800 },
       { width: 390, height: 844 },
     ]) {
-      const { page, leave } = await site.visit({ settings: "view=primitives", viewport });
-      await ready(page);
-      await opened(page);
+      await resize(page, size);
       const edge = async (/** @type {string} */ place, /** @type {"top" | "bottom"} */ edge) =>
         page.locator(place).evaluate((element, edge) => element.getBoundingClientRect()[edge], edge);
       await page.getByTestId("add-primitives").scrollIntoViewIfNeeded();
@@ -28,8 +29,8 @@ describe("clips on the view of primitives", () => {
         await page.locator(panel).scrollIntoViewIfNeeded();
         assert.ok((await edge(".walk-panel", "bottom")) <= (await edge(".recognition-panel", "top")), panel);
       }
-      await leave();
     }
+    await leave();
   });
 
   it("says which movement three joined clips show, moment by moment", async () => {

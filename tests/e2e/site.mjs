@@ -10,6 +10,9 @@ import { dist } from "../../scripts/site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
+const DESK = { width: 1280, height: 800 };
+const PHONE = { width: 390, height: 844 };
+
 /** Pictures a second of a slow display. */
 const PICTURES = 12;
 
@@ -69,7 +72,7 @@ function countPictures() {
  * @property {boolean} [moving] the figure walks from the beginning, on a slow display; otherwise the visitor
  * prefers reduced motion
  * @property {number} [pictures] pictures a second of the slow display
- * @property {boolean} [seen] figures are drawn, which takes long without a graphics card
+ * @property {boolean} [seen] figures are drawn, which takes long without a graphics card; in a small window
  * @property {boolean} [idle] the whole program loads when the page is idle; otherwise when it is needed
  * @property {string} [without] files that fail to load
  */
@@ -103,7 +106,8 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
   } = {}) {
     /** @type {import("playwright-core").BrowserContextOptions} */
     const usual = {
-      viewport: { width: 1280, height: 800 },
+      // A large picture takes longer to draw.
+      viewport: seen ? { width: 900, height: 600 } : DESK,
       reducedMotion: moving ? "no-preference" : "reduce",
       // Only the tests of the service worker use it: it would serve the files.
       serviceWorkers: "block",
@@ -217,29 +221,30 @@ export async function rests(/** @type {import("playwright-core").Locator} */ ele
   return false;
 }
 
-const SCREENS = [
-  { width: 1280, height: 800 },
-  { width: 390, height: 844 },
-];
-
 /** @typedef {{ page: Page, problems: string[], leave: () => Promise<void> }} Visitor */
 
 /**
- * Tests a view at the sizes of a desk and of a phone: `look` checks it, and the page fits the screen.
- * @param {(options: { viewport: { width: number, height: number } }) => Promise<Visitor>} visit
- * @param {(page: Page) => Promise<void>} look
+ * Tests a view at the sizes of a desk and of a phone: `look` brings the page into each of its states and calls
+ * `fits`, which checks that the page fits the screen and has no barriers.
+ * @param {() => Promise<Visitor>} visit
+ * @param {(page: Page, fits: (state: string) => Promise<void>) => Promise<void>} look
  */
 export function keepsNobodyOut(visit, look) {
-  for (const viewport of SCREENS) {
-    it(`is accessible and fits at ${viewport.width} x ${viewport.height}`, async () => {
-      const { page, problems, leave } = await visit({ viewport });
-      await look(page);
-      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-      assert.ok(wide <= viewport.width, `${wide} pixels wide`);
-      assert.deepEqual(problems, []);
-      await leave();
-    });
-  }
+  it("is accessible and fits the screens of a desk and a phone", async () => {
+    const { page, problems, leave } = await visit();
+    const fits = async (/** @type {string} */ state) => {
+      for (const size of [PHONE, DESK]) {
+        await resize(page, size);
+        const where = `${state}, ${size.width} pixels`;
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+        assert.ok(wide <= size.width, `${where}: ${wide} pixels wide`);
+        assert.deepEqual(await (size === DESK ? barriers : barriersNow)(page), [], where);
+      }
+    };
+    await look(page, fits);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
 }
 
 /**
