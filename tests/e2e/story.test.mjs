@@ -5,7 +5,7 @@ import { createRequire } from "node:module";
 import { after, before, beforeEach, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { coupledInfo } from "../node/package.mjs";
-import { barriers, changes, draws, openSite, ready, soon } from "./site.mjs";
+import { barriers, barriersNow, changes, draws, oneVisitor, openSite, ready, soon } from "./site.mjs";
 
 /** @type {typeof import("vcgpdm")} */
 const { Model, Study } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
@@ -67,22 +67,58 @@ const overflowing = (/** @type {Page} */ page) =>
       );
   });
 
-describe("the first screen", () => {
-  for (const [name, size] of Object.entries({ laptop: LAPTOP, phone: PHONE }))
-    for (const locale of ["en", "de"])
-      it(`has few words and controls and does not scroll: ${name}, ${locale}`, async (test) => {
-        const { page, problems, leave } = await site.visit({ story: true, locale, ...size });
-        await open(page);
+for (const [name, size] of Object.entries({ laptop: LAPTOP, phone: PHONE }))
+  for (const locale of ["en", "de"])
+    describe(`the story on a ${name}, ${locale}`, () => {
+      const visitor = oneVisitor(async () => {
+        const visitor = await site.visit({ story: true, locale, ...size });
+        await open(visitor.page);
+        return visitor;
+      });
+
+      it("has a first screen with few words and controls that does not scroll", async (test) => {
+        const { page } = visitor;
         const { words, controls, scrolls } = await firstScreen(page);
         test.diagnostic(`${words} words, ${controls} controls`);
         assert.ok(words > 20 && words <= MOST_WORDS, `${words} words`);
         assert.ok(controls > 3 && controls <= MOST_CONTROLS, `${controls} controls`);
         assert.ok(!scrolls, "the page scrolls");
         assert.equal(await page.locator("html").getAttribute("lang"), locale);
-        assert.deepEqual(problems, []);
-        await leave();
       });
-});
+
+      it("fits in all chapters, on a phone with all answers above the foot", async () => {
+        const { page } = visitor;
+        for (let chapter = 1; chapter <= 10; chapter++) {
+          await page.evaluate((hash) => Object.assign(location, { hash }), `story=${chapter}`);
+          await page.waitForFunction(
+            (chapter) =>
+              document.querySelector("#story-chapters [aria-current=step]")?.getAttribute("href") ===
+                `#story=${chapter}` && document.querySelector(".story[data-state=open] .story-guess button"),
+            chapter,
+          );
+          assert.deepEqual(await overflowing(page), [], `chapter ${chapter}`);
+          if (name !== "phone") continue;
+          const hidden = await page.evaluate(() => {
+            const foot = document.querySelector(".story-place")?.getBoundingClientRect().top ?? 0;
+            const answers = [...document.querySelectorAll(".story-guess button")];
+            return answers.filter((answer) => answer.getBoundingClientRect().bottom > foot).length;
+          });
+          assert.equal(hidden, 0, `chapter ${chapter}`);
+        }
+      });
+
+      it("has no barriers before and after the first guess", async () => {
+        const { page } = visitor;
+        await page.evaluate(() => Object.assign(location, { hash: "story=1" }));
+        await page.getByTestId("choice-left").waitFor();
+        await open(page);
+        const problemsOf = locale === "en" ? barriers : barriersNow;
+        assert.deepEqual(await problemsOf(page), []);
+        await page.getByTestId("choice-left").click();
+        await page.getByTestId("verdict").waitFor();
+        assert.deepEqual(await problemsOf(page), [], "after the guess");
+      });
+    });
 
 /** Keeps the wasm back until the returned function is called. */
 function hold() {
@@ -338,54 +374,7 @@ describe("the numbers on the cards are those of the library", () => {
   });
 });
 
-describe("on a phone", () => {
-  for (const locale of ["en", "de"])
-    it(`all answers of a question are above the foot: ${locale}`, async () => {
-      const { page, problems, leave } = await site.visit({ story: true, locale, ...PHONE });
-      await open(page);
-      for (let chapter = 1; chapter <= 10; chapter++) {
-        await page.evaluate((chapter) => Object.assign(location, { hash: `story=${chapter}` }), chapter);
-        await page.waitForFunction(
-          (chapter) =>
-            document.querySelector("#story-chapters [aria-current=step]")?.getAttribute("href") ===
-              `#story=${chapter}` && document.querySelector(".story[data-state=open] .story-guess button"),
-          chapter,
-        );
-        const hidden = await page.evaluate(() => {
-          const foot = document.querySelector(".story-place")?.getBoundingClientRect().top ?? 0;
-          const answers = [...document.querySelectorAll(".story-guess button")];
-          return answers.filter((answer) => answer.getBoundingClientRect().bottom > foot).length;
-        });
-        assert.equal(hidden, 0, `chapter ${chapter}`);
-      }
-      assert.deepEqual(problems, []);
-      await leave();
-    });
-});
-
-describe("in German", () => {
-  for (const size of [LAPTOP, PHONE])
-    it(`all chapters fit at ${size.viewport.width} x ${size.viewport.height}`, async () => {
-      const { page, problems, leave } = await site.visit({ story: true, locale: "de-DE", ...size });
-      await open(page);
-      const chapters = await page
-        .getByTestId("chapter-list")
-        .getByRole("link", { includeHidden: true })
-        .evaluateAll((links) => links.map((link) => link.getAttribute("href")));
-      for (const hash of chapters) {
-        await page.evaluate((hash) => Object.assign(location, { hash }), hash);
-        await page.waitForFunction(
-          (hash) =>
-            document.querySelector("#story-chapters [aria-current=step]")?.getAttribute("href") === hash,
-          hash,
-        );
-        await open(page);
-        assert.deepEqual(await overflowing(page), [], `${hash}`);
-      }
-      assert.deepEqual(problems, []);
-      await leave();
-    });
-
+describe("the language", () => {
   it("is a choice that the browser keeps", async () => {
     const { page, leave } = await site.visit({ story: true, locale: "en-GB" });
     await open(page);
@@ -399,17 +388,4 @@ describe("in German", () => {
       .waitFor();
     await leave();
   });
-});
-
-describe("accessibility", () => {
-  for (const size of [LAPTOP, PHONE])
-    it(`has no barriers at ${size.viewport.width} x ${size.viewport.height}`, async () => {
-      const { page, leave } = await site.visit({ story: true, ...size });
-      await open(page);
-      assert.deepEqual(await barriers(page), []);
-      await page.getByTestId("choice-left").click();
-      await page.getByTestId("verdict").waitFor();
-      assert.deepEqual(await barriers(page), [], "after the guess");
-      await leave();
-    });
 });
