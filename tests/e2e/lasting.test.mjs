@@ -102,7 +102,7 @@ describe("a worker that takes over", () => {
 describe("a worker that trains", () => {
   it("fails its training when it dies silently, and the other trainings finish", async () => {
     const { page, problems, leave } = await site.visit({
-      settings: "tab=learn&trainings=2&iterations=400&fps=60",
+      settings: "tab=learn&trainings=2&iterations=150&fps=60",
       cores: 2,
     });
     await ready(page);

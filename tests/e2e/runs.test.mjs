@@ -145,7 +145,7 @@ describe("several trainings", () => {
   });
 
   it("keep finished and best models when they are cancelled", async () => {
-    const { page, problems, leave } = await visit(2, "trainings=4&iterations=400&fps=30");
+    const { page, problems, leave } = await visit(2, "trainings=4&iterations=150&fps=30");
     await page.getByTestId("train").click();
     await page.locator("[data-testid=run][data-state=done]").first().waitFor({ timeout: 90_000 });
     await page.locator("[data-testid=run][data-state=running]").first().waitFor({ timeout: 30_000 });
@@ -171,7 +171,7 @@ describe("several trainings", () => {
   });
 
   it("continue when the worker of one of them dies", async () => {
-    const { page, leave } = await visit(2, "trainings=3&iterations=400&fps=30");
+    const { page, leave } = await visit(2, "trainings=3&iterations=150&fps=30");
     /** @type {import("playwright-core").Worker[]} */
     const workers = [];
     page.on("worker", (worker) => workers.push(worker));
