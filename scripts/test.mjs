@@ -1,4 +1,4 @@
-// `npm test`: everything, in two lanes, then a table. `npm test -- --only NAME` runs one step.
+// `npm test`: everything, in two lanes, then a table. `npm test -- --only NAME,NAME` runs these steps.
 import { fork } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 import { setPriority } from "node:os";
@@ -189,14 +189,13 @@ async function types() {
 function chosen() {
   const i = process.argv.indexOf("--only");
   if (i < 0) return STEPS;
-  const name = process.argv[i + 1];
-  const step = STEPS.find((step) => step.name === name);
-  if (!step)
-    throw new Failure(
-      `--only needs one of ${STEPS.map((step) => step.name).join(", ")}; found ${name ?? "nothing"}`,
-    );
-  const before = STEPS.filter(({ name }) => name === step.needs);
-  return [...before, step];
+  const names = (process.argv[i + 1] ?? "nothing").split(",");
+  const all = STEPS.map(({ name }) => name);
+  const unknown = names.find((name) => !all.includes(name));
+  if (unknown !== undefined)
+    throw new Failure(`--only needs names of ${all.join(", ")}, with commas; found ${unknown}`);
+  const needed = STEPS.filter(({ name }) => names.includes(name)).map(({ needs }) => needs);
+  return STEPS.filter(({ name }) => names.includes(name) || needed.includes(name));
 }
 
 /** @typedef {{ outcome: "passed" | "skipped" | "FAILED", note: string }} Result */
