@@ -43,16 +43,18 @@ const RECORDED = "### Recorded trials together";
 /**
  * The MAP models have a limit of their own: they do not converge (docs/comparison/method.md), and each of their
  * iterations takes long.
- * @typedef {{ ips: string, poseIps: string, bases: string, primitives: string, iterations: string,
- * mapIterations: string, times: string }} Extent
+ * @typedef {{ ips: string, poseIps: string, few: string, bases: string, primitives: string, components: string,
+ * iterations: string, mapIterations: string, times: string }} Extent
  */
 
 /** @type {Extent} */
 const WHOLE = {
   ips: "5,10,20,30",
   poseIps: "5,10,20,30",
+  few: "10,30",
   bases: "5,10,15,25,40,60,80,100",
   primitives: "bound,2,4,6,8,10,12,15,20",
+  components: "3,6,10,20",
   iterations: "3000",
   mapIterations: "400",
   times: "1,2,4,8",
@@ -61,19 +63,31 @@ const WHOLE = {
 const QUICK = {
   ips: "5,10",
   poseIps: "5,10",
+  few: "5,10",
   bases: "5,25,100",
   primitives: "2,4",
+  components: "3,6",
   iterations: "20",
   mapIterations: "10",
   times: "1,2,3",
 };
 
 /** Who is compared on what, and in which file the results are kept: of one setting each. */
-const sweeps = (/** @type {Extent} */ { ips, poseIps, bases, primitives, iterations, mapIterations }) => [
+const sweeps = (/** @type {Extent} */ extent) => [...every(extent), ...variants(extent)];
+
+/** The models of the papers, and the rivals. */
+const every = (/** @type {Extent} */ { ips, poseIps, bases, primitives, components, ...rest }) => [
   {
     file: "",
-    options: ["--models", "tmp,dmp-discrete,dmp-rhythmic", "--bases", bases, "--primitives", primitives],
+    options: [
+      ...["--models", "tmp,dmp-discrete,dmp-rhythmic,promp"],
+      ...["--bases", bases, "--primitives", primitives],
+    ],
   },
+  ...["1", "2", "3"].map((order) => ({
+    file: "",
+    options: ["--models", "ar", "--components", components, "--order", order],
+  })),
   { file: "", options: ["--models", "tmp", "--normalised-time"] },
   {
     file: "",
@@ -85,25 +99,47 @@ const sweeps = (/** @type {Extent} */ { ips, poseIps, bases, primitives, iterati
       "--pose-ips",
       poseIps,
       "--max-iterations",
-      iterations,
+      rest.iterations,
     ],
   },
-  { file: "", options: ["--models", "map-gpdm,map-cgpdm", "--max-iterations", mapIterations] },
-  { file: "", options: ["--models", "map-gpdm,map-cgpdm", "--balanced", "--max-iterations", mapIterations] },
+  { file: "", options: ["--models", "map-gpdm,map-cgpdm", "--max-iterations", rest.mapIterations] },
+  {
+    file: "",
+    options: ["--models", "map-gpdm,map-cgpdm", "--balanced", "--max-iterations", rest.mapIterations],
+  },
   // Once, for the record: Wang et al. (2008) have one part.
-  { file: "", options: ["--models", "map-gpdm", "--linear", "--max-iterations", mapIterations] },
+  { file: "", options: ["--models", "map-gpdm", "--linear", "--max-iterations", rest.mapIterations] },
   {
     file: "-from-2-frames",
     options: [
-      ...["--models", "vcgpdm,vgpdm,tmp,dmp-rhythmic", "--ips", "10", "--start-frames", "2"],
-      ...["--max-iterations", iterations],
+      ...["--models", "vcgpdm,vgpdm,tmp,dmp-rhythmic,promp,ar", "--ips", "10", "--start-frames", "2"],
+      ...["--max-iterations", rest.iterations],
     ],
   },
   {
     file: "-whole-cycles",
-    options: ["--models", "dmp-discrete,dmp-rhythmic", "--bases", bases, "--whole-cycles"],
+    options: ["--models", "dmp-discrete,dmp-rhythmic,promp", "--bases", bases, "--whole-cycles"],
   },
 ];
+
+/**
+ * Models of `few` dynamics and 10 pose points in other forms: parts without couplings; a whole body with as many
+ * latent dimensions and points as two parts; dynamics of another order.
+ */
+const variants = (/** @type {Extent} */ { few, iterations }) => {
+  const trained = (/** @type {string[]} */ ...options) => ({
+    file: "",
+    options: [...options, "--max-iterations", iterations],
+  });
+  const doubled = few.split(",").map((count) => String(2 * Number(count)));
+  return [
+    trained("--models", "vcgpdm", "--uncoupled", "--ips", few, "--pose-ips", "10"),
+    trained("--models", "vgpdm", "--latent", "6", "--ips", doubled.join(","), "--pose-ips", "20"),
+    ...["1", "3"].map((order) =>
+      trained("--models", "vcgpdm,vgpdm", "--order", order, "--ips", "10", "--pose-ips", "10"),
+    ),
+  ];
+};
 
 /**
  * How the time of an iteration and of a whole training grows with the frames: one job at a time, so that none

@@ -8,7 +8,7 @@ use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
 use vcgpdm_lab::evaluation::stats::Interval;
-use vcgpdm_lab::evaluation::{Comparison, FramesAndTime, Labels, Results, Spread, fixed};
+use vcgpdm_lab::evaluation::{Claim, Comparison, FramesAndTime, Labels, Results, Spread, fixed};
 
 /// Print the tables of an evaluation, and what they mean for the claims of the papers.
 ///
@@ -55,6 +55,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             setting.start_frames
         )?;
         models(&mut text, &comparison)?;
+        details(&mut text, &comparison)?;
         correlations(&mut text, &comparison)?;
         growth(&mut text, &comparison)?;
         evidence(&mut text, &comparison)?;
@@ -68,6 +69,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             "\n### All together\n\nEvery trial counts once: of files with the same clips, the first one counts.\n"
         )?;
         models(&mut text, &comparison)?;
+        details(&mut text, &comparison)?;
         claims(&mut text, &comparison)?;
     }
     files::print(&files::escape(&text))
@@ -176,20 +178,65 @@ fn models(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     writeln!(text)
 }
 
+/// More about the predictions, of the models whose results have it.
+fn details(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
+    let rows = || comparison.models.iter().filter_map(|model| Some((model, model.details.as_ref()?)));
+    let Some((_, first)) = rows().next() else { return Ok(()) };
+    let parts: Vec<String> = match comparison.parts.is_empty() {
+        true => (1..=first.own_path.len()).map(|part| format!("part {part}")).collect(),
+        false => comparison.parts.iter().map(|part| one_line(part)).collect(),
+    };
+    let headings = |what: &str| parts.iter().map(|part| format!(" {what}, {part} |")).collect::<String>();
+    writeln!(
+        text,
+        "| model | settings |{}{} speed : recorded | foot slide (recorded) | still at 20 s | in the 50 % band | in the 95 % band | log density | folds |",
+        headings("first half second"),
+        headings("own path")
+    )?;
+    writeln!(text, "{}|", "|---".repeat(9 + 2 * parts.len()))?;
+    for (model, details) in rows() {
+        let errors = |errors: &[f64]| {
+            errors.iter().map(|error| format!(" {} |", fixed(*error, 5))).collect::<String>()
+        };
+        let slide = details.foot_slide.map_or(String::new(), |slide| {
+            format!("{} ({})", fixed(slide.predicted, 2), fixed(slide.recorded, 2))
+        });
+        let bands = details.bands.map_or(" | | ".to_owned(), |bands| {
+            let (half, most) = (fixed(100.0 * bands.within_50, 0), fixed(100.0 * bands.within_95, 0));
+            format!("{half} % | {most} % | {}", fixed(bands.log_density, 2))
+        });
+        writeln!(
+            text,
+            "| {} | {} |{}{} {} | {slide} | {:.0} % | {bands} | {} |",
+            model.model.id(),
+            model.label,
+            errors(&details.first_half_second),
+            errors(&details.own_path),
+            fixed(details.speed, 2),
+            100.0 * details.still_at_20_s,
+            details.folds
+        )?;
+    }
+    writeln!(
+        text,
+        "\nMeans over the trials held out. *First half second*: mean squared error frame by frame after the given frames, not centred. *Own path*: DTW MSE of a part along a path of its own. *Speed*: of the nodes relative to the root. *Foot slide*: horizontal speed of the standing foot in walking speeds. *Still at 20 s*: all columns keep their last values for a second. *Bands* and *log density* (nats for each number): predicted Gaussians of single columns over two seconds after the given frames, with the observation noise.\n"
+    )
+}
+
 fn correlations(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     if comparison.correlations.is_empty() {
         return Ok(());
     }
     writeln!(
         text,
-        "| model | settings compared | rank correlation of bound and MSE | p value |\n|---|---|---|---|"
+        "| model | settings compared | rank correlation of bound and MSE within a trial | 95 % interval |\n|---|---|---|---|"
     )?;
     for c in &comparison.correlations {
         let (comma, label) = if c.label.is_empty() { ("", "") } else { (", ", c.label.as_str()) };
-        let (id, chance) = (c.model.id(), 100.0 * c.chance);
-        writeln!(text, "| {id}{comma}{label} | {} | {:.2} | {chance:.1} % |", c.settings, c.rank)?;
+        let (id, range) = (c.model.id(), c.interval.map_or(String::new(), |interval| interval.to_string()));
+        writeln!(text, "| {id}{comma}{label} | {} | {:.2} | {range} |", c.settings, c.rank)?;
     }
-    writeln!(text)
+    writeln!(text, "\nThe mean over the trials held out, with a bootstrap over these trials.\n")
 }
 
 fn growth(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
@@ -266,14 +313,21 @@ fn claims(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     if comparison.claims.is_empty() {
         return Ok(());
     }
-    writeln!(text, "| the papers say | our criterion | we find | holds here |\n|---|---|---|---|")?;
-    for c in &comparison.claims {
-        let (claim, found) = (one_line(&c.claim), one_line(&c.found));
-        writeln!(text, "| {claim} ({}) | {} | {found} | {} |", c.place, c.criterion, c.answer.word())?;
+    for (heading, primary) in [("primary claim", true), ("secondary claim", false)] {
+        let claims: Vec<&Claim> = comparison.claims.iter().filter(|claim| claim.primary == primary).collect();
+        if claims.is_empty() {
+            continue;
+        }
+        writeln!(text, "| {heading} | our criterion | we find | holds here |\n|---|---|---|---|")?;
+        for c in claims {
+            let (claim, found) = (one_line(&c.claim), one_line(&c.found));
+            writeln!(text, "| {claim} ({}) | {} | {found} | {} |", c.place, c.criterion, c.answer.word())?;
+        }
+        writeln!(text)?;
     }
     writeln!(
         text,
-        "\nErrors are compared trial by trial: \"0.90 times\" is the error of the first model divided by that of the second. Intervals cover at least 95 %: that of the median by the sign test, that of the mean (of the logarithms) by Student's t. The answer follows from the interval of the median, with fewer than six trials from that of the mean; it is yes or no only if the whole interval says so. Trials share their training data, so that the intervals are a little too narrow. Settings are chosen for each trial by the error of rollouts on the training trials; claims about the bound take the highest bound.\n"
+        "Errors are compared trial by trial: \"0.90 times\" is the error of the first model divided by that of the second. Settings are chosen for each trial by the error of rollouts on the training trials; claims about the bound take the highest bound.\n\nPrimary claims were named before the tables were made. Within one person their p value is that of the sign test over the trials, with fewer than six trials that of Student's t test of the logarithms; over several persons it is that of Student's t test of the persons' median logarithms. Holm's correction keeps the probability of any false answer among them below 5 %. Secondary claims are not corrected for their number, and their unit is the trial: of many such answers some are false. Their intervals cover at least 95 %: that of the median by the sign test, that of the mean (of the logarithms) by Student's t. The answer follows from the interval of the median, with fewer than six trials from that of the mean; it is yes or no only if the whole interval says so. Trials share their training data, so that the intervals are a little too narrow.\n"
     )
 }
 

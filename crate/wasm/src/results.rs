@@ -142,6 +142,8 @@ export interface ModelSummary {
     terms: { pose: number; dynamics: number } | null;
     /** The mean error of each part; empty if the results do not contain it. */
     partErrors: number[];
+    /** More about the predictions; null if the results do not contain it, as those computed here. */
+    details: PredictionDetails | null;
     /** Number of held-out trials. */
     folds: number;
     /** Number of trainings. */
@@ -152,6 +154,23 @@ export interface ModelSummary {
      * in its group; for the others it is 0.
      */
     standsFor: number;
+}
+
+/** Means over folds: more about predictions than their error. */
+export interface PredictionDetails {
+    /** Mean squared error of each part over the first half second, frame by frame. */
+    firstHalfSecond: number[];
+    /** The error of each part after time warping along a path of its own. */
+    ownPath: number[];
+    /** Speed of the prediction divided by that of the trial. */
+    speed: number;
+    /** Horizontal speed of the standing foot, in walking speeds; null if the body hardly walks. */
+    footSlide: { predicted: number; recorded: number } | null;
+    /** The share of rollouts that stand still after 20 seconds. */
+    stillAt20S: number;
+    /** Shares of recorded numbers in the predicted bands, and their mean log density; null without variances. */
+    bands: { within50: number; within95: number; logDensity: number } | null;
+    folds: number;
 }
 
 /** One candidate in figure 6B of Velychko et al. (2018). */
@@ -172,10 +191,10 @@ export interface Correlation {
     settings: number;
     /** Number of held-out trials for which all candidates have results. */
     folds: number;
-    /** Spearman's rank correlation. */
+    /** Spearman's rank correlation within each trial; the mean over the trials. */
     rank: number;
-    /** The share of all permutations of the settings with a correlation at most this high. */
-    chance: number;
+    /** Its 95 % interval by a bootstrap over the trials; null for a single trial. */
+    interval: Interval | null;
     points: BoundAndError[];
 }
 
@@ -239,6 +258,8 @@ export interface Claim {
      * Whether the results agree with the claim. It is "undecided" unless the whole interval is on one side.
      */
     answer: "yes" | "no" | "undecided";
+    /** Whether it is one of the claims that were named beforehand. Their answers are corrected for their number. */
+    primary: boolean;
 }
 
 /** Tables and claims computed from the results of a comparison. */

@@ -9,7 +9,7 @@ const correlation = (rank: number, settings = 5): Correlation => ({
   rank,
   settings,
   folds: 3,
-  chance: 0.5,
+  interval: null,
   points: [],
 });
 const spread = (mean: number, standardError: number | null = null) => ({ mean, standardError, count: 3 });
@@ -27,6 +27,7 @@ const summary = (mse: number, error: number, bound: number | null, folds = 3): M
   converged: null,
   terms: null,
   partErrors: [],
+  details: null,
   folds,
   runs: folds,
   standsFor: 1,

@@ -3,18 +3,23 @@
 use crate::evaluation::rivals::Rival;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use serde_json::{Map, Value};
-use vcgpdm::models::{ModelKind, Settings, TrainingCost};
+use vcgpdm::models::{
+    DmpSettings, MapSettings, ModelKind, Settings, TmpSettings, TrainingCost, VariationalSettings,
+};
 
 /// A model of a comparison with its settings. In files, the field `model` is the [id](CandidateKind::id).
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(untagged)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(untagged, from = "Named")]
 pub enum Candidate {
     /// A model of the library.
     Model(Settings),
     /// Another model, to compare the models of the library with.
     Rival(Rival),
 }
+
+/// The ids of all kinds, in the order of tables.
+const IDS: [&str; 9] =
+    ["vcgpdm", "vgpdm", "map-gpdm", "map-cgpdm", "tmp", "dmp-discrete", "dmp-rhythmic", "promp", "ar"];
 
 /// The kinds of candidates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -69,16 +74,35 @@ impl From<Rival> for Candidate {
     }
 }
 
-impl<'de> Deserialize<'de> for Candidate {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let fields = Map::<String, Value>::deserialize(deserializer)?;
-        let kind = fields.get("model").and_then(Value::as_str).and_then(CandidateKind::from_id);
-        let value = Value::Object(fields);
-        let candidate = match kind {
-            Some(CandidateKind::ProMp | CandidateKind::Ar) => Rival::deserialize(value).map(Candidate::Rival),
-            Some(CandidateKind::Model(_)) | None => Settings::deserialize(value).map(Candidate::Model),
+/// The candidates as files name them: serde reads and refuses all of them as one enum.
+#[derive(Deserialize)]
+#[serde(tag = "model", rename_all = "kebab-case", deny_unknown_fields)]
+enum Named {
+    Vcgpdm(VariationalSettings),
+    Vgpdm(VariationalSettings),
+    MapGpdm(MapSettings),
+    MapCgpdm(MapSettings),
+    Tmp(TmpSettings),
+    DmpDiscrete(DmpSettings),
+    DmpRhythmic(DmpSettings),
+    Promp { bases: usize },
+    Ar { components: usize, order: usize },
+}
+
+impl From<Named> for Candidate {
+    fn from(named: Named) -> Self {
+        let settings = match named {
+            Named::Vcgpdm(settings) => Settings::Vcgpdm(settings),
+            Named::Vgpdm(settings) => Settings::Vgpdm(settings),
+            Named::MapGpdm(settings) => Settings::MapGpdm(settings),
+            Named::MapCgpdm(settings) => Settings::MapCgpdm(settings),
+            Named::Tmp(settings) => Settings::Tmp(settings),
+            Named::DmpDiscrete(settings) => Settings::DmpDiscrete(settings),
+            Named::DmpRhythmic(settings) => Settings::DmpRhythmic(settings),
+            Named::Promp { bases } => return Rival::ProMp { bases }.into(),
+            Named::Ar { components, order } => return Rival::Ar { components, order }.into(),
         };
-        candidate.map_err(D::Error::custom)
+        settings.into()
     }
 }
 
@@ -143,17 +167,13 @@ impl Serialize for CandidateKind {
 impl<'de> Deserialize<'de> for CandidateKind {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let id = String::deserialize(deserializer)?;
-        Self::from_id(&id).ok_or_else(|| {
-            let ids: Vec<&str> = Self::all().map(Self::id).collect();
-            D::Error::custom(format!("unknown model `{id}`, expected one of {}", ids.join(", ")))
-        })
+        Self::from_id(&id).ok_or_else(|| D::Error::unknown_variant(&id, &IDS))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vcgpdm::models::DmpSettings;
 
     #[test]
     fn reads_models_and_rivals_by_the_same_field() {
@@ -172,6 +192,7 @@ mod tests {
         assert!(says(r#"{"model":"promp","bases":9,"order":2}"#).contains("unknown field `order`"));
         assert!(says(r#"{"model":"gplvm"}"#).contains("unknown variant `gplvm`"));
         let kind = serde_json::from_str::<CandidateKind>("\"gplvm\"").unwrap_err().to_string();
-        assert!(kind.starts_with("unknown model `gplvm`, expected one of vcgpdm,"), "{kind}");
+        assert!(kind.ends_with("`dmp-rhythmic`, `promp`, `ar`"), "{kind}");
+        assert_eq!(CandidateKind::all().map(CandidateKind::id).collect::<Vec<_>>(), IDS);
     }
 }

@@ -4,7 +4,7 @@
 use crate::evaluation::candidate::CandidateKind;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::rows::{Row, common_folds, groups};
-use crate::evaluation::stats::{correlation_p_value, rank_correlation};
+use crate::evaluation::stats::{bootstrap_interval, mean, rank_correlation};
 use crate::evaluation::summary::{BoundAndError, Correlation};
 use std::collections::BTreeSet;
 
@@ -39,14 +39,22 @@ fn with_error(
     error: &dyn Fn(&Row, &BTreeSet<usize>) -> Option<f64>,
 ) -> Option<Correlation> {
     let folds = common_folds(rows);
+    let pair = |row: &&Row, folds: &BTreeSet<usize>| Some((row.bound(folds)?, error(row, folds)?));
+    // A trial that is hard, or long, has other errors and bounds than the others: ranks within a trial do not
+    // mix them.
+    let within = |fold: &usize| {
+        let of_fold = BTreeSet::from([*fold]);
+        let pairs: Vec<(f64, f64)> = rows.iter().filter_map(|row| pair(row, &of_fold)).collect();
+        (pairs.len() > 2).then(|| rank_correlation(&pairs)).flatten()
+    };
+    let ranks: Vec<f64> = folds.iter().filter_map(within).collect();
     let point = |row: &&Row| {
-        let (bound, mse) = (row.bound(&folds)?, error(row, &folds)?);
+        let (bound, mse) = pair(row, &folds)?;
         Some(BoundAndError { label: labels.label(row.candidate), bound, mse })
     };
     let points: Vec<BoundAndError> = rows.iter().filter_map(point).collect();
-    let pairs: Vec<(f64, f64)> = points.iter().map(|p| (p.bound, p.mse)).collect();
-    let rank = (pairs.len() > 2).then(|| rank_correlation(&pairs)).flatten()?;
-    let chance = correlation_p_value(&pairs)?;
-    let model = rows[0].candidate.kind();
-    Some(Correlation { model, label, settings: points.len(), folds: folds.len(), rank, chance, points })
+    let model = rows.first()?.candidate.kind();
+    let (rank, interval) = (mean(&ranks), bootstrap_interval(&ranks));
+    let (settings, folds) = (points.len(), ranks.len());
+    (folds > 0).then_some(Correlation { model, label, settings, folds, rank, interval, points })
 }

@@ -3,6 +3,7 @@
 //! of the trial; score.
 
 use crate::evaluation::candidate::Candidate;
+use crate::evaluation::details::Predicted;
 use crate::evaluation::dtw::{ScoreError, score_and_columns};
 use crate::evaluation::fold_model::fold_model;
 use crate::evaluation::outcome::Outcome;
@@ -202,7 +203,8 @@ impl Fold {
                 let fitted = rival.fit(self.movements());
                 let model = fitted.map_err(|reason| dataset_error(reason, &self.body().sequences))?;
                 let trained = seconds() - begin;
-                return self.outcome(&*model, &self.regression(&*model), trained).map(Some);
+                let outcome = self.outcome(&*model, &self.regression(&*model), trained)?;
+                return Ok(Some(self.with_details(outcome, &*model)));
             }
         };
         let mut learner = self.learner(settings, seed)?;
@@ -215,7 +217,13 @@ impl Fold {
         } {}
         let model = learner.model()?;
         let trained = seconds() - begin;
-        self.outcome(&model, &learner.progress(), trained).map(Some)
+        let outcome = self.outcome(&model, &learner.progress(), trained)?;
+        Ok(Some(self.with_details(outcome, &model)))
+    }
+
+    fn with_details(&self, outcome: Outcome, model: &dyn Predictor) -> Outcome {
+        let predicted = Predicted { training: &self.training, actual: &self.actual };
+        Outcome { details: predicted.details(model), ..outcome }
     }
 
     /// The progress of a rival, which learns in one step. Its objective is minus the error of its rollouts on
@@ -268,6 +276,7 @@ impl Fold {
             stored_numbers: model.stored_numbers(),
             reason: training.reason.as_ref().map(ToString::to_string),
             training_mse: self.training.error(model),
+            details: None,
         };
         // JSON cannot store such numbers. Squares can overflow though the predicted columns are finite.
         for (what, found) in [

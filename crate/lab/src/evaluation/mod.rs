@@ -13,6 +13,7 @@ mod correlation;
 mod cost;
 mod cross_validation;
 mod cycles;
+mod details;
 mod dtw;
 mod effect;
 mod evidence;
@@ -26,6 +27,7 @@ mod modularity_test;
 mod outcome;
 mod plan;
 mod predictor;
+mod primary;
 mod results;
 mod rivals;
 mod rows;
@@ -40,6 +42,7 @@ pub use candidate::{Candidate, CandidateKind};
 pub use comparison::Comparison;
 pub use cross_validation::{EvaluationError, Fold, START_FRAMES};
 pub use cycles::{CyclesError, whole_cycles};
+pub use details::{Bands, Compared, Details};
 pub use dtw::{Score, ScoreError, dtw_mse};
 pub use fixed::fixed;
 pub use job::{Finished, Job, job_in_files};
@@ -53,7 +56,7 @@ pub use results::{Disagreement, PlannedJob, Results, ResultsError};
 pub use rivals::Rival;
 pub use setting::{Setting, SettingError, TrialClip};
 pub use summary::{
-    BoundAndError, Claim, ClaimAnswer, Correlation, Evidence, FramesAndTime, Growth, ModelSummary, Spread,
-    TermMeans,
+    BoundAndError, Claim, ClaimAnswer, Correlation, DetailMeans, Evidence, FramesAndTime, Growth,
+    ModelSummary, Spread, TermMeans,
 };
 pub use training_trials::TrainingTrials;

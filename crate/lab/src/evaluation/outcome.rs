@@ -1,5 +1,6 @@
 //! The outcome of one candidate in one fold of a cross-validation.
 
+use crate::evaluation::details::Details;
 use crate::evaluation::dtw::Score;
 use crate::evaluation::stats::mean;
 use serde::{Deserialize, Serialize};
@@ -37,6 +38,10 @@ pub struct Outcome {
     /// same way; absent if one of them cannot be scored, and in results of earlier versions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub training_mse: Option<f64>,
+    /// More about the prediction; absent where a number is not finite, in results of the page, and of earlier
+    /// versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub details: Option<Details>,
 }
 
 /// Numbers that differ by less than this, relative to the larger, count as equal: the last digits of products

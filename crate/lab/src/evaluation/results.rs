@@ -2,6 +2,7 @@
 //! document. No I/O.
 
 use crate::evaluation::candidate_size::size;
+use crate::evaluation::details::Details;
 use crate::evaluation::job::{Finished, Job};
 use crate::evaluation::outcome::Difference;
 use crate::evaluation::plan::{ComparisonPlanError, Plan};
@@ -273,11 +274,15 @@ fn check_finished(finished: &Finished, index: usize, trials: usize) -> Result<()
             return Err(ResultsError::Number { index, what, found });
         }
     }
+    let details = outcome.details.iter().flat_map(Details::numbers);
     for (what, found) in [
         ("a bound", outcome.bound),
         ("an objective", Some(outcome.objective)),
         ("a term of the bound", outcome.terms.as_ref().map(|terms| terms.total())),
-    ] {
+    ]
+    .into_iter()
+    .chain(details.map(|number| ("a detail of the prediction", Some(number))))
+    {
         if let Some(found) = found.filter(|found| !found.is_finite()) {
             return Err(ResultsError::NotFinite { index, what, found });
         }

@@ -2,10 +2,11 @@
 
 use crate::evaluation::candidate::{Candidate, CandidateKind};
 use crate::evaluation::candidate_size::{size, without_size};
+use crate::evaluation::details::{Bands, Compared, Details};
 use crate::evaluation::outcome::{Outcome, share_converged};
 use crate::evaluation::results::Results;
 use crate::evaluation::stats::{mean, median, standard_error};
-use crate::evaluation::summary::{ModelSummary, Spread, TermMeans};
+use crate::evaluation::summary::{DetailMeans, ModelSummary, Spread, TermMeans};
 use std::collections::{BTreeMap, BTreeSet};
 use vcgpdm::models::Settings;
 use vcgpdm::models::variational::BoundTerms;
@@ -163,6 +164,33 @@ impl Row<'_> {
         self.by_fold(folds, &|o| o.bound)
     }
 
+    /// Means over the folds whose outcomes have details.
+    fn details(&self) -> Option<DetailMeans> {
+        let folds = self.folds();
+        let mean = |value: &dyn Fn(&Details) -> Option<f64>| {
+            self.mean(&folds, &|outcome| outcome.details.as_ref().and_then(value))
+        };
+        let first = self.outcomes.values().flatten().find_map(|outcome| outcome.details.as_ref())?;
+        let parts = 0..first.own_path.len();
+        let of_parts = |value: &dyn Fn(&Details) -> &Vec<f64>| {
+            parts.clone().map_while(|part| mean(&|d| value(d).get(part).copied())).collect()
+        };
+        let bands = |value: &dyn Fn(&Bands) -> f64| mean(&|d| d.bands.as_ref().map(value));
+        let slide = mean(&|d| d.foot_slide.predicted).zip(mean(&|d| d.foot_slide.recorded));
+        Some(DetailMeans {
+            first_half_second: of_parts(&|d| &d.first_half_second),
+            own_path: of_parts(&|d| &d.own_path),
+            speed: mean(&|d| Some(d.speed.predicted / d.speed.recorded).filter(|ratio| ratio.is_finite()))?,
+            foot_slide: slide.map(|(predicted, recorded)| Compared { predicted, recorded }),
+            still_at_20_s: mean(&|d| Some(f64::from(u8::from(d.still_at_20_s))))?,
+            bands: bands(&|b| b.within_50)
+                .zip(bands(&|b| b.within_95))
+                .zip(bands(&|b| b.log_density))
+                .map(|((within_50, within_95), log_density)| Bands { within_50, within_95, log_density }),
+            folds: self.means(&folds, &|outcome| outcome.details.as_ref().map(|_| 1.0)).len(),
+        })
+    }
+
     /// The row of a table, over all its own folds. `stands_for` is the number of candidates that it
     /// represents.
     pub fn summary(&self, label: String, stands_for: usize) -> Option<ModelSummary> {
@@ -196,6 +224,7 @@ impl Row<'_> {
             part_errors: (0..parts)
                 .map_while(|k| Some(spread(&|o| o.part_errors.get(k).copied())?.mean))
                 .collect(),
+            details: self.details(),
             folds: folds.len(),
             runs: self.runs(),
             stands_for,

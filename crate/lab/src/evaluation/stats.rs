@@ -124,71 +124,76 @@ pub fn mean_interval(values: &[f64]) -> Option<Interval> {
 
 /// The number x with P(|t| < x) = 95 % for a Student t of `freedom` degrees of freedom.
 pub fn student_quantile(freedom: usize) -> f64 {
-    let even = freedom.is_multiple_of(2);
-    // P(|t| < x) in closed form (Abramowitz and Stegun 1964, 26.7.3 and 26.7.4).
-    let within = |x: f64| {
-        let angle = x.arctangent((freedom as f64).sqrt());
-        let (sine, cosine) = angle.sine_cosine();
-        let (mut term, mut sum) = (if even { 1.0 } else { cosine }, 0.0);
-        let mut k = if even { 1 } else { 2 };
-        while k < freedom {
-            sum += term;
-            term *= cosine * cosine * k as f64 / (k + 1) as f64;
-            k += 2;
-        }
-        if even { sine * sum } else { 2.0 / std::f64::consts::PI * (angle + sine * sum) }
-    };
     let (mut low, mut high) = (0.0, 20.0);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        if within(middle) < LEVEL { low = middle } else { high = middle }
+        if student_within(middle, freedom) < LEVEL { low = middle } else { high = middle }
     }
     0.5 * (low + high)
 }
 
-/// Up to this number of pairs, all orders are tried.
-const ALL_ORDERS: usize = 7;
-/// Number of random orders for more pairs.
-const RANDOM_ORDERS: usize = 20_000;
-
-/// One-sided p value of a negative rank correlation, by permutation: the share of the orders of one side
-/// whose rank correlation is at most that of these pairs.
-pub fn correlation_p_value(pairs: &[(f64, f64)]) -> Option<f64> {
-    let found = rank_correlation(pairs)?;
-    let (a, mut b): (Vec<f64>, Vec<f64>) = pairs.iter().copied().unzip();
-    let (mut low, mut all) = (0_usize, 0_usize);
-    let mut count = |b: &[f64]| {
-        let pairs: Vec<(f64, f64)> = a.iter().copied().zip(b.iter().copied()).collect();
-        all += 1;
-        low += usize::from(rank_correlation(&pairs).is_some_and(|rank| rank <= found + 1e-12));
-    };
-    if b.len() <= ALL_ORDERS {
-        each_order(&mut b, 0, &mut count);
-    } else {
-        let mut rng = ChaCha8Rng::seed_from_u64(0);
-        count(&b);
-        for _ in 0..RANDOM_ORDERS {
-            for k in (1..b.len()).rev() {
-                let other = (rng.next_u64() % (k as u64 + 1)) as usize;
-                b.swap(k, other);
-            }
-            count(&b);
-        }
+/// P(|t| < x) for a Student t of `freedom` degrees of freedom, in closed form (Abramowitz and Stegun 1964,
+/// 26.7.3 and 26.7.4).
+fn student_within(x: f64, freedom: usize) -> f64 {
+    let even = freedom.is_multiple_of(2);
+    let angle = x.arctangent((freedom as f64).sqrt());
+    let (sine, cosine) = angle.sine_cosine();
+    let (mut term, mut sum) = (if even { 1.0 } else { cosine }, 0.0);
+    let mut k = if even { 1 } else { 2 };
+    while k < freedom {
+        sum += term;
+        term *= cosine * cosine * k as f64 / (k + 1) as f64;
+        k += 2;
     }
-    Some(low as f64 / all as f64)
+    if even { sine * sum } else { 2.0 / std::f64::consts::PI * (angle + sine * sum) }
 }
 
-/// Calls `visit` with every order of the values after the first `fixed`.
-fn each_order(values: &mut [f64], fixed: usize, visit: &mut impl FnMut(&[f64])) {
-    if fixed + 1 >= values.len() {
-        visit(values);
-        return;
+/// The two-sided p value of the sign test of a median of 0; values of 0 do not count.
+pub fn sign_test(values: &[f64]) -> f64 {
+    let (below, above) =
+        (values.iter().filter(|v| **v < 0.0).count(), values.iter().filter(|v| **v > 0.0).count());
+    let n = below + above;
+    let mut term = i32::try_from(n).map_or(0.0, |n| 0.5_f64.powi(n));
+    let mut tail = 0.0;
+    for k in 0..=below.min(above) {
+        tail += term;
+        term *= (n - k) as f64 / (k + 1) as f64;
     }
-    for k in fixed..values.len() {
-        values.swap(fixed, k);
-        each_order(values, fixed + 1, visit);
-        values.swap(fixed, k);
+    (2.0 * tail).min(1.0)
+}
+
+/// The two-sided p value of Student's t test of a mean of 0; absent for fewer than two values, or equal ones.
+pub fn student_test(values: &[f64]) -> Option<f64> {
+    let error = standard_error(values).filter(|error| *error > 0.0)?;
+    Some((1.0 - student_within((mean(values) / error).abs(), values.len() - 1)).max(0.0))
+}
+
+/// Holm's correction: the p values of tests that are made together, so that any false rejection has at most
+/// the probability of the level (Holm 1979).
+pub fn holm(p_values: &[f64]) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..p_values.len()).collect();
+    order.sort_by(|a, b| p_values[*a].total_cmp(&p_values[*b]));
+    let mut adjusted = vec![1.0; p_values.len()];
+    let mut least = 0.0_f64;
+    for (place, test) in order.into_iter().enumerate() {
+        least = least.max((p_values.len() - place) as f64 * p_values[test]).min(1.0);
+        adjusted[test] = least;
     }
+    adjusted
+}
+
+/// Number of samples of a bootstrap.
+const SAMPLES: usize = 10_000;
+
+/// The interval of the mean by the percentile bootstrap; absent for fewer than two values.
+pub fn bootstrap_interval(values: &[f64]) -> Option<Interval> {
+    let n = values.len();
+    let mut rng = ChaCha8Rng::seed_from_u64(0);
+    let mut draw = || (0..n).map(|_| values[(rng.next_u64() % n as u64) as usize]).sum::<f64>() / n as f64;
+    let mut means: Vec<f64> = if n < 2 { Vec::new() } else { (0..SAMPLES).map(|_| draw()).collect() };
+    means.sort_by(f64::total_cmp);
+    let at = |share: f64| means.get((share * (SAMPLES - 1) as f64).round() as usize).copied();
+    Some(Interval { low: at(0.5 * (1.0 - LEVEL))?, high: at(0.5 * (1.0 + LEVEL))?, level: LEVEL })
 }
 
 /// [`exponent`] with Student's interval of the slope; no interval for fewer than three pairs.
@@ -262,19 +267,41 @@ mod tests {
     }
 
     #[test]
-    fn computes_the_p_value_of_a_rank_correlation() {
-        let falling: Vec<(f64, f64)> = (0..5).map(|k| (f64::from(k), -f64::from(k))).collect();
-        assert_relative_eq!(correlation_p_value(&falling).unwrap(), 1.0 / 120.0);
-        // Of five pairs, 27 of 120 orders have -0.5 or less.
-        let some = |b: [f64; 5]| (0..5).map(|k| (f64::from(k), b[k as usize])).collect::<Vec<_>>();
-        let rank = some([4.0, 2.0, 5.0, 3.0, 1.0]);
-        assert_relative_eq!(rank_correlation(&rank).unwrap(), -0.5);
-        assert_relative_eq!(correlation_p_value(&rank).unwrap(), 27.0 / 120.0);
-        // Many pairs: by random orders, the same every time.
-        let many: Vec<(f64, f64)> = (0..12).map(|k| (f64::from(k), f64::from((k * 5) % 12))).collect();
-        let p = correlation_p_value(&many).unwrap();
-        assert_eq!(correlation_p_value(&many), Some(p));
-        assert!((0.1..1.0).contains(&p), "{p}");
+    fn gives_the_p_values_of_published_tables() {
+        // 1 of 8 below: 2 (1 + 8) / 256. A tie does not count.
+        let one = [-1.0, 1.0, 2.0, 3.0, 0.5, 1.0, 4.0, 2.0];
+        assert_relative_eq!(sign_test(&one), 18.0 / 256.0);
+        assert_relative_eq!(sign_test(&[&one[..], &[0.0]].concat()), 18.0 / 256.0);
+        assert_eq!((sign_test(&[]), sign_test(&[1.0]), sign_test(&[1.0, -1.0])), (1.0, 1.0, 1.0));
+        // Mean 1, standard error 1 / sqrt(3), so t = 1.732: p = 0.2254 for two degrees of freedom.
+        assert_relative_eq!(student_test(&[0.0, 1.0, 2.0]).unwrap(), 0.2254, epsilon = 1e-4);
+        assert_eq!(student_test(&[1.0, 1.0]), None);
+        // At the 95 % points the p value is 5 %.
+        for freedom in [1, 2, 5, 8] {
+            assert_relative_eq!(student_within(student_quantile(freedom), freedom), 0.95, epsilon = 1e-9);
+        }
+    }
+
+    #[test]
+    fn corrects_tests_that_are_made_together() {
+        // Holm (1979): times 4, 3, 2, 1 from the smallest on, and never smaller than the one before.
+        let found = holm(&[0.03, 0.01, 0.04, 0.005]);
+        for (found, expected) in found.iter().zip([0.06, 0.03, 0.06, 0.02]) {
+            assert_relative_eq!(*found, expected, epsilon = 1e-12);
+        }
+        assert_eq!((holm(&[0.9, 0.8]), holm(&[])), (vec![1.0, 1.0], vec![]));
+    }
+
+    #[test]
+    fn bootstraps_the_mean() {
+        let values: Vec<f64> = (0..40).map(|k| f64::from((k * 7) % 40)).collect();
+        let (found, student) = (bootstrap_interval(&values).unwrap(), mean_interval(&values).unwrap());
+        assert!(
+            (found.low - student.low).abs() < 0.5 && (found.high - student.high).abs() < 0.5,
+            "{found:?}"
+        );
+        assert_eq!(bootstrap_interval(&values), Some(found), "the same every time");
+        assert_eq!(bootstrap_interval(&[1.0]), None);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The values of a comparison: its tables, and the claims of the papers.
 
 use crate::evaluation::candidate::{Candidate, CandidateKind};
+use crate::evaluation::details::{Bands, Compared};
 use crate::evaluation::stats::Interval;
 use serde::Serialize;
 
@@ -46,6 +47,8 @@ pub struct ModelSummary {
     /// The mean error of each part, in the order of the setting's parts, after the same time warping; empty
     /// if the results do not have it.
     pub part_errors: Vec<f64>,
+    /// More about its predictions, if results have it.
+    pub details: Option<DetailMeans>,
     /// Number of trials held out.
     pub folds: usize,
     /// Number of trainings.
@@ -53,6 +56,25 @@ pub struct ModelSummary {
     /// Number of candidates that it represents: all that differ only in size, if claims choose it for most
     /// trials; else 0.
     pub stands_for: usize,
+}
+
+/// Means of [`Details`](crate::evaluation::Details) over the folds that have them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DetailMeans {
+    /// Mean squared error of each part over the first half second, frame by frame.
+    pub first_half_second: Vec<f64>,
+    /// The error of each part after time warping along a path of its own.
+    pub own_path: Vec<f64>,
+    /// Speed of the prediction divided by that of the trial.
+    pub speed: f64,
+    /// Foot slide of the prediction, and of the trial; absent if the body hardly walks.
+    pub foot_slide: Option<Compared<f64>>,
+    /// The share of rollouts that stand still after 20 seconds, 0 to 1.
+    pub still_at_20_s: f64,
+    /// Coverage and density of the predicted bands; absent for models without variances.
+    pub bands: Option<Bands>,
+    /// Number of folds.
+    pub folds: usize,
 }
 
 /// Means of the terms of a bound, in nats.
@@ -86,14 +108,13 @@ pub struct Correlation {
     pub label: String,
     /// Number of candidates.
     pub settings: usize,
-    /// Number of trials held out that all of these candidates have: bounds and errors are means over these.
+    /// Number of trials held out that all of these candidates have.
     pub folds: usize,
-    /// Spearman's rank correlation of bound and error.
+    /// Spearman's rank correlation of bound and error within each trial; the mean over the trials.
     pub rank: f64,
-    /// The one-sided p value: the share of all orders of the settings with a rank correlation at most as
-    /// high.
-    pub chance: f64,
-    /// The candidates.
+    /// Its 95 % interval by a bootstrap over the trials; absent for a single trial.
+    pub interval: Option<Interval>,
+    /// The candidates, with means over these trials.
     pub points: Vec<BoundAndError>,
 }
 
@@ -181,4 +202,7 @@ pub struct Claim {
     pub found: String,
     /// Whether the effect meets the criterion.
     pub answer: ClaimAnswer,
+    /// Whether it is one of the claims that were named before any table was made. Their answers are corrected
+    /// for their number.
+    pub primary: bool,
 }

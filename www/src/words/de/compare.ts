@@ -149,7 +149,7 @@ export const compare: CompareWords = {
     oneSize: "Eine Größe je Modell",
     all: (settings) => `Alle ${settings} Einstellungen`,
     representatives:
-      "Von Einstellungen, die sich nur in der Größe unterscheiden, steht hier die, die über die Versuche am häufigsten gewählt wird: nach der Schranke, oder ohne Schranke nach dem Fehler bei den anderen Versuchen. Was am besten, höchsten, schnellsten oder kleinsten ist, gilt unter den gezeigten.",
+      "Von Einstellungen, die sich nur in der Größe unterscheiden, steht hier die, die über die Versuche am häufigsten gewählt wird, nach dem Fehler der Rollouts auf den gelernten Versuchen. Was am besten, höchsten, schnellsten oder kleinsten ist, gilt unter den gezeigten.",
     caption:
       "Der Fehler ist der [mittlere quadratische Fehler nach dynamischer Zeitanpassung|dtw]; die [Schranke|bound] steht in [Nats|nats]. Fehler, Zeit und Größe haben logarithmische Skalen. Die gestrichelte Linie ist der Fehler einer Vorhersage, die sich nicht bewegt.",
     measures: {

@@ -140,7 +140,7 @@ export const compare = {
     oneSize: "One size of each model",
     all: (settings: number) => `All ${settings} settings`,
     representatives:
-      "Of settings that differ in size alone, the one is shown that is chosen most often over the trials: by the bound, or where there is none by the error on the other trials. What is best, highest, quickest and fewest is so among those shown.",
+      "Of settings that differ in size alone, the one is shown that is chosen most often over the trials, by the error of rollouts on the trials trained on. What is best, highest, quickest and fewest is so among those shown.",
     caption:
       "The error is the [mean squared error after dynamic time warping|dtw]; the [bound|bound] is in [nats|nats]. Error, time and size are drawn on log scales. The dashed line is the error of a prediction that does not move.",
     measures: {

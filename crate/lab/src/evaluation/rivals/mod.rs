@@ -10,12 +10,12 @@ mod testing;
 use crate::evaluation::predictor::Predictor;
 use autoregression::Autoregression;
 use promp::ProMp;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use vcgpdm::models::{MOST_BASES, MOST_DIMENSIONS, Movements, TrainingError};
 
 /// The settings of a rival.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(tag = "model", rename_all = "kebab-case", deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(tag = "model", rename_all = "kebab-case")]
 pub enum Rival {
     /// Probabilistic movement primitives (Paraschos et al. 2013).
     #[serde(rename = "promp")]
