@@ -43,7 +43,7 @@ const RECORDED = "### Recorded trials together";
 /**
  * The MAP models have a limit of their own: they do not converge (docs/comparison/method.md), and each of their
  * iterations takes long.
- * @typedef {{ ips: string, poseIps: string, few: string, bases: string, primitives: string, components: string,
+ * @typedef {{ ips: string, poseIps: string, bases: string, primitives: string, components: string,
  * iterations: string, mapIterations: string, times: string }} Extent
  */
 
@@ -51,7 +51,6 @@ const RECORDED = "### Recorded trials together";
 const WHOLE = {
   ips: "5,10,20,30",
   poseIps: "5,10,20,30",
-  few: "10,30",
   bases: "5,10,15,25,40,60,80,100",
   primitives: "bound,2,4,6,8,10,12,15,20",
   components: "3,6,10,20",
@@ -63,7 +62,6 @@ const WHOLE = {
 const QUICK = {
   ips: "5,10",
   poseIps: "5,10",
-  few: "5,10",
   bases: "5,25,100",
   primitives: "2,4",
   components: "3,6",
@@ -123,21 +121,18 @@ const every = (/** @type {Extent} */ { ips, poseIps, bases, primitives, componen
 ];
 
 /**
- * Models of `few` dynamics and 10 pose points in other forms: parts without couplings; a whole body with as many
- * latent dimensions and points as two parts; dynamics of another order.
+ * Models of 10 + 10 inducing points in other forms: parts without couplings; a whole body with as many latent
+ * dimensions and points as two parts; dynamics of another order.
  */
-const variants = (/** @type {Extent} */ { few, iterations }) => {
+const variants = (/** @type {Extent} */ { iterations }) => {
   const trained = (/** @type {string[]} */ ...options) => ({
     file: "",
     options: [...options, "--max-iterations", iterations],
   });
-  const doubled = few.split(",").map((count) => String(2 * Number(count)));
   return [
-    trained("--models", "vcgpdm", "--uncoupled", "--ips", few, "--pose-ips", "10"),
-    trained("--models", "vgpdm", "--latent", "6", "--ips", doubled.join(","), "--pose-ips", "20"),
-    ...["1", "3"].map((order) =>
-      trained("--models", "vcgpdm,vgpdm", "--order", order, "--ips", "10", "--pose-ips", "10"),
-    ),
+    trained("--models", "vcgpdm", "--uncoupled", "--ips", "10"),
+    trained("--models", "vgpdm", "--latent", "6", "--ips", "20"),
+    ...["1", "3"].map((order) => trained("--models", "vcgpdm,vgpdm", "--order", order, "--ips", "10")),
   ];
 };
 
