@@ -264,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn the_body_stands_on_the_ground_and_is_1_7_m_tall() {
+    fn the_body_stands_or_sits_on_the_ground_and_is_1_7_m_tall() {
         for clip in clips() {
             let nodes = clip.skeleton.figure().len();
             let places = clip.stage_positions();
@@ -274,7 +274,8 @@ mod tests {
             assert!(low.abs() < 1e-6, "{low}");
             for frame in heights.chunks_exact(nodes) {
                 let top = frame[..clip.skeleton.joints.len()].iter().copied().fold(0.0, f32::max);
-                assert!((1.3..1.9).contains(&top), "{}: {top}", clip.name);
+                let expected = if clip.name.starts_with("bottle") { 1.0..1.3 } else { 1.3..1.9 };
+                assert!(expected.contains(&top), "{}: {top}", clip.name);
             }
         }
     }
