@@ -210,7 +210,9 @@ describe("tables of columns", () => {
 
   it("are drawn as a figure of points and bones, without the columns that are left out", async () => {
     const settings = "latent=2&dynamics=6&poses=6&iterations=60";
-    const { page, problems, leave } = await site.visit({ settings, seen: true });
+    // In a smaller window, the figure and the slider are not in sight together.
+    const viewport = { width: 1280, height: 800 };
+    const { page, problems, leave } = await site.visit({ settings, seen: true, viewport });
     await ready(page);
     await drop(page, { "walk-1.csv": walker(0), "walk-2.csv": walker(2) });
     const columns = page.locator("pg-tables .joint-tree li");
