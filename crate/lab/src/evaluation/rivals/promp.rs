@@ -12,6 +12,9 @@
 //!   `P = I + sum g g' / noise` and `E[z] = P^-1 sum g (y - phi'M) / noise`, over the given frames and all
 //!   columns, where `g_s = phi(s_t)' A_s`.
 //!
+//! A rollout of a trial that was learned from would remember the trial: its own weights are among the n. It uses
+//! the mean and the deviations of the others instead, so that rollouts on the training trials can choose B.
+//!
 //! The phase of a frame is that of the TMP and of the rhythmic DMP: a straight line for each trial, on a cycle
 //! where the movement repeats itself, else from the start to the end. A trial of which only the first frames
 //! are known has the mean rate. The basis functions are von Mises functions on a cycle, else Gaussians, and
@@ -32,20 +35,19 @@ const LEAST_NOISE: f64 = 1e-6;
 /// The primitives of one movement.
 pub(super) struct ProMp {
     axis: PhaseAxis,
-    /// Mean weights M [B x D].
-    mean: DMatrix<f64>,
-    /// Deviations A_s of the weights of each whole trial [B x D].
-    deviations: Vec<DMatrix<f64>>,
+    /// The weights of each whole trial [B x D].
+    weights: Vec<DMatrix<f64>>,
     /// Noise variance of each column.
     noise: Vec<f64>,
-    /// The phases of each sequence.
-    maps: Vec<PhaseMap>,
-    /// The posterior of z for each sequence, given its first frames.
-    posteriors: Vec<Posterior>,
+    sequences: Vec<Given>,
 }
 
-/// A Gaussian of the coordinates z: its mean [n] and covariance [n x n].
-struct Posterior {
+/// A sequence whose first frames are given.
+struct Given {
+    map: PhaseMap,
+    /// Its place among the whole trials, if it is one.
+    own: Option<usize>,
+    /// The posterior of the coordinates z: its mean [n] and covariance [n x n].
     mean: DVector<f64>,
     covariance: DMatrix<f64>,
 }
@@ -80,26 +82,38 @@ impl ProMp {
         }
         let least = (LEAST_NOISE * all_squares / all).max(f64::MIN_POSITIVE.sqrt());
         let noise = squares.iter().map(|squares: &f64| (squares / freedom.max(1.0)).max(least)).collect();
-        let count = weights.len() as f64;
-        let mean = weights.iter().sum::<DMatrix<f64>>() / count;
-        let deviations = match weights.len() {
-            1 => Vec::new(),
-            _ => weights.iter().map(|own| (own - &mean) / (count - 1.0).sqrt()).collect(),
-        };
-        let mut model = Self { axis, mean, deviations, noise, maps, posteriors: Vec::new() };
-        let starts = given.starts();
-        let posteriors: Result<Vec<_>, TrainingError> =
-            starts.iter().zip(&model.maps).map(|(y, map)| model.given(y, map)).collect();
-        model.posteriors = posteriors?;
+        let mut model = Self { axis, weights, noise, sequences: Vec::new() };
+        let mut wholes = 0;
+        for ((trial, start), map) in given.trials.iter().zip(given.starts()).zip(maps) {
+            let own = trial.whole.then_some(wholes);
+            wholes += usize::from(trial.whole);
+            let given = model.given(&start, map, own)?;
+            model.sequences.push(given);
+        }
         Ok(model)
     }
 
-    /// The posterior of z, given the first frames `y` [k x D] of a sequence.
-    fn given(&self, y: &DMatrix<f64>, map: &PhaseMap) -> Result<Posterior, TrainingError> {
-        let n = self.deviations.len();
-        let phi = design(self.axis, self.mean.nrows(), map, y.nrows());
-        let apart = y - &phi * &self.mean;
-        let effects: Vec<DMatrix<f64>> = self.deviations.iter().map(|a| &phi * a).collect();
+    /// The mean M of the weights [B x D] and the deviations A_s, without those of one trial if there are others.
+    fn prior(&self, without: Option<usize>) -> (DMatrix<f64>, Vec<DMatrix<f64>>) {
+        let is_used = |(k, _): &(usize, &DMatrix<f64>)| Some(*k) != without || self.weights.len() == 1;
+        let used: Vec<&DMatrix<f64>> =
+            self.weights.iter().enumerate().filter(is_used).map(|(_, w)| w).collect();
+        let count = used.len() as f64;
+        let mean = used.iter().copied().sum::<DMatrix<f64>>() / count;
+        let deviations = match used.len() {
+            1 => Vec::new(),
+            _ => used.iter().map(|own| (*own - &mean) / (count - 1.0).sqrt()).collect(),
+        };
+        (mean, deviations)
+    }
+
+    /// A sequence with the first frames `y` [k x D].
+    fn given(&self, y: &DMatrix<f64>, map: PhaseMap, own: Option<usize>) -> Result<Given, TrainingError> {
+        let (mean, deviations) = self.prior(own);
+        let n = deviations.len();
+        let phi = design(self.axis, mean.nrows(), &map, y.nrows());
+        let apart = y - &phi * &mean;
+        let effects: Vec<DMatrix<f64>> = deviations.iter().map(|a| &phi * a).collect();
         let inner = |a: &DMatrix<f64>, b: &DMatrix<f64>| {
             let of_column = |(d, noise): (usize, &f64)| a.column(d).dot(&b.column(d)) / noise;
             self.noise.iter().enumerate().map(of_column).sum::<f64>()
@@ -108,25 +122,28 @@ impl ProMp {
             DMatrix::from_fn(n, n, |i, j| inner(&effects[i], &effects[j]) + if i == j { 1.0 } else { 0.0 });
         let right = DMatrix::from_fn(n, 1, |i, _| inner(&effects[i], &apart));
         let factor = Factor::new(&precision, "precision of the weights, given first frames")?;
-        Ok(Posterior { mean: factor.solve(&right).column(0).into_owned(), covariance: factor.inverse() })
+        let mean = factor.solve(&right).column(0).into_owned();
+        Ok(Given { map, own, mean, covariance: factor.inverse() })
     }
 }
 
 impl Predictor for ProMp {
     fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-        check(self.maps.len(), sequence, frames)?;
-        let mut weights = self.mean.clone();
-        for (a, z) in self.deviations.iter().zip(self.posteriors[sequence].mean.iter()) {
+        check(self.sequences.len(), sequence, frames)?;
+        let given = &self.sequences[sequence];
+        let (mut weights, deviations) = self.prior(given.own);
+        for (a, z) in deviations.iter().zip(given.mean.iter()) {
             weights += a * *z;
         }
-        Ok(vec![design(self.axis, self.mean.nrows(), &self.maps[sequence], frames) * weights])
+        Ok(vec![design(self.axis, weights.nrows(), &given.map, frames) * weights])
     }
 
     fn forecast(&self, sequence: usize, frames: usize) -> Result<Option<Forecast>, RolloutError> {
         let means = self.rollout(sequence, frames)?;
-        let phi = design(self.axis, self.mean.nrows(), &self.maps[sequence], frames);
-        let effects: Vec<DMatrix<f64>> = self.deviations.iter().map(|a| &phi * a).collect();
-        let covariance = &self.posteriors[sequence].covariance;
+        let Given { map, own, covariance, .. } = &self.sequences[sequence];
+        let (mean, deviations) = self.prior(*own);
+        let phi = design(self.axis, mean.nrows(), map, frames);
+        let effects: Vec<DMatrix<f64>> = deviations.iter().map(|a| &phi * a).collect();
         let variance = |t: usize, d: usize| {
             let g = DVector::from_iterator(effects.len(), effects.iter().map(|effect| effect[(t, d)]));
             g.dot(&(covariance * &g)).max(0.0) + self.noise[d]
@@ -137,8 +154,9 @@ impl Predictor for ProMp {
 
     /// The mean, the deviations and the noise; of the sequence, the two numbers of its phase and E[z].
     fn stored_numbers(&self) -> usize {
-        let n = self.deviations.len();
-        self.mean.len() * (1 + n) + self.noise.len() + 2 + n
+        let (mean, deviations) = self.prior(None);
+        let n = deviations.len();
+        mean.len() * (1 + n) + self.noise.len() + 2 + n
     }
 }
 
@@ -196,11 +214,12 @@ mod tests {
         let trials = walks();
         let model = ProMp::fit(&movements(&trials), 6).unwrap();
         let (last, frames, given) = (trials.len() - 1, 40, 6);
-        let phi = design(model.axis, 6, &model.maps[last], frames);
+        let (mean, deviations) = model.prior(None);
+        let phi = design(model.axis, 6, &model.sequences[last].map, frames);
         let stacked = |m: &DMatrix<f64>| DVector::from_column_slice((&phi * m).as_slice());
-        let mean = stacked(&model.mean);
+        let mean = stacked(&mean);
         let mut covariance = DMatrix::<f64>::zeros(2 * frames, 2 * frames);
-        for a in &model.deviations {
+        for a in &deviations {
             let effect = stacked(a);
             covariance += &effect * effect.transpose();
         }
@@ -232,7 +251,7 @@ mod tests {
         let error = |y: &DMatrix<f64>| (y - &truth).norm_squared() / truth.norm_squared();
         assert!(error(&made) < 0.02, "{}", error(&made));
         // The mean weights alone know nothing of this trial.
-        let mean = design(model.axis, 8, &model.maps[5], 90) * &model.mean;
+        let mean = design(model.axis, 8, &model.sequences[5].map, 90) * model.prior(None).0;
         assert!(error(&mean) > 1.5 * error(&made), "{} {}", error(&mean), error(&made));
     }
 
@@ -258,9 +277,21 @@ mod tests {
     fn one_trial_has_no_deviations() {
         let trials = &walks()[..1];
         let model = ProMp::fit(&movements(trials), 8).unwrap();
-        assert!(model.deviations.is_empty());
+        assert!(model.prior(None).1.is_empty());
         let found = model.forecast(0, 100).unwrap().unwrap();
         assert!((&found.means[0] - &trials[0].0).norm() < 0.1 * trials[0].0.norm());
         assert!(model.rollout(1, 5).is_err() && model.rollout(0, 0).is_err());
+    }
+
+    #[test]
+    fn a_trial_trained_on_is_predicted_from_the_others() {
+        let mut trials = walks();
+        for t in 50..60 {
+            trials[0].0[(t, 0)] += 2.0;
+        }
+        let model = ProMp::fit(&movements(&trials), 30).unwrap();
+        let made = model.rollout(0, 100).unwrap().swap_remove(0);
+        let plain = &walks()[0].0;
+        assert!((made[(55, 0)] - plain[(55, 0)]).abs() < 0.3, "{} {}", made[(55, 0)], plain[(55, 0)]);
     }
 }
