@@ -184,6 +184,7 @@ impl Style {
     }
 }
 
+#[inline(never)]
 fn offset(skeleton: &Skeleton, joint: usize) -> Vector3<f64> {
     Vector3::from(skeleton.joints[joint].offset)
 }
