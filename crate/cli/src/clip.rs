@@ -21,6 +21,14 @@ pub struct Arguments {
     /// Frames a second of the AMC motion, whose file does not state them.
     #[arg(long, value_name = "F", requires = "motion", default_value_t = asf::CMU_RATE)]
     amc_fps: f64,
+    /// Keep these frames, from FROM up to but not including TO: counted from 0 at the file's rate, without a
+    /// leading T-pose.
+    #[arg(long, value_name = "FROM-TO", value_parser = frames)]
+    frames: Option<(usize, usize)>,
+    /// Transfer the motion to the body of this clip: joints of the same name or place turn in the world as
+    /// they do in CLIP, and the path of the root is scaled with its height above the ground.
+    #[arg(long, value_name = "BODY.bvh")]
+    onto: Option<PathBuf>,
     /// Resample to about this number of frames a second.
     #[arg(long, value_name = "F")]
     fps: Option<f64>,
@@ -50,7 +58,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         }
     };
     if let Some(out) = &arguments.out {
-        files::check_writable(out, [skeleton].into_iter().chain(arguments.motion.as_deref()))?;
+        let read = [arguments.motion.as_deref(), arguments.onto.as_deref()].into_iter().flatten();
+        files::check_writable(out, [skeleton].into_iter().chain(read))?;
+    }
+    if let Some((from, to)) = arguments.frames {
+        clip = clip.cut(from, to)?;
+    }
+    if let Some(body) = &arguments.onto {
+        clip = clip.onto(&clips::read(body, &Up::default())?)?;
     }
     if let Some(fps) = arguments.fps {
         clip = clip.resample(fps)?;
@@ -85,4 +100,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     });
     let outs: Vec<&Path> = arguments.out.as_deref().into_iter().collect();
     files::print_summary(&summary, &outs)
+}
+
+fn frames(text: &str) -> Result<(usize, usize), String> {
+    let frame = |text: &str| text.trim().parse::<usize>().ok();
+    let found = text.split_once('-').and_then(|(from, to)| Some((frame(from)?, frame(to)?)));
+    found.ok_or_else(|| "expected two frames FROM-TO".to_owned())
 }

@@ -381,6 +381,24 @@ fn trains_on_clips_of_other_bones_with_the_bones_of_the_first() {
 }
 
 #[test]
+fn keeps_some_frames_of_a_clip_and_transfers_it_to_another_body() {
+    let folder = folder("onto");
+    let (taller, out) = (taller_walk(&folder), folder.join("out.bvh"));
+    let clip = ["clip", "sample:walk-1", "--out", text(&out)];
+    let cut = json(&[&clip[..], &["--frames", "10-40"]].concat());
+    assert_eq!(cut["frames"], 30);
+    let moved = json(&[&clip[..], &["--onto", text(&taller)]].concat());
+    let body = json(&["clip", text(&taller)]);
+    assert_eq!(json(&["clip", text(&out)])["joints"], body["joints"]);
+    assert!(moved["warnings"].to_string().contains("the way of the root is scaled by 1.1"), "{moved}");
+    for (frames, words) in [("40-10", "found 40 to 10"), ("10", "expected two frames FROM-TO")] {
+        assert!(fails(&["clip", "sample:walk-1", "--frames", frames]).contains(words));
+    }
+    let itself = fails(&["clip", "sample:walk-1", "--onto", text(&taller), "--out", text(&taller)]);
+    assert!(itself.contains("expected another file to write to"), "{itself}");
+}
+
+#[test]
 fn runs_the_commands_of_the_document() {
     let document = include_str!("../../../../docs/terminal.md").replace("\\\n", "");
     let folder = folder("document");

@@ -2,7 +2,6 @@
 
 use crate::motion::clip::Clip;
 use crate::motion::same_body::BodyMismatch;
-use crate::motion::skeleton::Skeleton;
 use nalgebra::Vector3;
 
 impl Clip {
@@ -30,8 +29,7 @@ impl Clip {
                 joint.offset = model.offset;
             }
         }
-        let (before, after) = (self.root_height(&self.skeleton), self.root_height(&clip.skeleton));
-        let scale = if before > 0.0 && after > 0.0 { after / before } else { 1.0 };
+        let scale = clip.root_scale(self);
         let mut column = 0;
         for (joint, own) in clip.skeleton.joints.iter_mut().zip(&self.skeleton.joints) {
             if joint.parent.is_none() {
@@ -46,19 +44,31 @@ impl Clip {
                 column += 1;
             }
         }
-        // Formatting with a fixed number of digits would add code to the wasm that nothing else needs.
-        let rounded = (1000.0 * scale).round() / 1000.0;
-        let first = &other.name;
-        clip.bones_of = Some(first.clone());
-        clip.warnings
-            .push(format!("The bones are those of {first}; the way of the root is scaled by {rounded}"));
+        clip.name_bones(other, scale);
         Ok(clip)
     }
 
-    /// Mean height of the root above the lowest point of a body with these bones and the joint angles of the
-    /// clip, in file units.
-    fn root_height(&self, bones: &Skeleton) -> f64 {
+    /// The ratio of the mean height of the root to that of `own`, the same motion of another body.
+    pub(crate) fn root_scale(&self, own: &Clip) -> f64 {
+        let (before, after) = (own.root_height(), self.root_height());
+        if before > 0.0 && after > 0.0 { after / before } else { 1.0 }
+    }
+
+    /// Notes whose bones the clip has.
+    pub(crate) fn name_bones(&mut self, other: &Clip, scale: f64) {
+        // Formatting with a fixed number of digits would add code to the wasm that nothing else needs.
+        let rounded = (1000.0 * scale).round() / 1000.0;
+        let first = &other.name;
+        self.bones_of = Some(first.clone());
+        self.warnings
+            .push(format!("The bones are those of {first}; the way of the root is scaled by {rounded}"));
+    }
+
+    /// Mean height of the root above the lowest point of the body whose bones have their offsets, in file
+    /// units.
+    fn root_height(&self) -> f64 {
         let up = self.up_axis().to_y_up();
+        let bones = &self.skeleton;
         let offsets: Vec<Vector3<f64>> = bones.joints.iter().map(|joint| joint.offset.into()).collect();
         let mut sum = 0.0;
         for frame in 0..self.frames() {

@@ -47,6 +47,7 @@ pub mod stage;
 mod stage_axes;
 #[cfg(test)]
 mod testing;
+mod transfer;
 
 pub(crate) use clip::sha256;
 pub use clip::{Clip, ClipError};

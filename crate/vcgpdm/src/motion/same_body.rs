@@ -59,6 +59,12 @@ pub enum BodyMismatch {
         /// The offset in the other.
         found: [f64; 3],
     },
+    /// A rest pose whose directions mean nothing, so that no motion can be transferred from or to this body.
+    #[error("{name}: expected a rest pose that stands on two legs, found one that does not")]
+    Rest {
+        /// The name of the clip.
+        name: String,
+    },
 }
 
 impl BodyMismatch {
