@@ -14,9 +14,8 @@ use vcgpdm::models::library::{CouplingTrainer, CouplingsFrom, MOST_ITERATIONS};
 /// Combine primitives of a library into a model, and print its couplings as one JSON object.
 ///
 /// The primitives stay as they were learned. With clips, the couplings are fitted to the clips. Without
-/// clips, the couplings of each part come from a trained movement that uses the part's primitive; of several
-/// such movements, from the one that shares most primitives with the combination; without such a movement
-/// they are 1.
+/// clips, the coupling from one part to another comes from a trained movement that uses the primitives of
+/// both. Primitives that never met get the largest variance, so that their parts hardly listen to each other.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A library that `vcgpdm train --movement` wrote.

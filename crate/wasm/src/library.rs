@@ -237,9 +237,9 @@ impl Library {
         Ok(Model::from(self.trained.combination(&uses, &alpha)?))
     }
 
-    /// Couplings `alpha[source][target]` for a combination without fitted couplings. Each source takes its
-    /// couplings from a trained movement that uses the primitive of the source. Among several such movements,
-    /// the one most like the combination is taken. Without such a movement, the couplings are 1.
+    /// Couplings `alpha[source][target]` for a combination without fitted couplings, each from a trained
+    /// movement that uses the primitives of both parts. Among several such movements, the one most like the
+    /// combination is taken. Primitives that never met get the largest variance, 10.
     #[wasm_bindgen(js_name = nearestCouplings, unchecked_return_type = "number[][]")]
     pub fn nearest_couplings(
         &self,

@@ -116,7 +116,7 @@ pub(super) fn fit_of(
     let start = Params {
         parts: library.starting_parts(&y, &sequences),
         experts: library.expert_parameters(uses),
-        alpha: vec![library.nearest_couplings(uses)],
+        alpha: vec![library.couplings_of_sources(uses)],
     };
     let settings = library.training_settings(&start.experts, pose_weight, max_iterations);
     let fixed = library.fixed_outputs(uses)?;

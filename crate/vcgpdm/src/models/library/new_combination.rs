@@ -1,18 +1,38 @@
 //! Default couplings and start latents of a new combination.
 
 use crate::models::library::{CombinationError, CouplingsFrom, LearnedMovement, Library};
+use crate::models::training::parameters::LARGEST_COUPLING;
 use nalgebra::DMatrix;
 
 impl Library {
-    /// Default couplings of a combination [M x M]. Each source part has the couplings of the movement that
-    /// uses its primitive and shares most primitives with `uses`; the first of several such movements counts.
-    /// Where no movement uses the primitive, the couplings are those of the primitive's first excerpt, or
-    /// else 1. The couplings of a movement's own combination are those of the movement.
+    /// Default couplings of a combination [M x M]. A source part has the coupling to a target part of the
+    /// movement that uses the primitives of both; of several, of the one that shares most primitives with
+    /// `uses`. Where the source never met the target's primitive, its predictions are about other movements:
+    /// the coupling is the largest variance that training allows, so that the target hardly listens. Where no
+    /// movement uses the source's primitive, the couplings are those of its first excerpt, or else 1. The
+    /// couplings of a movement's own combination are those of the movement.
     pub fn nearest_couplings(&self, uses: &[usize]) -> DMatrix<f64> {
+        let mut alpha = self.couplings_of_sources(uses);
+        for (source, primitive) in uses.iter().enumerate().take(self.part_count()) {
+            if self.nearest_movement(uses, &[*primitive]).is_none() {
+                continue;
+            }
+            for (target, other) in uses.iter().enumerate().take(self.part_count()) {
+                let both = self.nearest_movement(uses, &[*primitive, *other]);
+                alpha[(source, target)] =
+                    both.map_or(LARGEST_COUPLING, |movement| movement.alpha[(source, target)]);
+            }
+        }
+        alpha
+    }
+
+    /// The couplings of each source as its primitive learned them, whatever the primitives of the targets are
+    /// [M x M].
+    pub(super) fn couplings_of_sources(&self, uses: &[usize]) -> DMatrix<f64> {
         let parts = self.part_count();
         let mut alpha = DMatrix::from_element(parts, parts, 1.0);
         for (source, primitive) in uses.iter().enumerate().take(parts) {
-            if let Some(movement) = self.nearest_movement(uses, *primitive) {
+            if let Some(movement) = self.nearest_movement(uses, &[*primitive]) {
                 alpha.row_mut(source).copy_from(&movement.alpha.row(source));
             } else if let Some(excerpt) = self.primitives.get(*primitive).and_then(|p| p.excerpts.first()) {
                 alpha.row_mut(source).copy_from_slice(&excerpt.alpha);
@@ -21,9 +41,12 @@ impl Library {
         alpha
     }
 
-    /// The movement that uses a primitive and shares most primitives with `uses`.
-    fn nearest_movement(&self, uses: &[usize], primitive: usize) -> Option<&LearnedMovement> {
-        let using = || self.movements.iter().filter(|movement| movement.uses.contains(&primitive));
+    /// The movement that uses all these primitives and shares most primitives with `uses`.
+    fn nearest_movement(&self, uses: &[usize], primitives: &[usize]) -> Option<&LearnedMovement> {
+        let using = || {
+            let has_all = |movement: &&LearnedMovement| primitives.iter().all(|p| movement.uses.contains(p));
+            self.movements.iter().filter(has_all)
+        };
         let most = using().map(|movement| count_shared(&movement.uses, uses)).max()?;
         using().find(|movement| count_shared(&movement.uses, uses) == most)
     }
@@ -42,7 +65,7 @@ impl Library {
         let mut names: Vec<&str> = Vec::new();
         for primitive in uses {
             let excerpt = || self.primitives[*primitive].excerpts.first().map(|excerpt| &excerpt.movement);
-            let from = self.nearest_movement(uses, *primitive).map(|movement| &movement.name);
+            let from = self.nearest_movement(uses, &[*primitive]).map(|movement| &movement.name);
             if let Some(name) = from.or_else(excerpt).filter(|name| !names.contains(&name.as_str())) {
                 names.push(name);
             }

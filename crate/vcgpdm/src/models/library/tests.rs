@@ -119,10 +119,10 @@ fn a_new_combination_starts_at_the_nearest_states_of_its_parts() {
     let library = trained([false, false]);
     let uses = [0, 3];
     assert_eq!(library.movements[0].uses, [0, 2]);
-    // The couplings of each source are those of its own movement.
+    // Each part listens to itself as in its own movement, and hardly to a part that it never met.
     let alpha = library.nearest_couplings(&uses);
-    assert_eq!(alpha.row(0), library.movements[0].alpha.row(0));
-    assert_eq!(alpha.row(1), library.movements[1].alpha.row(1));
+    let own = |part: usize| library.movements[part].alpha[(part, part)];
+    assert_eq!(alpha, DMatrix::from_row_slice(2, 2, &[own(0), 10.0, 10.0, own(1)]));
     let named = library.nearest_combination("half", &uses).unwrap();
     assert_eq!(named.couplings, CouplingsFrom::Movement("walk+wave".to_owned()));
     assert_eq!(library.nearest_couplings(&[1, 3]), library.movements[1].alpha);
