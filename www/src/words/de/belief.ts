@@ -12,8 +12,9 @@ export const belief: Words["chapters"]["belief"] = {
   title: "Wissen wir es, oder glauben wir es?",
   text:
     "Zwei Punkte bewegen sich. Treibt einer den anderen, und welcher? Die Wahrheit liegt hinter einem " +
-    "Vorhang, denn ein Programm hat diese Bewegungen gemacht und weiß, was es getan hat. Stimme zuerst " +
-    "ab. Dann lernt ein Modell hier und jetzt aus zehn verrauschten Kurven jedes Punktes und zeichnet " +
+    "Vorhang, denn ein Programm hat diese Bewegungen gemacht und weiß, was es getan hat. Bei einem " +
+    "aufgenommenen Gang kennt niemand die Wahrheit: Ein Modell kann nur sagen, was die Aufnahme erklärt. " +
+    "Stimme zuerst ab. Dann lernt ein Modell hier und jetzt aus zehn verrauschten Kurven jedes Punktes und zeichnet " +
     "den Pfeil, an den es glaubt.",
   guess: {
     question: "Wer treibt wen?",

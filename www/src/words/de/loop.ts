@@ -4,8 +4,8 @@ import type { Words } from "../en";
 export const loop: Words["chapters"]["loop"] = {
   title: "Ein Gang ist eine Schleife",
   text:
-    "Eine Pose der Beine ist eine lange Liste von Winkeln. Das Modell schreibt sie als drei Zahlen, als Punkt " +
-    "in einem kleinen Raum. Während der Körper geht, läuft der Punkt auf einer Schleife, einmal herum für je " +
+    "Eine Pose der Beine ist eine lange Liste von Winkeln. Beim Gehen bewegen sich die Winkel gemeinsam, und so " +
+    "schreibt das Modell eine Pose als drei Zahlen, als Punkt in einem kleinen Raum. Während der Körper geht, läuft der Punkt auf einer Schleife, einmal herum für je " +
     "zwei Schritte. Zieh den Punkt die Schleife entlang, und der Körper folgt. Um die Schleife herum liegen " +
     "Punkte, die das Modell nie gesehen hat.",
   guess: {

@@ -4,8 +4,8 @@ import type { Words } from "../en";
 export const points: Words["chapters"]["points"] = {
   title: "Wenige Posen genügen",
   text:
-    "Das Modell behält die Aufnahmen nicht. Es behält wenige Posen und wenige Schritte, die Stützpunkte, und " +
-    "berechnet alles andere aus ihnen. Hier sind die der Beine. Was geschieht, wenn wir welche wegnehmen? Für " +
+    "Das Modell behält die Aufnahmen nicht. Es behält wenige Posen und wenige Schritte, die Stützpunkte. Was es " +
+    "gelernt hat, ist glatt; so kann es alles zwischen diesen Punkten berechnen. Hier sind die der Beine. Was geschieht, wenn wir welche wegnehmen? Für " +
     "jede Wahl löst die Seite das Modell mit denselben Daten neu und misst den Gang.",
   guess: {
     question: (poses: number, steps: number) =>

@@ -13,8 +13,9 @@ export const belief = {
   title: "Do we know, or do we believe?",
   text:
     "Two points move. Does one drive the other, and which? The truth is behind a curtain, because a " +
-    "program made these movements and knows what it did. Vote first. Then a model learns from ten noisy " +
-    "curves of each point, here and now, and draws the arrow that it believes in.",
+    "program made these movements and knows what it did. Of a recorded walk nobody knows the truth: a model " +
+    "can only say what explains the recording. Vote first. Then a model learns from ten noisy curves of each " +
+    "point, here and now, and draws the arrow that it believes in.",
   guess: {
     question: "Who drives whom?",
     choices: { ab: "A drives B", ba: "B drives A", none: "Neither" },

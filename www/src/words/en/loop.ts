@@ -1,9 +1,10 @@
 export const loop = {
   title: "A walk is a loop",
   text:
-    "A pose of the legs is a long list of angles. The model writes it as three numbers, a point in a small " +
-    "space. While the body walks, the point runs round a loop, once for every two steps. Drag the dot round " +
-    "the loop and the body follows. Around the loop lie points that the model has never seen.",
+    "A pose of the legs is a long list of angles. In a walk the angles move together, so the model writes a " +
+    "pose as three numbers, a point in a small space. While the body walks, the point runs round a loop, once " +
+    "for every two steps. Drag the dot round the loop and the body follows. Around the loop lie points that " +
+    "the model has never seen.",
   guess: {
     question: "We pull the dot off the loop. What will the body do?",
     choices: {

@@ -1,9 +1,10 @@
 export const points = {
   title: "A few poses are enough",
   text:
-    "The model does not keep the recordings. It keeps a few poses and a few steps, the inducing points, and " +
-    "computes everything else from them. Here are those of the legs. What happens when we take some away? For " +
-    "each choice the page solves the model again from the same data, and measures the walk.",
+    "The model does not keep the recordings. It keeps a few poses and a few steps, the inducing points. What " +
+    "it learned is smooth, so it can compute everything between these points. Here are those of the legs. What " +
+    "happens when we take some away? For each choice the page solves the model again from the same data, and " +
+    "measures the walk.",
   guess: {
     question: (poses: number, steps: number) =>
       `The legs have ${poses} poses and ${steps} steps. How many of the ${poses + steps} does the walk need?`,
