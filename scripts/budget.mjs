@@ -18,8 +18,8 @@ export const budget = {
   perception: 52_000,
   /** The movements of the page's own study. */
   study: 170_000,
-  /** The view of primitives with its library, and its words in two languages. */
-  primitives: 82_000,
+  /** The view of primitives with its words in two languages, and its library of three recorded movements. */
+  primitives: 145_000,
   /** The view of time series, with the figure of points. */
   series: 15_000,
   /** The writer of GLB files. */

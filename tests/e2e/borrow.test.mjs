@@ -31,24 +31,26 @@ function handHeight(/** @type {number[]} */ uses) {
   return (100 * heights.reduce((sum, height) => sum + height, 0)) / heights.length;
 }
 
-it("puts the arms of the wave on the legs of the walk after the guess, and measures them", async () => {
+it("puts the arms of the jumping jack on the legs of the walk after the guess, and measures them", async () => {
   const { page, problems, leave } = await site.visit({ settings: "story=8" });
   await page.locator(".story[data-state=open]").waitFor();
   assert.equal(await page.getByTestId("borrow-0-0").count(), 0, "nothing to choose before the guess");
   await page.getByTestId("choice-own").click();
   const borrowed = page.getByTestId("borrowed");
   await borrowed.waitFor({ timeout: 60_000 });
-  await page.getByText("With the legs of their own wave").waitFor({ timeout: 60_000 });
+  await page.getByText("with their own legs").waitFor({ timeout: 60_000 });
   const text = await borrowed.innerText();
-  assert.match(text, /^No clip shows this\. The arms do their own movement\./);
+  assert.match(text, /^Nobody recorded this\. The arms do their own movement\./);
   const above = [...text.matchAll(/(\d+) cm above the hips/g)].map(([, value]) => Number(value));
-  assert.deepEqual(above, [Math.round(handHeight([0, 3])), Math.round(handHeight([1, 3]))]);
+  assert.deepEqual(above, [Math.round(handHeight([0, 4])), Math.round(handHeight([1, 4]))]);
   assert.deepEqual(await barriers(page), []);
   await page.getByTestId("borrow-0-1").click();
-  await page.getByTestId("borrow-1-2").click();
-  await page.getByText("The arms hardly move.").waitFor();
-  await page.getByTestId("borrow-1-3").click();
-  await page.getByText("Learned as a whole: wave.").waitFor();
+  await page.getByText("Learned as a whole: jumping jack.").waitFor();
+  assert.match(await borrowed.innerText(), /The feet stay in their place\.$/);
+  await page.getByTestId("borrow-0-2").click();
+  await page.getByText("The arms do their own movement.").waitFor();
+  await page.getByTestId("borrow-1-5").click();
+  await page.getByText("Learned as a whole: run.").waitFor();
   assert.deepEqual(problems, []);
   await leave();
 });

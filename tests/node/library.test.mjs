@@ -154,21 +154,21 @@ describe("a library of primitives", () => {
   });
 
   it("mixes primitives without a leap, from whatever frame it begins at", () => {
-    const made = vcgpdm.Library.fromJson(readFileSync(at("www/first/library.json"), "utf8"));
-    const width = 3 * made.info().figure.nodes.length;
+    const recorded = vcgpdm.Library.fromJson(readFileSync(at("www/first/library.json"), "utf8"));
+    const width = 3 * recorded.info().figure.nodes.length;
     const largest = (/** @type {number} */ frames) => {
       const steps = Array.from({ length: 38 }, (_, k) => {
-        const walk = made.walk([0, 3]);
+        const walk = recorded.walk([0, 4]);
         const before = walk.advance(20 + 10 * k).positions();
-        walk.mix(1, 2, 0.5, frames);
+        walk.mix(1, 3, 0.5, frames);
         return largestStep([before.slice(-width), walk.advance(60).positions()], width);
       });
       return Math.max(...steps);
     };
-    // The waving hand goes 0.3 m in a frame without any mix. The page takes 45 frames.
+    // A hand of the jumping jack goes 0.16 m in a frame without any mix. The page takes 45 frames.
     const [slow, sudden] = [largest(45), largest(0)];
-    assert.ok(slow < 0.4, `${slow} m`);
-    assert.ok(sudden > 0.8, `${sudden} m`);
+    assert.ok(slow < 0.25, `${slow} m`);
+    assert.ok(sudden > 0.4, `${sudden} m`);
   });
 
   it("says where a combination stands still, and to whom its parts listen", () => {
@@ -296,7 +296,7 @@ describe("primitives on their way", () => {
       whole.info().primitives.map(({ name }) => name),
       ["walk", "wave", "walk", "wave"],
     );
-    assert.deepEqual(whole.nearestCouplings([0, 3])[1], library.nearestCouplings([0, 3])[1]);
+    assert.equal(whole.nearestCouplings([0, 3])[1]?.[1], library.nearestCouplings([0, 3])[1]?.[1]);
     assert.throws(() => walk.use(1, 3), { message: /expected a primitive of part 1, found primitive 3/ });
     walk.setLibrary(whole);
     walk.use(1, 3);

@@ -124,6 +124,12 @@ export class App {
     return primitives;
   });
 
+  /** Movements of recorded people, with their view. */
+  readonly recorded = new Lazy(async () => {
+    const [{ recorded }] = await Promise.all([this.primitives.get(), import("../primitives/recorded-view")]);
+    return recorded;
+  });
+
   readonly series = new Lazy(async () => {
     const [{ openSeries }, { loadSeries }] = await Promise.all([
       import("../series/series"),

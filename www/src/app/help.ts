@@ -6,7 +6,7 @@ import { clipTitle } from "../ui/format";
 import { icon } from "../ui/icons";
 import "../ui/dialog.css";
 import { View } from "../ui/view";
-import { DATA_SOURCE } from "./data-source";
+import { DATA_SOURCE } from "../words/data-source";
 import "./help.css";
 import { helpWords } from "../words/help";
 

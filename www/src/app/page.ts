@@ -328,6 +328,7 @@ export class PageView extends View {
             "learn",
             html`
             <pg-clips .clips=${clips} .stage=${stage} .engine=${engine}></pg-clips>
+            ${this.#recorded()}
             <pg-training .training=${training} .settings=${settings} .clips=${clips} .engine=${engine}></pg-training>`,
           )
         : nothing,
@@ -351,6 +352,24 @@ export class PageView extends View {
       <details class="advanced" data-testid="completing" @toggle=${open}>
         <summary>${lab().couplings.completing}</summary>
         ${store ? html`<pg-completing .completing=${store} .model=${model}></pg-completing>` : nothing}
+      </details>`;
+  }
+
+  /** Movements of recorded people, loaded when they are opened for the first time. */
+  #recorded() {
+    const { recorded } = this.app;
+    const store = recorded.loaded;
+    const open = (event: Event) => {
+      if (!(event.target as HTMLDetailsElement).open) return;
+      recorded
+        .get()
+        .then(() => this.requestUpdate())
+        .catch(() => this.#notLoaded("tab"));
+    };
+    return html`
+      <details class="made" data-testid="real-people" @toggle=${open}>
+        <summary>${lab().learn.clips.recorded}</summary>
+        ${store ? html`<pg-recorded .recorded=${store}></pg-recorded>` : nothing}
       </details>`;
   }
 

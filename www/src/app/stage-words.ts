@@ -10,7 +10,7 @@ import { lab } from "../words/lab";
 export interface OnStage {
   /** Null: the stage is empty. */
   kind: StageContent["kind"] | null;
-  clip: { title: string; origin: "made" | "own" } | null;
+  clip: { title: string; origin: "made" | "model" | "own" } | null;
   /** The names of the model's training sequences; null without a model. */
   learnedFrom: readonly string[] | null;
   /** The description of the inducing point under the pointer. */
@@ -63,7 +63,7 @@ function clipWords(clip: OnStage["clip"]): StageWords {
   const words = lab().stage;
   return {
     title: clip?.title ?? words.clip,
-    text: clip?.origin === "made" ? words.madeClip : words.ownClip,
+    text: clip ? words.clipFrom[clip.origin] : words.clipFrom.own,
     lead: words.lead.clip,
   };
 }

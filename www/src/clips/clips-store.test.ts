@@ -49,6 +49,17 @@ describe("the clips that come with the page", () => {
     expect(stage.clip).toBe("own-4");
   });
 
+  it("are unticked when a clip of another body is ticked that a model made, and the other way round", async () => {
+    engine.bodies.push(["Hips", "LeftArm"]);
+    await clips.addModelled("Walk 1", "HIERARCHY");
+    expect(tickedKeys()).toEqual(["made-walk-1", "made-walk-2"]);
+    await clips.tick("model-4", true);
+    expect(tickedKeys()).toEqual(["model-4"]);
+    await clips.tick("made-walk-2", true);
+    expect(tickedKeys()).toEqual(["made-walk-2"]);
+    expect(clips.stored.at(-1)).toMatchObject({ key: "model-4", title: "Walk 1", origin: "model" });
+  });
+
   it("are ticked again when the visitor's last own clip is removed", async () => {
     await clips.tick("made-walk-2", false);
     await clips.open(file("mine.bvh"), true);

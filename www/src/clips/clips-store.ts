@@ -26,8 +26,11 @@ const FEWEST_FRAMES = 10;
 export interface ClipEntry {
   key: string;
   title: string;
-  /** "made": by this project's program; "own": opened by the visitor. */
-  origin: "made" | "own";
+  /**
+   * "made": by this project's program; "model": by a model that learned from recordings; "own":
+   * opened by the visitor.
+   */
+  origin: "made" | "model" | "own";
   source: ClipSource;
   loaded: LoadedClip;
   /** Whether it is chosen for training and comparisons. */
@@ -141,6 +144,13 @@ export class ClipsStore extends Store {
     this.changed();
   }
 
+  /** Adds a clip that a model made, as BVH. It is not ticked. */
+  async addModelled(title: string, bvh: string): Promise<void> {
+    const source = { name: title, file: new Blob([bvh]) };
+    const loaded = await this.#read(source);
+    this.#add({ key: `model-${loaded.id}`, title, origin: "model", source, loaded, ticked: false });
+  }
+
   /** Opens a clip of the visitor. The first of several goes on the stage. */
   async open(file: File, first: boolean): Promise<void> {
     // A copy of the bytes: the visitor may change the file on disk.
@@ -169,7 +179,7 @@ export class ClipsStore extends Store {
     let now = origin === "made" ? key : null;
     if (now === null && "file" in source) {
       const loaded = await this.#read(source);
-      now = `own-${loaded.id}`;
+      now = `${origin}-${loaded.id}`;
       this.#add({ key: now, title, origin, source, loaded, ticked });
     }
     const clip = now === null ? undefined : this.#find(now);
@@ -179,7 +189,14 @@ export class ClipsStore extends Store {
     return clip.loaded.id;
   }
 
+  /** Of the clips that come with the page, only those of one body stay ticked. */
   async tick(key: string, ticked: boolean): Promise<void> {
+    const clip = this.#find(key);
+    if (ticked && clip && clip.origin !== "own") {
+      const same = this.ofBody(clip.loaded.info.joints);
+      for (const other of this.ticked)
+        if (other.origin !== "own" && !same.includes(other)) this.#update(other.key, { ticked: false });
+    }
     this.#update(key, { ticked });
     await this.checkClash();
   }

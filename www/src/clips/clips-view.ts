@@ -128,6 +128,7 @@ export class ClipsView extends View {
     const { clips } = this;
     const own = clips.all.filter(({ origin }) => origin === "own");
     const made = clips.all.filter(({ origin }) => origin === "made");
+    const modelled = clips.all.filter(({ origin }) => origin === "model");
     const words = lab().learn.clips;
     return html`
       <h2>${words.title}</h2>
@@ -149,6 +150,11 @@ export class ClipsView extends View {
           : this.engine.state === "loading"
             ? html`<p class="empty">${words.gettingReady}</p>`
             : nothing
+      }
+      ${
+        modelled.length > 0
+          ? html`<ul class="clip-list" data-testid="model-clips">${this.#rows(modelled)}</ul>`
+          : nothing
       }`;
   }
 }

@@ -146,6 +146,8 @@ export class FakeEngine implements Partial<Engine>, ClipCalls {
   readonly odd = new Set<number>();
   /** The clips of a body with longer bones. */
   readonly longer = new Set<number>();
+  /** The names of the joints of the next clips that are read; else those of the sample clips. */
+  readonly bodies: string[][] = [];
   /** The health of all rollouts. */
   health: Health = MOVES_ON;
   /** The live rollout, if there is one: its changes and the number of its frames. */
@@ -178,6 +180,8 @@ export class FakeEngine implements Partial<Engine>, ClipCalls {
     if ("file" in source && source.file.size === 0) return Promise.reject(new Error("the file is empty"));
     const clip = shownClip();
     if ("file" in source && source.up) clip.info.upAxis = source.up;
+    const names = this.bodies.shift();
+    if (names) clip.info.joints = names.map((name, joint) => ({ ...clip.info.joints[joint]!, name }));
     return this.#answer("readClip", [source], clip);
   }
 

@@ -114,6 +114,15 @@ export interface Recognised {
   segments: RecognisedSegment[];
 }
 
+/** A movement that a library learned as a whole. */
+export interface RecordedMovement {
+  name: string;
+  /** The document of its model. */
+  model: string;
+  /** Clips that the model makes, as BVH: one for each clip that it learned from, started as that clip starts. */
+  clips: string[];
+}
+
 /**
  * The calls of a worker for libraries. The worker keeps one library with one walk. The trainings get the
  * library as an argument and keep nothing.
@@ -121,6 +130,8 @@ export interface Recognised {
 export interface LibraryWorker {
   /** Whether the library has a primitive for each part. If not, it can only be added to another library. */
   isWholeLibrary(text: string): boolean;
+  /** The learned movements of a library, which is not opened. */
+  recordedMovements(text: string): RecordedMovement[];
   /** Opens a library and closes the earlier one. If opening fails, the earlier library stays open. */
   openLibrary(text: string): LibraryInfo;
   /** The nearest couplings, for a combination without fitted couplings. */

@@ -140,6 +140,12 @@ export class FakeLibraries {
       positions: new Float32Array(frames * 6).fill(uses.reduce((sum, primitive) => sum + primitive, 0)),
     });
     return {
+      recordedMovements: async (text) => {
+        if (this.refused) throw new Error(this.refused);
+        return infoOf(text).movements.flatMap(({ name, learned }) =>
+          learned ? [{ name, model: `model of ${name}`, clips: [`bvh of ${name}`] }] : [],
+        );
+      },
       openLibrary: async (text) => {
         if (this.refused) throw new Error(this.refused);
         this.opened.push(text);

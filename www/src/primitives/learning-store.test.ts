@@ -48,6 +48,13 @@ const chosen = () =>
 const report = (found: string | null) =>
   ({ progress: { ...progress(3), fraction: 0.5 }, elapsed: 2, found }) as TrainingReport<string>;
 
+it("leaves clips that a model made out, until they are chosen", () => {
+  clips.add("Run 1, by a model", "model");
+  expect(chosen()).toEqual(["w1 walk", "w2 walk", "v1 wave"]);
+  learning.choose("Run 1, by a model", true);
+  expect(chosen().at(-1)).toBe("Run 1, by a model title of Run");
+});
+
 it("groups sample clips by their movements, and own clips by their names", () => {
   expect(chosen()).toEqual(["w1 walk", "w2 walk", "v1 wave"]);
   clips.add("mine", "own");

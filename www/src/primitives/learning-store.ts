@@ -60,7 +60,7 @@ export class LearningStore extends ProgressStore<string> {
       const movement = this.#named.get(clip.key) ?? first;
       const count = (counts.get(first) ?? 0) + 1;
       counts.set(first, count);
-      const byDefault = own ? clip.origin === "own" : count <= SAMPLES_CHOSEN;
+      const byDefault = clip.origin === (own ? "own" : "made") && (own || count <= SAMPLES_CHOSEN);
       return { key: clip.key, title: clip.title, movement, chosen: this.#chosen.get(clip.key) ?? byDefault };
     });
   }
@@ -80,7 +80,7 @@ export class LearningStore extends ProgressStore<string> {
   /** Chooses all sample clips in the groups of their movements, with these shared parts. */
   chooseSamples(shared: readonly string[]): void {
     for (const { key, origin } of this.#clips.all) {
-      this.#chosen.set(key, origin !== "own");
+      this.#chosen.set(key, origin === "made");
       this.#named.delete(key);
     }
     this.#shared.clear();
@@ -135,8 +135,8 @@ export class LearningStore extends ProgressStore<string> {
     if (text !== null) await this.#library.open(text, primitivesWords().library.learnedHere, true);
   }
 
-  #movementOf({ source, title }: ClipEntry): string {
-    if (!("sample" in source)) return title;
+  #movementOf({ source, title, origin }: ClipEntry): string {
+    if (!("sample" in source)) return origin === "model" ? title.replace(/ \d.*$/, "") : title;
     return this.#engine.samples.find(({ id }) => id === source.sample)?.movement ?? title;
   }
 

@@ -22,6 +22,7 @@ import "./primitives.css";
 import "./recognition-view";
 import "./walk-view";
 import { lab } from "../words/lab";
+import { DATA_SOURCE } from "../words/data-source";
 import { primitivesWords } from "../words/primitives";
 
 export class PrimitivesPage extends View {
@@ -39,6 +40,7 @@ export class PrimitivesPage extends View {
 
   protected override arrived(): void {
     void this.#library.openFirst();
+    void this.primitives.recorded.load();
     this.listen(this, "put-on-stage", (event) => {
       // The event that this view sends itself has a detail.
       if (event instanceof CustomEvent && event.detail === null) this.#putOnStage(event);
@@ -82,7 +84,7 @@ export class PrimitivesPage extends View {
       <section class="panel library-head" aria-label=${areas.library}>
         <p><strong>${isGiven ? words.made : current.title}</strong>
           <span data-testid="library-words">${text}
-          ${isGiven ? words.ownClips : nothing}
+          ${isGiven ? html`${words.source} <span lang="en">${DATA_SOURCE}</span>` : nothing}
           ${current.unsaved ? words.unsaved : nothing}</span></p>
         <div class="button-row">
           ${before ? html`<button class="small" data-testid="library-undo" @click=${() => void this.#library.undo()}>${words.undo}</button>` : nothing}

@@ -152,13 +152,13 @@ export class RecognitionStore extends Store {
   }
 
   /**
-   * The last clips of the visitor, or else a made clip of one movement, one of another and one of the first.
+   * The last clips of the visitor, or else a clip of one movement, one of another and one of the first.
    */
   get #example(): readonly ClipEntry[] {
     const own = this.clips.filter(({ origin }) => origin === "own");
     if (own.length > 0) return own.slice(-PLACES);
-    const movement = ({ source }: ClipEntry) =>
-      "sample" in source ? source.sample.replace(/-\d+$/, "") : "";
+    const movement = ({ source, title }: ClipEntry) =>
+      "sample" in source ? source.sample.replace(/-\d+$/, "") : title.replace(/ \d.*$/, "");
     const [first] = this.clips;
     if (!first) return [];
     const others = this.clips.filter((clip) => movement(clip) !== movement(first));

@@ -36,16 +36,17 @@ export class WalkCouplingsView extends View {
   }
 
   #fit() {
-    const { fitting, clips } = this;
+    const { fitting } = this;
+    const clips = this.clips.ofBody(this.library.current?.info.joints ?? []);
     const { busy, status } = fitting;
-    const key = clips.all.some((clip) => clip.key === this.clip) ? this.clip : (clips.all[0]?.key ?? "");
+    const key = clips.some((clip) => clip.key === this.clip) ? this.clip : (clips[0]?.key ?? "");
     const { text, failed } = fitText(fitting);
     const words = primitivesWords().couplings;
     return html`
       <div class="fit-row">
         <label>${words.clip} <select data-testid="fit-clip" ?disabled=${busy} @change=${(event: Event) => {
           this.clip = (event.target as HTMLSelectElement).value;
-        }}>${clips.all.map((clip) => html`<option value=${clip.key} ?selected=${clip.key === key}>${clip.title}</option>`)}</select></label>
+        }}>${clips.map((clip) => html`<option value=${clip.key} ?selected=${clip.key === key}>${clip.title}</option>`)}</select></label>
         <button class="small" data-testid=${busy ? "fit-cancel" : "fit"} ?disabled=${busy ? status === "cancelling" : key === ""}
           @click=${() => (busy ? fitting.cancel() : void fitting.fit(key))}>${busy ? lab().learn.training.cancel : words.fit}</button>
       </div>

@@ -12,7 +12,12 @@ const isTime: Check = (value) => isNumber(value) && Math.abs(value as number) <=
 const isClipSource: Check = (value) =>
   has({ sample: isText })(value) || has({ name: isText, file: isText })(value);
 const clipFields = { id: isNumber, title: isText, source: isClipSource, first: isNumber, end: isNumber };
-const isClip = has({ ...clipFields, key: isText, origin: isOneOf("own", "made"), ticked: isBoolean });
+const isClip = has({
+  ...clipFields,
+  key: isText,
+  origin: isOneOf("own", "made", "model"),
+  ticked: isBoolean,
+});
 
 /** Version 0.2 wrote these states with spaces, and one with "the". */
 const healthState = (state: string) =>

@@ -14,6 +14,7 @@ import type {
   ImportJob,
   LearningJob,
   LibraryWorker,
+  RecordedMovement,
   WalkChange,
 } from "../engine/library-protocol";
 import type { Motion } from "../engine/protocol";
@@ -104,7 +105,28 @@ function exchange(library: Library): { text: string; info: LibraryInfo } {
 const isWhole = ({ parts, primitives }: LibraryInfo) =>
   parts.every((_, part) => primitives.some((one) => one.part === part));
 
+/** Seconds of a clip that a model makes. */
+const CLIP_SECONDS = 5;
+
+function movementOf(library: Library, place: number, name: string): RecordedMovement {
+  const { frameTime, movements } = library.info();
+  const frames = Math.round(CLIP_SECONDS / frameTime);
+  return using(library.movement(place), (model) => ({
+    name,
+    model: model.toJson(),
+    clips: (movements[place]?.sequences ?? []).map((_, sequence) =>
+      using(model.rollout({ frames, sequence }), (rollout) => rollout.toBvh()),
+    ),
+  }));
+}
+
 export const libraryWorker: LibraryWorker = {
+  recordedMovements: (text) =>
+    using(Library.fromJson(text), (library) =>
+      library
+        .info()
+        .movements.flatMap(({ learned, name }, place) => (learned ? [movementOf(library, place, name)] : [])),
+    ),
   isWholeLibrary: (text) => using(Library.fromJson(text), (library) => isWhole(library.info())),
   openLibrary(text) {
     const library = Library.fromJson(text);

@@ -108,8 +108,7 @@ export class BorrowChapter extends Store implements Chapter {
     return html`
       <p data-testid="borrowed" data-outcome=${found ?? ""}>
         <b>${library.recorded === null ? never : recorded(this.#name(library.recorded))} ${found ? outcome[found] : nothing}</b>
-        ${hands(now.height, now.speed)}
-        ${isNew && arms && own ? compared(this.#name(arms.name), own.height, own.speed) : nothing}
+        ${hands(now.height, now.speed)}${isNew && own ? compared(own.height, own.speed) : nothing}.
         ${feet(now.steps)}
       </p>`;
   }

@@ -30,6 +30,18 @@ it("measures hands that rise and swing, and feet that step twice a second, while
   expect(measured?.steps).toBeCloseTo(2, 5);
 });
 
+it("counts no steps of feet that spread and close in one place", () => {
+  const [frames, rate] = [201, 100];
+  const positions = new Float32Array(frames * 15);
+  for (let frame = 0; frame < frames; frame++) {
+    const t = frame / rate;
+    const sway = 0.01 * Math.cos(2 * Math.PI * t);
+    const spread = 0.3 * Math.sin(2 * Math.PI * t);
+    positions.set([sway, 1, 0, 0, 1.5, 0, 0, 1.5, 0, spread, 0, 0, -spread, 0, 0], 15 * frame);
+  }
+  expect(measureHandsAndFeet(info, { positions, frames, nodes: 5, frameTime: 1 / rate })?.steps).toBe(0);
+});
+
 it("measures nothing on a body without hands", () => {
   const motion = { positions: new Float32Array(30), frames: 2, nodes: 5, frameTime: 0.1 };
   expect(measureHandsAndFeet({ ...info, joints: info.joints.slice(0, 1) }, motion)).toBeNull();

@@ -8,9 +8,12 @@ export interface HandsAndFeet {
   height: number;
   /** The mean speed of the hands against the hips, in metres a second. */
   speed: number;
-  /** How often a foot overtakes the other one, in steps a second. */
+  /** How often a foot overtakes the other one, in steps a second; 0 for a body that stays in its place. */
   steps: number;
 }
+
+/** Metres a second of a root that is slower than any walk. */
+const SLOWEST_WALK = 0.3;
 
 /** The node of the joint whose name ends like this; null: the body has no such joint. */
 function nodeOf({ joints, figure }: Pick<LibraryInfo, "joints" | "figure">, end: RegExp): number | null {
@@ -48,5 +51,7 @@ export function measureHandsAndFeet(
     if (ahead !== 0) before = ahead;
   }
   const seconds = (frames - 1) * frameTime;
+  const way = [0, 2].map((axis) => at(frames - 1, 0, axis) - at(0, 0, axis));
+  if (Math.hypot(...way) < SLOWEST_WALK * seconds) steps = 0;
   return { height, speed: path / seconds, steps: steps / seconds };
 }

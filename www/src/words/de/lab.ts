@@ -94,8 +94,11 @@ export const lab: LabWords = {
       made: (kind) => `Gemacht von einem ${kind}`,
       noCouplings: "Ein Modell ohne Kopplungen: Hier ändert nichts seine Bewegung",
     },
-    madeClip: "Ein Clip, von einem Programm gemacht: nicht das Modell",
-    ownClip: "Ein Clip, wie aufgenommen: nicht das Modell",
+    clipFrom: {
+      made: "Ein Clip, von einem Programm gemacht: nicht das Modell",
+      model: "Ein Clip, gemacht von einem Modell, das von Aufnahmen gelernt hat",
+      own: "Ein Clip, wie aufgenommen: nicht das Modell",
+    },
     point: "Wofür ein Stützpunkt steht",
     posePoint: (part) => `Eine Pose von ${part}`,
     stepPoint: (source, target) => `Von dieser Pose von ${source} zu jener von ${target}`,

@@ -35,6 +35,7 @@ export const learn: LearnWords = {
     series: "Zeitreihen",
     seriesView: "ohne Körper (.csv) haben eine eigene Ansicht.",
     samples: "Beispiele, von einem Programm gemacht",
+    recorded: "Bewegungen echter Menschen",
     ticked: (ticked, all) => `${ticked} von ${all} gewählt, um ein neues Modell zu trainieren`,
     gettingReady: "Die Beispiele werden vorbereitet",
     trim: (title) => `${title} kürzen`,

@@ -3,6 +3,15 @@ import type { PrimitivesWords } from "../en/primitives";
 
 const number = (value: number, digits: number) => decimal("de", value, digits);
 
+/** The movements of the page's library, and whose recordings they learned from. */
+const MOVEMENTS: Readonly<Record<string, string>> = {
+  walk: "Gehen",
+  run: "Laufen",
+  jump: "Hampelmann",
+  wave: "Winken",
+};
+const PEOPLE: Readonly<Record<string, string>> = { walk: "CMU 35", run: "CMU 35", jump: "CMU" };
+
 export const primitives: PrimitivesWords = {
   loading: "Wird geladen",
   tryAgain: "Noch einmal versuchen",
@@ -19,16 +28,26 @@ export const primitives: PrimitivesWords = {
     experiment: "Das Experiment",
   },
   library: {
-    made: "Eine Bibliothek gemachter Gänge",
+    made: "Eine Bibliothek aufgenommener Bewegungen",
     learned: (movements, time) =>
-      `Sie lernte ${movements.map((name) => `„${name}“`).join(" und ")} aus ${time} Bewegung.`,
-    ownClips: "Die Clips sind von diesem Projekt, von einem Programm gemacht.",
+      `Sie lernte ${movements.map((name) => `„${name}“`).join(", ")} aus ${time} Bewegung.`,
+    source: "Die Aufnahmen gehören nicht zur Seite.",
     unsaved: "Sie ist noch nicht gespeichert.",
     undo: "Zurück zur Bibliothek davor",
     save: "Bibliothek speichern",
     open: "Bibliothek öffnen",
     openMeaning: "Eine Bibliothek von Primitiven (.json) öffnen",
     learnedHere: "Die hier gelernte Bibliothek",
+  },
+  recorded: {
+    about:
+      "Modelle haben diese Bewegungen von Aufnahmen gelernt. Hier öffnest du eines. Clips, die es macht, stehen in der Liste darüber: Wähle Clips einer Bewegung und trainiere, dann entsteht dieselbe Figur noch einmal.",
+    name: (movement) => MOVEMENTS[movement] ?? movement,
+    modelMeaning: (movement) => `Das Modell von „${movement}“ auf die Bühne`,
+    clip: (movement, number) =>
+      `${MOVEMENTS[movement] ?? movement} ${number}, vom Modell von ${PEOPLE[movement] ?? "einer Aufnahme"}`,
+    source: "Die Aufnahmen gehören nicht zur Seite.",
+    where: "Zu den Aufnahmen",
   },
   walk: {
     noGraphics:
@@ -86,7 +105,7 @@ export const primitives: PrimitivesWords = {
     title: "[Kopplungen|coupling]",
     reset: "Zurück",
     about:
-      "Rechts ist stark. In einer neuen Kombination behält jeder Teil, was er über die anderen gelernt hat.",
+      "Rechts ist stark. In einer neuen Kombination haben sich die Teile nie getroffen, also hören sie zuerst kaum aufeinander.",
     clip: "Clip",
     fit: "An diesen Clip anpassen",
     fitting: "Anpassung",

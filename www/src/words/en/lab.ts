@@ -95,8 +95,11 @@ export const lab = {
       noCouplings: "A model without couplings: nothing here changes its motion",
     },
     clip: "Clip",
-    madeClip: "A clip, made by a program: not the model",
-    ownClip: "A clip, as it was recorded: not the model",
+    clipFrom: {
+      made: "A clip, made by a program: not the model",
+      model: "A clip, made by a model that learned from recordings",
+      own: "A clip, as it was recorded: not the model",
+    },
     point: "What an inducing point stands for",
     posePoint: (part: string) => `A pose of ${part}`,
     stepPoint: (source: string, target: string) => `From this pose of ${source} to that of ${target}`,

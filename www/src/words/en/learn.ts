@@ -38,6 +38,7 @@ export const learn = {
     series: "Time series",
     seriesView: "that are no body (.csv) have a view of their own.",
     samples: "Samples, made by a program",
+    recorded: "Movements of real people",
     ticked: (ticked: number, all: number) => `${ticked} of ${all} ticked, to train a new model on`,
     gettingReady: "Getting the sample clips ready",
     trim: (title: string) => `Trim ${title}`,

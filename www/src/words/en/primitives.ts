@@ -2,6 +2,15 @@ import { decimal } from "../decimal";
 
 const number = (value: number, digits: number) => decimal("en", value, digits);
 
+/** The movements of the page's library, and whose recordings they learned from. */
+const MOVEMENTS: Readonly<Record<string, string>> = {
+  walk: "Walk",
+  run: "Run",
+  jump: "Jumping jacks",
+  wave: "Wave",
+};
+const PEOPLE: Readonly<Record<string, string>> = { walk: "CMU 35", run: "CMU 35", jump: "CMU" };
+
 /** The view Primitives. A [text|term] in brackets is a term with an explanation. */
 export const primitives = {
   loading: "Loading",
@@ -19,16 +28,26 @@ export const primitives = {
     experiment: "The experiment",
   },
   library: {
-    made: "A library of made walks",
+    made: "A library of recorded movements",
     learned: (movements: readonly string[], time: string) =>
-      `It learned ${movements.map((name) => `“${name}”`).join(" and ")} from ${time} of motion.`,
-    ownClips: "The clips are this project’s own, made by a program.",
+      `It learned ${movements.map((name) => `“${name}”`).join(", ")} from ${time} of motion.`,
+    source: "The recordings are not part of the page.",
     unsaved: "It is not saved yet.",
     undo: "Back to the library before",
     save: "Save the library",
     open: "Open a library",
     openMeaning: "Open a library of primitives (.json)",
     learnedHere: "The library learned here",
+  },
+  recorded: {
+    about:
+      "Models learned these movements from recordings. Open one here. Clips that it makes are in the list above: tick clips of one movement and train, and you get this walker again.",
+    name: (movement: string) => MOVEMENTS[movement] ?? movement,
+    modelMeaning: (movement: string) => `The model of “${movement}” on the stage`,
+    clip: (movement: string, number: number) =>
+      `${MOVEMENTS[movement] ?? movement} ${number}, by a model of ${PEOPLE[movement] ?? "a recording"}`,
+    source: "The recordings are not part of the page.",
+    where: "Get the recordings",
   },
   walk: {
     noGraphics: "This browser shows no 3-D graphics (WebGL), so only the small figures are drawn.",
@@ -84,7 +103,8 @@ export const primitives = {
   couplings: {
     title: "[Couplings|coupling]",
     reset: "Reset",
-    about: "Right is strong. In a new combination each part keeps what it learned about the others.",
+    about:
+      "Right is strong. In a new combination the parts never met, so at first they hardly listen to each other.",
     clip: "Clip",
     fit: "Fit to this clip",
     fitting: "Fitting",
