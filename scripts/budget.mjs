@@ -10,10 +10,11 @@ export const budget = {
   /** Help, method, details of the Lab and its recordings that move parts, with their words in two languages. */
   whenAsked: 77_000,
   /**
-   * The whole program, with the filter that completes and recognises recordings; the comparison of models and
-   * the synthetic experiment with words in two languages.
+   * The whole program, with the filter that completes and recognises recordings, ten kinds of models to compare
+   * and the samples that do not walk; the comparison of models and the synthetic experiment with words in two
+   * languages.
    */
-  onDemand: 900_000,
+  onDemand: 930_000,
   /** The graphics Turing test with jsPsych, and its words in two languages. */
   perception: 52_000,
   /** The movements of the page's own study. */

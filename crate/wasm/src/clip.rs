@@ -112,7 +112,11 @@ impl Clip {
     /// A clip that the project makes itself, by its id in `samples()`.
     pub fn sample(id: &Text) -> Result<Clip, VcgpdmError> {
         let id = id.get(ErrorCode::Clip, "the id of a sample")?;
-        let clip = samples::clip(&id).ok_or_else(|| {
+        #[cfg(feature = "training")]
+        let clip = samples::clip(&id);
+        #[cfg(not(feature = "training"))]
+        let clip = samples::walking_clip(&id);
+        let clip = clip.ok_or_else(|| {
             let message = format_args!("expected the id of a sample clip, found \"{id}\"");
             VcgpdmError::new(ErrorCode::Clip, &message)
         })?;
@@ -122,7 +126,10 @@ impl Clip {
     /// The clips that the project makes itself.
     #[wasm_bindgen(unchecked_return_type = "SampleInfo[]")]
     pub fn samples() -> Result<JsValue, VcgpdmError> {
-        to_js(&samples::list())
+        #[cfg(feature = "training")]
+        return to_js(&samples::list());
+        #[cfg(not(feature = "training"))]
+        return to_js(&samples::walking_list());
     }
 
     /// Its name, size, body and warnings.

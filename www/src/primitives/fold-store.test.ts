@@ -79,9 +79,3 @@ it("waits for its trials", async () => {
   await fold.holdOut();
   expect([fold.trial, program.libraries.folds.length]).toEqual([null, 0]);
 });
-
-it("offers the trials of the experiment alone", () => {
-  const movements = ["walk", "walk and wave", "pass a bottle"];
-  engine.samples = movements.map((movement) => ({ id: movement, title: movement, movement }));
-  expect(fold.trials.map(({ id }) => id)).toEqual(["walk", "walk and wave"]);
-});

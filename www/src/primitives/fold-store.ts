@@ -10,9 +10,6 @@ import { Store } from "../ui/store";
 /** Iterations of each seed of a quick fold: a tenth of those of the experiment. */
 const QUICK_ITERATIONS = 60;
 
-/** The movements of the experiment (`ModularityTest` of the crate lab). */
-const MOVEMENTS: readonly string[] = ["walk", "walk and wave"];
-
 /** The result of a fold. */
 export interface FoldOutcome {
   trial: SampleInfo;
@@ -39,7 +36,7 @@ export class FoldStore extends Store {
   }
 
   get trials(): readonly SampleInfo[] {
-    return this.#engine.samples.filter(({ movement }) => MOVEMENTS.includes(movement));
+    return this.#engine.samples;
   }
 
   /** The trial that is held out; null before the trials are current. */

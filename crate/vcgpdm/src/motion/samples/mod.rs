@@ -11,6 +11,8 @@ mod variation;
 mod walker;
 
 use crate::motion::clip::Clip;
+use crate::motion::skeleton::Skeleton;
+use nalgebra::DMatrix;
 use serde::Serialize;
 use walker::Arms;
 
@@ -26,32 +28,27 @@ pub struct SampleInfo {
     pub movement: &'static str,
 }
 
-struct Recipe {
+struct Walk {
     info: SampleInfo,
+    arms: Arms,
     seed: u64,
-    movement: Movement,
+    seconds: f64,
 }
 
-enum Movement {
-    Walk { arms: Arms, seconds: f64 },
-    Bottle,
+const fn walk(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Walk {
+    Walk { info: SampleInfo { id, title, movement: "walk" }, arms: Arms::Swing, seed, seconds }
 }
 
-const fn walk(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Recipe {
-    let movement = Movement::Walk { arms: Arms::Swing, seconds };
-    Recipe { info: SampleInfo { id, title, movement: "walk" }, seed, movement }
+const fn wave(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Walk {
+    Walk { info: SampleInfo { id, title, movement: "walk and wave" }, arms: Arms::Wave, seed, seconds }
 }
 
-const fn wave(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Recipe {
-    let movement = Movement::Walk { arms: Arms::Wave, seconds };
-    Recipe { info: SampleInfo { id, title, movement: "walk and wave" }, seed, movement }
+/// A clip in which a bottle is passed, with its seed.
+const fn bottle(id: &'static str, title: &'static str, seed: u64) -> (SampleInfo, u64) {
+    (SampleInfo { id, title, movement: "pass a bottle" }, seed)
 }
 
-const fn bottle(id: &'static str, title: &'static str, seed: u64) -> Recipe {
-    Recipe { info: SampleInfo { id, title, movement: "pass a bottle" }, seed, movement: Movement::Bottle }
-}
-
-const RECIPES: [Recipe; 20] = [
+const WALKS: [Walk; 10] = [
     walk("walk-1", "Walk, trial 1", 1, 4.2),
     walk("walk-2", "Walk, trial 2", 2, 3.9),
     walk("walk-3", "Walk, trial 3", 3, 4.4),
@@ -62,6 +59,9 @@ const RECIPES: [Recipe; 20] = [
     wave("walk-wave-2", "Walk and wave, trial 2", 12, 4.3),
     wave("walk-wave-3", "Walk and wave, trial 3", 13, 3.8),
     wave("walk-wave-4", "Walk and wave, trial 4", 14, 4.0),
+];
+
+const BOTTLES: [(SampleInfo, u64); 10] = [
     bottle("bottle-1", "Pass a bottle, trial 1", 21),
     bottle("bottle-2", "Pass a bottle, trial 2", 22),
     bottle("bottle-3", "Pass a bottle, trial 3", 23),
@@ -76,7 +76,7 @@ const RECIPES: [Recipe; 20] = [
 
 /// All sample clips, in the order of the movements and trials.
 pub fn list() -> Vec<SampleInfo> {
-    RECIPES.iter().map(|recipe| recipe.info).collect()
+    walking_list().into_iter().chain(BOTTLES.map(|(info, _)| info)).collect()
 }
 
 /// Makes the sample clip of that id (60 frames a second, centimetres, y up); `None` for an unknown id.
@@ -90,14 +90,30 @@ pub fn list() -> Vec<SampleInfo> {
 /// assert!(samples::clip("run-1").is_none());
 /// ```
 pub fn clip(id: &str) -> Option<Clip> {
-    let recipe = RECIPES.iter().find(|recipe| recipe.info.id == id)?;
+    walking_clip(id).or_else(|| {
+        let (_, seed) = BOTTLES.iter().find(|(info, _)| info.id == id)?;
+        let skeleton = body::skeleton();
+        let values = bottle::pass(&skeleton, *seed);
+        Some(made(id, skeleton, values))
+    })
+}
+
+/// The sample clips in which a body walks. A program that asks for no others has no code that makes them: the
+/// page's first visit.
+pub fn walking_list() -> Vec<SampleInfo> {
+    WALKS.iter().map(|walk| walk.info).collect()
+}
+
+/// [`clip`] for the clips of [`walking_list`].
+pub fn walking_clip(id: &str) -> Option<Clip> {
+    let Walk { arms, seed, seconds, .. } = WALKS.iter().find(|walk| walk.info.id == id)?;
     let skeleton = body::skeleton();
-    let values = match recipe.movement {
-        Movement::Walk { arms, seconds } => walker::walk(&skeleton, arms, recipe.seed, seconds),
-        Movement::Bottle => bottle::pass(&skeleton, recipe.seed),
-    };
-    let name = format!("{id} (made by this project).bvh");
-    Some(Clip::new(&name, skeleton, 1.0 / frames::RATE, values))
+    let values = walker::walk(&skeleton, *arms, *seed, *seconds);
+    Some(made(id, skeleton, values))
+}
+
+fn made(id: &str, skeleton: Skeleton, values: DMatrix<f64>) -> Clip {
+    Clip::new(&format!("{id} (made by this project).bvh"), skeleton, 1.0 / frames::RATE, values)
 }
 
 #[cfg(test)]
