@@ -124,6 +124,16 @@ export interface Health {
     /** The poses of each part, in the order of the model. */
     parts: PartPoses[];
 }
+
+/** A prediction of how natural a rollout looks, in nats a frame: see `Rollout.predictedNaturalness`. */
+export interface PredictedNaturalness {
+    /** Of the frames of the rollout; null where there is none after its start. */
+    rollout: number | null;
+    /** Of the frames of the training; null for a file of an earlier version, which has not kept them. */
+    training: number | null;
+    /** That of the rollout minus that of the training. */
+    difference: number | null;
+}
 "#;
 
 #[derive(Serialize)]
@@ -270,6 +280,17 @@ impl Rollout {
     pub fn health(&self) -> Result<JsValue, VcgpdmError> {
         let health = coupled(self.model.body()?)?.health(&self.rollout, &self.request, &self.positions)?;
         to_js(&health)
+    }
+
+    /// A prediction of how natural the motion looks: the mean log density of the latents of a frame under the
+    /// dynamics as learned. For walks of models under their own couplings it predicted what people answered (Knopp
+    /// et al. 2019). Nobody has asked people about other couplings: a prediction to test, for rollouts of one model
+    /// only. A mean rollout has no noise, so its difference is usually above 0, even where the motion stands still:
+    /// read `health` first. Throws for a kind without couplings and for a model of tables.
+    #[cfg(feature = "training")]
+    #[wasm_bindgen(js_name = predictedNaturalness, unchecked_return_type = "PredictedNaturalness")]
+    pub fn predicted_naturalness(&self) -> Result<JsValue, VcgpdmError> {
+        to_js(&coupled(self.model.body()?)?.predicted_naturalness(&self.rollout)?)
     }
 
     /// The motion as the text of a BVH file.

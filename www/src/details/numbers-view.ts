@@ -6,10 +6,12 @@ import type { ModelStore } from "../couplings/model-store";
 import { weightText } from "../couplings/weights";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
-import type { Engine } from "../engine/protocol";
+import type { Engine, RolloutRequest } from "../engine/protocol";
+import type { PredictedNaturalness } from "../engine/whole-protocol";
+import { wholeWorkers } from "../engine/whole-workers";
 import type { Playback } from "../stage/playback";
 import { withTerms } from "../terms/term";
-import { short } from "../ui/format";
+import { fixed, short } from "../ui/format";
 import { View } from "../ui/view";
 import "./angles-view";
 import type { PlottedMotion } from "./angles-view";
@@ -26,6 +28,8 @@ type Clip = Pick<ClipEntry, "title" | "loaded" | "source" | "first" | "end">;
 interface ReadMotion {
   of: "model now" | "model as learned" | { clip: string };
   motion: Recorded;
+  /** Null for a clip. */
+  naturalness: PredictedNaturalness | null;
 }
 
 export class NumbersView extends View {
@@ -80,30 +84,60 @@ export class NumbersView extends View {
 
   async #read(engine: Engine): Promise<{ kernels: Kernels; motions: ReadMotion[] }> {
     const { model, clip } = this;
-    const kernels = kernelsOf(await engine.modelJson());
+    const text = await engine.modelJson();
+    const kernels = kernelsOf(text);
     const { clips } = this.engine;
     if (clip && clips) {
       const { loaded, source, first, end } = clip;
       const bvh = await clips.clipBvh({ id: loaded.id, source, first, end });
-      return { kernels, motions: [{ of: { clip: clip.title }, motion: readMotion(bvh) }] };
+      const motion = readMotion(bvh);
+      return { kernels, motions: [{ of: { clip: clip.title }, motion, naturalness: null }] };
     }
-    const now = {
-      of: "model now" as const,
-      motion: readMotion(await engine.rolloutBvh(model.rolloutRequest())),
-    };
+    const read = async (of: "model now" | "model as learned", request: RolloutRequest) => ({
+      of,
+      motion: readMotion(await engine.rolloutBvh(request)),
+      naturalness: await wholeWorkers().desk.run((worker) => worker.predictedNaturalness(text, request)),
+    });
+    const now = await read("model now", model.rolloutRequest());
     if (!model.couplings.altered || !model.learned) return { kernels, motions: [now] };
-    const learned = readMotion(await engine.rolloutBvh(model.learned.request));
-    return { kernels, motions: [now, { of: "model as learned", motion: learned }] };
+    return { kernels, motions: [now, await read("model as learned", model.learned.request)] };
   }
 
-  /** The motions with their names in the language of the page. */
-  get #plotted(): PlottedMotion[] {
+  /** The name of a motion in the language of the page. */
+  #nameOf({ of }: ReadMotion): string {
     const { modelNow, asLearned } = words();
     const names = { "model now": modelNow, "model as learned": asLearned };
-    return this.motions.map(({ of, motion }) => ({
-      name: typeof of === "string" ? names[of] : of.clip,
-      motion,
-    }));
+    return typeof of === "string" ? names[of] : of.clip;
+  }
+
+  get #plotted(): PlottedMotion[] {
+    return this.motions.map((read) => ({ name: this.#nameOf(read), motion: read.motion }));
+  }
+
+  #naturalness() {
+    const { naturalness: heads } = words();
+    const number = (value: number | null) => (value === null ? "–" : fixed(value, 1));
+    const rows = this.motions.flatMap((read) =>
+      read.naturalness ? [{ name: this.#nameOf(read), ...read.naturalness }] : [],
+    );
+    if (rows.length === 0) return nothing;
+    return html`
+      <section>
+        <h2>${heads.title}</h2>
+        <div class="table-scroll" tabindex="0" role="region" aria-label=${heads.title}>
+          <table data-testid="naturalness">
+            <thead><tr><th scope="col">${heads.of}</th><th scope="col">${heads.rollout}</th>
+              <th scope="col">${heads.training}</th><th scope="col">${heads.difference}</th></tr></thead>
+            <tbody>${rows.map(
+              ({ name, rollout, training, difference }) => html`
+              <tr><th scope="row">${name}</th><td>${number(rollout)}</td><td>${number(training)}</td>
+                <td>${number(difference)}</td></tr>`,
+            )}</tbody>
+          </table>
+        </div>
+        <p class="hint">${heads.about}</p>
+        <p class="hint">${heads.caution}</p>
+      </section>`;
   }
 
   #couplings() {
@@ -140,6 +174,7 @@ export class NumbersView extends View {
         <h2>${words().angles.title}</h2>
         <pg-angles .playback=${this.playback} .motions=${this.#plotted} .channels=${channelsOf(joints)}></pg-angles>
       </section>
+      ${this.#naturalness()}
       ${model.model ? this.#couplings() : nothing}
       ${kernelTables(kernels)}`;
   }

@@ -13,6 +13,7 @@ import type {
   Plan,
   PlanePicture,
   PlannedJob,
+  PredictedNaturalness,
   Setting,
   StudyInfo,
   StudyLook,
@@ -59,6 +60,7 @@ export type {
   Plan,
   PlanePicture,
   PlannedJob,
+  PredictedNaturalness,
   Regression,
   Rival,
   Setting,
@@ -247,6 +249,8 @@ export interface UncertaintyWorker {
    * The frames count at the frame rate of the model.
    */
   inferStart(text: string, clip: TrainingClip, frames: number): Promise<number[][][]>;
+  /** How natural the motion of the model of this document is predicted to look. */
+  predictedNaturalness(text: string, request: RolloutRequest): PredictedNaturalness;
   /** A rollout of the model with some of its inducing points only. */
   keptRollout(kept: KeptPoints, request: RolloutRequest): KeptReport;
 }

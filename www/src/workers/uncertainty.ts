@@ -56,6 +56,10 @@ export const uncertaintyWorker: UncertaintyWorker = {
   },
   inferStart: async (text, clip, frames) =>
     using(await pieceOf(clip), (piece) => using(Model.fromJson(text), (model) => model.infer(piece, frames))),
+  predictedNaturalness: (text, request) =>
+    using(Model.fromJson(text), (model) =>
+      using(model.rollout(request), (rollout) => rollout.predictedNaturalness()),
+    ),
   keptBounds: (choices) => choices.map((kept) => keptBound(current(), kept)),
   keptRollout: (kept, request) => {
     const report = keptReport(current(), kept, request);

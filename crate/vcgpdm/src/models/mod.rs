@@ -41,6 +41,7 @@ pub use rollout::couplings::{
 pub use rollout::health::{Ending, Health, PartPoses, best_to_show};
 pub use rollout::latent_dynamics::LatentDynamics;
 pub use rollout::live::{LiveFrames, LiveRollout};
+pub use rollout::naturalness::PredictedNaturalness;
 pub use rollout::request::{Cut, MOST_SAMPLES, Push, Rollout, RolloutError, RolloutRequest};
 pub use search::{Phase, SearchEnd};
 pub use training::cost::TrainingCost;

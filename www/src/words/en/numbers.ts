@@ -4,6 +4,17 @@ export const numbers = {
   empty: "The numbers of the model and its motion appear here.",
   modelNow: "the model now",
   asLearned: "as learned",
+  naturalness: {
+    title: "Predicted naturalness",
+    of: "motion",
+    rollout: "a frame of it",
+    training: "a frame of the training",
+    difference: "difference",
+    about:
+      "How likely the latents of a frame are under the dynamics as learned, in nats. For walks of models under their own couplings, this number predicted how natural people found the walks (Knopp et al. 2019).",
+    caution:
+      "A prediction to test: nobody has asked people about changed couplings. Compare only motions of one model. A motion without noise is usually above 0, even if it stands still.",
+  },
   couplings: {
     title: "[Couplings|coupling]",
     label: "Couplings",

@@ -6,5 +6,6 @@ pub(crate) mod latent_dynamics;
 pub(crate) mod latent_paths;
 pub(crate) mod live;
 mod movers;
+pub(crate) mod naturalness;
 mod reach;
 pub(crate) mod request;

@@ -1,0 +1,34 @@
+//! A prediction of how natural a motion looks (Knopp et al. 2019): the dynamics part of the bound.
+
+use crate::models::data::column_mapping::ColumnMapping;
+use crate::models::fitted::coupled::Coupled;
+use crate::models::rollout::request::{Rollout, RolloutError, RolloutRequest};
+use serde::Serialize;
+
+/// The mean log density of the latents of a frame under the dynamics as learned, in nats a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PredictedNaturalness {
+    /// Of the frames of a rollout; `None` where it has no frame after its start.
+    pub rollout: Option<f64>,
+    /// Of the frames of the training; `None` for a file of an earlier version, which has no latents of them.
+    pub training: Option<f64>,
+    /// That of the rollout minus that of the training.
+    pub difference: Option<f64>,
+}
+
+impl<S: ColumnMapping> Coupled<'_, S> {
+    /// A prediction of how natural a rollout of this model looks: how likely its latents are under the dynamics
+    /// as learned, whatever its couplings were, and how likely those of the training are.
+    ///
+    /// # Errors
+    ///
+    /// When the rollout is of another model, or a covariance cannot be factorised.
+    #[doc(hidden)]
+    pub fn predicted_naturalness(&self, rollout: &Rollout) -> Result<PredictedNaturalness, RolloutError> {
+        let learned = self.predictive_dynamics(&RolloutRequest::default())?;
+        let of_rollout = learned.mean_log_density(std::slice::from_ref(&rollout.latents))?;
+        let training = learned.mean_log_density(&self.model.starts)?;
+        let difference = of_rollout.zip(training).map(|(rollout, training)| rollout - training);
+        Ok(PredictedNaturalness { rollout: of_rollout, training, difference })
+    }
+}
