@@ -1,8 +1,8 @@
 // `npm run alpha -- [SITE_FOLDER] [--learned]`: measures the time from a coupling's slider to the new motion,
 // in headless Chromium, with experts re-inferred or as learned. For each event it measures two times: in the
 // page, from the event to the new positions; in the worker, from the request to its answer. Then it measures
-// the worker's time for the next frames of a live motion, and the time from a turn of the wheel to the first
-// frame that obeys it.
+// the worker's time for the next frames of a live motion, and the time from a turn of the wheel, and from a move of
+// a dragged hand, to the arrival of the first frame that obeys it. The next picture of the display shows this frame.
 import { resolve } from "node:path";
 import { parseArgs } from "node:util";
 import { launchChromium } from "./chromium.mjs";
@@ -14,7 +14,7 @@ const EVENTS = 200;
 /** Events before the measurement, while the browser still compiles the program. */
 const WARM_UP = 20;
 const LIVE_SECONDS = 10;
-/** Turns of the wheel, each this many milliseconds after the one before. */
+/** Turns of the wheel, and moves of a hand, each this many milliseconds after the one before. */
 const TURNS = 60;
 const BETWEEN_TURNS = 100;
 
@@ -79,7 +79,7 @@ async function slide({ slider, events }) {
 }
 
 /**
- * In the page: collects the measures of the wheel from now on. Nothing is drawn any more: without a graphics
+ * In the page: collects the measures of the wheel and of drags from now on. Nothing is drawn any more: without a graphics
  * card a picture takes longer than a display frame.
  */
 function collectTurns() {
@@ -88,8 +88,29 @@ function collectTurns() {
     Object.assign(WebGL2RenderingContext.prototype, { [draw]() {} });
   scope.turns = [];
   new PerformanceObserver((list) =>
-    scope.turns.push(...list.getEntriesByName("wheel-answer").map(({ duration }) => duration)),
+    scope.turns.push(...list.getEntriesByName("hand-answer").map(({ duration }) => duration)),
   ).observe({ type: "measure" });
+}
+
+/** In the page: moves a dragged node of the figure to and fro. */
+function dragNode(/** @type {{ moves: number, between: number }} */ { moves, between }) {
+  const scope = /** @type {any} */ (globalThis);
+  scope.turns.length = 0;
+  const { live, model } = /** @type {any} */ (document.querySelector("pg-live"));
+  const { figure, joints } = model.model.info;
+  const hand = figure.nodes.findIndex((/** @type {any} */ { joint }) =>
+    /right.*hand/i.test(joints[joint].name),
+  );
+  return new Promise((done) => {
+    let move = 0;
+    const timer = setInterval(() => {
+      live.reach(hand, [0.02 * Math.sin(move / 5), 0, 0]);
+      if (++move < moves) return;
+      clearInterval(timer);
+      live.letGo(hand);
+      setTimeout(() => done(undefined), between);
+    }, between);
+  });
 }
 
 /** The value below which this share of the values lies. */
@@ -145,7 +166,10 @@ await main(async () => {
       await page.keyboard.press("ArrowRight");
       await page.waitForTimeout(BETWEEN_TURNS);
     }
-    print("wheel to frame", await page.evaluate(() => /** @type {any} */ (globalThis).turns));
+    const turns = () => page.evaluate(() => /** @type {any} */ (globalThis).turns);
+    print("wheel to frame", await turns());
+    await page.evaluate(dragNode, { moves: TURNS, between: BETWEEN_TURNS });
+    print("drag to frame", await turns());
   } finally {
     await browser.close();
     await close();

@@ -75,6 +75,17 @@ impl LiveRollout {
         Ok(LiveFrames(self.live.advance(coupled(&self.model)?, &self.dynamics, frames)?))
     }
 
+    /// Takes the newest frame back, so that the next frame replaces it: other changes can come before it. Throws
+    /// where no frame was computed since the last one was taken back.
+    #[wasm_bindgen(js_name = takeBack)]
+    pub fn take_back(&mut self) -> Result<(), VcgpdmError> {
+        if self.live.take_back() {
+            return Ok(());
+        }
+        let words = "expected a frame that was computed since the last one was taken back, found none";
+        Err(VcgpdmError::new(ErrorCode::Rollout, &words))
+    }
+
     /// Pushes a part by `by` in the latent space [Q], before the next frame.
     pub fn push(&mut self, part: &Whole, by: Vec<f64>) -> Result<(), VcgpdmError> {
         let part = part.count(ErrorCode::Rollout, "the part")?;

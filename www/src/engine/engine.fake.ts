@@ -287,7 +287,7 @@ export class FakeEngine implements Partial<Engine>, ClipCalls {
   advanceLive(changes: LiveChange[], frames: number): Promise<LiveFrames> {
     if (!this.live) return Promise.reject(new Error("There is no live rollout: start one."));
     this.live.changes.push(...changes);
-    this.live.frames += frames;
+    this.live.frames += frames - changes.filter(({ kind }) => kind === "take-back").length;
     const latents = [0, 1].map(() => new Float64Array(2 * frames));
     const places = () => new Float64Array(2 * frames);
     const next = {

@@ -157,6 +157,8 @@ export interface LiveFrames {
 
 /** A change of a live rollout before its next frames. */
 export type LiveChange =
+  /** Takes the newest frame back: the next frame replaces it. */
+  | { kind: "take-back" }
   | { kind: "couplings"; alpha: Couplings; reading: Reading }
   | { kind: "cut"; source: number; target: number; cut: boolean }
   /** Moves a part in its latent space. */

@@ -17,10 +17,13 @@ import { withLab } from "../words/lab";
 export const SHOWN_SECONDS = 12;
 /** Frames computed ahead of the clock. Actions of the visitor are visible this much later. */
 const LEAD = 3;
-/** The same while the visitor moves a part, who would feel the delay. */
-const DRIVEN_LEAD = 0.5;
-/** The measure from a turn of the wheel to the first frame that obeys it; `npm run alpha` reads it. */
-const WHEEL_MEASURE = "wheel-answer";
+/** The same while the visitor moves a part: at most one frame is ahead, which a change replaces. */
+const DRIVEN_LEAD = 0;
+/**
+ * The measure from a turn of the wheel, or a move of a dragged node, to the arrival of the first frame that obeys
+ * it; `npm run alpha` reads it.
+ */
+const HAND_MEASURE = "hand-answer";
 
 /** What moves a part in place of the model, in frames from the start. */
 export type MoverMark =
@@ -77,8 +80,8 @@ export class LiveStore extends Store {
   #busy = false;
   /** The time of the last request for frames. */
   #askedAt = 0;
-  /** The time of the first turn of the wheel that no frame obeys yet; null without one. */
-  #turnedAt: number | null = null;
+  /** The time of the first turn of the wheel, or move of a dragged node, that no frame obeys; null without one. */
+  #movedAt: number | null = null;
   /** The couplings and the model of the worker. */
   #sent: LiveChange | null = null;
   #revision = 0;
@@ -180,7 +183,7 @@ export class LiveStore extends Store {
 
   #forget(): void {
     for (const all of [this.#cuts, this.#movers, this.#recordings]) all.clear();
-    this.#turnedAt = null;
+    this.#movedAt = null;
   }
 
   /** Cuts a coupling for as long as it is held. */
@@ -230,6 +233,8 @@ export class LiveStore extends Store {
     // Only the newest place matters.
     if (this.#changes.at(-1)?.kind === "reach") this.#changes.pop();
     this.#changes.push({ kind: "reach", node, place });
+    this.#movedAt ??= performance.now();
+    void this.#fill();
     this.changed();
   }
 
@@ -258,7 +263,7 @@ export class LiveStore extends Store {
       if (driven !== null) this.release(driven);
       this.#move({ kind: "drive", part, from: this.#next, to: null });
     }
-    if (turns !== 0) this.#turnedAt ??= performance.now();
+    if (turns !== 0) this.#movedAt ??= performance.now();
     const last = this.#changes.at(-1);
     if (last?.kind === "drive" && last.part === part) last.turns += turns;
     else this.#changes.push({ kind: "drive", part, turns });
@@ -363,18 +368,22 @@ export class LiveStore extends Store {
     const isHeld = [...this.#movers.values()].some(({ kind }) => kind !== "record");
     const lead = isHeld ? DRIVEN_LEAD : LEAD;
     const ahead = lead + (seconds * this.#settings.values.speed) / track.motion.frameTime;
-    if (track.last - this.#playback.frame >= ahead) return;
+    const movedAt = this.#movedAt;
+    // A frame that the figure has not reached is computed again, so that the next picture obeys the hand.
+    const replaced = movedAt !== null && track.last > this.#playback.frame ? 1 : 0;
+    const last = track.last - replaced;
+    if (movedAt === null && last - this.#playback.frame >= ahead) return;
     this.#busy = true;
-    const changes = this.#changes;
-    const turnedAt = this.#turnedAt;
-    [this.#changes, this.#turnedAt] = [[], null];
+    const changes: LiveChange[] = replaced > 0 ? [{ kind: "take-back" }, ...this.#changes] : this.#changes;
+    [this.#changes, this.#movedAt] = [[], null];
     try {
-      const frames = Math.max(1, Math.ceil(ahead + this.#playback.frame - track.last));
+      const frames = Math.max(1, Math.ceil(ahead + this.#playback.frame - last));
       const next = await engine.advanceLive(changes, frames);
       if (this.#track === track) {
+        this.#dropAfter(track, last);
         this.#take(track, next);
         this.#playback.follow(track);
-        if (turnedAt !== null) performance.measure(WHEEL_MEASURE, { start: turnedAt });
+        if (movedAt !== null) performance.measure(HAND_MEASURE, { start: movedAt });
       }
     } catch (problem) {
       if (this.#track === track) {
@@ -385,6 +394,12 @@ export class LiveStore extends Store {
       this.#busy = false;
     }
     this.changedSoon();
+  }
+
+  /** Drops the frames after this one. */
+  #dropAfter(track: LiveTrack, last: number): void {
+    track.cutAfter(last);
+    while ((this.#trace.at(-1)?.frame ?? last) > last) this.#trace.pop();
   }
 
   #take(track: LiveTrack, { motion, latents, phases, distances, recorded }: LiveFrames): void {

@@ -47,6 +47,9 @@ export class Live {
 
   #change(rollout: LiveRollout, change: LiveChange): void {
     switch (change.kind) {
+      case "take-back":
+        rollout.takeBack();
+        break;
       case "couplings":
         rollout.setCouplings(Float64Array.from(change.alpha.flat()), change.reading === "re-inferred");
         break;

@@ -236,3 +236,39 @@ fn a_dragged_node_reaches_its_place_and_distant_places_leave_the_pose_plausible(
     assert_eq!(error, "expected a place of three finite numbers, found NaN");
     assert!(live.reach(model, 999, [0.0; 3]).unwrap_err().to_string().starts_with("expected a node"));
 }
+
+#[test]
+fn a_frame_that_is_taken_back_obeys_a_later_turn_and_no_turn_is_lost() {
+    let model = start_model();
+    let model = model.coupled().unwrap();
+    let rollout = model.rollout(&RolloutRequest { frames: 60, ..RolloutRequest::default() }).unwrap();
+    let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
+    let mut live = LiveRollout::after(model, &rollout, 40, 0).unwrap();
+    assert!(!live.take_back(), "no frame was computed");
+    // Both turns before the frame, or the second after the frame was shown.
+    let mut at_once = live.clone();
+    at_once.advance(model, &dynamics, 2).unwrap();
+    at_once.drive(0, 0.25).unwrap();
+    let expected = at_once.advance(model, &dynamics, 1).unwrap();
+    live.advance(model, &dynamics, 2).unwrap();
+    live.drive(0, 0.125).unwrap();
+    let before = live.advance(model, &dynamics, 1).unwrap();
+    assert!(live.take_back());
+    assert!(!live.take_back(), "two frames in a row");
+    live.drive(0, 0.125).unwrap();
+    let found = live.advance(model, &dynamics, 1).unwrap();
+    let apart = |a: &[f32], b: &[f32]| a.iter().zip(b).fold(0.0, |most: f32, (a, b)| most.max((a - b).abs()));
+    assert!((&found.latents[0] - &expected.latents[0]).amax() < 1e-12);
+    assert!(apart(&found.positions, &expected.positions) < 1e-5);
+    assert!(apart(&found.positions, &before.positions) > 1e-3);
+    // Unchanged, the same frame comes again; so does that of a recording.
+    assert!(live.take_back());
+    let again = live.advance(model, &dynamics, 1).unwrap();
+    assert!(apart(&again.positions, &found.positions) < 1e-5);
+    live.record(0, rollout.latents[0].clone()).unwrap();
+    let recorded = live.advance(model, &dynamics, 3).unwrap();
+    assert!(live.take_back());
+    let again = live.advance(model, &dynamics, 1).unwrap();
+    assert_eq!(again.recorded[..], recorded.recorded[4..]);
+    assert!((again.latents[0].row(0) - recorded.latents[0].row(2)).amax() < 1e-12);
+}

@@ -98,6 +98,13 @@ impl LatentPaths {
         path[newest..].copy_from_slice(latents);
     }
 
+    /// Drops the newest frame.
+    pub(crate) fn drop_newest(&mut self) {
+        for (path, q) in self.paths.iter_mut().zip(&self.latent) {
+            path.truncate(path.len() - q);
+        }
+    }
+
     /// Drops all but the last frames that a prediction, a push or a drive needs.
     pub(crate) fn forget(&mut self) {
         for (path, q) in self.paths.iter_mut().zip(&self.latent) {

@@ -23,6 +23,8 @@ const MOST_TURNS: f64 = 10.0;
 pub struct LiveRollout {
     paths: LatentPaths,
     track: RootTrack,
+    /// The track before the newest frame; `None` where this frame cannot be taken back.
+    before: Option<RootTrack>,
     cycle: Option<Cycle>,
     /// The parts that the model does not move; each part once.
     moved: Vec<Moved>,
@@ -66,7 +68,7 @@ impl LiveRollout {
         let mut track = model.body.mapping.track(&RootStart::default());
         model.body.mapping.continue_positions(&rollout.y.rows(0, newest + 1).into_owned(), &mut track)?;
         let paths = LatentPaths::new(&start, order, &model.model.latent_dimensions())?;
-        Ok(Self { paths, track, cycle: model.model.cycle(sequence)?, moved: Vec::new() })
+        Ok(Self { paths, track, before: None, cycle: model.model.cycle(sequence)?, moved: Vec::new() })
     }
 
     /// The next `frames` frames under these dynamics of the model.
@@ -93,13 +95,27 @@ impl LiveRollout {
         }
         let latents = self.paths.matrices(before..before + frames);
         let y = model.body.columns(&model.model.observations(&latents));
-        let positions = model.body.mapping.continue_positions(&y, &mut self.track)?;
+        let mapping = &model.body.mapping;
+        let (earlier, newest) = (y.rows(0, frames - 1).into_owned(), y.rows(frames - 1, 1).into_owned());
+        let mut positions = mapping.continue_positions(&earlier, &mut self.track)?;
+        self.before = Some(self.track.clone());
+        positions.extend(mapping.continue_positions(&newest, &mut self.track)?);
         let parts = 0..latents.len();
         let places =
             (before + 1..=before + frames).flat_map(|end| parts.clone().map(move |part| (end, part)));
         let place = |(end, part)| self.cycle.as_ref()?.place(part, self.paths.history_until(part, end));
         let places = places.filter_map(place).collect();
         Ok(LiveFrames { latents, positions, places, recorded })
+    }
+
+    /// Takes the newest frame back, so that the next frame replaces it. Changes stay: the turns of a wheel in that
+    /// frame count for the next one. Returns whether there was such a frame: only one frame can be taken back.
+    pub fn take_back(&mut self) -> bool {
+        let Some(before) = self.before.take() else { return false };
+        self.track = before;
+        self.paths.drop_newest();
+        self.moved.iter_mut().for_each(Moved::take_back);
+        true
     }
 
     /// Pushes a part before the next frame, whatever the `frame` of the push.
