@@ -258,14 +258,22 @@ describe("a library of primitives", () => {
       segments.map(({ movement }) => movement),
       [0, 1],
     );
-    const { figure, frameTime, movements } = library.info();
+    const { figure, frameTime, movements, primitives } = library.info();
+    assert.deepEqual(
+      segments.map(({ uses }) => uses),
+      movements.slice(0, 2).map(({ uses }) => uses),
+    );
     const seconds = sample("walk-3").info().frames * sample("walk-3").info().frameTime;
     assert.ok(Math.abs((segments[0]?.end ?? 0) * frameTime - seconds) < 0.3);
     assert.equal(segments.at(-1)?.end, found.frames);
     assert.equal(found.positions().length, found.frames * figure.nodes.length * 3);
-    const probabilities = found.probabilities();
-    assert.equal(probabilities.length, found.frames * movements.length);
-    assert.ok(Math.abs((probabilities[0] ?? 0) + (probabilities[1] ?? 0) - 1) < 1e-9);
+    const upper = primitives.filter(({ part }) => part === 1).length;
+    const probabilities = found.probabilities(1);
+    assert.equal(probabilities.length, found.frames * upper);
+    const first = probabilities.subarray(0, upper);
+    assert.ok(Math.abs(first.reduce((sum, p) => sum + p, 0) - 1) < 1e-9);
+    assert.ok((first[0] ?? 0) > 0.5);
+    assert.throws(() => found.probabilities(2), { code: "clips", message: /expected a part from 0 to 1/ });
     assert.throws(() => library.recognise(new vcgpdm.TrainingSet()), {
       code: "clips",
       message: /expected one clip or more, found none/,

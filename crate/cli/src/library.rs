@@ -4,7 +4,7 @@ use crate::files;
 use serde_json::{Map, Value};
 use std::error::Error;
 use std::path::Path;
-use vcgpdm::models::library::{LearnedMovement, TrainedLibrary};
+use vcgpdm::models::library::TrainedLibrary;
 
 /// Reads a library.
 pub fn read(path: &Path) -> Result<TrainedLibrary, Box<dyn Error>> {
@@ -12,8 +12,8 @@ pub fn read(path: &Path) -> Result<TrainedLibrary, Box<dyn Error>> {
 }
 
 /// The names of the primitives that a movement uses, by part.
-pub fn primitives_by_part(library: &TrainedLibrary, movement: &LearnedMovement) -> Map<String, Value> {
-    let parts = library.body.layout.parts().iter().zip(&movement.uses);
+pub fn primitives_by_part(library: &TrainedLibrary, uses: &[usize]) -> Map<String, Value> {
+    let parts = library.body.layout.parts().iter().zip(uses);
     let primitives = &library.library.primitives;
     parts.map(|(part, index)| (part.name.clone(), primitives[*index].name.clone().into())).collect()
 }

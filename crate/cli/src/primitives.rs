@@ -163,7 +163,7 @@ fn summary(library: &TrainedLibrary) -> Value {
     let primitives: Vec<Value> =
         (0..library.library.primitives.len()).map(|index| primitive(library, index)).collect();
     let movements = library.library.movements.iter().map(|movement| {
-        let uses = primitives_by_part(library, movement);
+        let uses = primitives_by_part(library, &movement.uses);
         json!({ "name": movement.name, "uses": uses, "learned": movement.sums.is_some() })
     });
     json!({

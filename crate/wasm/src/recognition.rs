@@ -1,5 +1,6 @@
-//! Which movement of a library clips show, moment by moment.
+//! Which primitive each part uses in clips, moment by moment.
 
+use crate::arguments::Whole;
 use crate::clip::TrainingSet;
 use crate::convert::{flat, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
@@ -11,10 +12,12 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** A time in which one movement of the library is the likeliest. */
+/** A time in which one combination of primitives is the likeliest. */
 export interface RecognisedSegment {
-    /** The index of the movement. */
-    movement: number;
+    /** The index of the movement that uses these primitives; null: parts use primitives of several movements. */
+    movement: number | null;
+    /** The index of the primitive of each part, as in `LibraryInfo.primitives`. */
+    uses: number[];
     /** The first frame, and the one after the last. */
     first: number;
     end: number;
@@ -25,7 +28,8 @@ export interface RecognisedSegment {
 
 #[derive(Serialize)]
 struct Segment {
-    movement: usize,
+    movement: Option<usize>,
+    uses: Vec<usize>,
     first: usize,
     end: usize,
     probability: f64,
@@ -38,7 +42,7 @@ pub struct Recogniser {
     trained: Rc<TrainedLibrary>,
 }
 
-/// The movements of a library in clips.
+/// The primitives of a library in clips.
 #[wasm_bindgen]
 pub struct Recognition {
     found: vcgpdm::models::library::Recognition,
@@ -47,8 +51,8 @@ pub struct Recognition {
 
 #[wasm_bindgen]
 impl Library {
-    /// The movements of this library in clips of its body. Several clips count as one recording: each begins
-    /// where the one before ends, in the same direction. The library need not be trained on the clips.
+    /// The primitive that each part uses in clips of the library's body. Several clips count as one recording: each
+    /// begins where the one before ends, in the same direction. The library need not be trained on the clips.
     pub fn recognise(&self, clips: &TrainingSet) -> Result<Recognition, VcgpdmError> {
         let found = self.trained.recognise(&clips.clips.iter().collect::<Vec<_>>())?;
         Ok(Recognition { found, trained: Rc::clone(&self.trained) })
@@ -68,7 +72,7 @@ impl Recogniser {
         self.under_way.as_mut().map_or(1.0, vcgpdm::models::library::Recogniser::step)
     }
 
-    /// The movements of the clips, once all steps are taken.
+    /// The primitives in the clips, once all steps are taken.
     pub fn finish(&mut self) -> Result<Recognition, VcgpdmError> {
         let expected = || VcgpdmError::new(ErrorCode::Clips, &"expected steps until 1, and finish once");
         let mut under_way = self.under_way.take().ok_or_else(expected)?;
@@ -90,18 +94,30 @@ impl Recognition {
         Ok(self.trained.body.positions(&self.found.y)?)
     }
 
-    /// The probability of every movement in every frame given all frames [frames x movements].
-    pub fn probabilities(&self) -> Vec<f64> {
-        flat(&self.found.posterior)
+    /// The probability of each primitive of a part in every frame given all frames [frames x primitives of the
+    /// part], in the order of the library.
+    pub fn probabilities(&self, part: &Whole) -> Result<Vec<f64>, VcgpdmError> {
+        let (part, count) = (part.count(ErrorCode::Clips, "the part")?, self.found.primitives.len());
+        if part >= count {
+            let words = format_args!("expected a part from 0 to {}, found {part}", count - 1);
+            return Err(VcgpdmError::new(ErrorCode::Clips, &words));
+        }
+        Ok(flat(&self.found.part_posterior(part)))
     }
 
-    /// The recording in pieces of one movement each.
+    /// The recording in pieces of one combination of primitives each.
     #[wasm_bindgen(unchecked_return_type = "RecognisedSegment[]")]
     pub fn segments(&self) -> Result<JsValue, VcgpdmError> {
+        let movements = &self.trained.library.movements;
         let segments = self.found.segments().into_iter();
-        let segments = segments.map(|vcgpdm::models::library::Segment { movement, frames, probability }| {
-            Segment { movement, first: frames.start, end: frames.end, probability }
-        });
+        let segments =
+            segments.map(|vcgpdm::models::library::Segment { uses, frames, probability }| Segment {
+                movement: movements.iter().position(|movement| movement.uses == uses),
+                uses,
+                first: frames.start,
+                end: frames.end,
+                probability,
+            });
         to_js(&segments.collect::<Vec<_>>())
     }
 }

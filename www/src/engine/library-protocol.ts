@@ -101,14 +101,14 @@ export interface LockingJob {
   strengths: number[];
 }
 
-/** Clips, one after the other, whose movements are wanted. */
+/** Clips, one after the other, whose primitives are wanted. */
 export interface RecognitionJob {
   /** The document of the library. */
   library: string;
   clips: TrainingClip[];
 }
 
-/** A recording, and when it shows which movement of a library. */
+/** A recording, and the primitives that its parts use at which time. */
 export interface Recognised {
   motion: Motion;
   segments: RecognisedSegment[];

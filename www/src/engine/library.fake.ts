@@ -217,8 +217,9 @@ export class FakeLibraries {
         const segments: RecognisedSegment[] = [];
         for (const [frame, movement] of this.recognised.entries()) {
           const last = segments.at(-1);
+          const { uses = [] } = infoOf(job.library).movements[movement] ?? {};
           if (last?.movement === movement) last.end = frame + 1;
-          else segments.push({ movement, first: frame, end: frame + 1, probability: 1 });
+          else segments.push({ movement, uses, first: frame, end: frame + 1, probability: 1 });
         }
         return { motion: motion([0], this.recognised.length), segments };
       },

@@ -5,7 +5,7 @@ import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import { LibraryStore } from "./library-store";
-import { bandsOf, RecognitionStore } from "./recognition-store";
+import { bandsOf, nameOf, RecognitionStore } from "./recognition-store";
 
 /** Clips that tests put there. */
 class FakeClips extends Store {
@@ -109,11 +109,28 @@ describe("a recognised recording", () => {
   });
 });
 
-it("a primitive that two movements share is one band", () => {
-  const segments = [0, 1, 0, 2].map((movement, k) => ({ movement, first: k, end: k + 1, probability: 1 }));
-  const shared = [4, 4, 5];
-  expect(bandsOf(segments, (movement) => shared[movement] ?? -1)).toEqual([
-    { primitive: 4, first: 0, end: 3 },
-    { primitive: 5, first: 3, end: 4 },
+it("a part that keeps its primitive while another part changes has one band", () => {
+  const segments = [
+    { movement: 0, uses: [4, 6] },
+    { movement: null, uses: [4, 7] },
+    { movement: 1, uses: [5, 7] },
+  ].map((segment, k) => ({ ...segment, first: k, end: k + 1, probability: 1 }));
+  expect(bandsOf(segments, 0)).toEqual([
+    { primitive: 4, first: 0, end: 2 },
+    { primitive: 5, first: 2, end: 3 },
   ]);
+  expect(bandsOf(segments, 1)).toEqual([
+    { primitive: 6, first: 0, end: 1 },
+    { primitive: 7, first: 1, end: 3 },
+  ]);
+});
+
+it("parts that use primitives of several movements are named one by one", () => {
+  const info = library.current?.info;
+  if (!info) throw new Error("the library is open");
+  const [walk, wave] = info.movements.map(({ uses }) => uses);
+  const mixed = [walk?.[0] ?? -1, wave?.[1] ?? -1];
+  const segment = { first: 0, end: 1, probability: 1 };
+  expect(nameOf({ ...segment, movement: 1, uses: wave ?? [] }, info)).toBe("wave");
+  expect(nameOf({ ...segment, movement: null, uses: mixed }, info)).toBe("lower: walk; upper: wave");
 });

@@ -1,11 +1,12 @@
-// Which movement of the library a recording shows, moment by moment. The recording is up to three clips, one
-// after the other.
+// Which primitive of the library each part uses in a recording, moment by moment. The recording is up to three
+// clips, one after the other.
 import type { ClipEntry, ClipsStore } from "../clips/clips-store";
-import type { Recognised, RecognisedSegment } from "../engine/library-protocol";
+import type { LibraryInfo, Recognised, RecognisedSegment } from "../engine/library-protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
 import { Player } from "../stage/player";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
+import { shownPart } from "../words/lab";
 import type { LibraryStore } from "./library-store";
 
 /** The places of the clips. */
@@ -18,19 +19,27 @@ export interface Band {
   end: number;
 }
 
-/** The bands of a part: neighbouring segments of movements that share the part's primitive are one band. */
-export function bandsOf(
-  segments: readonly RecognisedSegment[],
-  primitiveOf: (movement: number) => number,
-): Band[] {
+/** The bands of a part: neighbouring segments in which the part uses the same primitive are one band. */
+export function bandsOf(segments: readonly RecognisedSegment[], part: number): Band[] {
   const bands: Band[] = [];
-  for (const { movement, first, end } of segments) {
-    const primitive = primitiveOf(movement);
+  for (const { uses, first, end } of segments) {
+    const primitive = uses[part] ?? -1;
     const last = bands.at(-1);
     if (last?.primitive === primitive) last.end = end;
     else bands.push({ primitive, first, end });
   }
   return bands;
+}
+
+/** The movement of a segment; where the parts use primitives of several movements, the primitive of each part. */
+export function nameOf(
+  { movement, uses }: RecognisedSegment,
+  { movements, parts, primitives }: Pick<LibraryInfo, "movements" | "parts" | "primitives">,
+): string {
+  if (movement !== null) return movements[movement]?.name ?? "";
+  const ofPart = ({ name }: { name: string }, part: number) =>
+    `${shownPart(name)}: ${primitives[uses[part] ?? -1]?.name ?? ""}`;
+  return parts.map(ofPart).join("; ");
 }
 
 export class RecognitionStore extends Store {
@@ -76,7 +85,7 @@ export class RecognitionStore extends Store {
     });
   }
 
-  /** The recording with its movements; null before. */
+  /** The recording with its primitives; null before. */
   get found(): Recognised | null {
     return this.#found;
   }

@@ -1,5 +1,5 @@
-// Which movement of the library a recording shows: the figure, and under it one band for each part with the
-// primitive that the part uses at each moment.
+// Which primitive of the library each part uses in a recording: the figure, and under it one band for each part
+// with the primitive that the part uses at each moment.
 import { html, nothing } from "lit";
 import type { LibraryInfo, Recognised } from "../engine/library-protocol";
 import { shapeOf, type Shape } from "../scene/body-shape";
@@ -18,7 +18,7 @@ import { lab, shownPart } from "../words/lab";
 import { primitivesWords } from "../words/primitives";
 import type { LibraryStore } from "./library-store";
 import "./recognition.css";
-import { type Band, bandsOf, type RecognitionStore } from "./recognition-store";
+import { type Band, bandsOf, nameOf, type RecognitionStore } from "./recognition-store";
 import { drawStrokes, SIDE, strokesOf } from "./small-figure";
 
 /** What does not change while a recording plays. */
@@ -114,12 +114,11 @@ export class RecognitionView extends View {
   #bands({ motion, segments }: Recognised, info: LibraryInfo) {
     const words = primitivesWords().recognition;
     const { frames, frameTime } = motion;
-    const uses = (movement: number, part: number) => info.movements[movement]?.uses[part] ?? -1;
-    const text = segments.map(({ movement, first, end }) =>
+    const text = segments.map((segment) =>
       words.segment(
-        info.movements[movement]?.name ?? "",
-        fixed(first * frameTime, 1),
-        fixed(end * frameTime, 1),
+        nameOf(segment, info),
+        fixed(segment.first * frameTime, 1),
+        fixed(segment.end * frameTime, 1),
       ),
     );
     return html`
@@ -128,7 +127,7 @@ export class RecognitionView extends View {
           ({ name }, part) => html`
           <span class="band-part">${shownPart(name)}</span>
           <div class="band-row" data-testid="bands-${part}" style=${partStyle(partColour(part))}>
-            ${bandsOf(segments, (movement) => uses(movement, part)).map((band) => this.#band(part, band, frames, info))}
+            ${bandsOf(segments, part).map((band) => this.#band(part, band, frames, info))}
           </div>`,
         )}
       </div>

@@ -114,7 +114,7 @@ fn summary(
         .movements
         .iter()
         .map(|movement| {
-            json!({ "name": movement.name, "uses": primitives_by_part(trained, movement), "alpha": files::rows(&movement.alpha) })
+            json!({ "name": movement.name, "uses": primitives_by_part(trained, &movement.uses), "alpha": files::rows(&movement.alpha) })
         })
         .collect();
     let mut summary = json!({

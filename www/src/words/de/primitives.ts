@@ -173,7 +173,7 @@ export const primitives: PrimitivesWords = {
   recognition: {
     title: "Welche Bewegung ist das?",
     about:
-      "Jede Bewegung der Bibliothek folgt der Aufnahme und sagt, wie wahrscheinlich sie ist; so bekommt jeder Moment seine wahrscheinlichste Bewegung und jeder Teil sein Primitiv. Wähle Clips, die aneinandergehängt werden, oder lege hier eine Aufnahme desselben Körpers ab.",
+      "Jede Bewegung der Bibliothek folgt jedem Teil der Aufnahme und sagt, wie wahrscheinlich sie ist; so hat jeder Teil in jedem Moment sein wahrscheinlichstes Primitiv. Die Beine können gehen, während die Arme eine andere Bewegung machen. Wähle Clips, die aneinandergehängt werden, oder lege hier eine Aufnahme desselben Körpers ab.",
     clip: "Clip",
     after: "dann",
     nothing: "nichts",

@@ -173,7 +173,7 @@ export const primitives = {
   recognition: {
     title: "Which movement is this?",
     about:
-      "Each movement of the library follows the recording and says how likely it is; so each moment gets its most likely movement, and each part its primitive. Choose clips, which are joined, or drop a recording of the same body here.",
+      "Each movement of the library follows each part of the recording and says how likely it is; so each part has its most likely primitive at each moment. The legs may walk while the arms do another movement. Choose clips, which are joined, or drop a recording of the same body here.",
     clip: "Clip",
     after: "then",
     nothing: "nothing",

@@ -18,6 +18,7 @@ mod library_trainer;
 mod library_walk;
 mod locking;
 mod merge;
+mod movement_chain;
 mod new_combination;
 mod origin;
 mod part_motion;

@@ -1,19 +1,26 @@
-//! Which movement of a library a recording shows, moment by moment.
+//! Which primitive each part of a body uses in a recording, moment by moment, and so which movement of a library
+//! the recording shows.
 //!
 //! Each movement of the library is a model of the recording, and all share the pose maps, so their densities
-//! can be compared. A window slides over the recording. In each window every movement is filtered from the
-//! likeliest place of its own training, as if the recording began there. The log density of a frame under a
-//! movement is that in the window that contains the frame and is the likeliest in the mean of its frames. A
-//! window across the border of two movements is unlikely under both, so that it does not count.
+//! can be compared. A window slides over the recording. In each window the columns of each part by themselves
+//! are filtered under every movement from the likeliest place of its own training, as if the recording began
+//! there; the other parts are not observed. The log density of a frame of a part under a primitive is that in
+//! the window that contains the frame and is the likeliest in the mean of its frames, and under the likeliest
+//! of the movements that use the primitive. A window across the border of two movements is unlikely under both,
+//! so that it does not count.
 //!
-//! A hidden Markov chain with a sticky prior joins the frames (Velychko et al. 2018, section 6, propose one):
-//! the movement changes with the probability `1 / (frames of STAY)` from one frame to the next, to all
-//! others alike. Errors of neighbouring frames are alike, because a pose map errs in the same way where the
-//! poses are alike. So the frames of one window count as one observation: log densities are divided by the
-//! frames of a window. Window, stay, starting points and this division are choices of ours.
+//! A state is a combination: one primitive of each part. Its log density is the sum over the parts, so that
+//! parts may use primitives of several movements, at any phase. A hidden Markov chain with a sticky prior joins
+//! the frames (Velychko et al. 2018, section 6, propose one): the combination changes with the probability
+//! `1 / (frames of STAY)` from one frame to the next. The movements of the library share the prior probability
+//! `1 - MIXED`, all other combinations `MIXED`: parts that look alike in two movements belong to the movement
+//! that the other parts show. Errors of neighbouring frames are alike, because a pose map errs in the same way
+//! where the poses are alike. So the frames of one window count as one observation: log densities are divided
+//! by the frames of a window. Window, stay, starting points, `MIXED` and this division are choices of ours.
 
-use crate::elementary::Elementary;
 use crate::models::data::dataset::DatasetError;
+use crate::models::fitted::model::Model;
+use crate::models::library::movement_chain::MovementChain;
 use crate::models::library::{CombinationError, TrainedLibrary};
 use crate::models::rollout::request::RolloutRequest;
 use crate::models::variational::{Filter, ObservationError};
@@ -26,8 +33,12 @@ use thiserror::Error;
 const WINDOW: f64 = 0.5;
 /// Seconds from one window to the next.
 const HOP: f64 = 0.1;
-/// Seconds that a movement lasts under the prior, in the mean.
+/// Seconds that a combination lasts under the prior, in the mean.
 const STAY: f64 = 2.0;
+/// The prior probability that a combination is not that of a movement of the library.
+const MIXED: f64 = 0.001;
+/// Combinations at most, beside those of the movements. Of more, the likeliest primitives of each part count.
+const MOST_COMBINATIONS: usize = 1024;
 /// Starting points that are tried for a window.
 const STARTS: usize = 3;
 /// The log density of a frame whose filter fails, in nats.
@@ -59,31 +70,46 @@ pub enum RecognitionError {
     },
 }
 
-/// The movements of a recording.
+/// The primitives of a recording.
 #[derive(Clone, Debug)]
 pub struct Recognition {
     /// The recording [frames x columns], at the frame rate of the library.
     pub y: DMatrix<f64>,
-    /// log p of every frame under every movement [frames x movements], in nats, in the likeliest window.
-    pub log_densities: DMatrix<f64>,
-    /// The probability of every movement in every frame given all frames [frames x movements].
+    /// The primitives of each part `[M]`, in the order of the library.
+    pub primitives: Vec<Vec<usize>>,
+    /// log p of the columns of each part by themselves in every frame under each of its primitives
+    /// [frames x primitives] `[M]`, in nats, in the likeliest window.
+    pub log_densities: Vec<DMatrix<f64>>,
+    /// The combinations that were compared: the primitive of each part. Those of movements come first.
+    pub combinations: Vec<Vec<usize>>,
+    /// The probability of every combination in every frame given all frames [frames x combinations].
     pub posterior: DMatrix<f64>,
 }
 
-/// A time in which one movement is the likeliest.
+/// A time in which one combination is the likeliest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Segment {
-    /// The movement, counted from 0.
-    pub movement: usize,
+    /// The primitive of each part `[M]`.
+    pub uses: Vec<usize>,
     /// Its frames.
     pub frames: Range<usize>,
     /// The mean of its probability.
     pub probability: f64,
 }
 
-/// A recognition under way: one step filters one window under every movement.
+/// A filter, and the parts that it is a candidate for.
+struct Candidate {
+    filter: Filter,
+    /// Part, and place of the primitive among those of the part.
+    serves: Vec<(usize, usize)>,
+}
+
+/// A recognition under way: one step filters one window of each part under every movement.
 pub struct Recogniser {
-    filters: Vec<Filter>,
+    candidates: Vec<Candidate>,
+    primitives: Vec<Vec<usize>>,
+    /// The combinations of the movements, each once.
+    movements: Vec<Vec<usize>>,
     columns: DMatrix<f64>,
     y: Vec<DMatrix<f64>>,
     frame_time: f64,
@@ -93,13 +119,14 @@ pub struct Recogniser {
     window: usize,
     /// Windows that are filtered.
     done: usize,
-    /// For each movement and frame, the mean log density of the likeliest window, and that of the frame in it.
-    best: Vec<Vec<(f64, f64)>>,
+    /// For each part, primitive and frame, the mean log density of the likeliest window, and that of the frame
+    /// in this window.
+    best: Vec<Vec<Vec<(f64, f64)>>>,
 }
 
 impl TrainedLibrary {
-    /// The movements of this library in clips of its body. Several clips count as one recording: each begins
-    /// where the one before ends, in the same direction.
+    /// The primitives of the parts in clips of this library's body. Several clips count as one recording: each
+    /// begins where the one before ends, in the same direction.
     ///
     /// # Errors
     ///
@@ -123,21 +150,71 @@ impl TrainedLibrary {
             let names: Vec<&str> = clips.iter().map(|clip| clip.name.as_str()).collect();
             RecognitionError::Observation { clips: names.join(", "), reason: Box::new(reason) }
         };
-        let filter = |movement: usize| {
-            let model = self.movement(movement)?;
+        let filter_of = |model: &Model| {
             let view = model.coupled().ok_or(RecognitionError::NoMovement)?;
             let filter = view.filter(&RolloutRequest::default());
             filter.map_err(|reason| named(ObservationError::Rollout(reason)))
         };
-        let filters = (0..self.library.movements.len()).map(filter).collect::<Result<Vec<_>, _>>()?;
-        let first = filters.first().ok_or(RecognitionError::NoMovement)?;
+        let mut movements: Vec<Vec<usize>> = Vec::new();
+        for movement in &self.library.movements {
+            if !movements.contains(&movement.uses) {
+                movements.push(movement.uses.clone());
+            }
+        }
+        let all = self.library.primitives.iter().enumerate();
+        let of_part =
+            |part: usize| all.clone().filter(move |(_, p)| p.part == part).map(|(a, _)| a).collect();
+        let primitives: Vec<Vec<usize>> = (0..self.library.part_count()).map(of_part).collect();
+        let candidates = self.candidates(&primitives, &filter_of)?;
+        let first = candidates.first().map(|candidate| &candidate.filter);
+        let first = first.ok_or(RecognitionError::NoMovement)?;
         let frames = first.check(&y).map_err(named)?;
         let frame_time = self.body.frame_time;
         let window = frames_of(WINDOW, frame_time).max(first.order() + 1).min(frames);
         let last = frames - window;
         let starts = (0..last).step_by(frames_of(HOP, frame_time)).chain([last]).collect();
-        let best = vec![vec![(f64::NEG_INFINITY, IMPOSSIBLE); frames]; filters.len()];
-        Ok(Recogniser { filters, columns, y, frame_time, starts, window, done: 0, best })
+        let unknown = vec![(f64::NEG_INFINITY, IMPOSSIBLE); frames];
+        let best = primitives.iter().map(|of_part| vec![unknown.clone(); of_part.len()]).collect();
+        Ok(Recogniser {
+            candidates,
+            primitives,
+            movements,
+            columns,
+            y,
+            frame_time,
+            starts,
+            window,
+            done: 0,
+            best,
+        })
+    }
+
+    /// A filter of every movement, and of every primitive that no movement uses.
+    fn candidates(
+        &self,
+        primitives: &[Vec<usize>],
+        filter_of: &dyn Fn(&Model) -> Result<Filter, RecognitionError>,
+    ) -> Result<Vec<Candidate>, RecognitionError> {
+        let place = |part: usize, used: usize| primitives[part].iter().position(|a| *a == used);
+        let mut candidates = Vec::new();
+        for (m, movement) in self.library.movements.iter().enumerate() {
+            let serves = movement.uses.iter().enumerate();
+            let serves = serves.filter_map(|(part, used)| Some((part, place(part, *used)?))).collect();
+            candidates.push(Candidate { filter: filter_of(&self.movement(m)?)?, serves });
+        }
+        let Some(first) = self.library.movements.first() else { return Ok(candidates) };
+        for (part, of_part) in primitives.iter().enumerate() {
+            for (place, &primitive) in of_part.iter().enumerate() {
+                if self.library.movements.iter().any(|movement| movement.uses[part] == primitive) {
+                    continue;
+                }
+                let mut uses = first.uses.clone();
+                uses[part] = primitive;
+                let model = self.combination(&uses, &self.library.nearest_couplings(&uses))?;
+                candidates.push(Candidate { filter: filter_of(&model)?, serves: vec![(part, place)] });
+            }
+        }
+        Ok(candidates)
     }
 
     /// The columns of the clips one after the other. Columns hold the speed of the body, not its place, so it
@@ -159,14 +236,19 @@ impl Recogniser {
     /// Filters the next window; returns the share of the windows that are done.
     pub fn step(&mut self) -> f64 {
         if let Some(&start) = self.starts.get(self.done) {
-            let piece: Vec<DMatrix<f64>> =
-                self.y.iter().map(|y| y.rows(start, self.window).into_owned()).collect();
-            for (filter, best) in self.filters.iter().zip(&mut self.best) {
-                let Some((_, run)) = filter.likeliest(&piece, STARTS) else { continue };
-                let mean = run.evidence() / self.window as f64;
-                for (of_frame, density) in best[start..].iter_mut().zip(run.log_densities) {
-                    if mean > of_frame.0 {
-                        *of_frame = (mean, density.max(IMPOSSIBLE));
+            for part in 0..self.y.len() {
+                let observed = self.window_of(part, start);
+                for candidate in &self.candidates {
+                    let Some(&(_, primitive)) = candidate.serves.iter().find(|(own, _)| *own == part) else {
+                        continue;
+                    };
+                    let Some((_, run)) = candidate.filter.likeliest(&observed, STARTS) else { continue };
+                    let mean = run.evidence() / self.window as f64;
+                    let best = &mut self.best[part][primitive];
+                    for (of_frame, density) in best[start..].iter_mut().zip(run.log_densities) {
+                        if mean > of_frame.0 {
+                            *of_frame = (mean, density.max(IMPOSSIBLE));
+                        }
                     }
                 }
             }
@@ -175,123 +257,102 @@ impl Recogniser {
         self.done as f64 / self.starts.len() as f64
     }
 
-    /// The movements, after all windows are done.
+    /// The columns of a part in a window, and missing numbers for the other parts.
+    fn window_of(&self, part: usize, start: usize) -> Vec<DMatrix<f64>> {
+        let piece = |(k, y): (usize, &DMatrix<f64>)| {
+            if k == part {
+                y.rows(start, self.window).into_owned()
+            } else {
+                DMatrix::from_element(self.window, y.ncols(), f64::NAN)
+            }
+        };
+        self.y.iter().enumerate().map(piece).collect()
+    }
+
+    /// The primitives of the parts, after all windows are done.
     pub fn finish(self) -> Recognition {
-        let (frames, movements) = (self.columns.nrows(), self.filters.len());
-        let log_densities = DMatrix::from_fn(frames, movements, |t, movement| self.best[movement][t].1);
-        let switch = (self.frame_time / STAY).min(0.5);
-        let posterior = smoothed(&(&log_densities / self.window as f64), switch);
-        Recognition { y: self.columns, log_densities, posterior }
+        let frames = self.columns.nrows();
+        let of_part = |best: &Vec<Vec<(f64, f64)>>| DMatrix::from_fn(frames, best.len(), |t, a| best[a][t].1);
+        let log_densities: Vec<DMatrix<f64>> = self.best.iter().map(of_part).collect();
+        let combinations = self.combinations(&log_densities);
+        let mut together = DMatrix::zeros(frames, combinations.len());
+        for (mut column, uses) in together.column_iter_mut().zip(&combinations) {
+            for ((densities, primitives), used) in log_densities.iter().zip(&self.primitives).zip(uses) {
+                if let Some(place) = primitives.iter().position(|a| a == used) {
+                    column += densities.column(place);
+                }
+            }
+        }
+        let (known, others) = (self.movements.len(), combinations.len() - self.movements.len());
+        let mixed = if others > 0 { MIXED } else { 0.0 };
+        let prior = |state: usize| {
+            if state < known { (1.0 - mixed) / known as f64 } else { mixed / others as f64 }
+        };
+        let chain = MovementChain {
+            change: (self.frame_time / STAY).min(0.5),
+            prior: (0..combinations.len()).map(prior).collect(),
+        };
+        let posterior = chain.posterior(&(together / self.window as f64));
+        Recognition { y: self.columns, primitives: self.primitives, log_densities, combinations, posterior }
+    }
+
+    /// The combinations to compare: those of the movements, then those of the likeliest primitives of each part.
+    fn combinations(&self, log_densities: &[DMatrix<f64>]) -> Vec<Vec<usize>> {
+        let parts = self.primitives.len();
+        let fits = |count: &usize| count.saturating_pow(parts as u32) <= MOST_COMBINATIONS;
+        let most = (1..).take_while(fits).last().unwrap_or(1);
+        let mut combinations = self.movements.clone();
+        let mut all = vec![Vec::new()];
+        for (primitives, densities) in self.primitives.iter().zip(log_densities) {
+            let mut wins = vec![0_usize; primitives.len()];
+            densities.row_iter().for_each(|row| wins[row.transpose().argmax().0] += 1);
+            let mut likeliest: Vec<usize> = (0..primitives.len()).collect();
+            likeliest.sort_by_key(|place| std::cmp::Reverse(wins[*place]));
+            likeliest.truncate(most);
+            let extended = |uses: &Vec<usize>| -> Vec<Vec<usize>> {
+                likeliest.iter().map(|place| [&uses[..], &[primitives[*place]]].concat()).collect()
+            };
+            all = all.iter().flat_map(extended).collect();
+        }
+        combinations.extend(all.into_iter().filter(|uses| !self.movements.contains(uses)));
+        combinations
     }
 }
 
 impl Recognition {
-    /// The recording in pieces of one movement each.
+    /// The recording in pieces of one combination each.
     pub fn segments(&self) -> Vec<Segment> {
         let best = |frame: usize| self.posterior.row(frame).transpose().argmax().0;
-        let mut segments: Vec<Segment> = Vec::new();
+        let mut segments: Vec<(usize, Range<usize>)> = Vec::new();
         for frame in 0..self.posterior.nrows() {
-            let movement = best(frame);
+            let state = best(frame);
             match segments.last_mut() {
-                Some(last) if last.movement == movement => last.frames.end = frame + 1,
-                _ => segments.push(Segment { movement, frames: frame..frame + 1, probability: 0.0 }),
+                Some((last, frames)) if *last == state => frames.end = frame + 1,
+                _ => segments.push((state, frame..frame + 1)),
             }
         }
-        for segment in &mut segments {
-            let rows = self.posterior.rows(segment.frames.start, segment.frames.len());
-            segment.probability = rows.column(segment.movement).mean();
-        }
-        segments
+        let segment = |(state, frames): (usize, Range<usize>)| {
+            let probability = self.posterior.column(state).rows(frames.start, frames.len()).mean();
+            Segment { uses: self.combinations[state].clone(), frames, probability }
+        };
+        segments.into_iter().map(segment).collect()
     }
 
-    /// The share of the frames in which each movement is the likeliest.
-    pub fn shares(&self) -> Vec<f64> {
-        let (all, movements) = self.posterior.shape();
-        let mut counts = vec![0; movements];
-        for Segment { movement, frames, .. } in self.segments() {
-            counts[movement] += frames.len();
+    /// The probability of each primitive of a part in every frame given all frames [frames x primitives]: the
+    /// sum over the combinations that use the primitive.
+    pub fn part_posterior(&self, part: usize) -> DMatrix<f64> {
+        let primitives = &self.primitives[part];
+        let mut posterior = DMatrix::zeros(self.posterior.nrows(), primitives.len());
+        for (uses, column) in self.combinations.iter().zip(self.posterior.column_iter()) {
+            if let Some(place) = primitives.iter().position(|a| *a == uses[part]) {
+                let mut sum = posterior.column_mut(place);
+                sum += column;
+            }
         }
-        counts.into_iter().map(|count| count as f64 / all as f64).collect()
+        posterior
     }
 }
 
 fn frames_of(seconds: f64, frame_time: f64) -> usize {
     ((seconds / frame_time).round() as usize).max(1)
-}
-
-/// The probability of each state in each row given all rows, from the log density of each row under each state
-/// [rows x states] (the forward-backward algorithm).
-fn smoothed(log_densities: &DMatrix<f64>, switch: f64) -> DMatrix<f64> {
-    let (rows, states) = log_densities.shape();
-    let likelihood = |t: usize, s: usize| (log_densities[(t, s)] - log_densities.row(t).max()).exponential();
-    // A step of the chain: stay, or change to any other state.
-    let stepped = |p: &[f64]| -> Vec<f64> {
-        let (all, other) = (p.iter().sum::<f64>(), switch / (states.max(2) - 1) as f64);
-        p.iter()
-            .map(|own| if states < 2 { *own } else { (1.0 - switch) * own + other * (all - own) })
-            .collect()
-    };
-    let mut forward = DMatrix::from_element(rows, states, 1.0 / states.max(1) as f64);
-    let mut now = vec![1.0 / states.max(1) as f64; states];
-    for t in 0..rows {
-        let prior = if t == 0 { now.clone() } else { stepped(&now) };
-        now = normalised((0..states).map(|s| prior[s] * likelihood(t, s)).collect());
-        forward.row_mut(t).copy_from_slice(&now);
-    }
-    let mut posterior = forward.clone();
-    let mut later = vec![1.0; states];
-    for t in (0..rows.saturating_sub(1)).rev() {
-        later =
-            normalised(stepped(&(0..states).map(|s| later[s] * likelihood(t + 1, s)).collect::<Vec<f64>>()));
-        let both = normalised((0..states).map(|s| forward[(t, s)] * later[s]).collect());
-        posterior.row_mut(t).copy_from_slice(&both);
-    }
-    posterior
-}
-
-fn normalised(mut p: Vec<f64>) -> Vec<f64> {
-    let sum: f64 = p.iter().sum();
-    p.iter_mut().for_each(|value| *value /= sum);
-    p
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_short_burst_changes_nothing_and_a_lasting_change_is_found() {
-        // Two states; the second is likelier in the frames 40 to 79, and for two frames before.
-        let of = |t: usize, s: usize| {
-            let second = (40..80).contains(&t) || (20..22).contains(&t);
-            if (s == 1) == second { 0.0 } else { -1.5 }
-        };
-        let log_densities = DMatrix::from_fn(120, 2, of);
-        let posterior = smoothed(&log_densities, 1.0 / 60.0);
-        let found = Recognition { y: DMatrix::zeros(120, 0), log_densities, posterior };
-        let pieces: Vec<_> = found.segments().into_iter().map(|s| (s.movement, s.frames)).collect();
-        assert_eq!(pieces, [(0, 0..40), (1, 40..80), (0, 80..120)]);
-        assert!(found.posterior.row_iter().all(|row| (row.sum() - 1.0).abs() < 1e-12));
-    }
-
-    #[test]
-    fn the_posterior_is_that_of_all_paths() {
-        // Three states and four frames: the sum over all 81 paths.
-        let log_densities = DMatrix::from_fn(4, 3, |t, s| ((7 * t + 5 * s) % 4) as f64 - 1.5);
-        let switch = 0.2;
-        let mut expected = DMatrix::<f64>::zeros(4, 3);
-        for path in 0..81_usize {
-            let states = [path % 3, path / 3 % 3, path / 9 % 3, path / 27];
-            let mut weight = 1.0 / 3.0;
-            for t in 0..4 {
-                weight *= log_densities[(t, states[t])].exponential();
-                if t > 0 {
-                    weight *= if states[t] == states[t - 1] { 1.0 - switch } else { switch / 2.0 };
-                }
-            }
-            (0..4).for_each(|t| expected[(t, states[t])] += weight);
-        }
-        let total = expected.row(0).sum();
-        assert!((expected / total - smoothed(&log_densities, switch)).amax() < 1e-12);
-    }
 }
