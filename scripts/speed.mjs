@@ -1,14 +1,15 @@
 // `npm run speed -- [CASE.json] [CLIP.bvh ...] [--peer "COMMAND"]`: times of one bound with its gradient, of a
 // training and of a rollout: native, wasm in Node, wasm in Chromium, and another program that prints
-// {"median_ms": ...}. One thread each.
+// {"median_ms": ...}. One thread each. `npm run speed -- --frame`: the time of one observed frame alone.
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
+import { createRequire } from "node:module";
 import { parseArgs } from "node:util";
 import { launchChromium } from "./chromium.mjs";
-import { at, Failure, main, output, run } from "./run.mjs";
+import { at, Failure, main, output, run, step } from "./run.mjs";
 import { serve } from "./serve.mjs";
 import { installTools } from "./tools.mjs";
-import { buildVariant } from "./wasm.mjs";
+import { buildVariant, buildWasm } from "./wasm.mjs";
 
 const ROUNDS = 3;
 const folder = at("target/speed");
@@ -66,13 +67,46 @@ async function inChromium(/** @type {string} */ text, /** @type {[string, string
   }
 }
 
+/** Frames of the two inferences whose times are compared. Both are longer than the search for the beginning. */
+const FEW = 20;
+const MANY = 60;
+/** Inferences of each length; the first ones, while the engine still compiles, do not count. */
+const INFERENCES = 60;
+const NOT_COUNTED = 10;
+
+/**
+ * Prints the processor time of one observed frame of both parts, filter and smoother, with the npm package and the
+ * model that the page opens with.
+ */
+function printObservedFrame() {
+  const { Model } = createRequire(import.meta.url)(at("crate/wasm/pkg"));
+  const model = Model.fromJson(readFileSync(at("www/first/model.json"), "utf8"));
+  const clip = model.rollout({ frames: 90 }).toClip();
+  const milliseconds = (/** @type {number} */ frames) => {
+    const before = process.cpuUsage();
+    model.infer(clip, frames);
+    const { user, system } = process.cpuUsage(before);
+    return (user + system) / 1000;
+  };
+  const pairs = Array.from(
+    { length: INFERENCES },
+    () => (milliseconds(MANY) - milliseconds(FEW)) / (MANY - FEW),
+  );
+  console.log(`one observed frame of both parts: ${median(pairs.slice(NOT_COUNTED)).toFixed(2)} ms`);
+}
+
 const median = (/** @type {number[]} */ values) => values.sort((a, b) => a - b)[values.length >> 1] ?? NaN;
 
 await main(async () => {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
-    options: { peer: { type: "string" } },
+    options: { peer: { type: "string" }, frame: { type: "boolean", default: false } },
   });
+  if (values.frame) {
+    await step("npm package vcgpdm (wasm)", () => buildWasm({ small: true }));
+    printObservedFrame();
+    return;
+  }
   await installTools();
   await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
   await run("cargo", "build", "--release", "--package", "vcgpdm-lab", "--example", "speed");

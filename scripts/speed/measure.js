@@ -20,6 +20,28 @@ export function evaluation(wasm, text) {
   return { bound, median_ms: times[times.length >> 1] };
 }
 
+/** Frames of the two inferences whose times are compared. Both are longer than the search for the beginning. */
+const FEW = 20;
+const MANY = 60;
+
+/**
+ * Milliseconds of one observed frame of all parts: filter and smoother. The least times of many count: another
+ * program can only make a time longer.
+ * @param {any} model
+ * @param {any} clip a clip of two seconds or more
+ */
+export function observedFrame(model, clip) {
+  const least = { [FEW]: Infinity, [MANY]: Infinity };
+  for (let i = 0; i < 60; i++) {
+    for (const frames of [FEW, MANY]) {
+      const start = performance.now();
+      model.infer(clip, frames);
+      least[frames] = Math.min(least[frames] ?? Infinity, performance.now() - start);
+    }
+  }
+  return ((least[MANY] ?? NaN) - (least[FEW] ?? NaN)) / (MANY - FEW);
+}
+
 /**
  * Seconds of a training on lower and upper body, and until 99.9 % of its bound.
  * @param {any} wasm
@@ -75,5 +97,6 @@ export function training(wasm, files) {
     seconds: trace.at(-1)?.seconds,
     seconds_to_999: trace.find(({ best }) => best >= enough)?.seconds,
     rollout_ms: times[times.length >> 1],
+    observed_frame_ms: observedFrame(model, clips[0]),
   };
 }
