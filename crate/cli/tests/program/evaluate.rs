@@ -67,6 +67,37 @@ fn does_not_compute_a_finished_job_again() {
     assert_eq!(files, ["evaluate-twice.json.lock"], "no other file stays");
 }
 
+/// A file without observed starts gets them, and keeps its other numbers.
+#[test]
+fn adds_observed_starts_to_a_file_without_them() {
+    let out = file("observed");
+    let models = ["--models", "vcgpdm,vgpdm,dmp-rhythmic", "--folds", "2"];
+    summary(&evaluate(&out, &models));
+    let before = results(&out);
+    let report = |words: &[&str]| {
+        let output = run(&[&["report", out.to_str().unwrap()], words].concat());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    assert!(!report(&[]).contains("observed"));
+    let found = summary(&evaluate(&out, &[&models[..], &["--observed-start"]].concat()));
+    assert_eq!((found["computed"].as_u64(), found["known_before"].as_u64()), (Some(2), Some(1)));
+    let mut after = results(&out);
+    let mut errors = Vec::new();
+    for finished in after["finished"].as_array_mut().unwrap() {
+        let outcome = finished["outcome"].as_object_mut().unwrap();
+        errors.extend(outcome.remove("observed_start").map(|start| start["dtw_mse"].as_f64().unwrap()));
+    }
+    assert_eq!(after, before);
+    assert!(errors.len() == 2 && errors.iter().all(|error| *error > 0.0), "{errors:?}");
+    let table = report(&[]);
+    assert_eq!(table.matches("observed : trained on").count(), 1, "{table}");
+    let numbers: Value = serde_json::from_str(&report(&["--json"])).unwrap();
+    assert_eq!(numbers["subjects"][0]["observed_starts"].as_array().map(Vec::len), Some(2), "{numbers}");
+    let again = summary(&evaluate(&out, &[&models[..], &["--observed-start"]].concat()));
+    assert_eq!(again["computed"].as_u64(), Some(0));
+}
+
 #[test]
 fn computes_failed_jobs_again() {
     let out = file("failed");

@@ -4,92 +4,23 @@
 
 use crate::evaluation::candidate::Candidate;
 use crate::evaluation::details::Predicted;
-use crate::evaluation::dtw::{ScoreError, score_and_columns};
+use crate::evaluation::dtw::score_and_columns;
+use crate::evaluation::error::EvaluationError;
 use crate::evaluation::fold_model::fold_model;
 use crate::evaluation::outcome::Outcome;
 use crate::evaluation::predictor::Predictor;
 use crate::evaluation::training_trials::TrainingTrials;
 use nalgebra::DMatrix;
-use thiserror::Error;
-use vcgpdm::gp::NumericsError;
 use vcgpdm::internals::{dataset_error, provenance};
-use vcgpdm::models::library::{CombinationError, PlanError};
 use vcgpdm::models::{
-    Body, Dataset, DatasetError, EndReason, FittedModel, Learner, Model, Movements, Progress, RolloutError,
-    Setbacks, Settings, Source,
+    Body, Dataset, EndReason, FittedModel, Learner, Model, Movements, Progress, RolloutError, Setbacks,
+    Settings, Source,
 };
+use vcgpdm::motion::Clip;
 use vcgpdm::motion::parts::PartSpec;
-use vcgpdm::motion::pose::PoseError;
-use vcgpdm::motion::{Clip, ClipError};
 
 /// Default number of first frames from which a trial is predicted. Velychko et al. (2018) have 2.
 pub const START_FRAMES: usize = 5;
-
-/// Why a model could not be evaluated.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum EvaluationError {
-    /// The trial does not exist.
-    #[error(
-        "expected a trial from 1 to {count} to hold out, and at least 2 trials, found trial {} of {count}",
-        .found.saturating_add(1)
-    )]
-    Trial {
-        /// Number of trials.
-        count: usize,
-        /// The trial found, counted from 0.
-        found: usize,
-    },
-    /// There are fewer trials to train on.
-    #[error("expected from 1 to {most} trials to train on, found {found}")]
-    TrainingTrials {
-        /// Number of the trials that are not held out.
-        most: usize,
-        /// The number found.
-        found: usize,
-    },
-    /// A coupled model has nothing to couple.
-    #[error("expected two parts or more for a {model} model, found 1")]
-    OnePart {
-        /// The id of its kind.
-        model: &'static str,
-    },
-    /// The trials cannot be used together.
-    #[error(transparent)]
-    Dataset(#[from] DatasetError),
-    /// The trial held out cannot be resampled to the frame rate.
-    #[error(transparent)]
-    Clip(#[from] ClipError),
-    /// The trial held out cannot be converted to columns.
-    #[error(transparent)]
-    Pose(#[from] PoseError),
-    /// The trained model could not be fitted.
-    #[error(transparent)]
-    Numerics(#[from] NumericsError),
-    /// The model could not be rolled out.
-    #[error(transparent)]
-    Rollout(#[from] RolloutError),
-    /// Movements that cannot be planned as a library.
-    #[error(transparent)]
-    Plan(#[from] PlanError),
-    /// A movement of a library could not be made.
-    #[error(transparent)]
-    Combination(#[from] CombinationError),
-    /// A number of the outcome is not finite, though the predicted columns are.
-    #[error("the prediction is not finite: {what} is {found}")]
-    NotFinite {
-        /// Which number of the outcome.
-        what: &'static str,
-        /// The number found.
-        found: f64,
-    },
-    /// The time of a training is impossible.
-    #[error("expected the seconds of the training, from 0, found {0}")]
-    Seconds(f64),
-    /// The prediction could not be scored.
-    #[error("the prediction cannot be scored: {0}")]
-    Score(#[from] ScoreError),
-}
 
 /// One trial held out: the training data, and the trial to predict.
 #[derive(Clone, Debug)]
@@ -116,16 +47,8 @@ impl Fold {
         frames_per_second: f64,
         start_frames: usize,
     ) -> Result<Self, EvaluationError> {
-        if held_out >= trials.len() || trials.len() < 2 {
-            return Err(EvaluationError::Trial { count: trials.len(), found: held_out });
-        }
-        let (trial, most) = (&trials[held_out], trials.len() - 1);
-        if !(1..=most).contains(&training_trials) {
-            return Err(EvaluationError::TrainingTrials { most, found: training_trials });
-        }
-        let others = trials.iter().enumerate().filter(|(k, _)| *k != held_out).map(|(_, clip)| clip);
-        let mut sources: Vec<Source> =
-            others.take(training_trials).map(|clip| Source { clip, first_frames: None }).collect();
+        let (trial, others) = trials_of(trials, held_out, training_trials)?;
+        let mut sources: Vec<Source> = others.into_iter().map(Source::from).collect();
         sources.push(Source { clip: trial, first_frames: Some(start_frames) });
         let dataset = Dataset::new(&sources, parts, frames_per_second)?;
         let actual = dataset.mapping.encode(&trial.resample(1.0 / dataset.frame_time)?)?.y;
@@ -161,12 +84,7 @@ impl Fold {
     /// The candidate cannot be trained on these trials; the error names the clip if one of them is the
     /// reason.
     pub fn learner(&self, candidate: &Settings, seed: u32) -> Result<Box<dyn Learner>, EvaluationError> {
-        let kind = candidate.kind();
-        if kind.is_coupled() && self.movements().y.len() == 1 {
-            return Err(EvaluationError::OnePart { model: kind.id() });
-        }
-        let learner = candidate.learner(self.movements(), seed);
-        Ok(learner.map_err(|reason| dataset_error(reason, &self.body().sequences))?)
+        training_of(&self.training, candidate, seed)
     }
 
     /// The model of a candidate whose training is this far, for a file.
@@ -277,6 +195,7 @@ impl Fold {
             reason: training.reason.as_ref().map(ToString::to_string),
             training_mse: self.training.error(model),
             details: None,
+            observed_start: None,
         };
         // JSON cannot store such numbers. Squares can overflow though the predicted columns are finite.
         for (what, found) in [
@@ -292,6 +211,37 @@ impl Fold {
         }
         Ok(outcome)
     }
+}
+
+/// The trial `held_out`, counted from 0, and the first `training_trials` of the others.
+pub(super) fn trials_of(
+    trials: &[Clip],
+    held_out: usize,
+    training_trials: usize,
+) -> Result<(&Clip, Vec<&Clip>), EvaluationError> {
+    if held_out >= trials.len() || trials.len() < 2 {
+        return Err(EvaluationError::Trial { count: trials.len(), found: held_out });
+    }
+    let most = trials.len() - 1;
+    if !(1..=most).contains(&training_trials) {
+        return Err(EvaluationError::TrainingTrials { most, found: training_trials });
+    }
+    let others = trials.iter().enumerate().filter(|(k, _)| *k != held_out).map(|(_, clip)| clip);
+    Ok((&trials[held_out], others.take(training_trials).collect()))
+}
+
+/// The training of a candidate on these trials, before its first step.
+pub(super) fn training_of(
+    training: &TrainingTrials,
+    candidate: &Settings,
+    seed: u32,
+) -> Result<Box<dyn Learner>, EvaluationError> {
+    let (kind, movements) = (candidate.kind(), training.movements());
+    if kind.is_coupled() && movements.y.len() == 1 {
+        return Err(EvaluationError::OnePart { model: kind.id() });
+    }
+    let learner = candidate.learner(movements, seed);
+    Ok(learner.map_err(|reason| dataset_error(reason, &training.body().sequences))?)
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The modularity test on the sample trials: docs/modularity.md has all trials, the page computes one.
 
-use crate::evaluation::cross_validation::{EvaluationError, START_FRAMES};
+use crate::evaluation::cross_validation::START_FRAMES;
+use crate::evaluation::error::EvaluationError;
 use crate::evaluation::modularity::{LibraryFold, LibraryOutcome, MovementTrials};
 use vcgpdm::models::Progress;
 use vcgpdm::models::VariationalSettings;

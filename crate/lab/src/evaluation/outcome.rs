@@ -42,6 +42,21 @@ pub struct Outcome {
     /// versions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub details: Option<Details>,
+    /// The prediction of a model that observes the first frames instead of learning from them; absent if it
+    /// was not asked for, and in results of earlier versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub observed_start: Option<ObservedStart>,
+}
+
+/// A rollout of a model that was trained without the trial held out, from latents that the model infers from
+/// the first frames of the trial.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ObservedStart {
+    /// Mean squared error after dynamic time warping, as in [`Score`].
+    pub dtw_mse: f64,
+    /// Seconds of the inference and the rollout.
+    pub seconds: f64,
 }
 
 /// Numbers that differ by less than this, relative to the larger, count as equal: the last digits of products
@@ -74,6 +89,7 @@ impl Outcome {
                 ("objective", Some(outcome.objective)),
                 ("frames", Some(outcome.frames as f64)),
                 ("training MSE", outcome.training_mse),
+                ("DTW MSE from the observed start", outcome.observed_start.map(|start| start.dtw_mse)),
             ]
             .into_iter()
             .chain(parts)

@@ -2,85 +2,13 @@
 //! document. No I/O.
 
 use crate::evaluation::candidate_size::size;
-use crate::evaluation::details::Details;
 use crate::evaluation::job::{Finished, Job};
-use crate::evaluation::outcome::Difference;
+use crate::evaluation::outcome::{Difference, Outcome};
 use crate::evaluation::plan::{ComparisonPlanError, Plan};
-use crate::evaluation::setting::{Setting, SettingError};
+use crate::evaluation::results_error::{FORMAT, ResultsError, VERSION, check_finished};
+use crate::evaluation::setting::Setting;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
-use thiserror::Error;
-
-const VERSION: u32 = 1;
-
-/// Why results cannot be used.
-#[derive(Clone, Debug, Error, PartialEq)]
-#[non_exhaustive]
-pub enum ResultsError {
-    /// Not JSON of the expected form.
-    #[error("expected the results of an evaluation: {0}")]
-    Json(String),
-    /// Another document.
-    #[error("expected {} version {VERSION}, found {format:?} version {version}", Results::FORMAT)]
-    Format {
-        /// What the document calls itself.
-        format: String,
-        /// Its version.
-        version: u32,
-    },
-    /// Trials that cannot be used for a comparison.
-    #[error(transparent)]
-    Setting(#[from] SettingError),
-    /// A job for which the setting has no trials.
-    #[error(
-        "result {index}: expected trials from 1 to {trials} and at least one to train on, found trial {} held out of {training_trials} more",
-        .held_out.saturating_add(1)
-    )]
-    Job {
-        /// Which result, counted from 1.
-        index: usize,
-        /// Number of trials.
-        trials: usize,
-        /// The trial held out, counted from 0.
-        held_out: usize,
-        /// Trials trained on.
-        training_trials: usize,
-    },
-    /// Results of another setting.
-    #[error("these results are of {0}")]
-    Differs(String),
-    /// The same job twice.
-    #[error("result {index}: expected each job once, found the job of result {before} again")]
-    Repeated {
-        /// Which result, counted from 1.
-        index: usize,
-        /// The earlier result, counted from 1.
-        before: usize,
-    },
-    /// Neither an outcome nor a failure, or both.
-    #[error("result {0}: expected an outcome or the reason of a failure, found both or neither")]
-    Ending(usize),
-    /// A bound or an objective that is not finite.
-    #[error("result {index}: expected {what} that is finite, found {found}")]
-    NotFinite {
-        /// Which result, counted from 1.
-        index: usize,
-        /// Which number.
-        what: &'static str,
-        /// The value found.
-        found: f64,
-    },
-    /// An error, a variance or a time that is not finite, or negative.
-    #[error("result {index}: expected {what} that is finite and not negative, found {found}")]
-    Number {
-        /// Which result, counted from 1.
-        index: usize,
-        /// Which number.
-        what: &'static str,
-        /// The value found.
-        found: f64,
-    },
-}
 
 /// A job that a plan asks for.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -112,7 +40,7 @@ pub struct Results {
 
 impl Results {
     /// The field "format" of a document of results.
-    pub const FORMAT: &'static str = "vcgpdm-evaluation";
+    pub const FORMAT: &'static str = FORMAT;
 
     /// Results without a finished job.
     pub fn new(setting: Setting) -> Self {
@@ -195,6 +123,11 @@ impl Results {
         self.find(job).is_some_and(|finished| finished.outcome.is_some())
     }
 
+    /// The outcome of a job.
+    pub fn outcome(&self, job: &Job) -> Option<&Outcome> {
+        self.find(job)?.outcome.as_ref()
+    }
+
     /// Whether both are of the same trials, parts, frame rate and number of first frames.
     pub fn has_same_setting(&self, other: &Results) -> bool {
         self.setting.difference(&other.setting).is_none()
@@ -212,7 +145,7 @@ impl Results {
     }
 
     /// Adds the results of the other that this one does not have. An outcome replaces a failure; of two
-    /// outcomes of a job, this one's stays.
+    /// outcomes of a job, this one's stays, with the other's observed start if this one has none.
     ///
     /// # Errors
     /// The other is of another setting.
@@ -225,76 +158,32 @@ impl Results {
         for finished in other.finished {
             match indices.get(&finished.job).map(|index| &mut self.finished[*index]) {
                 None => self.finished.push(finished),
-                Some(earlier) if earlier.outcome.is_none() && finished.outcome.is_some() => {
-                    *earlier = finished
-                }
-                Some(_) => {}
+                Some(earlier) => earlier.complete_with(finished),
             }
         }
         Ok(())
     }
 
-    /// Adds a finished job. A failure is replaced by a later result; an outcome is never replaced.
+    /// Adds a finished job. A later result replaces a failure and adds an observed start; the other numbers of
+    /// an outcome are never replaced.
     ///
     /// # Errors
     /// The job does not fit the setting, or its outcome has an impossible number.
     pub fn add(&mut self, finished: Finished) -> Result<(), ResultsError> {
         check_finished(&finished, self.finished.len() + 1, self.setting.trials.len())?;
         match self.finished.iter_mut().find(|earlier| earlier.job == finished.job) {
-            Some(earlier) if earlier.outcome.is_none() => *earlier = finished,
-            Some(_) => {}
+            Some(earlier) => earlier.complete_with(finished),
             None => self.finished.push(finished),
         }
         Ok(())
     }
 }
 
-/// Checks the result number `index`, counted from 1, of a comparison on `trials` trials.
-fn check_finished(finished: &Finished, index: usize, trials: usize) -> Result<(), ResultsError> {
-    let Finished { job, outcome, failure, .. } = finished;
-    if !job.fits(trials) {
-        let (held_out, training_trials) = (job.held_out, job.training_trials);
-        return Err(ResultsError::Job { index, trials, held_out, training_trials });
-    }
-    if outcome.is_some() == failure.is_some() {
-        return Err(ResultsError::Ending(index));
-    }
-    let Some(outcome) = outcome else { return Ok(()) };
-    for (what, found) in [
-        ("an error", outcome.score.dtw_mse),
-        ("an error", outcome.score.mse),
-        ("a variance", outcome.score.variance),
-        ("a time", outcome.seconds),
-    ]
-    .into_iter()
-    .chain(outcome.part_errors.iter().map(|error| ("the error of a part", *error)))
-    .chain(outcome.training_mse.map(|error| ("the error of the trials trained on", error)))
-    {
-        if !found.is_finite() || found < 0.0 {
-            return Err(ResultsError::Number { index, what, found });
-        }
-    }
-    let details = outcome.details.iter().flat_map(Details::numbers);
-    for (what, found) in [
-        ("a bound", outcome.bound),
-        ("an objective", Some(outcome.objective)),
-        ("a term of the bound", outcome.terms.as_ref().map(|terms| terms.total())),
-    ]
-    .into_iter()
-    .chain(details.map(|number| ("a detail of the prediction", Some(number))))
-    {
-        if let Some(found) = found.filter(|found| !found.is_finite()) {
-            return Err(ResultsError::NotFinite { index, what, found });
-        }
-    }
-    Ok(())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::evaluation::candidate::Candidate;
-    use crate::evaluation::outcome::Outcome;
+    use crate::evaluation::setting::SettingError;
     use crate::evaluation::testing::{outcome, setting, variational};
     use std::collections::HashSet;
     use vcgpdm::models::{DmpSettings, ModelKind, Settings, TmpSettings};

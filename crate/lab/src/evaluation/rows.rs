@@ -5,7 +5,7 @@ use crate::evaluation::candidate_size::{size, without_size};
 use crate::evaluation::details::{Bands, Compared, Details};
 use crate::evaluation::outcome::{Outcome, share_converged};
 use crate::evaluation::results::Results;
-use crate::evaluation::stats::{mean, median, standard_error};
+use crate::evaluation::stats::{mean, median};
 use crate::evaluation::summary::{DetailMeans, ModelSummary, Spread, TermMeans};
 use std::collections::{BTreeMap, BTreeSet};
 use vcgpdm::models::Settings;
@@ -191,18 +191,16 @@ impl Row<'_> {
         })
     }
 
+    /// The values of all its own folds, means over seeds, as far as known.
+    pub fn values(&self, value: &dyn Fn(&Outcome) -> Option<f64>) -> BTreeMap<usize, f64> {
+        self.by_fold(&self.folds(), value)
+    }
+
     /// The row of a table, over all its own folds. `stands_for` is the number of candidates that it
     /// represents.
     pub fn summary(&self, label: String, stands_for: usize) -> Option<ModelSummary> {
         let folds = self.folds();
-        let spread = |value: &dyn Fn(&Outcome) -> Option<f64>| -> Option<Spread> {
-            let means = self.means(&folds, value);
-            (!means.is_empty()).then(|| Spread {
-                mean: mean(&means),
-                standard_error: standard_error(&means),
-                count: means.len(),
-            })
-        };
+        let spread = |value: &dyn Fn(&Outcome) -> Option<f64>| Spread::new(&self.means(&folds, value));
         let terms = |value: &dyn Fn(&BoundTerms) -> f64| Some(spread(&|o| o.terms.as_ref().map(value))?.mean);
         let dynamics = |t: &BoundTerms| t.dynamics.iter().sum::<f64>() + t.initial + t.entropy;
         let parts = self.outcomes.values().flatten().map(|o| o.part_errors.len()).max().unwrap_or(0);

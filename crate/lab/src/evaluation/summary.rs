@@ -2,7 +2,7 @@
 
 use crate::evaluation::candidate::{Candidate, CandidateKind};
 use crate::evaluation::details::{Bands, Compared};
-use crate::evaluation::stats::Interval;
+use crate::evaluation::stats::{Interval, mean, standard_error};
 use serde::Serialize;
 
 /// A mean over folds; seeds of the same fold are averaged first.
@@ -14,6 +14,14 @@ pub struct Spread {
     pub standard_error: Option<f64>,
     /// Number of folds.
     pub count: usize,
+}
+
+impl Spread {
+    /// The spread of these values, one a fold; absent without values.
+    pub(super) fn new(values: &[f64]) -> Option<Self> {
+        let (mean, standard_error, count) = (mean(values), standard_error(values), values.len());
+        (count > 0).then_some(Self { mean, standard_error, count })
+    }
 }
 
 /// One candidate: a row of figure 4 of Velychko et al. (2018).

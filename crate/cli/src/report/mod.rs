@@ -1,6 +1,9 @@
 //! `vcgpdm report`: the tables of an evaluation, as Markdown or as JSON.
 
+mod observed_starts;
+
 use crate::files;
+use crate::report::observed_starts::observed_starts;
 use crate::results::{Merged, Preferred, read};
 use serde_json::{Value, json};
 use std::collections::HashSet;
@@ -8,7 +11,9 @@ use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
 use vcgpdm_lab::evaluation::stats::Interval;
-use vcgpdm_lab::evaluation::{Claim, Comparison, FramesAndTime, Labels, Results, Spread, fixed};
+use vcgpdm_lab::evaluation::{
+    Claim, Comparison, FramesAndTime, Labels, ObservedStarts, Results, Spread, fixed,
+};
 
 /// Print the tables of an evaluation, and what they mean for the claims of the papers.
 ///
@@ -56,6 +61,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         )?;
         models(&mut text, &comparison)?;
         details(&mut text, &comparison)?;
+        observed_starts(&mut text, &[&subject.results])?;
         correlations(&mut text, &comparison)?;
         growth(&mut text, &comparison)?;
         evidence(&mut text, &comparison)?;
@@ -63,13 +69,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         claims(&mut text, &comparison)?;
     }
     if subjects.len() > 1 {
-        let comparison = Comparison::of_several(&different(&subjects));
+        let different = different(&subjects);
+        let comparison = Comparison::of_several(&different);
         writeln!(
             text,
             "\n### All together\n\nEvery trial counts once: of files with the same clips, the first one counts.\n"
         )?;
         models(&mut text, &comparison)?;
         details(&mut text, &comparison)?;
+        observed_starts(&mut text, &different)?;
         claims(&mut text, &comparison)?;
     }
     files::print(&files::escape(&text))
@@ -84,6 +92,7 @@ fn numbers(subjects: &[Subject]) -> Value {
             "name": subject.name,
             "setting": results.setting(),
             "comparison": Comparison::new(results),
+            "observed_starts": ObservedStarts::of(&[results]),
             "failed": failed.collect::<Vec<_>>(),
         })
     };

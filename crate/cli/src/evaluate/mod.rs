@@ -1,25 +1,27 @@
 //! `vcgpdm evaluate`: compares models by leave-one-trial-out cross-validation, in parallel and resumable.
 
+mod folds;
+mod work;
+
 use crate::clips::{self, Up};
+use crate::evaluate::folds::Folds;
+use crate::evaluate::work::Work;
+use crate::files;
 use crate::numbers::{check_fps, whole};
-use crate::progress::{Progress, say};
-use crate::store::{Next, Store};
+use crate::progress::say;
+use crate::store::Store;
 use crate::train::{parts, pose_weight, warn_of_cost, weight};
 use crate::usage::usage;
-use crate::{files, interrupt};
 use serde_json::json;
 use std::collections::HashMap;
 use std::error::Error;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
-use std::time::{Duration, Instant};
 use vcgpdm::models::{
     MOST_BASES, MOST_DIMENSIONS, MOST_INDUCING, MOST_PRIMITIVES, PoseWeight, VariationalSettings,
 };
 use vcgpdm_lab::evaluation::{
-    CandidateKind, ComparisonPlanError, Finished, Fold, Job, Plan, START_FRAMES, Setting, whole_cycles,
+    CandidateKind, ComparisonPlanError, Fold, Job, ObservedFold, Plan, START_FRAMES, Setting, whole_cycles,
 };
 
 /// Compare models: train each on all trials but one, predict this trial from its first frames, and store the
@@ -100,6 +102,10 @@ pub struct Arguments {
     /// Predict from this number of first frames of the trial held out.
     #[arg(long, value_name = "N", default_value_t = START_FRAMES as u16, value_parser = whole(1..=u16::MAX))]
     start_frames: u16,
+    /// Also predict with a variational model that was trained without the trial held out and observes its first
+    /// frames.
+    #[arg(long)]
+    observed_start: bool,
     /// Cut all trials to the same number of whole cycles, from the same phase of the cycle, as the papers do
     /// for the discrete DMP.
     #[arg(long)]
@@ -127,17 +133,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let setting = Setting::new(&clips, &parts, arguments.fps, start_frames)?;
     let jobs = jobs(arguments, clips.len(), parts.len())?;
     // Making all folds first finds every unusable trial before anything is computed.
-    let mut folds: HashMap<(usize, usize), Fold> = HashMap::new();
+    let mut folds: HashMap<(usize, usize), Folds> = HashMap::new();
     for job in &jobs {
-        let key = (job.held_out, job.training_trials);
-        if let std::collections::hash_map::Entry::Vacant(entry) = folds.entry(key) {
-            entry.insert(Fold::new(&clips, key.0, key.1, &parts, arguments.fps, start_frames)?);
+        let (held_out, count) = (job.held_out, job.training_trials);
+        if let std::collections::hash_map::Entry::Vacant(entry) = folds.entry((held_out, count)) {
+            let trained = Fold::new(&clips, held_out, count, &parts, arguments.fps, start_frames)?;
+            let observed = || ObservedFold::new(&clips, held_out, count, &parts, arguments.fps);
+            let observed = arguments.observed_start.then(observed).transpose()?;
+            entry.insert(Folds { trained, observed, start_frames });
         }
     }
     let share = share(arguments, jobs.len())?;
-    let store = Store::open(&arguments.out, setting)?;
+    let store = Store::open(&arguments.out, setting, arguments.observed_start)?;
     let (done, open): (Vec<Job>, Vec<Job>) =
-        share.map(|k| jobs[k].clone()).partition(|job| store.results().has_outcome(job));
+        share.map(|k| jobs[k].clone()).partition(|job| store.is_complete(job));
 
     let cores = thread::available_parallelism().map_or(1, usize::from);
     let threads = arguments.threads.map_or(cores, usize::from).min(open.len());
@@ -177,145 +186,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     // A workflow goes on with the outcomes: some failures are results like others.
     say(&message);
     Ok(())
-}
-
-/// How often a thread without a job looks whether another program has finished or given up one.
-const POLL: Duration = Duration::from_secs(1);
-
-/// Jobs that are shared among threads, and among programs that write the same file.
-struct Work {
-    /// Number of the jobs.
-    jobs: usize,
-    stopped: Arc<AtomicBool>,
-    state: Mutex<State>,
-}
-
-/// How far the work is.
-struct State {
-    store: Store,
-    /// Jobs that are neither finished nor computed by this program.
-    open: Vec<Job>,
-    progress: Progress,
-    /// How far the job of each thread is, 0 to 1. A thread without a job has no entry.
-    fractions: HashMap<usize, f64>,
-    computed: usize,
-    /// Each failed job with the reason.
-    failures: Vec<String>,
-    problem: Option<String>,
-    waited: bool,
-}
-
-impl State {
-    /// Says once that this program only waits for others.
-    fn say_waiting(&mut self) {
-        if self.fractions.is_empty() && !self.waited {
-            self.waited = true;
-            let jobs = self.open.len();
-            self.progress.note(&format!("waiting for other programs, which compute {jobs} of the jobs"));
-        }
-    }
-
-    /// Number of the jobs that are not finished.
-    fn left(&self) -> usize {
-        self.open.len() + self.fractions.len()
-    }
-}
-
-impl Work {
-    fn new(open: Vec<Job>, store: Store) -> Result<Self, Box<dyn Error>> {
-        let stopped = interrupt::flag()?;
-        let jobs = open.len();
-        let state = State {
-            store,
-            open,
-            progress: Progress::new("about"),
-            fractions: HashMap::new(),
-            computed: 0,
-            failures: Vec::new(),
-            problem: None,
-            waited: false,
-        };
-        Ok(Self { jobs, stopped, state: Mutex::new(state) })
-    }
-
-    fn state(&self) -> MutexGuard<'_, State> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn is_stopped(&self) -> bool {
-        self.stopped.load(Ordering::Relaxed)
-    }
-
-    /// Computes one job after the other until none is left, or until Ctrl-C.
-    fn compute(&self, thread: usize, folds: &HashMap<(usize, usize), Fold>) {
-        while !self.is_stopped() {
-            let mut state = self.state();
-            let State { store, open, .. } = &mut *state;
-            let job = match store.claim(open) {
-                Ok(Next::Job(job)) => job,
-                Ok(Next::Wait) => {
-                    state.say_waiting();
-                    drop(state);
-                    thread::sleep(POLL);
-                    continue;
-                }
-                Ok(Next::Done) => return,
-                Err(error) => return self.fail(&mut state, error.as_ref()),
-            };
-            state.fractions.insert(thread, 0.0);
-            drop(state);
-            let Some(fold) = folds.get(&(job.held_out, job.training_trials)) else { return };
-            let begin = Instant::now();
-            let seconds = || begin.elapsed().as_secs_f64();
-            let outcome = fold.evaluate(&job.candidate, job.seed, &seconds, &mut |progress| {
-                self.show(thread, progress.fraction);
-                !self.is_stopped()
-            });
-            let result = match outcome {
-                Ok(Some(outcome)) => Ok(outcome),
-                Ok(None) => return,
-                Err(error) => Err(error.to_string()),
-            };
-            let mut state = self.state();
-            let ending = match &result {
-                Ok(_) => "done".to_owned(),
-                Err(reason) => {
-                    state.failures.push(format!("{job}: {reason}"));
-                    format!("failed: {reason}")
-                }
-            };
-            let (id, trial, seed) = (job.candidate.kind().id(), job.held_out + 1, job.seed);
-            if let Err(error) = state.store.add(Finished::new(job, result)) {
-                return self.fail(&mut state, error.as_ref());
-            }
-            state.fractions.remove(&thread);
-            state.computed += 1;
-            let (done, jobs) = (self.jobs - state.left(), self.jobs);
-            state.progress.log(|| {
-                let seconds = seconds();
-                format!("{done} of {jobs} jobs: {id}, trial {trial} held out, seed {seed}, {ending} in {seconds:.1} s")
-            });
-            self.show_state(&mut state);
-        }
-    }
-
-    /// Stops all threads because of an error of the results file.
-    fn fail(&self, state: &mut State, error: &dyn Error) {
-        state.problem = Some(error.to_string());
-        self.stopped.store(true, Ordering::Relaxed);
-    }
-
-    fn show(&self, thread: usize, fraction: f64) {
-        let mut state = self.state();
-        state.fractions.insert(thread, fraction);
-        self.show_state(&mut state);
-    }
-
-    fn show_state(&self, state: &mut State) {
-        let (done, jobs) = (self.jobs - state.left(), self.jobs);
-        let fraction = (done as f64 + state.fractions.values().sum::<f64>()) / jobs.max(1) as f64;
-        state.progress.show(fraction, || format!("{done} of {jobs} jobs"));
-    }
 }
 
 /// The jobs that the arguments ask for, on `trials` trials of a body in `parts` parts.
