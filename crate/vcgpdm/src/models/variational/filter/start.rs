@@ -25,23 +25,47 @@ struct Place {
 impl Filter {
     /// Filters observed columns, [frames x D_i] of each part, from the likeliest place of the movement.
     ///
-    /// The prior of the first latents has many modes: the histories of the training. Those whose next `window`
-    /// frames are nearest to the observed ones are starting points; the filter runs over the window from each
-    /// of them, and the one under which these frames are likeliest is the start.
+    /// The prior of the first latents has many modes: the histories of the training. Those whose next
+    /// `window` frames are nearest to the observed ones are starting points; the filter runs over the
+    /// window from each of them, and the one under which these frames are likeliest is the start.
     ///
     /// # Errors
     ///
     /// As [`run`](Self::run).
     pub fn run_from_best(&self, y: &[DMatrix<f64>], window: usize) -> Result<Filtered, ObservationError> {
         let frames = self.check(y)?;
-        let first = (0..frames).find(|&t| y.iter().any(|y| y.row(t).iter().any(|value| !value.is_nan())));
-        let window = (first.unwrap_or(0) + window).clamp(self.order(), frames);
-        let part: Vec<DMatrix<f64>> = y.iter().map(|y| y.rows(0, window).into_owned()).collect();
+        let part = self.first_window(y, window);
         match self.likeliest(&part, STARTS) {
-            Some((_, run)) if window == frames => Ok(run),
+            Some((_, run)) if part[0].nrows() == frames => Ok(run),
             Some((start, _)) => self.run(start, y),
             None => self.run(self.unknown(), y),
         }
+    }
+
+    /// The run under which all frames are the likeliest, of those from the starting points of
+    /// [`run_from_best`](Self::run_from_best): slower, because the filter runs over all frames from each of
+    /// them.
+    ///
+    /// # Errors
+    ///
+    /// As [`run`](Self::run).
+    pub fn run_likeliest(&self, y: &[DMatrix<f64>], window: usize) -> Result<Filtered, ObservationError> {
+        self.check(y)?;
+        let starts = self.starts(&self.first_window(y, window), STARTS).into_iter();
+        let runs = starts.filter_map(|start| self.run(start, y).ok());
+        let runs = runs.filter(|run| run.evidence().is_finite());
+        match runs.max_by(|a, b| a.evidence().total_cmp(&b.evidence())) {
+            Some(run) => Ok(run),
+            None => self.run(self.unknown(), y),
+        }
+    }
+
+    /// The frames of checked columns until `window` frames after the first one with a number.
+    fn first_window(&self, y: &[DMatrix<f64>], window: usize) -> Vec<DMatrix<f64>> {
+        let frames = y[0].nrows();
+        let first = (0..frames).find(|&t| y.iter().any(|y| y.row(t).iter().any(|value| !value.is_nan())));
+        let window = (first.unwrap_or(0) + window).clamp(self.order(), frames);
+        y.iter().map(|y| y.rows(0, window).into_owned()).collect()
     }
 
     /// The starting point under which these frames are the likeliest, and the filter from there; `None` if it
@@ -114,8 +138,8 @@ impl Filter {
         DVector::from_vec(self.references[path].iter().flat_map(part).collect())
     }
 
-    /// The covariance of a starting point: the histories of the training are far apart along the movement, and
-    /// near each other across it.
+    /// The covariance of a starting point: the histories of the training are far apart along the movement,
+    /// and near each other across it.
     fn history_covariance(&self) -> DMatrix<f64> {
         let p = self.order();
         let frames = |path: &Vec<DMatrix<f64>>| path.first().map_or(0, |x| (x.nrows() + 1).saturating_sub(p));
