@@ -1,5 +1,6 @@
 // `npm run lab -- NAME ...`: the measurements behind the documents. Their tables go into docs or to the terminal.
 import { comparison } from "./lab/comparison.mjs";
+import { completing } from "./lab/completing.mjs";
 import { modularity } from "./lab/modularity.mjs";
 import { study } from "./lab/study.mjs";
 import { measured, printTables, putTables, writeTables } from "./lab/tables.mjs";
@@ -8,6 +9,7 @@ import { at, Failure, main } from "./run.mjs";
 /** @type {Record<string, (...words: string[]) => Promise<void> | void>} */
 const MEASUREMENTS = {
   comparison,
+  completing,
   modularity,
   study,
   /** Of models of these clips or folders on the terminal; without them, of the project's models into docs. */
@@ -15,7 +17,6 @@ const MEASUREMENTS = {
     clips.length > 0
       ? printTables("effects", ...clips)
       : putTables(at("docs/couplings.md"), measured("effects")),
-  completing: (...folders) => putTables(at("docs/completing.md"), measured("completing", ...folders)),
   objectives: (...folders) => printTables("objectives", ...folders),
   scaling: () => printTables("scaling"),
   seeds: (...words) => printTables("seeds", ...words),

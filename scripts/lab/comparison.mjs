@@ -5,41 +5,22 @@
 // go on at will, and delete docs/comparison/*.json to begin anew.
 // --tables writes the tables again from the results, without the clips: only the folders' names are used.
 // --quick trains with few settings and iterations, to test the command, and writes no file of the project.
-import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, dirname, join, resolve } from "node:path";
 import { at, Failure, output, run } from "../run.mjs";
+import { MADE, PARTS, subject } from "./subjects.mjs";
 import { writeSections } from "./tables.mjs";
 
 const shown = at("www/public/comparison/walks.results.json");
 const program = at("target/release/vcgpdm");
 
-const PARTS = "lower,upper";
 const THREE_PARTS = "body-arms";
-
-/** The movements of which the program makes trials. */
-const MADE = [
-  {
-    name: "walk-made",
-    clips: [
-      "sample:walk-1",
-      "sample:walk-2",
-      "sample:walk-3",
-      "sample:walk-4",
-      "sample:walk-5",
-      "sample:walk-6",
-    ],
-  },
-  {
-    name: "walk-and-wave-made",
-    clips: ["sample:walk-wave-1", "sample:walk-wave-2", "sample:walk-wave-3", "sample:walk-wave-4"],
-  },
-];
 
 /** The heading of the tables over all trials of a report, and its name in the documents. */
 const TOGETHER = "### All together";
 const RECORDED = "### Recorded trials together";
 
-/** @typedef {{ name: string, clips: string[] }} Subject */
+/** @typedef {import("./subjects.mjs").Subject} Subject */
 /**
  * The MAP models have a limit of their own: they do not converge (docs/comparison/method.md), and each of their
  * iterations takes long.
@@ -161,14 +142,6 @@ const times = (/** @type {Extent} */ extent, /** @type {number} */ trials) => {
     { file: "-three-parts", parts: THREE_PARTS, options: options("map-cgpdm", "10", mapIterations) },
   ];
 };
-
-/** The folder's clips as one subject. */
-function subject(/** @type {string} */ folder) {
-  const files = readdirSync(folder).filter((file) => file.toLowerCase().endsWith(".bvh"));
-  if (files.length < 3)
-    throw new Failure(`expected at least three clips (.bvh) in ${folder}, found ${files.length}`);
-  return { name: basename(resolve(folder)), clips: files.sort().map((file) => join(folder, file)) };
-}
 
 /**
  * Digits that are kept for the page, of the numbers of which differences are shown; of others, FEW.

@@ -1,7 +1,8 @@
 //! The folds in which a job trains and predicts.
 
+use std::error::Error;
 use vcgpdm::models::Progress;
-use vcgpdm_lab::evaluation::{EvaluationError, Fold, Job, ObservedFold, Outcome};
+use vcgpdm_lab::evaluation::{Fold, Job, ObservedFold, Outcome};
 
 /// The folds of the jobs with one trial held out and one number of training trials.
 pub struct Folds {
@@ -21,7 +22,7 @@ impl Folds {
         known: Option<Outcome>,
         seconds: &dyn Fn() -> f64,
         watch: &mut dyn FnMut(f64) -> bool,
-    ) -> Result<Option<Outcome>, EvaluationError> {
+    ) -> Result<Option<Outcome>, Box<dyn Error>> {
         let Job { candidate, seed, .. } = job;
         let observed = self.observed.as_ref().filter(|_| candidate.observes());
         let share = if observed.is_some() && known.is_none() { 0.5 } else { 1.0 };

@@ -1,9 +1,13 @@
 //! `vcgpdm report`: the tables of an evaluation, as Markdown or as JSON.
 
+pub mod completing;
 mod observed_starts;
+mod one_line;
 
 use crate::files;
+use crate::report::completing::is_completing;
 use crate::report::observed_starts::observed_starts;
+pub use crate::report::one_line::one_line;
 use crate::results::{Merged, Preferred, read};
 use serde_json::{Value, json};
 use std::collections::HashSet;
@@ -15,7 +19,8 @@ use vcgpdm_lab::evaluation::{
     Claim, Comparison, FramesAndTime, Labels, ObservedStarts, Results, Spread, fixed,
 };
 
-/// Print the tables of an evaluation, and what they mean for the claims of the papers.
+/// Print the tables of an evaluation, and what they mean for the claims of the papers; of files of
+/// `evaluate --task complete`, the tables of completing.
 ///
 /// Results of the same trials and parts are put together. Results of other trials are another subject with
 /// its own tables; one more table is for all subjects.
@@ -39,6 +44,11 @@ struct Subject {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let tasks = arguments.results.iter().map(|path| is_completing(path));
+    let tasks = tasks.collect::<Result<Vec<bool>, _>>()?;
+    if tasks.iter().all(|completing| *completing) {
+        return completing::print(&arguments.results, arguments.json);
+    }
     let subjects = subjects(&arguments.results, arguments.prefer)?;
     if arguments.json {
         return files::print_json(&numbers(&subjects));
@@ -297,11 +307,6 @@ fn evidence(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     writeln!(text)
 }
 
-/// A stranger's text for a line or a cell of Markdown: without line breaks and with escaped bars.
-pub fn one_line(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ").replace('|', "\\|")
-}
-
 fn failures(text: &mut String, results: &Results) -> std::fmt::Result {
     let labels = Labels::new(results);
     for f in results.finished().iter().filter(|f| f.failure.is_some()) {
@@ -338,14 +343,4 @@ fn claims(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
         text,
         "Errors are compared trial by trial: \"0.90 times\" is the error of the first model divided by that of the second. Settings are chosen for each trial by the error of rollouts on the training trials; claims about the bound take the highest bound.\n\nPrimary claims were named before the tables were made. Within one person their p value is that of the sign test over the trials, with fewer than six trials that of Student's t test of the logarithms; over several persons it is that of Student's t test of the persons' median logarithms. Holm's correction keeps the probability of any false answer among them below 5 %. Secondary claims are not corrected for their number, and their unit is the trial: of many such answers some are false. Their intervals cover at least 95 %: that of the median by the sign test, that of the mean (of the logarithms) by Student's t. The answer follows from the interval of the median, with fewer than six trials from that of the mean; it is yes or no only if the whole interval says so. Trials share their training data, so that the intervals are a little too narrow.\n"
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::one_line;
-
-    #[test]
-    fn keeps_line_breaks_and_bars_out_of_tables() {
-        assert_eq!(one_line("expected a | b,\n\n| found |\r\n c"), "expected a \\| b, \\| found \\| c");
-    }
 }

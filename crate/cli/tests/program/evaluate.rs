@@ -98,6 +98,33 @@ fn adds_observed_starts_to_a_file_without_them() {
     assert_eq!(again["computed"].as_u64(), Some(0));
 }
 
+/// Each part of every trial from the others, in a file that a second run goes on with.
+#[test]
+fn completes_trials() {
+    let out = file("complete");
+    let task = ["--task", "complete", "--ips", "6"];
+    let found = summary(&evaluate(&out, &[&task[..], &["--folds", "2"]].concat()));
+    assert_eq!((found["computed"].as_u64(), found["known_before"].as_u64()), (Some(1), Some(0)));
+    let found = summary(&evaluate(&out, &[&task[..], &["--folds", "2,3"]].concat()));
+    assert_eq!((found["computed"].as_u64(), found["known_before"].as_u64()), (Some(1), Some(1)));
+    let results = results(&out);
+    let held_out: Vec<_> =
+        results["trials"].as_array().unwrap().iter().map(|trial| &trial["held_out"]).collect();
+    assert_eq!(held_out, [2, 3]);
+    let report = run(&["report", out.to_str().unwrap()]);
+    let text = String::from_utf8_lossy(&report.stdout).into_owned();
+    assert_eq!(text.matches("| upper | vCGPDM, filter |").count(), 1, "{text}");
+    let numbers = summary(&run(&["report", out.to_str().unwrap(), "--json"]));
+    assert_eq!(numbers["subjects"][0]["completing"], results);
+
+    let refused = |words: &[&str]| refusal(&evaluate(&out, &[&task[..], words].concat()));
+    assert!(refused(&["--observed-start"]).contains("--observed-start: expected --task predict with it"));
+    assert!(refused(&["--pose-ips", "6,7"]).contains("--pose-ips: expected one number"));
+    assert!(refused(&["--seeds", "0,1"]).contains("--seeds: expected one seed"));
+    assert!(refused(&["--seeds", "1"]).contains("of another seed"));
+    assert!(refusal(&evaluate(&out, &[])).contains("expected the results of an evaluation"));
+}
+
 #[test]
 fn computes_failed_jobs_again() {
     let out = file("failed");

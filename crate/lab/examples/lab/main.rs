@@ -7,7 +7,6 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::disallowed_methods)]
 
 mod clips;
-mod completing;
 mod effects;
 mod models;
 mod modularity;
@@ -28,12 +27,6 @@ use std::path::PathBuf;
 enum Measurement {
     /// How each coupling changes the body's movement.
     Effects(effects::Arguments),
-    /// One half of the body inferred from the other, compared with regressions.
-    Completing {
-        /// Folders of clips (.bvh), one for each person.
-        #[arg(required = true)]
-        folders: Vec<PathBuf>,
-    },
     /// A library that shares its walking primitive, compared with a model of each movement.
     Modularity {
         /// Write the figure to this file.
@@ -66,7 +59,6 @@ enum Measurement {
 fn main() {
     match Measurement::parse() {
         Measurement::Effects(arguments) => effects::run(&arguments),
-        Measurement::Completing { folders } => completing::run(&folders),
         Measurement::Modularity { picture } => modularity::run(picture.as_deref()),
         Measurement::Imports => modularity::run_imports(),
         Measurement::Objectives(arguments) => objectives::run(&arguments),

@@ -24,6 +24,14 @@ pub enum EvaluationError {
         /// The trial found, counted from 0.
         found: usize,
     },
+    /// There are too few trials.
+    #[error("expected {least} trials or more, found {found}")]
+    FewTrials {
+        /// The least number.
+        least: usize,
+        /// The number found.
+        found: usize,
+    },
     /// There are fewer trials to train on.
     #[error("expected from 1 to {most} trials to train on, found {found}")]
     TrainingTrials {
@@ -58,7 +66,7 @@ pub enum EvaluationError {
     Numerics(#[from] NumericsError),
     /// The model could not infer latents from the trial held out.
     #[error(transparent)]
-    Observation(#[from] ObservationError),
+    Observation(Box<ObservationError>),
     /// The model could not be rolled out.
     #[error(transparent)]
     Rollout(#[from] RolloutError),
@@ -82,4 +90,10 @@ pub enum EvaluationError {
     /// The prediction could not be scored.
     #[error("the prediction cannot be scored: {0}")]
     Score(#[from] ScoreError),
+}
+
+impl From<ObservationError> for EvaluationError {
+    fn from(reason: ObservationError) -> Self {
+        Self::Observation(Box::new(reason))
+    }
 }

@@ -1,4 +1,5 @@
-//! Cross-validation in which a trained model observes the trial held out: no frame of the trial is trained on.
+//! Cross-validation in which a trained model observes the trial held out: no frame of the trial is trained
+//! on.
 
 use crate::evaluation::cross_validation::{training_of, trials_of};
 use crate::evaluation::dtw::dtw_mse;

@@ -95,7 +95,7 @@ impl Setting {
     }
 
     /// Makes the checks of [`Setting::new`].
-    pub(super) fn check(&self) -> Result<(), SettingError> {
+    pub(crate) fn check(&self) -> Result<(), SettingError> {
         if self.trials.len() < 2 {
             return Err(SettingError::Trials(self.trials.len()));
         }
@@ -118,7 +118,7 @@ impl Setting {
 
     /// The first difference between the settings, as text; absent if their results can be merged. The names
     /// of trials and parts do not count.
-    pub(super) fn difference(&self, other: &Setting) -> Option<String> {
+    pub(crate) fn difference(&self, other: &Setting) -> Option<String> {
         let (trials, parts) = (&self.trials, &self.parts);
         if other.trials.len() != trials.len() {
             return Some(format!("other trials: expected {}, found {}", trials.len(), other.trials.len()));
