@@ -141,7 +141,24 @@ describe("the declared types", () => {
     file.finished.push({ ...first, job: { ...first.job, seed: 1 }, outcome: null, failure: "why" });
     const more = Results.fromJson(JSON.stringify(file));
     hold("Results.finished", more.finished());
-    const comparison = more.comparison();
+    // So do rivals, and more about predictions.
+    const ways = [0.1, 0.2];
+    const speeds = { predicted: 0.9, recorded: 1 };
+    const bands = { within_50: 0.5, within_95: 0.9, log_density: 40 };
+    const details = {
+      ...{ first_half_second: ways, own_path: ways, speed: speeds, foot_slide: speeds },
+      ...{ still_at_20_s: false, bands },
+    };
+    for (const candidate of [
+      { model: "promp", bases: 9 },
+      { model: "ar", components: 6, order: 2 },
+    ])
+      file.finished.push({
+        ...first,
+        job: { ...first.job, candidate },
+        outcome: { ...first.outcome, details },
+      });
+    const comparison = Results.fromJson(JSON.stringify(file)).comparison();
     assert.ok(
       Object.values(comparison).every((list) => list.length > 0),
       "each table has a row",

@@ -118,7 +118,7 @@ export interface Spread {
 
 /** One candidate: a row of figure 4 of Velychko et al. (2018). */
 export interface ModelSummary {
-    model: ModelKind | Rival["model"];
+    model: ModelKind | "promp" | "ar";
     candidate: Candidate | Rival;
     /** The settings that differ from those of other candidates, as a short text. */
     label: string;
