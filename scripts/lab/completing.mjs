@@ -5,17 +5,11 @@
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { at, Failure, output, run } from "../run.mjs";
-import { MADE, PARTS, subject } from "./subjects.mjs";
+import { BOTTLE, MADE, PARTS, subject, THREE_PARTS } from "./subjects.mjs";
 import { putTables } from "./tables.mjs";
 
 const program = at("target/release/vcgpdm");
 const page = at("docs/completing.md");
-/** Passing a bottle: of three parts, the body and two arms. */
-const BOTTLE = {
-  name: "bottle-made",
-  clips: Array.from({ length: 10 }, (_, k) => `sample:bottle-${k + 1}`),
-  parts: "body-arms",
-};
 const SETTINGS = ["--ips", "20", "--pose-ips", "30", "--balanced"];
 
 /** The lines of a report from the table with this heading to the next empty line. */
@@ -39,7 +33,7 @@ export async function completing(/** @type {string[]} */ ...folders) {
   /** @type {string[]} */
   const completed = [];
   const starts = [];
-  for (const { name, clips, parts } of [...walks, BOTTLE]) {
+  for (const { name, clips, parts } of [...walks, { ...BOTTLE, parts: THREE_PARTS }]) {
     const evaluate = async (/** @type {string} */ file, /** @type {string[]} */ ...options) => {
       const out = join(results, file);
       await run(program, "evaluate", ...clips, "--parts", parts, ...SETTINGS, ...options, "--out", out);

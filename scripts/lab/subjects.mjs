@@ -3,12 +3,18 @@ import { readdirSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { Failure } from "../run.mjs";
 
-/** @typedef {{ name: string, clips: string[] }} Subject */
+/**
+ * Seated trials are not periodic and have three parts, as in Velychko et al. (2018, section 5.3).
+ * @typedef {{ name: string, clips: string[], seated?: boolean }} Subject
+ */
 
 /** The parts of walks. */
 export const PARTS = "lower,upper";
 
-/** The movements of which the program makes trials. */
+/** The parts of passing a bottle. */
+export const THREE_PARTS = "body-arms";
+
+/** Walks that the program makes. */
 export const MADE = [
   {
     name: "walk-made",
@@ -26,6 +32,16 @@ export const MADE = [
     clips: ["sample:walk-wave-1", "sample:walk-wave-2", "sample:walk-wave-3", "sample:walk-wave-4"],
   },
 ];
+
+/**
+ * Passing a bottle.
+ * @type {Subject}
+ */
+export const BOTTLE = {
+  name: "bottle-made",
+  clips: Array.from({ length: 10 }, (_, trial) => `sample:bottle-${trial + 1}`),
+  seated: true,
+};
 
 /** The folder's clips as one subject. */
 export function subject(/** @type {string} */ folder) {
