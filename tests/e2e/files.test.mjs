@@ -76,7 +76,7 @@ describe("the first model", () => {
     assert.equal(frames(model.text), 300);
     await same(300);
     await openTab(page, "learn");
-    await page.locator(".made summary").click();
+    await page.getByText("Samples, made by a program").click();
     await page
       .getByRole("button", { name: /^Show / })
       .first()

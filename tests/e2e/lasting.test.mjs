@@ -33,7 +33,7 @@ describe("the worker that shows the model", () => {
     assert.notEqual((await saved(page, "save-motion")).text, motion.text);
     // A clip is written by another worker.
     await openTab(page, "learn");
-    await page.locator(".made summary").click();
+    await page.getByText("Samples, made by a program").click();
     await page
       .getByRole("button", { name: /^Show / })
       .first()

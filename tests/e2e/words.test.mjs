@@ -25,7 +25,7 @@ describe("the first screen", () => {
     assert.match((await lead.textContent()) ?? "", /never recorded.*from 3 clips/s);
     assert.match(await caption.innerText(), /Made by the model\s+A rollout, learned from 3 clips/);
     assert.match(await page.getByTestId("progress").innerText(), /ticked sample clips and their body/);
-    await page.locator(".made summary").click();
+    await page.getByText("Samples, made by a program").click();
     await page
       .getByRole("button", { name: /^Show / })
       .first()

@@ -4,10 +4,10 @@ import type { Words } from "../en";
 export const loop: Words["chapters"]["loop"] = {
   title: "Ein Gang ist eine Schleife",
   text:
-    "Eine Pose der Beine ist eine lange Liste von Winkeln. Beim Gehen bewegen sich die Winkel gemeinsam, und so " +
-    "schreibt das Modell eine Pose als drei Zahlen, als Punkt in einem kleinen Raum. Während der Körper geht, läuft der Punkt auf einer Schleife, einmal herum für je " +
-    "zwei Schritte. Zieh den Punkt die Schleife entlang, und der Körper folgt. Um die Schleife herum liegen " +
-    "Punkte, die das Modell nie gesehen hat.",
+    "Eine Pose der Beine ist eine lange Liste von Winkeln. Beim Gehen bewegen sich die Winkel gemeinsam: Das " +
+    "Modell schreibt eine Pose als drei Zahlen, als Punkt in einem kleinen Raum. Der Punkt läuft auf einer " +
+    "Schleife, einmal herum für je zwei Schritte. Zieh ihn entlang, und der Körper folgt. Um die Schleife " +
+    "herum liegen Punkte, die das Modell nie gesehen hat.",
   guess: {
     question: "Wir ziehen den Punkt von der Schleife weg. Was tut der Körper?",
     choices: {
