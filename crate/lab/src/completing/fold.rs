@@ -2,7 +2,9 @@
 
 use crate::completing::answer::{Answer, constant_share, finite, share};
 use crate::completing::column_noise::column_noise;
-use crate::completing::results::{ColumnCoverage, CompletedPart, CompletedTrial, Limits, Method, Score};
+use crate::completing::results::{
+    ColumnCoverage, CompletedPart, CompletedTrial, Limits, Method, MethodScore,
+};
 use crate::completing::rivals::{HISTORY, Pairs, answer};
 use crate::completing::training_trial::training_trial;
 use crate::evaluation::{EvaluationError, ObservedFold};
@@ -247,13 +249,13 @@ impl Trial<'_> {
         let error = |answer: &Answer, frames: &Range<usize>| {
             finite("the error of a part", share(&answer.mean, recorded, frames))
         };
-        let score = |(k, method): (usize, &Method)| -> Result<Score, EvaluationError> {
+        let score = |(k, method): (usize, &Method)| -> Result<MethodScore, EvaluationError> {
             let answer = &seen.of_methods[k];
             let after_cut = AFTER_CUT.iter().map(|range| {
                 let frames = (cut + range.start).min(last)..(cut + range.end).min(last);
                 (!frames.is_empty()).then(|| error(&after[k], &frames)).transpose()
             });
-            Ok(Score {
+            Ok(MethodScore {
                 method: *method,
                 error: error(answer, &frames)?,
                 joints: finite("the error of the joints", self.joints(part, &answer.mean, &frames)?)?,

@@ -14,7 +14,7 @@ mod training_trial;
 
 pub use fold::CompletingFold;
 pub use results::{
-    ColumnCoverage, CompletedPart, CompletedTrial, Completing, CompletingError, Limits, Method, Score,
+    ColumnCoverage, CompletedPart, CompletedTrial, Completing, CompletingError, Limits, Method, MethodScore,
     TrainingTrial,
 };
 pub use tables::tables;

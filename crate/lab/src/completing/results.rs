@@ -54,7 +54,7 @@ impl Method {
 /// How well a method infers a part. Errors are squared errors, as shares of those of the mean pose.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Score {
+pub struct MethodScore {
     /// The method.
     pub method: Method,
     /// The error of the columns.
@@ -133,7 +133,7 @@ pub struct TrainingTrial {
 #[serde(deny_unknown_fields)]
 pub struct CompletedPart {
     /// The score of each method.
-    pub scores: Vec<Score>,
+    pub scores: Vec<MethodScore>,
     /// What limits the vCGPDM.
     pub limits: Limits,
 }
@@ -291,7 +291,7 @@ mod tests {
     }
 
     fn part() -> CompletedPart {
-        let score = |method| Score {
+        let score = |method| MethodScore {
             method,
             error: 0.5,
             joints: 0.25,

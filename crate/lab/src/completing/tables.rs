@@ -1,6 +1,6 @@
 //! The tables of completing, as Markdown.
 
-use crate::completing::results::{CompletedPart, Completing, Method, Score};
+use crate::completing::results::{CompletedPart, Completing, Method, MethodScore};
 use crate::evaluation::fixed;
 use crate::evaluation::stats::median;
 use std::fmt::Write;
@@ -24,7 +24,7 @@ fn of_part(results: &Completing, part: usize) -> impl Iterator<Item = &Completed
     results.trials.iter().filter_map(move |trial| trial.parts.get(part))
 }
 
-fn score_of(part: &CompletedPart, method: Method) -> Option<&Score> {
+fn score_of(part: &CompletedPart, method: Method) -> Option<&MethodScore> {
     part.scores.iter().find(|score| score.method == method)
 }
 
@@ -69,7 +69,7 @@ fn scores(text: &mut String, all: &[(String, &Completing)]) {
     for (name, results) in all {
         for (part, spec) in results.setting.parts.iter().enumerate() {
             for method in Method::ALL {
-                let number = |digits, number: &dyn Fn(&Score) -> Option<f64>| {
+                let number = |digits, number: &dyn Fn(&MethodScore) -> Option<f64>| {
                     middle(of_part(results, part), digits, |part| number(score_of(part, method)?))
                 };
                 let after = |k: usize| number(2, &|score| score.after_cut.get(k).copied().flatten());
