@@ -1,8 +1,8 @@
 // `npm run lab -- comparison FOLDER ...`: compares all models on several subjects, each trial held out in turn,
 // with each other and with the papers. Each folder holds the clips (.bvh) of one person or movement; the
-// sample walks of the program come after them. docs/comparison gets the results (NAME.json) and the tables
-// (NAME.md); the page gets the results of the first folder. A finished training is never done again: stop and
-// go on at will, and delete docs/comparison/*.json to begin anew.
+// movements that the program makes come after them, or only those that are named (bottle-made). docs/comparison
+// gets the results (NAME.json) and the tables (NAME.md); the page gets the results of the first folder. A finished
+// training is never done again: stop and go on at will, and delete docs/comparison/*.json to begin anew.
 // --tables writes the tables again from the results, without the clips: only the folders' names are used.
 // --quick trains with few settings and iterations, to test the command, and writes no file of the project.
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -16,7 +16,7 @@ const program = at("target/release/vcgpdm");
 const PARTS = "lower,upper";
 const THREE_PARTS = "body-arms";
 
-/** The movements of which the program makes trials. */
+/** @type {Subject[]} The movements that the program makes. */
 const MADE = [
   {
     name: "walk-made",
@@ -33,24 +33,34 @@ const MADE = [
     name: "walk-and-wave-made",
     clips: ["sample:walk-wave-1", "sample:walk-wave-2", "sample:walk-wave-3", "sample:walk-wave-4"],
   },
+  {
+    name: "bottle-made",
+    clips: Array.from({ length: 10 }, (_, trial) => `sample:bottle-${trial + 1}`),
+    seated: true,
+  },
 ];
 
 /** The heading of the tables over all trials of a report, and its name in the documents. */
 const TOGETHER = "### All together";
 const RECORDED = "### Recorded trials together";
 
-/** @typedef {{ name: string, clips: string[] }} Subject */
+/**
+ * Seated trials are not periodic and have three parts, as in Velychko et al. (2018, section 5.3).
+ * @typedef {{ name: string, clips: string[], seated?: boolean }} Subject
+ */
 /**
  * The MAP models have a limit of their own: they do not converge (docs/comparison/method.md), and each of their
  * iterations takes long.
- * @typedef {{ ips: string, poseIps: string, bases: string, primitives: string, components: string,
- * iterations: string, mapIterations: string, times: string }} Extent
+ * @typedef {{ ips: string, poseIps: string, seatedPoseIps: string, seatedPrimitives: string, bases: string,
+ * primitives: string, components: string, iterations: string, mapIterations: string, times: string }} Extent
  */
 
 /** @type {Extent} */
 const WHOLE = {
   ips: "5,10,20,30",
   poseIps: "5,10,20,30",
+  seatedPoseIps: "5,8",
+  seatedPrimitives: "2,4,6,8,10",
   bases: "5,10,15,25,40,60,80,100",
   primitives: "bound,2,4,6,8,10,12,15,20",
   components: "3,6,10,20",
@@ -62,6 +72,8 @@ const WHOLE = {
 const QUICK = {
   ips: "5,10",
   poseIps: "5,10",
+  seatedPoseIps: "5,8",
+  seatedPrimitives: "2,4",
   bases: "5,25,100",
   primitives: "2,4",
   components: "3,6",
@@ -137,6 +149,20 @@ const variants = (/** @type {Extent} */ { iterations }) => {
 };
 
 /**
+ * The same for a movement that is not periodic, with the sizes of Velychko et al. (2018, section 5.3): no rhythmic
+ * DMP and no cycles. The MAP models would take hours.
+ */
+const seatedSweeps = (/** @type {Extent} */ { seatedPoseIps, seatedPrimitives, bases, iterations }) => {
+  const sizes = ["--ips", "8", "--pose-ips", seatedPoseIps, "--max-iterations", iterations];
+  const models = [
+    ["--models", "vcgpdm,vgpdm", ...sizes],
+    ["--models", "tmp,dmp-discrete", "--bases", bases, "--primitives", seatedPrimitives],
+    ["--models", "tmp", "--primitives", "6", "--normalised-time"],
+  ];
+  return models.map((options) => ({ file: "", parts: THREE_PARTS, options }));
+};
+
+/**
  * How the time of an iteration and of a whole training grows with the frames: one job at a time, so that none
  * waits for another. Three seeds are repeats. Of the same parts as all else, with which they stand, and of
  * three parts, as in the supplement of Velychko et al. (2017).
@@ -195,10 +221,13 @@ function together(/** @type {string[]} */ files) {
 export async function comparison(/** @type {string[]} */ ...words) {
   const quick = words.includes("--quick");
   const onlyTables = words.includes("--tables");
-  const folders = words.filter((word) => !word.startsWith("--"));
+  const names = words.filter((word) => !word.startsWith("--"));
+  const asked = MADE.filter(({ name }) => names.includes(name));
+  const made = asked.length > 0 ? asked : MADE;
+  const folders = names.filter((word) => !asked.some(({ name }) => name === word));
   const named = (/** @type {string} */ folder) => ({ name: basename(resolve(folder)), clips: [] });
   const recorded = folders.map(onlyTables ? named : subject);
-  const subjects = /** @type {Subject[]} */ ([...recorded, ...MADE]);
+  const subjects = /** @type {Subject[]} */ ([...recorded, ...made]);
   if (new Set(subjects.map(({ name }) => name)).size < subjects.length)
     throw new Failure("expected folders of different names: they are the names of the subjects");
   const extent = quick ? QUICK : WHOLE;
@@ -213,28 +242,30 @@ export async function comparison(/** @type {string[]} */ ...words) {
     if (!onlyTables) await run(program, "evaluate", ...clips, "--parts", parts, ...options, "--out", path);
     return path;
   };
-  const [first] = subjects;
-  if (!first) throw new Failure("expected a subject");
+  const [first] = recorded;
   /** @type {string[]} */
   const timed = [];
-  for (const one of times(extent, first.clips.length)) timed.push(await evaluate(first, one));
+  if (first) for (const one of times(extent, first.clips.length)) timed.push(await evaluate(first, one));
   const report = async (/** @type {Subject[]} */ some) => {
     const files = [];
-    for (const one of some) for (const sweep of sweeps(extent)) files.push(await evaluate(one, sweep));
+    for (const one of some)
+      for (const sweep of (one.seated ? seatedSweeps : sweeps)(extent))
+        files.push(await evaluate(one, sweep));
     // The report puts the times of the first subject's trials together with its other results.
-    if (some.includes(first)) files.push(...timed);
+    if (some === recorded) files.push(...timed);
     const text = output(program, "report", ...new Set(files));
     if (text === null) throw new Failure("the report could not be made");
-    return text;
+    // The report of a single set has no heading.
+    return text.startsWith("### ") ? text : `### ${some[0]?.name}\n\n${text}`;
   };
   // Recorded and made trials are never put together.
   const reports = recorded.length > 0 ? [(await report(recorded)).replace(TOGETHER, RECORDED)] : [];
-  reports.push(...(await report(MADE)).split(TOGETHER).slice(0, 1));
+  reports.push(...(await report(made)).split(TOGETHER).slice(0, 1));
   if (quick) return console.log(reports.join("\n"));
-  mkdirSync(dirname(shown), { recursive: true });
-  writeFileSync(
-    shown,
-    together([join(folder, `${first.name}.json`), join(folder, `${first.name}-times.json`)]),
-  );
+  if (first) {
+    mkdirSync(dirname(shown), { recursive: true });
+    const files = ["", "-times"].map((file) => join(folder, `${first.name}${file}.json`));
+    writeFileSync(shown, together(files));
+  }
   for (const sections of reports) writeSections(folder, "npm run lab -- comparison", sections);
 }

@@ -28,6 +28,12 @@ const BEST: Sentence = Sentence(
     "\u{201c}Of all tested models, the 2-part vCGPDM performs best in terms of MSE.\u{201d}",
     "2017, section 3.2",
 );
+const THREE_PARTS_GAIN_NOTHING: Sentence = Sentence(
+    "\u{201c}The vCGPDM with three parts for 'passing a bottle' does not show a clear advantage over the monolithic model\u{201d}",
+    "2018, section 5.3",
+);
+const THREE_PARTS_EQUAL_TMP: Sentence =
+    Sentence("\u{201c}... and is on par with the TMP model.\u{201d}", "2018, section 5.3");
 const BOUND_CHOOSES: Sentence = Sentence(
     "\u{201c}The best ELBO's MSE (that is, the MSE at the maximum of the ELBO) is a fairly good predictor of the best MSE\u{201d}",
     "2018, section 5.3",
@@ -163,6 +169,34 @@ pub(super) fn secondary_claims(rows: &[Row], growth: &[Growth], labels: &Labels)
             _ => {}
         }
     }
+    claims.0
+}
+
+/// The claims of the papers about three parts, compared with the whole body and with the TMP.
+pub(super) fn three_part_claims(rows: &[Row], labels: &Labels) -> Vec<Claim> {
+    let contender = |kind: ModelKind| Contender::new(settings(rows, kind, &is_plain), Choice::Rollouts);
+    let mut claims = Claims(Vec::new());
+    let Some(three) = contender(Vcgpdm) else { return claims.0 };
+    let mut add = |sentence, criterion, other: Option<Contender>, answer: fn(&Effect) -> ClaimAnswer| {
+        let Some(other) = other else { return };
+        if let Some(effect) = Effect::new(&three.errors, &other.errors) {
+            let found =
+                format!("{} compared with {}: {}", three.text(labels), other.text(labels), effect.text());
+            claims.add(sentence, criterion, found, answer(&effect));
+        }
+    };
+    let criterion = "the error is not lower by a tenth or more: the interval of the ratio is above 1 / 1.1";
+    let no_gain = |effect: &Effect| not(effect.is_below(1.0 / NEARLY));
+    add(&THREE_PARTS_GAIN_NOTHING, criterion, contender(Vgpdm), no_gain);
+    let criterion =
+        "the errors differ by less than a tenth: the interval of the ratio is from 1 / 1.1 to 1.1";
+    add(&THREE_PARTS_EQUAL_TMP, criterion, contender(Tmp), |effect| {
+        match (not(effect.is_below(1.0 / NEARLY)), effect.is_below(NEARLY)) {
+            (ClaimAnswer::Yes, ClaimAnswer::Yes) => ClaimAnswer::Yes,
+            (ClaimAnswer::No, _) | (_, ClaimAnswer::No) => ClaimAnswer::No,
+            _ => ClaimAnswer::Undecided,
+        }
+    });
     claims.0
 }
 

@@ -1,7 +1,7 @@
 //! The tables of a comparison: models, correlations of bound and error, growth of the time, claims.
 
 use crate::evaluation::candidate::Candidate;
-use crate::evaluation::claims::secondary_claims;
+use crate::evaluation::claims::{secondary_claims, three_part_claims};
 use crate::evaluation::contender::{Choice, Contender};
 use crate::evaluation::correlation::correlations;
 use crate::evaluation::evidence::evidence;
@@ -55,6 +55,9 @@ impl Comparison {
         let parts = several.first().map_or(1, |results| results.setting().parts.len());
         let mut claims = primary_claims(&rows, &people, parts, &labels);
         claims.extend(secondary_claims(&rows, &growth, &labels));
+        if several.iter().all(|results| results.setting().parts.len() == 3) {
+            claims.extend(three_part_claims(&rows, &labels));
+        }
         let groups = groups(rows.iter()).into_iter();
         let chosen: Vec<(&Candidate, usize)> = groups
             .filter_map(|group| {
@@ -86,7 +89,9 @@ mod tests {
     use crate::evaluation::summary::ClaimAnswer;
     use crate::evaluation::testing::{finished, map, outcome, results, setting, variational};
     use approx::assert_relative_eq;
-    use vcgpdm::models::{DmpSettings, EndReason, ModelKind, PoseWeight, Settings, VariationalSettings};
+    use vcgpdm::models::{
+        DmpSettings, EndReason, ModelKind, PoseWeight, Settings, TmpSettings, VariationalSettings,
+    };
 
     #[test]
     fn seeds_are_averaged_before_folds() {
@@ -164,6 +169,34 @@ mod tests {
         assert_relative_eq!(found.evidence[2].log_bayes_factor, -5.0);
         assert_relative_eq!(found.evidence[2].error_ratio, 1.0 / 1.05, epsilon = 1e-12);
         assert_eq!(found.evidence[2].trial, "walk 3");
+    }
+
+    #[test]
+    fn three_parts_have_claims_of_their_own() {
+        let with = |three: f64, tmp: f64| {
+            let mut setting = setting(7);
+            setting.parts = vec![setting.parts[0].clone(); 3];
+            let mut found = Results::new(setting);
+            for fold in 0..7 {
+                let hard = 1.0 + 0.3 * fold as f64;
+                let candidates = [
+                    (Settings::Vcgpdm(variational(8)), three),
+                    (Settings::Vgpdm(variational(8)), 1.0),
+                    (Settings::Tmp(TmpSettings::default()), tmp),
+                ];
+                for (candidate, mse) in candidates {
+                    found.add(finished(candidate, fold, 6, 0, outcome(hard * mse, None, 100, 1.0))).unwrap();
+                }
+            }
+            let found = Comparison::new(&found);
+            ["clear advantage", "on par with the TMP"].map(|words| {
+                let claim = found.claims.iter().find(|claim| claim.claim.contains(words)).unwrap();
+                claim.answer
+            })
+        };
+        assert_eq!(with(1.0, 1.05), [ClaimAnswer::Yes, ClaimAnswer::Yes]);
+        assert_eq!(with(1.5, 1.0), [ClaimAnswer::Yes, ClaimAnswer::No]);
+        assert_eq!(with(0.5, 1.0), [ClaimAnswer::No, ClaimAnswer::No]);
     }
 
     /// As after a cancelled run: only the first model has the last two trials, which are hard.
