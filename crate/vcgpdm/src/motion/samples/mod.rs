@@ -12,7 +12,7 @@ mod walker;
 
 use crate::motion::clip::Clip;
 use serde::Serialize;
-use walker::Arms;
+use walker::{Arms, Legs};
 
 /// A clip that this project makes itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -22,36 +22,44 @@ pub struct SampleInfo {
     pub id: &'static str,
     /// Its title for users.
     pub title: &'static str,
-    /// The movement, "walk", "walk and wave" or "pass a bottle".
+    /// The movement, "walk", "walk and wave", "stand and wave" or "pass a bottle".
     pub movement: &'static str,
 }
 
 struct Recipe {
     info: SampleInfo,
     seed: u64,
-    movement: Movement,
+    /// Of movements of any length; 0: passing a bottle has a length of its own.
+    seconds: f64,
 }
 
-enum Movement {
-    Walk { arms: Arms, seconds: f64 },
-    Bottle,
+const fn recipe(
+    movement: &'static str,
+    id: &'static str,
+    title: &'static str,
+    seed: u64,
+    seconds: f64,
+) -> Recipe {
+    Recipe { info: SampleInfo { id, title, movement }, seed, seconds }
 }
 
 const fn walk(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Recipe {
-    let movement = Movement::Walk { arms: Arms::Swing, seconds };
-    Recipe { info: SampleInfo { id, title, movement: "walk" }, seed, movement }
+    recipe("walk", id, title, seed, seconds)
 }
 
 const fn wave(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Recipe {
-    let movement = Movement::Walk { arms: Arms::Wave, seconds };
-    Recipe { info: SampleInfo { id, title, movement: "walk and wave" }, seed, movement }
+    recipe("walk and wave", id, title, seed, seconds)
+}
+
+const fn stand(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Recipe {
+    recipe("stand and wave", id, title, seed, seconds)
 }
 
 const fn bottle(id: &'static str, title: &'static str, seed: u64) -> Recipe {
-    Recipe { info: SampleInfo { id, title, movement: "pass a bottle" }, seed, movement: Movement::Bottle }
+    recipe("pass a bottle", id, title, seed, 0.0)
 }
 
-const RECIPES: [Recipe; 20] = [
+const RECIPES: [Recipe; 24] = [
     walk("walk-1", "Walk, trial 1", 1, 4.2),
     walk("walk-2", "Walk, trial 2", 2, 3.9),
     walk("walk-3", "Walk, trial 3", 3, 4.4),
@@ -62,6 +70,10 @@ const RECIPES: [Recipe; 20] = [
     wave("walk-wave-2", "Walk and wave, trial 2", 12, 4.3),
     wave("walk-wave-3", "Walk and wave, trial 3", 13, 3.8),
     wave("walk-wave-4", "Walk and wave, trial 4", 14, 4.0),
+    stand("stand-wave-1", "Stand and wave, trial 1", 41, 3.6),
+    stand("stand-wave-2", "Stand and wave, trial 2", 42, 4.0),
+    stand("stand-wave-3", "Stand and wave, trial 3", 43, 3.8),
+    stand("stand-wave-4", "Stand and wave, trial 4", 44, 4.2),
     bottle("bottle-1", "Pass a bottle, trial 1", 21),
     bottle("bottle-2", "Pass a bottle, trial 2", 22),
     bottle("bottle-3", "Pass a bottle, trial 3", 23),
@@ -90,19 +102,30 @@ pub fn list() -> Vec<SampleInfo> {
 /// assert!(samples::clip("run-1").is_none());
 /// ```
 pub fn clip(id: &str) -> Option<Clip> {
-    let recipe = RECIPES.iter().find(|recipe| recipe.info.id == id)?;
+    let Recipe { info, seed, seconds } = RECIPES.iter().find(|recipe| recipe.info.id == id)?;
+    let clip = trial(info.movement, *seed, *seconds)?;
+    Some(Clip { name: format!("{id} (made by this project).bvh"), ..clip })
+}
+
+/// Makes a new trial of a movement ([`SampleInfo::movement`]) from a seed. The seconds do not count where the
+/// movement has an end of its own. `None` for an unknown movement.
+pub fn trial(movement: &str, seed: u64, seconds: f64) -> Option<Clip> {
     let skeleton = body::skeleton();
-    let values = match recipe.movement {
-        Movement::Walk { arms, seconds } => walker::walk(&skeleton, arms, recipe.seed, seconds),
-        Movement::Bottle => bottle::pass(&skeleton, recipe.seed),
+    let walk = |arms, legs| walker::walk(&skeleton, arms, legs, seed, seconds);
+    let values = match movement {
+        "walk" => walk(Arms::Swing, Legs::Walk),
+        "walk and wave" => walk(Arms::Wave, Legs::Walk),
+        "stand and wave" => walk(Arms::Wave, Legs::Stand),
+        "pass a bottle" => bottle::pass(&skeleton, seed),
+        _ => return None,
     };
-    let name = format!("{id} (made by this project).bvh");
-    Some(Clip::new(&name, skeleton, 1.0 / frames::RATE, values))
+    Some(Clip::new(&format!("{movement} {seed}.bvh"), skeleton, 1.0 / frames::RATE, values))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::motion::period;
     use nalgebra::Vector3;
     use std::collections::HashSet;
 
@@ -146,7 +169,7 @@ mod tests {
     #[test]
     fn each_movement_has_trials_with_their_own_ids() {
         let trials = |movement| list().iter().filter(|info| info.movement == movement).count();
-        assert_eq!(["walk", "walk and wave", "pass a bottle"].map(trials), [6, 4, 10]);
+        assert_eq!(["walk", "walk and wave", "stand and wave", "pass a bottle"].map(trials), [6, 4, 4, 10]);
         assert_eq!(list().iter().map(|info| info.id).collect::<HashSet<_>>().len(), list().len());
         assert_eq!(clip("walk-1").unwrap().name, "walk-1 (made by this project).bvh");
         assert!(clip("walk-0").is_none());
@@ -228,20 +251,60 @@ mod tests {
 
     #[test]
     fn waving_hands_are_above_the_head_and_swinging_hands_below_it() {
-        for (info, clip) in list().iter().zip(walks()) {
+        for (info, clip) in list().iter().zip(clips()).filter(|(info, _)| info.movement != "pass a bottle") {
+            let waves = info.movement.ends_with("wave");
             let (head, hips) = (place(&clip, "Head"), place(&clip, "Hips"));
             for side in ["Left", "Right"] {
                 let hand = place(&clip, &format!("{side}Hand"));
                 let mut across = Vec::new();
                 for frame in 0..clip.frames() {
                     let at = clip.world_pose(frame).positions;
-                    let raised = at[hand].y > at[head].y;
-                    assert_eq!(raised, info.movement == "walk and wave", "{} frame {frame}", clip.name);
+                    assert_eq!(at[hand].y > at[head].y, waves, "{} frame {frame}", clip.name);
                     across.push((at[hand].x - at[hips].x).abs());
                 }
                 let wide = across.iter().fold(0.0, |a: f64, b| a.max(*b))
                     - across.iter().fold(999.0, |a: f64, b| a.min(*b));
-                assert_eq!(wide > 15.0, info.movement == "walk and wave", "{}: {wide}", clip.name);
+                assert_eq!(wide > 15.0, waves, "{}: {wide}", clip.name);
+            }
+        }
+    }
+
+    /// Frames of a cycle of some joints' angles.
+    fn cycle(clip: &Clip, names: [&str; 2]) -> f64 {
+        let columns: Vec<usize> =
+            names.iter().flat_map(|name| (0..3).map(|k| 3 + 3 * place(clip, name) + k)).collect();
+        period(&[clip.values.select_columns(&columns)]).unwrap().frames
+    }
+
+    #[test]
+    fn hands_wave_at_a_rate_of_their_own_and_legs_walk_at_theirs() {
+        let waving = list().into_iter().filter(|info| info.movement.ends_with("wave"));
+        let clips: Vec<Clip> = waving.map(|info| clip(info.id).unwrap()).collect();
+        let rates: Vec<f64> =
+            clips.iter().map(|clip| 60.0 / cycle(clip, ["LeftForeArm", "RightForeArm"])).collect();
+        assert!(rates.iter().all(|rate| (1.0..2.3).contains(rate)), "{rates:?} cycles a second");
+        // Another rate in each trial, and none that is the rate of the steps in all of them.
+        let steps = clips.iter().map(|clip| 120.0 / cycle(clip, ["LeftLeg", "RightLeg"]));
+        let ratios: Vec<f64> = rates.iter().zip(steps).take(4).map(|(waves, steps)| waves / steps).collect();
+        for values in [&rates[..4], &rates[4..], &ratios] {
+            let sorted = {
+                let mut sorted = values.to_vec();
+                sorted.sort_by(f64::total_cmp);
+                sorted
+            };
+            assert!(sorted[3] > 1.15 * sorted[0], "{sorted:?}");
+        }
+    }
+
+    #[test]
+    fn standing_feet_stay() {
+        for info in list().into_iter().filter(|info| info.movement == "stand and wave") {
+            let clip = clip(info.id).unwrap();
+            let soles = soles(&clip);
+            for points in &soles {
+                for (point, first) in points.iter().zip(&soles[0]) {
+                    assert!((point - first).norm() < 2.0, "{}: {}", clip.name, (point - first).norm());
+                }
             }
         }
     }
