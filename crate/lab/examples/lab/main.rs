@@ -28,6 +28,8 @@ use std::path::PathBuf;
 enum Measurement {
     /// How each coupling changes the body's movement.
     Effects(effects::Arguments),
+    /// A combination of primitives that was never recorded, compared with other models.
+    Combination,
     /// One half of the body inferred from the other, compared with regressions.
     Completing {
         /// Folders of clips (.bvh), one for each person.
@@ -66,6 +68,7 @@ enum Measurement {
 fn main() {
     match Measurement::parse() {
         Measurement::Effects(arguments) => effects::run(&arguments),
+        Measurement::Combination => modularity::run_combination(),
         Measurement::Completing { folders } => completing::run(&folders),
         Measurement::Modularity { picture } => modularity::run(picture.as_deref()),
         Measurement::Imports => modularity::run_imports(),
