@@ -1,12 +1,8 @@
 //! The table of rollouts from observed first frames.
 
+use crate::report::spread;
 use std::fmt::Write;
-use vcgpdm_lab::evaluation::{NO_WORSE, ObservedStarts, Results, Spread, fixed};
-
-fn spread(spread: &Spread, digits: usize) -> String {
-    let error = spread.standard_error.map_or(String::new(), |error| format!(" ± {}", fixed(error, digits)));
-    format!("{}{error}", fixed(spread.mean, digits))
-}
+use vcgpdm_lab::evaluation::{NO_WORSE, ObservedStarts, Results, fixed};
 
 /// Rollouts from first frames that were trained on and from observed ones.
 pub fn observed_starts(text: &mut String, several: &[&Results]) -> std::fmt::Result {
