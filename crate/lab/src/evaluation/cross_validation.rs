@@ -121,18 +121,12 @@ impl Fold {
                 let fitted = rival.fit(self.movements());
                 let model = fitted.map_err(|reason| dataset_error(reason, &self.body().sequences))?;
                 let trained = seconds() - begin;
-                let outcome = self.outcome(&*model, &self.regression(&*model), trained)?;
+                let error = self.training.error(&*model);
+                let outcome = self.scored(&*model, &regression(error), trained, error)?;
                 return Ok(Some(self.with_details(outcome, &*model)));
             }
         };
-        let mut learner = self.learner(settings, seed)?;
-        while {
-            let progress = learner.step();
-            if !watch(&progress) {
-                return Ok(None);
-            }
-            !progress.done
-        } {}
+        let Some(learner) = trained(self.learner(settings, seed)?, watch) else { return Ok(None) };
         let model = learner.model()?;
         let trained = seconds() - begin;
         let outcome = self.outcome(&model, &learner.progress(), trained)?;
@@ -144,25 +138,6 @@ impl Fold {
         Outcome { details: predicted.details(model), ..outcome }
     }
 
-    /// The progress of a rival, which learns in one step. Its objective is minus the error of its rollouts on
-    /// the training trials.
-    fn regression(&self, model: &dyn Predictor) -> Progress {
-        let objective = -self.training.error(model).unwrap_or(f64::INFINITY);
-        Progress {
-            iteration: 1,
-            max_iterations: 1,
-            evaluations: 0,
-            objective,
-            best: objective,
-            terms: None,
-            phase: None,
-            done: true,
-            reason: Some(EndReason::Regression),
-            setbacks: Setbacks::default(),
-            fraction: 1.0,
-        }
-    }
-
     /// The outcome of a model whose training ended with this progress after `seconds` seconds.
     ///
     /// # Errors
@@ -172,6 +147,17 @@ impl Fold {
         model: &dyn Predictor,
         training: &Progress,
         seconds: f64,
+    ) -> Result<Outcome, EvaluationError> {
+        self.scored(model, training, seconds, self.training.error(model))
+    }
+
+    /// The same, when the error on the training trials is known.
+    fn scored(
+        &self,
+        model: &dyn Predictor,
+        training: &Progress,
+        seconds: f64,
+        training_mse: Option<f64>,
     ) -> Result<Outcome, EvaluationError> {
         if !(seconds.is_finite() && seconds >= 0.0) {
             return Err(EvaluationError::Seconds(seconds));
@@ -193,7 +179,7 @@ impl Fold {
             frames: self.movements().sequences.iter().map(|s| s.frames).sum(),
             stored_numbers: model.stored_numbers(),
             reason: training.reason.as_ref().map(ToString::to_string),
-            training_mse: self.training.error(model),
+            training_mse,
             details: None,
             observed_start: None,
         };
@@ -210,6 +196,25 @@ impl Fold {
             }
         }
         Ok(outcome)
+    }
+}
+
+/// The progress of a rival, which learns in one step. Its objective is minus the error of its rollouts on the
+/// training trials.
+fn regression(training_mse: Option<f64>) -> Progress {
+    let objective = -training_mse.unwrap_or(f64::INFINITY);
+    Progress {
+        iteration: 1,
+        max_iterations: 1,
+        evaluations: 0,
+        objective,
+        best: objective,
+        terms: None,
+        phase: None,
+        done: true,
+        reason: Some(EndReason::Regression),
+        setbacks: Setbacks::default(),
+        fraction: 1.0,
     }
 }
 
@@ -242,6 +247,22 @@ pub(super) fn training_of(
     }
     let learner = candidate.learner(movements, seed);
     Ok(learner.map_err(|reason| dataset_error(reason, &training.body().sequences))?)
+}
+
+/// The learner after its last step. `watch` is called after every step; if it returns false, there is none.
+pub(super) fn trained(
+    mut learner: Box<dyn Learner>,
+    watch: &mut dyn FnMut(&Progress) -> bool,
+) -> Option<Box<dyn Learner>> {
+    loop {
+        let progress = learner.step();
+        if !watch(&progress) {
+            return None;
+        }
+        if progress.done {
+            return Some(learner);
+        }
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Cross-validation in which a trained model observes the trial held out: no frame of the trial is trained
 //! on.
 
-use crate::evaluation::cross_validation::{training_of, trials_of};
+use crate::evaluation::cross_validation::{trained, training_of, trials_of};
 use crate::evaluation::dtw::dtw_mse;
 use crate::evaluation::error::EvaluationError;
 use crate::evaluation::fold_model::fold_model;
@@ -67,14 +67,8 @@ impl ObservedFold {
         seed: u32,
         watch: &mut dyn FnMut(&Progress) -> bool,
     ) -> Result<Option<Model>, EvaluationError> {
-        let mut learner = training_of(&self.training, candidate, seed)?;
-        while {
-            let progress = learner.step();
-            if !watch(&progress) {
-                return Ok(None);
-            }
-            !progress.done
-        } {}
+        let learner = training_of(&self.training, candidate, seed)?;
+        let Some(learner) = trained(learner, watch) else { return Ok(None) };
         let provenance = provenance(candidate.clone(), seed, self.frames_per_second, &learner.progress());
         Ok(Some(fold_model(learner.model()?, self.body(), provenance)?))
     }
