@@ -5,7 +5,7 @@ use crate::completing::column_noise::column_noise;
 use crate::completing::results::{
     ColumnCoverage, CompletedPart, CompletedTrial, Limits, Method, MethodScore,
 };
-use crate::completing::rivals::{HISTORY, Pairs, answer};
+use crate::completing::rivals::{HISTORY, Regressions, answer};
 use crate::completing::training_trial::training_trial;
 use crate::evaluation::{EvaluationError, ObservedFold};
 use nalgebra::DMatrix;
@@ -137,16 +137,6 @@ struct Trial<'a> {
     held_out: Vec<DMatrix<f64>>,
 }
 
-/// What the methods infer about a part.
-struct Answers {
-    /// In the order of [`Method::ALL`].
-    of_methods: Vec<Answer>,
-    /// That of the vCGPDM when all parts are observed in all frames.
-    all_observed: Answer,
-    /// That of the smoother with a noise variance for each column.
-    with_column_noise: Answer,
-}
-
 impl Trial<'_> {
     fn body(&self) -> &Body {
         self.parts.body
@@ -194,39 +184,70 @@ impl Trial<'_> {
         self.body().layout.columns(part).iter().filter_map(place).collect()
     }
 
-    fn answers(&self, other: usize, sense: Sense) -> Result<Answers, EvaluationError> {
+    /// What the methods infer about a part, in the order of [`Method::ALL`].
+    fn answers(
+        &self,
+        other: usize,
+        sense: Sense,
+        regressions: &Regressions,
+    ) -> Result<Vec<Answer>, EvaluationError> {
         let (recorded, changing) = (&self.held_out[other], self.changing(other));
-        let mut observed: Vec<DMatrix<f64>> = self.held_out.iter().map(|y| sense.observed(y)).collect();
-        observed[other].fill(f64::NAN);
-        let given = Self::given(&observed, other);
-
+        let observed = self.observed(other, sense);
         let filter = self.parts.filter(&RolloutRequest::default())?;
-        let columns: Vec<usize> = (0..recorded.ncols()).collect();
-        let of = |filter: &Filter, latents: &LatentMoments, part: usize, columns: &[usize], more: &[f64]| {
-            Answer::of_latents(filter, latents, part, columns, recorded, &changing, more)
-        };
         let run = filter.run_from_best(&observed, self.searched())?;
-        let smoothed = filter.smoothed(&run)?;
         let likeliest = filter.smoothed(&filter.run_likeliest(&observed, self.searched())?)?;
-        let latents = [filter.filtered(&run), smoothed.clone(), likeliest];
-        let mut of_methods = Vec::new();
-        for latents in &latents {
-            of_methods.push(of(&filter, latents, other, &columns, &[])?);
+        let mut answers = Vec::new();
+        for latents in [filter.filtered(&run), filter.smoothed(&run)?, likeliest] {
+            answers.push(self.of_latents(&filter, &latents, other, &[])?);
         }
-        let with_column_noise = of(&filter, &smoothed, other, &columns, &self.more_noise(other)?)?;
-        let run = filter.run_from_best(&self.held_out, self.searched())?;
-        let all_observed = of(&filter, &filter.smoothed(&run)?, other, &columns, &[])?;
 
         let filter = self.whole.filter(&RolloutRequest::default())?;
         let run = filter.run_from_best(&[self.side_by_side(&observed)], self.searched())?;
-        of_methods.push(of(&filter, &filter.filtered(&run), 0, &self.places_in_whole(other), &[])?);
+        let places = self.places_in_whole(other);
+        let latents = filter.filtered(&run);
+        answers.push(Answer::of_latents(&filter, &latents, 0, &places, recorded, &changing, &[])?);
 
-        let trials = self.training.iter().map(|y| (Self::given(y, other), y[other].clone()));
-        let pairs = Pairs::new(&trials.collect::<Vec<_>>());
-        for prediction in [pairs.ridge(&given)?, pairs.gaussian_process(&given)?, pairs.nearest(&given)?] {
-            of_methods.push(answer(prediction, recorded, &changing));
+        for prediction in regressions.predict(&Self::given(&observed, other))? {
+            answers.push(answer(prediction, recorded, &changing));
         }
-        Ok(Answers { of_methods, all_observed, with_column_noise })
+        Ok(answers)
+    }
+
+    /// The columns of all parts, of which one is missing and the others are observed.
+    fn observed(&self, other: usize, sense: Sense) -> Vec<DMatrix<f64>> {
+        let mut observed: Vec<DMatrix<f64>> = self.held_out.iter().map(|y| sense.observed(y)).collect();
+        observed[other].fill(f64::NAN);
+        observed
+    }
+
+    /// What the smoother of the vCGPDM infers about a part. `more_noise` is added to its variances.
+    fn smoother(
+        &self,
+        other: usize,
+        observed: &[DMatrix<f64>],
+        more_noise: &[f64],
+    ) -> Result<Answer, EvaluationError> {
+        let filter = self.parts.filter(&RolloutRequest::default())?;
+        let latents = filter.smoothed(&filter.run_from_best(observed, self.searched())?)?;
+        self.of_latents(&filter, &latents, other, more_noise)
+    }
+
+    /// The columns of a part under latents of the vCGPDM.
+    fn of_latents(
+        &self,
+        filter: &Filter,
+        latents: &LatentMoments,
+        part: usize,
+        more_noise: &[f64],
+    ) -> Result<Answer, EvaluationError> {
+        let (recorded, changing) = (&self.held_out[part], self.changing(part));
+        let columns: Vec<usize> = (0..recorded.ncols()).collect();
+        Ok(Answer::of_latents(filter, latents, part, &columns, recorded, &changing, more_noise)?)
+    }
+
+    fn regressions(&self, other: usize) -> Result<Regressions, EvaluationError> {
+        let trials = self.training.iter().map(|y| (Self::given(y, other), y[other].clone()));
+        Ok(Regressions::new(&trials.collect::<Vec<_>>())?)
     }
 
     /// What the noise variance of each column of a part is more than the model's beta.
@@ -243,14 +264,15 @@ impl Trial<'_> {
         let (recorded, changing) = (&self.held_out[part], self.changing(part));
         let last = recorded.nrows();
         let (frames, cut) = (HISTORY.min(last) - 1..last, last / 2);
-        let seen = self.answers(part, Sense::All)?;
-        let gaps = self.answers(part, Sense::Gaps)?.of_methods;
-        let after = self.answers(part, Sense::CutAt(cut))?.of_methods;
+        let regressions = self.regressions(part)?;
+        let seen = self.answers(part, Sense::All, &regressions)?;
+        let gaps = self.answers(part, Sense::Gaps, &regressions)?;
+        let after = self.answers(part, Sense::CutAt(cut), &regressions)?;
         let error = |answer: &Answer, frames: &Range<usize>| {
             finite("the error of a part", share(&answer.mean, recorded, frames))
         };
         let score = |(k, method): (usize, &Method)| -> Result<MethodScore, EvaluationError> {
-            let answer = &seen.of_methods[k];
+            let answer = &seen[k];
             let after_cut = AFTER_CUT.iter().map(|range| {
                 let frames = (cut + range.start).min(last)..(cut + range.end).min(last);
                 (!frames.is_empty()).then(|| error(&after[k], &frames)).transpose()
@@ -269,10 +291,11 @@ impl Trial<'_> {
         Ok(CompletedPart { scores, limits: self.limits(part, &seen, &frames)? })
     }
 
-    fn limits(&self, part: usize, seen: &Answers, frames: &Range<usize>) -> Result<Limits, EvaluationError> {
+    fn limits(&self, part: usize, seen: &[Answer], frames: &Range<usize>) -> Result<Limits, EvaluationError> {
         let (recorded, changing) = (&self.held_out[part], self.changing(part));
-        let (all, own) = (&seen.all_observed, &seen.with_column_noise);
-        let [filter, smoother, _, _, ridge, ..] = &seen.of_methods[..] else {
+        let all = &self.smoother(part, &self.held_out, &[])?;
+        let own = &self.smoother(part, &self.observed(part, Sense::All), &self.more_noise(part)?)?;
+        let [filter, smoother, _, _, ridge, ..] = seen else {
             return Err(EvaluationError::NoFilter { model: "vcgpdm" });
         };
         let offset =
@@ -377,17 +400,19 @@ mod tests {
         let train = |settings| fold.fold.train(&settings, 0, &mut |_| true).unwrap().unwrap();
         let (model, whole) = (train(Settings::Vcgpdm(settings())), train(Settings::Vgpdm(settings())));
         let mut trial = fold.trial(&model, &whole).unwrap();
+        let regressions = trial.regressions(1).unwrap();
+        let all_observed = |trial: &Trial| trial.smoother(1, &trial.held_out, &[]).unwrap().mean;
         for sense in [Sense::All, Sense::CutAt(20)] {
-            let before = trial.answers(1, sense).unwrap();
+            let (before, seen) = (trial.answers(1, sense, &regressions).unwrap(), all_observed(&trial));
             let upper = trial.held_out[1].clone();
             trial.held_out[1] *= -2.0;
-            let after = trial.answers(1, sense).unwrap();
+            let (after, seen_after) = (trial.answers(1, sense, &regressions).unwrap(), all_observed(&trial));
             trial.held_out[1] = upper;
-            for (k, (before, after)) in before.of_methods.iter().zip(&after.of_methods).enumerate() {
+            for (k, (before, after)) in before.iter().zip(&after).enumerate() {
                 assert_eq!(before.mean, after.mean, "{:?}", Method::ALL[k]);
                 assert_eq!(before.variance, after.variance, "{:?}", Method::ALL[k]);
             }
-            assert_ne!(before.all_observed.mean, after.all_observed.mean);
+            assert_ne!(seen, seen_after);
         }
     }
 

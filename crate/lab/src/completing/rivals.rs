@@ -23,7 +23,7 @@ const LEAST_VARIANCE: f64 = 1e-12;
 type Prediction = (DMatrix<f64>, Vec<f64>);
 
 /// The training trials as pairs of histories and frames.
-pub struct Pairs {
+struct Pairs {
     inputs: DMatrix<f64>,
     targets: DMatrix<f64>,
     /// Whether each pair is from a trial with an even number.
@@ -50,7 +50,7 @@ fn filled(y: &DMatrix<f64>) -> DMatrix<f64> {
 
 impl Pairs {
     /// Pairs of trials, each with the columns of the given parts and of the other part.
-    pub fn new(trials: &[(DMatrix<f64>, DMatrix<f64>)]) -> Self {
+    fn new(trials: &[(DMatrix<f64>, DMatrix<f64>)]) -> Self {
         let (given, other) = trials.first().map_or((0, 0), |(given, other)| (given.ncols(), other.ncols()));
         let histories: Vec<DMatrix<f64>> = trials.iter().map(|(given, _)| histories(given)).collect();
         let rows: usize = histories.iter().map(DMatrix::nrows).sum();
@@ -87,64 +87,90 @@ impl Pairs {
         Ok(squares)
     }
 
-    /// Predictions for the observed columns `y` by the setting with the least error of one half of the
-    /// training trials predicted from the other. The variances are these errors.
-    fn best<S: Copy>(
+    /// The setting with the least error of one half of the training trials predicted from the other, and these
+    /// errors.
+    fn chosen<S: Copy>(
         &self,
         settings: &[S],
-        y: &DMatrix<f64>,
         fit: impl Fn(S, &DMatrix<f64>, &DMatrix<f64>, &DMatrix<f64>) -> Result<DMatrix<f64>, NumericsError>,
-    ) -> Result<Prediction, NumericsError> {
-        let mut best: Option<(S, Vec<f64>, f64)> = None;
+    ) -> Result<(S, Vec<f64>), NumericsError> {
+        let (mut best, mut least) = ((settings[0], Vec::new()), f64::INFINITY);
         for &setting in settings {
             let errors = self.errors(|inputs, outputs, x| fit(setting, inputs, outputs, x))?;
             let total = errors.iter().sum();
-            if best.as_ref().is_none_or(|(_, _, least)| total < *least) {
-                best = Some((setting, errors, total));
+            if best.1.is_empty() || total < least {
+                (best, least) = ((setting, errors), total);
             }
         }
-        let x = histories(&filled(y));
-        match best {
-            Some((setting, variance, _)) => Ok((fit(setting, &self.inputs, &self.targets, &x)?, variance)),
-            None => Ok((DMatrix::zeros(x.nrows(), self.targets.ncols()), vec![0.0; self.targets.ncols()])),
-        }
+        Ok(best)
     }
+}
 
-    /// Ridge regression.
-    pub fn ridge(&self, y: &DMatrix<f64>) -> Result<Prediction, NumericsError> {
-        self.best(&RIDGES, y, |ridge, inputs, targets, x| {
-            let mut square = inputs.tr_mul(inputs);
-            let mean = square.trace() / inputs.len() as f64;
-            for k in 0..square.nrows() {
-                square[(k, k)] += ridge * mean;
-            }
-            Ok(x * Factor::new(&square, "ridge regression")?.solve(&inputs.tr_mul(targets)))
-        })
-    }
+/// Regressions of a part on the others, with settings and variances from the training trials: chosen once for
+/// all columns that are observed later.
+pub struct Regressions {
+    pairs: Pairs,
+    /// The factor of the ridge, and the variances.
+    ridge: (f64, Vec<f64>),
+    /// Lengthscale squared and noise variance of the sparse Gaussian process, and the variances.
+    process: ((f64, f64), Vec<f64>),
+    /// The variances of the nearest neighbour.
+    nearest: Vec<f64>,
+}
 
-    /// Sparse Gaussian process regression: the subset of regressors at `INDUCING` training histories.
-    pub fn gaussian_process(&self, y: &DMatrix<f64>) -> Result<Prediction, NumericsError> {
-        let middle = middle_square(&self.inputs);
+impl Regressions {
+    /// Learns from trials, each with the columns of the given parts and of the other part.
+    pub fn new(trials: &[(DMatrix<f64>, DMatrix<f64>)]) -> Result<Self, NumericsError> {
+        let pairs = Pairs::new(trials);
+        let middle = middle_square(&pairs.inputs);
         let settings: Vec<(f64, f64)> =
             LENGTHSCALES.iter().flat_map(|l| NOISES.map(|noise| (l * l * middle, noise))).collect();
-        self.best(&settings, y, sparse_regression)
+        let ridge = pairs.chosen(&RIDGES, ridge_regression)?;
+        let process = pairs.chosen(&settings, sparse_regression)?;
+        let nearest = pairs.errors(|inputs, outputs, x| Ok(outputs.select_rows(&nearest(x, inputs))))?;
+        Ok(Self { pairs, ridge, process, nearest })
     }
 
-    /// The frame of the training whose history is nearest. While frames are missing, the training goes on
-    /// from the last match.
-    pub fn nearest(&self, y: &DMatrix<f64>) -> Result<Prediction, NumericsError> {
-        let nearest = |x: &DMatrix<f64>, inputs: &DMatrix<f64>| -> Vec<usize> {
-            squares(x, inputs).row_iter().map(|row| row.transpose().argmin().0).collect()
-        };
-        let variance = self.errors(|inputs, outputs, x| Ok(outputs.select_rows(&nearest(x, inputs))))?;
-        let mut places = nearest(&histories(&filled(y)), &self.inputs);
+    /// Predictions for the observed columns `y`: of ridge regression, of the sparse Gaussian process and of the
+    /// nearest neighbour, which is the training frame with the nearest history. While frames are missing, it
+    /// goes on along the training from the last match.
+    pub fn predict(&self, y: &DMatrix<f64>) -> Result<[Prediction; 3], NumericsError> {
+        let Pairs { inputs, targets, even } = &self.pairs;
+        let x = histories(&filled(y));
+        let ridge = ridge_regression(self.ridge.0, inputs, targets, &x)?;
+        let process = sparse_regression(self.process.0, inputs, targets, &x)?;
+        let mut places = nearest(&x, inputs);
         for k in 1..places.len() {
             if y[(k + HISTORY - 1, 0)].is_nan() {
-                places[k] = (places[k - 1] + 1).min(self.even.len() - 1);
+                places[k] = (places[k - 1] + 1).min(even.len() - 1);
             }
         }
-        Ok((self.targets.select_rows(&places), variance))
+        Ok([
+            (ridge, self.ridge.1.clone()),
+            (process, self.process.1.clone()),
+            (targets.select_rows(&places), self.nearest.clone()),
+        ])
     }
+}
+
+/// The row of `inputs` that is nearest to each row of `x`.
+fn nearest(x: &DMatrix<f64>, inputs: &DMatrix<f64>) -> Vec<usize> {
+    squares(x, inputs).row_iter().map(|row| row.transpose().argmin().0).collect()
+}
+
+/// Ridge regression at inputs `x`, with the ridge as a factor of the mean variance of an input.
+fn ridge_regression(
+    ridge: f64,
+    inputs: &DMatrix<f64>,
+    targets: &DMatrix<f64>,
+    x: &DMatrix<f64>,
+) -> Result<DMatrix<f64>, NumericsError> {
+    let mut square = inputs.tr_mul(inputs);
+    let mean = square.trace() / inputs.len() as f64;
+    for k in 0..square.nrows() {
+        square[(k, k)] += ridge * mean;
+    }
+    Ok(x * Factor::new(&square, "ridge regression")?.solve(&inputs.tr_mul(targets)))
 }
 
 /// The mean of a sparse Gaussian process at inputs `x`, with the lengthscale squared and the noise variance
@@ -220,12 +246,8 @@ mod tests {
     fn rivals_predict_what_follows_from_the_history() {
         let trials = trials();
         let (test, training) = trials.split_last().unwrap();
-        let pairs = Pairs::new(training);
-        for (predicted, most) in [
-            (pairs.ridge(&test.0).unwrap(), 1e-3),
-            (pairs.gaussian_process(&test.0).unwrap(), 1e-3),
-            (pairs.nearest(&test.0).unwrap(), 0.2),
-        ] {
+        let predictions = Regressions::new(training).unwrap().predict(&test.0).unwrap();
+        for (predicted, most) in predictions.into_iter().zip([1e-3, 1e-3, 0.2]) {
             let answer = answer(predicted, &test.1, &[0]);
             let error = (answer.mean.rows(HISTORY, 50) - test.1.rows(HISTORY, 50)).norm_squared() / 50.0;
             assert!(error < most, "{error}");
