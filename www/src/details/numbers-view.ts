@@ -93,11 +93,13 @@ export class NumbersView extends View {
       const motion = readMotion(bvh);
       return { kernels, motions: [{ of: { clip: clip.title }, motion, naturalness: null }] };
     }
-    const read = async (of: "model now" | "model as learned", request: RolloutRequest) => ({
-      of,
-      motion: readMotion(await engine.rolloutBvh(request)),
-      naturalness: await wholeWorkers().desk.run((worker) => worker.predictedNaturalness(text, request)),
-    });
+    const read = async (of: "model now" | "model as learned", request: RolloutRequest) => {
+      const [bvh, naturalness] = await Promise.all([
+        engine.rolloutBvh(request),
+        wholeWorkers().desk.run((worker) => worker.predictedNaturalness(text, request)),
+      ]);
+      return { of, motion: readMotion(bvh), naturalness };
+    };
     const now = await read("model now", model.rolloutRequest());
     if (!model.couplings.altered || !model.learned) return { kernels, motions: [now] };
     return { kernels, motions: [now, await read("model as learned", model.learned.request)] };
