@@ -13,10 +13,10 @@ use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 impl Clip {
     /// The same motion on the body of another clip, whose joints may have other names and another rest pose.
     ///
-    /// Joints correspond by their places where both trees have the same shape, else by their names. Each joint
-    /// of the body turns in the world as its counterpart does, seen from rest poses that stand and face the
-    /// same way, so that their bones point in the same direction. A joint without a counterpart keeps its
-    /// angle to its parent. The path of the root is scaled as in [`Clip::with_bones_of`].
+    /// Joints correspond by their places where both trees have the same shape, else by their names. Bones of
+    /// corresponding joints point in the same direction of the world: both rest poses are first made to stand
+    /// and to face the same way, and each joint of the body then gets the rotation of its counterpart. A joint
+    /// without a counterpart keeps its angle to its parent. The path of the root is scaled as in [`Clip::with_bones_of`].
     ///
     /// # Errors
     ///
