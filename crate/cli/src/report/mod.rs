@@ -3,11 +3,13 @@
 pub mod completing;
 mod observed_starts;
 mod one_line;
+mod spread;
 
 use crate::files;
 use crate::report::completing::is_completing;
 use crate::report::observed_starts::observed_starts;
 pub use crate::report::one_line::one_line;
+use crate::report::spread::spread;
 use crate::results::{Merged, Preferred, read};
 use serde_json::{Value, json};
 use std::collections::HashSet;
@@ -15,9 +17,7 @@ use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
 use vcgpdm_lab::evaluation::stats::Interval;
-use vcgpdm_lab::evaluation::{
-    Claim, Comparison, FramesAndTime, Labels, ObservedStarts, Results, Spread, fixed,
-};
+use vcgpdm_lab::evaluation::{Claim, Comparison, FramesAndTime, Labels, ObservedStarts, Results, fixed};
 
 /// Print the tables of an evaluation, and what they mean for the claims of the papers; of files of
 /// `evaluate --task complete`, the tables of completing.
@@ -139,14 +139,6 @@ fn subjects(paths: &[PathBuf], preferred: Option<Preferred>) -> Result<Vec<Subje
         }
     }
     Ok(subjects.into_iter().map(|(name, merged)| Subject { name, results: merged.results }).collect())
-}
-
-/// Mean and standard error.
-fn spread(spread: &Spread, digits: usize) -> String {
-    match spread.standard_error {
-        Some(error) => format!("{} ± {}", fixed(spread.mean, digits), fixed(error, digits)),
-        None => fixed(spread.mean, digits),
-    }
 }
 
 /// Figure 4 of Velychko et al. 2018 as a table.

@@ -1,6 +1,6 @@
 //! The table of rollouts from observed first frames.
 
-use crate::report::spread;
+use crate::report::spread::spread;
 use std::fmt::Write;
 use vcgpdm_lab::evaluation::{NO_WORSE, ObservedStarts, Results, fixed};
 
