@@ -45,7 +45,8 @@ use usage::Usage;
     name = "vcgpdm",
     version,
     after_help = "A CLIP is a BVH file, or sample:ID for a clip that the program makes itself \
-(sample:walk-1 to sample:walk-6, sample:walk-wave-1 to sample:walk-wave-4, sample:bottle-1 to sample:bottle-10). \
+(sample:walk-1 to sample:walk-6, sample:walk-wave-1 to sample:walk-wave-4, \
+sample:stand-wave-1 to sample:stand-wave-4, sample:bottle-1 to sample:bottle-10). \
 A file called - is stdin or stdout. If a file is stdout, the summary goes to stderr. Exit status: 0 for success, 2 for a usage error, 1 for any other failure."
 )]
 struct Arguments {

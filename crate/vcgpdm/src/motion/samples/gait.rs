@@ -89,6 +89,11 @@ pub(super) fn chest(phase: f64) -> Girdle {
     }
 }
 
+/// Pelvis and chest of a body that stands.
+pub(super) fn standing() -> Girdle {
+    Girdle { yaw: 0.0, obliquity: 0.0, tilt: 4.3 }
+}
+
 /// Sideways lean of both legs, which moves the body over the standing foot; degrees, positive with the feet
 /// to the left.
 pub(super) fn sway(phase: f64) -> f64 {

@@ -24,31 +24,40 @@ pub struct SampleInfo {
     pub id: &'static str,
     /// Its title for users.
     pub title: &'static str,
-    /// The movement, "walk", "walk and wave" or "pass a bottle".
+    /// The movement, "walk", "walk and wave", "stand and wave" or "pass a bottle".
     pub movement: &'static str,
 }
 
-struct Walk {
+/// A trial that this project makes.
+struct Trial {
     info: SampleInfo,
-    arms: Arms,
     seed: u64,
+    /// 0 for a movement whose length follows from the seed.
     seconds: f64,
 }
 
-const fn walk(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Walk {
-    Walk { info: SampleInfo { id, title, movement: "walk" }, arms: Arms::Swing, seed, seconds }
+const WALK: &str = "walk";
+const WALK_AND_WAVE: &str = "walk and wave";
+const STAND_AND_WAVE: &str = "stand and wave";
+const PASS_A_BOTTLE: &str = "pass a bottle";
+
+const fn walk(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Trial {
+    Trial { info: SampleInfo { id, title, movement: WALK }, seed, seconds }
 }
 
-const fn wave(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Walk {
-    Walk { info: SampleInfo { id, title, movement: "walk and wave" }, arms: Arms::Wave, seed, seconds }
+const fn wave(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Trial {
+    Trial { info: SampleInfo { id, title, movement: WALK_AND_WAVE }, seed, seconds }
 }
 
-/// A clip in which a bottle is passed, with its seed.
-const fn bottle(id: &'static str, title: &'static str, seed: u64) -> (SampleInfo, u64) {
-    (SampleInfo { id, title, movement: "pass a bottle" }, seed)
+const fn stand(id: &'static str, title: &'static str, seed: u64, seconds: f64) -> Trial {
+    Trial { info: SampleInfo { id, title, movement: STAND_AND_WAVE }, seed, seconds }
 }
 
-const WALKS: [Walk; 10] = [
+const fn bottle(id: &'static str, title: &'static str, seed: u64) -> Trial {
+    Trial { info: SampleInfo { id, title, movement: PASS_A_BOTTLE }, seed, seconds: 0.0 }
+}
+
+const WALKS: [Trial; 10] = [
     walk("walk-1", "Walk, trial 1", 1, 4.2),
     walk("walk-2", "Walk, trial 2", 2, 3.9),
     walk("walk-3", "Walk, trial 3", 3, 4.4),
@@ -61,7 +70,12 @@ const WALKS: [Walk; 10] = [
     wave("walk-wave-4", "Walk and wave, trial 4", 14, 4.0),
 ];
 
-const BOTTLES: [(SampleInfo, u64); 10] = [
+/// The clips in which no body walks.
+const OTHERS: [Trial; 14] = [
+    stand("stand-wave-1", "Stand and wave, trial 1", 41, 3.6),
+    stand("stand-wave-2", "Stand and wave, trial 2", 42, 4.0),
+    stand("stand-wave-3", "Stand and wave, trial 3", 43, 3.8),
+    stand("stand-wave-4", "Stand and wave, trial 4", 44, 4.2),
     bottle("bottle-1", "Pass a bottle, trial 1", 21),
     bottle("bottle-2", "Pass a bottle, trial 2", 22),
     bottle("bottle-3", "Pass a bottle, trial 3", 23),
@@ -76,7 +90,7 @@ const BOTTLES: [(SampleInfo, u64); 10] = [
 
 /// All sample clips, in the order of the movements and trials.
 pub fn list() -> Vec<SampleInfo> {
-    walking_list().into_iter().chain(BOTTLES.map(|(info, _)| info)).collect()
+    WALKS.iter().chain(&OTHERS).map(|trial| trial.info).collect()
 }
 
 /// Makes the sample clip of that id (60 frames a second, centimetres, y up); `None` for an unknown id.
@@ -91,34 +105,52 @@ pub fn list() -> Vec<SampleInfo> {
 /// ```
 pub fn clip(id: &str) -> Option<Clip> {
     walking_clip(id).or_else(|| {
-        let (_, seed) = BOTTLES.iter().find(|(info, _)| info.id == id)?;
-        let skeleton = body::skeleton();
-        let values = bottle::pass(&skeleton, *seed);
-        Some(made(id, skeleton, values))
+        let Trial { info, seed, seconds } = OTHERS.iter().find(|trial| trial.info.id == id)?;
+        Some(Clip { name: name(id), ..trial(info.movement, *seed, *seconds)? })
     })
+}
+
+/// Makes a new trial of a movement ([`SampleInfo::movement`]) from a seed. Passing a bottle has a length of its
+/// own, whatever the seconds. `None` for an unknown movement.
+pub fn trial(movement: &str, seed: u64, seconds: f64) -> Option<Clip> {
+    let skeleton = body::skeleton();
+    let values = match movement {
+        WALK => walker::walk(&skeleton, Arms::Swing, seed, seconds),
+        WALK_AND_WAVE => walker::walk(&skeleton, Arms::Wave, seed, seconds),
+        STAND_AND_WAVE => walker::stand(&skeleton, seed, seconds),
+        PASS_A_BOTTLE => bottle::pass(&skeleton, seed),
+        _ => return None,
+    };
+    Some(made(&format!("{movement} {seed}.bvh"), skeleton, values))
 }
 
 /// The sample clips in which a body walks. A program that asks for no others has no code that makes them: the
 /// page's first visit.
 pub fn walking_list() -> Vec<SampleInfo> {
-    WALKS.iter().map(|walk| walk.info).collect()
+    WALKS.iter().map(|trial| trial.info).collect()
 }
 
 /// [`clip`] for the clips of [`walking_list`].
 pub fn walking_clip(id: &str) -> Option<Clip> {
-    let Walk { arms, seed, seconds, .. } = WALKS.iter().find(|walk| walk.info.id == id)?;
+    let Trial { info, seed, seconds } = WALKS.iter().find(|trial| trial.info.id == id)?;
+    let arms = if info.movement == WALK { Arms::Swing } else { Arms::Wave };
     let skeleton = body::skeleton();
-    let values = walker::walk(&skeleton, *arms, *seed, *seconds);
-    Some(made(id, skeleton, values))
+    let values = walker::walk(&skeleton, arms, *seed, *seconds);
+    Some(made(&name(id), skeleton, values))
 }
 
-fn made(id: &str, skeleton: Skeleton, values: DMatrix<f64>) -> Clip {
-    Clip::new(&format!("{id} (made by this project).bvh"), skeleton, 1.0 / frames::RATE, values)
+fn name(id: &str) -> String {
+    format!("{id} (made by this project).bvh")
+}
+
+fn made(name: &str, skeleton: Skeleton, values: DMatrix<f64>) -> Clip {
+    Clip::new(name, skeleton, 1.0 / frames::RATE, values)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::motion::period;
     use nalgebra::Vector3;
     use std::collections::HashSet;
 
@@ -162,10 +194,19 @@ mod tests {
     #[test]
     fn each_movement_has_trials_with_their_own_ids() {
         let trials = |movement| list().iter().filter(|info| info.movement == movement).count();
-        assert_eq!(["walk", "walk and wave", "pass a bottle"].map(trials), [6, 4, 10]);
+        assert_eq!(["walk", "walk and wave", "stand and wave", "pass a bottle"].map(trials), [6, 4, 4, 10]);
         assert_eq!(list().iter().map(|info| info.id).collect::<HashSet<_>>().len(), list().len());
         assert_eq!(clip("walk-1").unwrap().name, "walk-1 (made by this project).bvh");
         assert!(clip("walk-0").is_none());
+    }
+
+    #[test]
+    fn a_trial_of_a_samples_movement_and_seed_is_that_sample() {
+        for Trial { info, seed, seconds } in WALKS.iter().chain(&OTHERS) {
+            let made = trial(info.movement, *seed, *seconds).unwrap();
+            assert_eq!(Clip { name: clip(info.id).unwrap().name, ..made }, clip(info.id).unwrap());
+        }
+        assert!(trial("run", 1, 4.0).is_none());
     }
 
     #[test]
@@ -244,20 +285,60 @@ mod tests {
 
     #[test]
     fn waving_hands_are_above_the_head_and_swinging_hands_below_it() {
-        for (info, clip) in list().iter().zip(walks()) {
+        for (info, clip) in list().iter().zip(clips()).filter(|(info, _)| info.movement != "pass a bottle") {
+            let waves = info.movement.ends_with("wave");
             let (head, hips) = (place(&clip, "Head"), place(&clip, "Hips"));
             for side in ["Left", "Right"] {
                 let hand = place(&clip, &format!("{side}Hand"));
                 let mut across = Vec::new();
                 for frame in 0..clip.frames() {
                     let at = clip.world_pose(frame).positions;
-                    let raised = at[hand].y > at[head].y;
-                    assert_eq!(raised, info.movement == "walk and wave", "{} frame {frame}", clip.name);
+                    assert_eq!(at[hand].y > at[head].y, waves, "{} frame {frame}", clip.name);
                     across.push((at[hand].x - at[hips].x).abs());
                 }
                 let wide = across.iter().fold(0.0, |a: f64, b| a.max(*b))
                     - across.iter().fold(999.0, |a: f64, b| a.min(*b));
-                assert_eq!(wide > 15.0, info.movement == "walk and wave", "{}: {wide}", clip.name);
+                assert_eq!(wide > 15.0, waves, "{}: {wide}", clip.name);
+            }
+        }
+    }
+
+    /// Frames of a cycle of some joints' angles.
+    fn cycle(clip: &Clip, names: [&str; 2]) -> f64 {
+        let columns: Vec<usize> =
+            names.iter().flat_map(|name| (0..3).map(|k| 3 + 3 * place(clip, name) + k)).collect();
+        period(&[clip.values.select_columns(&columns)]).unwrap().frames
+    }
+
+    #[test]
+    fn hands_wave_at_a_rate_of_their_own_and_legs_walk_at_theirs() {
+        let waving = list().into_iter().filter(|info| info.movement.ends_with("wave"));
+        let clips: Vec<Clip> = waving.map(|info| clip(info.id).unwrap()).collect();
+        let rates: Vec<f64> =
+            clips.iter().map(|clip| 60.0 / cycle(clip, ["LeftForeArm", "RightForeArm"])).collect();
+        assert!(rates.iter().all(|rate| (1.0..2.3).contains(rate)), "{rates:?} cycles a second");
+        // Another rate in each trial, and none that is the rate of the steps in all of them.
+        let steps = clips.iter().map(|clip| 120.0 / cycle(clip, ["LeftLeg", "RightLeg"]));
+        let ratios: Vec<f64> = rates.iter().zip(steps).take(4).map(|(waves, steps)| waves / steps).collect();
+        for values in [&rates[..4], &rates[4..], &ratios] {
+            let sorted = {
+                let mut sorted = values.to_vec();
+                sorted.sort_by(f64::total_cmp);
+                sorted
+            };
+            assert!(sorted[3] > 1.15 * sorted[0], "{sorted:?}");
+        }
+    }
+
+    #[test]
+    fn standing_feet_stay() {
+        for info in list().into_iter().filter(|info| info.movement == "stand and wave") {
+            let clip = clip(info.id).unwrap();
+            let soles = soles(&clip);
+            for points in &soles {
+                for (point, first) in points.iter().zip(&soles[0]) {
+                    assert!((point - first).norm() < 2.0, "{}: {}", clip.name, (point - first).norm());
+                }
             }
         }
     }

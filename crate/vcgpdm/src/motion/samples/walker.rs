@@ -22,12 +22,13 @@ const SOFTNESS: f64 = 0.7;
 pub(super) enum Arms {
     /// Swing against the legs.
     Swing,
-    /// Are raised sideways and wave, twice a stride.
+    /// Are raised sideways and wave at a rate of their own.
     Wave,
 }
 
-/// The parameters of one trial.
-struct Style {
+/// The parameters of one trial, in which the legs stand still or walk. `STANDS` is a constant, so that a program
+/// in which nobody stands has no code for it: the page's first visit.
+struct Style<const STANDS: bool> {
     arms: Arms,
     period: f64,
     start: f64,
@@ -37,7 +38,9 @@ struct Style {
     uneven: f64,
     late: f64,
     lean: f64,
-    wave_phase: f64,
+    /// The phase of the waving at the start, in cycles; its cycles a second.
+    wave_start: f64,
+    wave_rate: f64,
     wave_size: f64,
     phase: Drift,
     size: Drift,
@@ -50,11 +53,11 @@ struct Style {
     wave: Drift,
 }
 
-impl Style {
-    fn new(arms: Arms, seed: u64) -> Style {
+impl<const STANDS: bool> Style<STANDS> {
+    fn new(arms: Arms, seed: u64) -> Self {
         let random = &mut ChaCha8Rng::seed_from_u64(seed);
         let waving = arms == Arms::Wave;
-        Style {
+        Self {
             arms,
             period: between(random, 0.95, 1.15),
             start: between(random, 0.0, 1.0),
@@ -63,7 +66,7 @@ impl Style {
             uneven: between(random, -0.02, 0.02),
             late: between(random, -0.006, 0.006),
             lean: between(random, -1.0, 1.0),
-            wave_phase: between(random, 0.1, 0.25),
+            wave_start: between(random, 0.0, 1.0),
             wave_size: if waving { between(random, 0.9, 1.1) } else { 0.0 },
             phase: Drift::new(random),
             size: Drift::new(random),
@@ -74,6 +77,7 @@ impl Style {
             head: Drift::new(random),
             heading: Drift::new(random),
             wave: Drift::new(random),
+            wave_rate: if waving { between(random, 1.1, 2.1) } else { 0.0 },
         }
     }
 
@@ -86,13 +90,14 @@ impl Style {
     fn pose(&self, seconds: f64) -> [UnitQuaternion<f64>; joint::COUNT] {
         let mut q = [UnitQuaternion::identity(); joint::COUNT];
         let clock = self.clock(seconds);
-        let heading = y(2.5 * self.heading.at(seconds));
+        // The feet of a standing body do not turn.
+        let heading = y(if STANDS { 0.0 } else { 2.5 * self.heading.at(seconds) });
 
-        let pelvis = gait::pelvis(clock);
+        let pelvis = if STANDS { gait::standing() } else { gait::pelvis(clock) };
         let pelvis_q = y(pelvis.yaw) * z(pelvis.obliquity) * x(pelvis.tilt);
         q[joint::HIPS] = heading * pelvis_q;
 
-        let sway = gait::sway(clock);
+        let sway = if STANDS { 0.6 * self.phase.at(seconds) } else { gait::sway(clock) };
         for (side, first) in [(1.0, joint::LEFT_UP_LEG), (-1.0, joint::RIGHT_UP_LEG)] {
             let phase = if side > 0.0 { clock } else { clock + 0.5 + self.late };
             let leg = self.leg(phase, side, seconds);
@@ -106,7 +111,7 @@ impl Style {
         }
 
         let still = if self.arms == Arms::Wave { 0.35 } else { 1.0 };
-        let chest = gait::chest(clock);
+        let chest = if STANDS { gait::standing() } else { gait::chest(clock) };
         let chest_q = y(still * chest.yaw + 0.6 * self.trunk.at(seconds))
             * z(still * chest.obliquity)
             * x(self.lean + chest.tilt);
@@ -125,7 +130,7 @@ impl Style {
             let phase = if side > 0.0 { clock } else { clock + 0.5 + self.late };
             match self.arms {
                 Arms::Swing => self.swinging(&mut q[first..first + 4], k, side, phase, seconds),
-                Arms::Wave => self.waving(&mut q[first..first + 4], k, side, clock, seconds),
+                Arms::Wave => self.waving(&mut q[first..first + 4], k, side, seconds),
             }
         }
         q
@@ -133,6 +138,10 @@ impl Style {
 
     /// A leg of this trial: the curves are scaled so that the pitch of the foot scales with them.
     fn leg(&self, phase: f64, side: f64, seconds: f64) -> gait::Leg {
+        if STANDS {
+            let bend = 1.0 + 0.15 * self.knees.at(seconds);
+            return gait::Leg { hip: 3.0 * bend, knee: 6.0 * bend, ankle: 3.0 * bend, toes: 0.0 };
+        }
         let plain = gait::leg(phase);
         let size = (self.stride + 0.02 * self.size.at(seconds)) * (1.0 + 0.5 * side * self.uneven);
         let knees = size * (1.0 + 0.015 * self.knees.at(seconds));
@@ -154,10 +163,13 @@ impl Style {
     }
 
     /// Shoulder, upper arm, forearm and hand of a raised arm whose forearm waves.
-    fn waving(&self, q: &mut [UnitQuaternion<f64>], k: usize, side: f64, clock: f64, seconds: f64) {
-        let phase = 2.0 * clock + 0.06 * self.wave.at(seconds) + if side > 0.0 { 0.0 } else { 0.03 };
+    fn waving(&self, q: &mut [UnitQuaternion<f64>], k: usize, side: f64, seconds: f64) {
+        let phase = self.wave_start
+            + self.wave_rate * seconds
+            + 0.06 * self.wave.at(seconds)
+            + if side > 0.0 { 0.0 } else { 0.03 };
         let size = self.wave_size * (1.0 + 0.07 * self.arm[k].at(seconds));
-        let wave = |late: f64| size * gait::wave(phase, self.wave_phase + late);
+        let wave = |late: f64| size * gait::wave(phase, late);
         q[0] = z(side * (7.0 + wave(0.0)));
         q[1] =
             z(side * (6.0 + 5.0 * wave(0.0) + 1.5 * self.elbow[k].at(seconds))) * y(-side * 12.0) * x(12.0);
@@ -166,10 +178,18 @@ impl Style {
     }
 }
 
-/// A trial of `seconds` seconds [frames x channels of the skeleton]: positions in centimetres, angles in
+/// A walk of `seconds` seconds [frames x channels of the skeleton]: positions in centimetres, angles in
 /// degrees.
 pub(super) fn walk(skeleton: &Skeleton, arms: Arms, seed: u64, seconds: f64) -> DMatrix<f64> {
-    let style = Style::new(arms, seed);
+    trial(&Style::<false>::new(arms, seed), skeleton, seconds)
+}
+
+/// The same for a body that stands and waves.
+pub(super) fn stand(skeleton: &Skeleton, seed: u64, seconds: f64) -> DMatrix<f64> {
+    trial(&Style::<true>::new(Arms::Wave, seed), skeleton, seconds)
+}
+
+fn trial<const STANDS: bool>(style: &Style<STANDS>, skeleton: &Skeleton, seconds: f64) -> DMatrix<f64> {
     let frames = (seconds * RATE).round() as usize;
     let mut rows = Frames::new(frames);
     let step = 1.0 / (RATE * SUBSTEPS as f64);
