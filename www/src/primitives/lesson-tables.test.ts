@@ -16,9 +16,10 @@ it("leaves no hyphen or x of the program in the tables of the lesson", () => {
   expect(cells.filter((cell) => /-\d|\bx \d|\d{4}/.test(cell))).toEqual([]);
 });
 
-it("has German words for all heads, and for the first column of the second table", () => {
-  const { modular, imports } = lessonTables();
-  const written = [...modular.head, ...imports.head, ...imports.rows.map(([first = ""]) => first)];
+it("has German words for all heads, and for the first column of the other tables", () => {
+  const { modular, imports, combination } = lessonTables();
+  const rows = [...imports.rows, ...combination.rows].map(([first = ""]) => first);
+  const written = [...modular.head, ...imports.head, ...combination.head, ...rows];
   const known = Object.keys(german.lesson.cells).map(pageNumbers);
   expect(written.filter((cell) => !known.includes(cell))).toEqual([]);
 });

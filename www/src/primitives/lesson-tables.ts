@@ -26,4 +26,5 @@ function rewritten({ head, rows }: Table): Table {
 export const lessonTables = () => ({
   modular: rewritten(stored.modular),
   imports: rewritten(stored.imports),
+  combination: rewritten(stored.combination),
 });

@@ -44,7 +44,7 @@ export class LessonView extends View {
     const { learning } = this;
     const { lesson: words, learning: buttons } = primitivesWords();
     const [before, after] = words.method;
-    const { modular, imports } = lessonTables();
+    const { modular, imports, combination } = lessonTables();
     return html`
       <h2>${words.title}</h2>
       <p>${words.question}</p>
@@ -61,6 +61,10 @@ export class LessonView extends View {
       <p>${words.importText}</p>
       ${table(imports, words.imports)}
       <p>${words.importFinding}</p>
+      <h3>${words.combinationTitle}</h3>
+      <p>${words.combinationText}</p>
+      ${table(combination, words.combinations)}
+      <p>${words.combinationFinding}</p>
       <div class="train-row">
         <button class="small" data-testid="lesson-try" ?disabled=${learning.busy} @click=${() => learning.chooseSamples(["lower"])}>${words.setUp}</button>
         <p class="hint">${words.setUpMeaning(buttons.learn)}</p>

@@ -27,6 +27,8 @@ use std::path::PathBuf;
 enum Measurement {
     /// How each coupling changes the body's movement.
     Effects(effects::Arguments),
+    /// A combination of primitives that was never recorded, compared with other models.
+    Combination,
     /// A library that shares its walking primitive, compared with a model of each movement.
     Modularity {
         /// Write the figure to this file.
@@ -59,6 +61,7 @@ enum Measurement {
 fn main() {
     match Measurement::parse() {
         Measurement::Effects(arguments) => effects::run(&arguments),
+        Measurement::Combination => modularity::run_combination(),
         Measurement::Modularity { picture } => modularity::run(picture.as_deref()),
         Measurement::Imports => modularity::run_imports(),
         Measurement::Objectives(arguments) => objectives::run(&arguments),

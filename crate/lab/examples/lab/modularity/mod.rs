@@ -2,6 +2,7 @@
 //! of walking with waving: a library with one walking primitive of the lower body for both movements,
 //! compared with a model of each movement alone. The tables are in docs/modularity.md.
 
+mod combination;
 mod figure;
 mod imports;
 
@@ -115,6 +116,10 @@ fn modular(test: &ModularityTest) -> (Table, TrainedLibrary) {
 
 pub fn run_imports() {
     print!("{}", imports::table(&ModularityTest::on_samples()).markdown());
+}
+
+pub fn run_combination() {
+    print!("{}", combination::table().markdown());
 }
 
 pub fn run(picture: Option<&Path>) {
