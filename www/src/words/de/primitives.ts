@@ -208,7 +208,7 @@ export const primitives: PrimitivesWords = {
       "Beine vom Gehen, Arme vom Winken im Stehen: Die Kopplungen werden an die ersten Sekunden einer Aufnahme von beidem angepasst, und jedes Modell sagt dieselben letzten drei Sekunden vorher. Mittel über acht Sätze gemachter Versuche; daneben das Verhältnis zur ersten Zeile mit 95-%-Intervall, und in wie vielen Sätzen es unter 1 ist.",
     combinations: "Eine Kombination von Primitiven, verglichen mit anderen Modellen",
     combinationFinding:
-      "Nach einer halben Sekunde haben Modelle des ganzen Körpers etwa den doppelten Fehler, in allen acht Sätzen; nach mehr Sekunden ist es für das Modell der Sekunden allein unentschieden. Ob die Kopplungen helfen, ist auch unentschieden: Diese gemachten Arme hören nicht auf die Beine.",
+      "Nach einer halben Sekunde bewegt sich ein Modell dieser halben Sekunde gar nicht und hat in allen acht Sätzen den größeren Fehler; nach einer oder zwei Sekunden ist unentschieden, was besser ist. Ob die Kopplungen helfen, ist auch unentschieden: Diese gemachten Arme hören nicht auf die Beine.",
     cells: {
       model: "Modell",
       "0.5 s seen: DTW MSE in % of the variance": "0.5 s gesehen: DTW-MSE in % der Varianz",
@@ -220,7 +220,8 @@ export const primitives: PrimitivesWords = {
         "Kombination, Kopplungen von beiden Bewegungen übernommen",
       "combination of parts without coupling": "Kombination von Teilen ohne Kopplung",
       "vGPDM of the seconds alone": "vGPDM der Sekunden allein",
-      "vGPDM of the seconds alone, as large as both parts": "vGPDM der Sekunden allein, so groß wie beide Teile",
+      "vGPDM of the seconds alone, as large as both parts":
+        "vGPDM der Sekunden allein, so groß wie beide Teile",
       "vGPDM of both movements and the seconds": "vGPDM beider Bewegungen und der Sekunden",
       movement: "Bewegung",
       trials: "Versuche",

@@ -209,7 +209,7 @@ export const primitives = {
       "Legs from walking, arms from waving while standing: the couplings are fitted to the first seconds of a recording of both, and every model predicts the same last three seconds. Means over eight sets of made trials; beside them the ratio to the first row with its 95 % interval, and in how many sets it is below 1.",
     combinations: "A combination of primitives compared with other models",
     combinationFinding:
-      "With half a second seen, models of the whole body have about twice the error, in all eight sets; with more, the one of the seconds alone is undecided. Whether the couplings help is undecided too: these made arms do not listen to the legs.",
+      "With half a second seen, a model of that half second does not move at all and has the larger error in all eight sets; with one or two seconds, it is undecided which is better. Whether the couplings help is undecided too: these made arms do not listen to the legs.",
     /** Cells of the tables, which the program writes in English, in another language. */
     cells: {} as Record<string, string>,
     setUp: "Set the experiment up above",
