@@ -4,7 +4,6 @@
 
 use crate::evaluation::candidate::Candidate;
 use crate::evaluation::details::Predicted;
-use crate::evaluation::dtw::score_and_columns;
 use crate::evaluation::error::EvaluationError;
 use crate::evaluation::fold_model::fold_model;
 use crate::evaluation::outcome::Outcome;
@@ -14,7 +13,7 @@ use nalgebra::DMatrix;
 use vcgpdm::internals::{dataset_error, provenance};
 use vcgpdm::models::{
     Body, Dataset, EndReason, FittedModel, Learner, Model, Movements, Progress, RolloutError, Setbacks,
-    Settings, Source,
+    Settings, Source, score_and_columns,
 };
 use vcgpdm::motion::Clip;
 use vcgpdm::motion::parts::PartSpec;

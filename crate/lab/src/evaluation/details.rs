@@ -1,11 +1,11 @@
 //! More about a prediction than its error after time warping.
 
-use crate::evaluation::dtw::dtw_mse;
 use crate::evaluation::predictor::{Forecast, Predictor};
 use crate::evaluation::training_trials::TrainingTrials;
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use vcgpdm::internals::Elementary;
+use vcgpdm::models::dtw_mse;
 use vcgpdm::motion::measures::measures;
 
 /// The time after the given frames over which frames are compared one by one, in seconds.

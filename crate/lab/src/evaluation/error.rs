@@ -1,11 +1,10 @@
 //! Why a model could not be evaluated.
 
-use crate::evaluation::dtw::ScoreError;
 use thiserror::Error;
 use vcgpdm::gp::NumericsError;
 use vcgpdm::models::library::{CombinationError, PlanError};
 use vcgpdm::models::variational::ObservationError;
-use vcgpdm::models::{DatasetError, RolloutError};
+use vcgpdm::models::{DatasetError, RolloutError, ScoreError};
 use vcgpdm::motion::ClipError;
 use vcgpdm::motion::pose::PoseError;
 

@@ -14,7 +14,6 @@ mod cost;
 mod cross_validation;
 mod cycles;
 mod details;
-mod dtw;
 mod effect;
 mod error;
 mod evidence;
@@ -47,7 +46,6 @@ pub use comparison::Comparison;
 pub use cross_validation::{Fold, START_FRAMES};
 pub use cycles::{CyclesError, whole_cycles};
 pub use details::{Bands, Compared, Details};
-pub use dtw::{Score, ScoreError, dtw_mse};
 pub use error::EvaluationError;
 pub use fixed::fixed;
 pub use job::{Finished, Job, job_in_files};
@@ -68,3 +66,4 @@ pub use summary::{
     ModelSummary, Spread, TermMeans,
 };
 pub use training_trials::TrainingTrials;
+pub use vcgpdm::models::{Score, ScoreError, dtw_mse};

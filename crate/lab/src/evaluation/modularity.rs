@@ -1,12 +1,11 @@
 //! The modularity test (Velychko et al. 2018, section 5.5 and figure 7): are movements that share a primitive
 //! predicted as well as by separate models?
 
-use crate::evaluation::dtw::{Score, score_and_columns};
 use crate::evaluation::error::EvaluationError;
 use nalgebra::DMatrix;
 use serde::Serialize;
 use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
-use vcgpdm::models::{Dataset, Source, VariationalSettings};
+use vcgpdm::models::{Dataset, Score, Source, VariationalSettings, score_and_columns};
 use vcgpdm::motion::Clip;
 use vcgpdm::motion::parts::PartSpec;
 

@@ -2,14 +2,13 @@
 //! on.
 
 use crate::evaluation::cross_validation::{trained, training_of, trials_of};
-use crate::evaluation::dtw::dtw_mse;
 use crate::evaluation::error::EvaluationError;
 use crate::evaluation::fold_model::fold_model;
 use crate::evaluation::outcome::ObservedStart;
 use crate::evaluation::training_trials::TrainingTrials;
 use nalgebra::DMatrix;
 use vcgpdm::internals::provenance;
-use vcgpdm::models::{Body, Dataset, Model, Movements, Progress, RolloutRequest, Settings, Source};
+use vcgpdm::models::{Body, Dataset, Model, Movements, Progress, RolloutRequest, Settings, Source, dtw_mse};
 use vcgpdm::motion::Clip;
 use vcgpdm::motion::parts::PartSpec;
 

@@ -1,11 +1,10 @@
 //! The outcome of one candidate in one fold of a cross-validation.
 
 use crate::evaluation::details::Details;
-use crate::evaluation::dtw::Score;
 use crate::evaluation::stats::mean;
 use serde::{Deserialize, Serialize};
-use vcgpdm::models::EndReason;
 use vcgpdm::models::variational::BoundTerms;
+use vcgpdm::models::{EndReason, Score};
 
 /// The outcome of one candidate in one fold.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -2,11 +2,11 @@
 
 use crate::evaluation::candidate::Candidate;
 use crate::evaluation::cross_validation::START_FRAMES;
-use crate::evaluation::dtw::Score;
 use crate::evaluation::job::{Finished, Job};
 use crate::evaluation::outcome::Outcome;
 use crate::evaluation::results::Results;
 use crate::evaluation::setting::{Setting, TrialClip};
+use vcgpdm::models::Score;
 use vcgpdm::models::{MapSettings, VariationalSettings};
 use vcgpdm::motion::parts::PartSpec;
 

@@ -1,10 +1,9 @@
 //! The trials that a model learns from, and how well its rollouts repeat them.
 
-use crate::evaluation::dtw::dtw_mse;
 use crate::evaluation::predictor::Predictor;
 use crate::evaluation::stats::mean;
 use nalgebra::DMatrix;
-use vcgpdm::models::{Body, ColumnMapping, Dataset, Movements, RolloutError, Sequence};
+use vcgpdm::models::{Body, ColumnMapping, Dataset, Movements, RolloutError, Sequence, dtw_mse};
 use vcgpdm::motion::pose::PoseMapping;
 
 /// The trials of one data set.

@@ -38,6 +38,8 @@ pub use fitted::provenance::{ENGINE, Provenance};
 pub use rollout::couplings::{
     CouplingsError, Reading, check_couplings, coupling_weight_matrix, coupling_weights,
 };
+#[doc(hidden)]
+pub use rollout::dtw::{Score, ScoreError, dtw_mse, score_and_columns};
 pub use rollout::health::{Ending, Health, PartPoses, best_to_show};
 pub use rollout::latent_dynamics::LatentDynamics;
 pub use rollout::live::{LiveFrames, LiveRollout};

@@ -1,6 +1,8 @@
-//! Rollouts: requests, latent dynamics under given couplings, live rollouts, and the health of a rollout.
+//! Rollouts: requests, latent dynamics under given couplings, live rollouts, the health of a rollout, and its
+//! error after dynamic time warping.
 
 pub(crate) mod couplings;
+pub(crate) mod dtw;
 pub(crate) mod health;
 pub(crate) mod latent_dynamics;
 pub(crate) mod latent_paths;

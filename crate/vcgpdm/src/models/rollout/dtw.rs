@@ -89,12 +89,12 @@ const MAX_CELLS: usize = 324_000_000;
 ///
 /// ```
 /// use nalgebra::DMatrix;
-/// use vcgpdm_lab::evaluation::dtw_mse;
+/// use vcgpdm::models::dtw_mse;
 ///
 /// let wave = |lag: f64| DMatrix::from_fn(60, 1, |t, _| (0.2 * t as f64 - lag).sin());
 /// let late = dtw_mse(&wave(0.4), &wave(0.0))?;
 /// assert!(late.dtw_mse < 0.2 * late.mse, "a difference in phase counts little");
-/// # Ok::<(), vcgpdm_lab::evaluation::ScoreError>(())
+/// # Ok::<(), vcgpdm::models::ScoreError>(())
 /// ```
 ///
 /// # Errors
@@ -104,7 +104,7 @@ pub fn dtw_mse(predicted: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<Score,
 }
 
 /// The score, and the error of each column `[D]`, whose mean is `dtw_mse`.
-pub(super) fn score_and_columns(
+pub fn score_and_columns(
     predicted: &DMatrix<f64>,
     actual: &DMatrix<f64>,
 ) -> Result<(Score, Vec<f64>), ScoreError> {
