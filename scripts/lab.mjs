@@ -18,6 +18,7 @@ const MEASUREMENTS = {
       ? printTables("effects", ...clips)
       : putTables(at("docs/couplings.md"), measured("effects")),
   objectives: (...folders) => printTables("objectives", ...folders),
+  "own-rollouts": (...words) => printTables("own-rollouts", ...words),
   scaling: () => printTables("scaling"),
   seeds: (...words) => printTables("seeds", ...words),
   splits: (...folders) =>

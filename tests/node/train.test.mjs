@@ -33,7 +33,7 @@ describe("one call", () => {
     /** @type {number[]} */
     const iterations = [];
     const onProgress = (/** @type {{ iteration: number }} */ { iteration }) => iterations.push(iteration);
-    const model = await train(clips, { ...SHORT, seed: 3, onProgress });
+    const model = await train(clips, { ...SHORT, seed: 3, ownRollouts: false, onProgress });
     const set = new TrainingSet();
     for (const clip of clips) set.add(clip);
     const trainer = new Trainer(set, {
@@ -52,6 +52,32 @@ describe("one call", () => {
     );
     assert.equal(model.rollout().frames, 300);
     assert.equal(clips[0]?.info().frames, 100, "the clips can be used again");
+  });
+
+  // After 40 iterations this model visits 38 % of the poses of its clip.
+  it("learns from the model's own rollouts at the end, unless told otherwise", async () => {
+    const { Clip, train, Trainer, TrainingSet } = installed.vcgpdm;
+    const clip = Clip.sample("walk-1");
+    const settings = { maxIterations: 40, poseWeight: 1 };
+    const roundsOf = (/** @type {{ toJson(): string }} */ model) =>
+      JSON.parse(model.toJson()).provenance.rollout_rounds;
+    const plain = await train(clip, { ...settings, ownRollouts: false });
+    assert.equal(plain.rollout({ frames: 600 }).health().state, "visits-few-poses");
+    assert.equal(roundsOf(plain), undefined);
+    const model = await train(clip, settings);
+    assert.equal(model.rollout({ frames: 600 }).health().state, "moves-on");
+    assert.ok(roundsOf(model) > 0);
+
+    const set = new TrainingSet();
+    set.add(clip);
+    const trainer = new Trainer(set, settings);
+    while (!trainer.step().done);
+    const error = trainer.rolloutError();
+    assert.equal(trainer.finish().toJson(), model.toJson());
+    assert.notEqual(trainer.rolloutError(), error, "that of the finished model");
+    await assert.rejects(() => train(clip, /** @type {any} */ ({ ownRollouts: 1 })), {
+      message: "settings: `ownRollouts`: expected true or false, found 1",
+    });
   });
 
   it("gives long clips more inducing points, unless told otherwise", () => {

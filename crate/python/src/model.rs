@@ -85,10 +85,10 @@ impl Vcgpdm {
     #[staticmethod]
     #[pyo3(signature = (
         data, parts=None, *, latent=Count(3), order=Count(2), dynamics_ips=None, pose_ips=None,
-        max_iterations=Count(250), pose_weight=None, uncoupled=false, fps=30.0, columns=None, seed=Count(0),
+        max_iterations=Count(250), pose_weight=None, uncoupled=false, own_rollouts=true, fps=30.0, columns=None, seed=Count(0),
         threads=Count(1), progress=None
     ), text_signature = "(data, parts=None, *, latent=3, order=2, dynamics_ips=None, pose_ips=None, \
-        max_iterations=250, pose_weight=None, uncoupled=False, fps=30.0, columns=None, seed=0, threads=1, \
+        max_iterations=250, pose_weight=None, uncoupled=False, own_rollouts=True, fps=30.0, columns=None, seed=0, threads=1, \
         progress=None)")]
     #[allow(clippy::too_many_arguments)]
     fn fit(
@@ -102,6 +102,7 @@ impl Vcgpdm {
         max_iterations: Count,
         pose_weight: Option<&Bound<'_, PyAny>>,
         uncoupled: bool,
+        own_rollouts: bool,
         fps: f64,
         columns: Option<Vec<String>>,
         seed: Count,
@@ -129,7 +130,10 @@ impl Vcgpdm {
         let run = Run { settings, seed: seed.seed()?, threads: threads.0.max(1), progress };
         let (trained, interrupt) = match &data {
             Data::Body(dataset) => {
-                let (model, interrupt) = train(py, dataset, &run)?;
+                let (mut model, interrupt) = train(py, dataset, &run)?;
+                if own_rollouts {
+                    py.detach(|| model.learn_from_own_rollouts()).map_err(refused)?;
+                }
                 (Trained::Body(model), interrupt)
             }
             Data::Series(dataset) => {

@@ -74,6 +74,14 @@ def test_long_clips_have_more_inducing_points_unless_told_otherwise(walk, tmp_pa
     assert points(slow, pose_ips=9) == (30, 9)
 
 
+def test_a_model_that_would_stop_learns_from_its_rollouts_unless_told_otherwise(walk):
+    settings = {"parts": "lower,upper", "max_iterations": 40, "pose_weight": 1}
+    plain = Vcgpdm.fit(walk, own_rollouts=False, **settings)
+    model = Vcgpdm.fit(walk, **settings)
+    assert "rollout_rounds" not in plain.to_json() and "rollout_rounds" in model.to_json()
+    assert model.bound == plain.bound
+
+
 def test_alpha_changes_rollouts_and_not_what_was_learned(model):
     learned = model.rollout(60)
     model = copy.deepcopy(model)

@@ -2,11 +2,12 @@
 import init from "./load.js";
 import { setOf, trainSet } from "./train.js";
 
-addEventListener("message", async ({ data: { states, settings, wasm } }) => {
+addEventListener("message", async ({ data: { states, settings, ownRollouts, wasm } }) => {
   try {
     await init(wasm);
     postMessage({ ready: true });
-    const model = await trainSet(setOf(states), settings, (progress) => postMessage({ progress }));
+    const report = (progress) => postMessage({ progress });
+    const model = await trainSet(setOf(states), settings, ownRollouts, report);
     postMessage({ model: model.toJson() });
   } catch (error) {
     const { name, message, code } = error;

@@ -10,9 +10,9 @@ use crate::settings::{Task, body_parts, settings_from_js};
 use crate::tables::{TablePart, parts_of_columns};
 use crate::trained::Trained;
 use std::rc::Rc;
-use vcgpdm::Trainer as BodyTrainer;
 use vcgpdm::models::{Dataset, DatasetError, Source, VariationalSettings};
 use vcgpdm::series::Columns;
+use vcgpdm::{Model as BodyModel, Trainer as BodyTrainer};
 use vcgpdm_lab::evaluation::TrainingTrials;
 use wasm_bindgen::prelude::*;
 
@@ -74,6 +74,8 @@ macro_rules! either {
 #[wasm_bindgen]
 pub struct Trainer {
     training: Training,
+    /// The body's model of [`finish`](Self::finish).
+    finished: Option<Rc<BodyModel>>,
 }
 
 #[wasm_bindgen]
@@ -110,12 +112,13 @@ impl Trainer {
             let trainer = BodyTrainer::new(&dataset, &settings.into(), task.seed)?;
             Training::Tables(trainer, TrainingTrials::new(&dataset))
         };
-        Ok(Trainer { training })
+        Ok(Trainer { training, finished: None })
     }
 
     /// One iteration of the optimiser: a few milliseconds to some tens.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
+        self.finished = None;
         progress_to_js(&either!(&mut self.training, trainer => trainer.step()))
     }
 
@@ -123,6 +126,7 @@ impl Trainer {
     /// from the beginning.
     pub fn extend(&mut self, iterations: &Whole) -> Result<(), VcgpdmError> {
         let iterations = iterations.count(ErrorCode::Training, "the number of iterations")?;
+        self.finished = None;
         either!(&mut self.training, trainer => trainer.extend(iterations));
         Ok(())
     }
@@ -131,6 +135,16 @@ impl Trainer {
     /// twice, that a part never changes, and which settings are more than the data allow and were reduced.
     pub fn notices(&self) -> Vec<String> {
         either!(&self.training, trainer => trainer.warnings())
+    }
+
+    /// The model at the end: the best model, whose dynamics then learn from its own rollouts, if it is one of a
+    /// body. This takes some tenths of a second.
+    pub fn finish(&mut self) -> Result<Model, VcgpdmError> {
+        let Training::Body(trainer, _) = &self.training else { return self.model() };
+        let mut model = trainer.finish()?;
+        model.learn_from_own_rollouts()?;
+        let model = self.finished.insert(Rc::new(model));
+        Ok(Model { model: Trained::Body(Rc::clone(model)) })
     }
 
     /// The best model so far, at any time.
@@ -142,12 +156,16 @@ impl Trainer {
         Ok(Model { model })
     }
 
-    /// How well rollouts of the best model so far repeat the clips or tables: the mean over them of the
-    /// squared error after time warping. Undefined if a rollout cannot be scored.
+    /// How well rollouts of the best model so far, after [`finish`](Self::finish) those of its model, repeat
+    /// the clips or tables: the mean over them of the squared error after time warping. Undefined if a rollout
+    /// cannot be scored.
     #[wasm_bindgen(js_name = rolloutError)]
     pub fn rollout_error(&self) -> Result<Option<f64>, VcgpdmError> {
         Ok(match &self.training {
-            Training::Body(trainer, trials) => trials.error(&trainer.finish()?.fitted),
+            Training::Body(trainer, trials) => match &self.finished {
+                Some(model) => trials.error(&model.fitted),
+                None => trials.error(&trainer.finish()?.fitted),
+            },
             Training::Tables(trainer, trials) => trials.error(&trainer.finish()?.fitted),
         })
     }

@@ -19,8 +19,8 @@ function healthOf(model: Model, frames: number): Health | null {
 
 /** The best model so far. Its error takes longest, and decides only after the end. */
 function bestSoFar(trainer: Trainer, { settings, frames }: TrainingJob, isEnd: boolean): TrainedModel {
-  const error = isEnd ? (trainer.rolloutError() ?? null) : null;
-  return using(trainer.model(), (model) => {
+  return using(isEnd ? trainer.finish() : trainer.model(), (model) => {
+    const error = isEnd ? (trainer.rolloutError() ?? null) : null;
     const latents = settings.parts.map((_, part) => trainer.latents(part));
     return { text: model.toJson(), latents, health: healthOf(model, frames), error };
   });

@@ -46,6 +46,10 @@ pub struct Options {
     /// Keep the couplings between parts off: each part learns as if it were alone (vcgpdm).
     #[arg(long)]
     uncoupled: bool,
+    /// Leave the dynamics as the bound has them: they do not learn from rollouts of the trained model (vcgpdm,
+    /// vgpdm of a body).
+    #[arg(long, conflicts_with_all = ["columns", "movements"])]
+    pub no_own_rollouts: bool,
     /// A linear term in the kernels of the dynamics (map-gpdm, map-cgpdm).
     #[arg(long)]
     linear: bool,
@@ -76,7 +80,7 @@ const TMP: &[ModelKind] = &[ModelKind::Tmp];
 const DMPS: &[ModelKind] = &[ModelKind::DmpDiscrete, ModelKind::DmpRhythmic];
 
 /// The kinds that have an option.
-const KINDS: [(&str, &[ModelKind]); 15] = [
+const KINDS: [(&str, &[ModelKind]); 16] = [
     ("seed", GPDMS),
     ("latent", GPDMS),
     ("dynamics_ips", VARIATIONAL),
@@ -87,6 +91,7 @@ const KINDS: [(&str, &[ModelKind]); 15] = [
     ("balanced", GPDMS),
     ("pose_weight", VARIATIONAL),
     ("uncoupled", &[ModelKind::Vcgpdm]),
+    ("no_own_rollouts", VARIATIONAL),
     ("linear", POINT),
     ("primitives", TMP),
     ("normalised_time", TMP),

@@ -26,7 +26,6 @@ use std::error::Error;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use vcgpdm::document::DocumentError;
 use vcgpdm::models::variational::VariationalTrainer;
 use vcgpdm::models::{
     ColumnMapping, Dataset, FittedModel, Health, Model, ModelKind, PoseWeight, Provenance, Settings, Source,
@@ -74,7 +73,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         pose_weight: PoseWeight::Balanced,
         ..VariationalSettings::for_clips(longest as f64 * dataset.frame_time)
     };
-    train(arguments, split, &usual, &dataset, |model| Ok((model.to_json()?, health_of(model))))
+    train(arguments, split, &usual, &dataset, |model| {
+        if !arguments.options.no_own_rollouts {
+            model.learn_from_own_rollouts()?;
+        }
+        Ok((model.to_json()?, health_of(model)))
+    })
 }
 
 /// The value of `--parts`; without it, "whole" for models that are not coupled.
@@ -93,13 +97,13 @@ fn split(arguments: &Arguments) -> Result<&str, Box<dyn Error>> {
 }
 
 /// Trains on the data set, writes the model and prints a summary. `usual` has the settings that depend on the
-/// data; `finish` makes the document of the model, and finds how its motion ends.
+/// data; `finish` completes the model, makes its document, and finds how its motion ends.
 fn train<S: ColumnMapping>(
     arguments: &Arguments,
     split: &str,
     usual: &VariationalSettings,
     dataset: &Dataset<S>,
-    finish: impl Fn(&Model<S>) -> Result<(String, Option<Health>), DocumentError>,
+    finish: impl Fn(&mut Model<S>) -> Result<(String, Option<Health>), Box<dyn Error>>,
 ) -> Result<(), Box<dyn Error>> {
     let kind = kind::check_parts(arguments.model, dataset.layout.parts().len(), split)?;
     let settings = arguments.options.settings(kind, usual)?;
@@ -126,7 +130,7 @@ fn train<S: ColumnMapping>(
 
     let mut trained = trainer.finish()?;
     trained.provenance.note.clone_from(&arguments.note);
-    let (document, health) = finish(&trained)?;
+    let (document, health) = finish(&mut trained)?;
     files::write_text(&arguments.out, &document)?;
     let bound = trained.provenance.bound();
     let Provenance { objective, plain_bound, iterations, evaluations, .. } = trained.provenance;
@@ -157,6 +161,7 @@ fn train<S: ColumnMapping>(
                     if let Some((ends, advice)) = &words {
                         say(&format!("warning: a motion of the model {ends}; {advice}"));
                     }
+                    summary["rollout_rounds"] = trained.provenance.rollout_rounds.into();
                     summary["health"] = json!(health);
                     summary["advice"] = json!(words.map(|(_, advice)| advice));
                 }

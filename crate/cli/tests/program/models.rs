@@ -54,7 +54,7 @@ fn rolls_out_every_kind_of_model_as_it_was_trained() {
     };
     let point = |balanced| MapSettings { latent: 2, order: 1, max_iterations: 8, balanced, linear: false };
     let small = "--latent 2 --order 1 --seed 3 --max-iterations 8";
-    let ips = "--dynamics-ips 4 --pose-ips 5 --pose-weight 1";
+    let ips = "--dynamics-ips 4 --pose-ips 5 --pose-weight 1 --no-own-rollouts";
     let split = "--parts lower,upper";
     let cases = [
         (Settings::Vcgpdm(gpdm.clone()), "lower-upper", format!("{split} {small} {ips}")),
@@ -174,6 +174,22 @@ fn trains_with_weighted_pose_terms_and_without_couplings() {
     }
     let plain = train(&folder.join("plain.json"), &format!("--parts lower,upper {few} --pose-weight 1"));
     assert!(plain["objective"].is_null() && plain["elbo"].is_f64(), "{plain}");
+}
+
+/// After 40 iterations this model visits 38 % of the poses of its clip.
+#[test]
+fn a_model_that_would_stop_learns_from_its_rollouts_unless_told_otherwise() {
+    let out = folder("models-rollouts").join("model.json");
+    let line = "train sample:walk-1 --parts lower,upper --max-iterations 40 --pose-weight 1 --out";
+    let arguments: Vec<&str> = line.split(' ').chain([text(&out)]).collect();
+    let printed = json_and_stderr(&arguments).0;
+    let rounds = printed["rollout_rounds"].as_u64().unwrap();
+    assert!(rounds > 0 && printed["health"]["state"] == "moves-on", "{printed}");
+    let model = Model::from_json(&fs::read_to_string(&out).unwrap()).unwrap();
+    assert_eq!(model.provenance.rollout_rounds as u64, rounds);
+    let plain = json_and_stderr(&[&arguments[..], &["--no-own-rollouts"]].concat()).0;
+    assert!(plain["rollout_rounds"] == 0 && plain["health"]["state"] != "moves-on", "{plain}");
+    assert_eq!(plain["elbo"], printed["elbo"]);
 }
 
 #[test]

@@ -11,6 +11,7 @@ mod effects;
 mod models;
 mod modularity;
 mod objectives;
+mod own_rollouts;
 mod parallel;
 mod ratio;
 mod recognition;
@@ -38,6 +39,8 @@ enum Measurement {
     Imports,
     /// Models with weighted pose terms, and uncoupled models, compared with plain ones.
     Objectives(objectives::Arguments),
+    /// Models that learned from their own rollouts, compared with the same models before.
+    OwnRollouts(own_rollouts::Arguments),
     /// Which movement of a library a clip shows.
     Recognition {
         /// Folders of clips (.bvh), one for each movement; absent: the project's own walks.
@@ -65,6 +68,7 @@ fn main() {
         Measurement::Modularity { picture } => modularity::run(picture.as_deref()),
         Measurement::Imports => modularity::run_imports(),
         Measurement::Objectives(arguments) => objectives::run(&arguments),
+        Measurement::OwnRollouts(arguments) => own_rollouts::run(&arguments),
         Measurement::Recognition { folders } => recognition::run(&folders),
         Measurement::Scaling(arguments) => scaling::run(&arguments),
         Measurement::Seeds(arguments) => seeds::run(&arguments),

@@ -45,6 +45,9 @@ pub struct Arguments {
     /// Most iterations.
     #[arg(long, default_value_t = 600)]
     iterations: usize,
+    /// Let the dynamics learn from rollouts of the model after the training.
+    #[arg(long)]
+    own_rollouts: bool,
     /// Frames of a rollout.
     #[arg(long, default_value_t = 300)]
     frames: usize,
@@ -127,7 +130,7 @@ pub fn run(arguments: &Arguments) {
                         pose_weight,
                         ..VariationalSettings::default()
                     };
-                    let train = |seed| train(&settings, arguments.frames, &dataset, seed);
+                    let train = |seed| train(&settings, arguments, &dataset, seed);
                     let runs = each_seed(0..arguments.seeds, arguments.threads, train);
                     let weight = match pose_weight {
                         PoseWeight::Fixed(weight) => weight.to_string(),
@@ -193,14 +196,17 @@ fn pose_weight(text: &str) -> Result<PoseWeight, serde_json::Error> {
     serde_json::from_value(value)
 }
 
-fn train(settings: &VariationalSettings, frames: usize, dataset: &Dataset, seed: u32) -> Run {
+fn train(settings: &VariationalSettings, arguments: &Arguments, dataset: &Dataset, seed: u32) -> Run {
     let begin = Instant::now();
     let mut trainer = Trainer::new(dataset, &settings.clone().into(), seed).unwrap();
     trainer.run();
+    let mut model = trainer.finish().unwrap();
+    if arguments.own_rollouts {
+        model.learn_from_own_rollouts().unwrap();
+    }
     let seconds = begin.elapsed().as_secs_f64();
-    let model = trainer.finish().unwrap();
     let error = TrainingTrials::new(dataset).error(&model.fitted).unwrap_or(f64::INFINITY);
-    let request = RolloutRequest { frames, ..Default::default() };
+    let request = RolloutRequest { frames: arguments.frames, ..Default::default() };
     let model = model.coupled().unwrap();
     let rollout = model.rollout(&request).unwrap();
     let positions = model.positions(&rollout).unwrap();

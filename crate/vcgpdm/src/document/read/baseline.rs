@@ -61,6 +61,7 @@ pub(super) fn baseline<S: Subject>(mut head: Head<S>) -> Result<Model<S>, Docume
         plain_bound: None,
         iterations: object.get("iterations")?.whole()?,
         evaluations: 0,
+        rollout_rounds: 0,
         note: note(&mut object)?,
     };
     object.end()?;

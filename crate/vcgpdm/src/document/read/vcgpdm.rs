@@ -240,7 +240,8 @@ pub(super) fn start(
 /// Reads the provenance of a variational model of `m` parts, with the terms of its bound.
 pub(super) fn provenance(field: Field, m: usize) -> Result<(Provenance, BoundTerms), FieldError> {
     let mut object = field.object()?;
-    let provenance = training(&mut object)?;
+    let mut provenance = training(&mut object)?;
+    provenance.rollout_rounds = object.optional("rollout_rounds").map_or(Ok(0), |field| field.whole())?;
     let terms = terms(object.get("terms")?, m)?;
     object.end()?;
     Ok((provenance, terms))
@@ -261,6 +262,7 @@ pub(super) fn training(object: &mut Object) -> Result<Provenance, FieldError> {
         plain_bound: objective.map(|_| bound),
         iterations: object.get("iterations")?.whole()?,
         evaluations: object.get("evaluations")?.whole()?,
+        rollout_rounds: 0,
         note: note(object)?,
     })
 }

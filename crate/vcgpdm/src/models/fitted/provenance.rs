@@ -28,6 +28,9 @@ pub struct Provenance {
     pub iterations: usize,
     /// Evaluations of the variational bound with its gradient; 0 for models without such a bound.
     pub evaluations: usize,
+    /// Rounds of its own rollouts from which the model learned after the training; see
+    /// [`Model::learn_from_own_rollouts`](crate::models::Model::learn_from_own_rollouts).
+    pub rollout_rounds: usize,
     /// A note by the person who trained the model, such as an acknowledgement.
     pub note: Option<String>,
 }
@@ -50,6 +53,7 @@ impl Provenance {
             plain_bound: progress.terms.as_ref().filter(|_| weighted).map(BoundTerms::total),
             iterations: progress.iteration,
             evaluations: progress.evaluations,
+            rollout_rounds: 0,
             note: None,
         }
     }

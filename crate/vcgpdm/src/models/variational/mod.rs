@@ -15,6 +15,7 @@ pub(crate) mod learner;
 pub(crate) mod maps;
 pub(crate) mod model;
 mod moments;
+mod own_rollouts;
 pub(crate) mod params;
 mod path_density;
 pub(crate) mod predictive;

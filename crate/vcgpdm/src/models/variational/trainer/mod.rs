@@ -236,6 +236,7 @@ impl VariationalTrainer {
             plain_bound: self.plain_bound(),
             iterations: progress.iteration,
             evaluations: progress.evaluations,
+            rollout_rounds: 0,
             note: None,
         }
     }
