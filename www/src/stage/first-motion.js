@@ -26,8 +26,8 @@
  */
 
 const FORMAT = "vcgpdm-first-motion/1";
-/** Metres: half a millimetre, which is less than a pixel. */
-const UNIT = 0.0005;
+/** Metres: a millimetre, which is less than a pixel of a figure 1000 pixels high. */
+const UNIT = 0.001;
 const LIMIT = 32767;
 
 /** The linear extrapolation of each coordinate. */
