@@ -160,8 +160,16 @@ fn difference(recorded: &Model, again: &Model) -> Result<Option<(String, f64)>, 
         }
         Ok(document)
     };
+    let (recorded, mut again) = (document(recorded)?, document(again)?);
+    // Files of earlier versions have no noise variance of each column.
+    if recorded["parts"][0]["column_noise"].is_null() {
+        again["version"] = recorded["version"].clone();
+        for part in again["parts"].as_array_mut().into_iter().flatten() {
+            part.as_object_mut().and_then(|fields| fields.remove("column_noise"));
+        }
+    }
     let mut largest = None;
-    compare("model", &document(recorded)?, &document(again)?, &mut largest);
+    compare("model", &recorded, &again, &mut largest);
     Ok(largest)
 }
 

@@ -37,6 +37,18 @@ fn trains_a_model_again_to_the_same_bits() {
     assert_eq!(json(&["clip", text(&copy)])["sha256"], first["sha256"]);
     assert_eq!(json(&copied)["same_bits"], true);
 
+    // An earlier version wrote no noise variance of each column.
+    let mut earlier = recorded.clone();
+    assert_eq!(earlier["version"], 4);
+    earlier["version"] = 1.into();
+    for part in earlier["parts"].as_array_mut().unwrap() {
+        assert!(part.as_object_mut().unwrap().remove("column_noise").is_some());
+    }
+    let file = folder.join("earlier.json");
+    fs::write(&file, earlier.to_string()).unwrap();
+    reproduce[1] = text(&file);
+    assert_eq!(json(&reproduce)["same_bits"], true);
+
     // Somebody has touched a coupling.
     let mut touched = recorded;
     let alpha = touched["alpha"][0][1].as_f64().unwrap();

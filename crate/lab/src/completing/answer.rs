@@ -18,7 +18,7 @@ pub struct Answer {
 
 impl Answer {
     /// The columns `columns` of part `part` of a model under latents. `recorded` has these columns, of which
-    /// those at the places `changing` have a density. `more_noise` is added to their variances.
+    /// those at the places `changing` have a density.
     pub fn of_latents(
         filter: &Filter,
         latents: &LatentMoments,
@@ -26,17 +26,13 @@ impl Answer {
         columns: &[usize],
         recorded: &DMatrix<f64>,
         changing: &[usize],
-        more_noise: &[f64],
     ) -> Result<Self, NumericsError> {
         let (frames, width) = recorded.shape();
         let (mut mean, mut variance) = (DMatrix::zeros(frames, width), DMatrix::zeros(frames, width));
         let mut log_densities = Vec::with_capacity(frames);
         let changing: Vec<usize> = changing.iter().map(|&c| columns[c]).collect();
         for (t, moments) in filter.frames(part, latents).enumerate() {
-            let mut moments = moments?;
-            for (&column, more) in columns.iter().zip(more_noise) {
-                moments.covariance[(column, column)] += more;
-            }
+            let moments = moments?;
             let mut row = vec![0.0; moments.mean.len()];
             for (c, &column) in columns.iter().enumerate() {
                 mean[(t, c)] = moments.mean[column];

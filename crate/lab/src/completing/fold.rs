@@ -1,7 +1,6 @@
 //! One trial held out, and each of its parts inferred from the others.
 
 use crate::completing::answer::{Answer, constant_share, finite, share};
-use crate::completing::column_noise::column_noise;
 use crate::completing::results::{
     ColumnCoverage, CompletedPart, CompletedTrial, Limits, Method, MethodScore,
 };
@@ -198,14 +197,14 @@ impl Trial<'_> {
         let likeliest = filter.smoothed(&filter.run_likeliest(&observed, self.searched())?)?;
         let mut answers = Vec::new();
         for latents in [filter.filtered(&run), filter.smoothed(&run)?, likeliest] {
-            answers.push(self.of_latents(&filter, &latents, other, &[])?);
+            answers.push(self.of_latents(&filter, &latents, other)?);
         }
 
         let filter = self.whole.filter(&RolloutRequest::default())?;
         let run = filter.run_from_best(&[self.side_by_side(&observed)], self.searched())?;
         let places = self.places_in_whole(other);
         let latents = filter.filtered(&run);
-        answers.push(Answer::of_latents(&filter, &latents, 0, &places, recorded, &changing, &[])?);
+        answers.push(Answer::of_latents(&filter, &latents, 0, &places, recorded, &changing)?);
 
         for prediction in regressions.predict(&Self::given(&observed, other))? {
             answers.push(answer(prediction, recorded, &changing));
@@ -220,16 +219,16 @@ impl Trial<'_> {
         observed
     }
 
-    /// What the smoother of the vCGPDM infers about a part. `more_noise` is added to its variances.
+    /// What the smoother of a vCGPDM infers about a part.
     fn smoother(
         &self,
+        parts: Coupled,
         other: usize,
         observed: &[DMatrix<f64>],
-        more_noise: &[f64],
     ) -> Result<Answer, EvaluationError> {
-        let filter = self.parts.filter(&RolloutRequest::default())?;
+        let filter = parts.filter(&RolloutRequest::default())?;
         let latents = filter.smoothed(&filter.run_from_best(observed, self.searched())?)?;
-        self.of_latents(&filter, &latents, other, more_noise)
+        self.of_latents(&filter, &latents, other)
     }
 
     /// The columns of a part under latents of the vCGPDM.
@@ -238,25 +237,15 @@ impl Trial<'_> {
         filter: &Filter,
         latents: &LatentMoments,
         part: usize,
-        more_noise: &[f64],
     ) -> Result<Answer, EvaluationError> {
         let (recorded, changing) = (&self.held_out[part], self.changing(part));
         let columns: Vec<usize> = (0..recorded.ncols()).collect();
-        Ok(Answer::of_latents(filter, latents, part, &columns, recorded, &changing, more_noise)?)
+        Ok(Answer::of_latents(filter, latents, part, &columns, recorded, &changing)?)
     }
 
     fn regressions(&self, other: usize) -> Result<Regressions, EvaluationError> {
         let trials = self.training.iter().map(|y| (Self::given(y, other), y[other].clone()));
         Ok(Regressions::new(&trials.collect::<Vec<_>>())?)
-    }
-
-    /// What the noise variance of each column of a part is more than the model's beta.
-    fn more_noise(&self, part: usize) -> Result<Vec<f64>, EvaluationError> {
-        let (model, map) = (self.parts.model, &self.parts.model.parts[part]);
-        let latents: Vec<&DMatrix<f64>> = model.starts.iter().map(|start| &start[part]).collect();
-        let recorded: Vec<&DMatrix<f64>> = self.training.iter().map(|y| &y[part]).collect();
-        let noise = column_noise(map, model.jitter, &latents, &recorded)?;
-        Ok(noise.into_iter().map(|noise| noise - map.beta()).collect())
     }
 
     /// A part inferred from the others by every method.
@@ -293,8 +282,11 @@ impl Trial<'_> {
 
     fn limits(&self, part: usize, seen: &[Answer], frames: &Range<usize>) -> Result<Limits, EvaluationError> {
         let (recorded, changing) = (&self.held_out[part], self.changing(part));
-        let all = &self.smoother(part, &self.held_out, &[])?;
-        let own = &self.smoother(part, &self.observed(part, Sense::All), &self.more_noise(part)?)?;
+        let all = &self.smoother(self.parts, part, &self.held_out)?;
+        let mut of_beta = self.parts.model.clone();
+        of_beta.parts = of_beta.parts.into_iter().map(|map| map.with_column_noise(Vec::new())).collect();
+        let of_beta = Coupled { model: &of_beta, ..self.parts };
+        let of_beta = &self.smoother(of_beta, part, &self.observed(part, Sense::All))?;
         let [filter, smoother, _, _, ridge, ..] = seen else {
             return Err(EvaluationError::NoFilter { model: "vcgpdm" });
         };
@@ -312,8 +304,8 @@ impl Trial<'_> {
             all_observed_squares: squares(all)?,
             filter_squares: squares(filter)?,
             smoother_squares: squares(smoother)?,
-            column_noise_coverage: finite("the coverage", own.coverage(recorded, &changing, frames))?,
-            column_noise_log_density: finite("the log density", own.log_density(frames))?,
+            beta_coverage: finite("the coverage", of_beta.coverage(recorded, &changing, frames))?,
+            beta_log_density: finite("the log density", of_beta.log_density(frames))?,
             posture: finite("an offset", constant_share(recorded, frames))?,
             offset: offset(filter)?,
             ridge_offset: offset(ridge)?,
@@ -401,7 +393,7 @@ mod tests {
         let (model, whole) = (train(Settings::Vcgpdm(settings())), train(Settings::Vgpdm(settings())));
         let mut trial = fold.trial(&model, &whole).unwrap();
         let regressions = trial.regressions(1).unwrap();
-        let all_observed = |trial: &Trial| trial.smoother(1, &trial.held_out, &[]).unwrap().mean;
+        let all_observed = |trial: &Trial| trial.smoother(trial.parts, 1, &trial.held_out).unwrap().mean;
         for sense in [Sense::All, Sense::CutAt(20)] {
             let (before, seen) = (trial.answers(1, sense, &regressions).unwrap(), all_observed(&trial));
             let upper = trial.held_out[1].clone();

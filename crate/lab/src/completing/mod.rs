@@ -5,7 +5,6 @@
 //! results, and [`tables`] writes them as Markdown.
 
 mod answer;
-mod column_noise;
 mod fold;
 mod results;
 mod rivals;

@@ -86,11 +86,10 @@ pub struct Limits {
     pub filter_squares: f64,
     /// The same mean of the smoother.
     pub smoother_squares: f64,
-    /// The coverage of the smoother when each column has a noise variance of its own, measured on training
-    /// trials that the pose map did not see.
-    pub column_noise_coverage: f64,
-    /// The log density of the smoother with these variances.
-    pub column_noise_log_density: f64,
+    /// The coverage of the smoother when beta is the noise variance of all columns.
+    pub beta_coverage: f64,
+    /// The log density of the smoother with beta alone.
+    pub beta_log_density: f64,
     /// The share of the mean pose's error that the mean posture of the trial makes.
     pub posture: f64,
     /// The share of the filter's error that a constant offset of every column makes.
@@ -309,8 +308,8 @@ mod tests {
             all_observed_squares: 1.0,
             filter_squares: 2.0,
             smoother_squares: 3.0,
-            column_noise_coverage: 0.75,
-            column_noise_log_density: 9.0,
+            beta_coverage: 0.75,
+            beta_log_density: 9.0,
             posture: 0.5,
             offset: 0.5,
             ridge_offset: 0.25,

@@ -114,8 +114,8 @@ error of ridge regression | without its constant offset | mean posture of the tr
 /// Where the bands are too narrow.
 fn bands(text: &mut String, all: &[(String, &Completing)]) {
     let headings = "coverage, all parts observed, % | of the smoother, % | squared error : variance, all parts observed | \
-filter | smoother | coverage with a noise variance for each column, % | log density of the smoother | \
-with a noise variance for each column | columns with the lowest coverage of the smoother, %";
+filter | smoother | coverage with one noise variance for all columns, % | log density of the smoother | \
+with one noise variance for all columns | columns with the lowest coverage of the smoother, %";
     rows(text, all, headings, |results, part| {
         let number = |digits, number: &dyn Fn(&CompletedPart) -> Option<f64>| {
             middle(of_part(results, part), digits, number)
@@ -126,9 +126,9 @@ with a noise variance for each column | columns with the lowest coverage of the 
             number(1, &|part| Some(part.limits.all_observed_squares)),
             number(1, &|part| Some(part.limits.filter_squares)),
             number(1, &|part| Some(part.limits.smoother_squares)),
-            number(0, &|part| Some(100.0 * part.limits.column_noise_coverage)),
+            number(0, &|part| Some(100.0 * part.limits.beta_coverage)),
             number(0, &|part| Some(score_of(part, Method::Smoother)?.log_density)),
-            number(0, &|part| Some(part.limits.column_noise_log_density)),
+            number(0, &|part| Some(part.limits.beta_log_density)),
             lowest_columns(results, part),
         ]
         .join(" | ")

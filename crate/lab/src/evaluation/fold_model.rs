@@ -36,7 +36,10 @@ fn with_columns(fitted: FittedModel, order: &[usize]) -> Result<FittedModel, Num
             for map in &mut model.parts {
                 let (r, kernel, covariance) =
                     (map.r().clone(), map.kernel().clone(), map.covariance().clone());
-                *map = PoseMap::new(r, kernel, map.beta(), ordered(map.mean()), covariance, model.jitter)?;
+                let noise =
+                    order.iter().filter_map(|place| map.column_noise().get(*place).copied()).collect();
+                *map = PoseMap::new(r, kernel, map.beta(), ordered(map.mean()), covariance, model.jitter)?
+                    .with_column_noise(noise);
             }
             FittedModel::Vcgpdm(model)
         }

@@ -12,7 +12,9 @@ pub const FORMAT: &str = "vcgpdm model";
 pub(super) const SECOND: usize = 2;
 /// Version 3 adds models of tables, with "columns" instead of "pose", libraries of primitives, and
 /// combinations of primitives.
-pub(super) const VERSION: usize = 3;
+pub(super) const THIRD: usize = 3;
+/// Version 4 adds the noise variance of each column of a part.
+pub(super) const VERSION: usize = 4;
 /// The field "kind" of a library; that of a model is a `ModelKind`.
 pub const LIBRARY: &str = "library";
 /// Size limit: more than a model that trains for a day, and few enough bytes for a browser to read in

@@ -1,7 +1,9 @@
 //! Writes libraries of primitives as documents.
 
-use crate::document::error::{FORMAT, LIBRARY, VERSION};
-use crate::document::write::{pose_map, sequence_fields, variational_provenance, with_external_evidence};
+use crate::document::error::{FORMAT, LIBRARY, THIRD};
+use crate::document::write::{
+    pose_map, sequence_fields, variational_provenance, version_of, with_external_evidence,
+};
 use crate::json::Value;
 use crate::models::SequenceInfo;
 use crate::models::library::{
@@ -15,9 +17,9 @@ pub(super) fn document(trained: &TrainedLibrary) -> Value {
     let TrainedLibrary { library, body, provenance } = trained;
     let parts = library.parts.iter().zip(&library.pose_sums).zip(body.layout.parts());
     let parts = Value::list(parts, |((map, psi2), spec)| {
-        let [name, joints, lambda, variance, beta, r, mean, covariance] = pose_map::<PoseMapping>(map, spec);
-        let sum = ("sum_psi2", Value::matrix(psi2));
-        Value::object([name, joints, lambda, variance, beta, r, mean, covariance, sum])
+        let mut fields = pose_map::<PoseMapping>(map, spec);
+        fields.push(("sum_psi2", Value::matrix(psi2)));
+        Value::of_fields(fields)
     });
     let primitives = Value::list(&library.primitives, |primitive| {
         let fields = Vec::from([
@@ -35,7 +37,7 @@ pub(super) fn document(trained: &TrainedLibrary) -> Value {
     let movements = Value::List(movements.collect());
     Value::object([
         ("format", Value::text(FORMAT)),
-        ("version", Value::whole(VERSION)),
+        ("version", Value::whole(version_of(THIRD, &library.parts))),
         ("kind", Value::text(LIBRARY)),
         ("pose", body.mapping.to_value()),
         ("frame_time", Value::Number(body.frame_time)),
@@ -57,7 +59,7 @@ fn with_origin(mut fields: Vec<(&'static str, Value)>, primitive: &Primitive) ->
     if !primitive.excerpts.is_empty() {
         fields.push(("excerpts", Value::list(&primitive.excerpts, excerpt)));
     }
-    Value::Object(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+    Value::of_fields(fields)
 }
 
 fn origin(origin: &Origin) -> Value {
@@ -172,6 +174,7 @@ mod tests {
         let text = trained().to_json().unwrap();
         let again = TrainedLibrary::from_json(&text).unwrap();
         assert_eq!(again.library, trained().library);
+        assert!(trained().library.parts.iter().all(|map| !map.column_noise().is_empty()));
         assert_eq!(again.body.sequences, trained().body.sequences);
         assert_eq!(again.provenance, trained().provenance);
         assert_eq!(again.to_json().unwrap(), text);
@@ -183,7 +186,7 @@ mod tests {
         for index in 0..3 {
             let model = trained().movement(index).unwrap();
             let text = model.to_json().unwrap();
-            assert!(text.contains("\"version\":3"));
+            assert!(text.contains("\"version\":4"));
             let again = Model::coupled_from_json(&text).unwrap();
             let (again, model) = (again.coupled().unwrap(), model.coupled().unwrap());
             assert_eq!(again.model, model.model);
@@ -278,6 +281,17 @@ mod tests {
         assert_eq!(legs.body.sequences.len(), whole.body.sequences.len());
         let read = TrainedLibrary::from_json(&legs.to_json().unwrap()).unwrap();
         assert_eq!(read.library, legs.library);
+    }
+
+    /// A file of an earlier version has no noise variance for each column, but may have the same pose maps.
+    #[test]
+    fn primitives_of_a_file_without_noise_variances_of_columns_fit() {
+        let (mut host, mut other) = (trained().select(&[1]).unwrap(), trained().select(&[0]).unwrap());
+        let parts = other.library.parts.into_iter();
+        other.library.parts = parts.map(|map| map.with_column_noise(Vec::new())).collect();
+        host.merge(&other).unwrap();
+        assert_eq!(host.library.primitives.len(), 2);
+        assert!(host.library.parts.iter().all(|map| !map.column_noise().is_empty()));
     }
 
     #[test]

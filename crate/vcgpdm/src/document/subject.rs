@@ -1,6 +1,6 @@
 //! The columns in a document: the pose mapping of a body, or the names and units of a table's columns.
 
-use crate::document::error::{DocumentError, SECOND, VERSION};
+use crate::document::error::{DocumentError, SECOND, THIRD};
 use crate::json::checks::{count, positive};
 use crate::json::{Field, FieldError, Object, Value};
 use crate::models::ColumnMapping;
@@ -46,7 +46,7 @@ impl Subject for PoseMapping {
 impl Subject for Columns {
     const FIELD: &'static str = "columns";
     const PLACES: &'static str = "columns";
-    const VERSIONS: [usize; 2] = [VERSION, VERSION];
+    const VERSIONS: [usize; 2] = [THIRD, THIRD];
 
     fn to_value(&self) -> Value {
         Value::list(self.names().iter().zip(self.units()), |(name, unit)| {

@@ -44,6 +44,37 @@ fn a_model_is_read_as_it_was_written_and_rolls_out_to_the_same_bits() {
     assert_eq!(again.to_json().unwrap(), model.to_json().unwrap());
 }
 
+/// A noise variance for each column needs version 4; without them a file has the version that it had before.
+#[test]
+fn a_file_without_noise_variances_of_columns_is_read_and_stays_as_it_is() {
+    let mut old = document();
+    assert_eq!(old["version"], json!(4));
+    for (part, map) in trained().coupled().unwrap().model.parts.iter().enumerate() {
+        let noise = map.column_noise();
+        assert_eq!(noise.len(), map.mean().ncols());
+        assert_eq!(old["parts"][part]["column_noise"], json!(noise));
+        old["parts"][part].as_object_mut().unwrap().remove("column_noise");
+    }
+    old["version"] = json!(1);
+    let read = Model::coupled_from_json(&old.to_string()).unwrap();
+    let again: Value = serde_json::from_str(&read.to_json().unwrap()).unwrap();
+    assert_eq!(again, old);
+    let (old, new) = (read.coupled().unwrap().model, trained().coupled().unwrap().model);
+    assert!(old.parts.iter().all(|map| map.column_noise().is_empty()));
+    // The variances at the latents where training began: they differ by noise - beta.
+    let filter = |model: &Coupled| model.filter(&RolloutRequest::default()).unwrap();
+    let [of_old, of_new] = [&read, trained()].map(|model| filter(&model.coupled().unwrap()));
+    for (part, (map, start)) in new.parts.iter().zip(&new.starts[0]).enumerate() {
+        let (mean, none) = (start.row(0).transpose(), nalgebra::DMatrix::zeros(3, 3));
+        let [old, new] = [&of_old, &of_new].map(|filter| filter.column_moments(part, &mean, &none).unwrap());
+        assert_eq!(old.mean, new.mean);
+        for (c, noise) in map.column_noise().iter().enumerate() {
+            let more = new.covariance[(c, c)] - old.covariance[(c, c)];
+            assert!((more - (noise - map.beta())).abs() < 1e-12, "{more}");
+        }
+    }
+}
+
 /// A weighted training has two numbers: the objective, and the bound on the evidence.
 #[test]
 fn a_model_of_a_weighted_training_keeps_objective_and_bound() {
@@ -125,20 +156,24 @@ fn other_files_are_refused_with_the_reason() {
     assert!(refused(|v| v["format"] = json!(vec![1; 100_000])).len() < 200, "a line can be read");
     assert_eq!(
         refused(|v| v["version"] = json!(7)),
-        "expected a model of version 3 or earlier, found version 7; a newer program wrote it"
+        "expected a model of version 4 or earlier, found version 7; a newer program wrote it"
     );
 }
 
 #[test]
 fn wrong_fields_are_refused_with_their_path() {
     type Change = fn(&mut Value);
-    let cases: [(&str, Change); 15] = [
+    let cases: [(&str, Change); 17] = [
         ("at parts[1].beta: expected positive numbers", |v| v["parts"][1]["beta"] = json!(-1.0)),
+        ("at parts[0].column_noise: expected 30, found 1", |v| v["parts"][0]["column_noise"] = json!([1.0])),
+        ("at parts[1].column_noise: expected positive numbers", |v| {
+            v["parts"][1]["column_noise"][4] = json!(0.0)
+        }),
         ("at parts[0].r: expected rows of 3 numbers, found 1 in row 1", |v| {
             v["parts"][0]["r"][1] = json!([1.0])
         }),
         ("at parts[0].r[1][0]: expected a number, found null", |v| v["parts"][0]["r"][1][0] = Value::Null),
-        ("at parts[0].v_mean: expected 4 x ", |v| v["parts"][0]["v_mean"] = json!([[1.0]])),
+        ("at parts[0].v_mean: expected 4 x ", |v| v["parts"][0]["v_mean"] = json!([vec![1.0; 30]])),
         ("at dynamics[1].experts[0].lambda: expected 6, found 1", |v| {
             v["dynamics"][1]["experts"][0]["lambda"] = json!([1.0]);
         }),

@@ -1,6 +1,6 @@
 //! Writes models as documents.
 
-use crate::document::error::{FORMAT, VERSION};
+use crate::document::error::{FORMAT, THIRD, VERSION};
 use crate::document::settings::{write_settings, write_variational};
 use crate::document::subject::Subject;
 use crate::json::Value;
@@ -76,7 +76,7 @@ pub(super) fn sequence_fields(info: &SequenceInfo) -> Vec<(String, Value)> {
 pub(super) fn variational<S: Subject>(coupled: Coupled<S>) -> Value {
     let Coupled { model, body, provenance } = coupled;
     let parts = model.parts.iter().zip(body.layout.parts());
-    let parts = Value::list(parts, |(map, spec)| Value::object(pose_map::<S>(map, spec)));
+    let parts = Value::list(parts, |(map, spec)| Value::of_fields(pose_map::<S>(map, spec)));
     // The dynamics into each part. Matrices over all sources stack their blocks in order.
     let dynamics = Value::list(0..model.part_count(), |i| {
         let own = [
@@ -88,7 +88,7 @@ pub(super) fn variational<S: Subject>(coupled: Coupled<S>) -> Value {
         with_external_evidence(own, model.external.get(i))
     });
     // Version 1 suffices for a model of a body without evidence from other data.
-    let version = if model.external.is_empty() { S::VERSIONS[0] } else { VERSION };
+    let version = if model.external.is_empty() { S::VERSIONS[0] } else { THIRD };
     let sequences = Value::list(body.sequences.iter().zip(&model.starts), |(info, start)| {
         let mut fields = sequence_fields(info);
         // The latent means of the first frames, for each part.
@@ -98,7 +98,7 @@ pub(super) fn variational<S: Subject>(coupled: Coupled<S>) -> Value {
     let provenance = Value::Object(variational_provenance(provenance, Some(&model.terms)));
     Value::object([
         ("format", Value::text(FORMAT)),
-        ("version", Value::whole(version)),
+        ("version", Value::whole(version_of(version, &model.parts))),
         (S::FIELD, Subject::to_value(&body.mapping)),
         ("frame_time", Value::Number(body.frame_time)),
         ("column_means", Value::numbers(&body.column_means)),
@@ -134,10 +134,15 @@ pub(super) fn variational_provenance(
     fields.into_iter().filter_map(|(name, value)| Some((name.to_owned(), value?))).collect()
 }
 
+/// The version of a document with these pose maps for which `version` suffices otherwise.
+pub(super) fn version_of(version: usize, maps: &[PoseMap]) -> usize {
+    if maps.iter().any(|map| !map.column_noise().is_empty()) { VERSION } else { version }
+}
+
 /// The fields of a part with its pose map.
-pub(super) fn pose_map<S: Subject>(map: &PoseMap, spec: &PartSpec) -> [(&'static str, Value); 8] {
+pub(super) fn pose_map<S: Subject>(map: &PoseMap, spec: &PartSpec) -> Vec<(&'static str, Value)> {
     let [name, places] = part_fields::<S>(spec);
-    [
+    let mut fields = Vec::from([
         name,
         places,
         ("lambda", Value::numbers(map.kernel().lambda.as_slice())),
@@ -146,7 +151,12 @@ pub(super) fn pose_map<S: Subject>(map: &PoseMap, spec: &PartSpec) -> [(&'static
         ("r", Value::matrix(map.r())),
         ("v_mean", Value::matrix(map.mean())),
         ("v_covariance", Value::matrix(map.covariance())),
-    ]
+    ]);
+    // Absent in files that an earlier version wrote, which keep their hash.
+    if !map.column_noise().is_empty() {
+        fields.push(("column_noise", Value::numbers(map.column_noise())));
+    }
+    fields
 }
 
 /// Adds the evidence from other data, if there is any.

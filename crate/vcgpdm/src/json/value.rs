@@ -22,6 +22,11 @@ pub enum Value {
 impl Value {
     /// An object with these fields.
     pub fn object<const N: usize>(fields: [(&str, Value); N]) -> Value {
+        Value::of_fields(Vec::from(fields))
+    }
+
+    /// An object with these fields; of any number, so that the code exists once.
+    pub fn of_fields(fields: Vec<(&str, Value)>) -> Value {
         Value::Object(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
     }
 

@@ -138,8 +138,8 @@ pub fn the_same_training_gives_the_same_file() {
 }
 
 const SAME_FILES: [&str; 4] = [
-    "7a72d3e6a112f5cbc7fcbdad8e248ac7bb1110f7d1723d120d777bfb9a3a6d6e",
-    "5a61932207565d4fdfc059e7d9112b6f3c2db230d1e8a992745c834a81fa87f5",
+    "2a092b3bf1b2388ebc9549b67c34dff656bc447808fc175cbe79499d5dda2ce5",
+    "8a99b7b352ed28a36942db08bc21f52511b244bfd957d99e2c794d2567726828",
     "784b281189dd8f5cd15979dfd8a249bb52b243066fb36dced527e7700d93fdaf",
     "dd21af8dc29d6432d87a1960b37dd372136db2ab6971318bbcc9d926aa6fac67",
 ];

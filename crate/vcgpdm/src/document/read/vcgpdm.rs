@@ -95,14 +95,15 @@ pub(super) struct PoseFields {
     pub(super) r: DMatrix<f64>,
     kernel: Kernel,
     beta: f64,
+    column_noise: Vec<f64>,
     pub(super) mean: DMatrix<f64>,
     covariance: DMatrix<f64>,
 }
 
 impl PoseFields {
     pub(super) fn solved(self, jitter: f64) -> Result<PoseMap, NumericsError> {
-        let Self { r, kernel, beta, mean, covariance } = self;
-        PoseMap::new(r, kernel, beta, mean, covariance, jitter)
+        let Self { r, kernel, beta, column_noise, mean, covariance } = self;
+        Ok(PoseMap::new(r, kernel, beta, mean, covariance, jitter)?.with_column_noise(column_noise))
     }
 }
 
@@ -125,7 +126,14 @@ pub(super) fn part<S: Subject>(part: &mut Object) -> Result<(PartSpec, PoseField
     let covariance = bounded_matrix(&field)?;
     shape(&field, &covariance, l, l)?;
     let kernel = Kernel { lambda: DVector::from_vec(lambda), variance };
-    Ok((spec, PoseFields { r, kernel, beta, mean, covariance }))
+    // Absent: beta is the noise variance of each column.
+    let mut column_noise = Vec::new();
+    if let Some(field) = part.optional("column_noise") {
+        column_noise = field.numbers()?;
+        count(&field, column_noise.len(), mean.ncols()..=mean.ncols())?;
+        positive(&field, &column_noise)?;
+    }
+    Ok((spec, PoseFields { r, kernel, beta, column_noise, mean, covariance }))
 }
 
 /// The fields of an expert.

@@ -105,7 +105,7 @@ impl TrainedLibrary {
             }
         }
         let mut maps = own.parts.iter().zip(&others.parts).zip(names);
-        if let Some((_, part)) = maps.find(|((a, b), _)| a != b) {
+        if let Some((_, part)) = maps.find(|((a, b), _)| !a.is_same_map(b)) {
             return Err(Misfit::PoseMap { part });
         }
         let (expected, found) = (self.body.frame_time, other.body.frame_time);

@@ -147,7 +147,7 @@ impl Library {
     ) -> Result<Self, NumericsError> {
         let posteriors = objective.posteriors(params)?;
         let (order, jitter) = (objective.sequences().order(), objective.jitter());
-        let maps = FittedMaps::new(params, &posteriors, jitter)?;
+        let maps = FittedMaps::new(params, &posteriors, objective)?;
         let offsets: Vec<_> = (0..params.part_count()).map(|i| expert_offsets(params, i)).collect();
         let named = plan.primitives().into_iter().zip(maps.experts).enumerate();
         let primitives = named.map(|(a, (planned, fitted))| {

@@ -131,7 +131,9 @@ impl Vcgpdm {
         let kept = all.keep(rows).solve()?;
         self.terms.kinematics[part] += kept.bound - all.solve()?.bound;
         let (r, kernel) = (map.r().select_rows(rows), map.kernel().clone());
-        self.parts[part] = PoseMap::new(r, kernel, map.beta(), kept.mean, kept.covariance, self.jitter)?;
+        let noise = map.column_noise().to_vec();
+        self.parts[part] = PoseMap::new(r, kernel, map.beta(), kept.mean, kept.covariance, self.jitter)?
+            .with_column_noise(noise);
         Ok(())
     }
 

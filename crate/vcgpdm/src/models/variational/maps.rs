@@ -3,7 +3,8 @@
 use crate::gp::bound::InducingPosterior;
 use crate::gp::linalg::Factor;
 use crate::gp::{Kernel, KernelSum, NumericsError};
-use crate::models::variational::elbo::{Posteriors, stack_offsets};
+use crate::models::variational::column_noise::column_noise;
+use crate::models::variational::elbo::{Objective, Posteriors, stack_offsets};
 use crate::models::variational::params::{Expert, Params, PartParams};
 use nalgebra::DMatrix;
 
@@ -13,6 +14,7 @@ pub struct PoseMap {
     r: DMatrix<f64>,
     kernel: Kernel,
     beta: f64,
+    column_noise: Vec<f64>,
     mean: DMatrix<f64>,
     covariance: DMatrix<f64>,
     /// k(x, r) K_rr^-1 `E[v]`.
@@ -38,7 +40,13 @@ impl PoseMap {
         let k = kernel.inducing_covariance(&r, jitter);
         let coefficients = Factor::new(&k, "covariance of the pose inducing points")?.solve(&mean);
         let sum = KernelSum::new(&r, &kernel, &coefficients);
-        Ok(Self { r, kernel, beta, mean, covariance, sum })
+        Ok(Self { r, kernel, beta, column_noise: Vec::new(), mean, covariance, sum })
+    }
+
+    /// The map with these noise variances of the columns `[D]`; if empty, beta is that of each column.
+    pub fn with_column_noise(mut self, column_noise: Vec<f64>) -> Self {
+        self.column_noise = column_noise;
+        self
     }
 
     /// The map of a part at its parameters, with the posterior of v there.
@@ -64,6 +72,17 @@ impl PoseMap {
     /// Observation noise variance beta.
     pub fn beta(&self) -> f64 {
         self.beta
+    }
+
+    /// The noise variance of each column `[D]`, measured on training sequences that the map did not see: the
+    /// bands of columns use it in place of beta. Empty in models of earlier versions.
+    pub fn column_noise(&self) -> &[f64] {
+        &self.column_noise
+    }
+
+    /// Whether both maps give the same columns at the same latents. Their noise variances of columns may differ.
+    pub(in crate::models) fn is_same_map(&self, other: &Self) -> bool {
+        other == &self.clone().with_column_noise(other.column_noise.clone())
     }
 
     /// Mean `E[v]` of the inducing outputs [L x D].
@@ -170,14 +189,17 @@ pub(in crate::models) struct FittedMaps {
 }
 
 impl FittedMaps {
-    /// The maps at `params`, where these are the posteriors of their inducing outputs.
+    /// The maps at `params` of an objective, where these are the posteriors of their inducing outputs.
     pub(in crate::models) fn new(
         params: &Params,
         posteriors: &Posteriors,
-        jitter: f64,
+        objective: &Objective,
     ) -> Result<Self, NumericsError> {
-        let parts = params.parts.iter().zip(&posteriors.kinematics);
-        let parts = parts.map(|(part, v)| PoseMap::fitted(part, v, jitter));
+        let jitter = objective.jitter();
+        let parts = params.parts.iter().zip(&posteriors.kinematics).enumerate().map(|(i, (part, v))| {
+            let noise = column_noise(objective, params, i)?;
+            Ok(PoseMap::fitted(part, v, jitter)?.with_column_noise(noise))
+        });
         let offsets: Vec<_> = (0..params.part_count()).map(|i| expert_offsets(params, i)).collect();
         let expert = |a: usize, (i, expert): (usize, &Expert)| {
             let mean = posteriors.dynamics[i].mean.rows(offsets[i][a], expert.z.nrows()).into_owned();

@@ -1,6 +1,7 @@
 //! The vCGPDM and, of one part, the vGPDM: parameters, the bound and its gradient, training, the fitted
 //! model.
 
+mod column_noise;
 mod cycle;
 mod disturbances;
 pub(crate) mod elbo;

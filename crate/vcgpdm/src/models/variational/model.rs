@@ -70,7 +70,7 @@ impl Vcgpdm {
     ) -> Result<Self, NumericsError> {
         let posteriors = objective.posteriors(params)?;
         let (order, jitter) = (objective.sequences().order(), objective.jitter());
-        let FittedMaps { parts, experts } = FittedMaps::new(params, &posteriors, jitter)?;
+        let FittedMaps { parts, experts } = FittedMaps::new(params, &posteriors, objective)?;
         let starts = objective.sequences().ranges().map(|range| params.latent_means(&range));
         Ok(Self {
             order,

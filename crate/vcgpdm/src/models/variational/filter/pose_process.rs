@@ -12,12 +12,15 @@ use std::f64::consts::TAU;
 /// The pose map g^i of a part as a Gaussian process, given the posterior N(E\[v\], S) of its inducing outputs.
 ///
 /// With a(x) = K^-1 k(r, x), the columns at a latent point x are independent, with means `E[v]`^T a(x) and the
-/// common variance sigma^2 - k^T K^-1 k + a^T S a + beta (Titsias and Lawrence 2010).
+/// common variance sigma^2 - k^T K^-1 k + a^T S a + beta (Titsias and Lawrence 2010). At uncertain
+/// latents, the noise variance of a column replaces beta where the model has one for each column.
 #[derive(Clone, Debug)]
 pub(super) struct PoseProcess {
     r: DMatrix<f64>,
     kernel: Kernel,
     beta: f64,
+    /// The noise variance of each column in its band `[D]`.
+    column_noise: Vec<f64>,
     /// `E[v]` [L x D].
     outputs: DMatrix<f64>,
     /// K^-1 `E[v]` [L x D].
@@ -55,6 +58,10 @@ impl PoseProcess {
             r: map.r().clone(),
             kernel: map.kernel().clone(),
             beta: map.beta(),
+            column_noise: match map.column_noise() {
+                [] => vec![map.beta(); map.mean().ncols()],
+                noise => noise.to_vec(),
+            },
             outputs: map.mean().clone(),
             coefficients: factor.solve(map.mean()),
             factor,
@@ -120,7 +127,8 @@ impl PoseProcess {
 
     /// The columns at uncertain latents with this `mean` `[Q]` and `covariance` [Q x Q]: with the
     /// psi statistics under full covariance, the mean psi1^T K^-1 `E[v]` and the covariance
-    /// `E[v]`^T K^-1 (Psi2 - psi1 psi1^T) K^-1 `E[v]` + ( beta + sigma^2 - tr((K^-1 - K^-1 S K^-1) Psi2) ) I.
+    /// `E[v]`^T K^-1 (Psi2 - psi1 psi1^T) K^-1 `E[v]` + (sigma^2 - tr((K^-1 - K^-1 S K^-1) Psi2)) I + diag(noise),
+    /// where noise is that of each column.
     pub(super) fn moments(
         &self,
         mean: &DVector<f64>,
@@ -138,12 +146,12 @@ impl PoseProcess {
         weights.transpose_mut();
         self.factor.solve_mut(&mut weights);
         let own = weights.dot(&self.covariance);
-        let variance = self.beta + (self.kernel.variance - explained).max(0.0) + own.max(0.0);
+        let (gap, own) = ((self.kernel.variance - explained).max(0.0), own.max(0.0));
         psi2.ger(-1.0, &psi1, &psi1, 1.0);
         let mut spread = self.coefficients.tr_mul(&(psi2 * &self.coefficients));
         symmetrise(&mut spread);
         for d in 0..spread.nrows() {
-            spread[(d, d)] = spread[(d, d)].max(0.0) + variance;
+            spread[(d, d)] = spread[(d, d)].max(0.0) + (self.column_noise[d] + gap + own);
         }
         Ok(ColumnMoments { mean: self.coefficients.tr_mul(&psi1), covariance: spread })
     }
