@@ -79,17 +79,20 @@ impl Vcgpdm {
     /// it, "balanced" for clips and 1 for arrays. Clips are brought to about `fps` frames a second, and
     /// arrays have `fps` rows a second; `columns` are the names of their columns.
     ///
+    /// A model of clips whose motion would come to rest learns from its own rollouts at the end, unless
+    /// `own_rollouts` is False.
+    ///
     /// `progress` is called with a `Progress` after every iteration. When it raises StopIteration, the best
     /// model so far is returned. Ctrl-C raises KeyboardInterrupt, whose attribute `model` is the best model
     /// so far. Warnings about the data arrive as UserWarning, and errors as ValueError.
     #[staticmethod]
     #[pyo3(signature = (
         data, parts=None, *, latent=Count(3), order=Count(2), dynamics_ips=None, pose_ips=None,
-        max_iterations=Count(250), pose_weight=None, uncoupled=false, own_rollouts=true, fps=30.0, columns=None, seed=Count(0),
-        threads=Count(1), progress=None
+        max_iterations=Count(250), pose_weight=None, uncoupled=false, own_rollouts=true, fps=30.0, columns=None,
+        seed=Count(0), threads=Count(1), progress=None
     ), text_signature = "(data, parts=None, *, latent=3, order=2, dynamics_ips=None, pose_ips=None, \
-        max_iterations=250, pose_weight=None, uncoupled=False, own_rollouts=True, fps=30.0, columns=None, seed=0, threads=1, \
-        progress=None)")]
+        max_iterations=250, pose_weight=None, uncoupled=False, own_rollouts=True, fps=30.0, columns=None, \
+        seed=0, threads=1, progress=None)")]
     #[allow(clippy::too_many_arguments)]
     fn fit(
         py: Python<'_>,

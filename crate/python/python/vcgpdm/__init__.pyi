@@ -98,6 +98,7 @@ class Vcgpdm:
         max_iterations: int = 250,
         pose_weight: float | Literal["balanced"] | None = None,
         uncoupled: bool = False,
+        own_rollouts: bool = True,
         fps: float = 30.0,
         columns: Sequence[str] | None = None,
         seed: int = 0,
