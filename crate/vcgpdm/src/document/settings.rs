@@ -15,17 +15,16 @@ pub fn write_settings(settings: &Settings, seed: u32) -> Value {
         Settings::Vcgpdm(settings) | Settings::Vgpdm(settings) => variational_value(settings, seed),
         Settings::MapGpdm(settings) | Settings::MapCgpdm(settings) => {
             let MapSettings { latent, order, max_iterations, balanced, linear } = settings;
-            let fields = [
+            let mut fields = vec![
                 ("balanced", Value::whole(usize::from(*balanced))),
                 ("latent", Value::whole(*latent)),
                 ("max_iterations", Value::whole(*max_iterations)),
                 ("order", Value::whole(*order)),
                 ("seed", Value::Number(seed.into())),
             ];
-            let fields = fields.into_iter().map(|(name, value)| (name.to_owned(), value));
             // Absent if false, as in documents from before this setting existed.
-            let linear = linear.then(|| ("linear".to_owned(), Value::whole(1)));
-            Value::Object(fields.chain(linear).collect())
+            fields.extend(linear.then(|| ("linear", Value::whole(1))));
+            Value::of_fields(fields)
         }
         Settings::Tmp(TmpSettings { primitives, normalised_time }) => {
             let count = primitives.map(|count| ("primitives".to_owned(), Value::whole(count)));
@@ -59,7 +58,7 @@ pub(super) fn write_variational(settings: &Settings, seed: u32) -> Value {
 fn variational_value(settings: &VariationalSettings, seed: u32) -> Value {
     let VariationalSettings { latent, dynamics_ips, pose_ips, order, max_iterations, pose_weight, uncoupled } =
         settings;
-    let fields = [
+    let mut fields = vec![
         ("latent", Value::whole(*latent)),
         ("dynamics_ips", Value::whole(*dynamics_ips)),
         ("pose_ips", Value::whole(*pose_ips)),
@@ -68,14 +67,12 @@ fn variational_value(settings: &VariationalSettings, seed: u32) -> Value {
         ("max_iterations", Value::whole(*max_iterations)),
     ];
     // Absent if 1 or false, as in documents from before these settings existed.
-    let weight = (!pose_weight.is_plain()).then(|| match pose_weight {
+    fields.extend((!pose_weight.is_plain()).then(|| match pose_weight {
         PoseWeight::Fixed(factor) => ("pose_weight", Value::Number(*factor)),
         PoseWeight::Balanced => ("pose_weight", Value::text(BALANCED)),
-    });
-    let uncoupled = uncoupled.then(|| ("uncoupled", Value::whole(1)));
-    let fields =
-        fields.into_iter().chain(weight).chain(uncoupled).map(|(name, value)| (name.to_owned(), value));
-    Value::Object(fields.collect())
+    }));
+    fields.extend(uncoupled.then(|| ("uncoupled", Value::whole(1))));
+    Value::of_fields(fields)
 }
 
 /// Reads the settings of a variational model or library, and the seed.

@@ -164,12 +164,12 @@ pub(super) fn with_external_evidence<const N: usize>(
     own: [(&str, Value); N],
     external: Option<&ExternalEvidence>,
 ) -> Value {
-    let own = own.into_iter().map(|(name, value)| (name.to_owned(), value));
-    let others = external.map(|external| {
-        [("other_precision", &external.precision), ("other_b", &external.b)]
-            .map(|(name, matrix)| (name.to_owned(), Value::matrix(matrix)))
-    });
-    Value::Object(own.chain(others.into_iter().flatten()).collect())
+    let mut fields = Vec::from(own);
+    if let Some(external) = external {
+        fields.push(("other_precision", Value::matrix(&external.precision)));
+        fields.push(("other_b", Value::matrix(&external.b)));
+    }
+    Value::of_fields(fields)
 }
 
 fn part_fields<S: Subject>(spec: &PartSpec) -> [(&'static str, Value); 2] {

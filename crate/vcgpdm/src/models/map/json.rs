@@ -28,13 +28,13 @@ impl MapModel {
         let dynamics = Value::list(self.coefficients().iter().enumerate(), |(i, coefficients)| {
             // The linear term of each source; absent without linear terms.
             let linear = self.linear().column_iter().nth(i);
-            let linear = linear.map(|column| ("linear".to_owned(), Value::numbers(column.as_slice())));
-            let fields = [
+            let linear = linear.map(|column| ("linear", Value::numbers(column.as_slice())));
+            let mut fields = vec![
                 ("lambda", Value::list(self.dynamics(), |row| Value::numbers(row[i].lambda.as_slice()))),
                 ("coefficients", Value::matrix(coefficients)),
             ];
-            let fields = fields.into_iter().map(|(name, value)| (name.to_owned(), value));
-            Value::Object(fields.chain(linear).collect())
+            fields.extend(linear);
+            Value::of_fields(fields)
         });
         Value::object([
             ("order", Value::whole(self.sequences().order())),
