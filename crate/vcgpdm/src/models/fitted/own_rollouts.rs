@@ -42,14 +42,18 @@ impl Model {
             return Ok(());
         };
         let judge = Judge::new(coupled);
-        if judge.health(coupled.model)?.is_some_and(|health| health.is_good()) {
+        let before = judge.health(coupled.model)?;
+        if before.as_ref().is_some_and(Health::is_good) {
             return Ok(());
         }
-        let mut models = vec![coupled.model.clone()];
-        models.extend(coupled.model.after_rounds(ROUNDS, |round| FIRST_FRAMES + MORE_FRAMES * round)?);
-        let judged = models.iter().map(|model| judge.rank_and_error(model)).collect::<Result<Vec<_>, _>>()?;
+        let rank = |health: Option<Health>| health.map_or(0, |health| health.rank);
+        let mut judged = vec![(rank(before), judge.error(coupled.model)?)];
+        let mut models = coupled.model.after_rounds(ROUNDS, |round| FIRST_FRAMES + MORE_FRAMES * round)?;
+        for model in &models {
+            judged.push((rank(judge.health(model)?), judge.error(model)?));
+        }
         if let Some(round) = best_to_show(judged).filter(|round| *round > 0) {
-            self.fitted = FittedModel::Vcgpdm(Box::new(models.swap_remove(round)));
+            self.fitted = FittedModel::Vcgpdm(Box::new(models.swap_remove(round - 1)));
             self.provenance.rollout_rounds = round;
         }
         Ok(())
@@ -92,9 +96,8 @@ impl<'a> Judge<'a> {
         Ok(worse)
     }
 
-    /// The rank of a model's health, and the sum of the errors of its rollouts.
-    fn rank_and_error(&self, model: &Vcgpdm) -> Result<(u8, f64), RolloutError> {
-        let rank = self.health(model)?.map_or(0, |health| health.rank);
+    /// The sum of the errors of a model's rollouts.
+    fn error(&self, model: &Vcgpdm) -> Result<f64, RolloutError> {
         let dynamics = model.dynamics(&model.alpha, Reading::AsLearned)?;
         let mut sum = 0.0;
         for (sequence, recorded) in &self.sequences {
@@ -102,7 +105,7 @@ impl<'a> Judge<'a> {
             let made = self.model.body.columns(&model.observations(&path));
             sum += dtw_mse(&made, recorded).map_or(f64::INFINITY, |score| score.dtw_mse);
         }
-        Ok((rank, sum))
+        Ok(sum)
     }
 }
 

@@ -101,7 +101,7 @@ impl Vcgpdm {
         let empty = || vec![Vec::new(); self.part_count()];
         let mut rows = Rows { histories: empty(), targets: empty(), count: 0 };
         let every = self.transitions().div_ceil(MOST_STARTS).max(2);
-        for recorded in self.starts.iter() {
+        for recorded in &self.starts {
             let length = recorded.first().map_or(0, DMatrix::nrows);
             for begin in (0..length.saturating_sub(order + 1)).step_by(every) {
                 let start: Vec<_> = recorded.iter().map(|x| x.rows(begin, order).into_owned()).collect();
