@@ -1,7 +1,22 @@
 //! Clips of the command line.
 
+use clap::Args;
 use std::path::PathBuf;
 use vcgpdm::motion::{Clip, bvh};
+
+/// Trainings on each of several folders.
+#[derive(Args)]
+pub struct FolderTrainings {
+    /// Folders of clips (.bvh), one for each movement of a person.
+    #[arg(required = true)]
+    pub folders: Vec<PathBuf>,
+    /// Train from this number of seeds.
+    #[arg(long, default_value_t = 5)]
+    pub seeds: u32,
+    /// Train this number of models at the same time.
+    #[arg(long, default_value_t = 2)]
+    pub threads: usize,
+}
 
 /// Reads files, and the BVH files of folders in the order of their names. A clip is read when the iterator
 /// reaches it.

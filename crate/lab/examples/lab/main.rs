@@ -38,7 +38,7 @@ enum Measurement {
     /// Primitives learned again under the pose maps of another library.
     Imports,
     /// Models with weighted pose terms, and uncoupled models, compared with plain ones.
-    Objectives(objectives::Arguments),
+    Objectives(clips::FolderTrainings),
     /// Models that learned from their own rollouts, compared with the same models before.
     OwnRollouts(own_rollouts::Arguments),
     /// Which movement of a library a clip shows.

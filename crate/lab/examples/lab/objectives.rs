@@ -2,10 +2,9 @@
 //!
 //! Each folder has the clips (.bvh) of one movement of one person. Each trial is held out in turn.
 
-use crate::clips;
+use crate::clips::{FolderTrainings, read_clips};
 use crate::parallel::each_seed;
 use crate::ratio::{ERRORS, ErrorOf, over_folders, over_trials};
-use std::path::PathBuf;
 use std::time::Instant;
 use vcgpdm::models::{PoseWeight, Settings, VariationalSettings};
 use vcgpdm::motion::Clip;
@@ -24,19 +23,6 @@ const WEIGHTS: [(&str, PoseWeight); 4] = [
 ];
 type ModelOf = fn(VariationalSettings) -> Settings;
 const MODELS: [(&str, ModelOf); 2] = [("vCGPDM", Settings::Vcgpdm), ("vGPDM", Settings::Vgpdm)];
-
-#[derive(clap::Args)]
-pub struct Arguments {
-    /// Folders of clips (.bvh), one for each movement of a person.
-    #[arg(required = true)]
-    folders: Vec<PathBuf>,
-    /// Train from this number of seeds.
-    #[arg(long, default_value_t = 5)]
-    seeds: u32,
-    /// Train this number of models at the same time.
-    #[arg(long, default_value_t = 2)]
-    threads: usize,
-}
 
 /// The outcomes of a candidate for each trial held out, from every seed.
 type OfTrials = Vec<Vec<Outcome>>;
@@ -90,7 +76,7 @@ fn pairs() -> Vec<Pair> {
 }
 
 /// The outcomes of every candidate.
-fn outcomes(name: &str, trials: &[Clip], arguments: &Arguments) -> Vec<OfTrials> {
+fn outcomes(name: &str, trials: &[Clip], arguments: &FolderTrainings) -> Vec<OfTrials> {
     let preset = presets(&trials[0].skeleton).into_iter().find(|preset| preset.id == "lower-upper").unwrap();
     let clock = Instant::now();
     let candidates = candidates();
@@ -115,14 +101,14 @@ fn row(trials: &str, title: &str, cell: impl Fn(ErrorOf) -> String) {
     println!("| {trials} | {title} | {} |", ERRORS.map(|(_, error)| cell(error)).join(" | "));
 }
 
-pub fn run(arguments: &Arguments) {
+pub fn run(arguments: &FolderTrainings) {
     println!("{} seeds.\n", arguments.seeds);
     println!("| trials | ratio of the errors | {} |", ERRORS.map(|(name, _)| name).join(" | "));
     println!("{}|", "|---".repeat(2 + ERRORS.len()));
     let mut all = Vec::new();
     for folder in &arguments.folders {
         let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let trials: Vec<Clip> = clips::read_clips(std::slice::from_ref(folder)).collect();
+        let trials: Vec<Clip> = read_clips(std::slice::from_ref(folder)).collect();
         let found = outcomes(&name, &trials, arguments);
         for Pair { title, first, second } in pairs() {
             row(&name, &title, |error| over_trials(&found[first], &found[second], error));

@@ -3,10 +3,9 @@
 //!
 //! Each folder has the clips (.bvh) of one movement of one person. Each trial is held out in turn.
 
-use crate::clips;
+use crate::clips::{FolderTrainings, read_clips};
 use crate::parallel::each_seed;
 use crate::ratio::{ERRORS, over_folders, over_trials};
-use std::path::PathBuf;
 use vcgpdm::models::{FittedModel, Model, PoseWeight, RolloutRequest, Settings, VariationalSettings};
 use vcgpdm::motion::Clip;
 use vcgpdm::motion::parts::presets;
@@ -18,18 +17,11 @@ const FRAMES: usize = 600;
 
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Folders of clips (.bvh), one for each movement of a person.
-    #[arg(required = true)]
-    folders: Vec<PathBuf>,
-    /// Train from this number of seeds.
-    #[arg(long, default_value_t = 5)]
-    seeds: u32,
+    #[command(flatten)]
+    trainings: FolderTrainings,
     /// A preset of parts of which there are two.
     #[arg(long, default_value = "lower-upper")]
     parts: String,
-    /// Train this number of models at the same time.
-    #[arg(long, default_value_t = 2)]
-    threads: usize,
 }
 
 /// The same training before and after learning from its rollouts.
@@ -68,8 +60,8 @@ fn moves_on(model: &Model) -> bool {
         .is_ok_and(|positions| coupled.health(&rollout, &request, &positions).unwrap().is_good())
 }
 
-pub fn run(arguments: &Arguments) {
-    println!("{} seeds. Ratios: after : before.\n", arguments.seeds);
+pub fn run(Arguments { trainings: FolderTrainings { folders, seeds, threads }, parts }: &Arguments) {
+    println!("{seeds} seeds. Ratios: after : before.\n");
     println!(
         "| trials | {} | models that move on, before | after |",
         ERRORS.map(|(name, _)| name).join(" | ")
@@ -77,32 +69,31 @@ pub fn run(arguments: &Arguments) {
     println!("{}|", "|---".repeat(3 + ERRORS.len()));
     let mut all: Vec<[Vec<Vec<Outcome>>; 2]> = Vec::new();
     let mut moving = Vec::new();
-    for folder in &arguments.folders {
+    for folder in folders {
         let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let trials: Vec<Clip> = clips::read_clips(std::slice::from_ref(folder)).collect();
+        let trials: Vec<Clip> = read_clips(std::slice::from_ref(folder)).collect();
         let presets = presets(&trials[0].skeleton);
-        let parts = &presets.iter().find(|preset| preset.id == arguments.parts).unwrap().parts;
-        let (mut before, mut after, mut moves) = (Vec::new(), Vec::new(), [0, 0, 0]);
+        let parts = &presets.iter().find(|preset| preset.id == *parts).unwrap().parts;
+        let (mut before, mut after, mut moves) = (Vec::new(), Vec::new(), [0, 0]);
         for held_out in 0..trials.len() {
             eprintln!("{name}: trial {} of {} held out", held_out + 1, trials.len());
             let most = trials.len() - 1;
             let fold = Fold::new(&trials, held_out, most, parts, FRAMES_PER_SECOND, START_FRAMES).unwrap();
-            let pairs = each_seed(0..arguments.seeds, arguments.threads, |seed| pair(&fold, seed));
+            let pairs = each_seed(0..*seeds, *threads, |seed| pair(&fold, seed));
             let (mut first, mut second) = (Vec::new(), Vec::new());
             for Pair { outcomes: [a, b], moves_on } in pairs {
                 first.push(a);
                 second.push(b);
-                moves =
-                    [moves[0] + usize::from(moves_on[0]), moves[1] + usize::from(moves_on[1]), moves[2] + 1];
+                moves.iter_mut().zip(moves_on).for_each(|(count, moves_on)| *count += usize::from(moves_on));
             }
             before.push(first);
             after.push(second);
         }
         let cells = ERRORS.map(|(_, error)| over_trials(&after, &before, error));
-        let [a, b, models] = moves;
-        println!("| {name} | {} | {a} of {models} | {b} |", cells.join(" | "));
+        let ([first, second], models) = (moves, trials.len() * *seeds as usize);
+        println!("| {name} | {} | {first} of {models} | {second} |", cells.join(" | "));
         all.push([after, before]);
-        moving.push(moves);
+        moving.push([first, second, models]);
     }
     let folders: Vec<_> = all.iter().map(|[after, before]| (&after[..], &before[..])).collect();
     let cells = ERRORS.map(|(_, error)| over_folders(&folders, error));
