@@ -89,7 +89,7 @@ pub(super) fn chest(phase: f64) -> Girdle {
     }
 }
 
-/// Pelvis and chest of a body that stands.
+/// The angles of the pelvis, and of the chest, of a person who stands still.
 pub(super) fn standing() -> Girdle {
     Girdle { yaw: 0.0, obliquity: 0.0, tilt: 4.3 }
 }

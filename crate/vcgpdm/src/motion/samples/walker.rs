@@ -184,7 +184,7 @@ pub(super) fn walk(skeleton: &Skeleton, arms: Arms, seed: u64, seconds: f64) -> 
     trial(&Style::<false>::new(arms, seed), skeleton, seconds)
 }
 
-/// The same for a body that stands and waves.
+/// As [`walk`], for a person who stands and waves both arms.
 pub(super) fn stand(skeleton: &Skeleton, seed: u64, seconds: f64) -> DMatrix<f64> {
     trial(&Style::<true>::new(Arms::Wave, seed), skeleton, seconds)
 }
