@@ -302,6 +302,7 @@ impl LibraryError for PrimitivesError {
             PrimitivesError::Clip(reason) => reason.code(),
             PrimitivesError::Pose { reason, .. } => reason.code(),
             PrimitivesError::Combination(reason) => reason.code(),
+            PrimitivesError::Rollout(reason) => reason.code(),
             PrimitivesError::Training(reason) => reason.code(),
             _ => ErrorCode::Model,
         }

@@ -159,6 +159,14 @@ impl LibraryTrainer {
     pub fn library(&self) -> Result<Library, VcgpdmError> {
         Ok(Library { trained: Rc::new(self.training.finish()?) })
     }
+
+    /// The library at the end: the best library, whose primitives then learn from the rollouts of each movement
+    /// that does not move on. This takes some tenths of a second for each of these movements.
+    pub fn finish(&self) -> Result<Library, VcgpdmError> {
+        let mut library = self.training.finish()?;
+        library.learn_from_own_rollouts()?;
+        Ok(Library { trained: Rc::new(library) })
+    }
 }
 
 /// Fits the couplings of a combination to clips, step by step. The primitives stay unchanged.

@@ -47,8 +47,8 @@ pub struct Options {
     #[arg(long)]
     uncoupled: bool,
     /// Leave the dynamics as the bound has them: they do not learn from rollouts of the trained model (vcgpdm,
-    /// vgpdm of a body).
-    #[arg(long, conflicts_with_all = ["columns", "movements"])]
+    /// vgpdm of a body, libraries).
+    #[arg(long, conflicts_with = "columns")]
     pub no_own_rollouts: bool,
     /// A linear term in the kernels of the dynamics (map-gpdm, map-cgpdm).
     #[arg(long)]

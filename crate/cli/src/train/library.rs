@@ -2,6 +2,7 @@
 
 use crate::clips;
 use crate::files;
+use crate::health::{health_of, warning};
 use crate::library::primitives_by_part;
 use crate::numbers::check_fps;
 use crate::progress::say;
@@ -17,7 +18,9 @@ use std::ffi::OsStr;
 use std::path::PathBuf;
 use std::time::Instant;
 use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
-use vcgpdm::models::{Dataset, ModelKind, Setbacks, Settings, Source, VariationalSettings, with_bones_of};
+use vcgpdm::models::{
+    Dataset, Health, ModelKind, Setbacks, Settings, Source, VariationalSettings, with_bones_of,
+};
 
 /// A movement of the command line.
 struct Movement {
@@ -91,14 +94,33 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let reason = train_steps(|| trainer.step(), objective(&model_settings))?;
     let seconds = begin.elapsed().as_secs_f64();
     let mut trained = trainer.finish()?;
+    if !arguments.options.no_own_rollouts {
+        trained.learn_from_own_rollouts()?;
+    }
     trained.provenance.note.clone_from(&arguments.note);
     files::write_text(&arguments.out, &trained.to_json()?)?;
+    let healths = healths(&trained);
     let end = (&*reason, trainer.progress().setbacks);
-    files::print_summary(&summary(&trained, seconds, end, &warnings), &[&arguments.out])
+    files::print_summary(&summary(&trained, &healths, seconds, end, &warnings), &[&arguments.out])
+}
+
+/// How the motion of each movement ends. Warns of those that do not move on.
+fn healths(trained: &TrainedLibrary) -> Vec<Option<Health>> {
+    let names: Vec<&str> = trained.body.layout.parts().iter().map(|part| part.name.as_str()).collect();
+    let movements = trained.library.movements.iter().enumerate();
+    let healths = movements.map(|(index, movement)| {
+        let health = trained.movement(index).ok().as_ref().and_then(health_of);
+        if let Some(ends) = health.as_ref().and_then(|health| warning(health, &names)) {
+            say(&format!("warning: the movement {} {ends}; another --seed may help", movement.name));
+        }
+        health
+    });
+    healths.collect()
 }
 
 fn summary(
     trained: &TrainedLibrary,
+    healths: &[Option<Health>],
     seconds: f64,
     (reason, setbacks): (&str, Setbacks),
     warnings: &[String],
@@ -113,8 +135,15 @@ fn summary(
     let movements: Vec<_> = library
         .movements
         .iter()
-        .map(|movement| {
-            json!({ "name": movement.name, "uses": primitives_by_part(trained, &movement.uses), "alpha": files::rows(&movement.alpha) })
+        .zip(healths)
+        .map(|(movement, health)| {
+            json!({
+                "name": movement.name,
+                "uses": primitives_by_part(trained, &movement.uses),
+                "alpha": files::rows(&movement.alpha),
+                "rollout_rounds": movement.rollout_rounds,
+                "health": health,
+            })
         })
         .collect();
     let mut summary = json!({

@@ -1,6 +1,6 @@
 //! Tests of libraries of primitives: trained, combined, and coupled to a clip.
 
-use crate::call::{fails, folder, one_frame, prints, text};
+use crate::call::{fails, folder, json_and_stderr, one_frame, prints, text};
 use serde_json::Value;
 use std::fs;
 use std::path::PathBuf;
@@ -79,6 +79,27 @@ fn couples_primitives_of_a_library_in_a_new_combination() {
     assert_eq!(words, "vcgpdm: the clip short.bvh has 1 frame; dynamics of order 2 need at least 3\n");
     let alpha: Vec<Vec<f64>> = serde_json::from_value(printed["alpha"].clone()).unwrap();
     assert_eq!(movement.alpha[(0, 1)], alpha[0][1]);
+}
+
+/// After 20 iterations both movements come to rest.
+#[test]
+fn movements_that_would_stop_learn_from_their_rollouts_unless_told_otherwise() {
+    let out = folder("library-rollouts").join("library.json");
+    let line = "train --movement walk=sample:walk-1 --movement wave=sample:stand-wave-1 --parts lower,upper \
+                --dynamics-ips 8 --pose-ips 8 --max-iterations 20";
+    let arguments: Vec<&str> = line.split_whitespace().chain(["--out", text(&out)]).collect();
+    let ends = |options: &[&str]| {
+        let (printed, stderr) = json_and_stderr(&[&arguments[..], options].concat());
+        let movements = printed["movements"].as_array().unwrap().clone();
+        let end = |movement: &Value| movement["health"]["state"].as_str().unwrap().to_owned();
+        let learned = movements.iter().all(|movement| movement["rollout_rounds"].as_u64() > Some(0));
+        (movements.iter().map(end).collect::<Vec<_>>(), learned, stderr)
+    };
+    let (after, learned, _) = ends(&[]);
+    assert!(learned && after == ["moves-on", "moves-on"], "{after:?}");
+    let (before, learned, stderr) = ends(&["--no-own-rollouts"]);
+    assert!(!learned && before == ["keeps-one-pose", "stands-still"], "{before:?}");
+    assert!(stderr.contains("warning: the movement wave stands still from"), "{stderr}");
 }
 
 #[test]

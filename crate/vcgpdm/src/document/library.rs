@@ -2,7 +2,7 @@
 
 use crate::document::error::{FORMAT, LIBRARY, THIRD};
 use crate::document::write::{
-    pose_map, sequence_fields, variational_provenance, version_of, with_external_evidence,
+    pose_map, rollout_rounds, sequence_fields, variational_provenance, version_of, with_external_evidence,
 };
 use crate::json::Value;
 use crate::models::SequenceInfo;
@@ -123,7 +123,7 @@ fn movement(movement: &LearnedMovement, sequences: &[&SequenceInfo]) -> Value {
         CouplingsFrom::Hand => Value::object([("from", Value::text("hand"))]),
         CouplingsFrom::Nothing => Value::object([("from", Value::text("nothing"))]),
     };
-    Value::object([
+    let mut fields = Vec::from([
         ("name", Value::text(&movement.name)),
         ("uses", Value::wholes(&movement.uses)),
         // The row is the source, the column the target.
@@ -131,7 +131,9 @@ fn movement(movement: &LearnedMovement, sequences: &[&SequenceInfo]) -> Value {
         ("sums", sums),
         ("sequences", sequences),
         ("couplings", couplings),
-    ])
+    ]);
+    fields.extend(rollout_rounds(movement.rollout_rounds).map(|rounds| ("rollout_rounds", rounds)));
+    Value::of_fields(fields)
 }
 
 #[cfg(test)]

@@ -127,11 +127,15 @@ pub(super) fn variational_provenance(
         ("terms", terms.map(terms_value)),
         ("iterations", Some(Value::whole(provenance.iterations))),
         ("evaluations", Some(Value::whole(provenance.evaluations))),
-        // Absent if 0, as in documents from before models learned from their rollouts.
-        ("rollout_rounds", Some(provenance.rollout_rounds).filter(|n| *n > 0).map(Value::whole)),
+        ("rollout_rounds", rollout_rounds(provenance.rollout_rounds)),
         ("note", Some(provenance.note.as_deref().map_or(Value::Null, Value::text))),
     ];
     fields.into_iter().filter_map(|(name, value)| Some((name.to_owned(), value?))).collect()
+}
+
+/// Absent if 0, as in documents from before models learned from their rollouts.
+pub(super) fn rollout_rounds(rounds: usize) -> Option<Value> {
+    Some(rounds).filter(|rounds| *rounds > 0).map(Value::whole)
 }
 
 /// The version of a document with these pose maps for which `version` suffices otherwise.

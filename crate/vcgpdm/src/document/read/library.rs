@@ -2,7 +2,9 @@
 
 use crate::document::error::DocumentError;
 use crate::document::read::head::{Head, MOST_PARTS, MOST_SEQUENCES, sequence_info};
-use crate::document::read::vcgpdm::{expert, external_evidence, part, provenance, sequence, start, training};
+use crate::document::read::vcgpdm::{
+    expert, external_evidence, part, provenance, rollout_rounds, sequence, start, training,
+};
 use crate::json::checks::{bounded_matrix, count, positive, shape, within};
 use crate::json::{Field, FieldError, Object, Value};
 use crate::models::data::sequences::MOST_FRAMES;
@@ -202,8 +204,9 @@ fn movement(
     let (infos, starts): (Vec<_>, Vec<_>) =
         object.get("sequences")?.list(|item| sequence(item, latent, order))?.into_iter().unzip();
     let couplings = couplings(object.get("couplings")?)?;
+    let rollout_rounds = rollout_rounds(&mut object)?;
     object.end()?;
-    Ok((LearnedMovement { name, uses, alpha, sums, starts, couplings }, infos))
+    Ok((LearnedMovement { name, uses, alpha, sums, starts, couplings, rollout_rounds }, infos))
 }
 
 fn sums(field: Field, points: usize, q: usize) -> Result<DynamicsSums, FieldError> {

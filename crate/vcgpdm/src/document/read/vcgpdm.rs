@@ -249,10 +249,15 @@ pub(super) fn start(
 pub(super) fn provenance(field: Field, m: usize) -> Result<(Provenance, BoundTerms), FieldError> {
     let mut object = field.object()?;
     let mut provenance = training(&mut object)?;
-    provenance.rollout_rounds = object.optional("rollout_rounds").map_or(Ok(0), |field| field.whole())?;
+    provenance.rollout_rounds = rollout_rounds(&mut object)?;
     let terms = terms(object.get("terms")?, m)?;
     object.end()?;
     Ok((provenance, terms))
+}
+
+/// Reads the number of rounds of own rollouts; absent: 0.
+pub(super) fn rollout_rounds(object: &mut Object) -> Result<usize, FieldError> {
+    object.optional("rollout_rounds").map_or(Ok(0), |field| field.whole())
 }
 
 /// Reads the fields of a provenance that all documents of variational models have.

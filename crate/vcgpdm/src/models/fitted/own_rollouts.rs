@@ -41,22 +41,35 @@ impl Model {
         let Some(coupled) = self.coupled().filter(|coupled| coupled.provenance.rollout_rounds == 0) else {
             return Ok(());
         };
-        let judge = Judge::new(coupled);
-        let before = judge.health(coupled.model)?;
+        if let Some((rounds, model)) = coupled.after_own_rollouts()? {
+            self.fitted = FittedModel::Vcgpdm(Box::new(model));
+            self.provenance.rollout_rounds = rounds;
+        }
+        Ok(())
+    }
+}
+
+impl Coupled<'_> {
+    /// The best model after some rounds, with their number, if it is better than the model itself; see
+    /// [`Model::learn_from_own_rollouts`].
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised.
+    pub(in crate::models) fn after_own_rollouts(self) -> Result<Option<(usize, Vcgpdm)>, RolloutError> {
+        let judge = Judge::new(self);
+        let before = judge.health(self.model)?;
         if before.as_ref().is_some_and(Health::is_good) {
-            return Ok(());
+            return Ok(None);
         }
         let rank = |health: Option<Health>| health.map_or(0, |health| health.rank);
-        let mut judged = vec![(rank(before), judge.error(coupled.model)?)];
-        let mut models = coupled.model.after_rounds(ROUNDS, |round| FIRST_FRAMES + MORE_FRAMES * round)?;
+        let mut judged = vec![(rank(before), judge.error(self.model)?)];
+        let mut models = self.model.after_rounds(ROUNDS, |round| FIRST_FRAMES + MORE_FRAMES * round)?;
         for model in &models {
             judged.push((rank(judge.health(model)?), judge.error(model)?));
         }
-        if let Some(round) = best_to_show(judged).filter(|round| *round > 0) {
-            self.fitted = FittedModel::Vcgpdm(Box::new(models.swap_remove(round - 1)));
-            self.provenance.rollout_rounds = round;
-        }
-        Ok(())
+        let best = best_to_show(judged).filter(|rounds| *rounds > 0);
+        Ok(best.map(|rounds| (rounds, models.swap_remove(rounds - 1))))
     }
 }
 

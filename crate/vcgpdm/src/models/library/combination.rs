@@ -155,7 +155,11 @@ impl Library {
     }
 
     /// The information about the experts about part `i` of all primitives, stacked.
-    fn information_of_all(&self, i: usize, is_left_out: &dyn Fn(&LearnedMovement) -> bool) -> Information {
+    pub(super) fn information_of_all(
+        &self,
+        i: usize,
+        is_left_out: &dyn Fn(&LearnedMovement) -> bool,
+    ) -> Information {
         let offsets = self.offsets(i);
         let mut all = Information::zeros(offsets[offsets.len() - 1], self.parts[i].r().ncols());
         for (primitive, at) in self.primitives.iter().zip(&offsets) {

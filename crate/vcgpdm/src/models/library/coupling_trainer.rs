@@ -140,6 +140,7 @@ pub(super) fn fitted_movement(trainer: &VariationalTrainer, uses: &[usize], name
             bound: trainer.best_terms().total(),
             iterations: progress.iteration,
         },
+        rollout_rounds: 0,
     }
 }
 

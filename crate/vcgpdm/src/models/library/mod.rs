@@ -21,6 +21,7 @@ mod merge;
 mod movement_chain;
 mod new_combination;
 mod origin;
+mod own_rollouts;
 mod part_motion;
 mod plan;
 mod recognition;
@@ -91,6 +92,9 @@ pub struct LearnedMovement {
     pub starts: Vec<Vec<DMatrix<f64>>>,
     /// The origin of its couplings.
     pub couplings: CouplingsFrom,
+    /// The number of rounds of rollouts of the movement whose rows its sums have; 0: recorded rows alone. See
+    /// [`TrainedLibrary::learn_from_own_rollouts`].
+    pub rollout_rounds: usize,
 }
 
 /// Origin of the couplings of a movement.
@@ -170,6 +174,7 @@ impl Library {
             sums: Some(sums),
             starts: movement.sequences().ranges().map(|range| params.latent_means(&range)).collect(),
             couplings: CouplingsFrom::Training,
+            rollout_rounds: 0,
         });
         let movements = movements.collect();
         let pose_sums = posteriors.pose_sums;

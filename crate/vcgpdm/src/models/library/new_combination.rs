@@ -81,6 +81,7 @@ impl Library {
             } else {
                 CouplingsFrom::Movement(names.join("+"))
             },
+            rollout_rounds: 0,
         })
     }
 

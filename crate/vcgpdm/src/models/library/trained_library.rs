@@ -7,6 +7,7 @@ use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::fitted::model::Model;
 use crate::models::fitted::provenance::Provenance;
 use crate::models::library::{CombinationError, CouplingsFrom, LearnedMovement, Library};
+use crate::models::rollout::request::RolloutError;
 use crate::models::variational::Vcgpdm;
 use crate::motion::pose::PoseError;
 use crate::motion::{BodyMismatch, Clip, ClipError};
@@ -68,6 +69,9 @@ pub enum LibraryError {
     /// The primitives cannot be combined.
     #[error(transparent)]
     Combination(#[from] CombinationError),
+    /// A movement cannot be rolled out.
+    #[error(transparent)]
+    Rollout(#[from] RolloutError),
     /// The couplings cannot be learned.
     #[error(transparent)]
     Training(#[from] DatasetError),

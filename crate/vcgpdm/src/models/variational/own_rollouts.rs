@@ -79,7 +79,11 @@ impl Vcgpdm {
         for target in 0..self.part_count() {
             let (noise, weights) = coupling_weights(self.alpha.column(target).as_slice());
             let offsets = self.offsets(target);
-            let (psi2, b) = self.sums[target].weighted(&weights, &offsets);
+            let (mut psi2, mut b) = self.sums[target].weighted(&weights, &offsets);
+            if let Some(external) = self.external.get(target) {
+                psi2 += &external.precision * noise;
+                b += &external.b * noise;
+            }
             let k = block_diagonal(self.experts.iter().map(|row| row[target].k()));
             // The mean and the covariance need no other statistics.
             let gp = SparseGp { noise, k: &k, psi2: &psi2, b: &b, psi0: 0.0, second_moment: 0.0, rows: 0 };

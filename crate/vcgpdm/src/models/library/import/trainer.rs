@@ -210,6 +210,7 @@ impl ImportTrainer {
                 sums: whole(movement).then_some(sums),
                 starts,
                 couplings: CouplingsFrom::Training,
+                rollout_rounds: 0,
             };
             library.library.movements.push(learned);
             library.body.sequences.extend_from_slice(&self.sequences[movement.sequences.clone()]);

@@ -1,0 +1,162 @@
+//! Primitives that learn from rollouts of the movements that use them.
+
+use crate::gp::NumericsError;
+use crate::gp::linalg::{Factor, block_diagonal, symmetric};
+use crate::gp::tall::product;
+use crate::models::fitted::coupled::Coupled;
+use crate::models::library::{CombinationError, Library, LibraryError, TrainedLibrary};
+use crate::models::variational::FittedExpert;
+
+impl TrainedLibrary {
+    /// Lets the primitives of each learned movement whose rollouts of 20 s do not move on learn from these
+    /// rollouts, as [`Model::learn_from_own_rollouts`](crate::models::Model::learn_from_own_rollouts) does.
+    /// One movement learns after the other; each keeps the number of its rounds. A movement that moves on, or
+    /// has learned from its rollouts, keeps its rows as they are.
+    ///
+    /// # Errors
+    ///
+    /// When a covariance cannot be factorised; the library then stays as it is.
+    pub fn learn_from_own_rollouts(&mut self) -> Result<(), LibraryError> {
+        let mut learning = self.clone();
+        for index in 0..learning.library.movements.len() {
+            let movement = &learning.library.movements[index];
+            if movement.sums.is_none() || movement.rollout_rounds > 0 {
+                continue;
+            }
+            let model = learning.movement(index)?;
+            let learned = model.coupled().map(Coupled::after_own_rollouts).transpose()?;
+            if let Some((rounds, model)) = learned.flatten() {
+                let movement = &mut learning.library.movements[index];
+                movement.sums = Some(model.sums);
+                movement.rollout_rounds = rounds;
+                learning.library.infer_experts().map_err(CombinationError::from)?;
+            }
+        }
+        *self = learning;
+        Ok(())
+    }
+}
+
+impl Library {
+    /// Infers the experts of all primitives from the rows of all movements, under their couplings.
+    fn infer_experts(&mut self) -> Result<(), NumericsError> {
+        for i in 0..self.part_count() {
+            let offsets = self.offsets(i);
+            let information = self.information_of_all(i, &|_| false);
+            let k = block_diagonal(self.primitives.iter().map(|primitive| primitive.experts[i].fitted.k()));
+            let a = &k + information.precision;
+            let factor = Factor::new(&a, "covariance of the data at the dynamics inducing points")?;
+            let mean = product(&k, &factor.solve(&information.b));
+            let covariance = symmetric(product(&k, &factor.solve(&k)));
+            for (primitive, &at) in self.primitives.iter_mut().zip(&offsets) {
+                let expert = &mut primitive.experts[i];
+                let (z, kernel) = (expert.fitted.z().clone(), expert.fitted.kernel().clone());
+                let points = z.nrows();
+                let mean = mean.rows(at, points).into_owned();
+                expert.covariance = symmetric(covariance.view((at, at), (points, points)).into_owned());
+                expert.fitted = FittedExpert::new(z, kernel, mean, self.jitter)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::data::dataset::Dataset;
+    use crate::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
+    use crate::models::rollout::couplings::Reading;
+    use crate::models::rollout::health::Ending;
+    use crate::models::rollout::request::RolloutRequest;
+    use crate::models::training::settings::VariationalSettings;
+    use crate::motion::{parts, samples};
+    use approx::assert_relative_eq;
+
+    /// A library of walking and of waving while standing.
+    fn trained(iterations: usize, share_lower: bool) -> TrainedLibrary {
+        let clips = ["walk-1", "stand-wave-1"].map(|id| samples::clip(id).unwrap());
+        let parts = &parts::presets(&clips[0].skeleton)[1].parts;
+        let sources: Vec<_> = clips.iter().map(Into::into).collect();
+        let dataset = Dataset::new(&sources, parts, 30.0).unwrap();
+        let movements = ["walk", "wave"].map(|name| PlannedMovement { name: name.to_owned(), sequences: 1 });
+        let plan = LibraryPlan::new(movements.into(), vec![share_lower, false]).unwrap();
+        let settings = VariationalSettings {
+            dynamics_ips: 8,
+            pose_ips: 8,
+            max_iterations: iterations,
+            ..Default::default()
+        };
+        let mut trainer = LibraryTrainer::new(&dataset, &plan, &settings, 0).unwrap();
+        trainer.run();
+        trainer.finish().unwrap()
+    }
+
+    fn endings(library: &TrainedLibrary) -> [Ending; 2] {
+        [0, 1].map(|index| {
+            let model = library.movement(index).unwrap();
+            let coupled = model.coupled().unwrap();
+            let request = RolloutRequest { frames: 600, ..RolloutRequest::default() };
+            let rollout = coupled.rollout(&request).unwrap();
+            let positions = coupled.positions(&rollout).unwrap();
+            coupled.health(&rollout, &request, &positions).unwrap().state
+        })
+    }
+
+    #[test]
+    fn movements_that_would_stop_move_on_after_they_learned_from_their_rollouts() {
+        let mut library = trained(20, false);
+        assert_eq!(endings(&library), [Ending::KeepsOnePose, Ending::StandsStill]);
+        library.learn_from_own_rollouts().unwrap();
+        assert_eq!(endings(&library), [Ending::MovesOn; 2]);
+        let rounds = |library: &TrainedLibrary| {
+            library.library.movements.iter().map(|movement| movement.rollout_rounds).collect::<Vec<_>>()
+        };
+        assert!(rounds(&library).iter().all(|rounds| *rounds > 0), "{:?}", rounds(&library));
+        // They learn once, and a file tells so.
+        let mut again = TrainedLibrary::from_json(&library.to_json().unwrap()).unwrap();
+        assert_eq!(rounds(&again), rounds(&library));
+        again.learn_from_own_rollouts().unwrap();
+        assert_eq!(again.to_json().unwrap(), library.to_json().unwrap());
+    }
+
+    #[test]
+    fn a_library_whose_movements_move_on_stays_as_it_is() {
+        let mut library = trained(50, false);
+        let before = library.to_json().unwrap();
+        assert_eq!(endings(&library), [Ending::MovesOn; 2]);
+        library.learn_from_own_rollouts().unwrap();
+        assert_eq!(library.to_json().unwrap(), before);
+    }
+
+    #[test]
+    fn recorded_rows_alone_give_the_primitives_that_training_gave() {
+        let TrainedLibrary { library, .. } = trained(50, true);
+        let mut again = library.clone();
+        again.infer_experts().unwrap();
+        for (found, expected) in again.primitives.iter().zip(&library.primitives) {
+            for (found, expected) in found.experts.iter().zip(&expected.experts) {
+                assert_relative_eq!(found.fitted.mean(), expected.fitted.mean(), epsilon = 1e-6);
+                assert_relative_eq!(found.covariance, expected.covariance, epsilon = 1e-6);
+            }
+        }
+    }
+
+    /// Two movements share the legs, and what one learned changes the other's primitives. Rows, primitives and
+    /// couplings of a movement still belong together.
+    #[test]
+    fn a_movement_inferred_again_after_its_rollouts_is_as_learned() {
+        let mut library = trained(20, true);
+        library.learn_from_own_rollouts().unwrap();
+        for (index, movement) in library.library.movements.iter().enumerate() {
+            assert!(movement.rollout_rounds > 0, "{}", movement.name);
+            let model = library.library.movement(index).unwrap();
+            let path = |reading| {
+                model.dynamics(&model.alpha, reading).unwrap().path(&model.start(0, 0).unwrap(), 30).unwrap()
+            };
+            for (learned, inferred) in path(Reading::AsLearned).iter().zip(&path(Reading::ReInferred)) {
+                assert_relative_eq!(learned, inferred, epsilon = 1e-5);
+            }
+        }
+    }
+}
