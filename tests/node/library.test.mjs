@@ -158,9 +158,9 @@ describe("a library of primitives", () => {
     const width = 3 * recorded.info().figure.nodes.length;
     const largest = (/** @type {number} */ frames) => {
       const steps = Array.from({ length: 38 }, (_, k) => {
-        const walk = recorded.walk([0, 4]);
+        const walk = recorded.walk([0, 5]);
         const before = walk.advance(20 + 10 * k).positions();
-        walk.mix(1, 3, 0.5, frames);
+        walk.mix(1, 4, 0.5, frames);
         return largestStep([before.slice(-width), walk.advance(60).positions()], width);
       });
       return Math.max(...steps);

@@ -18,7 +18,7 @@ it("adds the clips of the models once, and keeps the models", async () => {
   await Promise.all([recorded.load(), recorded.load()]);
   expect(clips.added).toEqual([
     ["Walk 1, by a model of CMU 35", "bvh of walk"],
-    ["Wave 1, by a model of a recording", "bvh of wave"],
+    ["Wave 1, by a model of CMU 141", "bvh of wave"],
   ]);
   expect(recorded.movements.map(({ name, model }) => [name, model])).toEqual([
     ["walk", "model of walk"],

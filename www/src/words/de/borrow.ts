@@ -8,10 +8,10 @@ const height = (value: number) => `${centimetres(value)} cm ${value < 0 ? "unter
 export const borrow: Words["chapters"]["borrow"] = {
   title: "Geliehene Arme",
   text:
-    "Eine Bibliothek bewahrt, was jeder Körperteil gelernt hat: Beine, die gehen, Beine, die laufen, Arme " +
-    "eines Hampelmanns. So ein Stück ist ein Bewegungsprimitiv. Die Stücke wurden einmal von Aufnahmen gelernt " +
-    "und lassen sich neu zusammensetzen. Du siehst einen Gang, der als Ganzes gelernt wurde. Gleich bekommen " +
-    "seine Beine die Arme eines Hampelmanns. Das hat nie jemand aufgenommen.",
+    "Eine Bibliothek bewahrt, was jeder Körperteil gelernt hat: Beine, die gehen oder laufen, Arme eines " +
+    "Hampelmanns, ein Arm, der winkt. So ein Stück ist ein Bewegungsprimitiv. Die Stücke wurden einmal von " +
+    "Aufnahmen gelernt und lassen sich neu zusammensetzen. Du siehst einen Gang, der als Ganzes gelernt wurde. " +
+    "Gleich bekommen seine Beine die Arme eines Hampelmanns. Das hat nie jemand aufgenommen.",
   guess: {
     question: "Was werden die geliehenen Arme tun?",
     choices: { own: "Ihre eigene Bewegung", legs: "Weiter schwingen", still: "Sich kaum bewegen" },
@@ -20,14 +20,12 @@ export const borrow: Words["chapters"]["borrow"] = {
   measuring: "Die neue Bewegung wird vermessen.",
   movements: { walk: "Gehen", run: "Laufen", jump: "Hampelmann", wave: "Winken" },
   parts: { legs: "Beine", arms: "Arme" },
-  never: "Das hat niemand aufgenommen.",
+  never: "Nie aufgenommen.",
   recorded: (movement) => `Als Ganzes gelernt: ${movement}.`,
   hands: (is, speed) => `Hände im Mittel: ${height(is)}, ${metres(speed)} m/s`,
   compared: (is, speed) => `; mit den eigenen Beinen: ${height(is)}, ${metres(speed)} m/s`,
   feet: (steps) =>
-    steps > 0
-      ? `Die Füße machen ${decimal("de", steps, 1)} Schritte in der Sekunde.`
-      : "Die Füße bleiben auf ihrem Platz.",
+    steps > 0 ? `${decimal("de", steps, 1)} Schritte in der Sekunde.` : "Die Füße bleiben auf ihrem Platz.",
   outcome: {
     own: "Die Arme machen ihre eigene Bewegung.",
     legs: "Die Arme schwingen wie zuvor.",

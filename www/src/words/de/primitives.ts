@@ -10,7 +10,12 @@ const MOVEMENTS: Readonly<Record<string, string>> = {
   jump: "Hampelmann",
   wave: "Winken",
 };
-const PEOPLE: Readonly<Record<string, string>> = { walk: "CMU 35", run: "CMU 35", jump: "CMU" };
+const PEOPLE: Readonly<Record<string, string>> = {
+  walk: "CMU 35",
+  run: "CMU 35",
+  jump: "CMU",
+  wave: "CMU 141",
+};
 
 export const primitives: PrimitivesWords = {
   loading: "Wird geladen",

@@ -7,10 +7,10 @@ const height = (value: number) => `${centimetres(value)} cm ${value < 0 ? "below
 export const borrow = {
   title: "Borrow arms",
   text:
-    "A library keeps what each part of a body has learned: legs that walk, legs that run, arms of a jumping " +
-    "jack. A piece like this is a movement primitive. The pieces were learned once, from recordings, and can " +
-    "be put together in a new way. You see a walk that was learned as a whole. In a moment its legs get the " +
-    "arms of a jumping jack. Nobody ever recorded that.",
+    "A library keeps what each part of a body has learned: legs that walk or run, arms of a jumping jack, an " +
+    "arm that waves. A piece like this is a movement primitive. The pieces were learned once, from recordings, " +
+    "and can be put together in a new way. You see a walk that was learned as a whole. In a moment its legs " +
+    "get the arms of a jumping jack. Nobody ever recorded that.",
   guess: {
     question: "What will the borrowed arms do?",
     choices: { own: "Their own movement", legs: "Swing as before", still: "Hardly move" },
@@ -21,12 +21,12 @@ export const borrow = {
     Record<string, string>
   >,
   parts: { legs: "Legs", arms: "Arms" },
-  never: "Nobody recorded this.",
+  never: "Never recorded.",
   recorded: (movement: string) => `Learned as a whole: ${movement}.`,
   hands: (is: number, speed: number) => `Hands on average: ${height(is)}, ${metres(speed)} m/s`,
   compared: (is: number, speed: number) => `; with their own legs: ${height(is)}, ${metres(speed)} m/s`,
   feet: (steps: number) =>
-    steps > 0 ? `The feet make ${decimal("en", steps, 1)} steps a second.` : "The feet stay in their place.",
+    steps > 0 ? `${decimal("en", steps, 1)} steps a second.` : "The feet stay in their place.",
   outcome: {
     own: "The arms do their own movement.",
     legs: "The arms swing as before.",

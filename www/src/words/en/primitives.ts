@@ -9,7 +9,12 @@ const MOVEMENTS: Readonly<Record<string, string>> = {
   jump: "Jumping jacks",
   wave: "Wave",
 };
-const PEOPLE: Readonly<Record<string, string>> = { walk: "CMU 35", run: "CMU 35", jump: "CMU" };
+const PEOPLE: Readonly<Record<string, string>> = {
+  walk: "CMU 35",
+  run: "CMU 35",
+  jump: "CMU",
+  wave: "CMU 141",
+};
 
 /** The view Primitives. A [text|term] in brackets is a term with an explanation. */
 export const primitives = {
