@@ -166,8 +166,9 @@ const times = (/** @type {Extent} */ extent, /** @type {number} */ trials) => {
 const DIGITS = { bound: 7, objective: 7, seconds: 2 };
 const FEW = 4;
 
-/** A number, or each of a list, without the digits that nobody reads. */
+/** A number, or each of a list, without the digits that nobody reads. The page shows no details of predictions. */
 function short(/** @type {string} */ name, /** @type {unknown} */ value) {
+  if (name === "details") return undefined;
   const shortened = (/** @type {unknown} */ one) =>
     typeof one === "number" && !Number.isInteger(one) ? Number(one.toPrecision(DIGITS[name] ?? FEW)) : one;
   if (Array.isArray(value)) return value.map(shortened);
@@ -175,10 +176,15 @@ function short(/** @type {string} */ name, /** @type {unknown} */ value) {
   return /^\d+$/.test(name) ? value : shortened(value);
 }
 
-/** All results in one file, as the page gets them. */
+/** Models of another order are compared in the documents alone. */
+const isForPage = (/** @type {{ job: { candidate: { order?: number } } }} */ { job }) =>
+  (job.candidate.order ?? 2) === 2;
+
+/** The results in one file, as the page gets them. */
 function together(/** @type {string[]} */ files) {
   const read = files.map((file) => JSON.parse(readFileSync(file, "utf8")));
-  return `${JSON.stringify({ ...read[0], finished: read.flatMap(({ finished }) => finished) }, short)}\n`;
+  const finished = read.flatMap(({ finished }) => finished.filter(isForPage));
+  return `${JSON.stringify({ ...read[0], finished }, short)}\n`;
 }
 
 export async function comparison(/** @type {string[]} */ ...words) {

@@ -127,6 +127,8 @@ describe("a comparison of models", () => {
       "TMP",
       "DMP (discrete)",
       "DMP (rhythmic)",
+      "ProMP",
+      "AR",
     ]) {
       await table.getByText(name, { exact: true }).first().waitFor();
     }
@@ -135,9 +137,9 @@ describe("a comparison of models", () => {
       .getByText(/exponent \d/)
       .first()
       .waitFor();
-    // One size of each model represents the others, until the visitor asks for all.
+    // One size of each model and variant represents the others, until the visitor asks for all.
     const sizes = await table.locator("tbody tr").count();
-    assert.ok(sizes >= 7 && sizes <= 12, `${sizes} rows`);
+    assert.ok(sizes >= 9 && sizes <= 15, `${sizes} rows`);
     await table
       .getByText(/inducing points \(of 16 settings\)/)
       .first()
