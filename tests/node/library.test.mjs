@@ -315,6 +315,21 @@ describe("primitives on their way", () => {
     assert.throws(() => library.select([]), { code: "model", message: /one or more, found none/ });
   });
 
+  it("learn from the rollouts of movements that would stop", () => {
+    const { settings } = library.info().provenance;
+    const movements = [{ name: "walk" }, { name: "wave" }];
+    const trainer = new vcgpdm.LibraryTrainer(
+      set(["walk-1", "stand-wave-1"]),
+      { ...settings, latent: 3, framesPerSecond: 30, seed: 0, maxIterations: 20 },
+      { movements },
+    );
+    finish(trainer);
+    const endings = (/** @type {import("vcgpdm").Library} */ trained) =>
+      movements.map((_, place) => trained.movement(place).rollout({ frames: 600 }).health().state);
+    assert.deepEqual(endings(trainer.library()), ["keeps-one-pose", "stands-still"]);
+    assert.deepEqual(endings(trainer.finish()), ["moves-on", "moves-on"]);
+  });
+
   it("of another training are refused with the reason, and learned again", () => {
     const { settings } = library.info().provenance;
     const plan = { movements: [{ name: "stroll", sequences: 1 }], shared: [false, false] };
