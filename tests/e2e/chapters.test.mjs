@@ -1,4 +1,4 @@
-// Chapters 3 to 6 of the story, and the extra one: by keyboard, in both languages, without barriers.
+// Chapters 3 to 8 of the story, and the extra one: by keyboard, in both languages, without barriers.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { barriers, barriersNow, oneVisitor, openSite } from "./site.mjs";
@@ -63,6 +63,19 @@ for (const [locale, size, problemsOf] of /** @type {const} */ ([
           },
           /** @type {const} */ ([handle, style, before.join()]),
         );
+      });
+
+    // In German, the answers of both chapters pushed their controls under the foot.
+    for (const [number, choice, measured] of /** @type {const} */ ([
+      [7, "fall", "homecoming"],
+      [8, "own", "borrowed"],
+    ]))
+      it(`chapter ${number} leaves its answer and control above the foot`, async () => {
+        const { page } = visitor;
+        await page.evaluate((hash) => Object.assign(location, { hash }), `story=${number}`);
+        await page.getByTestId(`choice-${choice}`).click();
+        await page.getByTestId(measured).waitFor({ timeout: 60_000 });
+        assert.equal(await isCovered(page), false, "the foot covers the control");
       });
   });
 

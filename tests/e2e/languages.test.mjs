@@ -101,7 +101,7 @@ const OF_LIBRARY = [
   /^\w+ [XYZ]rotation/,
   /mocap\.cs\.cmu\.edu/,
   /^MAP C?GPDM$/,
-  /^\d+ \+ \d+ inducing points$/,
+  /^\d+ \+ \d+ inducing points(, (Q = \d+|uncoupled))?$/,
   /^(\d+ iterations, )?not balanced/,
   /^primitives by the bound/,
   /^arg max$/,

@@ -20,19 +20,18 @@ export const push: Words["chapters"]["push"] = {
   pull: "Zieh an einer Hand",
   drag: "oder zieh selbst",
   measuring: "Der Heimweg wird gemessen.",
-  away: (part, farthest) => `Die ${part} verließen ihre Schleife um das ${radii(farthest)}-Fache des Radius.`,
+  away: (part, farthest) => `Die ${part} verließen ihre Schleife um ${radii(farthest)} Radien.`,
   home: (time, limit) =>
-    `${seconds(time)} später war alles zu Hause: näher als ${radii(limit)} Radien, doppelt so weit wie sonst.`,
+    `Nach ${seconds(time)} war alles zu Hause: näher als ${radii(limit)} Radien, doppelt so weit wie sonst.`,
   lost: "Er ist nicht nach Hause gekommen.",
   back: "Jede Schätzung führt näher an die Schleife.",
   wheel: {
     youAre: "Sei die Beine",
-    invites:
-      "Sei jetzt die Beine: Dreh das Rad, vor, zurück, schneller, langsamer. Die Arme sehen die Beine und folgen.",
+    invites: "Sei die Beine: Dreh das Rad. Die Arme folgen.",
     wheel: (part) => `Rad: bewegt die ${part} durch ihren Schritt. Pfeiltasten drehen es, Escape lässt los.`,
     wheelMeaning: "Zieh am Rand: Eine Umdrehung ist ein Schrittzyklus. Lass los, und das Modell geht weiter.",
   },
-  noFall: "Umfallen kann er nicht: Das Modell kennt Haltungen, kein Gewicht.",
+  noFall: "Umfallen kann er nicht: Er kennt kein Gewicht.",
   equation: (order) => `Der nächste Zustand hängt nur von den letzten ${order} Zuständen ab.`,
   figure:
     "Eine gehende Figur. Hand oder Fuß ziehen; an anderer Stelle dreht Ziehen den Blick; Tasten: w, a, s, d, plus und minus.",

@@ -27,13 +27,12 @@ export const push = {
   back: "Each guess leads nearer to the loop.",
   wheel: {
     youAre: "Be the legs",
-    invites:
-      "Now be the legs: turn the wheel, forward, back, faster, slower. The arms see the legs and follow.",
+    invites: "Be the legs: turn the wheel. The arms follow.",
     wheel: (part: string) =>
       `Wheel: moves the ${part} through their step. Arrow keys turn it, Escape lets go.`,
     wheelMeaning: "Drag the rim: one turn is one step cycle. Let go, and the model walks on.",
   },
-  noFall: "It cannot fall: the model knows poses, not weight.",
+  noFall: "It cannot fall: the model knows no weight.",
   equation: (order: number) => `The next state depends on the last ${order} states alone.`,
   figure:
     "A walking figure. Drag a hand or a foot to pull it, drag elsewhere to look from another side; keys: w, a, s, d, plus and minus.",
