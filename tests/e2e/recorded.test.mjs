@@ -25,6 +25,7 @@ it("opens a model of a recorded run, and trains on clips that the model of the w
     ...["Walk 1", "Walk 2"].map((title) => `${title}, by a model of CMU 35`),
     "Jumping jacks 1, by a model of CMU",
     ...["Run 1", "Run 2"].map((title) => `${title}, by a model of CMU 35`),
+    "Wave 1, by a model of CMU 141",
   ]);
   assert.deepEqual(await barriers(page), []);
 
