@@ -7,5 +7,5 @@ pub(crate) mod fitted_model;
 pub(crate) mod json;
 pub(crate) mod model;
 pub(crate) mod observed;
-mod own_rollouts;
+pub(in crate::models) mod own_rollouts;
 pub(crate) mod provenance;

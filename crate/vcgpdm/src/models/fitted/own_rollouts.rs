@@ -123,7 +123,7 @@ impl<'a> Judge<'a> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(in crate::models) mod tests {
     use super::*;
     use crate::models::data::dataset::Dataset;
     use crate::models::rollout::health::Ending;
@@ -138,7 +138,8 @@ mod tests {
         Vcgpdm::fit(&dataset, &settings, 0).unwrap()
     }
 
-    fn judged(model: &Model) -> Ending {
+    /// How a rollout of 20 s ends.
+    pub(in crate::models) fn judged(model: &Model) -> Ending {
         let coupled = model.coupled().unwrap();
         let request = RolloutRequest { frames: 600, ..RolloutRequest::default() };
         let rollout = coupled.rollout(&request).unwrap();

@@ -65,10 +65,10 @@ impl Library {
 mod tests {
     use super::*;
     use crate::models::data::dataset::Dataset;
+    use crate::models::fitted::own_rollouts::tests::judged;
     use crate::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
     use crate::models::rollout::couplings::Reading;
     use crate::models::rollout::health::Ending;
-    use crate::models::rollout::request::RolloutRequest;
     use crate::models::training::settings::VariationalSettings;
     use crate::motion::{parts, samples};
     use approx::assert_relative_eq;
@@ -93,14 +93,7 @@ mod tests {
     }
 
     fn endings(library: &TrainedLibrary) -> [Ending; 2] {
-        [0, 1].map(|index| {
-            let model = library.movement(index).unwrap();
-            let coupled = model.coupled().unwrap();
-            let request = RolloutRequest { frames: 600, ..RolloutRequest::default() };
-            let rollout = coupled.rollout(&request).unwrap();
-            let positions = coupled.positions(&rollout).unwrap();
-            coupled.health(&rollout, &request, &positions).unwrap().state
-        })
+        [0, 1].map(|index| judged(&library.movement(index).unwrap()))
     }
 
     #[test]
