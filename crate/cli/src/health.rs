@@ -41,6 +41,18 @@ pub fn warning(health: &Health, names: &[&str]) -> Option<String> {
             Some(format!("visits {:.0} % of its clips' poses in {name}", 100.0 * share))
         }
         Ending::LeavesTrainingRange => Some(format!("leaves the training range in {name} {since}")),
+        Ending::Shakes => {
+            let part = health.part.and_then(|part| health.parts.get(part).map(|part| part.pace));
+            let pace = part.or(health.pace).unwrap_or_default();
+            let times = pace
+                .times()
+                .map_or(String::new(), |times| format!("{times:.1} times as fast as in its clips, and "));
+            let place = part.map_or("the body", |_| name);
+            Some(format!(
+                "shakes: {place} moves {times}{:.0} % of its steps turn back",
+                100.0 * pace.turns_back
+            ))
+        }
         Ending::NotFinite => Some("runs away: its numbers are too large".to_owned()),
     }
 }
@@ -48,7 +60,7 @@ pub fn warning(health: &Health, names: &[&str]) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vcgpdm::models::PartPoses;
+    use vcgpdm::models::{Pace, PartPoses};
 
     #[test]
     fn advises_more_points_where_there_are_fewer_than_usual() {
@@ -62,13 +74,17 @@ mod tests {
     #[test]
     fn warns_of_a_motion_that_does_not_move_on() {
         let health = |state, from, part| {
-            let parts = vec![PartPoses { visited: Some(0.221), still_from: None }];
-            warning(&Health { state, from, part, rank: 1, parts }, &["legs"])
+            let pace =
+                Pace { speed: 3.65, clip_speed: Some(0.5), turns_back: 0.958, clip_turns_back: Some(0.0) };
+            let parts = vec![PartPoses { visited: Some(0.221), still_from: None, pace }];
+            warning(&Health { state, from, part, rank: 1, pace: Some(pace), parts }, &["legs"])
         };
         assert_eq!(health(Ending::MovesOn, None, None), None);
         assert_eq!(health(Ending::RestsAsRecorded, Some(3.0), None), None);
         let words = |state| health(state, Some(0.71), Some(0)).unwrap();
         assert_eq!(words(Ending::KeepsOnePose), "keeps one pose from 0.7 s on");
+        let shakes = "shakes: legs moves 7.3 times as fast as in its clips, and 96 % of its steps turn back";
+        assert_eq!(words(Ending::Shakes), shakes);
         assert_eq!(words(Ending::VisitsFewPoses), "visits 22 % of its clips' poses in legs");
         assert_eq!(words(Ending::LeavesTrainingRange), "leaves the training range in legs from 0.7 s on");
     }

@@ -114,12 +114,8 @@ impl Vcgpdm {
     ) -> PyResult<Self> {
         let data = self::data(data, parts, columns, fps)?;
         let usual = match &data {
-            Data::Body(dataset) => {
-                let longest = dataset.sequences.iter().map(|sequence| sequence.frames).max().unwrap_or(0);
-                let of_clips = VariationalSettings::for_clips(longest as f64 * dataset.frame_time);
-                VariationalSettings { pose_weight: PoseWeight::Balanced, ..of_clips }
-            }
-            Data::Series(_) => VariationalSettings::default(),
+            Data::Body(dataset) => VariationalSettings::for_dataset(dataset),
+            Data::Series(dataset) => VariationalSettings::for_dataset(dataset),
         };
         let settings = Settings::Vcgpdm(VariationalSettings {
             latent: latent.0,
@@ -129,14 +125,12 @@ impl Vcgpdm {
             max_iterations: max_iterations.0,
             pose_weight: pose_weight.map_or(Ok(usual.pose_weight), read_weight)?,
             uncoupled,
+            own_rollouts: usual.own_rollouts && own_rollouts,
         });
         let run = Run { settings, seed: seed.seed()?, threads: threads.0.max(1), progress };
         let (trained, interrupt) = match &data {
             Data::Body(dataset) => {
-                let (mut model, interrupt) = train(py, dataset, &run)?;
-                if own_rollouts {
-                    py.detach(|| model.learn_from_own_rollouts()).map_err(refused)?;
-                }
+                let (model, interrupt) = train(py, dataset, &run)?;
                 (Trained::Body(model), interrupt)
             }
             Data::Series(dataset) => {

@@ -75,7 +75,8 @@ impl Rollout {
     }
 
     /// How the movement of a body ends: a dict with the `state` ("moves-on", "stands-still", ...), since
-    /// when in seconds (`from`), and the share of the poses of its clips that each part visits (`parts`).
+    /// when in seconds (`from`), its speed beside that of its clips and the share of steps that turn back (`pace`),
+    /// and for each part this and the share of the poses of its clips that it visits (`parts`).
     fn health<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let model = self.body()?;
         let positions = model.positions(&self.rollout).map_err(refused)?;

@@ -27,23 +27,16 @@ function listOf(data) {
   return list;
 }
 
-/**
- * The settings without the functions that watch. Clips have balanced pose terms unless the caller says
- * otherwise.
- */
-function divided(data, options = {}) {
-  const ofClips = !listOf(data).some((item) => item instanceof Table);
+/** The settings without the functions that watch. */
+function divided(options = {}) {
   if (typeof options !== "object" || options === null || Array.isArray(options))
     refuse("settings", "settings: expected an object", options);
-  const { onProgress, signal, ownRollouts = true, ...settings } = options;
+  const { onProgress, signal, ...settings } = options;
   if (typeof (onProgress ?? divided) !== "function")
     refuse("settings", "settings: `onProgress`: expected a function", onProgress);
   if (signal && typeof signal.throwIfAborted !== "function")
     refuse("settings", "settings: `signal`: expected an AbortSignal", signal);
-  if (typeof ownRollouts !== "boolean")
-    refuse("settings", "settings: `ownRollouts`: expected true or false", ownRollouts);
-  if (ofClips) settings.poseWeight ??= "balanced";
-  return { onProgress, signal, ownRollouts, settings };
+  return { onProgress, signal, settings };
 }
 
 /** A clip or table as plain data. */
@@ -73,7 +66,7 @@ export function setOf(states) {
 }
 
 /** Trains a set to the end; pauses and reports from time to time. */
-export async function trainSet(set, settings, ownRollouts, onProgress, signal) {
+export async function trainSet(set, settings, onProgress, signal) {
   let trainer;
   try {
     trainer = new Trainer(set, settings);
@@ -83,7 +76,7 @@ export async function trainSet(set, settings, ownRollouts, onProgress, signal) {
       do progress = trainer.step();
       while (!progress.done && performance.now() < end);
       onProgress?.(progress);
-      if (progress.done) return ownRollouts ? trainer.finish() : trainer.model();
+      if (progress.done) return trainer.model();
       await new Promise((resume) => setTimeout(resume));
       signal?.throwIfAborted();
     }
@@ -95,16 +88,17 @@ export async function trainSet(set, settings, ownRollouts, onProgress, signal) {
 
 /** Trains in this thread. */
 export async function trainHere(data, options) {
-  const { onProgress, signal, ownRollouts, settings } = divided(data, options);
+  const { onProgress, signal, settings } = divided(options);
+  const list = listOf(data);
   signal?.throwIfAborted();
   const set = new TrainingSet();
-  for (const item of listOf(data)) add(set, item);
-  return trainSet(set, settings, ownRollouts, onProgress, signal);
+  for (const item of list) add(set, item);
+  return trainSet(set, settings, onProgress, signal);
 }
 
 /** Trains in the worker that `start` starts; here if it does not start. */
 export async function trainIn(start, wasm, data, options) {
-  const { onProgress, signal, ownRollouts, settings } = divided(data, options);
+  const { onProgress, signal, settings } = divided(options);
   signal?.throwIfAborted();
   const states = listOf(data).map(stateOf);
   // A Request or Response cannot be sent, and was used up by this thread.
@@ -130,7 +124,7 @@ export async function trainIn(start, wasm, data, options) {
       if (message.model) resolve(Model.fromJson(message.model));
       if (message.error) reject(Object.assign(new Error(message.error.message), message.error));
     };
-    worker.postMessage({ states, settings, ownRollouts, wasm: address });
+    worker.postMessage({ states, settings, wasm: address });
   });
   return outcome.finally(() => worker.terminate());
 }

@@ -120,7 +120,7 @@ impl LibraryTrainer {
     ) -> Result<LibraryTrainer, VcgpdmError> {
         let skeleton = &clips.clips.first().ok_or(DatasetError::Empty)?.skeleton;
         let (Task { parts, frames_per_second, seed }, settings) =
-            settings_from_js(&settings, &VariationalSettings::default(), |parts| {
+            settings_from_js(&settings, &VariationalSettings::for_library(), |parts| {
                 body_parts(parts, skeleton)
             })?;
         let Planned { movements, shared } = from_js(ErrorCode::Training, "the plan", &plan)?;
@@ -137,7 +137,8 @@ impl LibraryTrainer {
         Ok(LibraryTrainer { training: Training::new(&dataset, &plan, &settings, seed)? })
     }
 
-    /// One iteration of the optimiser. It takes a few milliseconds to some tens of milliseconds.
+    /// One step: an iteration of the optimiser, a few milliseconds to some tens, or a round of own rollouts of a
+    /// movement.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
         progress_to_js(&self.training.step())
@@ -158,14 +159,6 @@ impl LibraryTrainer {
     /// The best library so far. It can be read at any time.
     pub fn library(&self) -> Result<Library, VcgpdmError> {
         Ok(Library { trained: Rc::new(self.training.finish()?) })
-    }
-
-    /// The library at the end: the best library, whose primitives then learn from the rollouts of each movement
-    /// that does not move on. This takes some tenths of a second for each of these movements.
-    pub fn finish(&self) -> Result<Library, VcgpdmError> {
-        let mut library = self.training.finish()?;
-        library.learn_from_own_rollouts()?;
-        Ok(Library { trained: Rc::new(library) })
     }
 }
 

@@ -99,13 +99,31 @@ export interface PartPoses {
     visited: number | null;
     /** Seconds from the first frame until it keeps one pose to the end; null where it moves on. */
     stillFrom: number | null;
+    /** Its speed and smoothness. */
+    pace: Pace;
+}
+
+/**
+ * How fast a body or a part moves, relative to the root, and how smoothly: in that half of the rollout in which it
+ * is faster.
+ */
+export interface Pace {
+    /** Mean speed of its joints, in metres a second for a body 1.7 m tall. */
+    speed: number;
+    /** The speed in the clips; null for a file of an earlier version, which has not kept their frames. */
+    clipSpeed: number | null;
+    /** The share of its steps from frame to frame that go back, opposite to the step before; 0 to 1. */
+    turnsBack: number;
+    /** That share in the clips. */
+    clipTurnsBack: number | null;
 }
 
 /** How a rollout ends. */
 export interface Health {
     /**
      * It rests as recorded where the recording that it begins as comes to rest too, hardly later. It keeps
-     * one pose where the body travels or turns in that pose.
+     * one pose where the body travels or turns in that pose. It shakes where the body or a part is more than
+     * twice as fast as in its clips, or turns back in 30 per cent more of its steps: thresholds of this project.
      */
     state:
         | "moves-on"
@@ -114,13 +132,16 @@ export interface Health {
         | "stands-still"
         | "keeps-one-pose"
         | "leaves-training-range"
+        | "shakes"
         | "not-finite";
     /** Seconds from the first frame until it keeps one pose or leaves the training range. */
     from: number | null;
-    /** The part that leaves the training range, or that visits the smallest share of its poses. */
+    /** The part that leaves the training range, visits the smallest share of its poses, or shakes. */
     part: number | null;
-    /** How good it is to show: 3 where it moves on or rests as recorded, 0 where it is not finite. */
+    /** How good it is to show: 3 where it moves on or rests as recorded, 0 where it shakes or is not finite. */
     rank: number;
+    /** The pace of the whole body; null where it is not finite. */
+    pace: Pace | null;
     /** The poses of each part, in the order of the model. */
     parts: PartPoses[];
 }

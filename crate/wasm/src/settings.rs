@@ -45,6 +45,8 @@ export interface VariationalSettings {
     poseWeight?: number | "balanced";
     /** Whether each part of a vCGPDM learns as if it were alone; absent: no. */
     uncoupled?: boolean;
+    /** Whether a model of a body whose rollouts do not move on learns from these at the end; absent: no. */
+    ownRollouts?: boolean;
 }
 
 /** A part by the names or indices of its joints. */
@@ -79,10 +81,12 @@ export interface TrainingOptions {
     order?: number;
     /** Most iterations of the optimiser; absent: 250. */
     maxIterations?: number;
-    /** As in `VariationalSettings`. */
+    /** As in `VariationalSettings`; absent: "balanced" for clips, 1 for tables and libraries. */
     poseWeight?: number | "balanced";
     /** As in `VariationalSettings`. */
     uncoupled?: boolean;
+    /** As in `VariationalSettings`; absent: yes for clips and libraries. */
+    ownRollouts?: boolean;
     /** The clips are brought to about this rate; absent: 30. */
     framesPerSecond?: number;
     /** The seed of everything random, a whole number from 0 to 4294967295; absent: 0. */

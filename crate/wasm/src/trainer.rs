@@ -10,16 +10,19 @@ use crate::settings::{Task, body_parts, settings_from_js};
 use crate::tables::{TablePart, parts_of_columns};
 use crate::trained::Trained;
 use std::rc::Rc;
+use vcgpdm::Trainer as BodyTrainer;
 use vcgpdm::models::{Dataset, DatasetError, Source, VariationalSettings};
 use vcgpdm::series::Columns;
-use vcgpdm::{Model as BodyModel, Trainer as BodyTrainer};
 use vcgpdm_lab::evaluation::TrainingTrials;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** The parameters that are optimised: first all but the latents, then everything. */
-export type TrainingPhase = "couplings-kernels-inducing-points" | "everything";
+/**
+ * The parameters that are optimised: first all but the latents, then everything. Then, if the settings say so, the
+ * model is watched, and its dynamics learn from its own rollouts where these do not move on.
+ */
+export type TrainingPhase = "couplings-kernels-inducing-points" | "everything" | "own-rollouts";
 
 /** Why training ended: the bound no longer rises, or all iterations are used. */
 export type EndReason = "settled" | "iterations";
@@ -74,8 +77,6 @@ macro_rules! either {
 #[wasm_bindgen]
 pub struct Trainer {
     training: Training,
-    /// The body's model of [`finish`](Self::finish).
-    finished: Option<Rc<BodyModel>>,
 }
 
 #[wasm_bindgen]
@@ -92,12 +93,14 @@ impl Trainer {
         }
         let training = if set.tables.is_empty() {
             let skeleton = &set.clips[0].skeleton;
-            let seconds = set.clips.iter().map(|clip| clip.frames() as f64 * clip.frame_time);
-            let usual = VariationalSettings::for_clips(seconds.fold(0.0, f64::max));
-            let (Task { parts, frames_per_second, seed }, settings) =
-                settings_from_js(&settings, &usual, |parts| body_parts(parts, skeleton))?;
             let sources: Vec<Source> = set.clips.iter().map(Source::from).collect();
+            let read = |usual: &VariationalSettings| {
+                settings_from_js(&settings, usual, |parts| body_parts(parts, skeleton))
+            };
+            // The data set depends on some of the options, and the defaults of the others on the data set.
+            let (Task { parts, frames_per_second, seed }, _) = read(&VariationalSettings::default())?;
             let dataset = Dataset::new(&sources, &parts, frames_per_second)?;
+            let (_, settings) = read(&VariationalSettings::for_dataset(&dataset))?;
             let trainer = BodyTrainer::new(&dataset, &settings.into(), seed)?;
             Training::Body(trainer, TrainingTrials::new(&dataset))
         } else {
@@ -112,13 +115,12 @@ impl Trainer {
             let trainer = BodyTrainer::new(&dataset, &settings.into(), task.seed)?;
             Training::Tables(trainer, TrainingTrials::new(&dataset))
         };
-        Ok(Trainer { training, finished: None })
+        Ok(Trainer { training })
     }
 
-    /// One iteration of the optimiser: a few milliseconds to some tens.
+    /// One step: an iteration of the optimiser, a few milliseconds to some tens, or a round of own rollouts.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
-        self.finished = None;
         progress_to_js(&either!(&mut self.training, trainer => trainer.step()))
     }
 
@@ -126,7 +128,6 @@ impl Trainer {
     /// from the beginning.
     pub fn extend(&mut self, iterations: &Whole) -> Result<(), VcgpdmError> {
         let iterations = iterations.count(ErrorCode::Training, "the number of iterations")?;
-        self.finished = None;
         either!(&mut self.training, trainer => trainer.extend(iterations));
         Ok(())
     }
@@ -135,16 +136,6 @@ impl Trainer {
     /// twice, that a part never changes, and which settings are more than the data allow and were reduced.
     pub fn notices(&self) -> Vec<String> {
         either!(&self.training, trainer => trainer.warnings())
-    }
-
-    /// The model at the end: the best model, whose dynamics then learn from its own rollouts, if it is one of a
-    /// body. This takes some tenths of a second.
-    pub fn finish(&mut self) -> Result<Model, VcgpdmError> {
-        let Training::Body(trainer, _) = &self.training else { return self.model() };
-        let mut model = trainer.finish()?;
-        model.learn_from_own_rollouts()?;
-        let model = self.finished.insert(Rc::new(model));
-        Ok(Model { model: Trained::Body(Rc::clone(model)) })
     }
 
     /// The best model so far, at any time.
@@ -156,16 +147,12 @@ impl Trainer {
         Ok(Model { model })
     }
 
-    /// How well rollouts of the best model so far, after [`finish`](Self::finish) those of its model, repeat
-    /// the clips or tables: the mean over them of the squared error after time warping. Undefined if a rollout
-    /// cannot be scored.
+    /// How well rollouts of the best model so far repeat the clips or tables: the mean over them of the squared
+    /// error after time warping. Undefined if a rollout cannot be scored.
     #[wasm_bindgen(js_name = rolloutError)]
     pub fn rollout_error(&self) -> Result<Option<f64>, VcgpdmError> {
         Ok(match &self.training {
-            Training::Body(trainer, trials) => match &self.finished {
-                Some(model) => trials.error(&model.fitted),
-                None => trials.error(&trainer.finish()?.fitted),
-            },
+            Training::Body(trainer, trials) => trials.error(&trainer.finish()?.fitted),
             Training::Tables(trainer, trials) => trials.error(&trainer.finish()?.fitted),
         })
     }

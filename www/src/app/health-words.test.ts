@@ -15,14 +15,14 @@ it("says from when on there is none", () => {
   expect(healthWords(STANDS_STILL, { ...seen, altered: true })).toMatch(
     /^With these couplings the model stands still/,
   );
-  const away = { state: "leaves-training-range" as const, from: 3, part: 1, rank: 1, parts: [] };
+  const away = { state: "leaves-training-range" as const, from: 3, part: 1, rank: 1, pace: null, parts: [] };
   expect(healthWords(away, seen)).toBe("Upper leaves the training range from 3.0 s on.");
   expect(healthWords({ ...away, state: "not-finite", from: null }, seen)).toMatch(/^The model runs away/);
 });
 
 it("says which share of the poses of its clips a motion visits, if it is small", () => {
   const parts = [{ visited: 0.22, stillFrom: null }];
-  const few = { ...MOVES_ON, state: "visits-few-poses" as const, part: 0, rank: 2, parts };
+  const few = { ...MOVES_ON, state: "visits-few-poses" as const, part: 0, rank: 2, pace: null, parts };
   expect(healthWords(few, seen)).toBe("The model visits 22 % of its clips’ poses in lower.");
 });
 

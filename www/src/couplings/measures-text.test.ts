@@ -4,7 +4,7 @@ import { effectText, measuresText } from "./measures-text";
 
 type Limbs = BodyReport["measures"]["parts"][number];
 
-const MOVES_ON: Health = { state: "moves-on", from: null, part: null, rank: 3, parts: [] };
+const MOVES_ON: Health = { state: "moves-on", from: null, part: null, rank: 3, pace: null, parts: [] };
 const NAMES = ["lower", "upper"];
 
 function report(parts: Partial<Limbs>[], health = MOVES_ON, walkingSpeed = 1.5): BodyReport {
@@ -64,16 +64,16 @@ describe("the text about measures", () => {
 
   it("says how a motion ends that does not move on", () => {
     const still = textOf(
-      report([{ swing: 0 }, {}], { state: "stands-still", from: 0.71, part: null, rank: 1, parts: [] }),
+      report([{ swing: 0 }, {}], { state: "stands-still", from: 0.71, part: null, rank: 1, pace: null, parts: [] }),
     );
     expect(still).toEqual({ parts: [], step: "", trouble: "stands still from 0.7 s on" });
     const away = textOf(
-      report([{}, {}], { state: "leaves-training-range", from: 3, part: 1, rank: 1, parts: [] }),
+      report([{}, {}], { state: "leaves-training-range", from: 3, part: 1, rank: 1, pace: null, parts: [] }),
     );
     expect(away.trouble).toBe("upper leaves the training range from 3.0 s on");
     expect(away.parts).toHaveLength(2);
     expect(
-      textOf(report([{}, {}], { state: "not-finite", from: null, part: null, rank: 0, parts: [] })).trouble,
+      textOf(report([{}, {}], { state: "not-finite", from: null, part: null, rank: 0, pace: null, parts: [] })).trouble,
     ).toMatch(/runs away/);
   });
 });

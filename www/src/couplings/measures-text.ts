@@ -20,6 +20,8 @@ const HARDLY = 0.1;
 const SAME_SWING = 0.1;
 const SAME_PACE = 0.05;
 const SAME_SPEED = 0.1;
+/** The library counts a slower clip as this fast, in metres a second: `SEEN_SPEED` of health.rs. */
+const SEEN_SPEED = 0.05;
 /** Two limbs are in step from the first value of the locking on, and out of step up to the second. */
 const IN_STEP = 0.9;
 const OUT_OF_STEP = 0.5;
@@ -111,7 +113,7 @@ const IN_ONE_POSE: ReadonlySet<Health["state"]> = new Set(["stands-still", "keep
 const sinceText = (seconds: number) => lab().measured.since(seconds);
 
 /** How a motion ends, if it does not move on: the rest of a sentence that begins with "it". Else empty. */
-export function troubleText({ state, from, part, parts }: Health, names: readonly string[]): string {
+export function troubleText({ state, from, part, parts, pace }: Health, names: readonly string[]): string {
   const words = lab().measured;
   const since = sinceText(from ?? 0);
   const name = names[part ?? 0] ?? words.aPart;
@@ -124,6 +126,11 @@ export function troubleText({ state, from, part, parts }: Health, names: readonl
       return words.visits(parts[part ?? 0]?.visited ?? 0, name);
     case "leaves-training-range":
       return words.leaves(name, since);
+    case "shakes": {
+      const own = (part === null ? pace : parts[part]?.pace) ?? null;
+      const times = own && own.clipSpeed !== null ? own.speed / Math.max(own.clipSpeed, SEEN_SPEED) : null;
+      return words.shakes(part === null ? null : name, times, own?.turnsBack ?? 0);
+    }
     case "not-finite":
       return words.runsAway;
     default:

@@ -47,8 +47,8 @@ const parts: PartSpec[] = [
   { name: "upper", joints: [1] },
 ];
 
-export const MOVES_ON: Health = { state: "moves-on", from: null, part: null, rank: 3, parts: [] };
-export const STANDS_STILL: Health = { state: "stands-still", from: 2.4, part: null, rank: 1, parts: [] };
+export const MOVES_ON: Health = { state: "moves-on", from: null, part: null, rank: 3, pace: null, parts: [] };
+export const STANDS_STILL: Health = { state: "stands-still", from: 2.4, part: null, rank: 1, pace: null, parts: [] };
 
 function still(frames: number): Motion {
   return { positions: new Float32Array(frames * 6), frames, nodes: 2, frameTime: 1 / 30 };

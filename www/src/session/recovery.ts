@@ -29,6 +29,7 @@ const HEALTH_STATES = [
   "stands-still",
   "keeps-one-pose",
   "leaves-training-range",
+  "shakes",
   "not-finite",
 ];
 
@@ -85,8 +86,8 @@ function withHealth(model: TrainedModel): TrainedModel {
   if (!model.health) return model;
   const state = healthState(model.health.state) as typeof model.health.state;
   // Version 0.2 wrote no poses of the parts, and 2 as the highest rank.
-  const { parts, rank } = model.health as Partial<Health>;
-  const earlier = parts ? {} : { parts: [], rank: rank === 2 ? 3 : rank };
+  const { parts, rank, pace } = model.health as Partial<Health>;
+  const earlier = parts ? { pace: pace ?? null } : { parts: [], pace: null, rank: rank === 2 ? 3 : rank };
   return { ...model, health: { ...model.health, state, ...earlier } as Health };
 }
 

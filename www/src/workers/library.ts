@@ -185,8 +185,7 @@ export const libraryWorker: LibraryWorker = {
   },
   learnLibrary: async (job, report, signal) =>
     using(await learner(job), (trainer) => {
-      const find = (isEnd: boolean) =>
-        using(isEnd ? trainer.finish() : trainer.library(), (library) => library.toJson());
+      const find = () => using(trainer.library(), (library) => library.toJson());
       const notices = () => trainer.notices();
       return follow({ step: () => trainer.step(), notices, find }, report, signal);
     }),

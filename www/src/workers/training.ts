@@ -19,7 +19,7 @@ function healthOf(model: Model, frames: number): Health | null {
 
 /** The best model so far. Its error takes longest, and decides only after the end. */
 function bestSoFar(trainer: Trainer, { settings, frames }: TrainingJob, isEnd: boolean): TrainedModel {
-  return using(isEnd ? trainer.finish() : trainer.model(), (model) => {
+  return using(trainer.model(), (model) => {
     const error = isEnd ? (trainer.rolloutError() ?? null) : null;
     const latents = settings.parts.map((_, part) => trainer.latents(part));
     return { text: model.toJson(), latents, health: healthOf(model, frames), error };

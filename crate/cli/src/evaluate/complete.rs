@@ -120,6 +120,7 @@ fn settings(arguments: &Arguments) -> Result<(VariationalSettings, u32)> {
         max_iterations: arguments.max_iterations,
         pose_weight: weight(arguments.balanced, arguments.pose_weight, PoseWeight::default()),
         uncoupled: false,
+        own_rollouts: false,
     };
     Ok((settings, seed))
 }

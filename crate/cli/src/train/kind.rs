@@ -123,6 +123,7 @@ impl Options {
             max_iterations,
             pose_weight,
             uncoupled,
+            own_rollouts: usual.own_rollouts && !self.no_own_rollouts,
         };
         let point = MapSettings { latent, order, max_iterations, balanced, linear };
         Ok(match kind {

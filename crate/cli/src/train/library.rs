@@ -74,7 +74,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let plan =
         LibraryPlan::new(planned.collect(), shared).map_err(|error| usage(format!("--movement: {error}")))?;
     // A library has the settings of the vCGPDM: options of other kinds are refused.
-    let model_settings = arguments.options.settings(ModelKind::Vcgpdm, &VariationalSettings::default())?;
+    let model_settings =
+        arguments.options.settings(ModelKind::Vcgpdm, &VariationalSettings::for_library())?;
     let Settings::Vcgpdm(settings) = &model_settings else {
         return Err("expected settings of a vcgpdm".into());
     };
@@ -94,9 +95,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let reason = train_steps(|| trainer.step(), objective(&model_settings))?;
     let seconds = begin.elapsed().as_secs_f64();
     let mut trained = trainer.finish()?;
-    if !arguments.options.no_own_rollouts {
-        trained.learn_from_own_rollouts()?;
-    }
     trained.provenance.note.clone_from(&arguments.note);
     files::write_text(&arguments.out, &trained.to_json()?)?;
     let healths = healths(&trained);

@@ -28,8 +28,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 use vcgpdm::models::variational::VariationalTrainer;
 use vcgpdm::models::{
-    ColumnMapping, Dataset, FittedModel, Health, Model, ModelKind, PoseWeight, Provenance, Settings, Source,
-    Trainer, VariationalSettings, with_bones_of,
+    ColumnMapping, Dataset, FittedModel, Health, Model, ModelKind, Provenance, Settings, Source, Trainer,
+    VariationalSettings, with_bones_of,
 };
 use vcgpdm::motion::Clip;
 use vcgpdm_lab::golden::Case;
@@ -45,8 +45,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let split = split(arguments)?;
     if arguments.columns {
         let dataset = columns::dataset(&arguments.clips, split, &arguments.without, arguments.fps)?;
-        let usual = VariationalSettings::default();
-        return train(arguments, split, &usual, &dataset, |model| Ok((model.to_json()?, None)));
+        return train(arguments, split, &dataset, |model| Ok((model.to_json()?, None)));
     }
     check_fps(arguments.fps)?;
     let mut clips: Vec<(Clip, Option<usize>)> = Vec::new();
@@ -67,18 +66,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let sources: Vec<Source> =
         clips.iter().map(|(clip, first_frames)| Source { clip, first_frames: *first_frames }).collect();
     let dataset = Dataset::new(&sources, &parts, arguments.fps).map_err(with_hint)?;
-    let longest = dataset.sequences.iter().map(|sequence| sequence.frames).max().unwrap_or(0);
-    let usual = VariationalSettings {
-        // Measured on walks and runs of whole bodies: docs/training.md, "The weight of the poses".
-        pose_weight: PoseWeight::Balanced,
-        ..VariationalSettings::for_clips(longest as f64 * dataset.frame_time)
-    };
-    train(arguments, split, &usual, &dataset, |model| {
-        if !arguments.options.no_own_rollouts {
-            model.learn_from_own_rollouts()?;
-        }
-        Ok((model.to_json()?, health_of(model)))
-    })
+    train(arguments, split, &dataset, |model| Ok((model.to_json()?, health_of(model))))
 }
 
 /// The value of `--parts`; without it, "whole" for models that are not coupled.
@@ -96,17 +84,17 @@ fn split(arguments: &Arguments) -> Result<&str, Box<dyn Error>> {
     }
 }
 
-/// Trains on the data set, writes the model and prints a summary. `usual` has the settings that depend on the
-/// data; `finish` completes the model, makes its document, and finds how its motion ends.
+/// Trains on the data set, writes the model and prints a summary. `finish` makes the document of the model and finds
+/// how its motion ends.
 fn train<S: ColumnMapping>(
     arguments: &Arguments,
     split: &str,
-    usual: &VariationalSettings,
     dataset: &Dataset<S>,
-    finish: impl Fn(&mut Model<S>) -> Result<(String, Option<Health>), Box<dyn Error>>,
+    finish: impl Fn(&Model<S>) -> Result<(String, Option<Health>), Box<dyn Error>>,
 ) -> Result<(), Box<dyn Error>> {
     let kind = kind::check_parts(arguments.model, dataset.layout.parts().len(), split)?;
-    let settings = arguments.options.settings(kind, usual)?;
+    let usual = VariationalSettings::for_dataset(dataset);
+    let settings = arguments.options.settings(kind, &usual)?;
     let mut read = arguments.clips.clone();
     for text in &arguments.seed_frames {
         read.push(seed_frames(text)?.0);
@@ -130,7 +118,7 @@ fn train<S: ColumnMapping>(
 
     let mut trained = trainer.finish()?;
     trained.provenance.note.clone_from(&arguments.note);
-    let (document, health) = finish(&mut trained)?;
+    let (document, health) = finish(&trained)?;
     files::write_text(&arguments.out, &document)?;
     let bound = trained.provenance.bound();
     let Provenance { objective, plain_bound, iterations, evaluations, .. } = trained.provenance;
@@ -157,7 +145,7 @@ fn train<S: ColumnMapping>(
                 if let Some(health) = health {
                     let parts = dataset.layout.parts();
                     let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
-                    let words = warning(&health, &names).map(|ends| (ends, advice(settings, usual)));
+                    let words = warning(&health, &names).map(|ends| (ends, advice(settings, &usual)));
                     if let Some((ends, advice)) = &words {
                         say(&format!("warning: a motion of the model {ends}; {advice}"));
                     }

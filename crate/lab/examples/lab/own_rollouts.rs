@@ -6,7 +6,7 @@
 use crate::clips::{FolderTrainings, read_clips};
 use crate::parallel::each_seed;
 use crate::ratio::{ERRORS, over_folders, over_trials};
-use vcgpdm::models::{FittedModel, Model, PoseWeight, RolloutRequest, Settings, VariationalSettings};
+use vcgpdm::models::{FittedModel, Model, RolloutRequest, Settings, VariationalSettings};
 use vcgpdm::motion::Clip;
 use vcgpdm::motion::parts::presets;
 use vcgpdm_lab::evaluation::{Fold, Outcome, START_FRAMES};
@@ -34,17 +34,15 @@ struct Pair {
 fn pair(fold: &Fold, seed: u32) -> Pair {
     let movements = fold.movements();
     let longest = movements.lengths().into_iter().max().unwrap_or(0);
-    let settings = Settings::Vcgpdm(VariationalSettings {
-        pose_weight: PoseWeight::Balanced,
-        ..VariationalSettings::for_clips(longest as f64 / FRAMES_PER_SECOND)
-    });
+    let seconds = longest as f64 / FRAMES_PER_SECOND;
+    let settings = Settings::Vcgpdm(VariationalSettings::for_clips(seconds));
     let mut learner = fold.learner(&settings, seed).unwrap();
     while !learner.step().done {}
     let progress = learner.progress();
     let mut model = fold.model(learner.model().unwrap(), &settings, seed, &progress).unwrap();
     let outcome = |fitted: &FittedModel| fold.outcome(fitted, &progress, 0.0).unwrap();
     let before = (outcome(&model.fitted), moves_on(&model));
-    model.learn_from_own_rollouts().unwrap();
+    model.learn_from_own_rollouts();
     let after = (outcome(&model.fitted), moves_on(&model));
     Pair { outcomes: [before.0, after.0], moves_on: [before.1, after.1] }
 }

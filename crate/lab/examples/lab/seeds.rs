@@ -202,7 +202,7 @@ fn train(settings: &VariationalSettings, arguments: &Arguments, dataset: &Datase
     trainer.run();
     let mut model = trainer.finish().unwrap();
     if arguments.own_rollouts {
-        model.learn_from_own_rollouts().unwrap();
+        model.learn_from_own_rollouts();
     }
     let seconds = begin.elapsed().as_secs_f64();
     let error = TrainingTrials::new(dataset).error(&model.fitted).unwrap_or(f64::INFINITY);

@@ -152,6 +152,7 @@ impl Plan {
                 max_iterations,
                 pose_weight,
                 uncoupled: self.uncoupled && kind == ModelKind::Vcgpdm,
+                own_rollouts: false,
             };
             let pairs = self.ips.iter().flat_map(|&dynamics| {
                 let poses = if self.pose_ips.is_empty() { vec![dynamics] } else { self.pose_ips.clone() };

@@ -56,8 +56,16 @@ pub(super) fn write_variational(settings: &Settings, seed: u32) -> Value {
 }
 
 fn variational_value(settings: &VariationalSettings, seed: u32) -> Value {
-    let VariationalSettings { latent, dynamics_ips, pose_ips, order, max_iterations, pose_weight, uncoupled } =
-        settings;
+    let VariationalSettings {
+        latent,
+        dynamics_ips,
+        pose_ips,
+        order,
+        max_iterations,
+        pose_weight,
+        uncoupled,
+        own_rollouts,
+    } = settings;
     let mut fields = vec![
         ("latent", Value::whole(*latent)),
         ("dynamics_ips", Value::whole(*dynamics_ips)),
@@ -72,6 +80,7 @@ fn variational_value(settings: &VariationalSettings, seed: u32) -> Value {
         PoseWeight::Balanced => ("pose_weight", Value::text(BALANCED)),
     }));
     fields.extend(uncoupled.then(|| ("uncoupled", Value::whole(1))));
+    fields.extend(own_rollouts.then(|| ("own_rollouts", Value::whole(1))));
     Value::of_fields(fields)
 }
 
@@ -86,6 +95,7 @@ pub(super) fn read_variational(field: Field) -> Result<(VariationalSettings, u32
         max_iterations: object.get("max_iterations")?.whole()?,
         pose_weight: object.optional("pose_weight").map_or(Ok(PoseWeight::default()), pose_weight)?,
         uncoupled: optional_flag(&mut object, "uncoupled")?,
+        own_rollouts: optional_flag(&mut object, "own_rollouts")?,
     };
     let seed = seed(&mut object)?;
     object.end()?;

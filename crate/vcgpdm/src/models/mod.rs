@@ -40,7 +40,7 @@ pub use rollout::couplings::{
 };
 #[doc(hidden)]
 pub use rollout::dtw::{Score, ScoreError, dtw_mse, score_and_columns};
-pub use rollout::health::{Ending, Health, PartPoses, best_to_show};
+pub use rollout::health::{Ending, Health, Pace, PartPoses, best_to_show};
 pub use rollout::latent_dynamics::LatentDynamics;
 pub use rollout::live::{LiveFrames, LiveRollout};
 pub use rollout::naturalness::PredictedNaturalness;

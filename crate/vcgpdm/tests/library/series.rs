@@ -43,6 +43,7 @@ const SMALL: VariationalSettings = VariationalSettings {
     max_iterations: 40,
     pose_weight: vcgpdm::PoseWeight::Fixed(1.0),
     uncoupled: false,
+    own_rollouts: false,
 };
 const TWO_PARTS: &str = "machine=x,y;follower=follower";
 

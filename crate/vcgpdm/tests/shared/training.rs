@@ -85,6 +85,7 @@ const SMALL: VariationalSettings = VariationalSettings {
     max_iterations: 5,
     pose_weight: vcgpdm::PoseWeight::Fixed(1.0),
     uncoupled: false,
+    own_rollouts: false,
 };
 
 /// The walks with these ids at ten frames a second.

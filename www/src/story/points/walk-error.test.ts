@@ -31,7 +31,7 @@ it("is the mean distance of the joints from the nearest pose", () => {
   expect(walkError(walk(40, { lift: 0.6 }), walk(40), lap)).toBeGreaterThan(0.02);
 });
 
-const health: Health = { state: "moves-on", from: null, part: null, rank: 3, parts: [] };
+const health: Health = { state: "moves-on", from: null, part: null, rank: 3, pace: null, parts: [] };
 const swings = (swing: number, period: number | null) =>
   ({ parts: [{ swing, period, locking: 1 }] }) as unknown as Measures;
 

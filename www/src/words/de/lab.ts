@@ -278,6 +278,8 @@ export const lab: LabWords = {
     standsStill: (since) => `steht still ${since}`,
     visits: (share, part) => `besucht ${Math.round(100 * share)} % der Posen seiner Clips in ${part}`,
     leaves: (part, since) => `${part} verlässt den gelernten Bereich ${since}`,
+    shakes: (part, times, turnsBack) =>
+      `zittert: ${part ?? "der Körper"} bewegt sich ${times === null ? "" : `${number(times, 1)}-mal so schnell wie in den Clips, `}und ${Math.round(100 * turnsBack)} % der Schritte kehren um`,
     runsAway: "läuft davon: Die Zahlen sind zu groß, um sie zu zeigen",
   },
   time: {

@@ -174,6 +174,7 @@ export const learn: LearnWords = {
   phases: {
     "couplings-kernels-inducing-points": "Kopplungen, Kerne und Stützpunkte",
     everything: "alles zusammen",
+    "own-rollouts": "betrachtet die eigene Bewegung und lernt aus ihr",
   },
   runs: {
     title: "Trainings",

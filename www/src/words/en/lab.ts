@@ -250,6 +250,8 @@ export const lab = {
     visits: (share: number, part: string) =>
       `visits ${Math.round(100 * share)} % of its clips’ poses in ${part}`,
     leaves: (part: string, since: string) => `${part} leaves the training range ${since}`,
+    shakes: (part: string | null, times: number | null, turnsBack: number) =>
+      `shakes: ${part ?? "the body"} moves ${times === null ? "" : `${number(times, 1)} × as fast as in its clips, `}and ${Math.round(100 * turnsBack)} % of its steps turn back`,
     runsAway: "runs away: its numbers are too large to show",
   },
   time: {

@@ -169,6 +169,7 @@ export const learn = {
   phases: {
     "couplings-kernels-inducing-points": "couplings, kernels and inducing points",
     everything: "everything together",
+    "own-rollouts": "watches its own motion and learns from it",
   },
   runs: {
     title: "Trainings",

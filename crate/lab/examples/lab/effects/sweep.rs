@@ -39,6 +39,7 @@ impl Effect {
         match self.health.state {
             Ending::StandsStill | Ending::RestsAsRecorded => format!("still from {from:.1} s"),
             Ending::KeepsOnePose => format!("one pose from {from:.1} s"),
+            Ending::Shakes => "shakes".to_owned(),
             Ending::NotFinite => "not finite".to_owned(),
             Ending::LeavesTrainingRange => format!("{cell}, away from {from:.1} s"),
             Ending::VisitsFewPoses | Ending::MovesOn => cell,
@@ -172,6 +173,7 @@ pub fn health_text(health: &Health) -> String {
         Ending::StandsStill | Ending::RestsAsRecorded => format!("stands still from {from:.1} s"),
         Ending::KeepsOnePose => format!("keeps one pose from {from:.1} s"),
         Ending::LeavesTrainingRange => format!("leaves the training range from {from:.1} s"),
+        Ending::Shakes => "shakes".to_owned(),
         Ending::NotFinite => "not finite".to_owned(),
     }
 }

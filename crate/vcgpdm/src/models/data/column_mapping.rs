@@ -18,6 +18,11 @@ pub trait ColumnMapping: Clone + Debug {
 
     /// The most frames of a rollout that can be shown, written and stored in memory.
     fn most_frames(&self) -> usize;
+
+    /// The poses of a body; `None` for tables.
+    fn poses(&self) -> Option<&PoseMapping> {
+        None
+    }
 }
 
 impl ColumnMapping for PoseMapping {
@@ -38,6 +43,10 @@ impl ColumnMapping for PoseMapping {
 
     fn most_frames(&self) -> usize {
         self.skeleton().max_frames()
+    }
+
+    fn poses(&self) -> Option<&PoseMapping> {
+        Some(self)
     }
 }
 

@@ -79,6 +79,19 @@ impl<S: ColumnMapping> Body<S> {
     }
 }
 
+impl<S: ColumnMapping> Body<S> {
+    /// The body, if it is one with poses: not a table.
+    pub(crate) fn with_poses(&self) -> Option<Body> {
+        Some(Body {
+            mapping: self.mapping.poses()?.clone(),
+            layout: self.layout.clone(),
+            column_means: self.column_means.clone(),
+            frame_time: self.frame_time,
+            sequences: self.sequences.clone(),
+        })
+    }
+}
+
 impl Body {
     /// All columns [frames x D] as a clip, starting at the origin.
     ///

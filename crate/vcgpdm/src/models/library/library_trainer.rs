@@ -3,19 +3,23 @@
 use crate::gp::NumericsError;
 use crate::models::data::dataset::{Dataset, DatasetError};
 use crate::models::fitted::body::Body;
+use crate::models::library::own_rollouts::LibraryRollouts;
 use crate::models::library::plan::LibraryPlan;
 use crate::models::library::{Library, TrainedLibrary};
 use crate::models::training::error::TrainingError;
 use crate::models::training::progress::Progress;
 use crate::models::training::settings::VariationalSettings;
-use crate::models::training::trainer::run_with;
+use crate::models::training::trainer::{run_with, with_rounds};
 use crate::models::variational::VariationalTrainer;
 use nalgebra::DMatrix;
 use std::ops::ControlFlow;
 
-/// A training of a library: all movements together, with the primitives that they share.
+/// A training of a library: all movements together, with the primitives that they share. If the settings say so,
+/// each movement then learns from its own rollouts in further steps.
 pub struct LibraryTrainer {
     trainer: VariationalTrainer,
+    learns_from_own_rollouts: bool,
+    rollouts: Option<LibraryRollouts>,
     plan: LibraryPlan,
     body: Body,
     frames_per_second: f64,
@@ -39,6 +43,8 @@ impl LibraryTrainer {
         let trainer = trainer_of(dataset.y.clone(), dataset.lengths(), plan, settings, seed);
         Ok(Self {
             trainer: trainer.map_err(|reason| dataset.training_error(reason))?,
+            learns_from_own_rollouts: settings.own_rollouts,
+            rollouts: None,
             plan: plan.clone(),
             body: Body::new(dataset),
             frames_per_second: dataset.frames_per_second,
@@ -52,9 +58,19 @@ impl LibraryTrainer {
         self.trainer.use_threads(threads);
     }
 
-    /// One iteration. After the end it does nothing.
+    /// One step: an iteration of the optimiser, or a round of own rollouts of a movement. After the end it does
+    /// nothing.
     pub fn step(&mut self) -> Progress {
-        self.trainer.step()
+        if !self.trainer.progress().done {
+            self.trainer.step();
+        } else if let Some(rollouts) = &mut self.rollouts {
+            rollouts.step();
+        }
+        let ended = self.trainer.progress().done && self.learns_from_own_rollouts;
+        if ended && self.rollouts.is_none() {
+            self.rollouts = self.trained().ok().map(LibraryRollouts::new);
+        }
+        self.progress()
     }
 
     /// Trains to the end.
@@ -62,19 +78,23 @@ impl LibraryTrainer {
         self.run_with(|_| ControlFlow::Continue(()))
     }
 
-    /// Trains to the end, or until `watch`, which is called after every iteration, breaks.
+    /// Trains to the end, or until `watch`, which is called after every step, breaks.
     pub fn run_with(&mut self, watch: impl FnMut(&Progress) -> ControlFlow<()>) -> Progress {
-        run_with(|| self.trainer.step(), watch)
+        run_with(|| self.step(), watch)
     }
 
     /// How far the training is.
     pub fn progress(&self) -> Progress {
-        self.trainer.progress()
+        let rounds = self.rollouts.as_ref().map(|rollouts| (rollouts.fraction(), rollouts.is_done()));
+        with_rounds(self.trainer.progress(), self.learns_from_own_rollouts, rounds)
     }
 
     /// Allows `iterations` more, also after the end, where the training then continues.
     pub fn extend(&mut self, iterations: usize) {
         self.trainer.extend(iterations);
+        if !self.trainer.progress().done {
+            self.rollouts = None;
+        }
     }
 
     /// What the user should know: the warnings of the data set, then settings that are more than the data
@@ -83,12 +103,17 @@ impl LibraryTrainer {
         [&self.warnings, self.trainer.notices()].concat()
     }
 
-    /// The library of the best bound so far.
+    /// The best library so far.
     ///
     /// # Errors
     ///
     /// When a covariance of the library cannot be factorised.
     pub fn finish(&self) -> Result<TrainedLibrary, NumericsError> {
+        self.rollouts.as_ref().map_or_else(|| self.trained(), |rollouts| Ok(rollouts.best()))
+    }
+
+    /// The library of the best bound so far.
+    fn trained(&self) -> Result<TrainedLibrary, NumericsError> {
         Ok(TrainedLibrary {
             library: library_of(&self.trainer, &self.plan)?,
             body: self.body.clone(),

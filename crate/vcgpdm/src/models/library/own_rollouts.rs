@@ -3,37 +3,82 @@
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, block_diagonal, symmetric};
 use crate::gp::tall::product;
-use crate::models::fitted::coupled::Coupled;
-use crate::models::library::{CombinationError, Library, LibraryError, TrainedLibrary};
+use crate::models::fitted::own_rollouts::{OwnRollouts, is_no_worse};
+use crate::models::library::{Library, TrainedLibrary};
 use crate::models::variational::FittedExpert;
 
 impl TrainedLibrary {
     /// Lets the primitives of each learned movement whose rollouts of 20 s do not move on learn from these
     /// rollouts, as [`Model::learn_from_own_rollouts`](crate::models::Model::learn_from_own_rollouts) does.
     /// One movement learns after the other; each keeps the number of its rounds. A movement that moves on, or
-    /// has learned from its rollouts, keeps its rows as they are.
-    ///
-    /// # Errors
-    ///
-    /// When a covariance cannot be factorised; the library then stays as it is.
-    pub fn learn_from_own_rollouts(&mut self) -> Result<(), LibraryError> {
-        let mut learning = self.clone();
-        for index in 0..learning.library.movements.len() {
-            let movement = &learning.library.movements[index];
-            if movement.sums.is_none() || movement.rollout_rounds > 0 {
-                continue;
-            }
-            let model = learning.movement(index)?;
-            let learned = model.coupled().map(Coupled::after_own_rollouts).transpose()?;
-            if let Some((rounds, model)) = learned.flatten() {
-                let movement = &mut learning.library.movements[index];
-                movement.sums = Some(model.sums);
-                movement.rollout_rounds = rounds;
-                learning.library.infer_experts().map_err(CombinationError::from)?;
+    /// has learned from its rollouts, keeps its rows as they are. What makes another movement worse is not kept.
+    /// A [`LibraryTrainer`](crate::LibraryTrainer) does the same in steps.
+    pub fn learn_from_own_rollouts(&mut self) {
+        let mut rounds = LibraryRollouts::new(self.clone());
+        while !rounds.is_done() {
+            rounds.step();
+        }
+        *self = rounds.best();
+    }
+}
+
+/// A library whose movements learn from their own rollouts, round by round. After each step the best library so far
+/// is known.
+pub(super) struct LibraryRollouts {
+    library: TrainedLibrary,
+    /// The movement that learns, or will learn next.
+    movement: usize,
+    rounds: Option<OwnRollouts>,
+}
+
+impl LibraryRollouts {
+    pub(super) fn new(library: TrainedLibrary) -> Self {
+        Self { library, movement: 0, rounds: None }
+    }
+
+    /// Judges the next movement, or takes a round with the movement that learns. After the end it does nothing.
+    pub(super) fn step(&mut self) {
+        let Some(movement) = self.library.library.movements.get(self.movement) else { return };
+        if self.rounds.is_none() && movement.sums.is_some() && movement.rollout_rounds == 0 {
+            self.rounds = self.library.movement(self.movement).ok().and_then(OwnRollouts::new);
+        }
+        if let Some(rounds) = &mut self.rounds {
+            rounds.step();
+            if !rounds.is_done() {
+                return;
             }
         }
-        *self = learning;
-        Ok(())
+        self.library = self.best();
+        self.rounds = None;
+        self.movement += 1;
+    }
+
+    pub(super) fn is_done(&self) -> bool {
+        self.movement >= self.library.library.movements.len()
+    }
+
+    /// The share of the work that is done, 0 to 1.
+    pub(super) fn fraction(&self) -> f64 {
+        let rounds = self.rounds.as_ref().map_or(0.0, OwnRollouts::fraction);
+        (self.movement as f64 + rounds) / self.library.library.movements.len().max(1) as f64
+    }
+
+    /// The library with the best rounds so far of the movement that learns, if no movement is worse with them.
+    pub(super) fn best(&self) -> TrainedLibrary {
+        let learned = || {
+            let (rounds, model) = self.rounds.as_ref()?.best()?;
+            let mut learned = self.library.clone();
+            let movement = &mut learned.library.movements[self.movement];
+            movement.sums = Some(model.sums.clone());
+            movement.rollout_rounds = rounds;
+            learned.library.infer_experts().ok()?;
+            let is_no_worse = |index: usize| {
+                let [before, after] = [&self.library, &learned].map(|library| library.movement(index).ok());
+                before.is_none_or(|before| after.is_some_and(|after| is_no_worse(&after, &before)))
+            };
+            (0..learned.library.movements.len()).all(is_no_worse).then_some(learned)
+        };
+        learned().unwrap_or_else(|| self.library.clone())
     }
 }
 
@@ -100,7 +145,7 @@ mod tests {
     fn movements_that_would_stop_move_on_after_they_learned_from_their_rollouts() {
         let mut library = trained(20, false);
         assert_eq!(endings(&library), [Ending::KeepsOnePose, Ending::StandsStill]);
-        library.learn_from_own_rollouts().unwrap();
+        library.learn_from_own_rollouts();
         assert_eq!(endings(&library), [Ending::MovesOn; 2]);
         let rounds = |library: &TrainedLibrary| {
             library.library.movements.iter().map(|movement| movement.rollout_rounds).collect::<Vec<_>>()
@@ -109,7 +154,7 @@ mod tests {
         // They learn once, and a file tells so.
         let mut again = TrainedLibrary::from_json(&library.to_json().unwrap()).unwrap();
         assert_eq!(rounds(&again), rounds(&library));
-        again.learn_from_own_rollouts().unwrap();
+        again.learn_from_own_rollouts();
         assert_eq!(again.to_json().unwrap(), library.to_json().unwrap());
     }
 
@@ -118,7 +163,7 @@ mod tests {
         let mut library = trained(50, false);
         let before = library.to_json().unwrap();
         assert_eq!(endings(&library), [Ending::MovesOn; 2]);
-        library.learn_from_own_rollouts().unwrap();
+        library.learn_from_own_rollouts();
         assert_eq!(library.to_json().unwrap(), before);
     }
 
@@ -140,7 +185,7 @@ mod tests {
     #[test]
     fn a_movement_inferred_again_after_its_rollouts_is_as_learned() {
         let mut library = trained(20, true);
-        library.learn_from_own_rollouts().unwrap();
+        library.learn_from_own_rollouts();
         for (index, movement) in library.library.movements.iter().enumerate() {
             assert!(movement.rollout_rounds > 0, "{}", movement.name);
             let model = library.library.movement(index).unwrap();

@@ -91,6 +91,7 @@ impl Library {
             max_iterations,
             pose_weight,
             uncoupled: false,
+            own_rollouts: false,
         }
     }
 }

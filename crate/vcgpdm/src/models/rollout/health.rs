@@ -33,6 +33,21 @@ const AWAY_FOR: f64 = 1.0;
 /// A rollout rests as recorded when it rests at most this much earlier than its recording; in seconds.
 const EARLY: f64 = 0.5;
 
+/// Frames a second of a rollout that are compared with those of clips, so that the time does not grow with the
+/// square of a high frame rate.
+const JUDGED_RATE: f64 = 30.0;
+/// A motion shakes when it is more than this many times as fast as its clips, ...
+const FAST: f64 = 2.0;
+/// ... or when the share of its steps that turn back is larger than that of its clips by more than this. A hand that
+/// waves 4 times a second, at 30 frames a second, turns back in a quarter of its steps.
+const TURNS: f64 = 0.3;
+/// Models that move on are up to this many times as fast as their clips, ...
+const USUAL_SPEED: f64 = 1.75;
+/// ... and turn back in at most this much more of their steps.
+const USUAL_TURNS: f64 = 0.1;
+/// A viewer does not see slower shaking, in metres a second; clips count as at least this fast.
+const SEEN_SPEED: f64 = 0.05;
+
 /// How a rollout ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -49,6 +64,8 @@ pub enum Ending {
     VisitsFewPoses,
     /// Until the end, the latents of a part are far from those of the training; see `Vcgpdm::familiarity`.
     LeavesTrainingRange,
+    /// A part or the body is much faster than in its clips, or its steps turn back much more often; see [`Pace`].
+    Shakes,
     /// A latent or position is not a finite number.
     NotFinite,
 }
@@ -64,14 +81,53 @@ pub struct Health {
     pub state: Ending,
     /// Seconds from the first frame until it keeps one pose or leaves the training range.
     pub from: Option<f64>,
-    /// The part that leaves the training range, or that visits the smallest share of its poses; counted from
-    /// 0.
+    /// The part that leaves the training range, visits the smallest share of its poses, or shakes; counted from
+    /// 0. `None` also if the body shakes as a whole only.
     pub part: Option<usize>,
     /// Rank for the choice among several models of one data set; higher is better. The bound decides between
     /// models of the same rank.
     pub rank: u8,
+    /// The pace of the body as a whole; `None` for numbers that are not finite.
+    pub pace: Option<Pace>,
     /// The poses of each part.
     pub parts: Vec<PartPoses>,
+}
+
+/// How fast a body or a part moves, relative to the root and without its turns, and how smoothly: in that half of
+/// the rollout in which it is faster.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Pace {
+    /// Mean speed of its nodes (root mean square), in metres a second for a body 1.7 m tall.
+    pub speed: f64,
+    /// The speed in the clips as the pose maps make them. `None`: the model has not kept the latents of its clips'
+    /// frames.
+    pub clip_speed: Option<f64>,
+    /// The share of its steps from frame to frame that go back, opposite to the step before; 0 to 1.
+    pub turns_back: f64,
+    /// That share in the clips.
+    pub clip_turns_back: Option<f64>,
+}
+
+impl Pace {
+    /// How many times as fast as the clips it is. Clips count as 0.05 m/s at least, which a viewer hardly sees.
+    pub fn times(&self) -> Option<f64> {
+        self.clip_speed.map(|clip| self.speed / clip.max(SEEN_SPEED))
+    }
+
+    /// Whether it is no faster and no less smooth than before, but for paces that are usual in models that move on:
+    /// 1.75 times as fast as the clips, and 10 per cent more steps that turn back.
+    pub(in crate::models) fn is_no_worse_than(&self, before: &Pace) -> bool {
+        let times = self.times().unwrap_or(0.0) <= before.times().unwrap_or(0.0).max(USUAL_SPEED);
+        let usual_turns = self.clip_turns_back.unwrap_or(0.0) + USUAL_TURNS;
+        times && self.turns_back <= before.turns_back.max(usual_turns)
+    }
+
+    /// Whether this is shaking, by thresholds of this library: twice the speed of the clips, or 30 per cent more of
+    /// the steps turn back, and a viewer sees it (0.05 m/s).
+    pub fn shakes(&self) -> bool {
+        let turns = self.turns_back - self.clip_turns_back.unwrap_or(0.0) > TURNS;
+        self.times().is_some_and(|times| times > FAST) || (turns && self.speed > SEEN_SPEED)
+    }
 }
 
 /// The poses of one part in a rollout.
@@ -85,9 +141,27 @@ pub struct PartPoses {
     /// Seconds until it keeps one pose: from then to the end, and for at least one second, the pose differs
     /// from the last one by at most a tenth of the spread of the clips' poses. `None`: it moves on.
     pub still_from: Option<f64>,
+    /// Its speed and smoothness.
+    pub pace: Pace,
 }
 
 impl Health {
+    /// Whether nothing is worse than before: neither the rank, nor the pace of the body or of a part, nor the
+    /// share of the poses that a part visits: half of them are enough.
+    pub(in crate::models) fn is_no_worse_than(&self, before: &Health) -> bool {
+        let paces = |health: &Health| {
+            health.pace.into_iter().chain(health.parts.iter().map(|part| part.pace)).collect::<Vec<_>>()
+        };
+        let calm =
+            paces(self).iter().zip(&paces(before)).all(|(after, before)| after.is_no_worse_than(before));
+        let visits =
+            self.parts.iter().zip(&before.parts).all(|(after, before)| {
+                after.visited.unwrap_or(1.0) >= before.visited.unwrap_or(1.0).min(FEW)
+            });
+        // A motion in one pose visits few poses as it is.
+        self.rank >= before.rank && calm && (visits || before.rank < Ending::VisitsFewPoses.rank())
+    }
+
     /// Whether it moves on, or rests as its recording does.
     pub fn is_good(&self) -> bool {
         self.rank == Ending::MovesOn.rank()
@@ -100,7 +174,7 @@ impl Ending {
             Ending::MovesOn | Ending::RestsAsRecorded => 3,
             Ending::VisitsFewPoses => 2,
             Ending::StandsStill | Ending::KeepsOnePose | Ending::LeavesTrainingRange => 1,
-            Ending::NotFinite => 0,
+            Ending::Shakes | Ending::NotFinite => 0,
         }
     }
 }
@@ -131,9 +205,15 @@ impl Coupled<'_> {
     ) -> Result<Health, NumericsError> {
         let finite = rollout.latents.iter().all(|path| path.iter().all(|x| x.is_finite()))
             && positions.iter().all(|place| place.is_finite());
-        let health =
-            |state: Ending, from, part, parts| Health { state, from, part, rank: state.rank(), parts };
-        let broken = health(Ending::NotFinite, None, None, Vec::new());
+        let ends = |state: Ending, from, part, pace, parts| Health {
+            state,
+            from,
+            part,
+            rank: state.rank(),
+            pace,
+            parts,
+        };
+        let broken = ends(Ending::NotFinite, None, None, None, Vec::new());
         if !finite {
             return Ok(broken);
         }
@@ -151,15 +231,25 @@ impl Coupled<'_> {
                 return Ok(broken);
             };
             let spread = clips.spread();
-            let visited = || clips.visited(&begins, &poses, poses.frames() / 2, (NEAR * spread).max(SEEN));
+            let second_half = (&poses, poses.frames() / 2, self.judged_stride());
+            let visited = || clips.visited(&begins, second_half, (NEAR * spread).max(SEEN));
             parts.push(PartPoses {
                 visited: (!begins.is_empty()).then(visited),
                 still_from: still_from(&poses, spread),
+                pace: self.pace(&clips, &begins, &poses),
             });
         }
         let (Some(clips), Some(body)) = (self.poses(&clips, None), self.poses(&rollout.y, None)) else {
             return Ok(broken);
         };
+        let pace = self.pace(&clips, &begins, &body);
+        let health = |state, from, part, parts| ends(state, from, part, Some(pace), parts);
+        let times = |part: &usize| parts[*part].pace.times().unwrap_or(0.0);
+        let shaking = (0..parts.len()).filter(|part| parts[*part].pace.shakes());
+        let worst = shaking.max_by(|a, b| times(a).total_cmp(&times(b)));
+        if worst.is_some() || pace.shakes() {
+            return Ok(health(Ending::Shakes, None, worst, parts));
+        }
         if let Some(from) = still_from(&body, clips.spread()) {
             let state = self.still_state(request, positions, from);
             return Ok(health(state, Some(from), None, parts));
@@ -177,6 +267,27 @@ impl Coupled<'_> {
             Some((share, part)) if share < FEW => health(Ending::VisitsFewPoses, None, Some(part), parts),
             _ => health(Ending::MovesOn, None, None, parts),
         })
+    }
+
+    /// Of a rollout at a high frame rate, every second, third, ... frame is compared with the clips: about
+    /// [`JUDGED_RATE`] frames a second.
+    pub(in crate::models) fn judged_stride(&self) -> usize {
+        (1.0 / (JUDGED_RATE * self.body.frame_time)).round().max(1.0) as usize
+    }
+
+    /// The pace of these poses beside that of the clips, in whose frames `begins` a sequence begins.
+    fn pace(&self, clips: &Poses, begins: &[usize], poses: &Poses) -> Pace {
+        let middle = poses.frames() / 2;
+        let halves = [0..middle, middle..poses.frames()].map(|half| poses.steps(half, &[]));
+        let [first, second] = halves;
+        let faster = if first.mean > second.mean { first } else { second };
+        let clip = (!begins.is_empty()).then(|| clips.steps(0..clips.frames(), begins));
+        Pace {
+            speed: faster.mean / self.body.frame_time,
+            clip_speed: clip.map(|clip| clip.mean / self.body.frame_time),
+            turns_back: faster.turned_back,
+            clip_turns_back: clip.map(|clip| clip.turned_back),
+        }
     }
 
     /// The state of a rollout that keeps one pose from this second on.
@@ -331,6 +442,35 @@ mod tests {
             rollout.y[(t, column)] += if t % 15 < 7 { 0.2 } else { 0.0 };
         }
         assert_eq!(health(&model, &rollout).state, Ending::StandsStill);
+    }
+
+    #[test]
+    fn a_walk_whose_arm_turns_back_in_every_frame_shakes() {
+        let (model, mut rollout) = walk();
+        // The last joint of the arm turns by 0.5 radians and back in every frame of the second half.
+        let column = rollout.y.ncols() - 1;
+        for t in (rollout.y.nrows() / 2..rollout.y.nrows()).step_by(2) {
+            rollout.y[(t, column)] += 0.5;
+        }
+        let found = health(&model, &rollout);
+        assert_eq!((found.state, found.part, found.rank), (Ending::Shakes, Some(1), 0), "{found:?}");
+        let [lower, upper] = found.parts[..] else { panic!("two parts") };
+        assert!(!lower.pace.shakes() && upper.pace.turns_back > 0.5, "{found:?}");
+    }
+
+    #[test]
+    fn a_walk_at_three_times_its_speed_shakes_and_at_one_and_a_half_does_not() {
+        let (model, rollout) = walk();
+        for (share, shakes) in [(1.5, false), (3.0, true)] {
+            let frames = (rollout.y.nrows() as f64 / share) as usize;
+            let y = DMatrix::from_fn(frames, rollout.y.ncols(), |t, d| {
+                rollout.y[((t as f64 * share) as usize, d)]
+            });
+            let rows = |x: &DMatrix<f64>| x.rows(0, frames).into_owned();
+            let fast = Rollout { latents: rollout.latents.iter().map(rows).collect(), y, ..rollout.clone() };
+            let found = health(&model, &fast);
+            assert_eq!(found.state == Ending::Shakes, shakes, "{found:?}");
+        }
     }
 
     #[test]

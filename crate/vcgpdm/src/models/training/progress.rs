@@ -72,6 +72,9 @@ pub enum TrainingPhase {
     CouplingsKernelsInducingPoints,
     /// All parameters are free.
     Everything,
+    /// The parameters are found. The model is rolled out, and its dynamics learn from these rollouts where they do
+    /// not move on.
+    OwnRollouts,
 }
 
 impl fmt::Display for TrainingPhase {
@@ -79,6 +82,7 @@ impl fmt::Display for TrainingPhase {
         f.write_str(match self {
             TrainingPhase::CouplingsKernelsInducingPoints => "couplings, kernels and inducing points",
             TrainingPhase::Everything => "everything together",
+            TrainingPhase::OwnRollouts => "learning from its own rollouts",
         })
     }
 }

@@ -1,5 +1,7 @@
 //! Settings of a training without the seed: a type for each kind of model, and the enum of all of them.
 
+use crate::models::data::column_mapping::ColumnMapping;
+use crate::models::data::dataset::Dataset;
 use crate::models::training::kind::ModelKind;
 use crate::models::training::pose_weight::PoseWeight;
 use serde::{Deserialize, Serialize};
@@ -43,8 +45,15 @@ pub struct VariationalSettings {
     /// listens to the others. Without effect on a model of one part.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub uncoupled: bool,
+    /// Whether the dynamics learn from rollouts of the model after the last iteration, where these do not move
+    /// on; see [`Model::learn_from_own_rollouts`](crate::models::Model::learn_from_own_rollouts). Tables have no
+    /// such rollouts.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub own_rollouts: bool,
 }
 
+/// As in the papers: training maximises the bound. [`VariationalSettings::for_dataset`] has the defaults of the
+/// project's programs.
 impl Default for VariationalSettings {
     fn default() -> Self {
         Self {
@@ -55,6 +64,7 @@ impl Default for VariationalSettings {
             max_iterations: 250,
             pose_weight: PoseWeight::default(),
             uncoupled: false,
+            own_rollouts: false,
         }
     }
 }
@@ -65,15 +75,36 @@ const LONG_CLIP: f64 = 8.0;
 const POINTS_OF_LONG_CLIPS: usize = 30;
 
 impl VariationalSettings {
-    /// The default settings for clips of which the longest has this many seconds: from 8 seconds on, every map
-    /// has 30 inducing points instead of 12. More rollouts kept moving with them, by a small and not certain
-    /// margin (docs/training.md, "Points by length").
+    /// The settings for a data set, where nobody asks for others: on the page, in the terminal, in JavaScript and
+    /// in Python alike. Those of clips are [`for_clips`](Self::for_clips), with the longest clip of the data set.
+    /// Tables have the settings of the papers: for them nothing was measured.
+    pub fn for_dataset<S: ColumnMapping>(dataset: &Dataset<S>) -> Self {
+        if dataset.mapping.poses().is_none() {
+            return Self::default();
+        }
+        let longest = dataset.lengths().into_iter().max().unwrap_or(0);
+        Self::for_clips(longest as f64 * dataset.frame_time)
+    }
+
+    /// The settings for clips of which the longest has this many seconds:
+    ///
+    /// - the pose terms are balanced: rollouts then have smaller errors (docs/training.md, "The weight of the
+    ///   poses");
+    /// - from 8 seconds on, every map has 30 inducing points instead of 12: more rollouts kept moving with them,
+    ///   by a small and not certain margin ("Points by length");
+    /// - the model learns from its own rollouts: fewer models come to rest ("Learning from own rollouts").
     pub fn for_clips(longest: f64) -> Self {
-        let usual = Self::default();
+        let usual = Self::for_library().with_pose_weight(PoseWeight::Balanced);
         if longest < LONG_CLIP {
             return usual;
         }
         usual.with_points(POINTS_OF_LONG_CLIPS, POINTS_OF_LONG_CLIPS)
+    }
+
+    /// The settings for a library of several movements: those of the papers, and each movement learns from its
+    /// own rollouts. Another weight and other numbers of points were not measured.
+    pub fn for_library() -> Self {
+        Self::default().with_own_rollouts(true)
     }
 
     /// With another number of latent dimensions of every part.
@@ -104,6 +135,12 @@ impl VariationalSettings {
     #[must_use]
     pub fn with_pose_weight(self, pose_weight: PoseWeight) -> Self {
         Self { pose_weight, ..self }
+    }
+
+    /// With or without learning from its own rollouts.
+    #[must_use]
+    pub fn with_own_rollouts(self, own_rollouts: bool) -> Self {
+        Self { own_rollouts, ..self }
     }
 
     /// With or without couplings between parts.
@@ -280,7 +317,9 @@ mod tests {
     }
 
     #[test]
-    fn gives_long_clips_more_inducing_points() {
+    fn balances_clips_and_gives_long_ones_more_inducing_points() {
+        let clips = VariationalSettings::for_clips(1.0);
+        assert!(clips.own_rollouts && clips.pose_weight == PoseWeight::Balanced);
         let points = |seconds| {
             let settings = VariationalSettings::for_clips(seconds);
             (settings.dynamics_ips, settings.pose_ips)

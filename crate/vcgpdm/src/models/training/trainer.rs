@@ -5,18 +5,25 @@ use crate::models::data::column_mapping::ColumnMapping;
 use crate::models::data::dataset::{Dataset, DatasetError};
 use crate::models::data::movements::Movements;
 use crate::models::fitted::body::Body;
+use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::fitted::model::Model;
+use crate::models::fitted::own_rollouts::OwnRollouts;
 use crate::models::fitted::provenance::Provenance;
 use crate::models::training::error::TrainingError;
 use crate::models::training::learner::Learner;
-use crate::models::training::progress::Progress;
+use crate::models::training::progress::{Progress, TrainingPhase};
 use crate::models::training::settings::{Settings, VariationalSettings};
 use crate::models::variational::Vcgpdm;
 use crate::motion::pose::PoseMapping;
 use nalgebra::DMatrix;
 use std::ops::ControlFlow;
 
-/// A training of any kind of model. It can be stopped after any iteration; the best model so far is kept.
+/// The share of the time that is planned for the iterations; the rest is for learning from own rollouts.
+const ITERATIONS_SHARE: f64 = 0.6;
+
+/// A training of any kind of model. It can be stopped after any step; the best model so far is kept. A step is an
+/// iteration of the optimiser. If the settings say so, a vCGPDM or vGPDM of a body then learns from its own
+/// rollouts in further steps, as [`Model::learn_from_own_rollouts`] does.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -41,6 +48,8 @@ pub struct Trainer<S = PoseMapping> {
     seed: u32,
     frames_per_second: f64,
     warnings: Vec<String>,
+    /// After the last iteration, if the model learns from its own rollouts.
+    rollouts: Option<OwnRollouts>,
 }
 
 impl<S: ColumnMapping> Trainer<S> {
@@ -63,12 +72,38 @@ impl<S: ColumnMapping> Trainer<S> {
             seed,
             frames_per_second: dataset.frames_per_second,
             warnings: dataset.warnings.clone(),
+            rollouts: None,
         })
     }
 
-    /// One iteration. After the end it does nothing.
+    /// One step. After the end it does nothing.
     pub fn step(&mut self) -> Progress {
-        self.learner.step()
+        let mut progress = self.learner.progress();
+        if !progress.done {
+            progress = self.learner.step();
+        } else if let Some(rollouts) = &mut self.rollouts {
+            rollouts.step();
+        }
+        if progress.done && self.rollouts.is_none() && self.learns_from_own_rollouts() {
+            self.rollouts = self.own_rollouts(&progress);
+        }
+        with_rounds(progress, self.learns_from_own_rollouts(), self.rounds())
+    }
+
+    /// The share of the rounds of own rollouts that are done, and whether all are.
+    fn rounds(&self) -> Option<(f64, bool)> {
+        self.rollouts.as_ref().map(|rollouts| (rollouts.fraction(), rollouts.is_done()))
+    }
+
+    fn learns_from_own_rollouts(&self) -> bool {
+        let asked = self.settings.variational().is_some_and(|settings| settings.own_rollouts);
+        asked && self.body.mapping.poses().is_some()
+    }
+
+    /// The model of the last iteration before it learns from its own rollouts; `None` if it has none.
+    fn own_rollouts(&self, progress: &Progress) -> Option<OwnRollouts> {
+        let (fitted, body) = (self.learner.model().ok()?, self.body.with_poses()?);
+        OwnRollouts::new(Model { fitted, body, provenance: self.provenance(progress) })
     }
 
     /// Trains to the end.
@@ -76,9 +111,9 @@ impl<S: ColumnMapping> Trainer<S> {
         self.run_with(|_| ControlFlow::Continue(()))
     }
 
-    /// Trains to the end, or until `watch`, which is called after every iteration, breaks.
+    /// Trains to the end, or until `watch`, which is called after every step, breaks.
     pub fn run_with(&mut self, watch: impl FnMut(&Progress) -> ControlFlow<()>) -> Progress {
-        run_with(|| self.learner.step(), watch)
+        run_with(|| self.step(), watch)
     }
 
     /// The best model so far.
@@ -87,7 +122,18 @@ impl<S: ColumnMapping> Trainer<S> {
     ///
     /// When a covariance of the model cannot be factorised.
     pub fn finish(&self) -> Result<Model<S>, NumericsError> {
-        let progress = self.learner.progress();
+        let mut provenance = self.provenance(&self.learner.progress());
+        let fitted = match self.rollouts.as_ref().and_then(OwnRollouts::best) {
+            Some((rounds, model)) => {
+                provenance.rollout_rounds = rounds;
+                FittedModel::Vcgpdm(Box::new(model.clone()))
+            }
+            None => self.learner.model()?,
+        };
+        Ok(Model { fitted, body: self.body.clone(), provenance })
+    }
+
+    fn provenance(&self, progress: &Progress) -> Provenance {
         let mut settings = self.settings.clone();
         if let Settings::Vcgpdm(s) | Settings::Vgpdm(s) = &mut settings {
             // `extend` may have raised it.
@@ -96,13 +142,12 @@ impl<S: ColumnMapping> Trainer<S> {
         if let (Settings::Vcgpdm(s), 1) = (&settings, self.body.layout.parts().len()) {
             settings = Settings::Vgpdm(s.clone());
         }
-        let provenance = Provenance::of_training(settings, self.seed, self.frames_per_second, &progress);
-        Ok(Model { fitted: self.learner.model()?, body: self.body.clone(), provenance })
+        Provenance::of_training(settings, self.seed, self.frames_per_second, progress)
     }
 
     /// How far the training is.
     pub fn progress(&self) -> Progress {
-        self.learner.progress()
+        with_rounds(self.learner.progress(), self.learns_from_own_rollouts(), self.rounds())
     }
 
     /// What the user should know: the warnings of the data set, then settings that are more than the data
@@ -115,6 +160,9 @@ impl<S: ColumnMapping> Trainer<S> {
     /// a vCGPDM or vGPDM can be extended; for other kinds this does nothing.
     pub fn extend(&mut self, iterations: usize) {
         self.learner.extend(iterations);
+        if !self.learner.progress().done {
+            self.rollouts = None;
+        }
     }
 
     /// The number of parts M.
@@ -162,6 +210,23 @@ impl Vcgpdm {
         let mut trainer = Trainer::new(dataset, &settings.clone().into(), seed)?;
         trainer.run();
         trainer.finish().map_err(|reason| DatasetError::Training(reason.into()))
+    }
+}
+
+/// The progress of a training whose iterations are this far, and which may learn from its own rollouts: `rounds` has
+/// the share of the rounds that are done, and whether all are; `None` before the first.
+pub(crate) fn with_rounds(progress: Progress, learns: bool, rounds: Option<(f64, bool)>) -> Progress {
+    if !learns {
+        return progress;
+    }
+    let (share, ended) = rounds.unwrap_or((0.0, true));
+    let done = progress.done && ended;
+    let iterations = if progress.done { 1.0 } else { progress.fraction };
+    Progress {
+        phase: if progress.done && !done { Some(TrainingPhase::OwnRollouts) } else { progress.phase },
+        fraction: if done { 1.0 } else { ITERATIONS_SHARE * iterations + (1.0 - ITERATIONS_SHARE) * share },
+        done,
+        ..progress
     }
 }
 
