@@ -109,11 +109,6 @@ export * from "./glue.js";
 const TRAIN_TYPES = `
 /** How a training is watched and stopped, and how it ends. */
 export interface Watch {
-    /**
-     * Whether the dynamics of a body's model learn from its own rollouts after the training; absent: yes. More
-     * models then keep moving.
-     */
-    ownRollouts?: boolean;
     /** Called after iterations, at most 20 times a second, and at the end. */
     onProgress?: (progress: TrainingProgress) => void;
     /** Stops the training; the promise is rejected with the reason of the signal. */

@@ -39,8 +39,7 @@ describe("one call", () => {
     const trainer = new Trainer(set, {
       ...SHORT,
       seed: 3,
-      // Clips are balanced by `train` unless the caller says otherwise.
-      poseWeight: "balanced",
+      ownRollouts: false,
       parts: "upper,lower".split(",").reverse().join(","),
     });
     while (!trainer.step().done);
@@ -71,13 +70,32 @@ describe("one call", () => {
     const set = new TrainingSet();
     set.add(clip);
     const trainer = new Trainer(set, settings);
-    while (!trainer.step().done);
+    let progress = trainer.step();
+    while (progress.phase !== "own-rollouts") progress = trainer.step();
     const error = trainer.rolloutError();
-    assert.equal(trainer.finish().toJson(), model.toJson());
-    assert.notEqual(trainer.rolloutError(), error, "that of the finished model");
+    assert.equal(trainer.model().rollout({ frames: 600 }).health().state, "visits-few-poses");
+    while (!trainer.step().done);
+    assert.equal(trainer.model().toJson(), model.toJson());
+    assert.notEqual(trainer.rolloutError(), error, "that of the model that learned");
     await assert.rejects(() => train(clip, /** @type {any} */ ({ ownRollouts: 1 })), {
-      message: "settings: `ownRollouts`: expected true or false, found 1",
+      message: /^settings: `ownRollouts`: .*found 1$/,
     });
+  });
+
+  it("has the settings that the library gives", () => {
+    const { Clip, Trainer, TrainingSet, usualSettings } = installed.vcgpdm;
+    const set = new TrainingSet();
+    set.add(Clip.sample("walk-1"));
+    const trainer = new Trainer(set, { maxIterations: 1 });
+    trainer.step();
+    const { settings } = trainer.model().info().provenance;
+    const { seed: _, parts: __, framesPerSecond: ___, ...found } = settings;
+    assert.deepEqual(found, { ...usualSettings(3), maxIterations: 1 });
+    assert.deepEqual(
+      [settings.poseWeight, settings.ownRollouts, settings.dynamicsIps],
+      ["balanced", true, 12],
+    );
+    assert.equal(usualSettings(8).dynamicsIps, 30);
   });
 
   it("gives long clips more inducing points, unless told otherwise", () => {

@@ -75,6 +75,7 @@ describe("the declared types", () => {
     const { parts: _, framesPerSecond: __, seed: ___, ...size } = settings;
     const cost = installed.vcgpdm.trainingCost(size, 100, [30, 33]);
     hold("trainingCost", cost);
+    hold("usualSettings", installed.vcgpdm.usualSettings(9));
     assert.ok(cost.seconds > 0 && cost.bytes > 0);
     const { documentKind } = installed.vcgpdm;
     for (const text of ["[]", "{}", '{ "version": 1, "format": "vcgpdm model" }'])
@@ -87,7 +88,7 @@ describe("the declared types", () => {
       phases.add(progress.phase);
       done = progress.done;
     }
-    assert.deepEqual([...phases], ["couplings-kernels-inducing-points", "everything"]);
+    assert.deepEqual([...phases], ["couplings-kernels-inducing-points", "everything", "own-rollouts"]);
     const model = trainer.model();
     hold("Model.info", model.info());
     const coupled = types.get("CoupledModelInfo");

@@ -102,6 +102,7 @@ export interface ModelSettings {
     maxIterations?: number;
     poseWeight?: number | "balanced";
     uncoupled?: boolean;
+    ownRollouts?: boolean;
 }
 
 /** A part of a model; latent dimensions and pose inducing points only of a vCGPDM or vGPDM. */

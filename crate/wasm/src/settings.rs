@@ -118,6 +118,13 @@ struct Cost {
     bytes: f64,
 }
 
+/// The settings of a training of clips of which the longest has this many seconds, where nobody asks for others. A
+/// `Trainer` and `train` use them.
+#[wasm_bindgen(js_name = usualSettings, unchecked_return_type = "VariationalSettings")]
+pub fn usual_settings(longest: f64) -> Result<JsValue, VcgpdmError> {
+    to_js(&VariationalSettings::for_clips(longest))
+}
+
 /// The cost of a training on `frames` frames of parts with `columns` columns each (a joint has three).
 /// Right to a factor of about two. Absent settings are those of `TrainingOptions`.
 #[wasm_bindgen(js_name = trainingCost, unchecked_return_type = "TrainingCost")]

@@ -64,7 +64,14 @@ describe("the text about measures", () => {
 
   it("says how a motion ends that does not move on", () => {
     const still = textOf(
-      report([{ swing: 0 }, {}], { state: "stands-still", from: 0.71, part: null, rank: 1, pace: null, parts: [] }),
+      report([{ swing: 0 }, {}], {
+        state: "stands-still",
+        from: 0.71,
+        part: null,
+        rank: 1,
+        pace: null,
+        parts: [],
+      }),
     );
     expect(still).toEqual({ parts: [], step: "", trouble: "stands still from 0.7 s on" });
     const away = textOf(
@@ -73,15 +80,19 @@ describe("the text about measures", () => {
     expect(away.trouble).toBe("upper leaves the training range from 3.0 s on");
     expect(away.parts).toHaveLength(2);
     expect(
-      textOf(report([{}, {}], { state: "not-finite", from: null, part: null, rank: 0, pace: null, parts: [] })).trouble,
+      textOf(
+        report([{}, {}], { state: "not-finite", from: null, part: null, rank: 0, pace: null, parts: [] }),
+      ).trouble,
     ).toMatch(/runs away/);
   });
 });
 
+const CALM: NonNullable<Health["pace"]> = { speed: 1, clipSpeed: 1, turnsBack: 0, clipTurnsBack: 0 };
+
 const inPose = (stillFrom: (number | null)[], health: Partial<Health> = {}): Health => ({
   ...MOVES_ON,
   ...health,
-  parts: stillFrom.map((seconds) => ({ visited: 1, stillFrom: seconds })),
+  parts: stillFrom.map((seconds) => ({ visited: 1, stillFrom: seconds, pace: CALM })),
 });
 
 it("gives the lost step to the part that moves in another way, not to the limb that it swings with", () => {
@@ -119,9 +130,20 @@ it("says which share of its clips’ poses a part visits, if it is small", () =>
     ...MOVES_ON,
     state: "visits-few-poses",
     part: 0,
-    parts: [{ visited: 0.221, stillFrom: null }],
+    parts: [{ visited: 0.221, stillFrom: null, pace: CALM }],
   };
   expect(textOf(report([{}, {}], hops)).trouble).toBe("visits 22 % of its clips’ poses in lower");
+});
+
+it("says how fast a part shakes, and how many of its steps turn back", () => {
+  const pace = { ...CALM, speed: 0.35, clipSpeed: 0.05, turnsBack: 0.958 };
+  const part = { visited: 1, stillFrom: null, pace };
+  const shakes: Health = { ...MOVES_ON, state: "shakes", part: 1, parts: [{ ...part, pace: CALM }, part] };
+  expect(textOf(report([{}, {}], shakes)).trouble).toBe(
+    "shakes: upper moves 7.0 × as fast as in its clips, and 96 % of its steps turn back",
+  );
+  const body = textOf(report([{}, {}], { ...shakes, part: null, pace })).trouble;
+  expect(body).toMatch(/^shakes: the body moves 7\.0/);
 });
 
 describe("the effect of couplings", () => {

@@ -24,7 +24,7 @@ import type {
   ShownClip,
   TrainedModel,
   TrainingClip,
-  TrainingCost,
+  PlannedTraining,
   TrainingJob,
   TrainingOutcome,
   TrainingProgress,
@@ -48,7 +48,14 @@ const parts: PartSpec[] = [
 ];
 
 export const MOVES_ON: Health = { state: "moves-on", from: null, part: null, rank: 3, pace: null, parts: [] };
-export const STANDS_STILL: Health = { state: "stands-still", from: 2.4, part: null, rank: 1, pace: null, parts: [] };
+export const STANDS_STILL: Health = {
+  state: "stands-still",
+  from: 2.4,
+  part: null,
+  rank: 1,
+  pace: null,
+  parts: [],
+};
 
 function still(frames: number): Motion {
   return { positions: new Float32Array(frames * 6), frames, nodes: 2, frameTime: 1 / 30 };
@@ -208,9 +215,11 @@ export class FakeEngine implements Partial<Engine>, ClipCalls {
     return this.#answer("bestToShow", [ranks, errors], places[0] ?? -1);
   }
 
-  trainingCost({ settings, frames }: CostQuestion): Promise<TrainingCost> {
+  trainingCost({ settings, frames, longest }: CostQuestion): Promise<PlannedTraining> {
     const seconds = (frames * settings.maxIterations) / 1000;
-    return this.#answer("trainingCost", [frames], { seconds, bytes: 1e6 });
+    const points = longest >= 8 ? 30 : 12;
+    const usual = { latent: 3, dynamicsIps: points, poseIps: points, order: 2, maxIterations: 250 };
+    return this.#answer("trainingCost", [frames], { seconds, bytes: 1e6, usual });
   }
 
   openModel(text: string, frames: number): Promise<OpenedModel> {

@@ -257,10 +257,18 @@ export interface TrainingOutcome {
 }
 
 export interface CostQuestion {
+  /** Numbers of inducing points of 0 stand for those that the library gives these clips. */
   settings: VariationalSettings;
   frames: number;
+  /** Seconds of the longest clip. */
+  longest: number;
   /** The number of columns of each part. */
   columns: number[];
+}
+
+/** The cost of a training, and the settings that the library gives these clips. */
+export interface PlannedTraining extends TrainingCost {
+  usual: VariationalSettings;
 }
 
 export interface TrainingJob {
@@ -294,8 +302,8 @@ export interface Workbench {
    * rollouts' health, and the errors of their rollouts on the clips.
    */
   bestToShow(ranks: number[], errors: number[]): number;
-  /** The estimated cost of a training in the browser. */
-  trainingCost(question: CostQuestion): TrainingCost;
+  /** The estimated cost of a training in the browser, and the usual settings. */
+  trainingCost(question: CostQuestion): PlannedTraining;
   /** Opens a model. The model and its rollouts get the number `revision`. */
   openModel(text: string, frames: number, revision: number): OpenedModel;
   rollout(request: RolloutRequest): RolloutResult;

@@ -5,6 +5,7 @@ import { partsFor } from "../clips/parts";
 import type { EngineStore } from "../engine/engine-store";
 import type { PartSpec } from "../engine/protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
+import { pointsOf } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import type { LibraryStore } from "./library-store";
 import { ProgressStore } from "../training/progress-store";
@@ -119,8 +120,8 @@ export class LearningStore extends ProgressStore<string> {
     if (this.busy || this.whyNot) return;
     const groups = this.#groups();
     const parts = this.parts;
-    const { latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations } =
-      this.#settings.values;
+    const { latent, order, framesPerSecond, seed, maxIterations } = this.#settings.values;
+    const { dynamicsIps, poseIps } = pointsOf(this.#settings.values);
     const job = {
       clips: groups.flatMap(({ clips }) =>
         clips.map(({ loaded, source, first, end }) => ({ id: loaded.id, source, first, end })),

@@ -1,6 +1,7 @@
 // A training on the ticked tables. It uses the same settings as trainings on clips.
 import type { TrainedSeries } from "../engine/series-protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
+import { pointsOf } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import { ProgressStore } from "../training/progress-store";
 import { mayLose } from "../unsaved/unsaved";
@@ -37,8 +38,8 @@ export class SeriesTrainingStore extends ProgressStore<TrainedSeries> {
   /** Trains a model and shows it instead of the current one. */
   async train(): Promise<void> {
     if (this.busy || this.whyNot || !(await mayLose(this.#series.unsaved))) return;
-    const { latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations } =
-      this.#settings.values;
+    const { latent, order, framesPerSecond, seed, maxIterations } = this.#settings.values;
+    const { dynamicsIps, poseIps } = pointsOf(this.#settings.values);
     const parts = this.#tables.parts.filter(({ columns }) => columns.length > 0);
     const job = {
       tables: this.#tables.ticked.map(({ source }) => source),

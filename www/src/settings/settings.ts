@@ -20,6 +20,9 @@ export interface NumberSetting extends Setting<number> {
   step: number;
 }
 
+/** Fewer inducing points than these cannot be chosen. */
+export const FEWEST_POINTS = 2;
+
 function whole(key: string, initial: number, min: number, max: number, step = 1): NumberSetting {
   return {
     key,
@@ -32,6 +35,23 @@ function whole(key: string, initial: number, min: number, max: number, step = 1)
     limit: (value) => (Number.isFinite(value) ? Math.round(Math.min(max, Math.max(min, value))) : null),
   };
 }
+
+export interface PointsSetting extends NumberSetting {
+  /** Stands for 0 where the library gives no other number. */
+  usual: number;
+}
+
+/** A number of inducing points; 0: the number that the library gives these clips. */
+function points(key: string, most: number): PointsSetting {
+  return { ...whole(key, 0, 0, most), usual: 12, limit: pointsWithin(most) };
+}
+
+const pointsWithin = (most: number) => (value: number) =>
+  Number.isFinite(value)
+    ? value < 1
+      ? 0
+      : Math.round(Math.min(most, Math.max(FEWEST_POINTS, value)))
+    : null;
 
 /** Three numbers from which the camera looks at the figure; none: from the usual side. */
 const look: Setting<readonly number[]> = {
@@ -341,11 +361,11 @@ export const SETTINGS = {
   parts: preset,
   split,
   latent: whole("latent", 3, 1, 6),
-  dynamicsIps: whole("dynamics", 12, 2, 40),
-  poseIps: whole("poses", 12, 2, 60),
+  dynamicsIps: points("dynamics", 40),
+  poseIps: points("poses", 60),
   order: whole("order", 2, 1, 4),
   framesPerSecond: whole("fps", 30, 5, 60),
-  seed: whole("seed", 1, 0, 4294967295),
+  seed: whole("seed", 0, 0, 4294967295),
   maxIterations: whole("iterations", 250, 10, 5000, 10),
   poseWeight: choice("weight", "balanced", POSE_WEIGHTS),
   /** 0: the number of cores, at most a few. */
@@ -386,6 +406,14 @@ export type Settings = {
   [Name in keyof typeof SETTINGS]: (typeof SETTINGS)[Name] extends Setting<infer T> ? T : never;
 };
 export type SettingName = keyof Settings;
+
+/** The numbers of inducing points of a training: the visitor's, or else those of `usual`. */
+export function pointsOf(
+  { dynamicsIps, poseIps }: Settings,
+  usual = { dynamicsIps: SETTINGS.dynamicsIps.usual, poseIps: SETTINGS.poseIps.usual },
+): { dynamicsIps: number; poseIps: number } {
+  return { dynamicsIps: dynamicsIps || usual.dynamicsIps, poseIps: poseIps || usual.poseIps };
+}
 
 type Row = Setting<Settings[SettingName]>;
 const ROWS = Object.entries(SETTINGS) as unknown as [SettingName, Row][];

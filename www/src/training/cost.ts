@@ -2,7 +2,7 @@
 import type { ClipsStore } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
-import type { CostQuestion, TrainingCost } from "../engine/protocol";
+import type { CostQuestion, PlannedTraining, TrainingCost } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import { duration } from "../ui/format";
 import { lab } from "../words/lab";
@@ -24,14 +24,14 @@ export interface CostWords {
 export class Cost {
   readonly #settings: SettingsStore;
   readonly #clips: ClipsStore;
-  readonly #latest: Latest<CostQuestion, TrainingCost | undefined>;
+  readonly #latest: Latest<CostQuestion, PlannedTraining | undefined>;
   #asked = "";
-  #cost: TrainingCost | null = null;
+  #cost: PlannedTraining | null = null;
 
   constructor(engine: EngineStore, settings: SettingsStore, clips: ClipsStore, changed: () => void) {
     this.#settings = settings;
     this.#clips = clips;
-    const done = (cost: TrainingCost | undefined) => {
+    const done = (cost: PlannedTraining | undefined) => {
       this.#cost = cost ?? null;
       changed();
     };
@@ -41,7 +41,7 @@ export class Cost {
   }
 
   /** Null before the first answer. */
-  get now(): TrainingCost | null {
+  get now(): PlannedTraining | null {
     return this.#cost;
   }
 
@@ -53,7 +53,7 @@ export class Cost {
     if (frames === 0) return;
     const columns = parts.map(({ joints }) => COLUMNS * joints.length);
     const settings = { latent, order, dynamicsIps, poseIps, maxIterations };
-    const question = { settings, frames, columns };
+    const question = { settings, frames, columns, longest: Math.max(...seconds) };
     const words = JSON.stringify(question);
     if (words === this.#asked) return;
     this.#asked = words;

@@ -3,6 +3,7 @@ import type { ClipsStore } from "../clips/clips-store";
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import type { TrainedModel, TrainingOutcome, Report, TrainingSettings } from "../engine/protocol";
+import { pointsOf } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import { messageOf, sentence } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
@@ -131,6 +132,11 @@ export class TrainingStore extends Store {
   /** The cost of a press of Train; empty for short trainings. */
   get cost(): CostWords {
     return costWords(this.#cost.now, this.count, this.workers);
+  }
+
+  /** The numbers of inducing points that the library gives the ticked clips; undefined before its answer. */
+  get usual(): { dynamicsIps: number; poseIps: number } | undefined {
+    return this.#cost.now?.usual;
   }
 
   /** Why Train cannot be pressed now; empty when it can. */
@@ -292,8 +298,8 @@ export class TrainingStore extends Store {
   }
 
   #newRuns(): Run[] {
-    const { latent, dynamicsIps, poseIps, order, framesPerSecond, maxIterations, seed, poseWeight } =
-      this.#settings.values;
+    const { latent, order, framesPerSecond, maxIterations, seed, poseWeight } = this.#settings.values;
+    const { dynamicsIps, poseIps } = pointsOf(this.#settings.values, this.usual);
     const { parts, toTrainOn: clips } = this.#clips;
     return seedsFrom(seed, this.count).map((seed): Run => {
       const settings: TrainingSettings = {

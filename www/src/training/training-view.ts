@@ -3,7 +3,7 @@ import { html, nothing } from "lit";
 import type { ClipsStore } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import { type NumberName, settingField, settingInput } from "../settings/setting-field";
-import { BY_HAND, POSE_WEIGHTS } from "../settings/settings";
+import { BY_HAND, POSE_WEIGHTS, SETTINGS } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import { sentence } from "../ui/format";
 import { icon } from "../ui/icons";
@@ -37,13 +37,21 @@ export class TrainingView extends View {
     const disabled = this.training.busy && name === "framesPerSecond";
     const afterLabel =
       term && html`<pg-term of=${term} text=${symbol} about=${field.about(label)}></pg-term>`;
-    return settingField(this.settings, name, {
-      label,
-      hint,
-      testId: `setting-${name}`,
-      disabled,
-      ...(afterLabel && { afterLabel }),
-    });
+    const usual = name === "dynamicsIps" || name === "poseIps" ? this.training.usual?.[name] : undefined;
+    const input = { testId: `setting-${name}`, disabled, ...(afterLabel && { afterLabel }) };
+    return settingField(this.settings, name, { label, hint, ...input }, usual);
+  }
+
+  /** Why the library gives these clips as many inducing points. */
+  #whyPoints() {
+    const { usual } = this.training;
+    const { dynamicsIps, poseIps } = this.settings.values;
+    if (!usual || (dynamicsIps > 0 && poseIps > 0)) return nothing;
+    const words = lab().learn.settings.whyPoints(
+      usual.dynamicsIps,
+      usual.dynamicsIps > SETTINGS.dynamicsIps.usual,
+    );
+    return html`<p class="hint" data-testid="why-points">${words}</p>`;
   }
 
   #partsField() {
@@ -83,9 +91,12 @@ export class TrainingView extends View {
     const { asked, busy, ending } = training;
     const words = lab().learn.training;
     const last = asked.length === 1 ? asked[0]?.steps.at(-1) : undefined;
-    const iteration = last
-      ? html`<span>${words.iterationOf(last.iteration, last.maxIterations)}${busy ? "" : "."}</span>`
-      : nothing;
+    const watches = busy && last?.phase === "own-rollouts";
+    const iteration = !last
+      ? nothing
+      : watches
+        ? html`<span>${sentence(words.ownRollouts)}</span>`
+        : html`<span>${words.iterationOf(last.iteration, last.maxIterations)}${busy ? "" : "."}</span>`;
     if (busy) {
       if (asked.every(({ steps }) => steps.length === 0)) return html`<span>${words.settingUp}</span>`;
       if (asked.some(({ catchingUp }) => catchingUp)) return html`<span>${words.catchingUp}</span>`;
@@ -160,6 +171,7 @@ export class TrainingView extends View {
         ${this.#count("poseIps", "pose-points", "L")}
         ${this.#count("framesPerSecond")}
       </div>
+      ${this.#whyPoints()}
       <details class="advanced">
         <summary>${names.advanced}</summary>
         <div class="fields">

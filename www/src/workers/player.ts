@@ -1,5 +1,13 @@
 // The worker that shows, with the model. No DOM.
-import init, { bestToShow, Clip, documentKind, freshSeed, trainingCost, version } from "vcgpdm/player";
+import init, {
+  bestToShow,
+  Clip,
+  documentKind,
+  freshSeed,
+  trainingCost,
+  usualSettings,
+  version,
+} from "vcgpdm/player";
 import type { Workbench } from "../engine/protocol";
 import { Live } from "./live";
 import { serve, start } from "./serve";
@@ -18,7 +26,12 @@ const workbench: Workbench = {
   freshSeed: () => freshSeed(),
   documentKind: (text) => documentKind(text),
   sampleClip: (id) => using(Clip.sample(id), shownClip),
-  trainingCost: ({ settings, frames, columns }) => trainingCost(settings, frames, columns),
+  trainingCost({ settings, frames, longest, columns }) {
+    const usual = usualSettings(longest);
+    const dynamicsIps = settings.dynamicsIps || usual.dynamicsIps;
+    const poseIps = settings.poseIps || usual.poseIps;
+    return { ...trainingCost({ ...settings, dynamicsIps, poseIps }, frames, columns), usual };
+  },
   bestToShow: (ranks, errors) => bestToShow(Uint8Array.from(ranks), Float64Array.from(errors)),
   openModel: (text, frames, revision) => model.open(text, frames, revision),
   rollout: (request) => model.rollout(request),

@@ -79,6 +79,10 @@ export const learn: LearnWords = {
     latent: { label: "Latente Dimensionen", hint: "Die Dimensionen des latenten Raums jedes Teils" },
     dynamicsIps: { label: "Punkte der Dynamik", hint: "Stützpunkte der Dynamik jeder Kopplung" },
     poseIps: { label: "Punkte der Posen", hint: "Stützpunkte der Posenabbildung jedes Teils" },
+    whyPoints: (points, long) =>
+      long
+        ? `${points} Punkte, weil ein Clip 8 Sekunden oder länger ist.`
+        : `${points} Punkte, weil kein Clip 8 Sekunden lang ist.`,
     framesPerSecond: {
       label: "Bilder je Sekunde",
       hint: "Mit so vielen Bildern werden die Clips neu abgetastet",
@@ -110,6 +114,7 @@ export const learn: LearnWords = {
       `Setzt Startwert ${seed} fort${more > 0 ? `, um ${more} Iterationen` : ", als wäre er nicht abgebrochen worden"}`,
     iteration: (iteration) => `Iteration ${iteration}`,
     iterationOf: (iteration, most) => `Iteration ${iteration} von ${most}`,
+    ownRollouts: "Betrachtet die eigene Bewegung und lernt aus ihr",
     settingUp: "Wird vorbereitet",
     stopping: "Wird beendet",
     catchingUp: "Holt auf bis dahin, wo es endete",

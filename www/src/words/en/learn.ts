@@ -76,6 +76,10 @@ export const learn = {
     latent: { label: "Latent dimensions", hint: "The dimensions of each part’s latent space" },
     dynamicsIps: { label: "Dynamics points", hint: "Inducing points of each coupling’s dynamics" },
     poseIps: { label: "Pose points", hint: "Inducing points of each part’s pose map" },
+    whyPoints: (points: number, long: boolean) =>
+      long
+        ? `${points} points, because a clip has 8 seconds or more.`
+        : `${points} points, because no clip has 8 seconds.`,
     framesPerSecond: { label: "Frames a second", hint: "Clips are resampled to this rate" },
     advanced: "Advanced",
     seed: "Seed",
@@ -104,6 +108,7 @@ export const learn = {
       `Goes on where seed ${seed} stopped${more > 0 ? `, for ${more} more iterations` : ", as if it had not been cancelled"}`,
     iteration: (iteration: number) => `Iteration ${iteration}`,
     iterationOf: (iteration: number, most: number) => `Iteration ${iteration} of ${most}`,
+    ownRollouts: "Watches its own motion and learns from it",
     settingUp: "Setting up",
     stopping: "Stopping",
     catchingUp: "Catching up with where it stopped",
