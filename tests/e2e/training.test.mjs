@@ -1,7 +1,9 @@
 // Train, cancel, open own files, save and open models.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
 import { Clip, Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
+import { at } from "../../scripts/run.mjs";
 import { bvh } from "./clips.mjs";
 import { draws, drop, LONG, openSite, ready, saved } from "./site.mjs";
 
@@ -55,6 +57,26 @@ describe("training", () => {
     assert.ok(after.iterations >= 2 && after.iterations <= 150, `${after.iterations} iterations`);
     assert.equal(settings.framesPerSecond, 20);
     assert.equal(settings.dynamicsIps, 14);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
+  it("has the usual settings of the library and says why", async () => {
+    const golden = JSON.parse(readFileSync(at("tests/golden/defaults.json"), "utf8"));
+    const { page, problems, leave } = await site.visit({
+      settings: `tab=learn&trainings=1&iterations=${golden.max_iterations}`,
+    });
+    await ready(page);
+    await page.getByTestId("train").click();
+    await trainIsBack(page);
+    const { bound, settings } = await provenance(page);
+    assert.ok(Math.abs(bound / golden.bound - 1) < 1e-9, `${bound}`);
+    assert.deepEqual([settings.seed, settings.poseWeight, settings.ownRollouts], [0, "balanced", true]);
+    assert.equal(await page.getByTestId("setting-dynamicsIps").inputValue(), "12");
+    assert.equal(
+      await page.getByTestId("why-points").textContent(),
+      "12 points, because no clip has 8 seconds.",
+    );
     assert.deepEqual(problems, []);
     await leave();
   });

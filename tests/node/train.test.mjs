@@ -98,6 +98,14 @@ describe("one call", () => {
     assert.equal(usualSettings(8).dynamicsIps, 30);
   });
 
+  it("gives the bound that every program gives with the usual settings", async () => {
+    const { Clip, train } = installed.vcgpdm;
+    const golden = JSON.parse(readFileSync(at("tests/golden/defaults.json"), "utf8"));
+    const clips = golden.clips.map((/** @type {string} */ id) => Clip.sample(id));
+    const { bound } = (await train(clips, { maxIterations: golden.max_iterations })).info().provenance;
+    assert.ok(Math.abs(bound / golden.bound - 1) < 1e-9, `${bound}`);
+  });
+
   it("gives long clips more inducing points, unless told otherwise", () => {
     const { Clip, Trainer, TrainingSet } = installed.vcgpdm;
     const points = (/** @type {string} */ text, settings = {}) => {

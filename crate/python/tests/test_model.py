@@ -74,6 +74,13 @@ def test_long_clips_have_more_inducing_points_unless_told_otherwise(walk, tmp_pa
     assert points(slow, pose_ips=9) == (30, 9)
 
 
+def test_the_usual_settings_give_the_bound_that_every_program_gives():
+    golden = json.loads((ROOT / "tests/golden/defaults.json").read_text())
+    clips = [Clip.sample(name) for name in golden["clips"]]
+    model = Vcgpdm.fit(clips, max_iterations=golden["max_iterations"])
+    assert model.bound == pytest.approx(golden["bound"], rel=1e-9)
+
+
 def test_a_model_that_would_stop_learns_from_its_rollouts_unless_told_otherwise(walk):
     settings = {"parts": "lower,upper", "max_iterations": 40, "pose_weight": 1}
     plain = Vcgpdm.fit(walk, own_rollouts=False, **settings)

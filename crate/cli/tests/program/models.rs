@@ -42,6 +42,25 @@ fn rolled_out(candidate: &Settings, preset: &str, seed: u32, frames: usize) -> n
     Body::new(&dataset).columns(&learner.model().unwrap().rollout(SEQUENCE, frames).unwrap())
 }
 
+/// The library, the npm package, the page and the Python package are held against the same number.
+#[test]
+fn trains_with_the_usual_settings() {
+    let golden = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/golden/defaults.json");
+    let golden: Value = serde_json::from_str(&fs::read_to_string(golden).unwrap()).unwrap();
+    let clips: Vec<String> = golden["clips"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|id| format!("sample:{}", id.as_str().unwrap()))
+        .collect();
+    let (out, most) = (folder("defaults").join("model.json"), golden["max_iterations"].to_string());
+    let mut arguments =
+        vec!["train", "--parts", "lower,upper", "--max-iterations", &most, "--out", text(&out)];
+    arguments.extend(clips.iter().map(String::as_str));
+    let (found, expected) = (prints(&arguments)["elbo"].as_f64().unwrap(), golden["bound"].as_f64().unwrap());
+    assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+}
+
 #[test]
 fn rolls_out_every_kind_of_model_as_it_was_trained() {
     let gpdm = VariationalSettings {

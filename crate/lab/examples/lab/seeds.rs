@@ -33,7 +33,7 @@ pub struct Arguments {
     /// Seeds, from 0.
     #[arg(long, default_value_t = 10)]
     seeds: u32,
-    /// Inducing points of every dynamics map, and of every pose map.
+    /// Inducing points of every dynamics map, and of every pose map; 0: as many as the library gives the clip.
     #[arg(long, value_delimiter = ',', default_values_t = [12, 20, 30])]
     points: Vec<usize>,
     /// Presets of parts.
@@ -104,9 +104,9 @@ impl Trainings {
 
 pub fn run(arguments: &Arguments) {
     println!(
-        "| clip | s | parts | points | weight of the poses | seeds that keep moving | one pose | few poses | poses visited, % | chosen of {GROUP} seeds | error on the clip | bound | within 0.5 % of the best | s of a training |"
+        "| clip | s | parts | points | weight of the poses | seeds that keep moving | one pose | few poses | shake | poses visited, % | chosen of {GROUP} seeds | error on the clip | bound | within 0.5 % of the best | s of a training |"
     );
-    println!("{}|", "|---".repeat(14));
+    println!("{}|", "|---".repeat(15));
     let mut clips: Vec<Clip> = read_clips(&arguments.clips).collect();
     if clips.is_empty() {
         clips.push(samples::clip("walk-1").unwrap());
@@ -123,9 +123,11 @@ pub fn run(arguments: &Arguments) {
             for &pose_weight in &arguments.pose_weights {
                 let mut first_error = None;
                 for &points in &arguments.points {
+                    let usual = VariationalSettings::for_clips(seconds);
+                    let number = |usual| if points == 0 { usual } else { points };
                     let settings = VariationalSettings {
-                        dynamics_ips: points,
-                        pose_ips: points,
+                        dynamics_ips: number(usual.dynamics_ips),
+                        pose_ips: number(usual.pose_ips),
                         max_iterations: arguments.iterations,
                         pose_weight,
                         ..VariationalSettings::default()
@@ -222,6 +224,7 @@ fn print(title: &str, trainings: &Trainings) {
     let ending = |states: &[Ending]| runs.iter().filter(|run| states.contains(&run.health.state)).count();
     let one_pose = ending(&[Ending::StandsStill, Ending::KeepsOnePose]);
     let few_poses = ending(&[Ending::VisitsFewPoses]);
+    let shake = ending(&[Ending::Shakes]);
     let visited: Vec<String> = runs.iter().map(|run| format!("{:.0}", run.visited())).collect();
     let (chosen, groups) = trainings.chosen();
     let mut bounds: Vec<f64> = runs.iter().map(|run| run.bound).collect();
@@ -229,7 +232,7 @@ fn print(title: &str, trainings: &Trainings) {
     let (low, middle_bound, high) = (bounds[0], bounds[bounds.len() / 2], bounds[bounds.len() - 1]);
     let near = bounds.iter().filter(|bound| **bound >= high - 0.005 * high.abs()).count();
     println!(
-        "| {title} | {} of {} | {one_pose} | {few_poses} | {} | {chosen} of {groups} | {:.5} | {low:.0} / {middle_bound:.0} / {high:.0} | {near} | {:.1} |",
+        "| {title} | {} of {} | {one_pose} | {few_poses} | {shake} | {} | {chosen} of {groups} | {:.5} | {low:.0} / {middle_bound:.0} / {high:.0} | {near} | {:.1} |",
         trainings.moving(),
         runs.len(),
         visited.join(" "),

@@ -1,7 +1,26 @@
 //! Trainings on the project's own clips, natively. crate/wasm/tests runs the same tests in wasm.
 
+use std::fs;
+use vcgpdm::{Dataset, Source, VariationalSettings, Vcgpdm, part_presets, sample_clip};
+
 #[path = "../shared/training.rs"]
 mod cases;
+
+/// The terminal program, the npm package, the page and the Python package are held against the same number.
+#[test]
+fn the_usual_settings_give_the_bound_that_every_program_gives() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/golden/defaults.json");
+    let golden: serde_json::Value = serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
+    let names = golden["clips"].as_array().unwrap().iter();
+    let clips: Vec<_> = names.map(|name| sample_clip(name.as_str().unwrap()).unwrap()).collect();
+    let sources: Vec<Source> = clips.iter().map(Source::from).collect();
+    let dataset = Dataset::new(&sources, &part_presets(&clips[0].skeleton)[1].parts, 30.0).unwrap();
+    let most = golden["max_iterations"].as_u64().unwrap() as usize;
+    let settings = VariationalSettings::for_dataset(&dataset).with_max_iterations(most);
+    let model = Vcgpdm::fit(&dataset, &settings, 0).unwrap();
+    let (found, expected) = (model.provenance.bound(), golden["bound"].as_f64().unwrap());
+    assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+}
 
 #[test]
 fn native_and_wasm_training_give_the_same_bounds() {
