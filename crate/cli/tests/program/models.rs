@@ -57,7 +57,8 @@ fn trains_with_the_usual_settings() {
     let mut arguments =
         vec!["train", "--parts", "lower,upper", "--max-iterations", &most, "--out", text(&out)];
     arguments.extend(clips.iter().map(String::as_str));
-    let (found, expected) = (prints(&arguments)["elbo"].as_f64().unwrap(), golden["bound"].as_f64().unwrap());
+    let (found, expected) = (json_and_stderr(&arguments).0["elbo"].as_f64(), golden["bound"].as_f64());
+    let (found, expected) = (found.unwrap(), expected.unwrap());
     assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
 }
 

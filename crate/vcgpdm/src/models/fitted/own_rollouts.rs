@@ -263,6 +263,40 @@ pub(in crate::models) mod tests {
     }
 
     #[test]
+    fn the_worse_of_two_rollouts_counts() {
+        let [moves, still] = [(Ending::MovesOn, 3), (Ending::StandsStill, 1)]
+            .map(|(state, rank)| Some(health(state, rank, 1.0, 0.0, 1.0)));
+        for healths in [[moves.clone(), still.clone()], [still, moves.clone()], [None, moves.clone()]] {
+            let lower = healths.iter().map(|health| health.as_ref().map_or(0, |health| health.rank)).min();
+            let judgement = Judgement { healths, error: 0.25 };
+            assert_eq!(
+                (Some(judgement.key().0), judgement.key().1, judgement.is_good()),
+                (lower, 0.25, false)
+            );
+        }
+        assert!(Judgement { healths: [moves.clone(), moves], error: 0.25 }.is_good());
+    }
+
+    /// Several rounds move on; the one whose rollouts repeat the clip best is kept, not the first one.
+    #[test]
+    fn the_round_with_the_smallest_error_is_kept() {
+        let mut rounds = OwnRollouts::new(trained(40)).unwrap();
+        let mut accepted: Vec<(usize, f64)> = Vec::new();
+        while !rounds.is_done() {
+            rounds.step();
+            let Some(model) = &rounds.latest else { continue };
+            let coupled = Coupled { model, ..rounds.model.coupled().unwrap() };
+            let judgement = judge(coupled, &rounds.sequences).unwrap();
+            if judgement.is_good() && judgement.is_no_worse_than(rounds.before.as_ref().unwrap()) {
+                accepted.push((rounds.round, judgement.error));
+            }
+        }
+        let smallest = accepted.iter().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+        assert_eq!(rounds.best().unwrap().0, smallest.0);
+        assert_ne!(smallest.0, accepted[0].0, "{accepted:?}");
+    }
+
+    #[test]
     fn a_round_in_which_something_is_worse_does_not_count() {
         let judged = |health: &Health| Judgement { healths: [Some(health.clone()), None], error: 0.0 };
         let few = health(Ending::VisitsFewPoses, 2, 0.9, 0.0, 0.45);

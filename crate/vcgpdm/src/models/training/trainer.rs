@@ -226,6 +226,7 @@ pub(crate) fn with_rounds(progress: Progress, learns: bool, rounds: Option<(f64,
         phase: if progress.done && !done { Some(TrainingPhase::OwnRollouts) } else { progress.phase },
         fraction: if done { 1.0 } else { ITERATIONS_SHARE * iterations + (1.0 - ITERATIONS_SHARE) * share },
         done,
+        reason: progress.reason.filter(|_| done),
         ..progress
     }
 }
