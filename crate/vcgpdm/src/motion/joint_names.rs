@@ -52,6 +52,32 @@ pub(crate) fn looks_like_spine(name: &str) -> bool {
     split_words(name).iter().any(|word| SPINE_WORDS.iter().any(|part| word.contains(part)))
 }
 
+/// A joint's name without what programs spell differently: its side, its other words without a prefix that
+/// all joints share, and its numbers. Two programs' names of one joint are often equal in this form.
+pub(crate) type CommonName = (Option<Side>, String, Vec<u32>);
+
+/// The common names of all joints of a body; the first is the root's.
+pub(crate) fn common_names(names: &[&str]) -> Vec<CommonName> {
+    let last = |name: &str| name.rsplit(':').find(|word| !word.is_empty()).unwrap_or_default().to_owned();
+    let names: Vec<String> = names.iter().map(|name| last(name)).collect();
+    // A prefix ends at a separator: "Bip01 " of "Bip01 Pelvis", not "Left" of "LeftArm".
+    let others = names.get(1..).unwrap_or_default();
+    let is_separator = |c: char| !c.is_alphanumeric();
+    let prefixes = others.first().into_iter().flat_map(|name| name.match_indices(is_separator));
+    let shared = (prefixes.map(|(at, separator)| others[0][..at + separator.len()].to_owned()))
+        .filter(|prefix| others.len() > 1 && others.iter().all(|name| name.starts_with(prefix)))
+        .last()
+        .unwrap_or_default();
+    let common = |name: &String| {
+        let name = name.strip_prefix(&shared).unwrap_or(name);
+        let numbers = name.split(|c: char| !c.is_ascii_digit()).filter_map(|digits| digits.parse().ok());
+        let words = split_words(name);
+        let (side, words) = side_of(&words).map_or((None, words), |(side, rest)| (Some(side), rest));
+        (side, words.concat(), numbers.collect())
+    };
+    names.iter().map(common).collect()
+}
+
 /// The words of a name in lower case: split at separators, digits and changes of case (`mixamorig:LeftUpLeg`
 /// gives mixamorig, left, up, leg).
 fn split_words(name: &str) -> Vec<String> {
@@ -195,6 +221,20 @@ mod tests {
         ] {
             assert_eq!(limb_of(name), Some((Limb::Arm, Side::Right)), "{name}");
         }
+    }
+
+    #[test]
+    fn names_of_several_programs_are_the_same() {
+        let names = common_names(&["Hips", "LeftUpLeg", "Spine1"]);
+        for others in [
+            ["mixamorig:Hips", "mixamorig:LeftUpLeg", "mixamorig:Spine1"],
+            ["HIPS", "LEFT_UPLEG", "SPINE1"],
+            ["Bip01 Hips", "Bip01 L UpLeg", "Bip01 Spine_01"],
+        ] {
+            assert_eq!(common_names(&others), names, "{others:?}");
+        }
+        assert_ne!(common_names(&["Hips", "RightUpLeg", "Spine2"])[1..], names[1..]);
+        assert!(common_names(&[]).is_empty());
     }
 
     #[test]

@@ -28,6 +28,7 @@ mod bones;
 pub mod bvh;
 mod carrying_root;
 pub(crate) mod clip;
+mod counterparts;
 mod foreign;
 mod joint_names;
 pub mod landmarks;

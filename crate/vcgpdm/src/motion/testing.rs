@@ -5,6 +5,18 @@ use crate::motion::skeleton::{Channel, Joint, Skeleton};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 
+/// A body from the names and parents of its joints. Each bone is one unit long and points along y.
+pub(crate) fn tree(joints: &[(&str, Option<usize>)]) -> Skeleton {
+    let joint = |&(name, parent): &(&str, Option<usize>)| Joint {
+        name: name.to_owned(),
+        parent,
+        offset: [0.0, 1.0, 0.0],
+        channels: vec![Channel::Zrotation, Channel::Xrotation, Channel::Yrotation],
+        end_sites: Vec::new(),
+    };
+    Skeleton { joints: joints.iter().map(joint).collect() }
+}
+
 /// Bodies of up to eight joints with any channels in any order, and their motion.
 pub(crate) fn any_clip() -> impl Strategy<Value = Clip> {
     let channels = proptest::sample::subsequence(Channel::ALL.to_vec(), 0..=6).prop_shuffle();

@@ -3,6 +3,7 @@
 use crate::elementary::Elementary;
 use crate::motion::anatomy::{Anatomy, standing_at_rest};
 use crate::motion::clip::Clip;
+use crate::motion::counterparts::counterparts;
 use crate::motion::landmarks::facing;
 use crate::motion::rotation;
 use crate::motion::same_body::BodyMismatch;
@@ -13,8 +14,8 @@ use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 impl Clip {
     /// The same motion on the body of another clip, whose joints may have other names and another rest pose.
     ///
-    /// Joints correspond by their places where both trees have the same shape, else by their names. Bones of
-    /// corresponding joints point in the same direction of the world: both rest poses are first made to stand
+    /// Joints correspond by their names. Where both trees have the same shape, joints whose names have no
+    /// partner correspond by limb and side, and then by their places. Bones of corresponding joints point in the same direction of the world: both rest poses are first made to stand
     /// and to face the same way, and each joint of the body then gets the rotation of its counterpart. A joint
     /// without a counterpart keeps its angle to its parent. The path of the root is scaled as in [`Clip::with_bones_of`].
     ///
@@ -74,21 +75,6 @@ impl Clip {
         clip.name_bones(body, scale);
         Ok(clip)
     }
-}
-
-/// For each joint of `body` the joint of `other` with the same place in a tree of the same shape, else with the
-/// same name; `None` if there is no such joint.
-fn counterparts(body: &Skeleton, other: &Skeleton) -> Vec<Option<usize>> {
-    let parents = |skeleton: &Skeleton| skeleton.joints.iter().map(|joint| joint.parent).collect::<Vec<_>>();
-    if parents(body) == parents(other) {
-        return (0..body.joints.len()).map(Some).collect();
-    }
-    let same = |a: &str, b: &str| a.eq_ignore_ascii_case(b);
-    let place = |name: &str| other.joints.iter().position(|joint| same(&joint.name, name));
-    let mut found: Vec<Option<usize>> = body.joints.iter().map(|joint| place(&joint.name)).collect();
-    // The root moves the whole body, whatever its name is.
-    found[0] = Some(0);
-    found
 }
 
 /// The joint at the end of the bone that leaves a joint: the next joint with a counterpart and another place.
@@ -220,8 +206,8 @@ mod tests {
     fn a_body_without_counterparts_or_without_a_standing_rest_pose_is_refused() {
         let walk = samples::clip("walk-1").unwrap().cut(0, 10).unwrap();
         let mut strange = walk.clone();
-        for joint in strange.skeleton.joints.iter_mut().skip(1) {
-            joint.name = format!("bone {}", joint.name);
+        for (place, joint) in strange.skeleton.joints.iter_mut().enumerate().skip(1) {
+            joint.name = format!("bone {place}");
         }
         strange.skeleton.joints.pop();
         assert!(matches!(walk.onto(&strange), Err(BodyMismatch::JointCount { .. })));
