@@ -2,7 +2,7 @@
 
 use crate::motion::joint_names::{Limb, Side, limb_of, looks_like_head};
 use crate::motion::limbs::{
-    Limbs, Pair, extents, is_clear, is_within, long_pairs, mirrored_pairs, path_lengths,
+    Limbs, Pair, extents, is_clear, is_within, long_pairs, mirrored_pairs, path_between, path_lengths,
 };
 use crate::motion::skeleton::Skeleton;
 use nalgebra::Vector3;
@@ -28,9 +28,11 @@ pub(crate) struct Anatomy {
 impl Anatomy {
     /// Finds two legs, and arms if there are any; `None` where neither names nor shape show them.
     pub(crate) fn find(skeleton: &Skeleton) -> Option<Anatomy> {
-        let named = Anatomy { regions: by_names(skeleton) };
-        if named.has_both_legs() {
-            return Some(named);
+        for legs_below_head in [false, true] {
+            let named = Anatomy { regions: by_names(skeleton, legs_below_head) };
+            if named.has_both_legs() {
+                return Some(named);
+            }
         }
         by_shape(skeleton).map(|regions| Anatomy { regions }).filter(Anatomy::has_both_legs)
     }
@@ -63,8 +65,8 @@ impl Anatomy {
 
     /// The farthest node of a limb, measured along the bones: the tip of the toes or fingers.
     pub(crate) fn tip(&self, skeleton: &Skeleton, limb: Region) -> Option<usize> {
-        let paths = path_lengths(skeleton);
-        farthest(skeleton, &paths, |joint| self.regions[joint] == limb)
+        let nodes = skeleton.figure();
+        farthest(&path_lengths(skeleton), |node| self.regions[nodes[node].joint] == limb)
     }
 
     /// The tip of a leg.
@@ -72,27 +74,68 @@ impl Anatomy {
         self.tip(skeleton, Region::Leg(side))
     }
 
-    /// The top of the head: the farthest node at or below a trunk joint whose name contains "head", else the
-    /// farthest node of the trunk.
+    /// The joint where the legs meet: the last one with both legs below it.
+    pub(crate) fn hips(&self, skeleton: &Skeleton) -> usize {
+        let [left, right] = [Side::Left, Side::Right].map(|side| self.bearing(skeleton, Region::Leg(side)));
+        (0..self.regions.len()).rev().find(|&joint| left[joint] && right[joint]).unwrap_or(0)
+    }
+
+    /// For each joint whether it belongs to the trunk and a joint of the limb hangs below it.
+    pub(crate) fn bearing(&self, skeleton: &Skeleton, limb: Region) -> Vec<bool> {
+        let mut bearing = vec![false; self.regions.len()];
+        for (place, joint) in skeleton.joints.iter().enumerate().rev() {
+            if let Some(parent) = joint.parent.filter(|&parent| self.regions[parent] == Region::Trunk)
+                && (bearing[place] || self.regions[place] == limb)
+            {
+                bearing[parent] = true;
+            }
+        }
+        bearing
+    }
+
+    /// The top of the head: the node farthest from the hips at or below a trunk joint whose name contains
+    /// "head", or above it where the tree begins at the head; else the farthest node of the trunk.
     pub(crate) fn head(&self, skeleton: &Skeleton) -> Option<usize> {
-        let paths = path_lengths(skeleton);
+        let hips = self.hips(skeleton);
+        let is_above_hips: Vec<bool> =
+            (0..self.regions.len()).map(|joint| is_within(skeleton, hips, joint)).collect();
         let mut within_head = vec![false; skeleton.joints.len()];
         for (place, joint) in skeleton.joints.iter().enumerate() {
+            let below_head = joint.parent.is_some_and(|parent| within_head[parent]);
             within_head[place] = self.regions[place] == Region::Trunk
-                && (looks_like_head(&joint.name) || joint.parent.is_some_and(|parent| within_head[parent]));
+                && (looks_like_head(&joint.name) || below_head && !is_above_hips[place]);
+            if within_head[place] && is_above_hips[place] {
+                within_head[..place].fill(true);
+            }
         }
-        farthest(skeleton, &paths, |joint| within_head[joint])
-            .or_else(|| farthest(skeleton, &paths, |joint| self.regions[joint] == Region::Trunk))
+        let paths = path_lengths(skeleton);
+        let nodes = skeleton.figure();
+        let lengths: Vec<f64> =
+            (0..nodes.len()).map(|node| path_between(skeleton, &paths, hips, node)).collect();
+        let is_trunk = |node: usize| self.regions[nodes[node].joint] == Region::Trunk;
+        // A joint between the root and the hips is no head, unless the trunk has nothing else.
+        let is_beyond_hips = |node: usize| nodes[node].end_site || !is_above_hips[nodes[node].joint];
+        let head = |node: usize| is_trunk(node) && within_head[nodes[node].joint];
+        farthest(&lengths, head)
+            .or_else(|| farthest(&lengths, |node| is_trunk(node) && is_beyond_hips(node)))
+            .or_else(|| farthest(&lengths, is_trunk))
     }
 }
 
-fn farthest(skeleton: &Skeleton, paths: &[f64], wanted: impl Fn(usize) -> bool) -> Option<usize> {
-    let nodes = skeleton.figure();
-    let wanted = (0..nodes.len()).filter(|&node| wanted(nodes[node].joint));
-    wanted.max_by(|&a, &b| paths[a].total_cmp(&paths[b]))
+/// Of the wanted nodes the one with the longest path.
+fn farthest(paths: &[f64], wanted: impl Fn(usize) -> bool) -> Option<usize> {
+    (0..paths.len()).filter(|&node| wanted(node)).max_by(|&a, &b| paths[a].total_cmp(&paths[b]))
 }
 
-fn by_names(skeleton: &Skeleton) -> Vec<Region> {
+/// The regions by the names of the joints. In a tree that begins at the head, legs are below a head.
+fn by_names(skeleton: &Skeleton, legs_below_head: bool) -> Vec<Region> {
+    let is_limb = |joint: usize, limb| limb_of(&skeleton.joints[joint].name).is_some_and(|(l, _)| l == limb);
+    let mut bears_leg = vec![false; skeleton.joints.len()];
+    for (place, joint) in skeleton.joints.iter().enumerate().rev() {
+        if let Some(parent) = joint.parent {
+            bears_leg[parent] |= legs_below_head && (bears_leg[place] || is_limb(place, Limb::Leg));
+        }
+    }
     let mut regions: Vec<Region> = Vec::new();
     // A joint below a limb belongs to the limb, a joint below the head to the trunk, whatever their names.
     let mut within_head = vec![false; skeleton.joints.len()];
@@ -101,7 +144,7 @@ fn by_names(skeleton: &Skeleton) -> Vec<Region> {
             regions.push(Region::Trunk);
             continue;
         };
-        within_head[place] = within_head[parent] || looks_like_head(&joint.name);
+        within_head[place] = within_head[parent] || looks_like_head(&joint.name) && !bears_leg[place];
         let region = match regions[parent] {
             Region::Trunk if within_head[place] => Region::Trunk,
             Region::Trunk => match limb_of(&joint.name) {
@@ -116,8 +159,12 @@ fn by_names(skeleton: &Skeleton) -> Vec<Region> {
     regions
 }
 
-/// Legs are the pair of long mirrored chains nearest to the root (of several, the one that ends lowest); arms
-/// are the longest such pair elsewhere.
+/// A pair farther from the root than another is the legs if it ends lower and this many times as far from the
+/// height of the root: then the tree begins at the chest or the head.
+const FARTHER: f64 = 1.3;
+
+/// Legs are the pair of long mirrored chains nearest to the root (of several, the one that ends lowest), but
+/// for trees that begin at the chest or the head; arms are the longest such pair elsewhere.
 fn by_shape(skeleton: &Skeleton) -> Option<Vec<Region>> {
     let pairs = mirrored_pairs(skeleton);
     let limbs = long_pairs(&pairs);
@@ -126,6 +173,10 @@ fn by_shape(skeleton: &Skeleton) -> Option<Vec<Region>> {
     let height = |pair: &Pair| pair.ends[0][up] + pair.ends[1][up];
     let legs = (limbs.iter().filter(|pair| pair.depth == shallowest))
         .min_by(|a, b| height(a).total_cmp(&height(b)))?;
+    let root = 2.0 * skeleton.rest_pose().positions[0][up];
+    let below_root = |pair: &Pair| root - height(pair);
+    let lowest = limbs.iter().max_by(|a, b| below_root(a).total_cmp(&below_root(b)))?;
+    let legs = if below_root(lowest) > FARTHER * below_root(legs).abs() { lowest } else { legs };
     let arms = (limbs.iter())
         .filter(|pair| !pair.members.iter().any(|&m| legs.members.iter().any(|&l| is_within(skeleton, m, l))))
         .filter(|pair| height(pair) > height(legs))
@@ -205,7 +256,8 @@ fn feet_to_head(
     let head = anatomy.head(skeleton)?;
     let (left, right) = (anatomy.foot(skeleton, Side::Left)?, anatomy.foot(skeleton, Side::Right)?);
     let upward = places[head] - 0.5 * (places[left] + places[right]);
-    Some((upward, paths[head] + 0.5 * (paths[left] + paths[right])))
+    let length = |foot| path_between(skeleton, paths, head, foot);
+    Some((upward, 0.5 * (length(left) + length(right))))
 }
 
 /// Height of a standing body divided by the length along its bones from the toes to the top of the head. The

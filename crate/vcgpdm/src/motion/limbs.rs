@@ -126,6 +126,16 @@ pub(crate) fn path_lengths(skeleton: &Skeleton) -> Vec<f64> {
     paths
 }
 
+/// The length of the path along the bones between two nodes of the figure, whose paths from the root are
+/// `paths`.
+pub(crate) fn path_between(skeleton: &Skeleton, paths: &[f64], a: usize, b: usize) -> f64 {
+    let nodes = skeleton.figure();
+    let (above, below) = (nodes[a].joint, nodes[b].joint);
+    let meets = |&joint: &usize| is_within(skeleton, above, joint);
+    let common = std::iter::once(below).chain(ancestors(skeleton, below)).find(meets).unwrap_or(0);
+    paths[a] + paths[b] - 2.0 * paths[common]
+}
+
 /// All pairs of subtrees that mirror each other in the rest pose.
 pub(crate) fn mirrored_pairs(skeleton: &Skeleton) -> Vec<Pair> {
     let paths = path_lengths(skeleton);

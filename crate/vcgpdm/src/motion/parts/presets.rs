@@ -1,7 +1,7 @@
 //! The usual splits of a body: whole, lower and upper, body and arms, legs and trunk and arms.
 
 use crate::motion::anatomy::{Anatomy, Region};
-use crate::motion::joint_names::{Side, looks_like_spine};
+use crate::motion::joint_names::{Side, looks_like_head, looks_like_spine};
 use crate::motion::parts::spec::PartSpec;
 use crate::motion::skeleton::Skeleton;
 use serde::Serialize;
@@ -98,23 +98,24 @@ fn preset(id: &str, title: &str, parts: Vec<(&str, Vec<usize>)>) -> PartsPreset 
     PartsPreset { id: id.to_owned(), title: title.to_owned(), parts: parts.into_iter().map(spec).collect() }
 }
 
-/// For each joint, whether it belongs to the hips: the root, and the trunk joints between the root and the
-/// legs whose names are not those of the back.
+/// For each joint, whether it belongs to the hips: trunk joints with a leg below them, up to the root. Names
+/// of the back are no hips. In a tree that begins at the chest or the head, the hips end at the back, at the
+/// head or at the joint that bears the arms.
 fn hips(skeleton: &Skeleton, anatomy: &Anatomy) -> Vec<bool> {
-    let mut bears_legs = vec![false; skeleton.joints.len()];
-    for (place, joint) in skeleton.joints.iter().enumerate().rev() {
-        if let Some(parent) = joint.parent
-            && (bears_legs[place] || matches!(anatomy.regions[place], Region::Leg(_)))
-        {
-            bears_legs[parent] = true;
-        }
+    let [left, right] = [Side::Left, Side::Right].map(|side| anatomy.bearing(skeleton, Region::Leg(side)));
+    let is_back = |joint: usize| looks_like_spine(&skeleton.joints[joint].name);
+    let mut hips: Vec<bool> =
+        (0..left.len()).map(|joint| (left[joint] || right[joint]) && !is_back(joint)).collect();
+    let is_arm = |joint: usize| matches!(anatomy.regions[joint], Region::Arm(_));
+    let mut above_hips = false;
+    let mut next = skeleton.joints[anatomy.hips(skeleton)].parent;
+    while let Some(joint) = next {
+        above_hips |= is_back(joint)
+            || looks_like_head(&skeleton.joints[joint].name)
+            || skeleton.children(joint).any(is_arm);
+        hips[joint] &= !above_hips;
+        next = skeleton.joints[joint].parent;
     }
-    (skeleton.joints.iter().enumerate())
-        .map(|(place, joint)| {
-            place == 0
-                || bears_legs[place]
-                    && anatomy.regions[place] == Region::Trunk
-                    && !looks_like_spine(&joint.name)
-        })
-        .collect()
+    hips[0] |= !above_hips;
+    hips
 }

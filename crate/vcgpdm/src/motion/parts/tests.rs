@@ -219,3 +219,60 @@ fn each_part_gets_its_columns_in_their_order() {
         }
     }
 }
+
+/// A body whose tree begins at the head or, without the first joint, at the chest.
+fn hanging(names: [&str; 12]) -> Skeleton {
+    body(&[
+        (names[0], None, [0.0, 1.7, 0.0]),
+        (names[1], Some(0), [0.0, -0.3, 0.0]),
+        (names[2], Some(1), [0.2, 0.0, 0.0]),
+        (names[3], Some(2), [0.5, 0.0, 0.0]),
+        (names[4], Some(1), [-0.2, 0.0, 0.0]),
+        (names[5], Some(4), [-0.5, 0.0, 0.0]),
+        (names[6], Some(1), [0.0, -0.2, 0.0]),
+        (names[7], Some(6), [0.0, -0.2, 0.0]),
+        (names[8], Some(7), [0.1, -0.1, 0.0]),
+        (names[9], Some(8), [0.0, -0.8, 0.0]),
+        (names[10], Some(7), [-0.1, -0.1, 0.0]),
+        (names[11], Some(10), [0.0, -0.8, 0.0]),
+    ])
+}
+
+fn from_the_chest(mut skeleton: Skeleton) -> Skeleton {
+    skeleton.joints.remove(0);
+    for joint in &mut skeleton.joints {
+        joint.parent = joint.parent.and_then(|parent| parent.checked_sub(1));
+    }
+    skeleton.joints[0].offset = [0.0, 1.4, 0.0];
+    skeleton
+}
+
+#[test]
+fn a_tree_that_begins_at_the_head_or_chest_has_its_legs_below() {
+    let names = [
+        "Head",
+        "Chest",
+        "Left-Shoulder",
+        "Left-Elbow",
+        "Right-Shoulder",
+        "Right-Elbow",
+        "Waist",
+        "Hip",
+        "Left-Hip",
+        "Left-Knee",
+        "Right-Hip",
+        "Right-Knee",
+    ];
+    let nameless = std::array::from_fn(|_| "joint");
+    for (first, names) in [names, nameless].into_iter().enumerate() {
+        for (removed, skeleton) in [hanging(names), from_the_chest(hanging(names))].into_iter().enumerate() {
+            let place = |joint: usize| joint - removed;
+            let parts = parts_of(&skeleton, "lower-upper");
+            assert_eq!(parts[0].1, (6..12).map(place).collect::<Vec<_>>(), "{first} {removed}");
+            let ids: Vec<String> = presets(&skeleton).into_iter().map(|preset| preset.id).collect();
+            assert_eq!(ids, ["whole", "lower-upper", "body-arms", "legs-trunk-arms"]);
+            let height = skeleton.height();
+            assert!((height - [1.6, 1.3][removed]).abs() < 1e-9, "{height}");
+        }
+    }
+}
