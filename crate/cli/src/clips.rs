@@ -33,16 +33,24 @@ pub fn read_quietly(path: &Path, up: &Up) -> Result<Clip> {
         return Ok(up.of(clip));
     }
     let bytes = read_bytes(path)?;
-    Ok(up.of(bvh::read(&read_name(path), &bytes)?.into_clip()))
+    let recording = bvh::read(&read_name(path), &bytes)?;
+    let recording = match &up.root {
+        Some(root) => recording.of_root(root)?,
+        None => recording,
+    };
+    Ok(up.of(recording.into_clip()))
 }
 
-/// The option `--up`.
+/// The options `--up` and `--root`.
 #[derive(Default, clap::Args)]
 pub struct Up {
     /// The axis that points up in the clips: x, y, z, -x, -y or -z; absent: the axis of the model, or the axis
     /// found from the motion.
     #[arg(long = "up", value_name = "AXIS", value_parser = up_axis, allow_hyphen_values = true)]
     pub axis: Option<UpAxis>,
+    /// The joint that becomes the root of the clips: of several bodies in one file, the one to read.
+    #[arg(long = "root", value_name = "JOINT")]
+    pub root: Option<String>,
 }
 
 impl Up {
@@ -53,10 +61,12 @@ impl Up {
 
     /// Refuses the option if the command reads no clip. `expected` is the option that would give a clip.
     pub fn check(&self, reads_clips: bool, expected: &str) -> Result<()> {
-        if reads_clips || self.axis.is_none() {
-            return Ok(());
-        }
-        Err(usage(format!("--up: expected {expected} with it")))
+        let option = match (self.axis, &self.root) {
+            (Some(_), _) => "--up",
+            (None, Some(_)) => "--root",
+            (None, None) => return Ok(()),
+        };
+        if reads_clips { Ok(()) } else { Err(usage(format!("{option}: expected {expected} with it"))) }
     }
 }
 

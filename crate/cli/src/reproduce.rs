@@ -59,7 +59,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         files::check_writable(out, read.chain([path.as_path()]))?;
     }
     // The axis that pointed up in the recorded training: found, or stated by the user.
-    let up = Up { axis: Some(recorded.body.mapping.stage().up) };
+    let up = Up { axis: Some(recorded.body.mapping.stage().up), root: None };
     let given = clips::read_all(&arguments.clips, &up)?;
     let infos = &recorded.body.sequences;
     let clips = infos.iter().map(|info| clip_of(info, infos, &given)).collect::<Result<Vec<_>, _>>()?;

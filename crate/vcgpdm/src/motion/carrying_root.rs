@@ -4,9 +4,11 @@
 //! Only the root's path enters the model as a path over the ground; every other joint keeps its mean
 //! position. So the hips must be the root.
 
+use crate::motion::anatomy::Anatomy;
 use crate::motion::clip::Clip;
 use crate::motion::rotation;
 use crate::motion::skeleton::{Channel, Joint, LocalPose, Skeleton};
+use crate::plural::counted;
 use nalgebra::{DMatrix, UnitQuaternion};
 
 /// A root stands still when it moves by less than this share of the body's height, and turns by less than
@@ -28,6 +30,35 @@ impl Clip {
     }
 
     fn with_carried_root(&self) -> Option<Clip> {
+        self.with_first_body().or_else(|| self.with_moving_child())
+    }
+
+    /// The first of several bodies below one root.
+    fn with_first_body(&self) -> Option<Clip> {
+        let (root, bodies) = bodies(&self.skeleton)?;
+        let mut clip = self.below(bodies[0]);
+        let name = |joint: usize| self.skeleton.joints[joint].name.as_str();
+        let size = |joint: usize| counted(below(&self.skeleton, joint).len(), "joint");
+        let others = bodies[1..].iter().map(|&body| format!("{:?} ({})", name(body), size(body)));
+        clip.warnings.push(format!(
+            "the root {:?} carries {} bodies: {:?} ({}) is read, without {}; the option \"root\" reads another",
+            name(root),
+            bodies.len(),
+            name(bodies[0]),
+            size(bodies[0]),
+            others.collect::<Vec<_>>().join(", ")
+        ));
+        Some(clip)
+    }
+
+    /// The joint and all joints below it, at the same places in the world.
+    pub(super) fn below(&self, joint: usize) -> Clip {
+        let poses: Vec<LocalPose> = (0..self.frames()).map(|frame| self.local_pose(frame)).collect();
+        let (skeleton, values) = self.rooted_at(&below(&self.skeleton, joint), &poses);
+        Clip { skeleton, ..self.with_values(values, self.frame_time) }
+    }
+
+    fn with_moving_child(&self) -> Option<Clip> {
         let skeleton = &self.skeleton;
         let first_child = carried(skeleton, 0)?;
         if !skeleton.joints[first_child.joint].has_positions() {
@@ -125,6 +156,40 @@ impl Clip {
         }
         (Skeleton { joints }, values)
     }
+}
+
+/// The joint and all joints below it, in their order.
+fn below(skeleton: &Skeleton, top: usize) -> Vec<usize> {
+    let mut within = vec![false; skeleton.joints.len()];
+    for (place, joint) in skeleton.joints.iter().enumerate() {
+        within[place] = place == top || joint.parent.is_some_and(|parent| within[parent]);
+    }
+    (0..within.len()).filter(|&place| within[place]).collect()
+}
+
+/// The joint that carries several bodies, each with legs and position channels of its own, and the roots of
+/// these bodies.
+fn bodies(skeleton: &Skeleton) -> Option<(usize, Vec<usize>)> {
+    let mut carrier = 0;
+    while let [only] = skeleton.children(carrier).collect::<Vec<_>>()[..] {
+        carrier = only;
+    }
+    let has_legs = |&child: &usize| {
+        let kept = below(skeleton, child);
+        let parent = |joint: usize| {
+            skeleton.joints[joint].parent.and_then(|parent| kept.iter().position(|&other| other == parent))
+        };
+        let joint = |&place: &usize| Joint { parent: parent(place), ..skeleton.joints[place].clone() };
+        Anatomy::find(&Skeleton { joints: kept.iter().map(joint).collect() })
+    };
+    let placed = skeleton.children(carrier).filter(|&child| skeleton.joints[child].has_positions());
+    let found: Vec<(usize, Anatomy)> = placed.filter_map(|child| Some((child, has_legs(&child)?))).collect();
+    // The arms of a chest look like legs where the names say nothing.
+    let named = found.iter().filter(|(_, anatomy)| anatomy.is_named).count();
+    let wanted = |anatomy: &Anatomy| anatomy.is_named || named == 0 && anatomy.has_both_arms();
+    let bodies: Vec<usize> =
+        found.iter().filter(|(_, anatomy)| wanted(anatomy)).map(|(child, _)| *child).collect();
+    (bodies.len() > 1).then_some((carrier, bodies))
 }
 
 /// The child that carries the body.
@@ -253,6 +318,48 @@ mod tests {
         }
         let kept = carried_by(&still, &[], &[], &["ik_foot_root"]).into_clip();
         assert_eq!((kept.skeleton.joints.len(), kept.warnings.len()), (walk.skeleton.joints.len() + 2, 0));
+    }
+
+    /// The first body of the clip under one root, as often as `names` says.
+    fn together(walk: &Clip, names: &[&str]) -> Recording {
+        let mut all = carried_by(walk, &[], &[], &[]);
+        let single = all.skeleton.joints.split_off(1);
+        all.skeleton.joints[0].offset = [0.0; 3];
+        let values = all.values.clone();
+        all.values = DMatrix::zeros(walk.frames(), 0);
+        for (number, prefix) in names.iter().enumerate() {
+            let first = all.skeleton.joints.len() - 1;
+            all.skeleton.joints.extend(single.iter().map(|own| Joint {
+                name: format!("{prefix}{}", own.name),
+                parent: own.parent.map(|parent| if parent == 0 { 0 } else { parent + first }),
+                ..own.clone()
+            }));
+            let column = all.values.ncols();
+            all.values = all.values.insert_columns(column, values.ncols(), 0.0);
+            all.values.columns_mut(column, values.ncols()).copy_from(&values);
+            all.values.column_mut(column).add_scalar_mut(100.0 * number as f64);
+        }
+        all
+    }
+
+    #[test]
+    fn of_several_bodies_the_first_is_read_and_another_can_be_chosen() {
+        let walk = samples::clip("walk-1").unwrap().cut(0, 20).unwrap();
+        for names in [&["A:", "B:"][..], &["A:", "B:", "C:"]] {
+            let all = together(&walk, names);
+            let first = all.clone().into_clip();
+            assert!(first.values == walk.values && first.skeleton.joints.len() == 21);
+            assert_eq!(first.skeleton.joints[0].name, "A:Hips");
+            let [warning] = &first.warnings[..] else { panic!("{:?}", first.warnings) };
+            assert!(warning.contains(&format!("carries {} bodies: \"A:Hips\" (21 joints)", names.len())));
+            assert!(warning.contains("\"B:Hips\" (21 joints)"), "{warning}");
+            let second = all.clone().of_root("B:Hips").unwrap().into_clip();
+            assert_eq!(second.skeleton.joints[0].name, "B:Hips");
+            assert!((second.values[(5, 0)] - walk.values[(5, 0)] - 100.0).abs() < 1e-9);
+            assert!(second.warnings.is_empty());
+            let unknown = all.of_root("D:Hips").unwrap_err().to_string();
+            assert!(unknown.contains("expected the name of a joint, found \"D:Hips\""), "{unknown}");
+        }
     }
 
     /// Some clips of a set have the way in the root, others in the hips: all become the same body.

@@ -4,7 +4,9 @@ use crate::motion::clip::Clip;
 use crate::motion::percentile::upper_end;
 use crate::motion::rotation;
 use crate::motion::skeleton::{LocalPose, Skeleton};
+use crate::plural::listed;
 use nalgebra::DMatrix;
+use thiserror::Error;
 
 /// The rows of a file as recorded. The first rows may be a T-pose that does not belong to the motion:
 /// [`Recording::into_clip`] finds and removes them.
@@ -25,6 +27,18 @@ pub struct Recording {
     pub sha256: String,
 }
 
+/// A root that was asked for and is not a joint of the file.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error("{file}: root: expected the name of a joint, found {found:?}; the joints are {joints}")]
+pub struct UnknownJoint {
+    /// The name of the file.
+    pub file: String,
+    /// The name asked for.
+    pub found: String,
+    /// The first joints of the file.
+    pub joints: String,
+}
+
 /// A smaller step (degrees, mean over the joints) from the first frame is no change of pose.
 const SMALLEST_STEP: f64 = 3.0;
 /// Upper limit (degrees) for one joint's contribution to a step: a sensor that flips over is no new pose.
@@ -39,7 +53,8 @@ impl Recording {
     }
 
     /// The motion without leading T-pose rows, and without a root that only carries a child that moves: the
-    /// child becomes the root. A warning says what was removed.
+    /// child becomes the root. Of several bodies below one root the first is kept. Bones are those of the
+    /// frames where the position channels replace the OFFSETs. A warning says what was removed or changed.
     pub fn into_clip(self) -> Clip {
         let added = self.rows_before_motion();
         let Recording { name, skeleton, frame_time, mut values, mut warnings, sha256 } = self;
@@ -66,7 +81,27 @@ impl Recording {
             up: None,
             file_frame_time: frame_time,
         };
-        clip.without_carrying_roots()
+        clip.without_carrying_roots().with_recorded_bones().with_checked_root()
+    }
+
+    /// The joint of this name and all joints below it, at the same places in the world: one body of a file
+    /// that has several.
+    ///
+    /// # Errors
+    ///
+    /// [`UnknownJoint`] if there is no joint of this name, or more than one.
+    pub fn of_root(self, name: &str) -> Result<Recording, UnknownJoint> {
+        let mut places = (0..self.skeleton.joints.len()).filter(|&at| self.skeleton.joints[at].name == name);
+        let (Some(place), None) = (places.next(), places.next()) else {
+            let joints = listed(self.skeleton.joints.iter().map(|joint| joint.name.as_str()));
+            return Err(UnknownJoint { file: self.name, found: name.to_owned(), joints });
+        };
+        if place == 0 {
+            return Ok(self);
+        }
+        let Recording { name, skeleton, frame_time, values, warnings, sha256 } = self;
+        let body = Clip::new(&name, skeleton, frame_time, values).below(place);
+        Ok(Recording { name, skeleton: body.skeleton, frame_time, values: body.values, warnings, sha256 })
     }
 
     /// The number of leading T-pose rows.

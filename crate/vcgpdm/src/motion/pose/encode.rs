@@ -6,6 +6,7 @@ use crate::motion::pose::root;
 use crate::motion::pose::root::{RootPose, RootStart};
 use crate::motion::rotation;
 use crate::motion::skeleton::LocalPose;
+use crate::plural::listed;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use std::f64::consts::FRAC_PI_2;
 
@@ -86,11 +87,8 @@ impl PoseMapping {
         if moving.is_empty() {
             return Vec::new();
         }
-        let names = moving.iter().take(3).map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
-        let more = if moving.len() > 3 { format!(" and {} more", moving.len() - 3) } else { String::new() };
-        vec![format!(
-            "joints that move in their parent's frame are kept at their mean position: {names}{more}"
-        )]
+        let names = listed(moving);
+        vec![format!("joints that move in their parent's frame are kept at their mean position: {names}")]
     }
 }
 
