@@ -4,6 +4,7 @@ use crate::motion::anatomy::Anatomy;
 use crate::motion::clip::Clip;
 use crate::motion::joint_names::Side;
 use crate::motion::limbs::extents;
+use crate::motion::stage::Stage;
 use nalgebra::Vector3;
 
 /// A root that moves by more body heights a second than any person or vehicle in a recording.
@@ -12,10 +13,10 @@ const TOO_FAST: f64 = 25.0;
 const FACTORS: [f64; 2] = [100.0, 1000.0];
 /// Hips that walk rise and fall by more than this share of the body's height.
 const LEVEL: f64 = 0.005;
-/// The unit of the root explains the steps when the factor is within this ratio of such a factor,
+/// The unit of the root explains the steps when the factor is within this ratio of such a factor.
 const NEAR: f64 = 1.6;
-/// and the correlation of the root's path with the feet is at least this.
-const CLEAR: f64 = 0.8;
+/// A walk is straight when the distance from its start to its end has this share of its length.
+const STRAIGHT: f64 = 0.9;
 /// Frames that are looked at.
 const MOST_FRAMES: usize = 2_000;
 
@@ -43,44 +44,33 @@ impl Clip {
     }
 
     /// The number by which the root's path must be multiplied to fit the bones; `None` if it fits, or if
-    /// nothing shows it.
-    ///
-    /// The foot on the ground stands still: the root moves as the foot moves backwards below it.
+    /// nothing shows it: the feet of a body that walks move to and fro below the root about as fast as the root
+    /// moves.
     fn root_factor(&self) -> Option<f64> {
         let anatomy = Anatomy::find(&self.skeleton)?;
         let feet = [Side::Left, Side::Right].map(|side| anatomy.foot(&self.skeleton, side));
         let [Some(left), Some(right)] = feet else { return None };
-        let up = self.up_axis();
-        let flat = |v: Vector3<f64>| {
-            let y_up = up.to_y_up() * v;
-            Vector3::new(y_up.x, 0.0, y_up.z)
-        };
+        let Stage { up, height, .. } = self.stage();
         let poses: Vec<[Vector3<f64>; 3]> = (0..self.frames().min(MOST_FRAMES))
             .map(|frame| self.world_pose(frame).positions)
             .map(|places| [places[0], places[left] - places[0], places[right] - places[0]])
             .collect();
         let heights = || poses.iter().map(|[root, ..]| up.height(root));
         let rise = heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min);
-        let (mut way, mut roots, mut feet, mut both) = (0.0, 0.0, 0.0, 0.0);
-        for pair in poses.windows(2) {
-            let lower = if up.height(&pair[0][1]) < up.height(&pair[0][2]) { 1 } else { 2 };
-            let (root, foot) = (flat(pair[1][0] - pair[0][0]), flat(pair[0][lower] - pair[1][lower]));
-            way += root.norm();
-            roots += root.norm_squared();
-            feet += foot.norm_squared();
-            both += root.dot(&foot);
-        }
+        let [way, left, right]: [f64; 3] = std::array::from_fn(|node| {
+            poses.windows(2).map(|pair| (pair[1][node] - pair[0][node]).norm()).sum()
+        });
+        let distance = (poses.last()?[0] - poses[0][0]).norm();
         let seconds = self.frame_time * poses.len().saturating_sub(1) as f64;
-        let speed = way / seconds / self.height();
-        let factor = both / roots;
-        let correlation = both / (roots * feet).sqrt();
+        let factor = 0.5 * (left + right) / way;
         let known =
             |size: f64| FACTORS.into_iter().find(|known| (1.0 / NEAR..NEAR).contains(&(size / known)));
-        // A body on a treadmill keeps its place too, but its hips rise and fall.
-        let short = factor > 1.0 && rise < LEVEL * self.height();
-        let long = factor < 1.0 && speed > TOO_FAST;
-        let found = if short { known(factor) } else { known(1.0 / factor).map(|known| 1.0 / known) };
-        found.filter(|_| correlation >= CLEAR && (short || long))
+        // A body on a treadmill keeps its place too, but its hips rise and fall and go nowhere.
+        if distance >= STRAIGHT * way && rise < LEVEL * height {
+            return known(factor);
+        }
+        let is_too_fast = way > TOO_FAST * height * seconds;
+        known(1.0 / factor).filter(|_| is_too_fast).map(|known| 1.0 / known)
     }
 }
 
