@@ -56,7 +56,10 @@ pub struct Up {
 impl Up {
     /// The clip with the axis that the user states.
     pub fn of(&self, clip: Clip) -> Clip {
-        Clip { up: self.axis.or(clip.up), ..clip }
+        match self.axis {
+            Some(axis) => clip.with_up(axis),
+            None => clip,
+        }
     }
 
     /// Refuses the option if the command reads no clip. `expected` is the option that would give a clip.

@@ -128,7 +128,7 @@ impl Clip {
     fn with_up(&self, axis: &str) -> PyResult<Self> {
         let up = UpAxis::from_name(axis)
             .ok_or_else(|| refused(format!("axis: expected x, y, z, -x, -y or -z, found {axis:?}")))?;
-        Ok(Self { clip: Motion { up: Some(up), ..self.clip.clone() } })
+        Ok(Self { clip: self.clip.with_up(up) })
     }
 
     /// The text of a BVH file.

@@ -198,7 +198,7 @@ impl Clip {
         #[wasm_bindgen(unchecked_param_type = "UpAxis")] axis: &Text,
     ) -> Result<Clip, VcgpdmError> {
         let up = up_axis(&axis.get(ErrorCode::Clip, "the axis that points up")?)?;
-        Ok(Clip { clip: MotionClip { up: Some(up), ..self.clip.clone() } })
+        Ok(Clip { clip: self.clip.with_up(up) })
     }
 
     /// The clip as the text of a BVH file.

@@ -51,6 +51,7 @@ mod stage_axes;
 #[cfg(test)]
 mod testing;
 mod transfer;
+mod up_axis;
 
 pub(crate) use clip::sha256;
 pub use clip::{Clip, ClipError};

@@ -14,7 +14,7 @@ const FACTORS: [f64; 2] = [100.0, 1000.0];
 /// Hips that walk rise and fall by more than this share of the body's height.
 const LEVEL: f64 = 0.005;
 /// The unit of the root explains the steps when the factor is within this ratio of such a factor.
-const NEAR: f64 = 1.6;
+const NEAR: f64 = 3.0;
 /// A walk is straight when the distance from its start to its end has this share of its length.
 const STRAIGHT: f64 = 0.9;
 /// Frames that are looked at.
@@ -88,10 +88,10 @@ mod tests {
     fn a_root_in_another_unit_is_named_and_a_treadmill_is_not() {
         for id in ["walk-1", "stand-wave-1", "bottle-1"] {
             let clip = samples::clip(id).unwrap();
-            assert!(warnings(clip.clone()).is_empty(), "{id}");
+            assert_eq!(warnings(clip.clone()), [""; 0], "{id}");
             let mut still = clip;
             (0..3).for_each(|axis| still.values.column_mut(axis).fill(0.9));
-            assert!(warnings(still).is_empty(), "{id}");
+            assert_eq!(warnings(still), [""; 0], "{id}");
         }
         for (factor, text) in [(0.01, "short"), (100.0, "long"), (1e-3, "short")] {
             let mut walk = samples::clip("walk-1").unwrap();

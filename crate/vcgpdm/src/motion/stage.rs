@@ -1,10 +1,9 @@
 //! The stage: the world in which bodies are shown, in metres, with y up, the ground at y = 0 and every body
-//! 1.7 m tall. Finds the up axis, the height of the body and the ground of a clip.
+//! 1.7 m tall.
 
-use crate::motion::anatomy::{Anatomy, Standing, standing_at_rest};
+use crate::motion::anatomy::{Anatomy, standing_at_rest};
 use crate::motion::clip::Clip;
-use crate::motion::joint_names::Side;
-use crate::motion::limbs::{Limbs, extents, is_clear};
+use crate::motion::limbs::extents;
 use crate::motion::percentile::upper_end;
 pub use crate::motion::stage_axes::UpAxis;
 use nalgebra::Vector3;
@@ -36,56 +35,16 @@ impl Stage {
     }
 }
 
-/// Directions and extremes of a body over a whole clip, in file units.
-struct Reach {
-    /// The sum of the unit vectors from the feet to the head; `None` if feet or head were not found.
-    upward: Option<Vector3<f64>>,
-    /// The smallest coordinate along each axis.
-    low: Vector3<f64>,
-    /// The largest coordinate along each axis.
-    high: Vector3<f64>,
-    /// The limbs, if there are any.
-    limbs: Option<LimbSums>,
-    /// The smallest and largest coordinate of the root along each axis.
-    root: [Vector3<f64>; 2],
-}
-
-/// What the limbs do over a whole clip.
-struct LimbSums {
-    limbs: Limbs,
-    /// The sum of [`Limbs::upward`].
-    upward: Vector3<f64>,
-    /// The sum of [`Limbs::on_ground`] for each of [`UpAxis::ALL`].
-    on_ground: [f64; 6],
-}
-
-impl Reach {
-    /// How well the axis explains the clip: the mean share of the limbs on one plane, less the way of the root
-    /// along the axis in body heights. A body travels along the ground.
-    fn evidence(&self, sums: &LimbSums, up: UpAxis, frames: usize, height: f64) -> f64 {
-        let place = UpAxis::ALL.iter().position(|&axis| axis == up).unwrap_or_default();
-        let way = up.height(&(self.root[1] - self.root[0])).abs();
-        sums.on_ground[place] / frames.max(1) as f64 - (way / height).min(1.0)
-    }
-}
-
 impl Clip {
     /// The up axis, the height of the body and the ground.
     pub fn stage(&self) -> Stage {
         let reach = self.reach();
-        let up = self.up_axis_of(&reach);
+        let up = self.up_axis_of(&reach).axis;
         let turn = up.to_y_up();
         let lowest =
             [reach.low, reach.high].map(|corner| (turn * corner).y).into_iter().fold(f64::INFINITY, f64::min);
         let ground = if lowest.is_finite() { lowest } else { 0.0 };
         Stage { up, height: self.height_with(up), ground }
-    }
-
-    /// The axis that points up: [`Clip::up`] if it is stated. Else from the feet to the head in the motion, or
-    /// in the rest pose if the motion is not clear. Where the limbs carry the body along another axis, as those
-    /// of animals do, the axis counts that has more limbs on one plane and less travel.
-    pub fn up_axis(&self) -> UpAxis {
-        self.up_axis_of(&self.reach())
     }
 
     /// The body's height in file units: see [`Skeleton::height`](crate::motion::skeleton::Skeleton::height);
@@ -106,97 +65,6 @@ impl Clip {
             all.extend(places.iter().flat_map(|place| stage.place(&(turn * place))));
         }
         all
-    }
-
-    /// Computes the reach frame by frame, without the positions of all frames in memory.
-    fn reach(&self) -> Reach {
-        let ends = Anatomy::find(&self.skeleton).and_then(|anatomy| {
-            let foot = |side| anatomy.foot(&self.skeleton, side);
-            Some((anatomy.head(&self.skeleton)?, foot(Side::Left)?, foot(Side::Right)?))
-        });
-        let mut reach = Reach {
-            upward: ends.map(|_| Vector3::zeros()),
-            low: Vector3::repeat(f64::INFINITY),
-            high: Vector3::repeat(f64::NEG_INFINITY),
-            limbs: Limbs::find(&self.skeleton).map(|limbs| LimbSums {
-                limbs,
-                upward: Vector3::zeros(),
-                on_ground: [0.0; 6],
-            }),
-            root: [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)],
-        };
-        for frame in 0..self.frames() {
-            let places = self.world_pose(frame).positions;
-            if let (Some((head, left, right)), Some(sum)) = (ends, reach.upward.as_mut()) {
-                let upward = places[head] - 0.5 * (places[left] + places[right]);
-                *sum += upward.try_normalize(0.0).unwrap_or_default();
-            }
-            if let Some(LimbSums { limbs, upward, on_ground }) = reach.limbs.as_mut() {
-                *upward += limbs.upward(&places);
-                for (sum, up) in on_ground.iter_mut().zip(UpAxis::ALL) {
-                    *sum += limbs.on_ground(&places, up);
-                }
-            }
-            reach.root = [reach.root[0].inf(&places[0]), reach.root[1].sup(&places[0])];
-            for place in &places {
-                reach.low = reach.low.inf(place);
-                reach.high = reach.high.sup(place);
-            }
-        }
-        reach
-    }
-
-    fn up_axis_of(&self, reach: &Reach) -> UpAxis {
-        if let Some(up) = self.up {
-            return up;
-        }
-        let rest =
-            Anatomy::find(&self.skeleton).and_then(|anatomy| standing_at_rest(&self.skeleton, &anatomy));
-        let usual = self.up_axis_of_head(reach, rest.as_ref());
-        let Some(sums) = &reach.limbs else { return usual };
-        let is_upright = |rest: &Standing| {
-            !rest.on_limbs && UpAxis::new(rest.upward.iamax(), false).letter() == usual.letter()
-        };
-        if rest.as_ref().is_some_and(is_upright) {
-            return usual;
-        }
-        let upward = sums.upward / self.frames().max(1) as f64;
-        let by_limbs = UpAxis::new(upward.iamax(), upward[upward.iamax()] < 0.0);
-        if !is_clear(&upward) || by_limbs.letter() == usual.letter() {
-            return usual;
-        }
-        let evidence = |up| reach.evidence(sums, up, self.frames(), self.skeleton.height());
-        if evidence(by_limbs) > evidence(usual) { by_limbs } else { usual }
-    }
-
-    fn up_axis_of_head(&self, reach: &Reach, rest: Option<&Standing>) -> UpAxis {
-        if Anatomy::find(&self.skeleton).is_none() {
-            // Without limbs: the longest side of the rest pose's box along which the body does not travel, y
-            // before z before x.
-            let extent = extents(&self.skeleton.rest_pose().positions);
-            let way = reach.root[1] - reach.root[0];
-            let stays = |axis: &usize| way[*axis] <= extent.max();
-            let longest = [1, 2, 0].into_iter().filter(stays).map(|axis| extent[axis]).fold(0.0, f64::max);
-            let axis = [1, 2, 0].into_iter().filter(stays).find(|&axis| extent[axis] >= 0.999 * longest);
-            return UpAxis::new(axis.unwrap_or(1), false);
-        }
-        let Some(mean) = reach.upward else { return UpAxis::Y };
-        let (clear, axis) = (mean.amax() > 0.8 * mean.norm(), mean.iamax());
-        let ends = |axis: usize| (reach.low[axis], reach.high[axis]);
-        let near_zero = |x: f64| x.abs() < 0.1 * self.skeleton.height();
-        if let Some(Standing { upward: rest, .. }) = rest {
-            let standing = rest.iamax();
-            // A body that lies on the ground in the whole clip points along another axis than the rest pose.
-            // Its lowest point is then near zero along the true up axis.
-            let on_ground = near_zero(ends(standing).0) && !near_zero(ends(axis).0);
-            if standing != axis && (!clear || on_ground) {
-                return UpAxis::new(standing, rest[standing] < 0.0);
-            }
-        }
-        // A body upside down means that the axis points down, unless it stands on its hands on the ground.
-        let (low, high) = ends(axis);
-        let on_hands = near_zero(low) && !near_zero(high);
-        UpAxis::new(axis, clear && mean[axis] < 0.0 && !on_hands)
     }
 
     fn height_with(&self, up: UpAxis) -> f64 {
@@ -283,7 +151,12 @@ mod tests {
     #[test]
     fn a_body_lying_on_the_ground_does_not_turn_the_world() {
         let mut clip = in_other_world(&clips()[0], rotation::about_axis(0, FRAC_PI_2));
-        // Somewhere on the ground of a world with y up, on its front.
+        // Somewhere on the ground of a world with y up, on its front, on the spot.
+        for (column, channel) in clip.skeleton.joints[0].channels.iter().enumerate() {
+            if !channel.is_rotation() {
+                clip.values.column_mut(column).fill(0.0);
+            }
+        }
         let stage = clip.stage();
         let columns = clip.skeleton.joints[0]
             .channels
