@@ -1,6 +1,6 @@
 //! Whether two clips show the same body, and if not, what differs.
 
-use crate::motion::skeleton::Skeleton;
+use crate::motion::skeleton::{Joint, Skeleton};
 use nalgebra::Vector3;
 use thiserror::Error;
 
@@ -28,6 +28,19 @@ pub enum BodyMismatch {
         /// Its name in the other.
         found: String,
     },
+    /// The joints are the same in another order.
+    #[error(
+        "the same joints in another order: joint {joint} is {found:?} instead of {expected:?}; bring the clip onto \
+         the other body first (Clip::onto, vcgpdm clip --onto)"
+    )]
+    Order {
+        /// The first place with another joint.
+        joint: usize,
+        /// The name there in the first body.
+        expected: String,
+        /// The name there in the other.
+        found: String,
+    },
     /// The joints at one place have different parents.
     #[error("joint {joint} ({name:?}): expected it to hang on {expected:?}, found it on {found:?}")]
     Parent {
@@ -43,7 +56,8 @@ pub enum BodyMismatch {
     /// A bone has clearly another length or direction.
     #[error(
         "joint {joint} ({name:?}): its offset differs by {percent}% of the body's height (at most \
-         {limit}%): expected {expected:?}, found {found:?}"
+         {limit}%): expected {expected:?}, found {found:?}{}",
+        .factor.map_or(String::new(), |factor| format!("; all its bones are {factor} times as long: other units?"))
     )]
     Offset {
         /// The place of the joint.
@@ -58,6 +72,8 @@ pub enum BodyMismatch {
         expected: [f64; 3],
         /// The offset in the other.
         found: [f64; 3],
+        /// How many times as long the bones of the other are, if it is the same body in other units.
+        factor: Option<f64>,
     },
     /// A rest pose whose directions mean nothing, so that no motion can be transferred from or to this body.
     #[error("{name}: expected a rest pose that stands on two legs, found one that does not")]
@@ -78,6 +94,9 @@ impl BodyMismatch {
 /// Largest difference of an offset within one body, relative to the body's height. Files of one subject have
 /// equal offsets up to rounding; adults recorded with the same joints differ by 2% or more in some bone.
 const SAME_BODY_TOLERANCE: f64 = 0.01;
+
+/// No two people differ by this factor.
+const OTHER_UNITS: f64 = 2.2;
 
 impl Skeleton {
     /// Checks that the other is the same body: the same joint tree, and offsets equal to 1% of the body's
@@ -103,9 +122,23 @@ impl Skeleton {
                 limit: 100.0 * SAME_BODY_TOLERANCE,
                 expected: self.joints[joint].offset,
                 found: other.joints[joint].offset,
+                factor: self.unit_factor(other),
             });
         }
         Ok(())
+    }
+
+    /// The ratio of all bones of the other to those of this body, if it is one ratio and far from 1.
+    fn unit_factor(&self, other: &Skeleton) -> Option<f64> {
+        let length = |joint: &Joint| Vector3::from(joint.offset).norm();
+        let pairs = self.joints.iter().zip(&other.joints).skip(1);
+        let pairs: Vec<(f64, f64)> = pairs.map(|(a, b)| (length(a), length(b))).collect();
+        let (own, others) = pairs.iter().fold((0.0, 0.0), |(own, others), (a, b)| (own + a, others + b));
+        let factor = others / own;
+        let fits = |&(a, b): &(f64, f64)| (b - factor * a).abs() <= SAME_BODY_TOLERANCE * others;
+        let is_far = factor.is_finite() && (factor > OTHER_UNITS || factor < 1.0 / OTHER_UNITS);
+        let rounded = if factor < 1.0 { 1.0 / (1.0 / factor).round() } else { factor.round() };
+        (is_far && pairs.iter().all(fits)).then_some(rounded)
     }
 
     /// Checks that the other has the same joint tree; offsets may differ.
@@ -117,7 +150,12 @@ impl Skeleton {
                         Some(format!("joint {joint} is {:?} in one and {:?} in the other", a.name, b.name));
                     return Err(self.count_mismatch(other, difference));
                 }
-                return Err(BodyMismatch::Name { joint, expected: a.name.clone(), found: b.name.clone() });
+                let (expected, found) = (a.name.clone(), b.name.clone());
+                return Err(if self.has_names_of(other) {
+                    BodyMismatch::Order { joint, expected, found }
+                } else {
+                    BodyMismatch::Name { joint, expected, found }
+                });
             }
             if a.parent != b.parent {
                 let name = |body: &Skeleton, parent: Option<usize>| {
@@ -137,6 +175,15 @@ impl Skeleton {
         Ok(())
     }
 
+    fn has_names_of(&self, other: &Skeleton) -> bool {
+        let names = |skeleton: &Skeleton| {
+            let mut names: Vec<String> = skeleton.joints.iter().map(|joint| joint.name.clone()).collect();
+            names.sort_unstable();
+            names
+        };
+        names(self) == names(other)
+    }
+
     fn count_mismatch(&self, other: &Skeleton, difference: Option<String>) -> BodyMismatch {
         BodyMismatch::JointCount { expected: self.joints.len(), found: other.joints.len(), difference }
     }
@@ -145,7 +192,7 @@ impl Skeleton {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::motion::skeleton::{Channel, Joint};
+    use crate::motion::skeleton::Channel;
 
     fn chain(names: &[&str]) -> Skeleton {
         let joints = names.iter().enumerate().map(|(place, name)| Joint {
@@ -177,16 +224,23 @@ mod tests {
         longer.joints[2].offset[1] = 12.0;
         let mut elsewhere = first.clone();
         elsewhere.joints[2].parent = Some(0);
+        let mut metres = first.clone();
+        metres.joints.iter_mut().for_each(|joint| joint.offset[1] *= 0.01);
         for (other, wanted) in [
             (longer, "joint 2 (\"c\"): its offset differs by 10% of the body's height"),
             (elsewhere, "joint 2 (\"c\"): expected it to hang on \"b\", found it on \"a\""),
+            (metres, "all its bones are 0.01 times as long: other units?"),
+            (chain(&["a", "c", "b"]), "the same joints in another order: joint 1 is \"c\" instead of \"b\""),
             (chain(&["a", "b", "d"]), "joint 2: expected \"c\", found \"d\""),
             (chain(&["a", "b"]), "expected 3 joints, found 2"),
             (chain(&["a", "x"]), "joint 1 is \"b\" in one and \"x\" in the other"),
         ] {
             let message = first.same_body(&other).unwrap_err().to_string();
             assert!(message.contains(wanted), "{message}");
-            assert_eq!(first.same_body(&other).unwrap_err().only_bones_differ(), wanted.contains("offset"));
+            assert_eq!(
+                first.same_body(&other).unwrap_err().only_bones_differ(),
+                wanted.contains("offset") || wanted.contains("units")
+            );
         }
     }
 }
