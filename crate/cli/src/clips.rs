@@ -5,6 +5,7 @@ use crate::progress::say;
 use crate::usage::usage;
 use std::error::Error;
 use std::path::{Path, PathBuf};
+use vcgpdm::motion::pose::PoseMapping;
 use vcgpdm::motion::stage::UpAxis;
 use vcgpdm::motion::{Clip, bvh, samples};
 
@@ -16,6 +17,18 @@ pub fn read(path: &Path, up: &Up) -> Result<Clip> {
     let clip = read_quietly(path, up)?;
     clip.warnings.iter().for_each(|warning| say(&format!("{}: {warning}", clip.name)));
     Ok(clip)
+}
+
+/// Reads a clip for a model, and says if another axis points up in it than in the body of the model.
+pub fn read_for(path: &Path, up: &Up, mapping: &PoseMapping) -> Result<Clip> {
+    let clip = read(path, up)?;
+    mapping.axis_warning(&clip).iter().for_each(|warning| say(&format!("{}: {warning}", clip.name)));
+    Ok(clip)
+}
+
+/// Reads several clips for a model; see [`read_for`].
+pub fn read_all_for(paths: &[PathBuf], up: &Up, mapping: &PoseMapping) -> Result<Vec<Clip>> {
+    paths.iter().map(|path| read_for(path, up, mapping)).collect()
 }
 
 /// Reads several clips; see [`read`].

@@ -51,7 +51,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let given = given(&arguments.given, &model.body)?;
     let read = [arguments.model.as_path(), arguments.clip.as_path()];
     files::check_outs(arguments.out.iter().map(|out| ("--out", out)), read)?;
-    let clip = clips::read(&arguments.clip, &arguments.up)?;
+    let clip = clips::read_for(&arguments.clip, &arguments.up, &model.body.mapping)?;
     let columns = model.body.encode(&clip)?;
     let cut = arguments.until.map(|until| frame_of(until, &model, columns.nrows())).transpose()?;
     let completed = coupled

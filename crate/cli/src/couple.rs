@@ -66,7 +66,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             trained.add(trained.library.nearest_combination(name, &uses)?, sequences)?;
         } else {
             let mut clips = Vec::new();
-            for clip in clips::read_all(&arguments.clips, &arguments.up)? {
+            for clip in clips::read_all_for(&arguments.clips, &arguments.up, &trained.body.mapping)? {
                 clips.push(trained.encode(&clip)?);
             }
             let mut trainer = CouplingTrainer::new(&trained, &uses, &clips, arguments.max_iterations)?;

@@ -130,7 +130,7 @@ fn relearn(
         }
     }
     let mut clips = Vec::new();
-    for clip in clips::read_all(&arguments.clips, &arguments.up)? {
+    for clip in clips::read_all_for(&arguments.clips, &arguments.up, &library.body.mapping)? {
         clips.push(library.encode(&clip)?);
     }
     let frames = match (clips.is_empty(), arguments.generated) {

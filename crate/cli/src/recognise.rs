@@ -43,7 +43,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let read = std::iter::once(&arguments.library).chain(&arguments.clips).map(PathBuf::as_path);
     files::check_outs(arguments.out.iter().map(|out| ("--out", out)), read)?;
-    let clips = clips::read_all(&arguments.clips, &arguments.up)?;
+    let clips = clips::read_all_for(&arguments.clips, &arguments.up, &library.body.mapping)?;
     let found = library.recognise(&clips.iter().collect::<Vec<_>>())?;
     let (primitives, frame_time) = (&library.library.primitives, library.body.frame_time);
     let parts: Vec<&str> = library.body.layout.parts().iter().map(|part| part.name.as_str()).collect();

@@ -26,7 +26,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let model = crate::rollout::read_model(&arguments.model)?;
     let body = &model.body;
-    let clip = clips::read(&arguments.clip, &arguments.up)?;
+    let clip = clips::read_for(&arguments.clip, &arguments.up, &body.mapping)?;
     let actual = body.encode(&clip)?;
     let predicted = model.rollout(arguments.from, actual.nrows())?;
     files::print_json(&dtw_mse(&predicted, &actual)?)

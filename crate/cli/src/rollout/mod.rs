@@ -124,7 +124,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             };
             let start = match (&arguments.from, model.coupled()) {
                 (Start::Clip { clip, frames }, Some(model)) => {
-                    Some(model.latents_of_clip(&clips::read(clip, &arguments.up)?, *frames)?)
+                    let clip = clips::read_for(clip, &arguments.up, &model.body.mapping)?;
+                    Some(model.latents_of_clip(&clip, *frames)?)
                 }
                 _ => None,
             };

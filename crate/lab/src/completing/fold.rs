@@ -338,7 +338,10 @@ impl Trial<'_> {
             let (mut all, recorded) = (body.columns(&parts), body.columns(&self.held_out));
             for (c, column) in body.mapping.columns().iter().enumerate() {
                 match column.kind {
-                    ColumnKind::YawRate | ColumnKind::Forward | ColumnKind::Sideways => {
+                    ColumnKind::YawRate
+                    | ColumnKind::Forward
+                    | ColumnKind::Sideways
+                    | ColumnKind::HeightRate => {
                         all.column_mut(c).fill(0.0);
                     }
                     ColumnKind::Height | ColumnKind::Pitch | ColumnKind::Roll => {

@@ -6,7 +6,7 @@ use crate::models::data::warnings::{CLIP, changing_columns, constant_warning, se
 use crate::models::training::error::TrainingError;
 use crate::motion::measures::rests_from;
 use crate::motion::parts::{PartSpec, PartsError, PartsLayout};
-use crate::motion::pose::{PoseError, PoseMapping, RootStart};
+use crate::motion::pose::{Encoded, PoseError, PoseMapping, RootStart};
 use crate::motion::{BodyMismatch, Clip, ClipError};
 use crate::plural::counted;
 use nalgebra::DMatrix;
@@ -188,17 +188,22 @@ impl Dataset {
             }
             clips.push(clip);
         }
-        let mapping = PoseMapping::new(&clips[0]);
+        let mut mapping = PoseMapping::new(&clips[0]);
         let layout = PartsLayout::new(parts, &mapping)?;
+        let mut encoded = encoded(&mapping, &clips)?;
+        let climbs =
+            encoded.iter().zip(&clips).find_map(|(rows, clip)| Some((mapping.climb(&rows.y)?, clip)));
+        if climbs.is_some() {
+            mapping = mapping.climbing(&encoded[0].y);
+            encoded = self::encoded(&mapping, &clips)?;
+        }
         let (mut rows, mut warnings) = (Vec::new(), Vec::new());
-        for clip in &clips {
-            let encoded = mapping
-                .encode(clip)
-                .map_err(|reason| DatasetError::Pose { clip: clip.name.clone(), reason: Box::new(reason) })?;
+        for (encoded, clip) in encoded.into_iter().zip(&clips) {
             rows.push(encoded.y);
             let own = clip.warnings.iter().chain(&encoded.warnings);
             warnings.extend(own.map(|warning| format!("{}: {warning}", clip.name)));
         }
+        warnings.extend(climbs.map(|(change, clip)| climb_warning(change, &clip.name)));
         let mut all = stacked(&rows);
         let column_means: Vec<f64> = all.row_mean().iter().copied().collect();
         for (mut column, mean) in all.column_iter_mut().zip(&column_means) {
@@ -224,6 +229,21 @@ impl Dataset {
         warnings.extend(still_parts(&layout, &changing_columns(&all)));
         Ok(Self { mapping, layout, y, column_means, sequences, frame_time, frames_per_second, warnings })
     }
+}
+
+fn encoded(mapping: &PoseMapping, clips: &[Clip]) -> Result<Vec<Encoded>, DatasetError> {
+    let error =
+        |clip: &Clip, reason| DatasetError::Pose { clip: clip.name.clone(), reason: Box::new(reason) };
+    clips.iter().map(|clip| mapping.encode(clip).map_err(|reason| error(clip, reason))).collect()
+}
+
+fn climb_warning(change: f64, clip: &str) -> String {
+    let (verb, goes_on) = if change > 0.0 { ("rises", "rising") } else { ("falls", "falling") };
+    let legs = (100.0 * change.abs()).round() / 100.0;
+    format!(
+        "{clip}: the root {verb} steadily, by {legs} leg lengths in all: the model learns the changes of the height \
+         from frame to frame, and its motion goes on {goes_on}"
+    )
 }
 
 /// A warning about parts that no clip moves. A body has many columns that never change, such as those of

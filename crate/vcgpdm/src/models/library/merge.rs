@@ -122,6 +122,9 @@ impl TrainedLibrary {
     pub(super) fn check_body(&self, other: &TrainedLibrary) -> Result<(), Misfit> {
         let (own, others) = (self.body.mapping.skeleton(), other.body.mapping.skeleton());
         own.same_body(others).map_err(|reason| Misfit::Skeleton(Box::new(reason)))?;
+        if self.body.mapping.climbs() != other.body.mapping.climbs() {
+            return Err(Misfit::Centre);
+        }
         let (own, others) = (self.body.layout.parts(), other.body.layout.parts());
         if !own.iter().map(|part| &part.name).eq(others.iter().map(|part| &part.name)) {
             let names = |library: &TrainedLibrary| {

@@ -63,8 +63,11 @@ impl PoseMapping {
 
     /// The state before the first row of a motion that begins at `start`.
     pub fn track(&self, start: &RootStart) -> RootTrack {
-        let place = self.stage.up.to_y_up() * Vector3::from(start.position) / self.leg();
-        RootTrack::new(RootPose { place, angles: [start.yaw, 0.0, 0.0] })
+        let mut place = self.stage.up.to_y_up() * Vector3::from(start.position) / self.leg();
+        if let Some(first) = self.climbs_from {
+            place.y += first;
+        }
+        RootTrack::new(RootPose { place, angles: [start.yaw, 0.0, 0.0] }, self.climbs_from.is_some())
     }
 
     /// As [`decode_positions`](Self::decode_positions) for the next rows of a motion; `track` is its state

@@ -6,6 +6,7 @@ use crate::motion::pose::root;
 use crate::motion::pose::root::{RootPose, RootStart};
 use crate::motion::rotation;
 use crate::motion::skeleton::LocalPose;
+use crate::motion::stage::UpAxis;
 use crate::plural::listed;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use std::f64::consts::FRAC_PI_2;
@@ -24,13 +25,16 @@ pub struct Encoded {
 /// Largest displacement or height in leg lengths: a larger one is a fault of the recording.
 const FARTHEST: f64 = 1e5;
 
+/// A body stands when the vector upwards of its root has this component along the up axis.
+const STANDS: f64 = 0.7;
+
 /// Positions that vary by a smaller fraction of the body's height count as constant.
 const STILL: f64 = 1e-3;
 
 impl PoseMapping {
     /// Turns a clip of the same body into rows of Y [frames x columns]. The clip may have other channels than
-    /// the mapping's body. If the clip states the axis that points up ([`Clip::up`]), this axis counts for its
-    /// rows, else the mapping's.
+    /// the mapping's body. If the clip states the axis that points up ([`Clip::up`]), or the body clearly stands
+    /// along another axis than in the mapping, this axis counts for its rows.
     ///
     /// # Errors
     ///
@@ -41,13 +45,13 @@ impl PoseMapping {
         body.map_err(|reason| PoseError::Body { clip: clip.name.clone(), reason })?;
         let poses: Vec<LocalPose> = (0..clip.frames()).map(|frame| clip.local_pose(frame)).collect();
         let mut y = DMatrix::zeros(poses.len(), self.column_count());
-        let up = clip.up.unwrap_or(self.stage.up);
+        let up = self.up_of(clip);
         let (turn, upright) = (up.to_y_up(), self.upright().inverse());
         let angles = root::continuous_angles(poses.iter().map(|pose| turn * pose.rotations[0] * upright));
         let roots: Vec<RootPose> = (poses.iter().zip(&angles))
             .map(|(pose, &angles)| RootPose { place: turn * pose.positions[0] / self.leg(), angles })
             .collect();
-        for (t, row) in root::rows(&roots).iter().enumerate() {
+        for (t, row) in root::rows(&roots, self.climbs_from.is_some()).iter().enumerate() {
             if let Some(&found) = row.iter().find(|value| value.abs() > FARTHEST) {
                 return Err(PoseError::Spike { frame: t, most: FARTHEST, found: found.abs() });
             }
@@ -71,11 +75,38 @@ impl PoseMapping {
                 } else {
                     self.stage.up.to_y_up().inverse() * (turn * pose.positions[0])
                 };
+                let first = self.climbs_from.unwrap_or(0.0) * self.leg() * Vector3::y();
+                let place = place - self.stage.up.to_y_up().inverse() * first;
                 RootStart { position: place.into(), yaw: angles[0] }
             }
             _ => RootStart::default(),
         };
-        Ok(Encoded { y, start, warnings: self.moving_joints(clip) })
+        let mut warnings = self.moving_joints(clip);
+        warnings.extend(self.axis_warning(clip));
+        Ok(Encoded { y, start, warnings })
+    }
+
+    /// The axis that points up in a clip: stated, or that of the mapping. If the body would lie on average,
+    /// and stands along the axis found from the clip itself, then that axis.
+    fn up_of(&self, clip: &Clip) -> UpAxis {
+        let found = clip.up_axis();
+        if clip.up.is_some() || found == self.stage.up {
+            return found;
+        }
+        let upright = self.upright().inverse() * Vector3::y();
+        let mean = (0..clip.frames()).map(|frame| clip.local_pose(frame).rotations[0] * upright);
+        let mean = mean.sum::<Vector3<f64>>() / clip.frames().max(1) as f64;
+        let stands = |up: UpAxis| up.height(&mean) > STANDS;
+        if stands(found) && !stands(self.stage.up) { found } else { self.stage.up }
+    }
+
+    /// A sentence if another axis points up in the clip than in the body of this mapping.
+    #[doc(hidden)]
+    pub fn axis_warning(&self, clip: &Clip) -> Option<String> {
+        let (own, up) = (self.up_of(clip).name(), self.stage.up.name());
+        let turned =
+            || format!("the up axis is {own} here and {up} in the body it is compared with: it was turned");
+        (own != up && clip.up.is_none()).then(turned)
     }
 
     fn moving_joints(&self, clip: &Clip) -> Vec<String> {

@@ -20,6 +20,8 @@ pub enum ColumnKind {
     Sideways,
     /// Height of the root, in leg lengths.
     Height,
+    /// Change of the root's height since the previous frame, in leg lengths: of a body that climbs.
+    HeightRate,
     /// Rotation of the root about its left axis, after the heading, radians, positive forward.
     Pitch,
     /// Rotation of the root about its front axis, after heading and pitch, radians.
@@ -36,6 +38,7 @@ impl ColumnKind {
             ColumnKind::Forward => "forward",
             ColumnKind::Sideways => "sideways",
             ColumnKind::Height => "height",
+            ColumnKind::HeightRate => "height_rate",
             ColumnKind::Pitch => "pitch",
             ColumnKind::Roll => "roll",
             ColumnKind::Rotation(0) => "x",
@@ -162,6 +165,9 @@ pub struct PoseMapping {
     /// The rotation vector of each joint in the first frame. The first rotation vector of an encoded clip is
     /// the nearest to it.
     pub(super) first: Vec<[f64; 3]>,
+    /// The height of the root in the first frame, in leg lengths, if rows contain changes of the height;
+    /// `None`: they contain the height.
+    pub(super) climbs_from: Option<f64>,
 }
 
 impl PoseMapping {
@@ -175,6 +181,7 @@ impl PoseMapping {
             upright: root::upright(clip, stage.up),
             positions: mean_positions(clip).0,
             first: first_rotations(clip),
+            climbs_from: None,
         }
     }
 
@@ -190,7 +197,10 @@ impl PoseMapping {
 
     /// The columns of Y: six of the root, then three of each other joint, in the order of the joints.
     pub fn columns(&self) -> Vec<Column> {
-        let root = ROOT_COLUMNS.into_iter().map(|kind| Column { joint: 0, kind });
+        let root = ROOT_COLUMNS.into_iter().map(|kind| match (kind, self.climbs_from) {
+            (ColumnKind::Height, Some(_)) => Column { joint: 0, kind: ColumnKind::HeightRate },
+            _ => Column { joint: 0, kind },
+        });
         let others = (1..self.skeleton.joints.len())
             .flat_map(|joint| (0..3).map(move |axis| Column { joint, kind: ColumnKind::Rotation(axis) }));
         root.chain(others).collect()

@@ -3,6 +3,7 @@
 //! A row has six numbers of the root, which do not depend on the position and heading of the body, and the
 //! rotation vector (exponential map) of each other joint. See [`PoseMapping`].
 
+mod climb;
 mod decode;
 mod encode;
 mod mapping;

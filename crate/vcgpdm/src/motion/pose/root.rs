@@ -12,7 +12,8 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RootStart {
     /// The root's position in frame 0, in the file's axes and units. The component along the up axis is not
-    /// used: rows contain it.
+    /// used where rows contain the height. Where they contain its changes, this component is the height above
+    /// the root's first height in the first clip.
     pub position: [f64; 3],
     /// The heading in frame 0, radians about the up axis.
     pub yaw: f64,
@@ -34,11 +35,13 @@ pub(super) struct RootPose {
 pub struct RootTrack {
     begin: RootPose,
     before: Option<RootPose>,
+    /// Whether rows contain changes of the height.
+    climbs: bool,
 }
 
 impl RootTrack {
-    pub(super) fn new(begin: RootPose) -> Self {
-        Self { begin, before: None }
+    pub(super) fn new(begin: RootPose, climbs: bool) -> Self {
+        Self { begin, before: None, climbs }
     }
 
     /// A vector in a world with y up, turned so that z is the heading of the newest row.
@@ -49,7 +52,7 @@ impl RootTrack {
 
     /// Adds a row and returns its pose.
     pub(super) fn push(&mut self, row: &[f64; 6]) -> RootPose {
-        let pose = integrate(row, self.before.as_ref(), &self.begin);
+        let pose = integrate(row, self.before.as_ref(), &self.begin, self.climbs);
         self.before = Some(pose);
         pose
     }
@@ -91,24 +94,27 @@ pub(super) fn continuous_angles(orientations: impl Iterator<Item = UnitQuaternio
 /// Rows [frames x 6] of a sequence of root poses, in the order of [`super::mapping::ROOT_COLUMNS`].
 ///
 /// `yaw rate_t = yaw_t - yaw_{t-1}` wrapped to +-pi; `(sideways, -, forward)_t = R_y(-yaw_{t-1}) (p_t -
-/// p_{t-1})`. Row 0 has no previous frame and repeats the rates of row 1.
-pub(super) fn rows(poses: &[RootPose]) -> Vec<[f64; 6]> {
+/// p_{t-1})`. Where the body `climbs`, the height is a rate too: `y_t - y_{t-1}`. Row 0 has no previous frame
+/// and repeats the rates of row 1.
+pub(super) fn rows(poses: &[RootPose], climbs: bool) -> Vec<[f64; 6]> {
     let mut rows: Vec<[f64; 6]> = (poses.iter().enumerate())
         .map(|(t, now)| {
             let before = &poses[t.saturating_sub(1)];
             let step = rotation::about_axis(1, -before.angles[0]) * (now.place - before.place);
             let yaw_rate = rotation::wrapped(now.angles[0] - before.angles[0]);
-            [yaw_rate, step.z, step.x, now.place.y, now.angles[1], now.angles[2]]
+            let height = if climbs { step.y } else { now.place.y };
+            [yaw_rate, step.z, step.x, height, now.angles[1], now.angles[2]]
         })
         .collect();
     if let [first, second, ..] = rows.as_mut_slice() {
-        first[..3].copy_from_slice(&second[..3]);
+        let rates = if climbs { 4 } else { 3 };
+        first[..rates].copy_from_slice(&second[..rates]);
     }
     rows
 }
 
 /// The inverse of [`rows`]: the pose that follows `before`. The rates of the first row are not used.
-fn integrate(row: &[f64; 6], before: Option<&RootPose>, start: &RootPose) -> RootPose {
+fn integrate(row: &[f64; 6], before: Option<&RootPose>, start: &RootPose, climbs: bool) -> RootPose {
     let [yaw_rate, forward, sideways, height, pitch, roll] = *row;
     let (yaw, mut place) = match before {
         None => (start.angles[0], start.place),
@@ -117,7 +123,11 @@ fn integrate(row: &[f64; 6], before: Option<&RootPose>, start: &RootPose) -> Roo
             (before.angles[0] + yaw_rate, before.place + step)
         }
     };
-    place.y = height;
+    if !climbs {
+        place.y = height;
+    } else if before.is_some() {
+        place.y += height;
+    }
     RootPose { place, angles: [yaw, pitch, roll] }
 }
 
@@ -191,7 +201,7 @@ mod tests {
                 RootPose { place, angles: [yaw, 0.1, 0.0] }
             })
             .collect();
-        let rows = rows(&poses);
+        let rows = rows(&poses, false);
         for row in &rows {
             for (value, first) in row.iter().zip(&rows[0]) {
                 assert!((value - first).abs() < 1e-12);

@@ -16,13 +16,15 @@ impl PoseMapping {
             ("height", Value::Number(self.stage.height)),
             ("ground", Value::Number(self.stage.ground)),
         ]);
-        Value::object([
+        let climbs_from = self.climbs_from.map(|height| ("climbs_from", Value::Number(height)));
+        let fields = [
             ("skeleton", Value::object([("joints", Value::list(&self.skeleton.joints, joint_value))])),
             ("stage", stage),
             ("upright", Value::numbers(&self.upright)),
             ("positions", triples_value(&self.positions)),
             ("first", triples_value(&self.first)),
-        ])
+        ];
+        Value::of_fields(fields.into_iter().chain(climbs_from).collect())
     }
 
     /// Reads a mapping and checks its skeleton, stage and sizes.
@@ -43,8 +45,15 @@ impl PoseMapping {
         let joints = skeleton.joints.len();
         let positions = triples(&mapping.get("positions")?, joints)?;
         let first = triples(&mapping.get("first")?, joints)?;
+        let climbs_from = match mapping.optional("climbs_from") {
+            Some(field) => match field.number()? {
+                height if height.abs() < LARGEST => Some(height),
+                _ => return Err(field.wrong("a height below 1e12 in size")),
+            },
+            None => None,
+        };
         mapping.end()?;
-        Ok(PoseMapping { skeleton, stage, upright, positions, first })
+        Ok(PoseMapping { skeleton, stage, upright, positions, first, climbs_from })
     }
 }
 
