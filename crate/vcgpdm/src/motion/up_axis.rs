@@ -22,6 +22,13 @@ const THIN: f64 = 0.5;
 const EVIDENCE: f64 = 0.35;
 /// The evidence of a rest pose that stands along an axis.
 const REST: f64 = 0.6;
+/// A body stays when its root moves by less than this share of its height. A standing body that stays far from
+/// the origin and above no floor at zero may lie on a bench,
+const STAYS: f64 = 0.3;
+/// which is lower than this share of its height.
+const BENCH: f64 = 0.7;
+/// Fewer frames show nothing.
+const FEW_FRAMES: usize = 10;
 /// Axes are equally likely when their evidence differs by less.
 const EQUAL: f64 = 0.5;
 
@@ -55,8 +62,8 @@ struct LimbSums {
 /// The axis that points up.
 pub(super) struct FoundAxis {
     pub(super) axis: UpAxis,
-    /// An axis that is as likely, if there is one.
-    pub(super) other: Option<UpAxis>,
+    /// Axes that may point up instead.
+    pub(super) others: Vec<UpAxis>,
 }
 
 impl Reach {
@@ -88,11 +95,13 @@ impl Clip {
 
     /// The clip with a warning if two axes are equally likely to point up.
     pub(super) fn with_checked_axis(mut self) -> Clip {
-        if let FoundAxis { axis, other: Some(other) } = self.up_axis_of(&self.reach()) {
-            let (axis, other) = (axis.name(), other.name());
+        let FoundAxis { axis, others } = self.up_axis_of(&self.reach());
+        if !others.is_empty() {
+            let axis = axis.name();
+            let other = others.iter().map(|other| other.name()).collect::<Vec<_>>().join(" or ");
             self.warnings.push(format!(
-                "{UNCERTAIN}: {axis} is used, but {other} is possible too: the body lies, or moves along its \
-                 own length. State the axis (the option \"up\") if {axis} is wrong"
+                "{UNCERTAIN}: {axis} is used, but {other} is possible too, because the body moves along its own \
+                 length or is above no floor at 0. State the axis (the option \"up\") if {axis} is wrong"
             ));
         }
         self
@@ -146,14 +155,14 @@ impl Clip {
 
     pub(super) fn up_axis_of(&self, reach: &Reach) -> FoundAxis {
         if let Some(axis) = self.up {
-            return FoundAxis { axis, other: None };
+            return FoundAxis { axis, others: Vec::new() };
         }
         let rest =
             Anatomy::find(&self.skeleton).and_then(|anatomy| standing_at_rest(&self.skeleton, &anatomy));
         let usual = self.standing_axis(reach, rest.as_ref());
         match (&reach.limbs, reach.upward) {
             (Some(sums), Some(_)) => self.lying_axis(reach, sums, rest.as_ref(), usual),
-            _ => FoundAxis { axis: usual, other: None },
+            _ => FoundAxis { axis: usual, others: Vec::new() },
         }
     }
 
@@ -176,8 +185,9 @@ impl Clip {
             |axis: UpAxis| touched(axis) > TOUCHED && along(axis, &reach.extent) < THIN * height * frames;
         let floors = UpAxis::ALL.into_iter().filter(|&axis| is_floor(axis)).count();
         let lies = touched(usual) < 1.0 - TOUCHED && floors == 1;
-        if !climbs && !lies {
-            return FoundAxis { axis: usual, other: None };
+        let floats = touched(usual) < 1.0 - TOUCHED && self.floats(reach, height);
+        if !climbs && !lies && !floats {
+            return FoundAxis { axis: usual, others: Vec::new() };
         }
         let rest = rest.map(|rest| UpAxis::new(rest.upward.iamax(), rest.upward[rest.upward.iamax()] < 0.0));
         let limbs = sums.upward / frames;
@@ -191,14 +201,34 @@ impl Clip {
             UpAxis::ALL.into_iter().filter(|axis| axis.letter() != usual.letter()).collect();
         others.sort_by(|a, b| evidence(b).total_cmp(&evidence(a)));
         let (first, second) = (others[0], others[1]);
-        // A body on a ladder climbs along the axis of its rest pose, and one beside a wall touches the wall.
+        let lowest = |axis: UpAxis| axis.height(&reach.low).min(axis.height(&reach.high)) / height;
+        // The axes of a body on a bench, but `axis`.
+        let bench = |axis: UpAxis| -> Vec<UpAxis> {
+            let is_bench = |other: &UpAxis| *other != axis && (-NEAR_ZERO..BENCH).contains(&lowest(*other));
+            others.iter().copied().filter(|other| floats && is_bench(other)).collect()
+        };
         let is_rest = rest.is_none_or(|rest| rest == usual);
-        let is_lying = evidence(&first) >= EVIDENCE && (climbs || first.height(&limbs) >= EVIDENCE);
-        if is_rest && !is_lying {
-            return FoundAxis { axis: usual, other: Some(first).filter(|_| climbs) };
+        let points_up = is_clear(&limbs) && first.height(&limbs) == limbs.amax();
+        let is_lying =
+            (evidence(&first) >= EVIDENCE || points_up) && (climbs || first.height(&limbs) >= EVIDENCE);
+        // A body on a ladder climbs along the axis of its rest pose, and one beside a wall touches the wall.
+        if is_rest && !is_lying || !climbs && !lies {
+            return FoundAxis { axis: usual, others: if climbs { vec![first] } else { bench(usual) } };
         }
         let is_equal = evidence(&first) - evidence(&second) < EQUAL;
-        FoundAxis { axis: first, other: is_equal.then_some(second) }
+        let others = match (is_equal, rest == Some(first)) {
+            (true, _) => vec![second],
+            (false, true) => Vec::new(),
+            (false, false) => bench(first),
+        };
+        FoundAxis { axis: first, others }
+    }
+
+    /// Whether the body stays at one place that is not the origin of the world.
+    fn floats(&self, reach: &Reach, height: f64) -> bool {
+        let [low, high] = reach.root.map(|corner| corner / height);
+        let stays = (high - low).amax() < STAYS;
+        stays && (0.5 * (low + high)).norm() > STAYS && self.frames() >= FEW_FRAMES
     }
 
     /// The axis along which the body stands.
@@ -370,7 +400,7 @@ mod tests {
     }
 
     fn is_certain(clip: &Clip) -> bool {
-        clip.up_axis_of(&clip.reach()).other.is_none()
+        clip.up_axis_of(&clip.reach()).others.is_empty()
     }
 
     #[test]
@@ -400,6 +430,25 @@ mod tests {
             }
         }
         assert!(wrong.is_empty(), "{wrong:#?}");
+    }
+
+    #[test]
+    fn a_body_on_a_bench_may_lie_or_stand() {
+        let place = Vector3::new(150.0, 60.0, 230.0);
+        let bench = motion(
+            -FRAC_PI_2,
+            |_| place,
+            |_| 0.0,
+            |name, t| match name {
+                "LeftArm" | "RightArm" => about(1, side(name) * (20.0 * swing(t, 1.0) - 90.0)),
+                _ => UnitQuaternion::identity(),
+            },
+        );
+        for up in UpAxis::ALL {
+            let turned = in_world(&bench, up.to_y_up().inverse(), false);
+            let FoundAxis { axis, others } = turned.up_axis_of(&turned.reach());
+            assert!(axis == up || others.contains(&up), "{up:?}: {axis:?}, {others:?}");
+        }
     }
 
     #[test]
