@@ -59,7 +59,10 @@ def positions(model, y):
     for t, (turn, forward, sideways, height, pitch, roll) in enumerate(y[:, :6]):
         if t > 0:  # along the previous heading; row 0 has no step
             place, yaw = place + rotation((0, yaw, 0)) @ (sideways, 0, forward), yaw + turn
-        place[1] = height
+        if "climbs_from" in pose:  # the column holds changes of the height
+            place[1] = place[1] + height if t > 0 else pose["climbs_from"]
+        else:
+            place[1] = height
         turns = [to_file @ rotation((0, yaw, 0)) @ rotation((pitch, 0, 0)) @ rotation((0, 0, roll)) @ upright]
         places = [to_file @ place * leg]
         for j, joint in enumerate(pose["skeleton"]["joints"][1:], start=1):

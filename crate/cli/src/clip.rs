@@ -25,7 +25,7 @@ pub struct Arguments {
     /// leading T-pose.
     #[arg(long, value_name = "FROM-TO", value_parser = frames)]
     frames: Option<(usize, usize)>,
-    /// Transfer the motion to the body of this clip: joints of the same name or place turn in the world as
+    /// Transfer the motion to the body of this clip: joints of the same name, else of the same place, turn in the world as
     /// they do in CLIP, and the path of the root is scaled with its height above the ground.
     #[arg(long, value_name = "BODY.bvh")]
     onto: Option<PathBuf>,

@@ -58,9 +58,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         let read = arguments.clips.iter().map(PathBuf::as_path);
         files::check_writable(out, read.chain([path.as_path()]))?;
     }
-    // The axis that pointed up in the recorded training: found, or stated by the user.
-    let up = Up { axis: Some(recorded.body.mapping.stage().up), root: None };
-    let given = clips::read_all(&arguments.clips, &up)?;
+    // The axis that pointed up in the recorded training: found, or stated by the user. A clip that was turned
+    // to this axis has its own.
+    let mapping = &recorded.body.mapping;
+    let root = &mapping.skeleton().joints[0].name;
+    let read = |path: &PathBuf| -> Result<Clip, Box<dyn Error>> {
+        let mut clip = clips::read(path, &Up::default())?;
+        if clip.skeleton.joints[0].name != *root {
+            // Another body of the same file.
+            let up = Up { axis: None, root: Some(root.clone()) };
+            clip = clips::read_quietly(path, &up).unwrap_or(clip);
+        }
+        Ok(if mapping.axis_warning(&clip).is_none() { clip.with_up(mapping.stage().up) } else { clip })
+    };
+    let given = arguments.clips.iter().map(read).collect::<Result<Vec<Clip>, _>>()?;
     let infos = &recorded.body.sequences;
     let clips = infos.iter().map(|info| clip_of(info, infos, &given)).collect::<Result<Vec<_>, _>>()?;
     let first_frames = |info: &SequenceInfo| (!info.whole).then_some(info.frames);

@@ -20,12 +20,19 @@ pub struct Clip {
 
 #[pymethods]
 impl Clip {
-    /// Reads a BVH file. A leading T-pose is left out; `warnings` says so.
+    /// Reads a BVH file. A leading T-pose is left out; `warnings` says so. `root` names the joint that becomes
+    /// the root: of several bodies in one file, the one to read.
     #[staticmethod]
-    fn read(path: PathBuf) -> PyResult<Self> {
+    #[pyo3(signature = (path, root=None))]
+    fn read(path: PathBuf, root: Option<&str>) -> PyResult<Self> {
         let bytes = fs::read(&path)?;
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-        Ok(Self { clip: read_bvh(&name, &bytes).map_err(refused)?.into_clip() })
+        let recording = read_bvh(&name, &bytes).map_err(refused)?;
+        let recording = match root {
+            Some(root) => recording.of_root(root).map_err(refused)?,
+            None => recording,
+        };
+        Ok(Self { clip: recording.into_clip() })
     }
 
     /// One of the clips that the project makes itself; `samples()` lists their names.

@@ -110,7 +110,7 @@ pub use motion::pose::{Column, ColumnKind, PoseError, PoseMapping};
 pub use motion::samples::{SampleInfo, clip as sample_clip, list as sample_clips};
 pub use motion::skeleton::{Channel, FigureNode, Joint, LocalPose, Skeleton, SkeletonError, WorldPose};
 pub use motion::stage::UpAxis;
-pub use motion::{BodyMismatch, Clip, ClipError, Recording};
+pub use motion::{BodyMismatch, Clip, ClipError, Recording, UnknownJoint};
 pub use series::{
     Columns, SeriesError, Table, parse_parts as column_parts, read as read_csv, write as write_csv,
 };

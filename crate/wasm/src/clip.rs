@@ -166,6 +166,14 @@ impl Clip {
         Ok(Clip { clip: bvh::read(&name, &bytes.get(ErrorCode::Clip, "the file")?)?.into_clip() })
     }
 
+    /// Reads one body of a BVH file that has several: the joint of this name and all joints below it.
+    #[wasm_bindgen(js_name = readBody)]
+    pub fn read_body(name: &Text, bytes: &Bytes, root: &Text) -> Result<Clip, VcgpdmError> {
+        let name = name.get(ErrorCode::Clip, "the name")?;
+        let recording = bvh::read(&name, &bytes.get(ErrorCode::Clip, "the file")?)?;
+        Ok(Clip { clip: recording.of_root(&root.get(ErrorCode::Clip, "the root")?)?.into_clip() })
+    }
+
     /// The clip's name.
     #[wasm_bindgen(getter)]
     pub fn name(&self) -> String {

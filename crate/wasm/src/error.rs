@@ -15,10 +15,10 @@ use vcgpdm::models::variational::InducingError;
 #[cfg(feature = "training")]
 use vcgpdm::models::variational::{KeptPointsError, ObservationError};
 use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
-use vcgpdm::motion::ClipError;
 use vcgpdm::motion::bvh::BvhError;
 use vcgpdm::motion::parts::PartsError;
 use vcgpdm::motion::pose::PoseError;
+use vcgpdm::motion::{ClipError, UnknownJoint};
 #[cfg(feature = "training")]
 use vcgpdm::series::SeriesError;
 #[cfg(feature = "training")]
@@ -173,6 +173,7 @@ macro_rules! about {
 about! {
     BvhError => Clip,
     ClipError => Clip,
+    UnknownJoint => Clip,
     PoseError => Clip,
     DocumentError => Model,
     InducingError => Model,

@@ -23,20 +23,18 @@ pub(crate) enum Region {
 pub(crate) struct Anatomy {
     /// The region of each joint.
     pub(crate) regions: Vec<Region>,
-    /// Whether the names of the joints show the legs.
-    pub(crate) is_named: bool,
 }
 
 impl Anatomy {
     /// Finds two legs, and arms if there are any; `None` where neither names nor shape show them.
     pub(crate) fn find(skeleton: &Skeleton) -> Option<Anatomy> {
         for legs_below_head in [false, true] {
-            let named = Anatomy { regions: by_names(skeleton, legs_below_head), is_named: true };
+            let named = Anatomy { regions: by_names(skeleton, legs_below_head) };
             if named.has_both_legs() {
                 return Some(named);
             }
         }
-        by_shape(skeleton).map(|regions| Anatomy { regions, is_named: false }).filter(Anatomy::has_both_legs)
+        by_shape(skeleton).map(|regions| Anatomy { regions }).filter(Anatomy::has_both_legs)
     }
 
     fn has(&self, region: Region) -> bool {

@@ -41,7 +41,8 @@ impl Clip {
         let size = |joint: usize| counted(below(&self.skeleton, joint).len(), "joint");
         let others = bodies[1..].iter().map(|&body| format!("{:?} ({})", name(body), size(body)));
         clip.warnings.push(format!(
-            "the root {:?} carries {} bodies: {:?} ({}) is read, without {}; the option \"root\" reads another",
+            "the root {:?} carries {} bodies: {:?} ({}) is read, without {}. To read another, name its root: --root in the \
+             terminal, root in Python, Clip.readBody in the npm package",
             name(root),
             bodies.len(),
             name(bodies[0]),
@@ -167,14 +168,14 @@ fn below(skeleton: &Skeleton, top: usize) -> Vec<usize> {
     (0..within.len()).filter(|&place| within[place]).collect()
 }
 
-/// The joint that carries several bodies, each with legs and position channels of its own, and the roots of
+/// The joint that carries several bodies, each with legs, arms and position channels of its own, and the roots of
 /// these bodies.
 fn bodies(skeleton: &Skeleton) -> Option<(usize, Vec<usize>)> {
     let mut carrier = 0;
     while let [only] = skeleton.children(carrier).collect::<Vec<_>>()[..] {
         carrier = only;
     }
-    let has_legs = |&child: &usize| {
+    let anatomy = |child: usize| {
         let kept = below(skeleton, child);
         let parent = |joint: usize| {
             skeleton.joints[joint].parent.and_then(|parent| kept.iter().position(|&other| other == parent))
@@ -183,12 +184,10 @@ fn bodies(skeleton: &Skeleton) -> Option<(usize, Vec<usize>)> {
         Anatomy::find(&Skeleton { joints: kept.iter().map(joint).collect() })
     };
     let placed = skeleton.children(carrier).filter(|&child| skeleton.joints[child].has_positions());
-    let found: Vec<(usize, Anatomy)> = placed.filter_map(|child| Some((child, has_legs(&child)?))).collect();
-    // The arms of a chest look like legs where the names say nothing.
-    let named = found.iter().filter(|(_, anatomy)| anatomy.is_named).count();
-    let wanted = |anatomy: &Anatomy| anatomy.is_named || named == 0 && anatomy.has_both_arms();
-    let bodies: Vec<usize> =
-        found.iter().filter(|(_, anatomy)| wanted(anatomy)).map(|(child, _)| *child).collect();
+    let found: Vec<(usize, Anatomy)> = placed.filter_map(|child| Some((child, anatomy(child)?))).collect();
+    // The chest of a body alone has two limbs, and its hips have the other two.
+    let whole = found.iter().filter(|(_, anatomy)| anatomy.has_both_arms());
+    let bodies: Vec<usize> = whole.map(|(child, _)| *child).collect();
     (bodies.len() > 1).then_some((carrier, bodies))
 }
 

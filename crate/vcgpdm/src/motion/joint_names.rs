@@ -63,13 +63,12 @@ pub(crate) fn common_names(names: &[&str]) -> Vec<CommonName> {
     // A prefix ends at a separator: "Bip01 " of "Bip01 Pelvis", not "Left" of "LeftArm".
     let others = names.get(1..).unwrap_or_default();
     let is_separator = |c: char| !c.is_alphanumeric();
-    let prefixes = others.first().into_iter().flat_map(|name| name.match_indices(is_separator));
-    let shared = (prefixes.map(|(at, separator)| others[0][..at + separator.len()].to_owned()))
-        .filter(|prefix| others.len() > 1 && others.iter().all(|name| name.starts_with(prefix)))
-        .last()
-        .unwrap_or_default();
+    let mut prefixes = others.first().into_iter().flat_map(|name| name.match_indices(is_separator));
+    let is_shared = |end: usize| others.iter().all(|name| name.starts_with(&others[0][..end]));
+    let shared = (prefixes.rfind(|(at, separator)| others.len() > 1 && is_shared(at + separator.len())))
+        .map_or("", |(at, separator)| &others[0][..at + separator.len()]);
     let common = |name: &String| {
-        let name = name.strip_prefix(&shared).unwrap_or(name);
+        let name = name.strip_prefix(shared).unwrap_or(name);
         let numbers = name.split(|c: char| !c.is_ascii_digit()).filter_map(|digits| digits.parse().ok());
         let words = split_words(name);
         let (side, words) = side_of(&words).map_or((None, words), |(side, rest)| (Some(side), rest));

@@ -70,10 +70,11 @@ impl Clip {
                 carries_all.iter_mut().zip(bearing).for_each(|(all, bears)| *all &= bears || !exists);
             }
         } else {
-            carries_all.iter_mut().skip(2).for_each(|all| *all = false);
+            let is_only = self.skeleton.children(0).nth(1).is_none();
+            carries_all.iter_mut().enumerate().for_each(|(place, all)| *all = place == 1 && is_only);
         }
         for (place, joint) in self.skeleton.joints.iter().enumerate().skip(1) {
-            if self.frames() == 0 || !joint.has_positions() {
+            if self.frames() == 0 || !joint.has_positions() || carries_all[place] {
                 continue;
             }
             let offset = Vector3::from(joint.offset);
@@ -89,7 +90,7 @@ impl Clip {
                 }
             }
             let is_near_zero = joint.is_placed() && largest <= NEAR_ZERO * offset.norm();
-            if is_near_zero || !carries_all[place] && spread <= STEADY * median.norm() {
+            if is_near_zero || spread <= STEADY * median.norm() {
                 placed.push(Placed { joint: place, place: median, offset, is_near_zero });
             }
         }

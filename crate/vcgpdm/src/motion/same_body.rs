@@ -56,8 +56,7 @@ pub enum BodyMismatch {
     /// A bone has clearly another length or direction.
     #[error(
         "joint {joint} ({name:?}): its offset differs by {percent}% of the body's height (at most \
-         {limit}%): expected {expected:?}, found {found:?}{}",
-        .factor.map_or(String::new(), |factor| format!("; all its bones are {factor} times as long: other units?"))
+         {limit}%): expected {expected:?}, found {found:?}"
     )]
     Offset {
         /// The place of the joint.
@@ -72,8 +71,12 @@ pub enum BodyMismatch {
         expected: [f64; 3],
         /// The offset in the other.
         found: [f64; 3],
-        /// How many times as long the bones of the other are, if it is the same body in other units.
-        factor: Option<f64>,
+    },
+    /// The same body in other units.
+    #[error("all its bones are {factor} times as long: is it in other units?")]
+    Units {
+        /// The ratio of the bones to those of the first body.
+        factor: f64,
     },
     /// A rest pose whose directions mean nothing, so that no motion can be transferred from or to this body.
     #[error("{name}: expected a rest pose that stands on two legs, found one that does not")]
@@ -87,7 +90,7 @@ impl BodyMismatch {
     /// Whether the joints are the same and only the bones differ. Then
     /// [`Clip::with_bones_of`](crate::motion::Clip::with_bones_of) can give both clips the same bones.
     pub fn only_bones_differ(&self) -> bool {
-        matches!(self, BodyMismatch::Offset { .. })
+        matches!(self, BodyMismatch::Offset { .. } | BodyMismatch::Units { .. })
     }
 }
 
@@ -114,6 +117,9 @@ impl Skeleton {
                 (joint, (Vector3::from(a.offset) - Vector3::from(b.offset)).norm() / height)
             });
         let worst = differences.max_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some(factor) = self.unit_factor(other) {
+            return Err(BodyMismatch::Units { factor });
+        }
         if let Some((joint, difference)) = worst.filter(|(_, difference)| *difference > SAME_BODY_TOLERANCE) {
             return Err(BodyMismatch::Offset {
                 joint,
@@ -122,7 +128,6 @@ impl Skeleton {
                 limit: 100.0 * SAME_BODY_TOLERANCE,
                 expected: self.joints[joint].offset,
                 found: other.joints[joint].offset,
-                factor: self.unit_factor(other),
             });
         }
         Ok(())
@@ -136,7 +141,7 @@ impl Skeleton {
         let (own, others) = pairs.iter().fold((0.0, 0.0), |(own, others), (a, b)| (own + a, others + b));
         let factor = others / own;
         let fits = |&(a, b): &(f64, f64)| (b - factor * a).abs() <= SAME_BODY_TOLERANCE * others;
-        let is_far = factor.is_finite() && (factor > OTHER_UNITS || factor < 1.0 / OTHER_UNITS);
+        let is_far = factor.is_finite() && !(1.0 / OTHER_UNITS..=OTHER_UNITS).contains(&factor);
         let rounded = if factor < 1.0 { 1.0 / (1.0 / factor).round() } else { factor.round() };
         (is_far && pairs.iter().all(fits)).then_some(rounded)
     }
@@ -229,7 +234,7 @@ mod tests {
         for (other, wanted) in [
             (longer, "joint 2 (\"c\"): its offset differs by 10% of the body's height"),
             (elsewhere, "joint 2 (\"c\"): expected it to hang on \"b\", found it on \"a\""),
-            (metres, "all its bones are 0.01 times as long: other units?"),
+            (metres, "all its bones are 0.01 times as long: is it in other units?"),
             (chain(&["a", "c", "b"]), "the same joints in another order: joint 1 is \"c\" instead of \"b\""),
             (chain(&["a", "b", "d"]), "joint 2: expected \"c\", found \"d\""),
             (chain(&["a", "b"]), "expected 3 joints, found 2"),

@@ -101,7 +101,8 @@ impl Clip {
             let other = others.iter().map(|other| other.name()).collect::<Vec<_>>().join(" or ");
             self.warnings.push(format!(
                 "{UNCERTAIN}: {axis} is used, but {other} is possible too, because the body moves along its own \
-                 length or is above no floor at 0. State the axis (the option \"up\") if {axis} is wrong"
+                 length or is above no floor at 0. If {axis} is wrong, state the axis: --up in the \
+                 terminal, with_up in Python, withUp in the npm package"
             ));
         }
         self

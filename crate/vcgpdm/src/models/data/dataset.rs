@@ -272,6 +272,8 @@ impl<S> Dataset<S> {
 mod tests {
     use super::*;
     use crate::motion::{parts, samples};
+    use nalgebra::{UnitQuaternion, Vector3};
+    use std::f64::consts::FRAC_PI_2;
 
     /// The clip with the pose of its first frame in all frames.
     fn still(clip: &Clip, name: &str) -> Clip {
@@ -317,6 +319,39 @@ mod tests {
         }
         let expected = "the part upper never changes, so a model learns nothing about it";
         assert_eq!(warnings(&[&walk]), [expected]);
+    }
+
+    #[test]
+    fn a_clip_with_another_axis_is_turned() {
+        let walk = samples::clip("walk-1").unwrap().resample(30.0).unwrap();
+        let mut turned = Clip { name: "z.bvh".to_owned(), sha256: "another".to_owned(), ..walk.clone() };
+        let upward = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), FRAC_PI_2);
+        for t in 0..turned.frames() {
+            let pose = walk.local_pose(t);
+            let place = upward * pose.positions[0];
+            (0..3).for_each(|axis| turned.values[(t, axis)] = place[axis]);
+            // The root turns about z, y and x, in this order.
+            let (x, y, z) = (upward * pose.rotations[0]).euler_angles();
+            (3..6).zip([z, y, x]).for_each(|(column, angle)| turned.values[(t, column)] = angle.to_degrees());
+        }
+        let parts = &parts::presets(&walk.skeleton)[1].parts;
+        let dataset = Dataset::new(&[Source::from(&walk), Source::from(&turned)], parts, 30.0).unwrap();
+        for y in &dataset.y {
+            let rows = walk.frames();
+            assert!((y.rows(0, rows) - y.rows(rows, rows)).amax() < 1e-6);
+        }
+        let [warning] = &dataset.warnings[..] else { panic!("{:?}", dataset.warnings) };
+        assert!(warning.starts_with("z.bvh: the up axis is z here and y in the body"), "{warning}");
+    }
+
+    #[test]
+    fn a_model_of_a_climb_learns_changes_of_the_height() {
+        let mut stairs = samples::clip("walk-1").unwrap();
+        for t in 0..stairs.frames() {
+            stairs.values[(t, 1)] += 0.6 * t as f64;
+        }
+        let [warning] = &warnings(&[&stairs])[..] else { panic!() };
+        assert!(warning.contains("the root rises steadily"), "{warning}");
     }
 
     #[test]

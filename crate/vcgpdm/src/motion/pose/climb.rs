@@ -35,7 +35,7 @@ impl PoseMapping {
         for t in 0..frames {
             place = track.push(&std::array::from_fn(|column| y[(t, column)])).place;
         }
-        let farther = place.x.hypot(place.z) > whole.abs();
+        let farther = place.x * place.x + place.z * place.z > whole * whole;
         (whole.abs() > LEAST && is_steady && farther).then_some(whole)
     }
 
