@@ -2,7 +2,7 @@
 
 use crate::clips::{self, Names, Up};
 use crate::files;
-use crate::numbers::{check_fps, check_within};
+use crate::numbers::check_fps;
 use serde_json::json;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -15,12 +15,9 @@ pub struct Arguments {
     /// A BVH file, or sample:ID; or an ASF skeleton.
     #[arg(value_name = "CLIP")]
     clip: PathBuf,
-    /// The AMC motion of an ASF skeleton.
+    /// The AMC motion of an ASF skeleton; 120 frames a second without --clip-fps.
     #[arg(value_name = "MOTION.amc")]
     motion: Option<PathBuf>,
-    /// Frames a second of the AMC motion, whose file does not state them.
-    #[arg(long, value_name = "F", requires = "motion", default_value_t = asf::CMU_RATE)]
-    amc_fps: f64,
     /// Keep these frames, from FROM up to but not including TO: counted from 0 at the file's rate, without a
     /// leading T-pose.
     #[arg(long, value_name = "FROM-TO", value_parser = frames)]
@@ -49,12 +46,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut clip = match &arguments.motion {
         None => clips::read_quietly(skeleton, &arguments.up)?,
         Some(motion) => {
-            check_within("--amc-fps", "frames a second", 0.1..=100_000.0, arguments.amc_fps)?;
+            // The file does not state its rate.
+            let rate = arguments.up.rate.clip_fps.unwrap_or(asf::CMU_RATE);
             let (skeleton_bytes, motion_bytes) = (files::read_bytes(skeleton)?, files::read_bytes(motion)?);
             let (skeleton_name, motion_name) = (files::read_name(skeleton), files::read_name(motion));
             let skeleton = asf::File { name: &skeleton_name, bytes: &skeleton_bytes };
             let motion = asf::File { name: &motion_name, bytes: &motion_bytes };
-            arguments.up.of(asf::read(skeleton, motion, arguments.amc_fps)?.into_clip())
+            arguments.up.of(asf::read(skeleton, motion, rate)?.into_clip())
         }
     };
     if let Some(out) = &arguments.out {

@@ -15,7 +15,7 @@ type Result<T> = std::result::Result<T, Box<dyn Error>>;
 /// file.
 pub fn read(path: &Path, up: &Up) -> Result<Clip> {
     let clip = read_quietly(path, up)?;
-    clip.warnings.iter().for_each(|warning| say(&format!("{}: {warning}", clip.name)));
+    warnings(&clip).iter().for_each(|warning| say(warning));
     Ok(clip)
 }
 
@@ -29,6 +29,11 @@ pub fn read_for(path: &Path, up: &Up, mapping: &PoseMapping) -> Result<Clip> {
 /// Reads several clips for a model; see [`read_for`].
 pub fn read_all_for(paths: &[PathBuf], up: &Up, mapping: &PoseMapping) -> Result<Vec<Clip>> {
     paths.iter().map(|path| read_for(path, up, mapping)).collect()
+}
+
+/// The warnings that [`read`] writes, as the data set of a training repeats them.
+pub fn warnings(clip: &Clip) -> Vec<String> {
+    clip.warnings.iter().map(|warning| format!("{}: {warning}", clip.name)).collect()
 }
 
 /// Reads several clips; see [`read`].
@@ -46,7 +51,7 @@ pub fn read_quietly(path: &Path, up: &Up) -> Result<Clip> {
         return Ok(up.of(clip));
     }
     let bytes = read_bytes(path)?;
-    let recording = bvh::read(&read_name(path), &bytes)?;
+    let recording = bvh::read_at(&read_name(path), &bytes, up.rate.clip_fps)?;
     let recording = match &up.root {
         Some(root) => recording.of_root(root)?,
         None => recording,
@@ -54,7 +59,21 @@ pub fn read_quietly(path: &Path, up: &Up) -> Result<Clip> {
     Ok(up.of(recording.into_clip()))
 }
 
-/// The options `--up` and `--root`.
+/// The option `--clip-fps`.
+#[derive(Clone, Copy, Default, clap::Args)]
+pub struct Rate {
+    /// Frames a second of the motion files, where their frame time is wrong or missing.
+    #[arg(long, value_name = "F", alias = "amc-fps", value_parser = clip_fps)]
+    pub clip_fps: Option<f64>,
+}
+
+fn clip_fps(text: &str) -> std::result::Result<f64, String> {
+    let (from, to) = (Clip::RATES.start(), Clip::RATES.end());
+    let rate = text.trim().parse().ok().filter(|rate| Clip::RATES.contains(rate));
+    rate.ok_or_else(|| format!("expected frames a second from {from} to {to}"))
+}
+
+/// The options `--up`, `--root` and `--clip-fps`, for commands that read clips.
 #[derive(Default, clap::Args)]
 pub struct Up {
     /// The axis that points up in the clips: x, y, z, -x, -y or -z; absent: the axis of the model, or the axis
@@ -64,6 +83,8 @@ pub struct Up {
     /// The joint that becomes the root of the clips: of several bodies in one file, the one to read.
     #[arg(long = "root", value_name = "JOINT")]
     pub root: Option<String>,
+    #[command(flatten)]
+    pub rate: Rate,
 }
 
 impl Up {
@@ -75,14 +96,17 @@ impl Up {
         }
     }
 
-    /// Refuses the option if the command reads no clip. `expected` is the option that would give a clip.
+    /// Refuses the options if the command reads no clip. `expected` is the option that would give a clip.
     pub fn check(&self, reads_clips: bool, expected: &str) -> Result<()> {
-        let option = match (self.axis, &self.root) {
-            (Some(_), _) => "--up",
-            (None, Some(_)) => "--root",
-            (None, None) => return Ok(()),
-        };
-        if reads_clips { Ok(()) } else { Err(usage(format!("{option}: expected {expected} with it"))) }
+        let given = [
+            ("--up", self.axis.is_some()),
+            ("--root", self.root.is_some()),
+            ("--clip-fps", self.rate.clip_fps.is_some()),
+        ];
+        match given.iter().find(|(_, given)| *given && !reads_clips) {
+            Some((option, _)) => Err(usage(format!("{option}: expected {expected} with it"))),
+            None => Ok(()),
+        }
     }
 }
 

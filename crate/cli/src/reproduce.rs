@@ -1,6 +1,6 @@
 //! `vcgpdm reproduce`: trains a model again with the settings of its file, and compares.
 
-use crate::clips::{self, Up};
+use crate::clips::{self, Rate, Up};
 use crate::numbers::whole;
 use crate::usage::usage;
 use crate::{files, interrupt};
@@ -28,6 +28,8 @@ pub struct Arguments {
     /// content.
     #[arg(value_name = "CLIP", required = true)]
     clips: Vec<PathBuf>,
+    #[command(flatten)]
+    rate: Rate,
     /// The largest difference of a number from the recorded one, relative to the larger of the two.
     #[arg(long, value_name = "T", default_value_t = 1e-8)]
     tolerance: f64,
@@ -62,11 +64,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     // to this axis has its own.
     let mapping = &recorded.body.mapping;
     let root = &mapping.skeleton().joints[0].name;
+    let rate = arguments.rate;
     let read = |path: &PathBuf| -> Result<Clip, Box<dyn Error>> {
-        let mut clip = clips::read(path, &Up::default())?;
+        let mut clip = clips::read(path, &Up { rate, ..Up::default() })?;
         if clip.skeleton.joints[0].name != *root {
             // Another body of the same file.
-            let up = Up { axis: None, root: Some(root.clone()) };
+            let up = Up { axis: None, root: Some(root.clone()), rate };
             clip = clips::read_quietly(path, &up).unwrap_or(clip);
         }
         Ok(if mapping.axis_warning(&clip).is_none() { clip.with_up(mapping.stage().up) } else { clip })

@@ -82,6 +82,7 @@ impl Arguments {
         let options = [
             ("--unseen", !self.unseen.is_empty()),
             ("--up", self.up.axis.is_some()),
+            ("--clip-fps", self.up.rate.clip_fps.is_some()),
             ("--models", self.models.is_some()),
             ("--folds", self.folds.is_some()),
             ("--seconds", self.seconds.is_some()),

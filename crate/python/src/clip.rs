@@ -8,9 +8,10 @@ use pyo3::types::PyDict;
 use std::fs;
 use std::path::PathBuf;
 use vcgpdm::motion::Clip as Motion;
+use vcgpdm::motion::bvh::read_at;
 use vcgpdm::motion::parts::presets;
 use vcgpdm::motion::stage::UpAxis;
-use vcgpdm::{read_bvh, sample_clip, sample_clips, write_bvh};
+use vcgpdm::{sample_clip, sample_clips, write_bvh};
 
 /// A recorded motion of a body. A clip never changes: `cut`, `resample` and the others return new clips.
 #[pyclass(module = "vcgpdm", frozen)]
@@ -21,13 +22,14 @@ pub struct Clip {
 #[pymethods]
 impl Clip {
     /// Reads a BVH file. A leading T-pose is left out; `warnings` says so. `root` names the joint that becomes
-    /// the root: of several bodies in one file, the one to read.
+    /// the root: of several bodies in one file, the one to read. `fps` replaces the frame time of the file where
+    /// it is wrong.
     #[staticmethod]
-    #[pyo3(signature = (path, root=None))]
-    fn read(path: PathBuf, root: Option<&str>) -> PyResult<Self> {
+    #[pyo3(signature = (path, root=None, fps=None))]
+    fn read(path: PathBuf, root: Option<&str>, fps: Option<f64>) -> PyResult<Self> {
         let bytes = fs::read(&path)?;
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-        let recording = read_bvh(&name, &bytes).map_err(refused)?;
+        let recording = read_at(&name, &bytes, fps).map_err(refused)?;
         let recording = match root {
             Some(root) => recording.of_root(root).map_err(refused)?,
             None => recording,

@@ -160,10 +160,16 @@ impl Clip {
 #[wasm_bindgen]
 impl Clip {
     /// Reads a BVH file. A leading T-pose is left out, and a root that only carries a child that moves, each
-    /// with a warning. The error names the file, the line, what was expected and what was found.
-    pub fn read(name: &Text, bytes: &Bytes) -> Result<Clip, VcgpdmError> {
+    /// with a warning. `framesPerSecond` replaces the frame time of the file where it is wrong. The error names
+    /// the file, the line, what was expected and what was found.
+    pub fn read(
+        name: &Text,
+        bytes: &Bytes,
+        #[wasm_bindgen(js_name = framesPerSecond)] frames_per_second: Option<f64>,
+    ) -> Result<Clip, VcgpdmError> {
         let name = name.get(ErrorCode::Clip, "the name")?;
-        Ok(Clip { clip: bvh::read(&name, &bytes.get(ErrorCode::Clip, "the file")?)?.into_clip() })
+        let bytes = bytes.get(ErrorCode::Clip, "the file")?;
+        Ok(Clip { clip: bvh::read_at(&name, &bytes, frames_per_second)?.into_clip() })
     }
 
     /// Reads one body of a BVH file that has several: the joint of this name and all joints below it.

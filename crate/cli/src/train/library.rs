@@ -9,7 +9,7 @@ use crate::progress::say;
 use crate::train::arguments::Arguments;
 use crate::train::body::{parts, with_hint};
 use crate::train::kind::objective;
-use crate::train::steps::{train_steps, warn_of_training};
+use crate::train::steps::{say_others, train_steps, warn_of_training};
 use crate::usage::usage;
 use clap_lex::OsStrExt;
 use serde_json::json;
@@ -51,8 +51,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     check_fps(arguments.fps)?;
     let paths: Vec<PathBuf> = movements.iter().flat_map(|movement| movement.clips.clone()).collect();
-    let clips = paths.iter().map(|path| clips::read_quietly(path, &arguments.up));
+    let clips = paths.iter().map(|path| clips::read(path, &arguments.up));
     let mut clips = clips.collect::<Result<Vec<_>, _>>()?;
+    let said: Vec<String> = clips.iter().flat_map(clips::warnings).collect();
     if arguments.first_bones {
         let first = clips[0].clone();
         for clip in &mut clips {
@@ -91,7 +92,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut trainer = LibraryTrainer::new(&dataset, &plan, settings, seed)?;
     trainer.use_threads(arguments.options.threads.into());
     let warnings = trainer.warnings();
-    warnings.iter().for_each(|warning| say(warning));
+    say_others(&warnings, &said);
     let reason = train_steps(|| trainer.step(), objective(&model_settings))?;
     let seconds = begin.elapsed().as_secs_f64();
     let mut trained = trainer.finish()?;

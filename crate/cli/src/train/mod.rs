@@ -10,7 +10,7 @@ mod steps;
 pub use arguments::Arguments;
 pub use body::parts;
 pub use kind::{objective, pose_weight, weight};
-use steps::warn_of_training;
+use steps::{say_others, warn_of_training};
 pub use steps::{train_steps, warn_of_cost};
 
 use crate::clips;
@@ -45,17 +45,18 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let split = split(arguments)?;
     if arguments.columns {
         let dataset = columns::dataset(&arguments.clips, split, &arguments.without, arguments.fps)?;
-        return train(arguments, split, &dataset, |model| Ok((model.to_json()?, None)));
+        return train(arguments, split, &dataset, &[], |model| Ok((model.to_json()?, None)));
     }
     check_fps(arguments.fps)?;
     let mut clips: Vec<(Clip, Option<usize>)> = Vec::new();
     for path in &arguments.clips {
-        clips.push((clips::read_quietly(path, &arguments.up)?, None));
+        clips.push((clips::read(path, &arguments.up)?, None));
     }
     for text in &arguments.seed_frames {
         let (path, count) = seed_frames(text)?;
-        clips.push((clips::read_quietly(&path, &arguments.up)?, Some(count)));
+        clips.push((clips::read(&path, &arguments.up)?, Some(count)));
     }
+    let said: Vec<String> = clips.iter().flat_map(|(clip, _)| clips::warnings(clip)).collect();
     if arguments.first_bones {
         let first = clips[0].0.clone();
         for (clip, _) in &mut clips {
@@ -66,7 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let sources: Vec<Source> =
         clips.iter().map(|(clip, first_frames)| Source { clip, first_frames: *first_frames }).collect();
     let dataset = Dataset::new(&sources, &parts, arguments.fps).map_err(with_hint)?;
-    train(arguments, split, &dataset, |model| Ok((model.to_json()?, health_of(model))))
+    train(arguments, split, &dataset, &said, |model| Ok((model.to_json()?, health_of(model))))
 }
 
 /// The value of `--parts`; without it, "whole" for models that are not coupled.
@@ -84,12 +85,13 @@ fn split(arguments: &Arguments) -> Result<&str, Box<dyn Error>> {
     }
 }
 
-/// Trains on the data set, writes the model and prints a summary. `finish` makes the document of the model and finds
-/// how its motion ends.
+/// Trains on the data set, writes the model and prints a summary. `said` are warnings that were said before; `finish`
+/// makes the document of the model and finds how its motion ends.
 fn train<S: ColumnMapping>(
     arguments: &Arguments,
     split: &str,
     dataset: &Dataset<S>,
+    said: &[String],
     finish: impl Fn(&Model<S>) -> Result<(String, Option<Health>), Box<dyn Error>>,
 ) -> Result<(), Box<dyn Error>> {
     let kind = kind::check_parts(arguments.model, dataset.layout.parts().len(), split)?;
@@ -108,7 +110,7 @@ fn train<S: ColumnMapping>(
     let mut trainer = Trainer::new(dataset, &settings, seed)?;
     trainer.use_threads(arguments.options.threads.into());
     let warnings = trainer.warnings();
-    warnings.iter().for_each(|warning| say(warning));
+    say_others(&warnings, said);
     if let Some(path) = &arguments.options.write_start {
         write_start(path, dataset, &settings, seed)?;
     }

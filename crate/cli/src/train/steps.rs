@@ -33,6 +33,11 @@ pub fn warn_of_cost(cost: TrainingCost, threads: usize, less: &str) {
     }
 }
 
+/// Writes the warnings of a training to stderr, without those that were said when its clips were read.
+pub fn say_others(warnings: &[String], said: &[String]) {
+    warnings.iter().filter(|warning| !said.contains(warning)).for_each(|warning| say(warning));
+}
+
 /// Trains to the end, or until Ctrl-C or SIGTERM, which keep the best so far. Returns why the training ended.
 pub fn train_steps(mut step: impl FnMut() -> Progress, objective: &str) -> Result<String, Box<dyn Error>> {
     let stopped = interrupt::flag()?;

@@ -2,6 +2,7 @@
 
 use crate::call::{fails, folder, json_and_stderr, run, text, under_a_still_root};
 use serde_json::Value;
+use std::fs;
 use std::path::PathBuf;
 
 /// Two walks under a still root, a model and two libraries that were trained on them, and the first walk with
@@ -163,4 +164,24 @@ fn writes_a_completed_motion_with_plain_names() {
     let line = files.line("complete {model} {walk} --given lower --plain-names");
     let refused = run(&line.iter().map(String::as_str).collect::<Vec<_>>());
     assert_eq!(refused.status.code(), Some(2), "--plain-names needs --out");
+}
+
+/// The interpolation of a clip with frames of seconds would take minutes, without a word.
+#[test]
+fn a_frame_time_of_seconds_is_said_before_the_work_and_a_rate_is_refused() {
+    let folder = folder("frame-time");
+    let (walk, model) = (folder.join("walk.bvh"), folder.join("model.json"));
+    run(&["clip", "sample:walk-1", "--frames", "0-20", "--fps", "10", "--out", text(&walk)]);
+    let bvh = fs::read_to_string(&walk).unwrap();
+    let with_time = |time: &str| fs::write(&walk, bvh.replace("Frame Time: 0.1", time)).unwrap();
+    with_time("Frame Time: 30");
+    let train = ["train", text(&walk), "--parts", "whole", "--max-iterations", "1", "--out", text(&model)];
+    assert!(fails(&train).contains("expected the seconds of a frame, from 0.00001 to 10, not a rate"));
+    let (clip, err) = json_and_stderr(&["clip", text(&walk), "--clip-fps", "30"]);
+    assert_eq!((clip["frame_time"].as_f64(), err.as_str()), (Some(1.0 / 30.0), ""));
+    with_time("Frame Time: 2");
+    let (summary, err) = json_and_stderr(&[&train[..], &["--fps", "0.5"]].concat());
+    let warning = summary["warnings"][0].as_str().unwrap();
+    assert!(warning.contains("a frame lasts 2 s"), "{warning}");
+    assert_eq!(err.matches(warning).count(), 1, "{err}");
 }

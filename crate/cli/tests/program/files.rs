@@ -329,7 +329,7 @@ fn reads_an_acclaim_skeleton_and_motion() {
     assert_eq!(about["frame_time"].as_f64(), Some(1.0 / 120.0));
     assert_eq!(about["joints"][1]["name"], "LeftUpLeg");
     assert_eq!(json(&["clip", text(&out)])["joints"], about["joints"]);
-    let half = json(&["clip", text(&asf), text(&amc), "--amc-fps", "60"]);
+    let half = json(&["clip", text(&asf), text(&amc), "--clip-fps", "60"]);
     assert_eq!(half["frame_time"].as_f64(), Some(1.0 / 60.0));
     fs::write(&amc, "1\nroot 1 8 3 0 90 0\nlfemur 10 0\n").unwrap();
     assert!(

@@ -50,7 +50,9 @@ pub enum BvhProblem {
         most: usize,
     },
     /// The number of rows is far from the one that the header declares.
-    #[error("expected {declared} rows as \"Frames:\" declares, found {found}")]
+    #[error(
+        "expected {declared} rows as \"Frames:\" declares, found {found}: if the file is whole, write {found} there"
+    )]
     RowCount {
         /// Rows declared.
         declared: usize,

@@ -11,5 +11,5 @@ mod text;
 mod write;
 
 pub use error::{BvhError, BvhProblem};
-pub use parse::read;
+pub use parse::{read, read_at};
 pub use write::write;

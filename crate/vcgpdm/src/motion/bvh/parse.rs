@@ -46,6 +46,16 @@ use nalgebra::DMatrix;
 ///
 /// A [`BvhError`] with the line, when the file is not a valid BVH file.
 pub fn read(name: &str, bytes: &[u8]) -> Result<Recording, BvhError> {
+    read_at(name, bytes, None)
+}
+
+/// As [`read`], at `rate` frames a second where the caller states them: the frame time of the file is
+/// ignored then.
+///
+/// # Errors
+///
+/// As [`read`], and for a rate outside [`Clip::RATES`](crate::motion::Clip::RATES).
+pub fn read_at(name: &str, bytes: &[u8], rate: Option<f64>) -> Result<Recording, BvhError> {
     if let Some(found) = foreign_format(bytes) {
         let problem = BvhProblem::Expected { expected: "a BVH file".to_owned(), found: found.to_owned() };
         return Err(BvhError { file: name.to_owned(), line: 1, problem });
@@ -63,7 +73,7 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Recording, BvhError> {
         return Err(cursor.error(problem));
     }
     warn_of_names(&skeleton, &mut warnings);
-    let motion = motion::read(&mut cursor, &skeleton, &mut warnings)?;
+    let motion = motion::read(&mut cursor, &skeleton, rate, &mut warnings)?;
     warn_of_rows(&motion.values, channels, &mut warnings);
     Ok(Recording {
         name: name.to_owned(),

@@ -1,6 +1,6 @@
 //! Reading of valid, unusual and broken files.
 
-use crate::motion::bvh::parse::read;
+use crate::motion::bvh::parse::{read, read_at};
 use crate::motion::bvh::write::write;
 use crate::motion::clip::Clip;
 use crate::motion::pose::PoseMapping;
@@ -136,27 +136,18 @@ fn errors_say_where_what_was_expected_and_what_was_found() {
         (with("3 Zrotation X", "3 Xrotation X"), r#"line 9: expected each channel once in a joint"#.into()),
         (with("\t\tOFFSET 0 5.21 0\n", ""), r#"line 13: expected OFFSET, found "}""#.into()),
         (with("OFFSET 0 -7.5 1", "OFFSET 0 -7.5"), r#"line 13: expected a number, found "}""#.into()),
-        (
-            with("Frames: 3", "Frames: three"),
-            r#"line 17: expected a number of frames from 1 to 1666666, found "three""#.into(),
-        ),
-        (
-            with("Frames: 3", "Frames: -3"),
-            r#"line 17: expected a number of frames from 1 to 1666666, found "-3""#.into(),
-        ),
-        (
-            with("Frames: 3", "Frames: 99999999999999"),
-            r#"line 17: expected a number of frames from 1 to 1666666, found "99999999999999""#.into(),
-        ),
-        // With rows the file contradicts itself; without rows it holds no motion.
-        (
-            with("Frames: 3", "Frames: 0"),
-            r#"line 17: expected a number of frames from 1 to 1666666, found "0""#.into(),
-        ),
         (with("Frames: 3\n", ""), r#"line 18: expected Frames:, found "1 2 3"#.into()),
         (with("Frame Time: 0.0333333\n", ""), r#"line 18: expected Frame Time:, found "1 2 3"#.into()),
         (with("0.0333333", "0"), r#"line 18: expected the seconds of a frame"#.into()),
         (with("0.0333333", "NaN"), r#"line 18: expected the seconds of a frame"#.into()),
+        (
+            with("0.0333333", ""),
+            r#"not a rate or milliseconds (--clip-fps F states a rate), found """#.into(),
+        ),
+        (
+            with("0.0333333", "30"),
+            r#"line 18: expected the seconds of a frame, from 0.00001 to 10, not"#.into(),
+        ),
         (with("8 9\n2", "8 nan\n2"), r#"line 19: expected a number from -1e9 to 1e9, found "nan""#.into()),
         (
             with("8 9\n2", "8 1e999\n2"),
@@ -198,6 +189,31 @@ fn row_counts_that_are_a_little_off_are_read_with_a_warning() {
         assert_eq!(clip.frames(), 3);
         assert!(clip.warnings[0].contains(&format!("declares {declared} rows, the file has 3")));
     }
+}
+
+/// Recorders that were ended leave such headers.
+#[test]
+fn a_number_of_frames_that_was_never_filled_in_is_read_with_a_warning() {
+    for text in ["", "   ", "0", "-1", "%d", "4294967295"] {
+        let clip = read("walk.bvh", with("Frames: 3", &format!("Frames:{text}")).as_bytes()).unwrap();
+        assert_eq!((clip.frames(), clip.frame_time), (3, 0.0333333));
+        let warning = format!("line 17: the number of frames is missing (found {:?}): all 3", text.trim());
+        assert!(clip.warnings[0].starts_with(&warning), "{:?}", clip.warnings);
+    }
+    let next_line = read("walk.bvh", with("Frames: 3", "Frames:\n3").as_bytes()).unwrap();
+    assert!(next_line.warnings.is_empty());
+}
+
+#[test]
+fn a_stated_rate_replaces_the_frame_time() {
+    for time in ["30", "0", "0.0333333", ""] {
+        let clip = read_at("walk.bvh", with("0.0333333", time).as_bytes(), Some(120.0)).unwrap();
+        assert_eq!((clip.frame_time, clip.warnings.len()), (1.0 / 120.0, 0));
+    }
+    let error = read_at("walk.bvh", SMALL.as_bytes(), Some(0.0)).unwrap_err().to_string();
+    assert!(error.contains("expected a stated rate from 0.1 to 10000 frames a second, found \"0\""));
+    let slow = read("walk.bvh", with("0.0333333", "2").as_bytes()).unwrap();
+    assert!(slow.warnings[0].starts_with("line 18: a frame lasts 2 s; is that a rate"));
 }
 
 #[test]

@@ -107,6 +107,17 @@ impl<'a> Cursor<'a> {
         Some((number, self.advance(length)))
     }
 
+    /// The next line if it is a number alone; any other line stays the next line.
+    pub(super) fn number_on_next_line(&mut self) -> Option<&'a str> {
+        let before = (self.rest, self.line, self.word_line);
+        let number = self.line().map(|(_, text)| text.trim_matches(is_blank));
+        let number = number.filter(|text| finite(text).is_some());
+        if number.is_none() {
+            (self.rest, self.line, self.word_line) = before;
+        }
+        number
+    }
+
     /// An error at the last word.
     pub(super) fn error(&self, problem: BvhProblem) -> BvhError {
         self.error_at(self.word_line, problem)
