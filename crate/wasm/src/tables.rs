@@ -19,6 +19,8 @@ export interface TableInfo {
     rows: number;
     /** Seconds from one row to the next; null if the file has no column of times. */
     frameTime: number | null;
+    /** What was odd about the file but could be read. */
+    warnings: string[];
 }
 
 /** A part of a table: the names of the columns that share a latent space. */
@@ -50,6 +52,7 @@ struct TableInfo<'a> {
     columns: &'a [String],
     rows: usize,
     frame_time: Option<f64>,
+    warnings: &'a [String],
 }
 
 #[derive(Serialize, Deserialize)]
@@ -75,7 +78,7 @@ pub struct Table {
 #[wasm_bindgen]
 impl Table {
     /// Reads a CSV file. The first row has the names of the columns, and each other row has the numbers of
-    /// one moment. A column `time` (or `t`, `seconds`) holds seconds. The error names the file, the line, the
+    /// one moment. A column such as `time`, `t`, `seconds` or `time_ms` holds the times. The error names the file, the line, the
     /// column, what was expected and what was found.
     pub fn read(name: &Text, bytes: &Bytes) -> Result<Table, VcgpdmError> {
         let name = name.get(ErrorCode::Table, "the name")?;
@@ -98,13 +101,9 @@ impl Table {
             return Err(VcgpdmError::new(ErrorCode::Table, &found));
         }
         let values = DMatrix::from_row_slice(values.len() / d, d, values);
-        // The numbers are written and read as a file, so that the same rules apply.
-        let text = vcgpdm::series::write(&columns, &values, frame_time.unwrap_or(1.0));
-        let mut table = read(&name, text.as_bytes())?;
-        if frame_time.is_none() {
-            table.frame_time = None;
-        }
-        Ok(Table { table })
+        let table = Series::checked(&name, columns, values, frame_time.unwrap_or(1.0))?;
+        // Without times, the settings of the training state the rate.
+        Ok(Table { table: Series { frame_time: frame_time.and(table.frame_time), ..table } })
     }
 
     /// The same table without the named columns. `x*` stands for all columns whose names begin with `x`, and
@@ -117,8 +116,9 @@ impl Table {
     /// The name, size and columns of the table.
     #[wasm_bindgen(unchecked_return_type = "TableInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {
-        let Series { name, sha256, columns, values, frame_time } = &self.table;
-        to_js(&TableInfo { name, sha256, columns, rows: values.nrows(), frame_time: *frame_time })
+        let Series { name, sha256, columns, values, frame_time, warnings } = &self.table;
+        let (rows, frame_time) = (values.nrows(), *frame_time);
+        to_js(&TableInfo { name, sha256, columns, rows, frame_time, warnings })
     }
 
     /// The numbers of the table [rows x columns].

@@ -117,11 +117,22 @@ describe("a clip on the stage", () => {
   });
 });
 
+describe("the frames a second of a file", () => {
+  it("are stated for an own clip whose frame time is wrong", async () => {
+    await clips.open(file("crab.bvh"), true);
+    await clips.state("own-4", { fps: 120 });
+    expect(clips.toTrainOn[0]).toMatchObject({ source: { name: "crab", fps: 120 } });
+    expect(clips.all.at(-1)?.loaded.info.frameTime).toBe(1 / 120);
+    await clips.state("own-4", { fps: Number.NaN });
+    expect(clips.all.at(-1)?.loaded.info.frameTime).toBe(1 / 120);
+  });
+});
+
 describe("the axis that points up", () => {
   it("is stated for an own clip, which keeps its cut and its place, also for trainings and later visits", async () => {
     await clips.open(file("crab.bvh"), true);
     clips.cut("own-4", 10, 40);
-    await clips.setUp("own-4", "z");
+    await clips.state("own-4", { up: "z" });
     const [clip] = clips.ticked;
     expect([clip?.key, clip?.loaded.info.upAxis, clip?.first, clip?.end]).toEqual(["own-4", "z", 10, 40]);
     expect(clips.toTrainOn[0]).toMatchObject({ id: 5, source: { name: "crab", up: "z" } });
@@ -133,7 +144,7 @@ describe("the axis that points up", () => {
   });
 
   it("is not asked of clips that come with the page", async () => {
-    await clips.setUp("made-walk-1", "z");
+    await clips.state("made-walk-1", { up: "z" });
     expect(clips.all[0]?.loaded.info.upAxis).toBe("y");
   });
 });

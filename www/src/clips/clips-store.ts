@@ -217,11 +217,19 @@ export class ClipsStore extends Store {
     if (this.#stage.clip === key) this.show(key);
   }
 
-  /** States the axis that points up in an own clip; its parts, its cut and its place in the list stay. */
-  async setUp(key: string, up: UpAxis): Promise<void> {
+  /**
+   * States the axis that points up in an own clip, or its frames a second; its parts, its cut and its place in
+   * the list stay.
+   */
+  async state(key: string, stated: { up: UpAxis } | { fps: number }): Promise<void> {
     const clip = this.#find(key);
     if (!clip || !("file" in clip.source)) return;
-    const source = { ...clip.source, up };
+    if ("fps" in stated && !(stated.fps >= 1 && stated.fps <= 10_000)) {
+      // The field shows the present rate again.
+      this.changed();
+      return;
+    }
+    const source = { ...clip.source, ...stated };
     // A new number: a worker may still have the clip as it was.
     const loaded = await this.#read(source);
     this.#update(key, { source, loaded });

@@ -8,6 +8,7 @@ import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 import type { ClipEntry, ClipsStore } from "./clips-store";
 import "./clips.css";
+import { fileNotices } from "./file-notices";
 import { lab } from "../words/lab";
 
 const UP_AXES: readonly UpAxis[] = ["x", "y", "z", "-x", "-y", "-z"];
@@ -51,7 +52,7 @@ export class ClipsView extends View {
         <label>${words.from} ${this.#cutField(clip, "first")}</label>
         <label>${words.to} ${this.#cutField(clip, "end")}</label>
         <span>${words.of(clip.loaded.info.frames)}</span>
-        ${clip.origin === "own" ? this.#upField(clip) : nothing}
+        ${clip.origin === "own" ? [this.#upField(clip), this.#rateField(clip)] : nothing}
       </div>`;
   }
 
@@ -60,11 +61,22 @@ export class ClipsView extends View {
     const { clips } = this;
     const words = lab().learn.clips;
     const change = (event: Event) =>
-      void clips.setUp(key, (event.target as HTMLSelectElement).value as UpAxis);
+      void clips.state(key, { up: (event.target as HTMLSelectElement).value as UpAxis });
     return html`<label>${words.up}
       <select aria-label=${words.upAxis(title)} ?disabled=${clips.locked} @change=${change}>
         ${UP_AXES.map((axis) => html`<option ?selected=${axis === loaded.info.upAxis}>${axis}</option>`)}
       </select></label>`;
+  }
+
+  /** For a file with a wrong frame time. */
+  #rateField({ key, title, loaded }: ClipEntry) {
+    const { clips } = this;
+    const words = lab().learn.clips;
+    const change = (event: Event) =>
+      void clips.state(key, { fps: (event.target as HTMLInputElement).valueAsNumber });
+    const rate = Number((1 / loaded.info.frameTime).toPrecision(4));
+    return html`<label>${words.rate} <input type="number" min="1" max="10000" step="any" .value=${String(rate)}
+      aria-label=${words.rateOf(title)} ?disabled=${clips.locked} @change=${change} /></label>`;
   }
 
   #row(clip: ClipEntry) {
@@ -90,12 +102,7 @@ export class ClipsView extends View {
             : html`<span class="round"></span>`
         }
         ${this.#cutting.has(key) ? this.#cutFields(clip) : nothing}
-        ${
-          warnings.length > 0
-            ? html`<details class="warnings"><summary>${words.notices(warnings.length)}</summary>
-              <ul>${warnings.map((warning) => html`<li>${warning}</li>`)}</ul></details>`
-            : nothing
-        }
+        ${fileNotices(warnings)}
       </li>`;
   }
 

@@ -187,6 +187,7 @@ export class FakeEngine implements Partial<Engine>, ClipCalls {
     if ("file" in source && source.file.size === 0) return Promise.reject(new Error("the file is empty"));
     const clip = shownClip();
     if ("file" in source && source.up) clip.info.upAxis = source.up;
+    if ("file" in source && source.fps) clip.info.frameTime = 1 / source.fps;
     const names = this.bodies.shift();
     if (names) clip.info.joints = names.map((name, joint) => ({ ...clip.info.joints[joint]!, name }));
     return this.#answer("readClip", [source], clip);

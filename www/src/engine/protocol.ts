@@ -180,10 +180,10 @@ export interface OpenedModel {
 }
 
 /**
- * The source of a clip. Each worker that trains on the clip reads the source. `up`: the axis that the visitor
- * states.
+ * The source of a clip. Each worker that trains on the clip reads the source. `up` and
+ * `fps`: the axis and the frames a second that the visitor states.
  */
-export type ClipSource = { sample: string } | { name: string; file: Blob; up?: UpAxis };
+export type ClipSource = { sample: string } | { name: string; file: Blob; up?: UpAxis; fps?: number };
 
 /** A clip chosen for training: the frames from `first` (counted from 0) up to but not including `end`. */
 export interface TrainingClip {

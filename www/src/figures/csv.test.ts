@@ -1,5 +1,6 @@
 import { expect, it } from "vitest";
-import { csv } from "./csv";
+import { csv, FORMULA_SIGNS } from "./csv";
+import library from "../../../crate/vcgpdm/src/series/csv.rs?raw";
 
 it("quotes fields with special characters, and ends each line with CR and LF", () => {
   expect(
@@ -25,4 +26,10 @@ it("keeps full precision, and leaves unknown values empty", () => {
 it("makes texts of names that a spreadsheet would compute", () => {
   const header = ['=HYPERLINK("http://x")', "+1", "@a", "-b", "a-b"];
   expect(csv({ header, rows: [[-1]] })).toBe(`"'=HYPERLINK(""http://x"")",'+1,'@a,'-b,a-b\r\n-1\r\n`);
+});
+
+it("guards against the same signs as the library", () => {
+  const [, signs] = /FORMULA_SIGNS: &str = (".*");/.exec(library) ?? [];
+  expect(JSON.parse(signs ?? "")).toBe(FORMULA_SIGNS);
+  expect(csv({ header: [...FORMULA_SIGNS], rows: [] }).match(/'/g)).toHaveLength(FORMULA_SIGNS.length);
 });

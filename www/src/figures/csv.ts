@@ -8,10 +8,14 @@ export interface Table {
   rows: Field[][];
 }
 
+/** A spreadsheet computes texts that begin with one of these. The library's `series/csv.rs` has the same list. */
+export const FORMULA_SIGNS = "=+-@\t\r\n＝＋－＠";
+
 /**
  * A text that a spreadsheet would compute as a formula gets an apostrophe: names come from strangers' files.
  */
-export const guarded = (text: string): string => (/^[=+@\t\r-]/.test(text) ? `'${text}` : text);
+export const guarded = (text: string): string =>
+  text !== "" && FORMULA_SIGNS.includes(text.charAt(0)) ? `'${text}` : text;
 
 function fieldText(field: Field): string {
   if (field === null) return "";

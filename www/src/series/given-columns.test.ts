@@ -4,7 +4,7 @@ import { GivenColumns } from "./given-columns";
 const info = { columns: ["a", "b"] };
 /** A table with its columns in another order, and two rows. */
 const recorded = {
-  info: { name: "t", sha256: "t", columns: ["b", "c", "a"], rows: 2, frameTime: 0.1 },
+  info: { name: "t", sha256: "t", columns: ["b", "c", "a"], rows: 2, frameTime: 0.1, warnings: [] },
   values: Float64Array.from([1, 2, 3, 4, 5, 6]),
 };
 

@@ -3,6 +3,7 @@ import { html, nothing } from "lit";
 import "../clips/parts-editor.css";
 import { MAX_PARTS } from "../engine/limits";
 import { icon } from "../ui/icons";
+import { fileNotices } from "../clips/file-notices";
 import { memberRow, partColours, partNames } from "../clips/part-names";
 import { View } from "../ui/view";
 import { placeOf } from "./parts-of-columns";
@@ -25,7 +26,7 @@ export class TablesView extends View {
 
   #table(table: TableEntry) {
     const { tables, busy } = this;
-    const { name, rows, columns, frameTime } = table.info;
+    const { name, rows, columns, frameTime, warnings } = table.info;
     const { clips } = lab().learn;
     const seconds = frameTime === null ? null : clips.seconds((rows - 1) * frameTime);
     return html`
@@ -35,6 +36,7 @@ export class TablesView extends View {
           <span class="clip-title" title=${name}>${name}</span></label>
         <span class="clip-length">${seriesWords().size(rows, columns.length, seconds)}</span>
         <button class="round" aria-label=${clips.removeOf(name)} title=${clips.remove} ?disabled=${busy} @click=${() => void tables.remove(table)}>${icon("close")}</button>
+        ${fileNotices(warnings)}
       </li>`;
   }
 

@@ -54,7 +54,7 @@ export interface StoredLibrary {
 }
 
 /** A clip whose file has a record of its own, with this name. */
-type StoredSource = { sample: string } | { name: string; file: string; up?: UpAxis };
+type StoredSource = { sample: string } | { name: string; file: string; up?: UpAxis; fps?: number };
 type Stored<Clip extends { source: ClipSource }> = Omit<Clip, "source"> & { source: StoredSource };
 
 /** The clips that come with the page are not worth a record. */

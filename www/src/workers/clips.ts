@@ -10,8 +10,8 @@ const read = new Map<number, Clip>();
 /** Reads a clip; the caller frees it. */
 export async function readClip(source: ClipSource): Promise<Clip> {
   if ("sample" in source) return Clip.sample(source.sample);
-  const clip = await Clip.read(source.name, source.file);
-  const { up } = source;
+  const { up, fps } = source;
+  const clip = await Clip.read(source.name, source.file, fps);
   return up ? using(clip, (found) => found.withUp(up)) : clip;
 }
 

@@ -55,10 +55,30 @@ pub fn foreign_format(bytes: &[u8]) -> Option<&'static str> {
             "an ASF skeleton (it needs an .amc motion: vcgpdm clip BODY.asf MOTION.amc --out MOTION.bvh)",
         );
     }
+    if table_of_program(text).is_some() {
+        return Some(
+            "a table whose names of columns come after other rows (leave one row with a name for each column and \
+             the rows of numbers: vcgpdm train TABLE.csv --columns trains on those)",
+        );
+    }
     is_table(bytes).then_some(
         "a table of numbers, as CSV (a table is trained on as it is: vcgpdm train TABLE.csv --columns, in \
          JavaScript Table.read)",
     )
+}
+
+/// A table of another program, which begins with rows of its own above the names of the columns.
+pub(crate) fn table_of_program(text: &str) -> Option<&'static str> {
+    match text.split(['\t', ',', ';', '\r', '\n']).next()?.trim().trim_matches('"') {
+        "NO_OF_FRAMES" => Some("a table of Qualisys Track Manager"),
+        "PathFileType" => Some("a TRC file, a table of markers"),
+        "Format Version" => Some("a table of OptiTrack Motive"),
+        "Trajectories" | "Model Outputs" | "Devices" => Some("a table of Vicon Nexus"),
+        _ => {
+            let mut head = text.split(['\r', '\n']).take(50);
+            head.any(|line| line.trim() == "endheader").then_some("a .mot or .sto table of OpenSim")
+        }
+    }
 }
 
 /// Whether the first two lines have as many cells, with the same sign between them, and the second a number.

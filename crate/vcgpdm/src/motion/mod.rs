@@ -56,6 +56,7 @@ mod up_axis;
 pub(crate) use clip::sha256;
 pub use clip::{Clip, ClipError};
 pub use foreign::foreign_format;
+pub(crate) use foreign::table_of_program;
 pub use period::{Period, RHYTHMIC, period};
 pub use recording::{Recording, UnknownJoint};
 pub use same_body::BodyMismatch;

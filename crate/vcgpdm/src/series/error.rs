@@ -28,7 +28,7 @@ pub enum SeriesError {
         /// Its name.
         name: String,
         /// What was expected.
-        expected: &'static str,
+        expected: String,
         /// The text found.
         found: String,
     },

@@ -3,6 +3,7 @@
 //! [`read`] reads a [`Table`] from a file. [`parse_parts`] and [`parts_from_json`] split its columns
 //! into parts. A model is trained on a [`Dataset`](crate::models::Dataset) of tables as on one of clips.
 
+mod clock;
 mod columns;
 mod csv;
 mod error;

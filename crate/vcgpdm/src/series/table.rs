@@ -17,6 +17,8 @@ pub struct Table {
     pub values: DMatrix<f64>,
     /// Seconds from one row to the next; `None` if the file has no column of times.
     pub frame_time: Option<f64>,
+    /// What was unusual about the file, as sentences.
+    pub warnings: Vec<String>,
 }
 
 /// Frame times that differ by a smaller fraction count as equal.

@@ -22,7 +22,10 @@ fn a_written_table_is_read_as_the_same_table() {
     let values = nalgebra::DMatrix::from_fn(4, 2, |i, j| 0.1 * i as f64 - j as f64 / 3.0);
     let table = read("again.csv", write(&names, &values, 0.25).as_bytes()).unwrap();
     assert_eq!((&table.columns[..], table.values, table.frame_time), (&names[..], values, Some(0.25)));
-    assert!(write(&["=1+1".to_owned()], &nalgebra::DMatrix::zeros(1, 1), 0.1).contains(",'=1+1\n"));
+    for name in ["=1+1", "＝1+1", "-1", "\n=1"] {
+        let text = write(&[name.to_owned()], &nalgebra::DMatrix::zeros(1, 1), 0.1);
+        assert!(text.contains(&format!("'{name}")), "{text:?}");
+    }
 }
 
 #[test]
@@ -43,6 +46,70 @@ fn columns_can_be_left_out_by_name() {
     assert_eq!(refusal(&["*"]), "trial.csv: expected at least one column that is not left out, found none");
 }
 
+/// A table whose first column has this name and goes from `start` by `step` in each of 12 rows.
+fn with_first(name: &str, start: f64, step: f64) -> Table {
+    let row = |k: usize| format!("{},{}\n", start + step * k as f64, (k * k) % 7);
+    read("t.csv", (format!("{name},x\n") + &(0..12).map(row).collect::<String>()).as_bytes()).unwrap()
+}
+
+#[test]
+fn clocks_of_other_programs_are_found_by_their_names() {
+    for (name, start, step, seconds) in [
+        ("Time (Seconds)", 0.0, 0.01, 0.01),
+        ("timestamp", 1.7e9, 0.03125, 0.03125),
+        ("time", 1.7e12, 31.25, 0.03125),
+        ("%time", 1_700_000_000_000_000_000.0, 31_250_048.0, 0.031250048),
+        ("time_ms", 0.0, 20.0, 0.02),
+        ("elapsedMs", 5.0, 20.0, 0.02),
+        ("t [s]", 0.0, 0.02, 0.02),
+        ("Zeit (µs)", 0.0, 20_000.0, 0.02),
+    ] {
+        let table = with_first(name, start, step);
+        let found = table.frame_time.unwrap();
+        assert!((found / seconds - 1.0).abs() < 1e-6, "{name}: {found}");
+        assert_eq!((table.columns.join(" "), table.warnings.len()), ("x".to_owned(), 0), "{name}");
+    }
+    // Whole milliseconds of 120 rows a second.
+    let rounded = (0..40).map(|k| format!("{},{}\n", (k as f64 / 0.12).round(), k % 3)).collect::<String>();
+    let table = read("t.csv", format!("time_ms,x\n{rounded}").as_bytes()).unwrap();
+    assert!((table.frame_time.unwrap() - 1.0 / 120.0).abs() < 1e-4);
+    // A column of another quantity stays.
+    assert_eq!(with_first("time", 0.0, 0.1).columns, ["x"]);
+    assert_eq!(read("t.csv", b"elapsed,x\n3,1\n2,5\n4,6\n").unwrap().columns, ["elapsed", "x"]);
+}
+
+#[test]
+fn columns_that_count_rows_are_left_out() {
+    for name in ["Frame#", "frame_number", "FrameNo", "index", "Unnamed: 0", ""] {
+        let table = with_first(name, 1.0, 1.0);
+        assert_eq!((table.columns.len(), table.frame_time, table.warnings.len()), (1, None, 0), "{name}");
+    }
+    assert_eq!(read("t.csv", b",x,\n0,3,\n1,5,\n").unwrap().columns, ["x"]);
+    let jump = read("t.csv", b"Frame#,x\n1,3\n2,5\n9,4\n").unwrap();
+    let warning = "line 4: the column \"Frame#\" goes from 2 to 9, not to 3: rows are missing there";
+    assert!(jump.warnings[0].starts_with(warning), "{:?}", jump.warnings);
+    assert_eq!(read("t.csv", b"sample,x\n2,3\n1,5\n").unwrap().columns, ["sample", "x"]);
+}
+
+#[test]
+fn doubtful_times_are_named() {
+    let milliseconds = with_first("t", 0.0, 8.0);
+    assert!(milliseconds.warnings[0].starts_with("a row lasts 8 s by the column \"t\": if that is wrong"));
+    assert!(with_first("time_ms", 0.0, 0.03).warnings[0].starts_with("a row lasts 0.00003 s"));
+    let unknown = with_first("Bildzeit", 0.0, 0.04);
+    assert_eq!((unknown.columns.len(), unknown.frame_time), (2, None));
+    assert!(unknown.warnings[0].starts_with("the column \"Bildzeit\" grows by 0.04 in each row"));
+    assert!(with_first("x0", 0.0, -1.0).warnings.is_empty());
+}
+
+#[test]
+fn german_tables_have_decimal_commas() {
+    let table = read("t.csv", b"Zeit;x;y\n0,0;1,5;2\n0,1;-2,5;3\n0,2;0;1\n").unwrap();
+    assert_eq!((table.values[(1, 0)], table.frame_time), (-2.5, Some(0.1)));
+    let tabs = read("t.tsv", b"t\t\"a, b\"\tc\n0\t1,5\t2\n0,5\t1\t3\n").unwrap();
+    assert_eq!((tabs.columns.join("|"), tabs.values[(0, 0)]), ("a, b|c".to_owned(), 1.5));
+}
+
 #[test]
 fn errors_name_file_line_and_column() {
     assert_eq!(
@@ -57,9 +124,21 @@ fn errors_name_file_line_and_column() {
         ("x,y\n1,2\n3\n", "line 3: expected 2 fields, as in the first row, found 1"),
         ("x,y\n1,2\n", "line 2: expected at least two rows of numbers, found 1"),
         ("x,y\n1,\n3,4\n", "line 2, column 2 (y): expected a number (fill gaps before), found \"\""),
+        ("x,y\n\"1,5\",2\n3,4\n", "line 2, column 1 (x): expected a number with a point, such as 1.5, found"),
+        ("x;y\n1,5;2\n1.234;4\n", "line 3, column 1 (x): expected a number with a comma, as others"),
+        ("x\n1 2\n", "line 2, column 1 (x): expected a number (commas, semicolons or tabs"),
+        ("at,x\n12:01:05,2\n", "line 2, column 1 (at): expected a number (times as seconds"),
         (
-            "x;y\n1,5;2\n3;4\n",
-            "line 2, column 1 (x): expected a number with a point, such as 1.5, found \"1,5\"",
+            "NO_OF_FRAMES\t2\nMARKER_NAMES\ta\n",
+            "line 1: expected a row with the names of the columns, found a table of Q",
+        ),
+        (
+            "Coordinates\nnRows=2\nendheader\ntime\tx\n0\t1\n",
+            "line 1: expected a row with the names of the columns, found a .mot",
+        ),
+        (
+            "t,y\n0,1\n33,2\n66,3\n",
+            "line 4, column 1 (t): expected seconds that grow by 0.00001 to 10 a row, not by 33",
         ),
         ("x,y\n1,inf\n3,4\n", "line 2, column 2 (y): expected a number from -1e9 to 1e9, found \"inf\""),
         ("time,y\n0,1\n1,2\n3,3\n4,4\n", "line 3, column 1 (time): expected seconds that grow by as much"),

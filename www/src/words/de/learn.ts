@@ -7,6 +7,8 @@ const times = (count: number) => (count === 1 ? "einmal" : `${count}-mal`);
 export const learn: LearnWords = {
   clips: {
     title: "Clips",
+    rate: "Bilder je Sekunde",
+    rateOf: (title) => `Bilder je Sekunde von ${title}`,
     up: "oben",
     upAxis: (title) => `Achse, die in ${title} nach oben zeigt`,
     frames: (title) => `Bilder von ${title}, die gelten`,

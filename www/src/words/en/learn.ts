@@ -7,6 +7,8 @@ const times = (count: number) => (count === 1 ? "once" : `${count} times`);
 export const learn = {
   clips: {
     title: "Clips",
+    rate: "frames a second",
+    rateOf: (title: string) => `Frames a second of ${title}`,
     up: "up",
     upAxis: (title: string) => `Axis that points up in ${title}`,
     frames: (title: string) => `Frames of ${title} to use`,

@@ -43,7 +43,11 @@ impl Dataset<Columns> {
             whole: true,
         };
         let sequences: Vec<SequenceInfo> = tables.iter().map(info).collect();
-        let mut warnings = sequence_warnings(&rows, &sequences, &TABLE);
+        let own = |table: &Table| -> Vec<String> {
+            table.warnings.iter().map(|warning| format!("{}: {warning}", table.name)).collect()
+        };
+        let mut warnings: Vec<String> = tables.iter().flat_map(own).collect();
+        warnings.extend(sequence_warnings(&rows, &sequences, &TABLE));
         let names = first.columns.iter().zip(changing).filter(|(_, changes)| !changes);
         let names: Vec<&str> = names.map(|(name, _)| name.as_str()).collect();
         // In a data set of still tables, each table has its warning.
