@@ -36,14 +36,18 @@ impl<'a> Line<'a> {
     }
 }
 
-/// All lines with words, without comments, and an empty line for the end of the file.
+/// All lines with words, without comments, and an empty line for the end of the file. Old files of Macs end
+/// lines with CR alone.
 pub(super) fn lines<'a>(file: &'a str, text: &'a str) -> Vec<Line<'a>> {
+    let end = if text.contains('\n') { '\n' } else { '\r' };
     let line = |(k, line): (usize, &'a str)| {
         let words: Vec<&str> = line.split('#').next().unwrap_or_default().split_whitespace().collect();
         Line { file, number: k + 1, words }
     };
-    let mut lines: Vec<Line> =
-        text.lines().enumerate().map(line).filter(|line| !line.words.is_empty()).collect();
-    lines.push(Line { file, number: text.lines().count() + 1, words: Vec::new() });
+    let text = text.strip_suffix(end).unwrap_or(text);
+    let mut lines: Vec<Line> = text.split(end).enumerate().map(line).collect();
+    let number = lines.len() + 1;
+    lines.retain(|line| !line.words.is_empty());
+    lines.push(Line { file, number, words: Vec::new() });
     lines
 }

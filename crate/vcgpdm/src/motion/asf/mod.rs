@@ -33,13 +33,13 @@ pub const CMU_RATE: f64 = 120.0;
 /// An [`AsfError`] with file and line, when a file is invalid or the two do not belong together.
 pub fn read(asf: File, amc: File, rate: f64) -> Result<Recording, AsfError> {
     let body = skeleton::read(asf)?;
-    let values = motion::read(amc, &body)?;
+    let (values, warnings) = motion::read(amc, &body)?;
     Ok(Recording {
         name: amc.name.to_owned(),
         skeleton: body.skeleton,
         frame_time: 1.0 / rate,
         values,
-        warnings: Vec::new(),
+        warnings,
         sha256: sha256(&[asf.bytes, amc.bytes].concat()),
     })
 }

@@ -138,3 +138,49 @@ fn errors_name_file_and_line() {
     }
     assert!(refusal(ASF, ":DEGREES\n").contains("expected at least one frame, found the end of the file"));
 }
+
+#[test]
+fn bones_without_lines_in_some_frames_keep_their_pose() {
+    let third = "3\nroot 1 2 5 12 -20 30\nlfemur 17 25 -35\nltibia 42\n";
+    let whole = AMC.to_owned() + third;
+    let lost = whole.replace("root 1 2 4 11 -20 30\n", "").replace("ltibia 41\n", "");
+    let clip = recording(ASF, &lost).unwrap();
+    let expected = recording(ASF, &whole).unwrap();
+    assert_eq!(clip.values.row(2), expected.values.row(2));
+    assert_eq!(clip.values.view((1, 0), (1, 6)), expected.values.view((0, 0), (1, 6)));
+    let warning = "1 of 3 frames have no lines of root, ltibia, first frame 2 (line 8): these bones keep";
+    assert!(clip.warnings[0].starts_with(warning), "{:?}", clip.warnings);
+    // A bone of no frame is at rest, and a first frame without a line begins as the second.
+    let never = recording(ASF, &AMC.replace("ltibia 40\n", "").replace("ltibia 41\n", "")).unwrap();
+    assert!(never.warnings.is_empty());
+    let later = recording(ASF, &AMC.replace("ltibia 40\n", "")).unwrap();
+    assert_eq!(later.values.view((0, 12), (1, 3)), later.values.view((1, 12), (1, 3)));
+}
+
+#[test]
+fn frames_that_are_lost_and_bones_that_move_give_a_warning() {
+    let lost = recording(
+        ASF,
+        &(AMC.to_owned()
+            + &AMC[AMC.find("1\nroot").unwrap()..].replace("\n2\n", "\n232\n").replacen("1\n", "231\n", 1)),
+    )
+    .unwrap();
+    assert!(
+        lost.warnings[0].starts_with("line 12: frame 231 follows frame 2: frames are missing"),
+        "{:?}",
+        lost.warnings
+    );
+    let asf = ASF.replace("dof rx\n", "dof rx tz\n");
+    let amc =
+        |z: &str| AMC.replace("ltibia 40", "ltibia 40 0").replace("ltibia 41", &format!("ltibia 41 {z}"));
+    assert!(recording(&asf, &amc("0")).unwrap().warnings.is_empty());
+    let moving = recording(&asf, &amc("0.5")).unwrap();
+    assert!(moving.warnings[0].starts_with("line 11: ltibia changes its place or length"));
+}
+
+#[test]
+fn files_with_returns_alone_are_read() {
+    let read = recording(&ASF.replace('\n', "\r"), &AMC.replace('\n', "\r")).unwrap();
+    assert_eq!(read.values, recording(ASF, AMC).unwrap().values);
+    assert!(recording(ASF, &AMC.replace("15 25", "15 x").replace('\n', "\r")).unwrap_err().line == 6);
+}
