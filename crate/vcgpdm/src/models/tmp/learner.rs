@@ -27,7 +27,8 @@ const SEARCH_SWEEPS: usize = 30;
 const DECISIVE: f64 = 5.0;
 /// From this number of primitives on, only every second number is tried: one more hardly changes the bound.
 const MANY: usize = 10;
-/// The search ends when this many numbers in a row are worse than the best.
+/// When this many numbers in a row are worse than the best, the search tries again from the best with more
+/// freedom ([`Posterior::freed`]); then it ends.
 const WORSE_IN_A_ROW: usize = 2;
 /// The first step of the phases and the first factor of the lengthscale; both shrink.
 const PHASE_STEP: f64 = 1.0 / 64.0;
@@ -71,6 +72,10 @@ pub struct TmpLearner {
     best: Option<(f64, Posterior)>,
     setbacks: Setbacks,
     bounds: Vec<(usize, f64)>,
+    /// The numbers of primitives in a row that were worse than the best.
+    worse_in_a_row: usize,
+    /// Whether each new primitive has more freedom.
+    freed: bool,
     iteration: usize,
     /// Why the search for the number ended, while the best number is trained to the end.
     end: Option<EndReason>,
@@ -124,6 +129,8 @@ impl TmpLearner {
             lengthscale_factor: LENGTHSCALE_FACTOR,
             best: None,
             bounds: Vec::new(),
+            worse_in_a_row: 0,
+            freed: false,
             iteration: 0,
             end: None,
             setbacks: Setbacks::default(),
@@ -169,31 +176,41 @@ impl TmpLearner {
             self.reason = Some(if small { EndReason::BoundSettled } else { EndReason::Iterations });
         } else if let Some(end) = self.end.take() {
             self.reason = Some(end);
-        } else if self.worse_in_a_row(best) >= WORSE_IN_A_ROW {
-            self.train_best(EndReason::MorePrimitivesAreWorse { best });
+        } else if self.worse_in_a_row >= WORSE_IN_A_ROW {
+            if self.freed {
+                self.train_best(EndReason::MorePrimitivesAreWorse { best });
+            } else {
+                (self.freed, self.worse_in_a_row) = (true, 0);
+                self.return_to_best();
+                self.grow()?;
+            }
         } else if self.count >= self.limits.most_primitives {
             self.train_best(EndReason::MostPrimitives { best });
         } else {
-            let more = if self.count < MANY { 1 } else { 2.min(self.limits.most_primitives - self.count) };
-            for _ in 0..more {
-                self.count += 1;
-                self.current = self.current.with_one_more(&self.trials)?;
-            }
-            self.bound = self.current.bound(&self.trials)?;
-            self.restart_sweeps();
+            self.grow()?;
         }
+        Ok(())
+    }
+
+    /// Changes to the next number of primitives.
+    fn grow(&mut self) -> Result<(), NumericsError> {
+        if self.freed {
+            self.current = self.current.freed(&self.trials)?;
+        }
+        let more = if self.count < MANY { 1 } else { 2.min(self.limits.most_primitives - self.count) };
+        for _ in 0..more {
+            self.count += 1;
+            self.current = self.current.with_one_more(&self.trials)?;
+        }
+        self.bound = self.current.bound(&self.trials)?;
+        self.restart_sweeps();
         Ok(())
     }
 
     /// The most numbers of primitives to try.
     fn numbers_to_try(&self) -> usize {
         let most = self.limits.most_primitives;
-        most.min(MANY) + most.saturating_sub(MANY).div_ceil(2)
-    }
-
-    /// The number of numbers of primitives that were tried after the best.
-    fn worse_in_a_row(&self, best: usize) -> usize {
-        self.bounds.iter().filter(|(count, _)| *count > best).count()
+        most.min(MANY) + most.saturating_sub(MANY).div_ceil(2) + WORSE_IN_A_ROW
     }
 
     /// Whether the search for the number of primitives goes on. After it, the best number is trained to the
@@ -221,16 +238,23 @@ impl TmpLearner {
             Some((_, bound)) => *bound = self.bound.max(*bound),
             None => self.bounds.push((self.count, self.bound)),
         }
+        self.worse_in_a_row += 1;
         if self.is_best() {
             self.best = Some((self.bound, self.current.clone()));
+            self.worse_in_a_row = 0;
+        }
+    }
+
+    /// Makes the best posterior the current one.
+    fn return_to_best(&mut self) {
+        if let Some((bound, posterior)) = &self.best {
+            (self.count, self.bound, self.current) = (posterior.primitives(), *bound, posterior.clone());
         }
     }
 
     /// Continues with the best number of primitives; `end` is the reason at the end.
     fn train_best(&mut self, end: EndReason) {
-        if let Some((bound, posterior)) = &self.best {
-            (self.count, self.bound, self.current) = (posterior.primitives(), *bound, posterior.clone());
-        }
+        self.return_to_best();
         self.end = Some(end);
         self.restart_sweeps();
     }

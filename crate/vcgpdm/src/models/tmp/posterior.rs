@@ -56,6 +56,10 @@ pub struct Posterior {
     floor: f64,
 }
 
+fn start_lengthscale(axis: PhaseAxis, range: (f64, f64)) -> f64 {
+    LENGTHSCALE[usize::from(axis == PhaseAxis::Trial)].max(PhaseKernel::shortest(axis, range))
+}
+
 impl Posterior {
     /// The starting posterior: `count` principal components over phase of the aligned trials. `groups` are
     /// the numbers of neighbouring columns that share their noise; `shared_weights`: all trials have the same
@@ -72,8 +76,7 @@ impl Posterior {
             PhaseAxis::Cycle => (0.0, 1.0),
             PhaseAxis::Trial => phase_range(trials, &alignment.maps),
         };
-        let preferred = LENGTHSCALE[usize::from(axis == PhaseAxis::Trial)];
-        let lengthscale = preferred.max(PhaseKernel::shortest(axis, range));
+        let lengthscale = start_lengthscale(axis, range);
         let kernel = PhaseKernel::new(axis, lengthscale, range)?;
         let maps = alignment.maps.clone();
         let features: Vec<TrialFeatures> =
@@ -111,6 +114,27 @@ impl Posterior {
         posterior.noise.apply(|n| *n = n.max(floor));
         posterior.update_weights()?;
         Ok(posterior)
+    }
+
+    /// The posterior with hyperparameters that leave room for primitives of another kind: the lengthscale is at
+    /// most that of the start, and the scale of a column at least its squared error. A few slow primitives have
+    /// a long lengthscale, and columns that they do not explain have a small scale; both would keep a faster
+    /// primitive at 0.
+    pub fn freed(&self, trials: &[Trial]) -> Result<Self, NumericsError> {
+        let mut freed = self.clone();
+        let lengthscale = start_lengthscale(self.kernel.axis, self.range);
+        if self.kernel.lengthscale > lengthscale {
+            freed.kernel = PhaseKernel::new(self.kernel.axis, lengthscale, self.range)?;
+            freed.update_features(trials);
+            freed.update_primitives()?;
+        }
+        let frames = trials.iter().map(|t| t.y.nrows()).sum::<usize>() as f64;
+        let energies = freed.energies();
+        for k in 0..freed.scale.len() {
+            let error = freed.squared_error(trials, &energies, k) / frames;
+            freed.scale[k] = freed.scale[k].max(error);
+        }
+        Ok(freed)
     }
 
     /// The posterior with one more primitive: the function of phase that explains most of the residual.
