@@ -69,7 +69,7 @@ impl Store {
         }
         let (path, results) = (path.to_owned(), Results::new(setting));
         let mut store = Self { path, results, observed_start, failed_before: HashSet::new(), owner: None };
-        let lock = store.lock()?;
+        let lock = lock(&store.path)?;
         files::check_writable(&store.path, [])?;
         store.read()?;
         if !store.path.exists() {
@@ -94,7 +94,7 @@ impl Store {
     /// Claims the first of the jobs that is neither finished nor claimed by another program. Finished jobs
     /// are removed from the list, and so is the claimed one.
     pub fn claim(&mut self, jobs: &mut Vec<Job>) -> Result<Next> {
-        let mut lock = self.lock()?;
+        let mut lock = lock(&self.path)?;
         self.read()?;
         let finished: HashSet<&Job> =
             self.results.finished().iter().filter(|f| self.is_over(f)).map(|f| &f.job).collect();
@@ -120,7 +120,7 @@ impl Store {
 
     /// Adds a finished job and gives up its claim. Jobs that other programs have added stay.
     pub fn add(&mut self, finished: Finished) -> Result<()> {
-        let mut lock = self.lock()?;
+        let mut lock = lock(&self.path)?;
         self.read()?;
         let mut claims = self.claims(&mut lock);
         claims.retain(|claim| claim.job != finished.job);
@@ -137,31 +137,7 @@ impl Store {
     }
 
     fn path_with(&self, ending: &str) -> PathBuf {
-        let mut path = self.path.clone().into_os_string();
-        path.push(ending);
-        path.into()
-    }
-
-    /// Excludes other programs until it is dropped. The file is never deleted: a program that waits for a
-    /// deleted file and a program that creates a new one would not exclude each other.
-    fn lock(&self) -> Result<File> {
-        let path = self.path_with(".lock");
-        let named = |error: &std::io::Error| files::with_path(&path, error);
-        let lock = open(&path).map_err(|error| named(&error))?;
-        let begin = Instant::now();
-        loop {
-            match lock.try_lock() {
-                Ok(()) => return Ok(lock),
-                Err(TryLockError::WouldBlock) if begin.elapsed() < PATIENCE => {
-                    thread::sleep(Duration::from_millis(20));
-                }
-                Err(TryLockError::WouldBlock) => break,
-                Err(TryLockError::Error(error)) => return Err(named(&error)),
-            }
-        }
-        say(&format!("waiting for another program that writes {}", self.path.display()));
-        lock.lock().map_err(|error| named(&error))?;
-        Ok(lock)
+        with_ending(&self.path, ending)
     }
 
     fn read(&mut self) -> Result<()> {
@@ -221,6 +197,35 @@ impl Store {
     }
 }
 
+fn with_ending(path: &Path, ending: &str) -> PathBuf {
+    let mut path = path.to_owned().into_os_string();
+    path.push(ending);
+    path.into()
+}
+
+/// Excludes other programs from the results in this file until the lock is dropped. The file of the lock is never
+/// deleted: a program that waits for a deleted file and a program that creates a new one would not exclude each
+/// other.
+pub fn lock(results: &Path) -> Result<File> {
+    let path = with_ending(results, ".lock");
+    let named = |error: &std::io::Error| files::with_path(&path, error);
+    let lock = open(&path).map_err(|error| named(&error))?;
+    let begin = Instant::now();
+    loop {
+        match lock.try_lock() {
+            Ok(()) => return Ok(lock),
+            Err(TryLockError::WouldBlock) if begin.elapsed() < PATIENCE => {
+                thread::sleep(Duration::from_millis(20));
+            }
+            Err(TryLockError::WouldBlock) => break,
+            Err(TryLockError::Error(error)) => return Err(named(&error)),
+        }
+    }
+    say(&format!("waiting for another program that writes {}", results.display()));
+    lock.lock().map_err(|error| named(&error))?;
+    Ok(lock)
+}
+
 fn open(path: &Path) -> std::io::Result<File> {
     OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path)
 }
@@ -231,7 +236,7 @@ impl Drop for Store {
         if self.owner.is_none() {
             return;
         }
-        if let Ok(mut lock) = self.lock() {
+        if let Ok(mut lock) = lock(&self.path) {
             let mut claims = self.claims(&mut lock);
             if let Some(owner) = self.owner.take() {
                 claims.retain(|claim| claim.owner != owner.number);

@@ -5,6 +5,7 @@ use crate::files;
 use crate::interrupt;
 use crate::progress::{Progress, say};
 use crate::report::completing::read;
+use crate::store::lock;
 use crate::train::weight;
 use crate::usage::{first_given, usage};
 use serde_json::json;
@@ -30,8 +31,9 @@ pub fn run(arguments: &Arguments, clips: &[Clip], parts: &[PartSpec]) -> Result<
         return Err(usage("--out -: expected a file, to which completed trials are added one by one"));
     }
     files::check_writable(path, [])?;
-    if path.exists() {
-        results.take(read(path)?).map_err(|error| files::with_path(path, &error))?;
+    {
+        let _lock = lock(path)?;
+        read_again(&mut results, path)?;
     }
     let mut asked = folds(&arguments.folds, clips.len())?;
     if asked.is_empty() {
@@ -59,6 +61,7 @@ pub fn run(arguments: &Arguments, clips: &[Clip], parts: &[PartSpec]) -> Result<
             progress: Progress::new("about"),
             fractions: vec![0.0; folds.len()],
             computed: 0,
+            elsewhere: 0,
             failures: Vec::new(),
         }),
     };
@@ -74,7 +77,8 @@ pub fn run(arguments: &Arguments, clips: &[Clip], parts: &[PartSpec]) -> Result<
         "trials": known + folds.len(),
         "computed": state.computed,
         "known_before": known,
-        "left": folds.len() - state.computed - failed,
+        "computed_elsewhere": state.elsewhere,
+        "left": folds.len() - state.computed - state.elsewhere - failed,
         "failed": failed,
     }))?;
     let Some(first) = state.failures.first() else { return Ok(()) };
@@ -83,6 +87,14 @@ pub fn run(arguments: &Arguments, clips: &[Clip], parts: &[PartSpec]) -> Result<
         return Err(message.into());
     }
     say(&message);
+    Ok(())
+}
+
+/// Takes what this program and others have written to the file. The file must be locked.
+fn read_again(results: &mut Completing, path: &Path) -> Result<()> {
+    if path.exists() {
+        results.take(read(path)?).map_err(|error| files::with_path(path, &error))?;
+    }
     Ok(())
 }
 
@@ -140,6 +152,8 @@ struct State {
     /// The share of each fold that is done.
     fractions: Vec<f64>,
     computed: usize,
+    /// Trials that other programs computed meanwhile.
+    elsewhere: usize,
     /// Each failed trial with the reason.
     failures: Vec<String>,
 }
@@ -155,6 +169,9 @@ impl Work<'_> {
         while !self.stopped.load(Ordering::Relaxed) {
             let place = self.next.fetch_add(1, Ordering::Relaxed);
             let Some(fold) = folds.get(place) else { return };
+            if self.is_known(place, held_out[place]) {
+                continue;
+            }
             let result = fold.evaluate(settings, seed, &mut |fraction| {
                 self.show(place, fraction);
                 !self.stopped.load(Ordering::Relaxed)
@@ -180,15 +197,36 @@ impl Work<'_> {
         });
     }
 
-    /// Adds a completed trial to the file.
+    /// Whether another program has added the trial meanwhile.
+    fn is_known(&self, place: usize, held_out: usize) -> bool {
+        let mut known = false;
+        self.with_state(|state| {
+            let read = lock(self.path).and_then(|_lock| read_again(&mut state.results, self.path));
+            // An error of the file stops the program when the next trial is added.
+            known = read.is_ok() && state.results.has(held_out);
+            if known {
+                state.fractions[place] = 1.0;
+                state.elsewhere += 1;
+            }
+        });
+        known
+    }
+
+    /// Adds a completed trial to the file, where other programs may have added trials.
     fn add(&self, place: usize, completed: CompletedTrial) {
         self.with_state(|state| {
             let trial = completed.held_out + 1;
-            state.results.trials.push(completed);
-            state.results.trials.sort_by_key(|trial| trial.held_out);
             state.fractions[place] = 1.0;
-            let text = state.results.to_json().map_err(Into::into);
-            match text.and_then(|text| files::write_text(self.path, &(text + "\n"))) {
+            let write = || {
+                let _lock = lock(self.path)?;
+                read_again(&mut state.results, self.path)?;
+                if !state.results.has(completed.held_out) {
+                    state.results.trials.push(completed);
+                    state.results.trials.sort_by_key(|trial| trial.held_out);
+                }
+                files::write_text(self.path, &(state.results.to_json()? + "\n"))
+            };
+            match write() {
                 Ok(()) => {
                     state.computed += 1;
                     state.progress.log(|| format!("trial {trial} held out and completed"));

@@ -122,7 +122,26 @@ fn completes_trials() {
     assert!(refused(&["--pose-ips", "6,7"]).contains("--pose-ips: expected one number"));
     assert!(refused(&["--seeds", "0,1"]).contains("--seeds: expected one seed"));
     assert!(refused(&["--seeds", "1"]).contains("of another seed"));
-    assert!(refusal(&evaluate(&out, &[])).contains("expected the results of an evaluation"));
+    let other = refusal(&evaluate(&out, &[]));
+    assert!(other.contains("expected results of \"evaluate --task predict\""), "{other}");
+    assert!(other.contains("found \"vcgpdm-completing\" version 1"), "{other}");
+}
+
+#[test]
+fn programs_that_complete_trials_in_one_file_keep_those_of_each_other() {
+    let out = file("complete-together");
+    std::thread::scope(|scope| {
+        for folds in ["1", "2,3", "3"] {
+            let task = ["--task", "complete", "--ips", "6", "--folds", folds];
+            let out = &out;
+            scope.spawn(move || summary(&evaluate(out, &task)));
+        }
+    });
+    let all = results(&out)["trials"].as_array().unwrap().clone();
+    assert_eq!(
+        all.iter().map(|trial| trial["held_out"].as_u64()).collect::<Vec<_>>(),
+        [Some(1), Some(2), Some(3)]
+    );
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The results of completing: each part of every trial held out, inferred from the other parts.
 
+use crate::evaluation::document_head::DocumentHead;
 use crate::evaluation::{Setting, SettingError};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -171,7 +172,11 @@ pub enum CompletingError {
     #[error("expected the results of completing: {0}")]
     Json(String),
     /// Another document.
-    #[error("expected {} version {}, found {format:?} version {version}", Completing::FORMAT, VERSION)]
+    #[error(
+        "expected results of \"evaluate --task complete\" ({} version {}), found {format:?} version {version}",
+        Completing::FORMAT,
+        VERSION
+    )]
     Format {
         /// What the document calls itself.
         format: String,
@@ -232,8 +237,13 @@ impl Completing {
     /// # Errors
     /// The text is another document, or its trials do not fit its setting.
     pub fn from_json(text: &str) -> Result<Self, CompletingError> {
-        let found: Self =
-            serde_json::from_str(text).map_err(|error| CompletingError::Json(error.to_string()))?;
+        let found: Self = serde_json::from_str(text).map_err(|error| match DocumentHead::read(text) {
+            // Another document, or a later version, has other fields.
+            Some(DocumentHead { format, version }) if format != Self::FORMAT || version != VERSION => {
+                CompletingError::Format { format, version }
+            }
+            _ => CompletingError::Json(error.to_string()),
+        })?;
         if found.format != Self::FORMAT || found.version != VERSION {
             return Err(CompletingError::Format { format: found.format, version: found.version });
         }

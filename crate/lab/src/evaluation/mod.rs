@@ -14,6 +14,7 @@ mod cost;
 mod cross_validation;
 mod cycles;
 mod details;
+pub(crate) mod document_head;
 mod effect;
 mod error;
 mod evidence;

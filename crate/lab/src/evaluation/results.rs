@@ -2,6 +2,7 @@
 //! document. No I/O.
 
 use crate::evaluation::candidate_size::size;
+use crate::evaluation::document_head::DocumentHead;
 use crate::evaluation::job::{Finished, Job};
 use crate::evaluation::outcome::{Difference, Outcome};
 use crate::evaluation::plan::{ComparisonPlanError, Plan};
@@ -52,8 +53,13 @@ impl Results {
     /// # Errors
     /// The text is another document, or its results do not fit its setting.
     pub fn from_json(text: &str) -> Result<Self, ResultsError> {
-        let results: Self =
-            serde_json::from_str(text).map_err(|error| ResultsError::Json(error.to_string()))?;
+        let results: Self = serde_json::from_str(text).map_err(|error| match DocumentHead::read(text) {
+            // Another document, or a later version, has other fields.
+            Some(DocumentHead { format, version }) if format != FORMAT || version != VERSION => {
+                ResultsError::Format { format, version }
+            }
+            _ => ResultsError::Json(error.to_string()),
+        })?;
         results.check()?;
         Ok(results)
     }

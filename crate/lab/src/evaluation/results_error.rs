@@ -18,7 +18,11 @@ pub enum ResultsError {
     #[error("expected the results of an evaluation: {0}")]
     Json(String),
     /// Another document.
-    #[error("expected {} version {}, found {format:?} version {version}", FORMAT, VERSION)]
+    #[error(
+        "expected results of \"evaluate --task predict\" ({} version {}), found {format:?} version {version}",
+        FORMAT,
+        VERSION
+    )]
     Format {
         /// What the document calls itself.
         format: String,
