@@ -67,25 +67,22 @@ function mend(/** @type {string} */ folder, /** @type {boolean} */ reads) {
   const types = join(folder, "vcgpdm.d.ts");
   // A Blob gives its bytes only later. The player reads no files.
   if (reads) {
-    for (const name of ["Clip", "Table"]) {
-      change(
-        script,
-        `static read(name, bytes) {\n        const`,
-        `static read(name, bytes) {\n${later(name)}        const`,
-      );
-      const read = `static read(name: string, bytes: string | ArrayBuffer | Uint8Array): ${name};`;
-      change(types, read, `${read}\n    static read(name: string, file: Blob): Promise<${name}>;`);
+    for (const [name, rate, rateType] of [
+      ["Clip", ", framesPerSecond", ", framesPerSecond?: number | null"],
+      ["Table", "", ""],
+    ]) {
+      const begin = `static read(name, bytes${rate}) {\n`;
+      const later = `        if (typeof Blob === "function" && bytes instanceof Blob)
+            return bytes.arrayBuffer().then((bytes) => ${name}.read(name, bytes${rate}));
+`;
+      change(script, `${begin}        const`, `${begin}${later}        const`);
+      const read = `static read(name: string, bytes: string | ArrayBuffer | Uint8Array${rateType}): ${name};`;
+      change(types, read, `${read}\n    static read(name: string, file: Blob${rateType}): Promise<${name}>;`);
     }
   }
   writeFileSync(types, readFileSync(types, "utf8") + DISPOSE);
   rmSync(join(folder, "vcgpdm_bg.wasm.d.ts"));
 }
-
-const later = (
-  /** @type {string} */ name,
-) => `        if (typeof Blob === "function" && bytes instanceof Blob)
-            return bytes.arrayBuffer().then((bytes) => ${name}.read(name, bytes));
-`;
 
 const WEB = `/* @ts-self-types="./vcgpdm.d.ts" */
 import { givenWasm } from "./load.js";

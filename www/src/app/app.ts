@@ -291,10 +291,11 @@ export class App {
 
   /** The visitor has followed a link or pressed Back. */
   followAddress(): void {
+    const isNewest = this.model.want();
     if (this.engine.engine !== null && this.settings.bringsOtherModel()) {
       const fragment = this.settings.address.read();
       linked()
-        .then(({ follow }) => follow(this, fragment))
+        .then(({ follow }) => follow(this, fragment, isNewest))
         .catch(() => this.notices.addError("Link", this.words.now.frame.notLoaded));
       return;
     }

@@ -198,4 +198,29 @@ describe("a link that is followed", () => {
     await app.model.open(modelText(5));
     await vi.waitFor(() => expect(bar.read()).not.toContain("packed"));
   });
+
+  it("does not replace what the visitor opened while its file was on the way", async () => {
+    let arrive = (_: Response) => {};
+    const slow = new Promise<Response>((resolve) => {
+      arrive = resolve;
+    });
+    vi.stubGlobal("fetch", () => slow);
+    await open("");
+    bar.pages.push("model=slow.json");
+    app.followAddress();
+    await settled();
+    await app.model.open(modelText(5));
+    arrive(new Response(modelText(7)));
+    for (let k = 0; k < 5; k++) await settled();
+    expect([app.model.openedText, notices()]).toEqual([modelText(5), []]);
+  });
+
+  it("does not replace the model while a training runs", async () => {
+    await open("");
+    vi.spyOn(app.training, "busy", "get").mockReturnValue(true);
+    bar.pages.push(`packed=${await packed(modelText(9))}`);
+    app.followAddress();
+    await vi.waitFor(() => expect(notices()).toEqual([expect.stringContaining("A training is running")]));
+    expect(app.model.openedText).toBe(null);
+  });
 });

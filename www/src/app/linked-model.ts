@@ -84,13 +84,17 @@ export async function openFirst(app: Stores): Promise<boolean> {
   }
 }
 
-/** Opens the model of an address that the visitor has followed. After a problem everything is as before. */
-export async function follow(app: Stores, fragment: string): Promise<void> {
+/**
+ * Opens the model of an address that the visitor has followed. After a problem everything is as before, and also
+ * when the visitor has asked for something else meanwhile.
+ */
+export async function follow(app: Stores, fragment: string, isNewest: () => boolean): Promise<void> {
   const { settings, model, training } = app;
   const stay = () => settings.address.writeSoon(settings.written);
   try {
     const link = readSettings(fragment);
     const text = await documentOf(link);
+    if (!isNewest()) return;
     if (hasNoCouplings(text)) {
       return await show(app, text, link, () => {
         settings.takeFragment(fragment);
@@ -99,10 +103,12 @@ export async function follow(app: Stores, fragment: string): Promise<void> {
     }
     if (training.busy) throw new Error(lab().files.trainingRuns);
     if (!(await mayLose(stageWork(model, app.engine)))) return stay();
+    if (!isNewest()) return;
     await model.openLinked(text, () => settings.takeFragment(fragment));
     training.unchoose();
     app.takeMoment();
   } catch (problem) {
+    if (!isNewest()) return;
     stay();
     await say(app, problem);
   }

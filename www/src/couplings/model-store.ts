@@ -60,6 +60,8 @@ export class ModelStore extends Store {
   /** The hash of the model that the page opens with. */
   #startModel: string | null = null;
   #text = "";
+  /** Grows with each model, or address, that the visitor asks for. */
+  #wanted = 0;
   /** Whether the model was made here and is in no list of trainings. */
   #madeHere = false;
   /** The hashes of the models that the visitor has saved. */
@@ -127,6 +129,16 @@ export class ModelStore extends Store {
     return this.#madeHere && this.#model !== null && !this.#saved.has(this.#model.sha256);
   }
 
+  /**
+   * The visitor asks for another model or address. The result tells whether this is still the newest wish, so
+   * that a slow answer does not replace what the visitor opened since.
+   */
+  want(): () => boolean {
+    this.#wanted += 1;
+    const wish = this.#wanted;
+    return () => wish === this.#wanted;
+  }
+
   /** The model was made here, and is in no list of trainings. */
   markMadeHere(): void {
     this.#madeHere = true;
@@ -174,6 +186,7 @@ export class ModelStore extends Store {
     keep = KEEP_NOTHING,
     trainingLatents: Float64Array[] | null = null,
   ): Promise<void> {
+    this.want();
     const opened = await this.#running().openModel(text, this.#settings.values.frames);
     if (this.#settings.bringsModel) this.#settings.change({ modelFile: "", packedModel: "" });
     this.#text = text;

@@ -54,7 +54,10 @@ async function read({ name, file, without }: TableSource): Promise<ReadTable> {
   const kept = columns.filter((column) => !without.includes(column));
   const numbers = (row: string) => row.split(",").filter((_, place) => kept.includes(columns[place] ?? ""));
   const values = Float64Array.from(rows.flatMap((row) => numbers(row).map(Number)));
-  return { info: { name, sha256: name, columns: kept, rows: rows.length, frameTime: 0.1, warnings: [] }, values };
+  return {
+    info: { name, sha256: name, columns: kept, rows: rows.length, frameTime: 0.1, warnings: [] },
+    values,
+  };
 }
 
 export class FakeSeries {

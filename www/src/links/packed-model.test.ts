@@ -66,7 +66,8 @@ it("says what is wrong with a link that is cut off, damaged, or of another versi
     expected: Number(length),
     found: Number(length) - 100,
   });
-  expect(await problem("1.40")).toMatchObject({ what: "version" });
+  expect(await problem("1.40")).toEqual({ what: "cut", expected: 40, found: 0 });
+  expect(await problem("1.-4.AAAA")).toEqual({ what: "damaged" });
   expect(await problem(`2.${length}.${data}`)).toEqual({ what: "version", expected: "1", found: "2" });
   expect(await problem(`1.${length}.%${data.slice(1)}`)).toEqual({ what: "character", found: "%", place: 1 });
   for (const place of [4, 1000, data.length - 3]) {
@@ -89,11 +90,33 @@ it("refuses a text that is too long, or that unpacks to too many bytes", async (
   expect(await problem(await linkOf(" ".repeat(LARGEST_DOCUMENT)))).toBe(null);
 });
 
+it("refuses matrices within matrices at once, which would double at each level", async () => {
+  let nested = "1";
+  for (let depth = 0; depth < 60; depth++) nested = `{"sum_psi2":[[0],[${nested},0]]}`;
+  const link = await linkOf(nested);
+  const begin = performance.now();
+  expect(await unpacked(link)).toBe(nested);
+  expect(performance.now() - begin).toBeLessThan(100);
+});
+
+it("holds the whole matrices against the limit too", async () => {
+  const rows = Array.from({ length: 1_800 }, (_, i) => `[${"1234,".repeat(i)}1]`);
+  expect(await problem(await linkOf(`{"sum_psi2":[${rows.join(",")}]}`))).toEqual({
+    what: "large",
+    most: LARGEST_DOCUMENT,
+  });
+});
+
 it("makes no link that it would not open", async () => {
   const numbers = Array.from({ length: 60_000 }, (_, i) => Math.sin(i));
   await expect(packed(JSON.stringify(numbers))).rejects.toMatchObject({
     problem: { what: "long", most: LONGEST },
   });
+});
+
+it("keeps both halves of a matrix that is not symmetric", async () => {
+  const document = '{"v_covariance":[[1,2],[3,4]],"sum_psi2":[[1,2],[2,4]]}';
+  expect(await unpacked(await packed(document))).toBe(document);
 });
 
 it("leaves a document that is no JSON, and matrices of other shapes, to the reader of models", async () => {

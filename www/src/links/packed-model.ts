@@ -1,6 +1,6 @@
 // A model's document as text in a link: "1.LENGTH.DATA". DATA is the document with fewer digits, half of each
 // symmetric matrix left out, deflated with a check number (zlib), in base64url; LENGTH counts its characters.
-import { textWithin } from "./bytes";
+import { LARGEST_DOCUMENT, textWithin } from "./bytes";
 import { shortened } from "./digits.js";
 import { LinkError } from "./problem";
 
@@ -41,12 +41,18 @@ export async function packed(document: string): Promise<string> {
 export async function unpacked(text: string): Promise<string> {
   if (text.length > LONGEST) throw new LinkError({ what: "long", most: LONGEST, found: text.length });
   const [, form = text.split(".", 1)[0] ?? "", length, data = ""] =
-    /^(\w+)\.(\d{1,9})\.(.*)$/s.exec(text) ?? [];
-  if (form !== FORM || length === undefined)
-    throw new LinkError({ what: "version", expected: FORM, found: form.slice(0, 20) });
+    /^(\w+)\.(\d{1,9})(?:\.(.*))?$/s.exec(text) ?? [];
+  if (form !== FORM) throw new LinkError({ what: "version", expected: FORM, found: form.slice(0, 20) });
+  if (length === undefined) throw new LinkError({ what: "damaged" });
   if (data.length !== Number(length))
     throw new LinkError({ what: "cut", expected: Number(length), found: data.length });
   const document = await inflated(bytesOf(data));
+  const whole = withBothHalves(document);
+  if (whole.length > LARGEST_DOCUMENT) throw new LinkError({ what: "large", most: LARGEST_DOCUMENT });
+  return whole;
+}
+
+function withBothHalves(document: string): string {
   try {
     const whole = JSON.parse(document, (name, value) => (SYMMETRIC.has(name) ? bothHalves(value) : value));
     return JSON.stringify(whole);
@@ -66,10 +72,14 @@ function lowerHalf(value: unknown): unknown {
 const isSquare = (value: unknown): value is unknown[][] =>
   Array.isArray(value) && value.every((row) => Array.isArray(row) && row.length === value.length);
 
-/** A matrix from its rows up to the diagonal; other values stay, for the reader of models to judge. */
+/**
+ * A matrix from its rows up to the diagonal; other values stay, for the reader of models to judge. An entry that
+ * holds a matrix itself would be written twice at each level.
+ */
 function bothHalves(value: unknown): unknown {
-  if (!Array.isArray(value) || !value.every((row, i) => Array.isArray(row) && row.length === i + 1))
-    return value;
+  const isRow = (row: unknown, i: number) =>
+    Array.isArray(row) && row.length === i + 1 && row.every((entry) => typeof entry === "number");
+  if (!Array.isArray(value) || !value.every(isRow)) return value;
   return value.map((row, i) => value.map((other, j) => (j <= i ? row[j] : other[i])));
 }
 

@@ -60,6 +60,21 @@ describe("a live rollout", () => {
     expect(live.running).toBe(true);
   });
 
+  it("takes no frames of a motion that was ended", async () => {
+    await live.start();
+    engine.holding.add("advanceLive");
+    await pass(0.3);
+    const held = engine.held.splice(0);
+    expect(held).toHaveLength(1);
+    live.stop();
+    engine.holding.clear();
+    await live.start();
+    const last = live.track?.last;
+    held.forEach(({ end }) => end());
+    await settled();
+    expect(live.track?.last).toBe(last);
+  });
+
   it("begins at the state of the figure, has no end, and gives the motion of some seconds back", async () => {
     playback.scrub(40);
     await live.start();

@@ -75,3 +75,19 @@ it("says why a recording is refused, and leaves the part to the model", async ()
     "the body differs",
   ]);
 });
+
+it("gives each of several parts its recording, also when they are chosen at once", async () => {
+  const key = recorded.all[0]?.key ?? "";
+  for (const part of [0, 1]) recorded.choose(part, key);
+  recorded.choose(0, null);
+  recorded.choose(0, key);
+  await answered();
+  expect([0, 1].map((part) => live.moverOf(part)?.kind)).toEqual(["record", "record"]);
+});
+
+it("waits no longer for the recording of an old model", async () => {
+  recorded.choose(0, recorded.all[0]?.key ?? "");
+  await model.open(modelText(2));
+  await answered();
+  expect([recorded.keyOf(0), live.moverOf(0)]).toEqual([null, null]);
+});

@@ -20,27 +20,37 @@ export class RecordedParts extends Store {
   readonly #recordings: Recordings;
   readonly #model: ModelStore;
   readonly #live: LiveStore;
-  readonly #asked: Latest<Asked, CompletedClip>;
+  readonly #notices: NoticesStore;
+  /** The requests of each part: of one part only the newest counts. */
+  readonly #asked = new Map<number, Latest<Asked, CompletedClip>>();
   /** The key of the recording that each part waits for. */
   readonly #waiting = new Map<number, string>();
 
   constructor(recordings: Recordings, model: ModelStore, live: LiveStore, notices: NoticesStore) {
     super();
-    [this.#recordings, this.#model, this.#live] = [recordings, model, live];
-    this.#asked = new Latest(
-      ({ model, part, recording }) => {
+    [this.#recordings, this.#model, this.#live, this.#notices] = [recordings, model, live, notices];
+    recordings.on(() => this.changed());
+  }
+
+  /** The requests of a part. */
+  #requests(part: number): Latest<Asked, CompletedClip> {
+    const known = this.#asked.get(part);
+    if (known) return known;
+    const requests = new Latest<Asked, CompletedClip>(
+      ({ model, recording }) => {
         const given = model.info.parts[part]?.name ?? "";
         const request = { given, until: null, alpha: null, reading: "as-learned" as const };
-        return recordings.complete(model, recording, request);
+        return this.#recordings.complete(model, recording, request);
       },
       (completed, asked) => this.#take(completed, asked),
       (problem) => {
-        this.#waiting.clear();
+        this.#waiting.delete(part);
         this.changed();
-        notices.addError(completingWords().failed, messageOf(problem));
+        this.#notices.addError(completingWords().failed, messageOf(problem));
       },
     );
-    recordings.on(() => this.changed());
+    this.#asked.set(part, requests);
+    return requests;
   }
 
   /** The recordings to choose from; the model needs another part, which it infers. */
@@ -61,17 +71,17 @@ export class RecordedParts extends Store {
     this.#waiting.delete(part);
     if (model && recording) {
       this.#waiting.set(part, recording.key);
-      this.#asked.request({ model, part, recording });
+      this.#requests(part).request({ model, part, recording });
     }
     this.changed();
   }
 
   #take({ recorded, latents }: CompletedClip, { model, part, recording }: Asked): void {
     const { key, title } = recording;
-    const isWanted = this.#waiting.get(part) === key && model.revision === this.#model.model?.revision;
-    if (!isWanted) return;
+    if (this.#waiting.get(part) !== key) return;
     this.#waiting.delete(part);
-    this.#live.record(part, { key, title, latents, motion: recorded });
+    if (model.revision === this.#model.model?.revision)
+      this.#live.record(part, { key, title, latents, motion: recorded });
     this.changed();
   }
 }

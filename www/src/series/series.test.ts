@@ -240,7 +240,9 @@ it("a curve finds its recording by name, wherever it stands in the table", () =>
     ],
     columns: ["a", "l"],
   };
-  const table = { info: { name: "t", sha256: "", columns: ["l", "x", "a"], rows: 2, frameTime: null, warnings: [] } };
+  const table = {
+    info: { name: "t", sha256: "", columns: ["l", "x", "a"], rows: 2, frameTime: null, warnings: [] },
+  };
   const curves = curvesOf(info, Float64Array.of(1, 2, 3, 4), {
     ...table,
     values: Float64Array.of(5, 0, 6, 7, 0, 8),
