@@ -61,11 +61,11 @@ pub struct Arguments {
     #[arg(long, value_name = "PART@FRAME=AMOUNT", num_args = 1.., conflicts_with_all = ["samples", "variance"])]
     push: Vec<String>,
     /// Write N sampled rollouts too, numbered from 1: OUT-1.bvh and so on, and the same for --latents.
-    #[arg(long, value_name = "N", requires = "seed", value_parser = whole(1..=MOST_SAMPLES))]
+    #[arg(long, value_name = "N", value_parser = whole(1..=MOST_SAMPLES))]
     samples: Option<u32>,
     /// The seed of the first sampled rollout; the next ones count on from it.
-    #[arg(long, value_name = "S", requires = "samples", value_parser = whole(0..=u32::MAX))]
-    seed: Option<u32>,
+    #[arg(long, value_name = "S", requires = "samples", default_value_t = 0, value_parser = whole(0..=u32::MAX))]
+    seed: u32,
     /// Write means and variances of the latents in every frame, by moment matching, to this file.
     #[arg(long, value_name = "OUT.csv")]
     variance: Option<PathBuf>,
@@ -289,8 +289,9 @@ fn roll_out_coupled<S: ColumnMapping>(
         Ok(())
     };
     write(&rollout, None)?;
-    if let (Some(count), Some(seed)) = (arguments.samples, arguments.seed) {
-        let seeds = u64::from(seed)..u64::from(seed) + u64::from(count);
+    if let Some(count) = arguments.samples {
+        let seed = u64::from(arguments.seed);
+        let seeds = seed..seed + u64::from(count);
         for (k, rollout) in model.sampled_rollouts(&request, seeds)?.enumerate() {
             write(&rollout?, Some(k + 1))?;
         }

@@ -141,11 +141,15 @@ fn assert_same(found: &LatentMoments, expected: &[Belief]) {
 fn of_a_linear_system_it_is_the_kalman_filter() {
     let system = LinearSystem::new();
     let model = system.model();
-    let filter = model.filter(&model.alpha, Reading::AsLearned, PoseWeight::default()).unwrap();
     let y = system.columns(40);
-    let run = filter.run(filter.unknown(), std::slice::from_ref(&y)).unwrap();
-    let (filtered, smoothed, evidence) = system.kalman(&y);
-    assert_same(&filter.filtered(&run), &filtered);
-    assert_same(&filter.smoothed(&run).unwrap(), &smoothed);
-    assert_abs_diff_eq!(run.evidence(), evidence, epsilon = 40.0 * TOLERANCE);
+    // The weight of the poses divides the variance of the columns.
+    for weight in [1.0, 0.5, 3.0] {
+        let filter = model.filter(&model.alpha, Reading::AsLearned, PoseWeight::Fixed(weight)).unwrap();
+        let run = filter.run(filter.unknown(), std::slice::from_ref(&y)).unwrap();
+        let weighted = LinearSystem { r: system.r / weight, ..LinearSystem::new() };
+        let (filtered, smoothed, evidence) = weighted.kalman(&y);
+        assert_same(&filter.filtered(&run), &filtered);
+        assert_same(&filter.smoothed(&run).unwrap(), &smoothed);
+        assert_abs_diff_eq!(run.evidence(), evidence, epsilon = 40.0 * TOLERANCE);
+    }
 }

@@ -43,6 +43,10 @@ fn loops() -> Vec<DMatrix<f64>> {
 
 /// A model that was trained on the loops, and its q(x).
 fn trained(order: usize) -> (Vcgpdm, Params) {
+    trained_on(loops(), order)
+}
+
+fn trained_on(y: Vec<DMatrix<f64>>, order: usize) -> (Vcgpdm, Params) {
     let settings = VariationalSettings {
         latent: 2,
         dynamics_ips: 6,
@@ -51,7 +55,7 @@ fn trained(order: usize) -> (Vcgpdm, Params) {
         max_iterations: 80,
         ..Default::default()
     };
-    let mut trainer = VariationalTrainer::new(loops(), LENGTHS.to_vec(), &settings, 1).unwrap();
+    let mut trainer = VariationalTrainer::new(y, LENGTHS.to_vec(), &settings, 1).unwrap();
     while !trainer.progress().done {
         trainer.step();
     }
@@ -293,6 +297,25 @@ fn the_last_frame_is_smoothed_already_and_earlier_ones_become_surer() {
             assert!(after.clone().symmetric_eigenvalues().min() > 0.0);
         }
     }
+}
+
+#[test]
+fn columns_that_never_changed_count_in_the_error_alone() {
+    let mut y = loops();
+    y[0] = y[0].clone().insert_column(4, 0.0);
+    let model = trained_on(y.clone(), 1).0;
+    let filter = filter_of(&model);
+    let y: Vec<DMatrix<f64>> = y.iter().map(|part| part.rows(0, 20).into_owned()).collect();
+    let run = filter.run(near(&model, 0, 0.1), &y).unwrap();
+    let latents = filter.filtered(&run);
+    let score = |value: f64| {
+        let mut recorded = y[0].clone();
+        recorded.column_mut(4).fill(value);
+        filter.score(0, &latents, &recorded).unwrap()
+    };
+    let (still, moved) = (score(0.0), score(1.0));
+    assert_eq!((still.coverage_95, still.log_density), (moved.coverage_95, moved.log_density));
+    assert!(moved.mse > still.mse + 0.1);
 }
 
 #[test]
