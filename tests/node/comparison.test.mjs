@@ -204,10 +204,7 @@ describe("comparing models from Node", () => {
       /these results are of another frame rate: expected 15 .*, found 10/,
     );
     assert.throws(() => here.add(job(3), outcome), /`heldOut`: expected a trial from 0 to 2, found 3/);
-    assert.throws(
-      () => here.add(job(2), { ...outcome, seconds: -1 }),
-      /expected a time that is finite and not negative/,
-    );
+    assert.throws(() => here.add(job(2), { ...outcome, seconds: -1 }), /expected a time from 0 to 1e100/);
   });
 
   it("refuses in words what cannot be compared", () => {

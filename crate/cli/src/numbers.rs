@@ -41,7 +41,14 @@ pub fn check_within(
         return Ok(());
     }
     let (lowest, highest) = range.into_inner();
+    let found = short(found);
     Err(usage(format!("{option}: expected {unit} from {lowest} to {highest}, found {found}")))
+}
+
+/// A number for a message, never with hundreds of digits.
+fn short(number: f64) -> String {
+    let is_usual = number == 0.0 || !number.is_finite() || (1e-6..1e15).contains(&number.abs());
+    if is_usual { number.to_string() } else { format!("{number:e}") }
 }
 
 /// Refuses a value of `--fps` to which no clip can be resampled.
@@ -52,6 +59,12 @@ pub fn check_fps(found: f64) -> Result<(), Box<dyn Error>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_in_messages_are_short() {
+        let texts = [0.0, -1.5, 30.0, 1e-300, -1e300, f64::NAN].map(short);
+        assert_eq!(texts, ["0", "-1.5", "30", "1e-300", "-1e300", "NaN"]);
+    }
 
     #[test]
     fn states_the_range_in_every_error() {

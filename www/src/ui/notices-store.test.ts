@@ -11,3 +11,9 @@ it("keeps the newest six notices, until they are dismissed or cleared", () => {
   notices.clear();
   expect(titles()).toBe("");
 });
+
+it("has a notice with the same words once, as the newest", () => {
+  const notices = new NoticesStore();
+  for (const text of ["one", "two", "one", "one"]) notices.addError("Stopped", text);
+  expect(notices.all.map(({ text }) => text)).toEqual(["two", "one"]);
+});

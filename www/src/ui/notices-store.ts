@@ -27,9 +27,11 @@ export class NoticesStore extends Store {
     return this.#notices;
   }
 
+  /** A notice with the same words is replaced. */
   add(notice: Omit<Notice, "id">): void {
     this.#lastId += 1;
-    this.#notices = [...this.#notices, { ...notice, id: this.#lastId }].slice(-MOST);
+    const others = this.#notices.filter(({ title, text }) => title !== notice.title || text !== notice.text);
+    this.#notices = [...others, { ...notice, id: this.#lastId }].slice(-MOST);
     this.changed();
   }
 

@@ -31,7 +31,7 @@ pub struct Arguments {
     #[arg(long, value_name = "lower,upper|whole|FILE")]
     pub(super) parts: Option<String>,
     /// Train on time series: each CLIP is a CSV file, with the names of the columns in its first row and one
-    /// row for each moment. A column "time" (or "t", "seconds") holds seconds; a column "frame" is ignored.
+    /// row for each moment. A column such as "time", "seconds" or "time_ms" holds the times; a column "frame" is ignored.
     #[arg(long, conflicts_with_all = ["seed_frames", "first_bones", "clip_fps"])]
     pub(super) columns: bool,
     /// Leave these columns out. A name that begins or ends with * means all columns that end or begin like

@@ -71,8 +71,8 @@ pub enum ResultsError {
         /// The value found.
         found: f64,
     },
-    /// An error, a variance or a time that is not finite, or negative.
-    #[error("result {index}: expected {what} that is finite and not negative, found {found}")]
+    /// An error, a variance or a time that is not finite, negative, or so large that sums would not be finite.
+    #[error("result {index}: expected {what} from 0 to 1e100, found {found:?}")]
     Number {
         /// Which result, counted from 1.
         index: usize,
@@ -106,7 +106,7 @@ pub(super) fn check_finished(finished: &Finished, index: usize, trials: usize) -
     .chain(outcome.observed_start.into_iter().flat_map(|start| {
         [("the error from the observed start", start.dtw_mse), ("the time of observing", start.seconds)]
     })) {
-        if !found.is_finite() || found < 0.0 {
+        if !(0.0..=1e100).contains(&found) {
             return Err(ResultsError::Number { index, what, found });
         }
     }
