@@ -52,7 +52,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             let (skeleton_name, motion_name) = (files::read_name(skeleton), files::read_name(motion));
             let skeleton = asf::File { name: &skeleton_name, bytes: &skeleton_bytes };
             let motion = asf::File { name: &motion_name, bytes: &motion_bytes };
-            arguments.up.of(asf::read(skeleton, motion, rate)?.into_clip())
+            arguments.up.clip(asf::read(skeleton, motion, rate)?)?
         }
     };
     if let Some(out) = &arguments.out {

@@ -7,7 +7,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use vcgpdm::motion::pose::PoseMapping;
 use vcgpdm::motion::stage::UpAxis;
-use vcgpdm::motion::{Clip, bvh, samples};
+use vcgpdm::motion::{Clip, Recording, bvh, samples};
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
@@ -48,15 +48,13 @@ pub fn read_quietly(path: &Path, up: &Up) -> Result<Clip> {
             let samples: Vec<&str> = samples::list().iter().map(|info| info.id).collect();
             format!("expected one of the samples {}, found {id:?}", samples.join(", "))
         })?;
+        if up.root.is_some() {
+            return Err(usage("--root: expected clips from files, found a sample"));
+        }
         return Ok(up.of(clip));
     }
     let bytes = read_bytes(path)?;
-    let recording = bvh::read_at(&read_name(path), &bytes, up.rate.clip_fps)?;
-    let recording = match &up.root {
-        Some(root) => recording.of_root(root)?,
-        None => recording,
-    };
-    Ok(up.of(recording.into_clip()))
+    up.clip(bvh::read_at(&read_name(path), &bytes, up.rate.clip_fps)?)
 }
 
 /// The option `--clip-fps`.
@@ -76,8 +74,7 @@ fn clip_fps(text: &str) -> std::result::Result<f64, String> {
 /// The options `--up`, `--root` and `--clip-fps`, for commands that read clips.
 #[derive(Default, clap::Args)]
 pub struct Up {
-    /// The axis that points up in the clips: x, y, z, -x, -y or -z; absent: the axis of the model, or the axis
-    /// found from the motion.
+    /// The axis that points up in the clips: x, y, z, -x, -y or -z; absent: the axis found from the motion.
     #[arg(long = "up", value_name = "AXIS", value_parser = up_axis, allow_hyphen_values = true)]
     pub axis: Option<UpAxis>,
     /// The joint that becomes the root of the clips: of several bodies in one file, the one to read.
@@ -89,11 +86,20 @@ pub struct Up {
 
 impl Up {
     /// The clip with the axis that the user states.
-    pub fn of(&self, clip: Clip) -> Clip {
+    fn of(&self, clip: Clip) -> Clip {
         match self.axis {
             Some(axis) => clip.with_up(axis),
             None => clip,
         }
+    }
+
+    /// The clip of a recording, with the root and the axis that the user states.
+    pub fn clip(&self, recording: Recording) -> Result<Clip> {
+        let recording = match &self.root {
+            Some(root) => recording.of_root(root)?,
+            None => recording,
+        };
+        Ok(self.of(recording.into_clip()))
     }
 
     /// Refuses the options if the command reads no clip. `expected` is the option that would give a clip.

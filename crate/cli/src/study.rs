@@ -83,6 +83,7 @@ impl Arguments {
             ("--unseen", !self.unseen.is_empty()),
             ("--up", self.up.axis.is_some()),
             ("--clip-fps", self.up.rate.clip_fps.is_some()),
+            ("--root", self.up.root.is_some()),
             ("--models", self.models.is_some()),
             ("--folds", self.folds.is_some()),
             ("--seconds", self.seconds.is_some()),
