@@ -14,7 +14,7 @@ export const budget = {
    * and the samples that do not walk; the comparison of models and the synthetic experiment with words in two
    * languages.
    */
-  onDemand: 940_000,
+  onDemand: 985_000,
   /** The graphics Turing test with jsPsych, and its words in two languages. */
   perception: 52_000,
   /** The movements of the page's own study. */

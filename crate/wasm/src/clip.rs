@@ -16,8 +16,7 @@ use vcgpdm::models::{same_body, with_bones_of};
 #[cfg(feature = "training")]
 use vcgpdm::motion::bvh;
 use vcgpdm::motion::parts::PartsPreset;
-#[cfg(feature = "training")]
-use vcgpdm::motion::stage::UpAxis;
+use vcgpdm::motion::stage::{Stage, UpAxis};
 use vcgpdm::motion::{Clip as MotionClip, parts, samples};
 use wasm_bindgen::prelude::*;
 
@@ -136,7 +135,7 @@ impl Clip {
     #[wasm_bindgen(unchecked_return_type = "ClipInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {
         let clip = &self.clip;
-        let stage = clip.stage();
+        let stage = self.stage();
         let info = ClipInfo {
             name: &clip.name,
             sha256: &clip.sha256,
@@ -152,7 +151,18 @@ impl Clip {
 
     /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
     pub fn positions(&self) -> Vec<f32> {
-        self.clip.stage_positions()
+        self.clip.positions_on(&self.stage())
+    }
+}
+
+impl Clip {
+    /// The wasm of a first visit has the sample clips alone, in which y points up: without the search for the axis it
+    /// is smaller.
+    fn stage(&self) -> Stage {
+        #[cfg(feature = "training")]
+        return self.clip.stage();
+        #[cfg(not(feature = "training"))]
+        return self.clip.stage_along(UpAxis::Y);
     }
 }
 

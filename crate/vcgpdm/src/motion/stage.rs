@@ -39,10 +39,24 @@ impl Clip {
     /// The up axis, the height of the body and the ground.
     pub fn stage(&self) -> Stage {
         let reach = self.reach();
-        let up = self.up_axis_of(&reach).axis;
+        self.stage_between(self.up_axis_of(&reach).axis, [reach.low, reach.high])
+    }
+
+    /// The stage of a clip in which this axis points up. It contains no code that searches for the axis.
+    pub fn stage_along(&self, up: UpAxis) -> Stage {
+        let mut corners = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
+        for frame in 0..self.frames() {
+            for place in &self.world_pose(frame).positions {
+                corners = [corners[0].inf(place), corners[1].sup(place)];
+            }
+        }
+        self.stage_between(up, corners)
+    }
+
+    /// The stage of a body between two corners, in file units.
+    fn stage_between(&self, up: UpAxis, corners: [Vector3<f64>; 2]) -> Stage {
         let turn = up.to_y_up();
-        let lowest =
-            [reach.low, reach.high].map(|corner| (turn * corner).y).into_iter().fold(f64::INFINITY, f64::min);
+        let lowest = corners.map(|corner| (turn * corner).y).into_iter().fold(f64::INFINITY, f64::min);
         let ground = if lowest.is_finite() { lowest } else { 0.0 };
         Stage { up, height: self.height_with(up), ground }
     }
@@ -57,7 +71,11 @@ impl Clip {
     /// Stage positions of the figure's nodes [frames x nodes x 3]: y up, metres, the body 1.7 m tall, its
     /// lowest point over the clip at y = 0.
     pub fn stage_positions(&self) -> Vec<f32> {
-        let stage = self.stage();
+        self.positions_on(&self.stage())
+    }
+
+    /// The positions of [`stage_positions`](Self::stage_positions) on this stage.
+    pub fn positions_on(&self, stage: &Stage) -> Vec<f32> {
         let turn = stage.up.to_y_up();
         let mut all = Vec::with_capacity(self.frames() * self.skeleton.node_count() * 3);
         for frame in 0..self.frames() {
@@ -91,6 +109,16 @@ mod tests {
     use crate::motion::{rotation, samples};
     use nalgebra::{DMatrix, UnitQuaternion};
     use std::f64::consts::FRAC_PI_2;
+
+    #[test]
+    fn the_stage_along_the_axis_that_is_found_is_the_same() {
+        for clip in clips() {
+            assert_eq!(clip.stage_along(UpAxis::Y), clip.stage());
+            let turned =
+                in_other_world(&clip, UnitQuaternion::from_axis_angle(&Vector3::x_axis(), FRAC_PI_2));
+            assert_eq!(turned.stage_along(turned.up_axis()), turned.stage());
+        }
+    }
 
     fn clips() -> Vec<Clip> {
         samples::list().iter().map(|info| samples::clip(info.id).unwrap()).collect()

@@ -200,7 +200,7 @@ impl Clip {
         };
         let mut others: Vec<UpAxis> =
             UpAxis::ALL.into_iter().filter(|axis| axis.letter() != usual.letter()).collect();
-        others.sort_by(|a, b| evidence(b).total_cmp(&evidence(a)));
+        others.sort_unstable_by(|a, b| evidence(b).total_cmp(&evidence(a)));
         let (first, second) = (others[0], others[1]);
         let lowest = |axis: UpAxis| axis.height(&reach.low).min(axis.height(&reach.high)) / height;
         // The axes of a body on a bench, but `axis`.
