@@ -221,7 +221,7 @@ describe("comparing models from Node", () => {
     const text = JSON.stringify({ ...JSON.parse(Results.empty(clips, common).toJson()), version: 9 });
     assert.throws(
       () => Results.fromJson(text),
-      /expected vcgpdm-evaluation version 1, found "vcgpdm-evaluation" version 9/,
+      /vcgpdm-evaluation version 1\), found "vcgpdm-evaluation" version 9/,
     );
     assert.throws(
       () => Results.empty(clips, { ...common, framesPerSecond: NaN }),

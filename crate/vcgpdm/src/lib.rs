@@ -98,7 +98,7 @@ pub use models::variational::{
 };
 pub use models::{
     Body, ColumnMapping, Coupled, CouplingsError, Cut, Dataset, DatasetError, DmpSettings, EndReason, Ending,
-    Health, LiveFrames, LiveRollout, MapSettings, Model, ModelKind, PartPoses, PoseWeight, Progress,
+    Health, LiveFrames, LiveRollout, MapSettings, Model, ModelKind, Pace, PartPoses, PoseWeight, Progress,
     Provenance, Push, Reading, Rollout, RolloutError, RolloutRequest, SequenceInfo, SequencesError,
     SeriesModel, Setbacks, Settings, Source, TmpSettings, Trainer, TrainingCost, TrainingError,
     TrainingPhase, VariationalSettings, coupling_weight_matrix,

@@ -91,12 +91,9 @@ export class TrainingView extends View {
     const { asked, busy, ending } = training;
     const words = lab().learn.training;
     const last = asked.length === 1 ? asked[0]?.steps.at(-1) : undefined;
-    const watches = busy && last?.phase === "own-rollouts";
-    const iteration = !last
-      ? nothing
-      : watches
-        ? html`<span>${sentence(words.ownRollouts)}</span>`
-        : html`<span>${words.iterationOf(last.iteration, last.maxIterations)}${busy ? "" : "."}</span>`;
+    const iteration = last
+      ? html`<span>${words.iterationOf(last.iteration, last.maxIterations)}${busy ? "" : "."}</span>`
+      : nothing;
     if (busy) {
       if (asked.every(({ steps }) => steps.length === 0)) return html`<span>${words.settingUp}</span>`;
       if (asked.some(({ catchingUp }) => catchingUp)) return html`<span>${words.catchingUp}</span>`;
@@ -104,7 +101,9 @@ export class TrainingView extends View {
         asked.length > 1
           ? html`<span>${words.done(asked.filter(isOver).length, asked.length)}</span>`
           : iteration;
-      return html`${done}<span>${sentence(timeLeft(secondsLeft(asked, training.workers)))}</span>`;
+      const left = asked.filter((run) => !isOver(run));
+      const watches = left.length > 0 && left.every(({ steps }) => steps.at(-1)?.phase === "own-rollouts");
+      return html`${watches ? html`<span>${sentence(words.ownRollouts)}</span>` : done}<span>${sentence(timeLeft(secondsLeft(asked, training.workers)))}</span>`;
     }
     if (why) return sentence(why);
     if (ending.failed) return html`<span class="bad">${sentence(words.failed(ending.words))}</span>`;

@@ -40,10 +40,11 @@ pub use rollout::couplings::{
 };
 #[doc(hidden)]
 pub use rollout::dtw::{Score, ScoreError, dtw_mse, score_and_columns};
-pub use rollout::health::{Ending, Health, Pace, PartPoses, best_to_show};
+pub use rollout::health::{Ending, Health, PartPoses, best_to_show};
 pub use rollout::latent_dynamics::LatentDynamics;
 pub use rollout::live::{LiveFrames, LiveRollout};
 pub use rollout::naturalness::PredictedNaturalness;
+pub use rollout::pace::Pace;
 pub use rollout::request::{Cut, MOST_SAMPLES, Push, Rollout, RolloutError, RolloutRequest};
 pub use search::{Phase, SearchEnd};
 pub use training::cost::TrainingCost;

@@ -205,7 +205,8 @@ fn error(coupled: Coupled, sequences: &[(usize, DMatrix<f64>)]) -> Result<f64, R
 pub(in crate::models) mod tests {
     use super::*;
     use crate::models::data::dataset::Dataset;
-    use crate::models::rollout::health::{Ending, Pace, PartPoses};
+    use crate::models::rollout::health::{Ending, PartPoses};
+    use crate::models::rollout::pace::Pace;
     use crate::models::training::progress::TrainingPhase;
     use crate::models::training::settings::VariationalSettings;
     use crate::models::training::trainer::Trainer;

@@ -9,5 +9,6 @@ pub(crate) mod latent_paths;
 pub(crate) mod live;
 mod movers;
 pub(crate) mod naturalness;
+pub(crate) mod pace;
 mod reach;
 pub(crate) mod request;
