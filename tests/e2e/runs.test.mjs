@@ -277,7 +277,7 @@ describe("the table of trainings", () => {
     );
 
     const shown = await provenance(page);
-    await page.getByRole("button", { name: "Remove seed 1" }).first().click();
+    await page.getByRole("button", { name: "Remove seed 0" }).first().click();
     assert.equal(await page.getByTestId("run").count(), 1);
     await page.getByTestId("clear-runs").click();
     assert.equal(await page.getByTestId("run").count(), 0);
