@@ -76,11 +76,12 @@ pub(super) fn timing(names: &[String], rows: &[Vec<f64>], lines: &[usize]) -> Re
         let is_frame = is_plain(&names[*column], &["frame"]);
         is_frame || may_count(*column) && is_whole(*column) && grows(column)
     };
-    let mut used = Vec::new();
+    let (mut used, mut counter) = (Vec::new(), None);
     for column in all().filter(|column| Some(*column) != clock) {
         let name = &names[column];
         let first = steps(column).next().unwrap_or_default();
         if counts(&column) {
+            counter = counter.or(Some(name)).filter(|name| !name.is_empty());
             if let Some(at) = steps(column).position(|step| step != first) {
                 let (before, after) = (rows[at][column], rows[at + 1][column]);
                 warnings.push(format!(
@@ -101,6 +102,12 @@ pub(super) fn timing(names: &[String], rows: &[Vec<f64>], lines: &[usize]) -> Re
             ));
         }
         used.push(column);
+    }
+    if let (Some(name), None) = (counter, clock) {
+        warnings.push(format!(
+            "the column {name:?} counts rows, but no column holds times: the rate is the one that you state (--fps; \
+             30 rows a second without it)"
+        ));
     }
     Ok(Timing { frame_time, used, warnings })
 }
