@@ -344,7 +344,13 @@ mod tests {
         }
         let later = Completing { version: 2, ..results() }.to_json().unwrap();
         let error = Completing::from_json(&later).unwrap_err().to_string();
-        assert_eq!(error, "expected vcgpdm-completing version 1, found \"vcgpdm-completing\" version 2");
+        let expected =
+            "expected results of \"evaluate --task complete\" (vcgpdm-completing version 1), found ";
+        assert_eq!(error, format!("{expected}\"vcgpdm-completing\" version 2"));
+        // A later version has fields of its own.
+        let unknown = "{\"format\":\"vcgpdm-evaluation\",\"version\":9,\"x\":{}}";
+        let error = Completing::from_json(unknown).unwrap_err().to_string();
+        assert_eq!(error, format!("{expected}\"vcgpdm-evaluation\" version 9"));
         let mut other = Completing { seed: 1, ..results() };
         let error = other.take(written.clone()).unwrap_err().to_string();
         assert_eq!(error, "these results are of other settings of the models, or of another seed");
