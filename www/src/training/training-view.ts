@@ -103,7 +103,7 @@ export class TrainingView extends View {
           : iteration;
       const left = asked.filter((run) => !isOver(run));
       const watches = left.length > 0 && left.every(({ steps }) => steps.at(-1)?.phase === "own-rollouts");
-      return html`${watches ? html`<span>${sentence(words.ownRollouts)}</span>` : done}<span>${sentence(timeLeft(secondsLeft(asked, training.workers)))}</span>`;
+      return html`${watches ? html`<span>${sentence(lab().learn.phases["own-rollouts"])}</span>` : done}<span>${sentence(timeLeft(secondsLeft(asked, training.workers)))}</span>`;
     }
     if (why) return sentence(why);
     if (ending.failed) return html`<span class="bad">${sentence(words.failed(ending.words))}</span>`;

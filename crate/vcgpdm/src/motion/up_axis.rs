@@ -20,7 +20,7 @@ const CLIMBS: f64 = 0.7;
 const THIN: f64 = 0.5;
 /// The least evidence against the axis of the rest pose: a body on a ladder climbs along this axis too.
 const EVIDENCE: f64 = 0.35;
-/// The evidence of a rest pose that stands along an axis.
+/// The evidence for an axis along which the body of the rest pose stands.
 const REST: f64 = 0.6;
 /// A body stays when its root moves by less than this share of its height. A standing body that stays far from
 /// the origin and above no floor at zero may lie on a bench,
@@ -82,7 +82,7 @@ impl Clip {
     /// of animals do, the axis counts that has more limbs on one plane and less travel. A body that travels
     /// along its own length, or that lies on a floor at zero, lies: limbs, floor and rest pose decide.
     pub fn up_axis(&self) -> UpAxis {
-        self.up_axis_of(&self.reach()).axis
+        self.up.unwrap_or_else(|| self.up_axis_of(&self.reach()).axis)
     }
 
     /// The clip in which this axis points up.

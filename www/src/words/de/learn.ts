@@ -116,7 +116,6 @@ export const learn: LearnWords = {
       `Setzt Startwert ${seed} fort${more > 0 ? `, um ${more} Iterationen` : ", als wäre er nicht abgebrochen worden"}`,
     iteration: (iteration) => `Iteration ${iteration}`,
     iterationOf: (iteration, most) => `Iteration ${iteration} von ${most}`,
-    ownRollouts: "Betrachtet die eigene Bewegung und lernt aus ihr",
     settingUp: "Wird vorbereitet",
     stopping: "Wird beendet",
     catchingUp: "Holt auf bis dahin, wo es endete",

@@ -110,7 +110,6 @@ export const learn = {
       `Goes on where seed ${seed} stopped${more > 0 ? `, for ${more} more iterations` : ", as if it had not been cancelled"}`,
     iteration: (iteration: number) => `Iteration ${iteration}`,
     iterationOf: (iteration: number, most: number) => `Iteration ${iteration} of ${most}`,
-    ownRollouts: "Watches its own motion and learns from it",
     settingUp: "Setting up",
     stopping: "Stopping",
     catchingUp: "Catching up with where it stopped",

@@ -116,7 +116,7 @@ impl Posterior {
         Ok(posterior)
     }
 
-    /// The posterior with hyperparameters that leave room for primitives of another kind: the lengthscale is at
+    /// The posterior with hyperparameters under which a faster primitive can be found: the lengthscale is at
     /// most that of the start, and the scale of a column at least its squared error. A few slow primitives have
     /// a long lengthscale, and columns that they do not explain have a small scale; both would keep a faster
     /// primitive at 0.

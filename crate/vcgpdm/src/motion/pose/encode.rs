@@ -82,7 +82,7 @@ impl PoseMapping {
             _ => RootStart::default(),
         };
         let mut warnings = self.moving_joints(clip);
-        warnings.extend(self.axis_warning(clip));
+        warnings.extend(self.turn_warning(clip, up));
         Ok(Encoded { y, start, warnings })
     }
 
@@ -103,7 +103,12 @@ impl PoseMapping {
     /// A sentence if another axis points up in the clip than in the body of this mapping.
     #[doc(hidden)]
     pub fn axis_warning(&self, clip: &Clip) -> Option<String> {
-        let (own, up) = (self.up_of(clip).name(), self.stage.up.name());
+        self.turn_warning(clip, self.up_of(clip))
+    }
+
+    /// As [`axis_warning`](Self::axis_warning), for the axis that [`up_of`](Self::up_of) has found.
+    fn turn_warning(&self, clip: &Clip, found: UpAxis) -> Option<String> {
+        let (own, up) = (found.name(), self.stage.up.name());
         let turned =
             || format!("the up axis is {own} here and {up} in the body it is compared with: it was turned");
         (own != up && clip.up.is_none()).then(turned)
