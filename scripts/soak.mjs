@@ -1,7 +1,7 @@
 // `npm run soak -- [MINUTES]`: one visitor uses every feature again and again, and each round ends with a
 // measurement. After the warm-up, heap, nodes and listeners may grow by a tenth at most, and the pictures a
 // second of the figure may fall by a tenth at most.
-import { drop, openSite, openTab, pictures, ready, saved } from "../tests/e2e/site.mjs";
+import { drop, openSite, openPanel, pictures, ready, saved } from "../tests/e2e/site.mjs";
 import { bvh } from "../tests/e2e/clips.mjs";
 import { Failure, main } from "./run.mjs";
 
@@ -63,14 +63,14 @@ async function round(
   await page.getByTestId("train").click();
   await trainingIsOver();
   const { text } = await saved(page, "save-model");
-  await openTab(page, "listen");
-  const arrow = page.getByTestId("knob-0-1");
+  await openPanel(page, "none");
+  const arrow = page.getByTestId("coupling-0-1");
   for (const key of ["ArrowLeft", "ArrowRight", "Home", "End"]) await arrow.press(key);
-  for (const tab of /** @type {const} */ (["loops", "numbers", "learn"])) await openTab(page, tab);
+  for (const tab of /** @type {const} */ (["more", "numbers", "learn"])) await openPanel(page, tab);
   await page.getByTestId("live-on").click();
   await page.getByTestId("live").waitFor();
   await page.waitForTimeout(1000);
-  await page.getByRole("button", { name: "clip", exact: true }).click();
+  await page.getByTestId("live-on").click();
   await page.getByTestId("view-compare").click();
   await page.getByTestId("compare").and(page.locator(":enabled")).click();
   await page

@@ -49,7 +49,7 @@ const WHEN_ASKED = [
 ];
 /** The chapters of the story after the first, and what only they share. */
 const isChapter = (file: string) =>
-  /\/src\/story\/((?!computer\/)[a-z]+\/|endless-walk\.|equation\.)/.test(file);
+  /\/src\/(story\/((?!computer\/)[a-z]+\/|endless-walk\.|equation\.)|words\/(en|de)\/replies\.)/.test(file);
 const isAsked = (file: string) =>
   WHEN_ASKED.some((name) =>
     name.endsWith("/") ? file.includes(`/src/${name}`) : file.includes(`/src/${name}.`),
@@ -61,7 +61,9 @@ const isOnDemand = (file: string) =>
   );
 /** The Lab, and what it shares with chapters of the story. A first visit loads none of it. */
 const isLab = (file: string) =>
-  /\/src\/(app\/page|words\/(en|de)\/lab|couplings\/body-layout)\.|\/src\/latents\//.test(file);
+  /\/src\/(app\/(page|lab-view)|words\/(en|de)\/lab|couplings\/coupling-(view|slider))\.|\/src\/(latents|picture)\//.test(
+    file,
+  );
 /** The page for teachers with its words, the codes in squares, and links with a model in them. */
 const isTeaching = (file: string) =>
   /\/src\/(teach|exercises|links|app\/linked-model|words\/(en|de)\/(teach|links))|\/node_modules\/qr\//.test(

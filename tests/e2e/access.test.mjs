@@ -1,7 +1,7 @@
 // Accessibility: keyboard alone, screen readers, dark colours, phones.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { keepsNobodyOut, LONG, openSite, openTab, ready, readyVisitor, recolour, soon } from "./site.mjs";
+import { keepsNobodyOut, LONG, openSite, openPanel, ready, readyVisitor, recolour, soon } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("./site.mjs").Visitor} Visitor */
@@ -17,8 +17,8 @@ describe("accessibility", () => {
   keepsNobodyOut(
     () => readyVisitor(site.visit()),
     async (page, fits) => {
-      for (const tab of /** @type {const} */ (["listen", "loops", "learn", "numbers"])) {
-        await openTab(page, tab);
+      for (const tab of /** @type {const} */ (["none", "learn", "more", "numbers"])) {
+        await openPanel(page, tab);
         if (tab === "numbers") await page.getByTestId("expert-kernels").waitFor();
         await fits(tab);
       }
@@ -51,17 +51,14 @@ describe("accessibility", () => {
     await page.keyboard.press("Enter");
     await page.getByRole("button", { name: "Play", exact: true }).waitFor();
 
-    const arrow = page.getByTestId("knob-0-1");
+    const arrow = page.getByTestId("coupling-0-1");
     const before = await arrow.getAttribute("aria-valuetext");
-    await tabTo("knob-0-1");
+    await tabTo("coupling-0-1");
     for (let i = 0; i < 3; i++) await page.keyboard.press("ArrowDown");
     assert.notEqual(await arrow.getAttribute("aria-valuetext"), before);
     await page.keyboard.press("Delete");
     assert.equal(await arrow.getAttribute("aria-valuetext"), before);
 
-    // The arrow keys go from tab to tab.
-    await page.locator("#tab-listen").focus();
-    for (let i = 0; i < 2; i++) await page.keyboard.press("ArrowRight");
     await tabTo("train");
     await page.keyboard.press("Enter");
     await page.getByTestId("cancel").waitFor();
@@ -125,19 +122,17 @@ describe("a system that switches to dark while the page is open", () => {
 });
 
 describe("a phone", () => {
-  it("shows all tabs without scrolling sideways", async () => {
+  it("shows all panels without scrolling sideways", async () => {
     const { page, problems, leave } = await site.visit({
       viewport: { width: 390, height: 844 },
       hasTouch: true,
       isMobile: true,
     });
     await ready(page);
-    const tabs = page.getByRole("tab");
-    assert.ok((await tabs.count()) >= 3);
-    for (const tab of await tabs.all()) {
-      await tab.click();
+    for (const panel of /** @type {const} */ (["learn", "more", "numbers", "none"])) {
+      await openPanel(page, panel);
       const [wide, high] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-      assert.ok((wide ?? Infinity) <= 390 && high === 390, `${await tab.textContent()}: ${wide} pixels wide`);
+      assert.ok((wide ?? Infinity) <= 390 && high === 390, `${panel}: ${wide} pixels wide`);
     }
     const stage = await page.getByTestId("stage").boundingBox();
     assert.ok(

@@ -19,7 +19,7 @@ const numbersOf = async (/** @type {Page} */ page, /** @type {number} */ part) =
 };
 
 it("a recording gives the legs, the model infers the arms, and goes on by itself afterwards", async () => {
-  const { page, problems, leave } = await site.visit({ settings: "view=play" });
+  const { page, problems, leave } = await site.visit({ settings: "tab=more" });
   await ready(page);
   const panel = page.getByTestId("completing");
   await panel.locator("summary").click();

@@ -5,10 +5,11 @@ import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import {
+  choosePreset,
   barriers,
   draws,
   oneVisitor,
-  openCouplingsTable,
+  openPanel,
   openSite,
   ready,
   readyVisitor,
@@ -60,61 +61,49 @@ async function alphasOf(/** @type {Page} */ page) {
 describe("a preset", () => {
   const visitor = oneVisitor(() => readyVisitor(site.visit()));
 
-  it("of the first model is described by what it changes and by its measured effect", async () => {
+  it("of the first model is described by what it changes, and its effect is measured", async () => {
     const { page } = visitor;
-    assert.equal(await page.getByTestId("preset-as-learned").getAttribute("aria-pressed"), "true");
-    /** @type {Record<string, string>} */
-    const leads = {};
-    for (const preset of presets) {
-      const button = page.getByTestId(`preset-${preset.id}`);
-      await button.click();
-      assert.equal(await button.getAttribute("aria-pressed"), "true", preset.name);
-      assert.equal(await page.locator(".preset[aria-pressed=true]").count(), 1);
-      const { step, trouble } = await measured(page);
-      const lead = await page.getByTestId("lead").innerText();
-      const meaning = await button.getAttribute("title");
-      assert.ok(meaning && lead.includes(meaning), preset.name);
-      if (preset.id !== "as-learned")
-        assert.ok(lead.toLowerCase().includes((trouble || step).split(";")[0] ?? "?"), `${step}: ${lead}`);
-      leads[preset.id] = lead;
+    assert.equal(await page.getByTestId("preset").inputValue(), "as-learned");
+    assert.match(await page.getByTestId("lead").innerText(), /do the parts keep step\?/);
+    /** @type {Record<string, Awaited<ReturnType<typeof measured>>>} */
+    const effects = {};
+    const leads = new Set();
+    for (const { id, name } of presets) {
+      await choosePreset(page, id);
+      // The page shows the couplings at once, without waiting for the motion.
+      if (id === "arms-go") assert.equal(await page.getByTestId("weight-0-1").textContent(), "≈ 0");
+      effects[id] = await measured(page);
+      leads.add(await page.getByTestId("lead").innerText());
+      if (id !== "as-learned") assert.equal(await page.getByTestId("stage-title").innerText(), name);
     }
-    assert.match(leads["arms-go"] ?? "", /Upper swings .* slower .*Hands and feet out of step\./);
-    assert.match(leads["arms-hang"] ?? "", /Upper keeps one pose from \d/);
+    assert.equal(leads.size, presets.length, "each preset has words of its own");
+    assert.match(effects["arms-go"]?.parts[1] ?? "", /arms 0\.\d+ × as far, 1\.\d+ s instead of 1\.\d+ s/);
+    assert.match(effects["arms-go"]?.step ?? "", /^hands and feet out of step/);
+    assert.match(effects["arms-hang"]?.parts[1] ?? "", /arms one pose from \d/);
     // It goes on at 1.2 m/s.
-    assert.match(leads["legs-lost"] ?? "", /The figure keeps one pose from \d/);
+    assert.match(effects["legs-lost"]?.trouble ?? "", /^keeps one pose from \d/);
     assert.match(await page.getByTestId("health").innerText(), /keeps one pose from \d/);
-  });
-
-  it("can be tried from the head of the page, and its measured effect is the answer", async () => {
-    const { page } = visitor;
-    await page.getByTestId("preset-as-learned").click();
-    assert.match(await page.getByTestId("lead").innerText(), /Let the arms go: do they keep step\?/);
-    const weight = page.getByTestId("weight-0-1");
-    await page.getByTestId("lead-try").click();
-    // The page shows the couplings at once, without waiting for the motion.
-    assert.equal(await weight.textContent(), "≈ 0");
-    assert.match((await measured(page)).step, /out of step/);
-    assert.match(await page.getByTestId("lead").innerText(), /Hands and feet out of step/);
-    assert.equal(await page.getByTestId("stage-title").innerText(), "Let the arms go");
-    await page.getByTestId("lead-back").click();
+    await page.getByTestId("reset-couplings").click();
     assert.match((await measured(page)).step, /in step/);
-    assert.match(await page.getByTestId("lead").innerText(), /never recorded/);
+    assert.equal(await page.getByTestId("preset").inputValue(), "as-learned");
   });
 
   it("is no longer selected after one of its couplings changes", async () => {
     const { page } = visitor;
-    await page.getByTestId("preset-arms-go").click();
-    await page.getByTestId("knob-0-1").press("ArrowLeft");
-    assert.equal(await page.locator(".preset[aria-pressed=true]").count(), 0);
+    await choosePreset(page, "arms-go");
+    await page.getByTestId("coupling-0-1").press("ArrowLeft");
+    assert.equal(await page.getByTestId("preset").inputValue(), "");
     assert.match(await page.getByTestId("lead").innerText(), /of your own/);
   });
 });
 
-describe("an arrow on the body", () => {
+describe("an arrow between two loops", () => {
   const visitor = oneVisitor(() => readyVisitor(site.visit({ hasTouch: true })));
   const weight = async (/** @type {Page} */ page) =>
     Number(
-      /weight ([\d.]+)/.exec((await page.getByTestId("knob-0-1").getAttribute("aria-valuetext")) ?? "")?.[1],
+      /weight ([\d.]+)/.exec(
+        (await page.getByTestId("coupling-0-1").getAttribute("aria-valuetext")) ?? "",
+      )?.[1],
     );
   const thickness = (/** @type {Page} */ page) =>
     page
@@ -127,8 +116,8 @@ describe("an arrow on the body", () => {
     // The words of the measurement can move the arrows.
     await measured(page);
     const [weightBefore, widthBefore] = [await weight(page), await thickness(page)];
-    const knob = page.getByTestId("knob-0-1");
-    const { x = 0, y = 0, width = 0, height = 0 } = (await knob.boundingBox()) ?? {};
+    const arrow = page.getByTestId("arrow-0-1");
+    const { x = 0, y = 0, width = 0, height = 0 } = (await arrow.boundingBox()) ?? {};
     assert.ok(width >= 24 && height >= 24, "large enough for a finger");
     const [middleX, middleY] = [x + width / 2, y + height / 2];
     await page.mouse.move(middleX, middleY);
@@ -140,15 +129,11 @@ describe("an arrow on the body", () => {
     );
     assert.ok((await thickness(page)) > widthBefore + 1, `${widthBefore} to ${await thickness(page)}`);
     assert.equal(await page.getByTestId("arrow-0-1").locator(".learned").count(), 1, "as thick as learned");
-    const described = page.getByTestId("described");
-    await soon(async () =>
-      assert.match(await described.innerText(), /^lower drives upper: weight 0\.\d+ \(learned/),
-    );
     await page.keyboard.press("ArrowDown");
     const weaker = await thickness(page);
     await page.keyboard.press("PageDown");
     await soon(async () => assert.ok((await thickness(page)) < weaker));
-    await knob.dblclick();
+    await page.getByTestId("coupling-0-1").dblclick();
     await soon(async () => assert.equal(await weight(page), weightBefore));
     await soon(async () => assert.equal((await alphasOf(page)).size, 0, "as learned again"));
   });
@@ -156,7 +141,7 @@ describe("an arrow on the body", () => {
   it("follows a finger", async () => {
     const { page } = visitor;
     const before = await weight(page);
-    const { x = 0, y = 0 } = (await page.getByTestId("knob-0-1").boundingBox()) ?? {};
+    const { x = 0, y = 0 } = (await page.getByTestId("arrow-0-1").boundingBox()) ?? {};
     const cdp = await page.context().newCDPSession(page);
     const touch = (
       /** @type {"touchStart" | "touchMove" | "touchEnd"} */ type,
@@ -176,26 +161,64 @@ describe("an arrow on the body", () => {
   });
 });
 
-describe("sliders and dividers", () => {
-  const visitor = oneVisitor(async () => {
-    const visitor = await readyVisitor(site.visit());
-    await openCouplingsTable(visitor.page);
-    return visitor;
+describe("the picture of the Lab", () => {
+  const visitor = oneVisitor(() => readyVisitor(site.visit()));
+  const pixels = (/** @type {Page} */ page) =>
+    page
+      .locator("pg-latent-plot canvas")
+      .evaluateAll((canvases) =>
+        canvases.map((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL()),
+      );
+  const pose = (/** @type {Page} */ page) =>
+    page.locator("pg-stage").evaluate((view) => {
+      const { stage, playback } = /** @type {any} */ (view);
+      const { positions, nodes } = stage.content.motion;
+      const first = 3 * nodes * Math.floor(playback.frame);
+      return [...positions.subarray(first, first + 3 * nodes)];
+    });
+
+  it("names each plot and each slider, and no part by two names", async () => {
+    const { page } = visitor;
+    for (const part of ["legs", "arms"]) {
+      await page.getByRole("group", { name: `Latent space of ${part}`, exact: true }).waitFor();
+      for (const other of ["legs", "arms"])
+        await page.getByRole("slider", { name: `alpha from ${part} to ${other}`, exact: true }).waitFor();
+    }
+    assert.doesNotMatch(await page.locator("pg-lab").innerText(), /\b(lower|upper)\b/);
   });
 
-  it("move by keyboard: a slider moves its share in the bar and shows when it has no effect", async () => {
+  it("answers a key on a slider in the figure and in every loop that the coupling reaches", async () => {
+    const { page } = visitor;
+    await page.getByTestId("scrub").fill("200");
+    await measured(page);
+    const slider = page.getByTestId("coupling-0-1");
+    const [loops, before] = [await pixels(page), await pose(page)];
+    await slider.focus();
+    await page.keyboard.press("Home");
+    await measured(page);
+    await soon(async () => assert.notDeepEqual(await pose(page), before, "the figure"));
+    await soon(async () => {
+      const [arms, legs] = await pixels(page);
+      assert.notEqual(arms, loops[0], "the arms’ loop");
+      // Little leads from the arms to the legs, but the predictions about both have changed.
+      assert.equal(typeof legs, "string");
+    });
+    await page.keyboard.press("Delete");
+    await measured(page);
+    assert.deepEqual(await pose(page), before);
+  });
+
+  it("shows by a pale slider that a coupling has no effect", async () => {
     const { page } = visitor;
     const [slider, weight] = [page.getByTestId("coupling-0-1"), page.getByTestId("weight-0-1")];
-    const divider = page.getByTestId("divider-1-0");
     const before = Number(await weight.innerText());
     await slider.focus();
-    for (let i = 0; i < 20; i++) await page.keyboard.press("ArrowRight");
+    for (let i = 0; i < 2; i++) await page.keyboard.press("ArrowRight");
     const after = Number(await weight.innerText());
     assert.ok(after > before + 0.05, `${before} to ${after}`);
-    assert.equal(await divider.getAttribute("aria-valuenow"), (100 * after).toFixed(0));
     const paleness = () =>
       page
-        .locator("td:has(> .slider [data-testid=coupling-0-1]) .fill")
+        .locator(".coupling:has([data-testid=coupling-0-1]) .fill")
         .evaluate((fill) => getComputedStyle(fill).opacity);
     const full = Number(await paleness());
     await page.keyboard.press("Home");
@@ -205,56 +228,6 @@ describe("sliders and dividers", () => {
     await page.keyboard.press("Delete");
     assert.equal(Number(await weight.innerText()), before);
     assert.equal((await alphasOf(page)).size, 0, "as learned again");
-  });
-
-  it("move by pointer: a divider moves weight between parts, with the same joint precision", async () => {
-    const { page } = visitor;
-    const learned = await Promise.all(
-      [0, 1].map(async (j) => Number(await page.getByTestId(`alpha-${j}-1`).innerText())),
-    );
-    const bar = await page.getByTestId("shares-1").boundingBox();
-    const handle = await page.getByTestId("divider-1-0").boundingBox();
-    assert.ok(bar && handle);
-    const y = bar.y + bar.height / 2;
-    await page.mouse.move(handle.x + handle.width / 2, y);
-    await page.mouse.down();
-    await page.mouse.move(bar.x + 0.5 * bar.width, y, { steps: 4 });
-    await page.mouse.up();
-    const shares = await Promise.all(
-      [0, 1].map(async (j) => Number(await page.getByTestId(`weight-${j}-1`).innerText())),
-    );
-    assert.ok(
-      shares.every((share) => Math.abs(share - 0.5) < 0.03),
-      shares.join(),
-    );
-    const alphas = await alphasOf(page);
-    assert.deepEqual([...alphas.keys()].sort(), ["0.1", "1.1"]);
-    const combined = (/** @type {number[]} */ values) =>
-      1 / values.reduce((sum, value) => sum + 1 / value, 0);
-    const [before, after] = [combined(learned), combined([...alphas.values()])];
-    // The page writes the learned couplings with two digits.
-    assert.ok(Math.abs(after / before - 1) < 0.03, `${before} and ${after}`);
-    await page.getByTestId("shares-1").dblclick({ position: { x: 3, y: 12 } });
-    assert.equal((await alphasOf(page)).size, 0, "a double click resets it");
-  });
-
-  it("move by keyboard: a divider, to its ends too, with a text for screen readers", async () => {
-    const { page } = visitor;
-    const divider = page.getByTestId("divider-1-0");
-    const now = async () => Number(await divider.getAttribute("aria-valuenow"));
-    const before = await now();
-    await divider.focus();
-    await page.keyboard.press("ArrowRight");
-    assert.equal(await now(), before + 1);
-    await page.keyboard.press("PageUp");
-    assert.equal(await now(), before + 11);
-    await page.keyboard.press("Home");
-    assert.match((await divider.getAttribute("aria-valuetext")) ?? "", /^lower ≈ 0, upper 1\.00$/);
-    await page.keyboard.press("Delete");
-    assert.equal(await now(), before);
-    // The measures are pale until they belong to the present motion.
-    await measured(page);
-    assert.deepEqual(await barriers(page), []);
   });
 });
 
@@ -287,7 +260,8 @@ describe("both readings", () => {
   it("walk side by side on request, follow the couplings, and give the stage back", async () => {
     const { page, problems, leave } = await site.visit({ moving: true });
     await ready(page);
-    await page.getByTestId("preset-arms-go").click();
+    await choosePreset(page, "arms-go");
+    await openPanel(page, "more");
     const button = page.getByTestId("readings-beside");
     await button.click();
     const canvas = page.getByTestId("stage-columns");
@@ -298,8 +272,8 @@ describe("both readings", () => {
     ]);
     assert.ok(!(await page.getByTestId("stage").isVisible()));
     await draws(canvas);
-    assert.match(await page.locator(".readings").innerText(), /Left: .*Right: /s);
-    await page.getByTestId("knob-1-1").press("ArrowLeft");
+    assert.match(await page.getByTestId("lead").innerText(), /Left, as learned: .*Right, re-inferred: /s);
+    await page.getByTestId("coupling-1-1").press("ArrowLeft");
     await measured(page);
     assert.deepEqual(await barriers(page), []);
     await button.click();

@@ -7,7 +7,7 @@ import { createRequire } from "node:module";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { dist } from "../../scripts/site.mjs";
-import { barriers, openSite, openTab, ready } from "./site.mjs";
+import { barriers, openSite, openPanel, ready } from "./site.mjs";
 import { coupledInfo } from "../node/package.mjs";
 
 /** @type {typeof import("vcgpdm")} */
@@ -24,7 +24,7 @@ describe("the tab Numbers", () => {
   it("shows the kernels, with explained terms", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
-    await openTab(page, "numbers");
+    await openPanel(page, "numbers");
     const document = JSON.parse(readFileSync(`${dist}/first/model.json`, "utf8"));
     await page.getByTestId("pose-kernels").waitFor();
     const cells = await page.getByTestId("pose-kernels").locator("tbody td").allInnerTexts();
@@ -48,7 +48,7 @@ describe("the tab Numbers", () => {
       viewport: { width: 390, height: 844 },
     });
     await ready(page);
-    await openTab(page, "numbers");
+    await openPanel(page, "numbers");
     // With changed couplings there are two curves: the present motion, and as learned.
     await page.locator("pg-numbers .course").nth(1).waitFor();
     assert.equal(await page.locator("pg-numbers .course").count(), 2);

@@ -9,17 +9,7 @@ import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { at } from "../../scripts/run.mjs";
 import { dist } from "../../scripts/site.mjs";
 import { bvh } from "./clips.mjs";
-import {
-  drop,
-  oneVisitor,
-  openCouplingsTable,
-  openSite,
-  openTab,
-  ready,
-  readyVisitor,
-  saved,
-  soon,
-} from "./site.mjs";
+import { drop, oneVisitor, openSite, openPanel, ready, readyVisitor, saved, soon } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -75,7 +65,7 @@ describe("the first model", () => {
     const model = await saved(page, "save-motion");
     assert.equal(frames(model.text), 300);
     await same(300);
-    await openTab(page, "learn");
+    await openPanel(page, "learn");
     await page.getByText("Samples, made by a program").click();
     await page
       .getByRole("button", { name: /^Show / })
@@ -97,7 +87,6 @@ describe("the first model", () => {
     const { page } = visitor;
     const learned = await saved(page, "save-motion");
     const document = await saved(page, "save-model");
-    await openCouplingsTable(page);
     await page.getByTestId("coupling-0-1").fill("-2.5");
     const changed = await saved(page, "save-motion");
     assert.notEqual(changed.name, learned.name);
@@ -123,7 +112,6 @@ describe("the first model", () => {
 
   it("has sliders that strengthen to the right and up, with the weakest at Home and the strongest at End", async () => {
     const { page } = visitor;
-    await openCouplingsTable(page);
     const slider = page.getByTestId("coupling-1-1");
     const alpha = async () => Number(await page.getByTestId("alpha-1-1").innerText());
     await slider.focus();
@@ -134,7 +122,7 @@ describe("the first model", () => {
       ["ArrowDown", (now, before) => now > before],
     ])) {
       const was = await alpha();
-      for (let i = 0; i < 10; i++) await page.keyboard.press(key);
+      for (let i = 0; i < 3; i++) await page.keyboard.press(key);
       assert.ok(holds(await alpha(), was), `${key}: ${was} to ${await alpha()}`);
     }
     await page.keyboard.press("Home");
@@ -145,7 +133,7 @@ describe("the first model", () => {
 
   it("is trained with numbers within their limits, which the field names", async () => {
     const { page } = visitor;
-    await openTab(page, "learn");
+    await openPanel(page, "learn");
     await page.locator("pg-training .advanced summary").click();
     const field = page.getByTestId("setting-maxIterations");
     await field.fill("20000");
@@ -209,7 +197,7 @@ describe("a link", () => {
     await ready(page);
     assert.match(await page.getByTestId("foreign-link").innerText(), /another model \(00000000\)/);
     assert.notEqual(Number(await page.getByTestId("alpha-0-1").textContent()), 50);
-    await openTab(page, "learn");
+    await openPanel(page, "learn");
     // The address keeps these couplings: a reload once lost them.
     await page.getByTestId("setting-latent").fill("2");
     await page.getByTestId("setting-latent").press("Enter");
@@ -225,7 +213,6 @@ describe("a link", () => {
   it("names the model of its couplings, and brings them back after a reload", async () => {
     const { page, leave } = await site.visit();
     await ready(page);
-    await openCouplingsTable(page);
     await page.getByTestId("coupling-0-1").fill("-1.5");
     await page.waitForURL(/model=[0-9a-f]{8}.*alpha=0\.1:/);
     await page.reload();

@@ -5,11 +5,12 @@ import { createRequire } from "node:module";
 import { after, before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import {
+  choosePreset,
   barriersNow,
   drop,
   oneVisitor,
   openSite,
-  openTab,
+  openPanel,
   ready,
   readyVisitor,
   resize,
@@ -25,7 +26,7 @@ before(async () => {
 });
 after(() => site?.close());
 
-const TABS = /** @type {const} */ (["listen", "loops", "learn", "numbers"]);
+const PANELS = /** @type {const} */ (["none", "learn", "more", "numbers"]);
 const SIZES = /** @type {const} */ ([
   { width: 1440, height: 900 },
   { width: 1280, height: 720 },
@@ -161,19 +162,18 @@ const cutTexts = (/** @type {Page} */ page) =>
 const barriersAt = async (/** @type {Page} */ page, /** @type {{ width: number }} */ viewport) =>
   viewport === SIZES[1] ? [] : barriersNow(page);
 
-/** Opens everything that is folded in the tab on screen. */
+/** Opens everything that is folded in the open panel. */
 const unfold = (/** @type {Page} */ page) =>
   page.evaluate(() => {
-    for (const folded of document.querySelectorAll(".panel:not([hidden]) details"))
-      folded.toggleAttribute("open", true);
+    for (const folded of document.querySelectorAll(".panel details")) folded.toggleAttribute("open", true);
   });
 
-/** What the page says in each tab. */
+/** What the page says with each panel. */
 async function wordsOfTabs(/** @type {Page} */ page, /** @type {(tab: string) => Promise<void>} */ inTab) {
   /** @type {Set<string>} */
   const words = new Set();
-  for (const tab of TABS) {
-    await openTab(page, tab);
+  for (const tab of PANELS) {
+    await openPanel(page, tab);
     if (tab === "numbers") await page.getByTestId("pose-kernels").waitFor();
     await unfold(page);
     await page.waitForTimeout(300);
@@ -186,7 +186,7 @@ async function wordsOfTabs(/** @type {Page} */ page, /** @type {(tab: string) =>
   for (const text of await textsOf(page)) words.add(text);
   await inTab("help");
   await page.keyboard.press("Escape");
-  await page.locator(".panel:not([hidden]) .term").first().click();
+  await page.locator(".panel .term").first().click();
   await page.locator(".term-card").waitFor();
   for (const text of await textsOf(page)) words.add(text);
   await inTab("a term");
@@ -201,18 +201,18 @@ describe("the Lab in German", () => {
     it(`fits, and says what it measures: ${viewport.width} x ${viewport.height}`, async () => {
       const { page } = visitor;
       await resize(page, viewport);
-      await openTab(page, "listen");
-      await page.getByTestId("preset-arms-go").click();
+      await openPanel(page, "none");
+      await choosePreset(page, "arms-go");
       await page.getByText("nicht im Gleichschritt").first().waitFor();
-      assert.match(await page.getByTestId("clock-period-0").innerText(), /^Unterkörper/);
-      assert.match(await page.getByTestId("measured").innerText(), /schwingt 0,8\d × so weit/);
+      assert.match(await page.getByTestId("clock-period-0").innerText(), /^Beine/);
+      assert.match(await page.getByTestId("measured").innerText(), /Arme 0,8\d × so weit/);
       await wordsOfTabs(page, async (tab) => {
         assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), viewport.width, tab);
         assert.deepEqual(await cutTexts(page), [], tab);
         assert.deepEqual(await barriersAt(page, viewport), [], tab);
       });
-      await openTab(page, "listen");
-      await page.getByTestId("preset-as-learned").click();
+      await openPanel(page, "none");
+      await choosePreset(page, "as-learned");
     });
 
   it("says nothing that it says in English too", async () => {
@@ -302,13 +302,13 @@ describe("the switch of languages", () => {
   it("changes the words, and keeps the couplings", async () => {
     const { page, problems, leave } = await site.visit(ENGLISH);
     await ready(page);
-    await page.getByTestId("preset-arms-go").click();
+    await choosePreset(page, "arms-go");
     await page.getByTestId("language").click();
-    await page.getByRole("tab", { name: "Schleifen" }).waitFor();
+    await page.getByRole("button", { name: "Lernen", exact: true }).waitFor();
     assert.equal(await page.locator("html").getAttribute("lang"), "de");
-    assert.equal(await page.getByTestId("preset-arms-go").getAttribute("aria-pressed"), "true");
+    assert.equal(await page.getByTestId("preset").inputValue(), "arms-go");
     await page.getByTestId("language").click();
-    await page.getByRole("tab", { name: "Loops" }).waitFor();
+    await page.getByRole("button", { name: "Learn", exact: true }).waitFor();
     assert.deepEqual(problems, []);
     await leave();
   });

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { bvh } from "./clips.mjs";
-import { drop, openCouplingsTable, openSite, openTab, ready, saved } from "./site.mjs";
+import { drop, openSite, openPanel, ready, saved } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -16,7 +16,6 @@ describe("the worker that shows the model", () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
     const model = await saved(page, "save-model");
-    await openCouplingsTable(page);
     await page.getByTestId("coupling-0-1").fill("1.5");
     await page.waitForTimeout(500);
     const motion = await saved(page, "save-motion");
@@ -32,7 +31,7 @@ describe("the worker that shows the model", () => {
     await page.waitForTimeout(500);
     assert.notEqual((await saved(page, "save-motion")).text, motion.text);
     // A clip is written by another worker.
-    await openTab(page, "learn");
+    await openPanel(page, "learn");
     await page.getByText("Samples, made by a program").click();
     await page
       .getByRole("button", { name: /^Show / })

@@ -3,19 +3,20 @@ import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { Clip, Trainer, TrainingSet } from "../../crate/wasm/pkg/node/vcgpdm.js";
 import {
+  choosePreset,
   barriers,
   barriersNow,
   oneVisitor,
-  openCouplingsTable,
   openSite,
-  openTab,
+  openPanel,
   ready,
   readyVisitor,
+  resize,
 } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-const TABS = /** @type {const} */ (["listen", "loops", "learn", "numbers"]);
+const PANELS = /** @type {const} */ (["none", "learn", "more", "numbers"]);
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -85,87 +86,110 @@ const cut = (/** @type {Page} */ page, /** @type {string} */ selector) =>
   page.locator(selector).evaluateAll((elements) =>
     elements.flatMap((element) => {
       const { left, top, right, bottom } = element.getBoundingClientRect();
-      const panel = element.closest(".panel")?.getBoundingClientRect();
-      const [low, wide] = [
-        Math.min(innerHeight, panel?.bottom ?? 0),
-        Math.min(innerWidth, panel?.right ?? 0),
-      ];
-      const isWhole = right > left && top >= (panel?.top ?? 0) - 1 && bottom <= low + 1 && right <= wide + 1;
-      return isWhole ? [] : [`${element.className}: ${top}-${bottom} of ${panel?.top}-${low}`];
+      // Three loops and more scroll in their column.
+      const around = (element.closest(".loops") ?? document.documentElement).getBoundingClientRect();
+      const [high, low] = [Math.max(0, around.top), Math.min(innerHeight, around.bottom)];
+      const isWhole = right > left && top >= high - 1 && bottom <= low + 1 && right <= innerWidth + 1;
+      return isWhole ? [] : [`${element.className}: ${top}-${bottom} of ${high}-${low}`];
     }),
   );
 
 describe("the Lab", () => {
   const visitor = oneVisitor(() => readyVisitor(site.visit({ viewport: { width: 1280, height: 720 } })));
 
-  it("has a stage of one size, whatever tab is open and however many parts the model has", async () => {
+  it("never scrolls, whatever panel is open and however many parts the model has", async () => {
     const { page } = visitor;
-    const before = await box(page.locator(".stage-area"));
-    const picture = await box(page.getByTestId("stage"));
-    assert.ok(before.width > 0.55 * 1280 && before.width < 0.65 * 1280, `${before.width} wide`);
-    assert.ok(picture.height >= 0.6 * 720, `${picture.height} high`);
     for (const count of [1, 2, 3, 4, 5]) {
       await open(page, modelOf(count));
       await page.waitForFunction(
         (count) => document.querySelectorAll("pg-stage .stage-legend li").length === count,
         count,
       );
-      for (const tab of TABS) {
-        await openTab(page, tab);
-        assert.deepEqual(await box(page.locator(".stage-area")), before, `${count} parts, ${tab}`);
+      for (const panel of PANELS) {
+        await openPanel(page, panel);
+        const where = `${count} parts, ${panel}`;
         const { scrollWidth, scrollHeight } = await size(page);
-        assert.ok(scrollWidth <= 1280 && scrollHeight <= 720, `${count} parts, ${tab}: the page scrolls`);
+        assert.ok(scrollWidth <= 1280 && scrollHeight <= 720, `${where}: the page scrolls`);
+        const [figure, loop] = await Promise.all([
+          box(page.getByTestId("stage")),
+          box(page.locator(".plot").first()),
+        ]);
+        assert.ok(figure.width >= 300 && figure.height >= 0.6 * 720, `${where}: ${figure.width} wide`);
+        assert.ok(
+          loop.width >= 200 && loop.height >= 110,
+          `${where}: a plot of ${loop.width}x${loop.height}`,
+        );
       }
-      await openTab(page, "loops");
+      await openPanel(page, "none");
       assert.equal(await page.locator("pg-latent-plot").count(), count);
-      assert.deepEqual(await cut(page, "pg-latents .plot"), [], `${count} parts`);
-      for (const plot of await page.locator("pg-latents .plot").all()) {
-        const { width, height } = await box(plot);
-        assert.ok(width >= 200 && height >= 138, `${count} parts: a plot of ${width}x${height}`);
-      }
-      await openTab(page, "listen");
-      assert.deepEqual(await cut(page, "pg-body-map .knob, pg-presets .presets"), [], `${count} parts`);
+      // With more parts the sliders of one part are visible at a time.
+      assert.equal(await page.locator("pg-coupling").count(), count === 2 ? 4 : count);
+      if (count < 3) assert.deepEqual(await cut(page, ".plot, pg-coupling"), [], `${count} parts`);
     }
   });
 
   it("says for a model of one part that nothing is coupled, and offers no reading", async () => {
     const { page } = visitor;
     await open(page, modelOf(1));
-    await page.getByTestId("one-part").waitFor();
-    assert.equal(await page.locator("pg-readings").count(), 0);
+    await page.getByTestId("lead").getByText("This model has one part").waitFor();
+    assert.equal(await page.getByTestId("reading").count(), 0);
   });
+});
+
+/** The words that are visible. */
+const wordsOn = (/** @type {Page} */ page) =>
+  page.evaluate(() => {
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    const texts = [];
+    while (walker.nextNode()) {
+      const { parentElement: parent, textContent } = walker.currentNode;
+      const range = document.createRange();
+      range.selectNode(walker.currentNode);
+      const { width, bottom } = range.getBoundingClientRect();
+      if (parent?.checkVisibility({ visibilityProperty: true }) && width > 2 && bottom <= innerHeight)
+        texts.push(textContent ?? "");
+    }
+    return texts
+      .join(" ")
+      .split(/\s+/)
+      .filter((word) => /\p{L}/u.test(word));
+  });
+
+/** The visible controls. Inducing points are not counted: they are what a plot shows. */
+const controlsOn = (/** @type {Page} */ page) =>
+  page.locator("button:not(.mark), a, input, select, summary, [role=slider]").evaluateAll((controls) =>
+    controls
+      .filter((control) => {
+        const { width, bottom } = control.getBoundingClientRect();
+        return control.checkVisibility() && width > 2 && bottom <= innerHeight && !control.matches(".skip");
+      })
+      .map((control) => control.getAttribute("aria-label") ?? control.textContent?.trim() ?? ""),
+  );
+
+describe("the picture of the Lab", () => {
+  const visitor = oneVisitor(() => readyVisitor(site.visit({ moving: true })));
+
+  for (const [width, height] of /** @type {[number, number][]} */ ([
+    [1440, 900],
+    [1280, 720],
+  ]))
+    it(`shows figure, loops and all sliders at ${width}x${height}, with 110 words and 28 controls at most`, async () => {
+      const { page } = visitor;
+      await resize(page, { width, height });
+      for (const preset of ["untrained-advice", "as-learned"]) {
+        await choosePreset(page, preset);
+        await page.locator("[data-testid=measured][data-current=yes]").waitFor();
+        assert.deepEqual(await cut(page, ".plot, pg-coupling, .measured, [data-testid=train]"), [], preset);
+      }
+      const words = await wordsOn(page);
+      assert.ok(words.length <= 110, `${words.length} words: ${words.join(" ")}`);
+      const controls = await controlsOn(page);
+      assert.ok(controls.length <= 28, `${controls.length} controls: ${controls.join(", ")}`);
+    });
 });
 
 describe("the first screen of the Lab", () => {
   const visitor = oneVisitor(() => readyVisitor(site.visit({ viewport: { width: 1280, height: 720 } })));
-
-  it("shows all couplings, with the measures, and no more than 176 words", async () => {
-    const { page } = visitor;
-    for (const preset of ["as-learned", "untrained-advice"]) {
-      await page.getByTestId(`preset-${preset}`).click();
-      await page.locator("[data-testid=measured][data-current=yes]").waitFor();
-      assert.deepEqual(await cut(page, ".body-map, .knob, .preset, .measured"), [], preset);
-    }
-    await page.getByTestId("preset-as-learned").click();
-    await page.locator("[data-testid=measured][data-current=yes]").waitFor();
-    const words = await page.evaluate(() => {
-      const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-      const texts = [];
-      while (walker.nextNode()) {
-        const { parentElement: parent, textContent } = walker.currentNode;
-        const range = document.createRange();
-        range.selectNode(walker.currentNode);
-        const { width, bottom } = range.getBoundingClientRect();
-        if (parent?.checkVisibility({ visibilityProperty: true }) && width > 2 && bottom <= innerHeight)
-          texts.push(textContent ?? "");
-      }
-      return texts
-        .join(" ")
-        .split(/\s+/)
-        .filter((word) => /\p{L}/u.test(word));
-    });
-    assert.ok(words.length <= 176, `${words.length} words: ${words.join(" ")}`);
-  });
 
   it("uses four sizes of type", async () => {
     const { page } = visitor;
@@ -185,13 +209,13 @@ describe("the first screen of the Lab", () => {
   it("shows next to the figure that it stands still, and the stage does not move", async () => {
     const { page } = visitor;
     const before = await box(page.getByTestId("stage"));
-    await page.getByTestId("preset-legs-lost").click();
+    await choosePreset(page, "legs-lost");
     const card = await box(page.getByTestId("health"));
     const stage = await box(page.getByTestId("stage"));
     assert.deepEqual(stage, before);
     // The figure is in the middle and has at most a fifth of the width.
     assert.ok(card.x + card.width <= stage.x + 0.4 * stage.width, `${card.width} of ${stage.width}`);
-    await page.getByTestId("preset-as-learned").click();
+    await choosePreset(page, "as-learned");
     await page.getByTestId("health").waitFor({ state: "detached" });
   });
 
@@ -210,7 +234,7 @@ describe("the first screen of the Lab", () => {
     await page.keyboard.press("Tab");
     assert.equal(await page.evaluate(() => document.activeElement?.textContent), "Skip to the couplings");
     await page.keyboard.press("Enter");
-    await page.waitForFunction(() => document.activeElement?.matches(".knob"));
+    await page.waitForFunction(() => document.activeElement?.matches("pg-coupling input"));
   });
 });
 
@@ -225,21 +249,19 @@ describe("the projector mode", () => {
     await page.waitForURL(/large=1/);
     await page.reload();
     await ready(page);
-    for (const hidden of ["pg-header", "footer", ".tabs", "#panel-learn"])
+    for (const hidden of ["pg-header", "footer", ".picture-foot"])
       assert.ok(await page.locator(hidden).isHidden(), hidden);
     const title = await box(page.getByTestId("stage-title"));
     assert.ok(title.height < 1.7 * 18, `a title of one line, not ${title.height} pixels`);
-    assert.deepEqual(await cut(page, ".body-map, .knob"), []);
+    assert.deepEqual(await cut(page, ".plot, pg-coupling"), []);
     assert.ok((await box(page.getByTestId("stage"))).height > before.height);
     const { scrollWidth, scrollHeight } = await size(page);
     assert.ok(scrollWidth <= 1280 && scrollHeight <= 720, `${scrollWidth}x${scrollHeight}`);
     assert.deepEqual(await barriers(page), []);
     await page.keyboard.press("Escape");
     await page.locator("pg-header").waitFor();
-    await openTab(page, "loops");
     await page.keyboard.press("p");
     await page.locator("pg-header").waitFor({ state: "hidden" });
-    assert.deepEqual(await cut(page, "pg-latents .plot"), []);
     await page.getByTestId("leave-large").click();
     await page.locator("pg-header").waitFor();
     assert.deepEqual(problems, []);
@@ -274,20 +296,19 @@ describe("embedded", () => {
     const viewport = { width: 800, height: 500 };
     const { page, problems, leave } = await site.visit({ query: "?embed", settings, viewport });
     await ready(page);
-    assert.deepEqual(await page.getByRole("tab").allInnerTexts(), ["Listen", "Loops", "Learn"]);
-    await openTab(page, "learn");
+    assert.deepEqual(await page.locator(".panel-buttons button").allInnerTexts(), ["Learn", "More"]);
     await page.getByTestId("train").click();
     await page
       .getByTestId("exercise")
       .getByText("This model has 6 points for a part.")
       .waitFor({ timeout: 60_000 });
-    await openTab(page, "listen");
+    await openPanel(page, "more");
     await page.getByTestId("completing").waitFor();
     assert.deepEqual(await barriers(page), []);
     const { scrollWidth } = await size(page);
     assert.ok(scrollWidth <= 800, `${scrollWidth} pixels wide`);
     await page.evaluate(() => Object.assign(location, { hash: "tab=numbers" }));
-    await page.locator("#tab-numbers[aria-selected=true]").waitFor();
+    await page.locator("#open-numbers[aria-expanded=true]").waitFor();
     await page.locator("pg-numbers table").first().waitFor();
     assert.deepEqual(problems, []);
     await leave();
@@ -319,17 +340,11 @@ describe("five parts by hand, trained several times", () => {
       const { x, width } = await box(page.getByTestId(name));
       assert.ok(x + width <= 1440, name);
     }
-    await openCouplingsTable(page);
-    const [wide = Infinity, space = 0] = await page
-      .locator("#panel-listen .table-box")
-      .evaluate((box) => [box.scrollWidth, box.clientWidth]);
-    assert.ok(wide <= space, `the table needs ${wide} of ${space} pixels`);
-    assert.equal(await page.locator(".couplings thead th").count(), 5);
-    assert.ok(await page.locator(".couplings thead small").first().isVisible(), "about");
-    assert.deepEqual(await overprints(page, ".couplings th, .couplings .numbers > span"), []);
-    // On a phone only the table scrolls, in its box.
+    assert.deepEqual(await overprints(page, ".coupling-names, .numbers > span"), []);
+    await page.getByTestId("part-3").click();
+    await page.getByTestId("coupling-0-3").waitFor();
     await page.setViewportSize({ width: 390, height: 844 });
-    assert.ok((await size(page)).scrollWidth <= 390, "the table widens the page");
+    assert.ok((await size(page)).scrollWidth <= 390, "on a phone");
     assert.deepEqual(problems, []);
     await leave();
   });

@@ -122,7 +122,7 @@ describe("a link with the model in it", () => {
     await page.setContent(`<!doctype html><title>A page</title>${frame}`);
     const inner = page.frameLocator("iframe");
     await inner.locator("html[data-engine=ready]").waitFor({ timeout: 30_000 });
-    await inner.getByTestId("coupling-numbers").waitFor();
+    await inner.getByTestId("coupling-0-1").waitFor();
     assert.equal(await inner.locator("pg-header").count(), 0);
     const [, child] = page.frames();
     const address = new URL(child?.url() ?? "");

@@ -2,7 +2,7 @@
 // moves on without a pause.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import { barriers, openSite, ready } from "./site.mjs";
+import { choosePreset, barriers, openSite, ready } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -73,7 +73,7 @@ describe("a live rollout", () => {
     for (const { apart } of await until(page, (now) => now.frame > frame + 60))
       assert.ok(Math.abs(apart) < 0.1);
 
-    await page.getByRole("button", { name: "clip", exact: true }).click();
+    await page.getByTestId("live-on").click();
     await page.getByTestId("live").waitFor({ state: "detached" });
     assert.equal(await page.getByTestId("scrub").isEnabled(), true);
     assert.deepEqual(problems, []);
@@ -91,7 +91,7 @@ describe("a live rollout", () => {
     await page.keyboard.up("c");
     await until(page, ({ cuts, apart }) => cuts === 0 && Math.abs(apart) < 0.05);
 
-    await page.getByTestId("knob-0-1").focus();
+    await page.getByTestId("coupling-0-1").focus();
     await page.keyboard.press("Home");
     await until(page, ({ apart }) => Math.abs(apart) > 0.3);
     await page.keyboard.press("0");
@@ -127,7 +127,7 @@ describe("a live rollout", () => {
     const { page, problems, leave } = await site.visit({ moving: true });
     await ready(page);
     // Seconds of the arms' period as the library measures them in the rollout of the same couplings.
-    await page.getByTestId("preset-arms-go").click();
+    await choosePreset(page, "arms-go");
     const arms = page.getByTestId("clock-period-1").locator("b");
     await page.locator("[data-testid=clock-periods][data-current=yes] [data-step='out of step']").waitFor();
     const alone = Number.parseFloat(await arms.innerText());
@@ -140,7 +140,7 @@ describe("a live rollout", () => {
     await page.waitForTimeout(2000);
     const live = Number.parseFloat(await arms.innerText());
     assert.ok(Math.abs(live / alone - 1) < 0.05, `live ${live} s, rollout ${alone} s`);
-    await page.getByTestId("reading-learned").click();
+    await page.getByTestId("reading").selectOption("as-learned");
     await page
       .locator("[data-testid=clock-period-1]", { hasText: "keeps one pose" })
       .waitFor({ timeout: 6000 });
@@ -361,7 +361,7 @@ describe("a live rollout", () => {
   });
 
   it("can be pushed at the dots of the latent plots by mouse, finger and keys", async () => {
-    const { page, problems, leave } = await site.visit({ hasTouch: true, settings: "tab=loops" });
+    const { page, problems, leave } = await site.visit({ hasTouch: true });
     await ready(page);
     await page.getByTestId("live-on").click();
     await page.getByTestId("live").waitFor();
@@ -398,7 +398,7 @@ describe("a live rollout", () => {
     };
     /** Pixels from a dot away from the middle of its plot, and so from the cycle. */
     const outwards = async (/** @type {number} */ part) => {
-      const plot = await page.locator("pg-latent-plot").nth(part).boundingBox();
+      const plot = await page.getByTestId(`latent-${part}`).boundingBox();
       const dot = await middleOf(part);
       if (!plot) return assert.fail();
       const [dx, dy] = [dot.x - plot.x - plot.width / 2, dot.y - plot.y - plot.height / 2];
@@ -412,7 +412,7 @@ describe("a live rollout", () => {
     };
 
     const dot = page.getByRole("button", {
-      name: "State of lower now. Drag it, or use the arrow keys, to push this part.",
+      name: "State of legs now. Drag it, or use the arrow keys, to push this part.",
     });
     await stopClock();
     await dot.focus();
@@ -451,7 +451,7 @@ describe("a live rollout", () => {
     await touch("touchEnd");
     assert.ok((await pushes()) > before, "a finger pushes too");
 
-    await page.getByRole("button", { name: "clip", exact: true }).click();
+    await page.getByTestId("live-on").click();
     await page.getByTestId("push-0").waitFor({ state: "detached" });
     assert.deepEqual(problems, []);
     await leave();

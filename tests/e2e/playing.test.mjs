@@ -1,16 +1,7 @@
 // The clock, and couplings with their motion.
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
-import {
-  draws,
-  oneVisitor,
-  openCouplingsTable,
-  openSite,
-  ready,
-  readyVisitor,
-  recolour,
-  saved,
-} from "./site.mjs";
+import { draws, oneVisitor, openSite, ready, readyVisitor, recolour, saved } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -111,7 +102,7 @@ describe("the stage", () => {
       Object.assign(window, { taken });
     });
     await page.getByRole("alert").filter({ hasText: "taken the 3-D graphics away" }).waitFor();
-    await page.getByTestId("knob-0-1").press("ArrowLeft");
+    await page.getByTestId("coupling-0-1").press("ArrowLeft");
     await page.evaluate(() => /** @type {any} */ (window).taken.restoreContext());
     await page.getByRole("alert").filter({ hasText: "3-D graphics" }).waitFor({ state: "detached" });
     await draws(page.getByTestId("stage"));
@@ -124,7 +115,6 @@ describe("a coupling", () => {
 
   it("changes its weight and the motion when its slider is dragged, and the key 0 resets it", async () => {
     const { page } = visitor;
-    await openCouplingsTable(page);
     const slider = page.getByTestId("coupling-0-1");
     const weight = page.getByTestId("weight-0-1");
     const [asLearned, weightAsLearned] = [await saved(page, "save-motion"), await weight.textContent()];
@@ -144,10 +134,10 @@ describe("a coupling", () => {
     assert.notEqual(changed.text, asLearned.text);
     assert.match(new URL(page.url()).hash, /alpha=0\.1:/);
 
-    await page.getByTestId("reading-learned").click();
+    await page.getByTestId("reading").selectOption("as-learned");
     const kept = await saved(page, "save-motion");
     assert.notEqual(kept.text, changed.text, "experts as learned give another motion");
-    await page.getByTestId("reading-inferred").click();
+    await page.getByTestId("reading").selectOption("re-inferred");
 
     await page.keyboard.press("0");
     await page.waitForFunction(
@@ -159,7 +149,6 @@ describe("a coupling", () => {
 
   it("redraws the motion while it is dragged", async (test) => {
     const { page } = visitor;
-    await openCouplingsTable(page);
     const slider = page.getByTestId("coupling-0-1");
     await slider.focus();
     for (let i = 0; i < 30; i++) {

@@ -83,8 +83,8 @@ async function drawn(page, /** @type {number} */ part) {
 describe("the product of experts", () => {
   it("agrees with the package, in 2-D and 3-D", async () => {
     const alpha = ALPHA.flatMap((row, j) => row.map((a, i) => `${j}.${i}:${a}`)).join(",");
-    const settings = `tab=loops&alpha=${alpha}&reading=learned`;
-    const { page, problems, leave } = await site.visit({ settings });
+    const settings = `alpha=${alpha}&reading=learned`;
+    const { page, problems, leave } = await site.visit({ settings: `tab=more&${settings}` });
     await ready(page);
     await recordDrawings(page);
     await page.getByTestId("scrub").fill(String(FRAME));
@@ -144,7 +144,7 @@ describe("the product of experts", () => {
 });
 
 describe("futures and uncertainty", () => {
-  const visitor = oneVisitor(() => readyVisitor(site.visit({ settings: "tab=loops" })));
+  const visitor = oneVisitor(() => readyVisitor(site.visit({ settings: "tab=more" })));
 
   it("show five futures of a seed, and others of the next seed", async () => {
     const { page } = visitor;
@@ -185,7 +185,7 @@ describe("futures and uncertainty", () => {
 
 describe("where the model is sure", () => {
   it("is painted behind the loop: colour where the variance of the poses is low, nothing when it is off", async () => {
-    const { page, problems, leave } = await readyVisitor(site.visit({ settings: "tab=loops" }));
+    const { page, problems, leave } = await readyVisitor(site.visit({ settings: "tab=more" }));
     const frames = Number(await page.getByTestId("scrub").getAttribute("max")) + 1;
     const plot = page.getByTestId("latent-0");
     await page.mouse.move(0, 0);

@@ -172,7 +172,7 @@ describe("a library of primitives", () => {
     await page.getByTestId("combination").first().click();
     assert.equal(await recorded(page), "Recorded as walk");
     await page.getByTestId("primitive-1-5").dragTo(page.getByTestId("slot-1").locator(".map-node"));
-    assert.equal(await page.getByTestId("combination-title").innerText(), "lower: walk, upper: jump");
+    assert.equal(await page.getByTestId("combination-title").innerText(), "legs: walk, arms: jump");
     await page.getByTestId("primitive-0-1").dragTo(page.getByTestId("slot-1").locator(".map-node"));
     assert.equal(await recorded(page), "Never recorded", "legs do not go where arms are");
     await goOn(page, 10);
@@ -335,7 +335,7 @@ describe("a library of primitives", () => {
     );
     await page.getByTestId("import-cancel").click();
     await page.getByTestId("primitive-0-8").waitFor({ timeout: 60_000 });
-    assert.match(await page.getByTestId("import-words").innerText(), /^Added lower: stroll\. The pose maps/);
+    assert.match(await page.getByTestId("import-words").innerText(), /^Added legs: stroll\. The pose maps/);
     assert.match(
       (await page.getByTestId("primitive-0-8").getAttribute("title")) ?? "",
       /^Learned again, after stroll/,
@@ -343,7 +343,7 @@ describe("a library of primitives", () => {
     await page.getByTestId("primitive-0-8").click();
     await goOn(page, 45);
     assert.ok((await walked(page)).last > last + 45, "the same walk");
-    assert.match(await page.getByTestId("combination-title").innerText(), /lower: stroll/);
+    assert.match(await page.getByTestId("combination-title").innerText(), /legs: stroll/);
     // The lesson sets the experiment up.
     await page.getByTestId("lesson-try").click();
     assert.equal(await page.locator(".learning-clip input:checked").count(), 10);

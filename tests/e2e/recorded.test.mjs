@@ -1,7 +1,7 @@
 // Movements of real people: their models on the stage, and clips that the models made, to train on.
 import assert from "node:assert/strict";
 import { after, before, it } from "node:test";
-import { barriers, openSite, openTab, ready } from "./site.mjs";
+import { barriers, openSite, openPanel, ready } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -15,7 +15,7 @@ it("opens a model of a recorded run, and trains on clips that the model of the w
     settings: "tab=learn&fps=15&iterations=15&dynamics=6&poses=8",
   });
   await ready(page);
-  await openTab(page, "learn");
+  await openPanel(page, "learn");
   await page.getByTestId("real-people").locator("summary").click();
   const run = page.getByTestId("recorded-run");
   await run.waitFor({ timeout: 60_000 });

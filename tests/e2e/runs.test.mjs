@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
-import { barriers, LONG, openCouplingsTable, openSite, openTab, ready, saved } from "./site.mjs";
+import { barriers, LONG, openSite, openPanel, ready, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -235,7 +235,6 @@ describe("several trainings", () => {
     await page.waitForFunction(
       () => Number(document.querySelector("[data-testid=run] td:nth-of-type(2)")?.textContent) > 2,
     );
-    await openCouplingsTable(page);
     const weight = page.getByTestId("weight-0-1");
     const before = await weight.textContent();
     await page.getByTestId("coupling-0-1").fill("2.5");
@@ -244,7 +243,7 @@ describe("several trainings", () => {
       before,
       { timeout: 5000 },
     );
-    await openTab(page, "learn");
+    await openPanel(page, "learn");
     assert.equal(await page.getByTestId("cancel").count(), 1, "it still trains");
     await page.getByTestId("cancel").click();
     await trainIsBack(page);

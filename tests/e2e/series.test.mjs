@@ -7,7 +7,7 @@ import {
   drop,
   keepsNobodyOut,
   openSite,
-  openTab,
+  openPanel,
   ready,
   readyVisitor,
   rests,
@@ -249,7 +249,7 @@ describe("tables of columns", () => {
   keepsNobodyOut(
     () => readyVisitor(site.visit({ settings: "latent=1&dynamics=4&poses=4&iterations=10" })),
     async (page, fits) => {
-      await openTab(page, "learn");
+      await openPanel(page, "learn");
       await page.getByTestId("show-series").click();
       await page.getByTestId("series-example").click();
       await page.getByTestId("series-train").and(page.locator(":enabled")).click({ timeout: 60_000 });

@@ -179,22 +179,22 @@ export async function resize(
   );
 }
 
-/** Opens a tab of the Lab. */
-export async function openTab(
+/** Opens a panel of the Lab next to its picture; "none": closes the one that is open. */
+export async function openPanel(
   /** @type {Page} */ page,
-  /** @type {"listen" | "loops" | "learn" | "numbers"} */ tab,
+  /** @type {"none" | "learn" | "more" | "numbers"} */ panel,
 ) {
-  await page.locator(`#tab-${tab}`).click();
+  const button = page.locator(panel === "none" ? ".panel-buttons [aria-expanded=true]" : `#open-${panel}`);
+  const isDone = panel === "none" ? (await button.count()) === 0 : await isExpanded(button);
+  if (!isDone) await button.click();
 }
 
-/** Opens the table of couplings on the tab Listen. */
-export async function openCouplingsTable(/** @type {Page} */ page) {
-  await openTab(page, "listen");
-  await page.getByTestId("coupling-numbers").evaluate((details) => {
-    details.setAttribute("open", "");
-    details.scrollIntoView({ block: "end" });
-  });
-}
+const isExpanded = async (/** @type {import("playwright-core").Locator} */ button) =>
+  (await button.getAttribute("aria-expanded")) === "true";
+
+/** Chooses one of the Lab's presets of couplings. */
+export const choosePreset = (/** @type {Page} */ page, /** @type {string} */ id) =>
+  page.getByTestId("preset").selectOption(id);
 
 /** Whether the picture of an element changes within some milliseconds. */
 export async function changes(/** @type {import("playwright-core").Locator} */ element, milliseconds = 400) {

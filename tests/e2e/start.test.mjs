@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { after, before, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { openCouplingsTable, openSite, ready, saved } from "./site.mjs";
+import { openPanel, openSite, ready, saved } from "./site.mjs";
 import { coupledInfo } from "../node/package.mjs";
 
 /** @type {typeof import("vcgpdm")} */
@@ -41,14 +41,14 @@ function twoSequences() {
   return trainer.model().toJson();
 }
 
-/** Opens the model of two sequences, and its table of couplings. */
+/** Opens the model of two sequences, and where its motion begins. */
 async function openDocument(/** @type {import("playwright-core").Page} */ page) {
   const text = twoSequences();
   await page
     .locator("input[type=file][accept*=json]")
     .first()
     .setInputFiles({ name: "two.model.json", mimeType: "application/json", buffer: Buffer.from(text) });
-  await openCouplingsTable(page);
+  await openPanel(page, "more");
   await page.getByTestId("start-frame").waitFor();
   return text;
 }
@@ -63,6 +63,7 @@ async function savedLatents(/** @type {import("playwright-core").Page} */ page) 
 it("starts from any frame of any sequence, and a link contains the frame", async () => {
   const { page, problems, leave } = await site.visit();
   await ready(page);
+  await openPanel(page, "more");
   // The file of the page's first model has only the first frames.
   assert.equal(await page.getByTestId("start-frame").count(), 0);
   const text = await openDocument(page);
@@ -102,7 +103,7 @@ it("starts with a clip that was not trained on, under any couplings, and goes ba
 
   const shown = async (/** @type {import("vcgpdm").RolloutOptions} */ options) => {
     await page.waitForFunction(() => {
-      const { model } = /** @type {any} */ (document.querySelector("pg-couplings"));
+      const { model } = /** @type {any} */ (document.querySelector("pg-picture")).app;
       return JSON.stringify(model.rollout.request) === JSON.stringify(model.rolloutRequest());
     });
     const expected = model.rollout({ frames: 300, ...options }).latents(0);
@@ -126,7 +127,7 @@ it("starts with a clip that was not trained on, under any couplings, and goes ba
     () => /** @type {any} */ (document.querySelector("pg-stage")).stage.ghost !== null,
   );
   const { alpha, reading } = await page.evaluate(() =>
-    /** @type {any} */ (document.querySelector("pg-couplings")).model.rolloutRequest(),
+    /** @type {any} */ (document.querySelector("pg-picture")).app.model.rolloutRequest(),
   );
   assert.notDeepEqual(alpha, coupledInfo(model).alpha);
   await shown({ start, alpha, reading });

@@ -243,7 +243,7 @@ describe("own files", () => {
   });
 
   it("names the wrong line of a dropped file, and loses nothing", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "alpha=0.1:50" });
+    const { page, problems, leave } = await site.visit({ settings: "tab=learn&alpha=0.1:50" });
     await ready(page);
     const [model, motion] = [await saved(page, "save-model"), await saved(page, "save-motion")];
     const clips = await page.getByTestId("made-clips").textContent();

@@ -19,6 +19,7 @@ const ORDER = [
   ["completing"], // a recording that moves one part
   ["live"], // the rollout without an end
   ["training"],
+  ["picture"], // loops and couplings next to the figure of the Lab
   ["comparison", "experiment", "perception", "primitives", "series", "method", "details"],
   ["exercises"], // what a class does in the Lab, and when it is solved
   ["session"], // the copy of a visit in the browser's database

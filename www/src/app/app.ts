@@ -11,6 +11,7 @@ import type { SupervisedEvents } from "../engine/supervised";
 import { wholeWorkers } from "../engine/whole-workers";
 import { OfflineStore } from "../offline/offline-store";
 import { PointingStore } from "../latents/pointing-store";
+import { LayersStore } from "../latents/layers-store";
 import { PredictionsStore } from "../latents/predictions-store";
 import type { AnswerCounts } from "../session/answer-database";
 import type { AddressBar } from "../settings/address";
@@ -49,6 +50,7 @@ export class App {
   readonly readings: ReadingsStore;
   readonly pointing: PointingStore;
   readonly predictions: PredictionsStore;
+  readonly layers = new LayersStore(() => this.#openOutlook());
   readonly starts: ClipStartStore;
   readonly training: TrainingStore;
 
@@ -282,12 +284,13 @@ export class App {
   /**
    * Futures and uncertainty of the rollout with their drawing; null, with a notice: they cannot be loaded.
    */
-  readonly openOutlook = () =>
-    this.#outlook.get().catch(() => {
+  #openOutlook() {
+    return this.#outlook.get().catch(() => {
       const { outlook, why } = lab().files.notLoaded;
       this.notices.addError(outlook, why);
       return null;
     });
+  }
 
   /** The visitor has followed a link or pressed Back. */
   followAddress(): void {

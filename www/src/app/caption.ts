@@ -1,10 +1,8 @@
 // The caption over the figure: a title and a text about the stage.
 import { html, nothing } from "lit";
 import type { ClipEntry } from "../clips/clips-store";
-import { effectText } from "../couplings/measures-text";
 import type { PointingStore } from "../latents/pointing-store";
 import { presetWords } from "../couplings/presets";
-import { withTerms } from "../terms/term";
 import { View } from "../ui/view";
 import type { App } from "./app";
 import "./caption.css";
@@ -19,12 +17,10 @@ export function clipOnStage({ clips, stage }: App): ClipEntry | null {
 
 /** The texts of the page about the stage now. */
 export function wordsNow(app: App): StageWords {
-  const { stage, model, pointing, training, body } = app;
-  const lead = lab().stage.lead.made;
-  if (stage.content?.caption) return { ...stage.content.caption, lead };
+  const { stage, model, pointing, training } = app;
+  if (stage.content?.caption) return stage.content.caption;
   const clip = clipOnStage(app);
   const parts = model.model?.info.parts ?? [];
-  const reports = body.isCurrent ? body.reports : null;
   const run = training.learning;
   const several = training.asked.length > 1;
   return stageWords({
@@ -34,14 +30,6 @@ export function wordsNow(app: App): StageWords {
     point: pointing.report ? pointWords(pointing, parts) : null,
     altered: model.couplings.altered,
     preset: model.preset && presetWords(model.preset),
-    effect: reports && {
-      text: effectText(
-        reports.now,
-        reports.learned,
-        parts.map(({ name }) => shownPart(name)),
-      ),
-      reading: reports.now.request.reading,
-    },
     live: stage.content?.live === true,
     twoReadings: stage.columns !== null,
     learning: run && {
@@ -61,21 +49,12 @@ function pointWords({ report }: PointingStore, parts: readonly { name: string }[
     : stepPoint(name(point.source), name(point.target));
 }
 
-/** The stores that those texts depend on. */
-export const wordStores = ({ stage, clips, model, pointing, training, body }: App) => [
-  stage,
-  clips,
-  model,
-  pointing,
-  training,
-  body,
-];
-
 export class CaptionView extends View {
   declare app: App;
 
   protected override stores() {
-    return wordStores(this.app);
+    const { stage, clips, model, pointing, training, body } = this.app;
+    return [stage, clips, model, pointing, training, body];
   }
 
   /** A notice with buttons, for a motion that is not healthy, such as one whose pose stops changing. */
@@ -116,7 +95,7 @@ export class CaptionView extends View {
         <strong data-testid="stage-title">${title}</strong>
         <span>${
           stage.content?.kind === "model" && title === lab().stage.made
-            ? html`${withTerms(lab().stage.rollout)}${text ? ", " : ""}`
+            ? `${lab().stage.rollout}${text ? ", " : ""}`
             : nothing
         }${text}</span>
         ${

@@ -3,7 +3,6 @@ import { html, nothing } from "lit";
 import { guard } from "lit/directives/guard.js";
 import { lastChapter } from "../settings/door";
 import { writeSettings } from "../settings/settings";
-import { withTerms } from "../terms/term";
 import { fileButton } from "../ui/file-button";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
@@ -68,7 +67,7 @@ export class HeaderView extends View {
     const { title, leads, header } = lab();
     return html`
       <div class="title">
-        <h1>${withTerms(title)}</h1>
+        <h1>${title}</h1>
         ${view === "play" ? nothing : html`<p>${leads[view]}</p>`}
       </div>
       ${this.#views()}

@@ -16,7 +16,7 @@ it("says from when on there is none", () => {
     /^With these couplings the model stands still/,
   );
   const away = { state: "leaves-training-range" as const, from: 3, part: 1, rank: 1, pace: null, parts: [] };
-  expect(healthWords(away, seen)).toBe("Upper leaves the training range from 3.0 s on.");
+  expect(healthWords(away, seen)).toBe("Outside the training range from 3.0 s on: arms.");
   expect(healthWords({ ...away, state: "not-finite", from: null }, seen)).toMatch(/^The model runs away/);
 });
 
@@ -24,7 +24,7 @@ it("says which share of the poses of its clips a motion visits, if it is small",
   const pace = { speed: 1, clipSpeed: 1, turnsBack: 0, clipTurnsBack: 0 };
   const parts = [{ visited: 0.22, stillFrom: null, pace }];
   const few = { ...MOVES_ON, state: "visits-few-poses" as const, part: 0, rank: 2, pace, parts };
-  expect(healthWords(few, seen)).toBe("The model visits 22 % of its clips’ poses in lower.");
+  expect(healthWords(few, seen)).toBe("The model visits 22 % of its clips’ poses in legs.");
 });
 
 it("says that a figure which glides keeps one pose", () => {

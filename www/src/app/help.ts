@@ -54,7 +54,7 @@ export class HelpView extends View {
           <dl class="keys">${words.keys.map(([key, does]) => html`<dt><kbd>${key}</kbd></dt><dd>${does}</dd>`)}</dl>
           <h3>${words.about}</h3>
           <p>${words.local}</p>
-          <p>${words.samples} <span lang="en">${DATA_SOURCE}</span></p>
+          <p>${words.samples} <span lang="en">${DATA_SOURCE}</span> <a href="licences.txt">${words.licences}</a></p>
           ${this.#provenance()}
         </div>
       </dialog>`;

@@ -110,11 +110,11 @@ describe("the address of the first visit", () => {
     );
     await vi.waitFor(() => expect(bar.read()).toBe(`frames=90&packed=${link}`));
     // The visitor comes back from another view.
-    bar.pages.push(`tab=loops&frames=90&packed=${link}`);
+    bar.pages.push(`tab=more&frames=90&packed=${link}`);
     app.followAddress();
-    expect([title(), app.settings.values.tab]).toEqual(["Made by a TMP", "loops"]);
+    expect([title(), app.settings.values.panel]).toEqual(["Made by a TMP", "more"]);
     app.stage.endClip();
-    await vi.waitFor(() => expect(bar.read()).toBe("tab=loops&frames=90"));
+    await vi.waitFor(() => expect(bar.read()).toBe("tab=more&frames=90"));
     expect([app.model.openedText, fetchedFirst, notices()]).toEqual([null, 1, []]);
   });
 

@@ -50,7 +50,7 @@ export async function openFiles(app: App, files: readonly File[], at: Place | nu
     }
   }
   if (opened > 0) {
-    app.settings.change({ tab: "learn" });
+    app.settings.change({ panel: "learn" });
     await clips.checkClash();
   }
   if (answers.length > 0) await openAnswers(app, answers);

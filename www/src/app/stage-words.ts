@@ -1,7 +1,4 @@
-// The texts of the page about the stage: title and text over the figure, and the sentence in the header. One
-// file makes all of them, so that they agree.
-import { readingSentence } from "../couplings/reading-text";
-import type { Reading } from "../engine/protocol";
+// The texts over the figure: a title, and what it is about.
 import type { StageContent } from "../stage/stage-store";
 import { clipTitle } from "../ui/format";
 import { lab } from "../words/lab";
@@ -18,9 +15,7 @@ export interface OnStage {
   /** Whether a coupling is changed. */
   altered: boolean;
   /** The preset of the couplings. */
-  preset: { name: string; meaning: string } | null;
-  /** The measured effect of the couplings, and the reading of the motion; null while not measured. */
-  effect: { text: string; reading: Reading } | null;
+  preset: { name: string } | null;
   /** Whether the motion is live. */
   live: boolean;
   /** Whether both readings of the couplings are side by side. */
@@ -32,7 +27,6 @@ export interface OnStage {
 export interface StageWords {
   title: string;
   text: string;
-  lead: string;
 }
 
 /** The most clips that are named; more are counted. */
@@ -40,23 +34,9 @@ const NAMED = 2;
 
 export function stageWords(now: OnStage): StageWords {
   const { kind, clip } = now;
-  if (kind === null) return { title: "", text: "", lead: lab().stage.lead.made };
+  if (kind === null) return { title: "", text: "" };
   if (kind === "clip") return clipWords(clip);
-  const lead = now.altered ? alteredLead(now) : now.learning ? lab().stage.lead.learning : learned(now);
-  return { ...modelWords(now), lead };
-}
-
-function alteredLead({ preset, effect, live, twoReadings }: OnStage): string {
-  const meaning = preset?.meaning ?? lab().stage.lead.own;
-  return effect && !live
-    ? `${meaning} ${readingSentence(effect.text, effect.reading, twoReadings)}`
-    : meaning;
-}
-
-function learned({ learnedFrom }: OnStage): string {
-  const count = learnedFrom?.length ?? 0;
-  const { lead, clips } = lab().stage;
-  return count === 0 ? lead.made : lead.learned(clips(count));
+  return modelWords(now);
 }
 
 function clipWords(clip: OnStage["clip"]): StageWords {
@@ -64,11 +44,10 @@ function clipWords(clip: OnStage["clip"]): StageWords {
   return {
     title: clip?.title ?? words.clip,
     text: clip ? words.clipFrom[clip.origin] : words.clipFrom.own,
-    lead: words.lead.clip,
   };
 }
 
-function modelWords(now: OnStage): { title: string; text: string } {
+function modelWords(now: OnStage): StageWords {
   const { point, altered, preset, twoReadings, live, learning, learnedFrom } = now;
   const words = lab().stage;
   if (point !== null) return { title: words.point, text: point };

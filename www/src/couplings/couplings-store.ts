@@ -2,7 +2,7 @@
 // primitives use this one store.
 import type { Couplings, Reading } from "../engine/protocol";
 import type { ChangedCouplings } from "../settings/settings";
-import { moveDivider, weights } from "./weights";
+import { weights } from "./weights";
 
 /** What the visitor has chosen. */
 export interface ChosenCouplings {
@@ -102,15 +102,6 @@ export class CouplingsStore {
 
   set(source: number, target: number, alpha: number): void {
     this.#set([[source, target, alpha]]);
-  }
-
-  /** Moves the divider between two neighbouring sources of a part to a place between 0 and 1. */
-  moveDivider(target: number, divider: number, place: number): void {
-    const [left, right] = moveDivider(this.#alphasInto(target), divider, place);
-    this.#set([
-      [divider, target, left],
-      [divider + 1, target, right],
-    ]);
   }
 
   /** Sets all couplings at once, and a reading that lasts until `resetAll`. */

@@ -1,26 +1,24 @@
 // A table of couplings: a row for each part that decides, a column for each part that it decides about.
-import { html, nothing, type TemplateResult } from "lit";
+import { html } from "lit";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
-import { type CouplingCell, couplingCell } from "./coupling-cell";
+import { type CouplingSlider, couplingSlider } from "./coupling-slider";
 import type { CouplingsStore } from "./couplings-store";
 import { lab } from "../words/lab";
 
-export interface CouplingsTable extends Partial<Pick<CouplingCell, "trained" | "prefix">> {
+export interface CouplingsTable extends Pick<CouplingSlider, "trained" | "prefix"> {
   couplings: CouplingsStore;
   /** The names of the parts. */
   parts: readonly string[];
-  /** Drawn above the cells of a part. */
-  above?: (target: number) => TemplateResult;
 }
 
-export function couplingsTable({ couplings, parts, above, trained = true, prefix = "" }: CouplingsTable) {
+export function couplingsTable({ couplings, parts, ...how }: CouplingsTable) {
   const words = lab().couplings;
   const head = (part: number) =>
     html`<span class="part-name" style=${partStyle(partColour(part))}><i class="swatch"></i>${parts[part] ?? ""}</span>`;
   const cell = (source: number, target: number) => {
-    const names: CouplingCell["names"] = [parts[source] ?? "", parts[target] ?? ""];
-    return couplingCell({ couplings, source, target, names, trained, prefix });
+    const names = [parts[source] ?? "", parts[target] ?? ""] as const;
+    return html`<td>${couplingSlider({ couplings, source, target, names, ...how })}</td>`;
   };
   return html`
     <div class="table-box">
@@ -30,7 +28,6 @@ export function couplingsTable({ couplings, parts, above, trained = true, prefix
             <td><small>${words.decides}</small></td>
             ${parts.map((_, target) => html`<th scope="col"><small>${words.about}</small> ${head(target)}</th>`)}
           </tr>
-          ${above ? html`<tr><td></td>${parts.map((_, target) => html`<td>${above(target)}</td>`)}</tr>` : nothing}
         </thead>
         <tbody>
           ${parts.map(

@@ -1,6 +1,5 @@
 // The measures of the motion under the couplings now.
 import { html, nothing } from "lit";
-import { withTerms } from "../terms/term";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
@@ -33,7 +32,7 @@ export class MeasuredView extends View {
     ];
     return html`
       <p class="measured" role="status" data-testid="measured" data-current=${isCurrent ? "yes" : "no"}>
-        <span>${withTerms(lab().measured.compared(which))}</span>
+        <span>${lab().measured.compared(which)}</span>
         ${parts.map(
           ({ part, words }) => html`
           <span class="limbs" data-testid="measured-${part}" style=${partStyle(partColour(part))}><i class="swatch"></i>${names[part]} ${words}</span>`,

@@ -1,6 +1,5 @@
 // The measures of a motion as text, compared with the motion as learned.
 import type { BodyReport, Health } from "../engine/protocol";
-import { sentence } from "../ui/format";
 import { lab } from "../words/lab";
 
 export interface MeasuresText {
@@ -37,7 +36,7 @@ export function measuresText(now: BodyReport, learned: BodyReport, names: readon
     const [is, was] = [now.measures.parts[part], learned.measures.parts[part]];
     if (!is || !was || is.swing === null || was.swing === null) return [];
     const since = now.health.parts[part]?.stillFrom ?? null;
-    const pose = since === null ? "" : lab().measured.pose(sinceText(since));
+    const pose = since === null ? "" : lab().measured.still(sinceText(since));
     const pace = paceText(is, was);
     const texts = pose ? [pose] : [swingText(is.swing, was.swing), pace];
     const changed = pose !== "" || pace !== "" || !isSame(is.swing, was.swing);
@@ -52,17 +51,6 @@ export function measuresText(now: BodyReport, learned: BodyReport, names: readon
   const common = steps.size === 1 ? [...steps].join() : "";
   const step = [common && lab().measured.common(common), speedText(now, learned)].filter(Boolean).join("; ");
   return { parts, step, trouble };
-}
-
-/** The effect of couplings in one or two sentences: what is not as learned, and whether the step is kept. */
-export function effectText(now: BodyReport, learned: BodyReport, names: readonly string[]): string {
-  const { parts, step, trouble } = measuresText(now, learned, names);
-  if (IN_ONE_POSE.has(now.health.state) || now.health.state === "not-finite")
-    return sentence(lab().measured.figure(trouble));
-  const changed = parts.filter(({ changed }) => changed);
-  const texts = changed.map(({ part, words }) => `${names[part]} ${words}`);
-  const swings = texts.length > 0 ? texts.join("; ") : lab().measured.asLearned;
-  return [swings, step, trouble].filter(Boolean).map(sentence).join(" ");
 }
 
 /** Whether hands or feet still swing, compared with the motion as learned. */

@@ -66,8 +66,8 @@ it("gives any model the preset as-learned and two presets for each part", () => 
   const names = ["legs", "trunk", "left arm"];
   const presets = presetsOf(names);
   expect(presets.map((preset) => presetWords(preset).name).slice(5)).toEqual([
-    "Left arm on its own",
-    "Left arm follows the others",
+    "Left arm alone",
+    "Left arm by the others alone",
   ]);
   expect(new Set(presets.map(({ id }) => id)).size).toBe(7);
   const model = info(names, [

@@ -1,5 +1,5 @@
 // Presets of couplings: some for the model that the page opens with, others for any model. A preset promises
-// nothing: the page measures its effect on the model at hand (`effectText`).
+// nothing: the page measures its effect on the model at hand (`measuresText`).
 import startPresets from "../../first/presets.json";
 import type { ModelView, Reading } from "../engine/protocol";
 import { type ChangedCouplings, limited } from "../settings/settings";

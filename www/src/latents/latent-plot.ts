@@ -7,7 +7,9 @@ import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
 import { onThemeChange, partColour, partColourNow } from "../ui/palette";
 import { View } from "../ui/view";
-import { type Behind, drawLatents, type LatentPicture, placeNow } from "./latent-drawing";
+import { drawLatents, type LatentPicture, placeNow } from "./latent-drawing";
+import "./latents.css";
+import type { LayersStore } from "./layers-store";
 import { Plane } from "./plane";
 import { StepBand } from "./prediction-drawing";
 import type { PredictionsStore } from "./predictions-store";
@@ -16,13 +18,6 @@ import type { PushHandle } from "./push-handle";
 import { type Projection, principalAxes, type Turn } from "./projection";
 import { partStyle } from "../ui/styled";
 import { lab, shownPart } from "../words/lab";
-
-/** The inducing points that the plots show. */
-export interface Layers {
-  pose: boolean;
-  dynamics: boolean;
-  between: boolean;
-}
 
 const FLAT: Turn = { about: 0, tilt: 0 };
 const TILTED: Turn = { about: -0.6, tilt: 0.5 };
@@ -37,16 +32,10 @@ interface Mark {
 }
 
 export class LatentPlot extends View {
-  static override properties = {
-    bodyPart: { type: Number },
-    layers: { attribute: false },
-    behind: { attribute: false },
-  };
+  static override properties = { bodyPart: { type: Number } };
   declare bodyPart: number;
-  declare layers: Layers;
+  declare layers: LayersStore;
   declare model: ModelStore;
-  /** Draws behind the path. */
-  declare behind: Behind | null;
   declare pointing: PointingStore;
   declare predictions: PredictionsStore;
   declare settings: SettingsStore;
@@ -67,12 +56,10 @@ export class LatentPlot extends View {
   constructor() {
     super();
     this.bodyPart = 0;
-    this.layers = { pose: true, dynamics: true, between: false };
-    this.behind = null;
   }
 
   protected override stores() {
-    return [this.model, this.pointing, this.settings, this.stage];
+    return [this.model, this.pointing, this.settings, this.stage, this.layers];
   }
 
   protected override arrived(): void {
@@ -124,7 +111,7 @@ export class LatentPlot extends View {
     parts.forEach((_, target) => {
       const own = target === part;
       const inducing = model.dynamicsInducing[part]?.[target];
-      if (!inducing || !(own ? this.layers.dynamics : this.layers.between)) return;
+      if (!inducing || !(own ? this.layers.shown.dynamics : this.layers.shown.between)) return;
       for (let i = 0; i < inducing.count; i++) {
         marks.push({
           key: `d${target}-${i}`,
@@ -137,7 +124,7 @@ export class LatentPlot extends View {
     });
     // Last, so that their buttons lie on top.
     const poses = model.poseInducing[part];
-    for (let i = 0; this.layers.pose && poses && i < (parts[part]?.poseIps ?? 0); i++) {
+    for (let i = 0; this.layers.shown.pose && poses && i < (parts[part]?.poseIps ?? 0); i++) {
       const label = words.posePoint(i + 1, name(part));
       marks.push({ key: `p${i}`, point: { kind: "pose", part, index: i }, label, points: poses, row: i });
     }
@@ -164,7 +151,8 @@ export class LatentPlot extends View {
   }
 
   #picture(box: HTMLElement): LatentPicture | null {
-    const { bodyPart: part, layers, playback } = this;
+    const { bodyPart: part, playback } = this;
+    const { shown, behind } = this.layers;
     const projection = this.#projection;
     const turn = this.#turn;
     const { model, rollout, learned, couplings } = this.model;
@@ -177,7 +165,7 @@ export class LatentPlot extends View {
     const inducing = (source: number, target: number) => model.dynamicsInducing[source]?.[target];
     const ofOthers = (pointsOf: (other: number) => DynamicsInducing | undefined) =>
       model.info.parts.flatMap((_, other) => {
-        const points = other === part || !layers.between ? undefined : pointsOf(other);
+        const points = other === part || !shown.between ? undefined : pointsOf(other);
         return points ? [{ inducing: points, other, colour: partColourNow(other) }] : [];
       });
     return {
@@ -191,8 +179,8 @@ export class LatentPlot extends View {
       rollout: latents,
       learned: couplings.altered || live ? (learned?.latents[part] ?? null) : null,
       training: model.trainingLatents?.[part] ?? null,
-      poses: layers.pose ? (model.poseInducing[part] ?? null) : null,
-      dynamics: layers.dynamics ? (inducing(part, part) ?? null) : null,
+      poses: shown.pose ? (model.poseInducing[part] ?? null) : null,
+      dynamics: shown.dynamics ? (inducing(part, part) ?? null) : null,
       outgoing: ofOthers((other) => inducing(part, other)),
       incoming: ofOthers((other) => inducing(other, part)),
       order: model.info.order,
@@ -206,7 +194,7 @@ export class LatentPlot extends View {
           ? null
           : { report: predictions, weights: rollout.weights.map((row) => row[part] ?? 0) },
       band: this.#band,
-      behind: live ? null : this.behind,
+      behind: live ? null : behind,
     };
   }
 
@@ -214,7 +202,7 @@ export class LatentPlot extends View {
     const canvas = this.querySelector("canvas");
     const draw = canvas?.getContext("2d");
     const box = canvas?.parentElement;
-    if (!canvas || !draw || !box || box.clientWidth === 0) return;
+    if (!canvas || !draw || !box || box.clientWidth === 0 || box.clientHeight === 0) return;
     const picture = this.#picture(box);
     if (!picture) {
       draw.clearRect(0, 0, canvas.width, canvas.height);
@@ -302,8 +290,7 @@ export class LatentPlot extends View {
     const point = (to: InducingPoint | null) => () => pointing.pointAt(to);
     return html`
       <figure class="latent" style=${partStyle(partColour(this.bodyPart))}>
-        <figcaption><i class="swatch"></i>${name}</figcaption>
-        <div class="plot" tabindex="0" role="group" aria-label=${lab().loops.plotOf(name)}
+        <div class="plot" tabindex="0" role="group" aria-label=${lab().loops.plotOf(name)} title=${lab().loops.turn}
           data-testid="latent-${this.bodyPart}"
           @pointerdown=${this.#grab} @pointermove=${this.#move} @pointerup=${this.#drop} @pointercancel=${this.#drop}
           @keydown=${this.#keys}>

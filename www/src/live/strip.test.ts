@@ -31,7 +31,7 @@ it("has no lines for a model without a cycle", () => {
 
 it("names the coupling that is cut", () => {
   const cut = { kind: "cut" as const, source: 0, target: 1, from: 3, to: null };
-  expect(actionText([cut], ["lower", "upper"])).toBe("upper does not hear lower");
+  expect(actionText([cut], ["lower", "upper"])).toBe("lower → upper is cut");
   expect(actionText([{ ...cut, to: 9 }], ["lower", "upper"])).toBeNull();
   expect(actionText([cut, { ...cut, source: 1 }], ["lower", "upper"])).toBe("2 couplings are cut");
 });
@@ -47,5 +47,5 @@ it("says who moves a part, unless a coupling is cut", () => {
   expect(actionText([push], names)).toBeNull();
   expect(actionText([{ ...push, held: true }], names)).toMatch(/^You move lower/);
   const cut = { kind: "cut" as const, source: 0, target: 1, from: 3, to: null };
-  expect(actionText([cut, drive], names)).toBe("upper does not hear lower");
+  expect(actionText([cut, drive], names)).toBe("lower → upper is cut");
 });

@@ -80,9 +80,7 @@ it("names the part for which all couplings ended at their limit, and does not ca
   expect(fitting.unexplained).toEqual(["upper"]);
   const { text, failed } = fitText(fitting);
   expect(failed).toBe(true);
-  expect(text).toMatch(
-    /^No coupling found for upper: .* limit, α = 10\. .* Reset undoes the fit\. 1\.5 s\.$/,
-  );
+  expect(text).toMatch(/^No coupling found for arms: .* limit, α = 10\. .* Reset undoes the fit\. 1\.5 s\.$/);
   const again = fitting.fit("a");
   await end(FITTED);
   await again;

@@ -36,7 +36,7 @@ async function end(found: Imported | null): Promise<void> {
 describe("primitives of another file", () => {
   it("are added where they fit, and only once", async () => {
     await imports.openFile(armsText("swing"), "swing.json");
-    expect(imports.text).toBe("Added upper: swing.");
+    expect(imports.text).toBe("Added arms: swing.");
     expect(library.current?.info.primitives.map(({ name }) => name)).toEqual([
       "walk",
       "wave",
@@ -77,7 +77,7 @@ describe("primitives of another file", () => {
       seed: 3,
     });
     expect(imports.text).toBe(
-      "Added upper: swing. The pose maps of this library do not show 1.0 % of lower and 25.0 % of upper.",
+      "Added arms: swing. The pose maps of this library do not show 1.0 % of lower and 25.0 % of upper.",
     );
     expect(imports.offer).toBeNull();
     expect(library.current?.info.primitives).toHaveLength(5);

@@ -35,7 +35,7 @@ describe("a library", () => {
     await opened();
     expect(library.uses).toEqual([0, 3]);
     expect(library.recorded).toBeNull();
-    expect(library.title).toBe("lower: walk, upper: wave");
+    expect(library.title).toBe("legs: walk, arms: wave");
     expect(program.libraries.walks).toEqual([[0, 3]]);
     await settled();
     expect(library.combinations.map((uses) => library.motionOf(uses)?.frames)).toEqual([120, 120, 120, 120]);

@@ -132,5 +132,5 @@ it("parts that use primitives of several movements are named one by one", () => 
   const mixed = [walk?.[0] ?? -1, wave?.[1] ?? -1];
   const segment = { first: 0, end: 1, probability: 1 };
   expect(nameOf({ ...segment, movement: 1, uses: wave ?? [] }, info)).toBe("wave");
-  expect(nameOf({ ...segment, movement: null, uses: mixed }, info)).toBe("lower: walk; upper: wave");
+  expect(nameOf({ ...segment, movement: null, uses: mixed }, info)).toBe("legs: walk; arms: wave");
 });

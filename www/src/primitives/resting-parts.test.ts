@@ -14,7 +14,7 @@ it("names the part that rests, and the part that leads it", () => {
   ];
   expect(restingPartsText(info, [0, 1], moves(false, 0.9, false))).toBe("");
   expect(restingPartsText(info, [0, 1], moves(true, 0.9, false))).toBe(
-    "Upper keeps one pose. Lower decides 90 % of what upper does, and lower: walk never learned to drive upper: wave.",
+    "One pose: arms. 90 % of what comes next for arms is decided by legs, and legs: walk never learned to drive arms: wave.",
   );
   expect(restingPartsText(info, [0, 1], moves(true, 0.9, true))).toContain(
     "does not drive it under these couplings.",
@@ -23,6 +23,6 @@ it("names the part that rests, and the part that leads it", () => {
     "its own predictions come to rest.",
   );
   expect(restingPartsText(info, [0], [{ share: 0, still: true, leader: null }])).toBe(
-    "Lower keeps one pose. Alone it comes to rest.",
+    "One pose: legs. Alone it comes to rest.",
   );
 });

@@ -1,6 +1,6 @@
 // The large figure, with a slot on the body for each part's primitive.
 import { html, nothing, svg } from "lit";
-import { bodyOf, type Body as MapBody, HEIGHT, NODE, WIDTH } from "../couplings/body-layout";
+import { bodyOf, type Body as MapBody, HEIGHT, NODE, WIDTH } from "./body-layout";
 import type { Motion } from "../engine/protocol";
 import { Columns } from "../scene/columns";
 import type { LiveTrack } from "../scene/live-track";

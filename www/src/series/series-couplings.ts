@@ -1,6 +1,5 @@
 // The couplings of a model of tables, and the effect of changed couplings on the experts.
 import { html, nothing } from "lit";
-import "../couplings/couplings.css";
 import { couplingsTable } from "../couplings/couplings-table";
 import { readingText } from "../couplings/reading-text";
 import type { Reading } from "../engine/protocol";

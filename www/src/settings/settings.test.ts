@@ -20,7 +20,7 @@ describe("settings in the URL", () => {
     const settings = { ...initialSettings(), chapter: 3, latent: 2 };
     expect(writeSettings(settings)).toBe("story=3");
     expect(readSettings("#story=3").chapter).toBe(3);
-    expect(readSettings("#story=77").chapter).toBe(10);
+    expect(readSettings("#story=77").chapter).toBe(11);
   });
 
   it("has camera, time and cut in the link of a chapter, and names the page for teachers in one word", () => {
@@ -42,7 +42,7 @@ describe("settings in the URL", () => {
       camera: [1.2, 0.1, 0.9],
       time: 2.5,
       exercise: 3,
-      tab: "loops" as const,
+      panel: "more" as const,
       parts: "hand",
       split: [
         { name: "legs & hips", joints: [0, 1, 2, 3, 7] },

@@ -2,6 +2,7 @@
 // value from the URL passes the same limits as one from a control. No rendering.
 import { MAX_PARTS } from "../engine/limits";
 import type { PartSpec, Reading } from "../engine/protocol";
+import { LAST_CHAPTER } from "./chapters";
 
 interface Setting<T> {
   /** The name in the URL. */
@@ -318,8 +319,8 @@ export const VIEWS = [
   "method",
 ] as const;
 
-/** The tabs next to the stage. */
-export const TABS = ["listen", "loops", "learn", "numbers"] as const;
+/** The panels that open next to the picture of the Lab. */
+export const PANELS = ["learn", "more", "numbers"] as const;
 
 /** All kinds of models, in the order of the tables. */
 export const MODELS = [
@@ -338,9 +339,6 @@ export const BY_HAND = "hand";
 /** Weights of the pose terms in the objective of a training; with 1 it is the bound. */
 export const POSE_WEIGHTS = ["balanced", 1, 0.3, 0.1] as const;
 
-/** The last chapter of the story. */
-const LAST_CHAPTER = 10;
-
 /** The exercises for a class. */
 export const EXERCISES = 6;
 
@@ -357,7 +355,8 @@ export const SETTINGS = {
   /** The exercise for a class that the Lab shows; 0: none. */
   exercise: whole("exercise", 0, 0, EXERCISES),
   view: choice("view", "play", VIEWS),
-  tab: choice("tab", "listen", TABS),
+  /** The open panel. The address calls it a tab, as it did when the Lab had tabs. */
+  panel: choice("tab", "none", ["none", ...PANELS]),
   parts: preset,
   split,
   latent: whole("latent", 3, 1, 6),

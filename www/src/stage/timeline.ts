@@ -62,20 +62,14 @@ export class TimelineView extends View {
         step="1" .value=${seconds(frames)} @change=${change} /> s</label><small class="limit" role="status" data-testid="length-limit"></small>`;
   }
 
-  /** The choice between a motion of some seconds and a live motion. */
-  #modes() {
+  /** Goes on without an end, or back to a motion of some seconds. */
+  #live() {
     const { content } = this.stage;
     if (content?.kind !== "model") return nothing;
     const live = content.live === true;
     const words = lab().time;
-    const turn = (on: boolean) => () =>
-      live !== on && this.dispatchEvent(new CustomEvent("switch-live", { detail: on, bubbles: true }));
-    return html`
-      <div class="segments modes" role="group" aria-label=${words.modes}>
-        <button type="button" aria-pressed=${live ? "false" : "true"} title=${words.clipMeaning} @click=${turn(false)}>${words.clip}</button>
-        <button type="button" aria-pressed=${live ? "true" : "false"} data-testid="live-on" @click=${turn(true)}
-          title=${words.liveMeaning}>${words.live}</button>
-      </div>`;
+    const turn = () => this.dispatchEvent(new CustomEvent("switch-live", { detail: !live, bubbles: true }));
+    return html`<button class="chip" aria-pressed=${live ? "true" : "false"} data-testid="live-on" title=${words.liveMeaning} @click=${turn}>${words.live}</button>`;
   }
 
   protected override render() {
@@ -87,12 +81,12 @@ export class TimelineView extends View {
     const frame = Math.min(Math.floor(playback.frame + 1e-6), lastFrame);
     const seconds = (value: number) => fixed(value * frameTime, 1);
     return html`
-      <div class="timeline" role="group" aria-label=${words.label}>
+      <div class="timeline" data-playing=${playing ? "yes" : "no"} role="group" aria-label=${words.label}>
         <button class="round primary" data-testid="play" aria-label=${playing ? words.pause : words.play} title=${playing ? words.pauseMeaning : words.playMeaning}
           @click=${() => playback.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
         <button class="round step" aria-label=${words.back} title=${words.backMeaning} @click=${() => playback.step(-1)}>${icon("back")}</button>
         <button class="round step" aria-label=${words.forward} title=${words.forwardMeaning} @click=${() => playback.step(1)}>${icon("forward")}</button>
-        ${this.#modes()}
+        ${this.#live()}
         <div class="scrub">
           <canvas aria-hidden="true"></canvas>
           <input type="range" aria-label=${words.frame} data-testid="scrub" ?disabled=${this.stage.content?.live === true} min="0" max=${lastFrame} step="1" .value=${String(frame)}

@@ -1,13 +1,12 @@
 // The way from chapter to chapter: back, the list of all chapters, and next.
 import { html, nothing } from "lit";
 import type { Words } from "../words/words";
-import { CHAPTERS } from "./chapters";
+import { addressOf, type ChapterName, ORDER } from "../settings/chapters";
 
 interface Place {
   words: Words;
-  /** The open chapter and the number of chapters in a row, from 1. */
-  number: number;
-  count: number;
+  /** The open chapter. */
+  name: ChapterName;
   step(direction: 1 | -1): void;
 }
 
@@ -20,21 +19,22 @@ const RIGHT = "M6 3l5 5-5 5";
 const hide = ({ currentTarget }: Event) =>
   (currentTarget as HTMLElement).closest<HTMLElement>("[popover]")?.hidePopover();
 
-function list({ words, number, count }: Place) {
+function list({ words, name }: Place) {
   return html`
     <ol id="story-chapters" popover data-testid="chapter-list">
-      ${CHAPTERS.map(
-        (name, place) => html`
-        <li class=${place < count ? "" : "extra"}>
-          <a href="#story=${place + 1}" aria-current=${place + 1 === number ? "step" : "false"} @click=${hide}>
-            <span>${place < count ? place + 1 : words.frame.extra}</span> ${words.chapters[name].title}</a>
+      ${ORDER.map(
+        (other, place) => html`
+        <li>
+          <a href="#story=${addressOf(other)}" aria-current=${other === name ? "step" : "false"} @click=${hide}>
+            <span>${place + 1}</span> ${words.chapters[other].title}</a>
         </li>`,
       )}
     </ol>`;
 }
 
 export function chapterPlace(place: Place) {
-  const { words, number, count, step } = place;
+  const { words, name, step } = place;
+  const [number, count] = [ORDER.indexOf(name) + 1, ORDER.length];
   const { frame } = words;
   return html`
     <nav class="story-place" aria-label=${frame.chapters}>
@@ -48,7 +48,7 @@ export function chapterPlace(place: Place) {
           { length: count },
           (_, i) => html`<i class=${i + 1 === number ? "now" : i + 1 < number ? "past" : ""}></i>`,
         )}</span>
-        <span>${number <= count ? frame.place(number, count) : frame.extra}</span>
+        <span>${frame.place(number, count)}</span>
       </button>
       ${
         number < count

@@ -1,13 +1,10 @@
 // The chapters of the story. Each is loaded when it is opened or about to be.
 import type { App } from "../app/app";
-import type { Words } from "../words/words";
+import type { ChapterName } from "../settings/chapters";
 import type { Chapter } from "./chapter";
-
-export type ChapterName = keyof Words["chapters"];
 
 type Loading = Promise<{ openChapter(app: App): Promise<Chapter> }>;
 
-/** In their order: chapter N has the address `#story=N`. The last one is extra. */
 export const LOAD: Readonly<Record<ChapterName, () => Loading>> = {
   computer: () => import("./computer/chapter"),
   arms: () => import("./arms/chapter"),
@@ -19,6 +16,5 @@ export const LOAD: Readonly<Record<ChapterName, () => Loading>> = {
   borrow: () => import("./borrow/chapter"),
   belief: () => import("./belief/chapter"),
   gaussian: () => import("./gaussian/chapter"),
+  end: () => import("./end/chapter"),
 };
-
-export const CHAPTERS = Object.keys(LOAD) as ChapterName[];

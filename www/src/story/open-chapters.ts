@@ -4,7 +4,8 @@ import { Lazy } from "../app/lazy";
 import { whenIdle } from "../ui/idle";
 import { Store } from "../ui/store";
 import type { Chapter } from "./chapter";
-import { CHAPTERS, type ChapterName, LOAD } from "./chapters";
+import { type ChapterName, ORDER } from "../settings/chapters";
+import { LOAD } from "./chapters";
 
 /** "loading" and "failed" are about the chapter that the visitor asked for last. */
 export type ChapterState = "loading" | "open" | "failed";
@@ -77,7 +78,7 @@ export class OpenChapters extends Store {
 
   /** Loads the program of the next chapter. */
   #preload(name: ChapterName): void {
-    const next = CHAPTERS[CHAPTERS.indexOf(name) + 1];
+    const next = ORDER[ORDER.indexOf(name) + 1];
     if (next) LOAD[next]().catch(() => {});
   }
 }

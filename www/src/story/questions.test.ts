@@ -3,7 +3,7 @@
 import { expect, it } from "vitest";
 import { words as german } from "../words/de";
 import { words as english } from "../words/en";
-import type { ChapterName } from "./chapters";
+import type { ChapterName } from "../settings/chapters";
 
 /** For each question the chapters, and key words of the answer in English and German. */
 const ANSWERS: readonly [ChapterName[], string[], string[]][] = [
@@ -29,11 +29,15 @@ const ANSWERS: readonly [ChapterName[], string[], string[]][] = [
     ["a few steps, the inducing points", "is smooth", "between these points"],
     ["wenige Schritte, die Stützpunkte", "ist glatt", "zwischen diesen Punkten"],
   ],
-  [["product"], ["lies between, nearer to the one who counts more"], ["liegt dazwischen, näher bei dem"]],
+  [
+    ["product"],
+    ["The two bells are multiplied", "nearer to the smaller circle"],
+    ["werden multipliziert", "näher beim kleineren Kreis"],
+  ],
   [
     ["arms", "product"],
-    ["α is how unsure a source is", "with a large alpha counts less"],
-    ["α sagt", "großem Alpha zählt weniger"],
+    ["α is how unsure a source is", "size is its variance, alpha"],
+    ["α sagt", "Größe ihre Varianz ist, Alpha"],
   ],
   [
     ["arms"],

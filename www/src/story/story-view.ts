@@ -2,6 +2,7 @@
 import { html, nothing } from "lit";
 import type { App } from "../app/app";
 import { isUsedByControl } from "../app/keyboard";
+import { addressOf, type ChapterName, chapterAt, ORDER } from "../settings/chapters";
 import { initialSettings, writeSettings } from "../settings/settings";
 import { IN_LAB } from "../settings/settings-store";
 import { momentOf, takeMoment } from "../stage/moment";
@@ -11,12 +12,12 @@ import { View } from "../ui/view";
 import { noticeCard } from "../ui/notices-view";
 import { storyBody } from "./body";
 import type { Guess } from "./chapter";
-import { CHAPTERS, type ChapterName } from "./chapters";
 import { chapterPlace } from "./chapter-place";
 import { siteHead } from "../app/site-head";
 import { OpenChapters } from "./open-chapters";
 import { Slides } from "./slides";
 import { swipes } from "./swipe";
+import { loadReplies, repliesNow } from "../words/replies";
 import "./story.css";
 import "./story-foot.css";
 
@@ -28,6 +29,8 @@ const TURN_MEASURE = "chapter-turn";
 
 /** Keys of a keyboard and of a clicker. */
 const STEPS: Record<string, 1 | -1> = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 };
+/** Keys that show the answer in a lecture; so does a step forward, for a clicker. */
+const REVEALS: readonly string[] = [" ", "Enter"];
 
 export class StoryView extends View {
   declare app: App;
@@ -35,6 +38,8 @@ export class StoryView extends View {
   #slides!: Slides;
   /** The sentence about the last guess in each chapter. */
   readonly #guesses = new Map<ChapterName, string>();
+  /** The answer that the page replies to in each chapter. */
+  readonly #replies = new Map<ChapterName, string>();
 
   override connectedCallback(): void {
     this.#chapters ??= new OpenChapters(this.app);
@@ -74,13 +79,8 @@ export class StoryView extends View {
     this.listen(window, "online", () => this.#chapters.state === "failed" && location.reload());
   }
 
-  /** The number of the open chapter, from 1. */
-  get #number(): number {
-    return Math.max(1, this.app.settings.values.chapter);
-  }
-
   get #name(): ChapterName {
-    return CHAPTERS[this.#number - 1]!;
+    return chapterAt(this.app.settings.values.chapter);
   }
 
   /** Opens the chapter of the address. */
@@ -121,7 +121,7 @@ export class StoryView extends View {
       ...initialSettings(),
       ...(stage.content ? moment : {}),
       ...chapter?.link?.(),
-      chapter: this.#number,
+      chapter: addressOf(this.#name),
     });
   }
 
@@ -145,18 +145,23 @@ export class StoryView extends View {
   }
 
   #step(direction: 1 | -1): void {
-    const next = this.#number + direction;
-    if (next >= 1 && next <= this.#count) this.app.settings.change({ chapter: next });
+    const next = ORDER[ORDER.indexOf(this.#name) + direction];
+    if (next) this.app.settings.change({ chapter: addressOf(next) });
   }
 
-  /** The number of chapters in a row; the last one is extra. */
-  get #count(): number {
-    return CHAPTERS.length - 1;
+  /** In a lecture a key shows the answer first, as most hands have guessed it; false: there is nothing to show. */
+  #reveal(): boolean {
+    const guess = this.#chapters.chapter?.guess();
+    if (!guess || !this.app.lecture.isOn) return false;
+    this.#guess(this.#slides.favourite ?? Object.keys(guess.choices)[0]!, this.#slides.favourite !== null);
+    return true;
   }
 
   #obey(event: KeyboardEvent): void {
     if (event.defaultPrevented || isUsedByControl(event)) return;
     const direction = STEPS[event.key];
+    const shows = direction === 1 || REVEALS.includes(event.key);
+    if (shows && this.#reveal()) return event.preventDefault();
     if (direction) this.#step(direction);
     else if (!this.#slides.key(event)) return;
     event.preventDefault();
@@ -171,11 +176,14 @@ export class StoryView extends View {
     return total > 0 ? frame.hands(count, total, label) : frame.guessed(label);
   }
 
-  #guess(choice: string): void {
+  /** `isSaid`: somebody has said so. */
+  #guess(choice: string, isSaid = true): void {
     const { chapter } = this.#chapters;
     const guess = chapter?.guess();
     if (!chapter || !guess) return;
-    this.#guesses.set(this.#name, this.#said(guess, choice));
+    this.#guesses.set(this.#name, isSaid ? this.#said(guess, choice) : "");
+    this.#replies.set(this.#name, isSaid ? (this.#slides.favourite ?? choice) : "");
+    this.#loadReplies();
     chapter.guessed(choice);
     // The pressed button leaves; the focus stays in the card.
     void this.updateComplete.then(() => {
@@ -229,6 +237,20 @@ export class StoryView extends View {
       </fieldset>`;
   }
 
+  #loadReplies(): void {
+    loadReplies(this.app.words).then(
+      () => this.requestUpdate(),
+      () => {}, // The measured answer is there all the same.
+    );
+  }
+
+  /** Whether the guess was right, wrong, or right for another question. */
+  #reply() {
+    const all: Readonly<Record<string, Readonly<Record<string, string>>>> | null = repliesNow();
+    const replies = all?.[this.#name];
+    return replies?.[this.#replies.get(this.#name) ?? ""] ?? nothing;
+  }
+
   /** What follows a guess: the guess, the measured answer, and the control. */
   #answer() {
     const { chapter } = this.#chapters;
@@ -237,7 +259,7 @@ export class StoryView extends View {
     const reveal = chapter?.reveal();
     return html`
       <div class="story-answer" tabindex="-1" data-testid="answer">
-        ${!guess && said ? html`<p class="story-said">${said}</p>` : nothing}
+        ${!guess && said ? html`<p class="story-said">${said}. ${this.#reply()}</p>` : nothing}
         <div aria-live="polite" data-testid="reveal">${reveal ?? nothing}</div>
       </div>
       <div class="story-control">${chapter?.control() ?? nothing}</div>`;
@@ -269,7 +291,7 @@ export class StoryView extends View {
     const { embedded, lecture, words } = this.app;
     const { title, text } = words.now.chapters[this.#name];
     return html`
-      <div class="story" data-embed=${embedded ? "1" : "0"} data-state=${this.#chapters.state} data-engine=${storyBody(this.app).engine.state} data-chapter=${this.#name}>
+      <div class="story" data-embed=${embedded ? "1" : "0"} data-state=${this.#chapters.state} data-engine=${storyBody(this.app).engine.state} data-chapter=${this.#name} ?data-lecture=${lecture.isOn}>
         ${embedded || lecture.isOn ? nothing : siteHead(this.app, "story")}
         <main>
           <section class="story-stage" aria-label=${words.now.frame.stage}>
@@ -281,7 +303,7 @@ export class StoryView extends View {
             <div class="story-side">${this.#question()}${this.#answer()}</div>
           </article>
           <div class="story-foot">
-            ${embedded ? nothing : chapterPlace({ words: words.now, number: this.#number, count: this.#count, step: (by) => this.#step(by) })}
+            ${embedded ? nothing : chapterPlace({ words: words.now, name: this.#name, step: (by) => this.#step(by) })}
             ${this.#more()}
           </div>
         </main>

@@ -1,10 +1,11 @@
 // The chapters as slides of a lecture: hands are counted by keys, and the notes are in a second window.
 import { html, nothing, render } from "lit";
 import type { App } from "../app/app";
+import { type ChapterName, ORDER } from "../settings/chapters";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import { teachWords } from "../words/teach";
-import { chapterOf, type Step } from "./plans";
+import type { Step } from "./plans";
 import "./notes.css";
 import { Tally } from "./tally";
 
@@ -83,16 +84,15 @@ export class Lecture extends Store {
     const { notes, steps } = this.#words.now;
     const words = this.#app.words.now;
     const { chapter, choices } = this.#shown.slide();
-    const titles = Object.values(words.chapters).map(({ title }) => title);
-    const number = chapterOf(words, chapter);
+    const titleOf = (name: string | undefined) => words.chapters[name as ChapterName]?.title;
     const { say, wrong } = steps[chapter];
-    const next = titles[number];
+    const next = titleOf(ORDER[ORDER.indexOf(chapter as ChapterName) + 1]);
     page.documentElement.lang = this.#app.words.language;
     page.title = notes.title;
     const hands = Object.entries(choices);
     render(
       html`<main class="notes">
-        <h1>${titles[number - 1]}</h1>
+        <h1>${titleOf(chapter)}</h1>
         <h2>${notes.say}</h2><p>${say}</p>
         <h2>${notes.wrong}</h2><p>${wrong}</p>
         ${

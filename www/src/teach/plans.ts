@@ -1,31 +1,32 @@
 // The plans of a lecture: what is done for how many minutes. The words are in `words/*/teach`.
-import type { Words } from "../words/words";
 import type { TeachWords } from "../words/teach";
 
 export type Step = keyof TeachWords["steps"];
-type ChapterName = keyof Words["chapters"];
 
 export const PLANS = {
   45: [
     ["computer", 5],
     ["arms", 10],
-    ["loop", 7],
-    ["next", 8],
+    ["loop", 6],
+    ["gaussian", 5],
+    ["next", 6],
     ["product", 6],
-    ["borrow", 6],
-    ["questions", 3],
+    ["borrow", 5],
+    ["questions", 2],
   ],
   90: [
     ["computer", 5],
     ["arms", 10],
     ["loop", 7],
-    ["next", 8],
+    ["gaussian", 6],
+    ["next", 7],
     ["points", 6],
     ["product", 6],
     ["push", 5],
     ["borrow", 6],
     ["belief", 10],
-    ["exercises", 17],
+    ["end", 2],
+    ["exercises", 10],
     ["compare", 5],
     ["questions", 5],
   ],
@@ -42,7 +43,3 @@ export function timesOf(length: PlanLength): { step: Step; from: number; to: num
     return { step, from, to };
   });
 }
-
-/** The number of a chapter, from 1; 0: the step is no chapter. */
-export const chapterOf = (words: Words, step: Step): number =>
-  (Object.keys(words.chapters) as ChapterName[]).indexOf(step as ChapterName) + 1;

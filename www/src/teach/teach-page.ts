@@ -3,12 +3,13 @@ import { html, nothing } from "lit";
 import type { App } from "../app/app";
 import { siteHead } from "../app/site-head";
 import { EXERCISE_NAMES } from "../exercises/exercises";
+import { addressOf } from "../settings/chapters";
 import { keep, kept } from "../ui/kept";
 import { View } from "../ui/view";
 import { teachWords } from "../words/teach";
-import { addressOf } from "./code";
+import { addressOf as linkOf } from "./code";
 import { codePicture, showCode } from "./code-dialog";
-import { chapterOf, type PlanLength, type Step, timesOf } from "./plans";
+import { type PlanLength, type Step, timesOf } from "./plans";
 import "./teach.css";
 
 const LENGTHS: readonly PlanLength[] = [45, 90];
@@ -63,9 +64,8 @@ export class TeachPage extends View {
     const { plan, steps } = this.#section.now;
     const words = this.app.words.now;
     const title = (step: Step) => {
-      const number = chapterOf(words, step);
       const { title } = words.chapters[step as keyof typeof words.chapters] ?? {};
-      if (title) return html`<a href="#story=${number}">${title}</a>`;
+      if (title) return html`<a href="#story=${addressOf(step)}">${title}</a>`;
       const name = plan.do[step as keyof typeof plan.do];
       return ADDRESSES[step] ? html`<a href="#${ADDRESSES[step]}">${name}</a>` : name;
     };
@@ -106,7 +106,7 @@ export class TeachPage extends View {
                 <p class="teach-links"><a href="#${fragment}" data-testid="try-${name}">${exercises.try}</a>
                   <button class="link" @click=${() => void showCode(this.app, fragment)}>${exercises.code}</button></p>
               </div>
-              <div class="teach-code">${codePicture(addressOf(fragment), exercises.number(place + 1))}</div>
+              <div class="teach-code">${codePicture(linkOf(fragment), exercises.number(place + 1))}</div>
             </li>`;
           })}
         </ol>

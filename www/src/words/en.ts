@@ -5,6 +5,7 @@ import { belief } from "./en/belief";
 import { borrow } from "./en/borrow";
 import { computer } from "./en/computer";
 import { frame } from "./en/frame";
+import { end } from "./en/end";
 import { gaussian } from "./en/gaussian";
 import { loop } from "./en/loop";
 import { next } from "./en/next";
@@ -15,7 +16,7 @@ import { push } from "./en/push";
 export const words = {
   frame,
   /** The chapters of the story, in their order. */
-  chapters: { computer, arms, loop, next, points, product, push, borrow, belief, gaussian },
+  chapters: { computer, arms, loop, next, points, product, push, borrow, belief, gaussian, end },
 };
 
 export type Words = typeof words;

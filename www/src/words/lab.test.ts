@@ -3,12 +3,12 @@ import { lab as german } from "./de/lab";
 import { shownPart, shownSplit } from "./lab";
 import { SectionWords } from "./section";
 
-it("translates the names of the library's own parts and splits, and no others", () => {
-  expect(shownPart("lower")).toBe("lower");
+it("calls the library's own parts and splits as the story does, in each language, and no others", () => {
+  expect(["lower", "upper", "trunk"].map(shownPart)).toEqual(["legs", "arms", "trunk"]);
   expect(shownSplit({ id: "whole", title: "Whole body" })).toBe("Whole body");
   vi.spyOn(SectionWords.prototype, "now", "get").mockReturnValue(german);
   expect(["lower", "left arm", "my arm", "constructor"].map(shownPart)).toEqual([
-    "Unterkörper",
+    "Beine",
     "linker Arm",
     "my arm",
     "constructor",

@@ -45,11 +45,28 @@ export function readWalkers(bytes: ArrayBuffer): Walkers {
   return { body: { figure, joints, parts, lights: figure.nodes.map((_, node) => node) }, pairs };
 }
 
-/** How far the lights of the two are apart at the same time, on average over lights and frames, metres. */
+/**
+ * How far the lights of the two are apart, on average over lights and frames, metres. Each pose of the model is
+ * compared with the pose of the program that is most like it: two tempos are no difference of poses.
+ */
 export function meanDistance({ program, model }: WalkerPair): number {
-  const [a, b] = [program.motion.positions, model.motion.positions];
+  const { positions: a, nodes } = program.motion;
+  const { positions: b } = model.motion;
+  const size = 3 * nodes;
   let sum = 0;
-  for (let i = 0; i < a.length; i += 3)
-    sum += Math.hypot(a[i]! - b[i]!, a[i + 1]! - b[i + 1]!, a[i + 2]! - b[i + 2]!);
-  return sum / (a.length / 3);
+  for (let pose = 0; pose < b.length; pose += size) {
+    let nearest = Number.POSITIVE_INFINITY;
+    for (let other = 0; other < a.length; other += size) {
+      let apart = 0;
+      for (let i = 0; i < size && apart < nearest; i += 3)
+        apart += Math.hypot(
+          a[other + i]! - b[pose + i]!,
+          a[other + i + 1]! - b[pose + i + 1]!,
+          a[other + i + 2]! - b[pose + i + 2]!,
+        );
+      nearest = Math.min(nearest, apart);
+    }
+    sum += nearest;
+  }
+  return sum / (b.length / 3);
 }

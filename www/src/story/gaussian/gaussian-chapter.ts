@@ -152,7 +152,9 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
     draw.stroke();
     const perPixel = plane.latentStep(1, 0)[0]!;
     const columns: [number, Prediction][] = [];
-    for (let px = 0; px < width + 3; px += 3) columns.push([px, this.#process.at((px - zero) * perPixel)]);
+    // Before the guess, the curve ends where it would tell the answer.
+    const right = this.#guessed ? width : pixels(0.55 * ASKED, 0)[0];
+    for (let px = 0; px < right + 3; px += 3) columns.push([px, this.#process.at((px - zero) * perPixel)]);
     const y = (value: number) => base - value / perPixel;
     draw.fillStyle = draw.strokeStyle = colour;
     for (const deviations of [2, 1]) {
@@ -257,13 +259,14 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
   reveal() {
     if (!this.#guessed) return null;
     const number = (value: number) => (Math.abs(value) < 0.005 ? "0.00" : value.toFixed(2));
+    const wide = ({ variance }: Prediction) => number(2 * Math.sqrt(variance));
     const far = this.asked;
     const near = this.#process.at(this.#points[0]![0]);
     const here = this.#process.at(this.#input, this.#spread ** 2);
     const { answer, input } = this.#now.reveal;
     return html`
-      <p data-testid="far">${answer(number(far.mean), number(Math.sqrt(far.variance)), number(Math.sqrt(near.variance)))}</p>
-      <p data-testid="input">${input(number(here.mean), number(Math.sqrt(here.variance)))}</p>`;
+      <p data-testid="far">${answer(number(far.mean), wide(far), wide(near))}</p>
+      <p data-testid="input">${input(number(here.mean), wide(here))}</p>`;
   }
 
   equation() {

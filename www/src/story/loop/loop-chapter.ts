@@ -309,7 +309,7 @@ export class LoopChapter extends LatentChapter implements Chapter {
   }
 
   lab() {
-    return { tab: "loops" as const };
+    return {};
   }
 
   override arrive(): void {

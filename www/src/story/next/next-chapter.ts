@@ -362,7 +362,7 @@ export class NextChapter extends LatentChapter implements Chapter {
   }
 
   lab() {
-    return { tab: "loops" as const, start: this.#sequence };
+    return { start: this.#sequence };
   }
 
   override arrive(): void {

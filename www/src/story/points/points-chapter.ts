@@ -316,7 +316,7 @@ export class PointsChapter extends LatentChapter implements Chapter {
   }
 
   lab() {
-    return { tab: "loops" as const };
+    return {};
   }
 
   override leave(): void {

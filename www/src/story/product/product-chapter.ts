@@ -17,7 +17,7 @@ import { attempt } from "../latent/attempt";
 import { strokeLoop } from "../latent/drawing";
 import { LatentChapter } from "../latent/latent-chapter";
 import type { Handle } from "../latent/latent-view";
-import { type ExpertsNow, expertsOf, type Product, productOf } from "./product";
+import { meansOf, type Product, productOf } from "./product";
 
 const LEGS = 0;
 const ARMS = 1;
@@ -26,6 +26,8 @@ const AROUND = 1.5;
 const FRAMES = 300;
 /** The factor of alpha for an arrow key. */
 const STEP = 1.25;
+/** Pixels from a circle to the dot that pulls it, so that the dot follows the pointer for the smallest circle too. */
+const OUTSIDE = 12;
 /** The direction of each handle from the middle of its circle, in pixels of length 1. */
 const DIRECTIONS = [
   [-Math.SQRT1_2, -Math.SQRT1_2],
@@ -41,7 +43,8 @@ export interface Doubled {
 }
 
 export class ProductChapter extends LatentChapter implements Chapter {
-  #experts: ExpertsNow | null = null;
+  /** The guesses of the experts: the mean of each source [Q]. */
+  #means: Float64Array[] | null = null;
   /** The state before the step [Q]. */
   #before: Float64Array = new Float64Array(0);
   #learned: number[] = [];
@@ -65,7 +68,7 @@ export class ProductChapter extends LatentChapter implements Chapter {
   }
 
   get projection(): Projection | null {
-    return this.#experts && (this.loop?.projection ?? null);
+    return this.#means && (this.loop?.projection ?? null);
   }
 
   get moves(): boolean {
@@ -74,11 +77,11 @@ export class ProductChapter extends LatentChapter implements Chapter {
 
   /** The product under the couplings now; null before the model. */
   get product(): Product | null {
-    return this.#experts && productOf(this.#experts, this.#alphas);
+    return this.#means && productOf(this.#means, this.#alphas);
   }
 
   get handles(): readonly Handle[] {
-    if (!this.#experts) return [];
+    if (!this.#means) return [];
     return [LEGS, ARMS].map((source) => ({
       id: `alpha-${source}`,
       label: this.#now.radius[source === LEGS ? "legs" : "arms"](this.#alphas[source]!.toPrecision(2)),
@@ -114,10 +117,10 @@ export class ProductChapter extends LatentChapter implements Chapter {
     this.#alphas = [...this.#learned];
     const first = lap.first - report.firstFrame;
     const rows = Array.from({ length: lap.frames }, (_, t) => first + t);
-    const all = rows.map((row) => expertsOf(report, ARMS, row, q, this.#learned));
-    const apart = all.map((experts) => this.#apart(experts, projection));
+    const all = rows.map((row) => meansOf(report, ARMS, row, q));
+    const apart = all.map((means) => this.#apart(means, projection));
     const best = apart.indexOf(Math.max(...apart));
-    this.#experts = all[best]!;
+    this.#means = all[best]!;
     const path = learned.latents[ARMS]!;
     const frame = lap.first + best - 1;
     this.#before = path.slice(frame * q, (frame + 1) * q);
@@ -125,38 +128,32 @@ export class ProductChapter extends LatentChapter implements Chapter {
   }
 
   /** The distance between both means in the plane of the plot. */
-  #apart({ means }: ExpertsNow, { axes, dimensions: q }: Projection): number {
+  #apart(means: readonly Float64Array[], { axes, dimensions: q }: Projection): number {
     const along = (axis: number) =>
       means[0]!.reduce((sum, value, a) => sum + axes[axis * q + a]! * (value - means[1]![a]!), 0);
     return Math.hypot(along(0), along(1));
   }
 
-  /** The variance of an expert itself, without alpha. */
-  #own(source: number): number {
-    const [first, , second] = this.#experts!.own;
-    return source === LEGS ? first : second;
-  }
-
-  /** The circle of a source: its expert's variance and alpha. */
+  /** The circle of a source has the variance alpha: what is multiplied. */
   #circleOf(plane: Plane, source: number) {
-    return this.#circle(plane, this.#experts!.means[source]!, this.#alphas[source]! + this.#own(source));
+    return this.#circle(plane, this.#means![source]!, this.#alphas[source]!);
   }
 
   #circle(plane: Plane, mean: Float64Array, variance: number) {
     return ellipseOf(plane.place(mean, 0), plane.roundSpread(variance));
   }
 
-  /** The place of the handle of a source, on its circle. */
+  /** The place of the handle of a source, next to its circle. */
   #edge(plane: Plane, source: number): [number, number] {
     const { x, y, major } = this.#circleOf(plane, source);
     const [right, down] = DIRECTIONS[source]!;
-    return [x + major * right, y + major * down];
+    return [x + (major + OUTSIDE) * right, y + (major + OUTSIDE) * down];
   }
 
   #pull(plane: Plane, source: number, x: number, y: number): void {
-    const unit = this.#circle(plane, this.#experts!.means[source]!, 1);
-    const radius = Math.hypot(x - unit.x, y - unit.y) / unit.major;
-    this.#set(source, radius * radius - this.#own(source));
+    const unit = this.#circle(plane, this.#means![source]!, 1);
+    const radius = Math.max(0, Math.hypot(x - unit.x, y - unit.y) - OUTSIDE) / unit.major;
+    this.#set(source, radius * radius);
   }
 
   #set(source: number, alpha: number): void {
@@ -171,7 +168,7 @@ export class ProductChapter extends LatentChapter implements Chapter {
   }
 
   guess() {
-    return this.#guessed || !this.#experts ? null : this.#now.guess;
+    return this.#guessed || !this.#means ? null : this.#now.guess;
   }
 
   guessed(): void {
@@ -181,11 +178,11 @@ export class ProductChapter extends LatentChapter implements Chapter {
   }
 
   async #compare(): Promise<void> {
-    if (!this.#experts) return;
+    if (!this.#means) return;
     const twice = this.#learned.map((alpha) => 2 * alpha);
     const [before, after] = await Promise.all([this.#roll(this.#learned), this.#roll(twice)]);
     const wider = Math.sqrt(
-      productOf(this.#experts, twice).variance / productOf(this.#experts, this.#learned).variance,
+      productOf(this.#means, twice).variance / productOf(this.#means, this.#learned).variance,
     );
     this.#doubled = { apart: 1000 * largestDistance(before.motion, after.motion), wider };
     this.changed();
@@ -280,9 +277,9 @@ export class ProductChapter extends LatentChapter implements Chapter {
 
   lab() {
     const altered = this.#alphas.some((alpha, source) => alpha !== this.#learned[source]);
-    if (!altered) return { tab: "listen" as const };
+    if (!altered) return {};
     const alpha = Object.fromEntries(this.#alphas.map((value, source) => [`${source}.${ARMS}`, value]));
-    return { tab: "listen" as const, alpha, reading: "as-learned" as const, model: this.body.model.id };
+    return { alpha, reading: "as-learned" as const, model: this.body.model.id };
   }
 
   override leave(): void {

@@ -106,7 +106,7 @@ export class PushChapter extends Store implements Chapter {
     return html`
       <p data-testid="homecoming" data-seconds=${way.seconds ?? "never"}>
         ${away(parts[push.part] ?? "", way.farthest)}
-        <b>${way.seconds === null ? lost : home(way.seconds, this.#limit ?? 0)}</b>
+        <b>${way.seconds === null ? lost : home(way.seconds)}</b>
         ${this.#guess === "fall" ? noFall : way.seconds === null ? nothing : back}
       </p>
       <p>${wheel.invites}</p>`;

@@ -7,10 +7,10 @@ const centimetres = (value: number) => `${decimal("de", 100 * value, 0)} cm`;
 export const arms: Words["chapters"]["arms"] = {
   title: "Wer sagt den Armen, wann sie schwingen?",
   text:
-    "Dieser Gang wurde nie aufgenommen: Ein Modell erzeugt ihn, Schritt für Schritt. Seine Beine und " +
+    "Dieser Gang wurde nie aufgenommen: Ein anderes Modell erzeugt ihn, Schritt für Schritt. Seine Beine und " +
     "seine Arme laufen jeweils auf einer eigenen Schleife. Ein dünner Faden hält sie zusammen: was die " +
     "Beine darüber sagen, wohin die Arme als Nächstes gehen. Niemand hat dem Modell gesagt, dass es ihn " +
-    "knüpfen soll; es hat das aus drei Gängen eines Menschen gelernt. Jetzt schneiden wir den Faden durch.",
+    "knüpfen soll; es hat das aus drei aufgenommenen Gängen eines Menschen gelernt. Jetzt schneiden wir den Faden durch.",
   guess: {
     question: "Was werden die Arme tun?",
     choices: { stop: "Anhalten", step: "Im Takt bleiben", pace: "Ein eigenes Tempo finden" },
@@ -23,7 +23,7 @@ export const arms: Words["chapters"]["arms"] = {
     kept: "Getrennt wie gelernt",
   },
   measuring: "20 Sekunden dieses Gangs werden vermessen.",
-  periods: (legs, arms) => `Beine ${seconds(legs)}, Arme ${seconds(arms)} für einen Schwung.`,
+  periods: (legs, arms) => `Beine ${seconds(legs)}, Arme ${seconds(arms)} für einen Schwung hin und zurück.`,
   swing: (is, was) => `Die Hände schwingen ${centimetres(is)} statt ${centimetres(was)}.`,
   tied: "Sie bleiben im Takt, weil die Arme auf die Beine hören.",
   outcome: {

@@ -9,7 +9,7 @@ export const borrow: Words["chapters"]["borrow"] = {
   title: "Geliehene Arme",
   text:
     "Eine Bibliothek bewahrt, was jeder Körperteil gelernt hat: Beine, die gehen oder laufen, Arme eines " +
-    "Hampelmanns, ein Arm, der winkt. So ein Stück ist ein Bewegungsprimitiv. Die Stücke wurden einmal von " +
+    "Hampelmanns, ein Arm, der winkt. So ein Stück ist ein Bewegungsprimitiv. Die Stücke wurden einmal aus " +
     "Aufnahmen gelernt und lassen sich neu zusammensetzen. Du siehst einen Gang, der als Ganzes gelernt wurde. " +
     "Gleich bekommen seine Beine die Arme eines Hampelmanns. Das hat nie jemand aufgenommen.",
   guess: {

@@ -37,7 +37,7 @@ export const files: FilesWords = {
     live: "Die Live-Bewegung konnte nicht geladen werden",
     help: "Die Hilfe konnte nicht geladen werden",
     exercise: "Die Aufgabe konnte nicht geladen werden",
-    tab: "Diese Tafel konnte nicht geladen werden",
+    panel: "Diese Tafel konnte nicht geladen werden",
     outlook: "Der Ausblick konnte nicht geladen werden",
     why: "Ist dieses Gerät offline? Lade die Seite neu, sobald es online ist.",
   },

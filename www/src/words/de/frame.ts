@@ -9,8 +9,6 @@ export const frame: Words["frame"] = {
   stage: "Bühne",
   chapters: "Kapitel",
   place: (chapter, count) => `${chapter} von ${count}`,
-  extra: "Extra",
-  extraHint: "Für alle, die noch keinen kennen",
   back: "Voriges Kapitel",
   next: "Weiter",
   nextChapter: "Weiter zum nächsten Kapitel",

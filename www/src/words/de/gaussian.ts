@@ -6,7 +6,7 @@ export const gaussian: Words["chapters"]["gaussian"] = {
   text:
     "Ein Gaußprozess errät eine Kurve aus Punkten. In der Nähe eines Punktes ist er sicher; weit weg von allen " +
     "Punkten ist er es nicht und sagt das auch: Das Band reicht zwei Standardabweichungen weit. Zieh die Punkte " +
-    "und sieh der Kurve zu. Wenige Stützpunkte können für alle stehen, und auch die Frage selbst darf unsicher sein.",
+    "und sieh der Kurve zu. Wenige Stützpunkte können für alle stehen, und auch wo man fragt, darf unsicher sein.",
   guess: {
     question: "Was sagt er an der gepunkteten Linie, weit weg von allen Punkten?",
     choices: {
@@ -25,7 +25,7 @@ export const gaussian: Words["chapters"]["gaussian"] = {
   spread: "Unsicherer Eingang",
   reveal: {
     answer: (mean: string, deviation: string, near: string) =>
-      `Dort sagt er ${withComma(mean)} ± ${withComma(deviation)}, wie vor dem ersten Punkt. Am ersten Punkt ist er auf ± ${withComma(near)} sicher.`,
+      `Dort sagt er ${withComma(mean)} ± ${withComma(deviation)}, zwei Standardabweichungen, wie vor dem ersten Punkt. Am ersten Punkt ist er auf ± ${withComma(near)} sicher.`,
     input: (mean: string, deviation: string) =>
       `Am orangen Eingang: ${withComma(mean)} ± ${withComma(deviation)}.`,
   },

@@ -29,6 +29,7 @@ export const help: HelpWords = {
     ["?", "diese Hilfe"],
   ],
   about: "Über diese Seite",
+  licences: "Lizenzen der Software",
   local: "Was du lädst, bleibt auf deinem Gerät: Alles wird in diesem Browser berechnet.",
   samples:
     "Die Beispiele macht ein Programm dieses Projekts. Das Modell, das am Anfang geht, wurde mit Aufnahmen der CMU (Person 7) trainiert.",

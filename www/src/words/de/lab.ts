@@ -12,21 +12,21 @@ export const lab: LabWords = {
   loops,
   partNames: {
     body: "Körper",
-    lower: "Unterkörper",
-    upper: "Oberkörper",
-    // The same joints as those of the lower body. A plural would need other verbs.
-    legs: "Unterkörper",
+    // As in the story. No sentence about a part has a verb, because some names are plural.
+    lower: "Beine",
+    upper: "Arme",
+    legs: "Beine",
     trunk: "Rumpf",
     "left arm": "linker Arm",
     "right arm": "rechter Arm",
   },
   splits: {
     whole: "Ganzer Körper",
-    "lower-upper": "Unter- und Oberkörper",
+    "lower-upper": "Beine und Arme",
     "body-arms": "Körper, linker Arm, rechter Arm",
-    "legs-trunk-arms": "Unterkörper, Rumpf, linker Arm, rechter Arm",
+    "legs-trunk-arms": "Beine, Rumpf, linker Arm, rechter Arm",
   },
-  title: "Gekoppelte [Bewegungs\u00adprimitive|movement-primitive]",
+  title: "Gekoppelte Bewegungs\u00adprimitive",
   views: {
     play: "Labor",
     compare: "Modelle vergleichen",
@@ -55,8 +55,8 @@ export const lab: LabWords = {
       "Es gibt eine neue Version dieser Seite. Sie beginnt von vorn: Speichere zuerst, was du behalten willst.",
   },
   page: {
-    tabs: { listen: "Hören", loops: "Schleifen", learn: "Lernen", numbers: "Zahlen" },
-    panels: "Tafeln",
+    panels: { learn: "Lernen", more: "Mehr", numbers: "Zahlen" },
+    closePanel: "Diese Tafel schließen",
     skipToCouplings: "Zu den Kopplungen",
     skipToContent: "Zum Inhalt",
     loading: "Wird geladen",
@@ -70,8 +70,6 @@ export const lab: LabWords = {
     stopped: (why) => `${why} Lade die Seite neu: Sie bietet dann deine Clips und Modelle wieder an.`,
     keepAndReload: "Alles behalten und neu laden",
     local: "Was du lädst, bleibt auf deinem Gerät.",
-    data: "Daten",
-    licences: "Lizenzen",
     leaveLarge: "Projektormodus verlassen",
     leaveLargeKey: "Projektormodus verlassen (Escape)",
     drop: "Clips (.bvh), Tabellen (.csv) oder ein Modell (.json) hier ablegen",
@@ -79,16 +77,13 @@ export const lab: LabWords = {
   stage: {
     made: "Vom Modell gemacht",
     lead: {
-      made: "Diese Bewegung wurde nie aufgenommen: Ein kleines Modell hat sie gemacht.",
-      learned: (clips) =>
-        `Diese Bewegung wurde nie aufgenommen: Ein kleines Modell hat sie aus ${clips} gelernt.`,
-      learning: "Ein Modell lernt: Auf der Bühne bewegt sich, was es schon kann.",
+      drag: "Zieh an einem Pfeil oder seinem α: Bleiben die Teile im Gleichschritt?",
+      live: "Halte einen Pfeil oder die Taste c: Das trennt. Zieh am Punkt einer Schleife: Das schiebt den Teil.",
+      learning: "Ein Modell lernt: Es bewegt sich, wie es schon kann, und seine Schleifen entstehen.",
       own: "Eigene Kopplungen, nicht die vom Modell gelernten.",
       clip: "Das ist ein Clip: woraus ein Modell lernt, nicht was es macht.",
-      back: "Zurück zum Gelernten",
-      question: "Bleiben sie im Gleichschritt?",
     },
-    rollout: "Ein [Rollout|rollout]",
+    rollout: "Ein Rollout",
     clip: "Clip",
     otherKind: {
       made: (kind) => `Gemacht von einem ${kind}`,
@@ -96,12 +91,12 @@ export const lab: LabWords = {
     },
     clipFrom: {
       made: "Ein Clip, von einem Programm gemacht: nicht das Modell",
-      model: "Ein Clip, gemacht von einem Modell, das von Aufnahmen gelernt hat",
+      model: "Ein Clip, gemacht von einem Modell, das aus Aufnahmen gelernt hat",
       own: "Ein Clip, wie aufgenommen: nicht das Modell",
     },
     point: "Wofür ein Stützpunkt steht",
-    posePoint: (part) => `Eine Pose von ${part}`,
-    stepPoint: (source, target) => `Von dieser Pose von ${source} zu jener von ${target}`,
+    posePoint: (part) => `Eine Pose: ${part}`,
+    stepPoint: (source, target) => `Von dieser Pose (${source}) zu jener (${target})`,
     changed: "Kopplungen geändert",
     live: "Das Modell läuft live weiter",
     twoReadings: "Dieselben Kopplungen, auf zwei Arten gelesen",
@@ -141,16 +136,18 @@ export const lab: LabWords = {
   },
   presets: {
     label: "Vorgaben",
+    own: "Eigene",
     start: {
       "as-learned": { name: "Wie gelernt", meaning: "Beine und Arme, wie das Training sie gekoppelt hat." },
       "arms-go": {
         name: "Arme loslassen",
-        meaning: "Die Arme hören die Beine nicht mehr. Was sie allein tun, wird neu aus den Clips bestimmt.",
+        meaning:
+          "Die Arme hören nicht mehr auf die Beine. Was sie allein tun, wird neu aus den Clips bestimmt.",
       },
       "arms-hang": {
         name: "Arme loslassen, wie sie sind",
         meaning:
-          "Die Arme hören die Beine nicht mehr. Sie tun, was sie mit den Beinen zusammen gelernt haben.",
+          "Die Arme hören nicht mehr auf die Beine. Sie tun, was sie mit den Beinen zusammen gelernt haben.",
       },
       "arms-follow": {
         name: "Arme folgen nur den Beinen",
@@ -161,40 +158,37 @@ export const lab: LabWords = {
         meaning: "Die Beine hören nicht mehr auf sich selbst, nur auf die Arme.",
       },
       "untrained-advice": {
-        name: "Beine hören die Arme ein wenig",
-        meaning: "Die Arme haben über Beine nichts gelernt. Die Beine hören sie ein wenig.",
+        name: "Beine hören etwas auf die Arme",
+        meaning: "Die Arme haben über Beine nichts gelernt. Die Beine hören etwas auf sie.",
       },
       "legs-lost": {
-        name: "Beine hören sich selbst kaum",
-        meaning: "Die Arme haben über Beine nichts gelernt. Die Beine hören halb sich selbst, halb die Arme.",
+        name: "Beine hören kaum auf sich",
+        meaning:
+          "Die Arme haben über Beine nichts gelernt. Die Beine hören halb auf sich, halb auf die Arme.",
       },
     },
     learned: { name: "Wie gelernt", meaning: "Die Teile, wie das Training sie gekoppelt hat." },
     alone: (part) => ({
-      name: `${part}: allein`,
-      meaning: `Was die anderen Teile über ${part} sagen, zählt kaum.`,
+      name: `${part} allein`,
+      meaning: `Was die anderen Teile über ${part} vorhersagen, zählt kaum.`,
     }),
     follows: (part) => ({
-      name: `${part}: folgt den anderen`,
-      meaning: `Was ${part} über sich selbst sagt, zählt kaum.`,
+      name: `${part} nach den anderen`,
+      meaning: `Wohin ${part} nach der eigenen Vergangenheit gingen, zählt kaum.`,
     }),
   },
   couplings: {
-    map: "Kopplungen am Körper",
-    drives: (source, target) => `${source} treibt ${target}`,
-    itself: "sich selbst",
-    arrows:
-      "Pfeile: welcher [Teil|part] welchen treibt ([Kopplung|coupling]). Nach oben oder unten ziehen: dicker, dünner. Halten: abschneiden.",
-    weight: (names, now, learned) =>
-      `${names}: Gewicht ${now}${learned === null ? "" : ` (gelernt: ${learned})`}`,
-    knob: (weight, alpha, learned) => `Gewicht ${weight}, Alpha ${alpha}; gelernt ${learned}`,
+    map: "Kopplungen",
+    toOther: (source, target) => `${source} → ${target}`,
+    arrow: "Nach oben oder unten ziehen: dicker, dünner. Halten: abschneiden",
+    slidersOf: (part) => `Zeigen, was wirkt auf: ${part}`,
+    oneSlider: "Die Kopplung mit einem Regler",
     failed: "Das Modell konnte nicht starten, also sind seine Kopplungen nicht zu ändern.",
     empty: "Hier erscheint, wie die Teile einander treiben.",
     onePart:
       "Dieses Modell hat einen [Teil|part], also treibt keiner einen anderen. Trainiere eines mit zwei Teilen oder mehr.",
     completing: "Eine Aufnahme bewegt einen Teil",
-    numbers: "Zahlen",
-    table: "Eine Zeile entscheidet über eine Spalte. Rechts ist stark: kleines [α|alpha], großes [w|weight].",
+    begins: "Wo die Bewegung beginnt",
     startAs: "Beginn wie Clip",
     startLabel: "Beginn wie in",
     trainedOn: "Aus dem Training",
@@ -206,18 +200,16 @@ export const lab: LabWords = {
     frame: (frame, count) => `Bild ${frame} von ${count}`,
     decides: "wer",
     about: "über",
-    pair: (source, target) => `${source} über ${target}`,
+    pair: (source, target) => `Alpha von „${source}“ nach „${target}“`,
     tick: (alpha, trained) => `${trained ? "Wie gelernt" : "Wie zuvor"}: ${alpha}`,
     value: (alpha, weight, learned) =>
       `Alpha ${alpha}, Gewicht ${weight}${learned === null ? "" : `; gelernt ${learned}`}`,
     slider: (pair) => `${pair}: Ziehen ändert, Doppelklick setzt zurück`,
     alphaMeaning: "Alpha, die Varianz dieser Vorhersage: Klein heißt einflussreich",
     weightMeaning: "Gewicht dieser Vorhersage; die Gewichte eines Teils ergeben zusammen 1",
-    bar: "Zieh an einer Grenze: Der eine gewinnt, was der andere verliert. Doppelklick setzt zurück.",
-    border: (target, one, other) => `Wer entscheidet, wohin ${target} geht: ${one} oder ${other}`,
   },
   live: {
-    hint: "Halte einen Pfeil des Körperbilds, um diese Kopplung abzuschneiden. Zieh ein Glied oder dreh das Rad, um einen Teil selbst zu bewegen; der Punkt eines latenten Raums schiebt ihn.",
+    hint: "Zieh ein Glied oder dreh das Rad, um einen Teil selbst zu bewegen.",
     driven: (part) => `Du bewegst ${part}. Die anderen folgen, wie die Kopplungen es sagen.`,
     wheel: (part) => `Rad: bewegt ${part} durch den Schritt. Pfeiltasten drehen es, Escape lässt los.`,
     wheelMeaning:
@@ -229,7 +221,7 @@ export const lab: LabWords = {
     recording: "eine Aufnahme",
     recorded: (part, title) => `Eine Aufnahme bewegt ${part}: ${title}. Umriss: die Aufnahme.`,
     cuts: (count) => `${count} Kopplungen sind abgeschnitten`,
-    cut: (source, target) => `${target} hört ${source} nicht`,
+    cut: (source, target) => `${source} → ${target} ist abgeschnitten`,
     ahead: (part) => `Vorsprung vor ${part}, in Umläufen`,
     distance: "Abstand vom gelernten Zyklus",
     chart: (first, others) =>
@@ -241,10 +233,10 @@ export const lab: LabWords = {
     staysWhy: "Nichts anderes würde sagen, wohin der Teil geht.",
   },
   readings: {
-    label: "[Experten|expert], wenn sich eine Kopplung ändert",
+    title: "[Experten|expert], wenn sich eine Kopplung ändert",
+    label: "Experten",
     about: "Was bedeuten wie gelernt und neu bestimmt?",
     text: { "re-inferred": "neu bestimmt", "as-learned": "wie gelernt" },
-    side: { "as-learned": "Links, wie gelernt", "re-inferred": "Rechts, neu bestimmt" },
     experts: (reading) => `Experten ${reading}`,
     meaning: {
       "re-inferred":
@@ -252,23 +244,21 @@ export const lab: LabWords = {
       "as-learned":
         "Nur die Gewichte ändern sich: Jeder Teil sagt voraus wie zuvor und zählt mehr oder weniger.",
     },
-    both: "Links: Das Training machte die Experten zum Team, und einer allein tut nur seinen Anteil. Rechts: wie dieselben Clips einen lehren, der immer allein war.",
+    both: "Links, wie gelernt: Das Training machte die Experten zum Team, und einer allein tut nur seinen Anteil. Rechts, neu bestimmt: wie dieselben Clips einen lehren, der immer allein war.",
     bothButton: "Beide nebeneinander",
-    resetAll: "Alles zurück",
+    resetAll: "Zurück",
   },
   measured: {
-    compared: (reading) => `[Gemessen|measured]${reading && `, ${reading}`}, verglichen mit gelernt:`,
+    compared: (reading) => `Gemessen${reading && `, ${reading}`}:`,
     since: (seconds) => `ab ${number(seconds, 1)} s`,
+    still: (since) => `eine Pose ${since}`,
     pose: (since) => `behält eine Pose ${since}`,
-    figure: (trouble) => `die Figur ${trouble}`,
-    asLearned: "Hände und Füße schwingen wie gelernt",
     common: (step) => `Hände und Füße ${step}`,
-    swingsBy: (centimetres) => `schwingt ${number(centimetres, 0)} cm`,
-    swings: (share, hardly) => `${hardly ? "schwingt kaum, " : "schwingt "}${number(share, 2)} × so weit`,
+    swingsBy: (centimetres) => `${number(centimetres, 0)} cm weit`,
+    swings: (share, hardly) => `${hardly ? "kaum ein Schwung, " : ""}${number(share, 2)} × so weit`,
     noPace: "ohne festes Tempo",
-    pace: (is, was) =>
-      `${is > was ? "langsamer" : "schneller"} (${number(is, 2)} s statt ${number(was, 2)} s)`,
-    speed: (share) => `geht ${number(share, 2)} × so schnell`,
+    pace: (is, was) => `${number(is, 2)} s statt ${number(was, 2)} s`,
+    speed: (share) => `${number(share, 2)} × so schnell`,
     step: {
       "in step": "im Gleichschritt",
       "partly in step": "teils im Gleichschritt",
@@ -277,9 +267,9 @@ export const lab: LabWords = {
     aPart: "ein Teil",
     standsStill: (since) => `steht still ${since}`,
     visits: (share, part) => `besucht ${Math.round(100 * share)} % der Posen seiner Clips in ${part}`,
-    leaves: (part, since) => `${part} verlässt den gelernten Bereich ${since}`,
+    leaves: (part, since) => `außerhalb des gelernten Bereichs ${since}: ${part}`,
     shakes: (part, times, turnsBack) =>
-      `zittert: ${part ?? "der Körper"} bewegt sich ${times === null ? "" : `${number(times, 1)}-mal so schnell wie in den Clips, `}und ${Math.round(100 * turnsBack)} % der Schritte kehren um`,
+      `zittert (${part ?? "der ganze Körper"}): ${times === null ? "" : `${number(times, 1)}-mal so schnell wie in den Clips, `}und ${Math.round(100 * turnsBack)} % der Schritte kehren um`,
     runsAway: "läuft davon: Die Zahlen sind zu groß, um sie zu zeigen",
   },
   time: {
@@ -292,9 +282,6 @@ export const lab: LabWords = {
     backMeaning: "Ein Bild zurück (Pfeil links)",
     forward: "Ein Bild vor",
     forwardMeaning: "Ein Bild vor (Pfeil rechts)",
-    modes: "Clip oder live",
-    clip: "Clip",
-    clipMeaning: "Eine Bewegung von einigen Sekunden, immer wieder",
     live: "live",
     liveMeaning:
       "Das Modell läuft von hier ohne Ende weiter: Kopplungen abschneiden und Teile schieben, während es geht",

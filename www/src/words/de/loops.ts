@@ -2,9 +2,9 @@ import type { LoopsWords } from "../en/loops";
 
 export const loops: LoopsWords = {
   title: "[Latente Räume|latent-space]",
+  about:
+    "Eine Schleife ist der Weg eines [Rollouts|rollout] durch den latenten Raum eines Teils, sein [Bewegungsprimitiv|movement-primitive]. Ein Pfeil ist eine [Kopplung|coupling], so dick wie ihr [Gewicht|w]; ein kleines [α|alpha] ist ein großes Gewicht. Was Kopplungen tun, wird am Körper [gemessen|measured].",
   plot: "Darstellung",
-  failed: "Das Modell konnte nicht starten, also gibt es keine latenten Zustände zu zeigen.",
-  empty: "Hier erscheint der Weg jedes Teils durch seinen latenten Raum.",
   layers: "In den Bildern zeigen",
   pose: { label: "Posen", meaning: "Stützpunkte der Posen: Posen, an denen die Posenabbildung hängt" },
   dynamics: {
@@ -36,7 +36,8 @@ export const loops: LoopsWords = {
     meaning:
       "Farbe: Posen, bei denen das Modell sicher ist. Pfeile: wohin seine Dynamik führt. In den 2-D-Bildern",
   },
-  plotOf: (part) => `Latenter Raum von ${part}. Ziehen oder Pfeiltasten drehen ihn.`,
+  plotOf: (part) => `Latenter Raum: ${part}`,
+  turn: "Ziehen oder Pfeiltasten drehen ihn",
   dynamicsPoint: (number, source, target) =>
     `Stützpunkt ${number} der Dynamik von ${source}${target === null ? "" : ` über ${target}`}`,
   posePoint: (number, part) => `Stützpunkt ${number} der Posen von ${part}`,

@@ -4,8 +4,8 @@ import type { Words } from "../en";
 export const next: Words["chapters"]["next"] = {
   title: "Wie geht es weiter?",
   text:
-    "Das Modell hat eine Regel für den nächsten Schritt gelernt, einen Gaußprozess. Daraus, wo der Punkt war " +
-    "und wo er ist, sagt die Regel, wo er sein wird: Der Pfeil ist ihre Vermutung, der Kreis zeigt, wie sicher " +
+    "Das Modell hat eine Regel für den nächsten Schritt gelernt: einen Gaußprozess, wie auf der Karte davor. " +
+    "Die Regel kennt, wo der Punkt war und wo er ist, und sagt, wo er sein wird: Der Pfeil ist ihre Vermutung, der Kreis zeigt, wie sicher " +
     "sie ist. Vermutung für Vermutung entsteht ein Weg. Wo ist der Punkt in zehn Bildern? Steck eine Nadel dorthin und sieh dir dann Zukünfte an, die das " +
     "Modell für möglich hält.",
   guess: {
@@ -21,7 +21,9 @@ export const next: Words["chapters"]["next"] = {
   away: (deviations: string) =>
     `Deine Nadel ist ${withComma(deviations)} Standardabweichungen vom Mittel der Zukünfte entfernt.`,
   beat: (beaten: number, futures: number) =>
-    `Sie ist dem Mittel näher als ${beaten} von ${futures} Zukünften, die das Modell gezogen hat.`,
+    beaten === 0
+      ? `Alle ${futures} Zukünfte, die das Modell gezogen hat, sind näher: weit daneben.`
+      : `Sie ist näher als ${beaten} von ${futures} Zukünften, die das Modell gezogen hat.`,
   back: (seconds: string) => `Von dort war der Weg nach ${withComma(seconds)} s wieder auf der Schleife.`,
   lost: "Von dort kam der Weg in vier Sekunden nicht zur Schleife zurück.",
   equation: "Der nächste Punkt eines Teils liegt um die Vermutung der Experten f, mit der Varianz α.",

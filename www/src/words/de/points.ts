@@ -19,20 +19,20 @@ export const points: Words["chapters"]["points"] = {
     steps: (number: number) => `Schritt ${number}`,
   },
   found: (count: number, nats: string, centimetres: string) =>
-    `${count} Punkte: Schranke ${nats} Nats niedriger, Gelenke ${withComma(centimetres)} cm daneben.`,
+    `${count} Punkte: Gelenke ${withComma(centimetres)} cm daneben. Die Schranke, nach der das Modell gewählt wird, fällt um ${nats} Nats.`,
   walks: "Der Gang geht weiter.",
   stumbled: "Der Gang stolpert.",
   enough: (enough: number, all: number, centimetres: string) =>
     `${enough} von ${all} Punkten genügen: Die Gelenke sind im Mittel ${withComma(centimetres)} cm daneben. Mit einem weniger ` +
-    "stolpert der Gang. Die Seite nahm jedes Mal den Punkt weg, der der Schranke am wenigsten fehlt.",
+    "stolpert der Gang. Die Seite nahm jedes Mal den Punkt weg, ohne den die Schranke am wenigsten fällt.",
   hint: (fewest: number | null) =>
     fewest === null
-      ? "Drück auf Punkte: Sie gehen und kommen wieder. Die wenigsten gewinnen."
-      : `Drück auf Punkte: Sie gehen und kommen wieder. Deine wenigsten: ${fewest}.`,
+      ? "Drück auf Punkte, um sie wegzunehmen oder zurückzuholen. Wer am wenigsten braucht, gewinnt."
+      : `Drück auf Punkte, um sie wegzunehmen oder zurückzuholen. Dein Rekord: ${fewest}.`,
   waiting: "Die Seite lädt das Programm, das das Modell neu löst.",
   removing: "Ein Punkt nach dem anderen geht.",
   all: "Alle Punkte",
-  pair: (many: number, few: number) => `${many} und ${few}`,
+  pair: (many: number, few: number) => `Nebeneinander: ${many} und ${few} Punkte`,
   column: (count: number) => `${count} Punkte`,
   chart: {
     bound: "Schranke",

@@ -125,10 +125,9 @@ export const primitives: PrimitivesWords = {
       return `Keine Kopplung gefunden für ${names}: Alle Vorhersagen über ${names} endeten an der Grenze, α = ${limit}. Diese Primitive erklären ${names} in diesem Clip nicht. „Zurück“ macht die Anpassung rückgängig. ${number(seconds, 1)} s.`;
     },
     rests: {
-      keepsPose: (part) => `${part} behält eine Pose`,
+      keepsPose: (part) => `Eine Pose: ${part}`,
       alone: "allein kommt dieser Teil zur Ruhe",
-      decides: (leader, share, part) =>
-        `${leader} entscheidet ${Math.round(100 * share)} % dessen, was ${part} tut`,
+      decides: (leader, share) => `zu ${Math.round(100 * share)} % bestimmt von: ${leader}`,
       ownRest: "; damit kommen die eigenen Vorhersagen zur Ruhe",
       doesNotDrive: " und treibt diesen Teil unter diesen Kopplungen nicht",
       neverLearned: (leader, part) => `, und ${leader} hat nie gelernt, ${part} zu treiben`,

@@ -4,16 +4,16 @@ import type { Words } from "../en";
 export const product: Words["chapters"]["product"] = {
   title: "Zwei Vermutungen, ein Schritt",
   text:
-    "Zwei Experten sprechen über den nächsten Schritt der Arme: die Arme selbst und die Beine. Jeder gibt eine " +
-    "Vermutung ab und sagt mit einem Kreis, wie sicher er ist. Der Schritt, der getan wird, liegt dazwischen, " +
-    "näher bei dem, der mehr zählt. Zieh an einem Kreis: Alpha wächst mit seinem Radius, und ein Experte mit " +
-    "großem Alpha zählt weniger.",
+    "Zwei Experten vermuten den nächsten Schritt der Arme: die Arme und die Beine. Eine Vermutung ist eine Glocke: " +
+    "ihre Mitte und ein Kreis, dessen Größe ihre Varianz ist, Alpha. Die zwei Glocken werden multipliziert: Der " +
+    "Schritt liegt dazwischen, näher beim kleineren Kreis. Die Vermutung der Beine liegt weit daneben, weil beide " +
+    "als Team gelernt haben: Sie muss den Schritt nur in die richtige Richtung ziehen. Zieh an einem Kreis.",
   guess: {
     question: "Wir verdoppeln beide Alphas. Wie bewegen sich die Arme?",
     choices: {
-      more: "Sie schwingen weiter",
+      more: "Sie holen weiter aus",
       same: "Genau wie vorher",
-      less: "Sie schwingen weniger",
+      less: "Sie holen weniger weit aus",
     },
   },
   plane: "Der latente Raum der Arme: zwei Vermutungen und ihr Produkt",
@@ -24,7 +24,7 @@ export const product: Words["chapters"]["product"] = {
   sources: { arms: "Arme", legs: "Beine" },
   row: (name: string, alpha: string, percent: string) =>
     `${name}: Alpha ${withComma(alpha)}, zählt ${percent} %`,
-  hint: "Zieh an den Punkten auf den Kreisen.",
+  hint: "Zieh an den Punkten neben den Kreisen.",
   learned: "Wie gelernt",
   twice: "Beide verdoppeln",
   doubled: (millimetres: string, wider: string) =>

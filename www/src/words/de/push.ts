@@ -7,10 +7,10 @@ const seconds = (value: number) => `${decimal("de", value, 1)} s`;
 export const push: Words["chapters"]["push"] = {
   title: "Stoß sie an",
   text:
-    "Dieser Gang folgt keiner Aufnahme. Das Modell schätzt jede Haltung aus den letzten paar Haltungen, " +
+    "Dieser Gang folgt keiner Aufnahme. Das Modell schätzt jede Pose aus den letzten zwei Posen, " +
     "und seine Schätzungen führen immer wieder um eine Schleife: eine für die Beine, eine für die Arme. " +
     "Jetzt ziehen wir an einer Hand, und die Arme verlassen ihre Schleife. Auch von dort kann das Modell " +
-    "die nächste Haltung nur aus den letzten paar schätzen. Dass jemand gezogen hat, weiß es nicht.",
+    "die nächste Pose nur aus den letzten zwei schätzen. Dass jemand gezogen hat, weiß es nicht.",
   guess: {
     question: "Was wird der Gang tun?",
     choices: { fall: "Umfallen", stop: "Anhalten", back: "Zurückkommen" },
@@ -18,11 +18,10 @@ export const push: Words["chapters"]["push"] = {
   parts: ["Beine", "Arme"],
   walk: "Lass sie gehen",
   pull: "Zieh an einer Hand",
-  drag: "oder zieh selbst",
+  drag: "oder zieh selbst an einer",
   measuring: "Der Heimweg wird gemessen.",
   away: (part, farthest) => `Die ${part} verließen ihre Schleife um ${radii(farthest)} Radien.`,
-  home: (time, limit) =>
-    `Nach ${seconds(time)} war alles zu Hause: näher als ${radii(limit)} Radien, doppelt so weit wie sonst.`,
+  home: (time) => `Nach ${seconds(time)} war alles wieder auf seiner Schleife.`,
   lost: "Er ist nicht nach Hause gekommen.",
   back: "Jede Schätzung führt näher an die Schleife.",
   wheel: {
@@ -35,5 +34,5 @@ export const push: Words["chapters"]["push"] = {
   equation: (order) => `Der nächste Zustand hängt nur von den letzten ${order} Zuständen ab.`,
   figure:
     "Eine gehende Figur. Hand oder Fuß ziehen; an anderer Stelle dreht Ziehen den Blick; Tasten: w, a, s, d, plus und minus.",
-  loops: "Oben die Schleife der Arme, unten die der Beine, jede mit einem Punkt für die Haltung jetzt.",
+  loops: "Oben die Schleife der Arme, unten die der Beine, jede mit einem Punkt für die Pose jetzt.",
 };

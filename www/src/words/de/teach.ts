@@ -11,7 +11,7 @@ export const teach: TeachWords = {
     title: "Folien",
     start: "Folien starten",
     keys: {
-      turn: ["← →", "blättern; ein Presenter tut das auch"],
+      turn: ["← →", "die Antwort, dann das nächste Kapitel; ein Presenter tut das auch"],
       hands: ["1 2 3", "zählen eine Hand für diese Antwort, Rücktaste nimmt sie zurück"],
       notes: ["n", "deine Notizen, in einem zweiten Fenster"],
       code: ["q", "QR-Code dessen, was zu sehen ist, auch im Labor"],
@@ -40,7 +40,7 @@ export const teach: TeachWords = {
   },
   steps: {
     computer: {
-      say: "Beide Gänge macht ein Computer, und die Karte sagt es. Die Artikel fragten Menschen dasselbe bei Aufnahmen.",
+      say: "Ein Gang folgt veröffentlichten Kurven, der andere wurde daraus gelernt. Die Artikel fragten Menschen dasselbe bei Aufnahmen.",
       wrong: "Die Klasse sucht den Fehler in einem Licht: Frag nach dem ersten Eindruck.",
     },
     arms: {
@@ -60,7 +60,7 @@ export const teach: TeachWords = {
       wrong: "Wer am wenigsten braucht, gewinnt, aber der Gang muss weitergehen: Lass die Klasse urteilen.",
     },
     product: {
-      say: "Zwei Vorhersagen werden multipliziert; Alpha ist ein Radius. Nur Verhältnisse zählen.",
+      say: "Zwei Vorhersagen werden multipliziert; Alpha ist die Varianz, die ein Kreis zeigt. Nur Verhältnisse zählen.",
       wrong: "Das Produkt ist schmaler als beide: Frag warum, bevor du es sagst.",
     },
     push: {
@@ -78,6 +78,10 @@ export const teach: TeachWords = {
     gaussian: {
       say: "Eine Eingabe, eine Ausgabe: Mittelwert, Varianz und Punkte zum Ziehen.",
       wrong: "Das Band gilt als Rauschen der Daten: Fern der Punkte ist es, was niemand weiß.",
+    },
+    end: {
+      say: "Was man weiß, was niemand weiß, und was man machen kann: Lass die Klasse wählen, was sie versucht.",
+      wrong: "Niemand fragt etwas: Frag, welches Bild überrascht hat.",
     },
     exercises: {
       say: "Verteile das Blatt oder die QR-Codes. Die Seite sagt, wann eine Aufgabe gelöst ist.",

@@ -6,9 +6,9 @@ const centimetres = (value: number) => `${decimal("en", 100 * value, 0)} cm`;
 export const arms = {
   title: "Who tells the arms when to swing?",
   text:
-    "This walk was never recorded: a model makes it, step by step. Its legs and its arms each run round " +
+    "This walk was never recorded: another model makes it, step by step. Its legs and its arms each run round " +
     "a loop of their own. A thin thread keeps them together: what the legs say about where the arms go " +
-    "next. Nobody told the model to tie it; it learned that from three walks of one person. Now we cut " +
+    "next. Nobody told the model to tie it; it learned that from three recorded walks of one person. Now we cut " +
     "the thread.",
   guess: {
     question: "What will the arms do?",
@@ -17,7 +17,8 @@ export const arms = {
   parts: ["legs", "arms"],
   thread: { label: "The thread", tied: "Tied", relearned: "Cut", kept: "Cut, as learned" },
   measuring: "Measuring 20 seconds of this walk.",
-  periods: (legs: number, arms: number) => `Legs ${seconds(legs)}, arms ${seconds(arms)} for a swing.`,
+  periods: (legs: number, arms: number) =>
+    `Legs ${seconds(legs)}, arms ${seconds(arms)} for a swing there and back.`,
   swing: (is: number, was: number) => `The hands swing ${centimetres(is)} instead of ${centimetres(was)}.`,
   tied: "They keep step, because the arms hear the legs.",
   outcome: {

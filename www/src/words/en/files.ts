@@ -36,7 +36,7 @@ export const files = {
     live: "The live motion could not be loaded",
     help: "Help could not be loaded",
     exercise: "The exercise could not be loaded",
-    tab: "This tab could not be loaded",
+    panel: "This panel could not be loaded",
     outlook: "What may come could not be loaded",
     why: "Is this machine offline? Reload the page when it is online.",
   },

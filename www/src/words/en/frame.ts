@@ -8,8 +8,6 @@ export const frame = {
   stage: "Stage",
   chapters: "Chapters",
   place: (chapter: number, count: number) => `${chapter} of ${count}`,
-  extra: "Extra",
-  extraHint: "For those who never met one",
   back: "Previous chapter",
   next: "Next",
   nextChapter: "Next chapter",

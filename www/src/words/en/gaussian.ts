@@ -3,7 +3,7 @@ export const gaussian = {
   text:
     "A Gaussian process guesses a curve from points. Near a point it is sure; far from all points it is not, and " +
     "says so: the band is two standard deviations wide on each side. Drag the points and watch the curve. A few " +
-    "inducing points can stand for all of them, and the question itself may be uncertain.",
+    "inducing points can stand for all of them. And where one asks may be uncertain, too.",
   guess: {
     question: "What does it say at the dotted line, far from all points?",
     choices: {
@@ -22,7 +22,7 @@ export const gaussian = {
   spread: "Uncertain input",
   reveal: {
     answer: (mean: string, deviation: string, near: string) =>
-      `There it says ${mean} ± ${deviation}, as before it saw a point. At the first point it is sure to ± ${near}.`,
+      `There it says ${mean} ± ${deviation}, two standard deviations, as before it saw a point. At the first point it is sure to ± ${near}.`,
     input: (mean: string, deviation: string) => `At the orange input: ${mean} ± ${deviation}.`,
   },
   equation: "The kernel k says how alike the curve is at two inputs.",

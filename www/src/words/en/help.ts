@@ -22,6 +22,7 @@ export const help = {
     ["?", "this help"],
   ] as [key: string, does: string][],
   about: "About",
+  licences: "Licences of the software",
   local: "Nothing you load leaves your machine: everything is computed in this browser.",
   samples:
     "The sample clips are made by a program of this project. The model that walks at the start was trained on recordings of CMU subject 7.",

@@ -20,15 +20,15 @@ const START_MEANINGS: Record<string, string> = {
   "legs-lost": "Arms learned nothing about legs. The legs hear half themselves, half the arms.",
 };
 
-/** The Lab: its frame, the stage, and the tab Listen. A [text|term] in brackets is a term with an explanation. */
+/** The Lab: its frame, the stage and the couplings. A [text|term] in brackets is a term with an explanation. */
 export const lab = {
   files,
   learn,
   loops,
-  /** Names of parts, and titles of splits by their ids: those of the library, which are English already. */
-  partNames: {} as Readonly<Record<string, string>>,
-  splits: {} as Readonly<Record<string, string>>,
-  title: "Coupled [movement primitives|movement-primitive]",
+  /** Names of parts as in the story, and titles of splits by their ids; the others are the library’s own. */
+  partNames: { lower: "legs", upper: "arms" } as Readonly<Record<string, string>>,
+  splits: { "lower-upper": "Legs and arms" } as Readonly<Record<string, string>>,
+  title: "Coupled movement primitives",
   views: {
     play: "Lab",
     compare: "Compare models",
@@ -56,8 +56,8 @@ export const lab = {
       "A new version of this page is there. Loading it begins anew: save first what you want to keep.",
   },
   page: {
-    tabs: { listen: "Listen", loops: "Loops", learn: "Learn", numbers: "Numbers" },
-    panels: "Panels",
+    panels: { learn: "Learn", more: "More", numbers: "Numbers" },
+    closePanel: "Close this panel",
     skipToCouplings: "Skip to the couplings",
     skipToContent: "Skip to the content",
     loading: "Loading",
@@ -72,8 +72,6 @@ export const lab = {
       `${why} Load the page again: it then offers to bring back your clips and models.`,
     keepAndReload: "Keep everything and reload",
     local: "Nothing you load leaves your machine.",
-    data: "Data",
-    licences: "licences",
     leaveLarge: "Leave the projector mode",
     leaveLargeKey: "Leave the projector mode (Escape)",
     drop: "Drop motion clips (.bvh), tables (.csv) or a model (.json)",
@@ -81,15 +79,13 @@ export const lab = {
   stage: {
     made: "Made by the model",
     lead: {
-      made: "This motion was never recorded: a small model made it.",
-      learned: (clips: string) => `This motion was never recorded: a small model learned it from ${clips}.`,
-      learning: "A model is learning: what it can do so far moves on the stage.",
+      drag: "Drag an arrow, or its α: do the parts keep step?",
+      live: "Hold an arrow, or the key c, to cut a coupling. Drag the dot of a loop to push its part.",
+      learning: "A model is learning: what it can do so far moves, and its loops form.",
       own: "Couplings of your own, not those that the model learned.",
       clip: "This is a clip: what a model learns from, not what it made.",
-      back: "Back to as learned",
-      question: "do they keep step?",
     },
-    rollout: "A [rollout|rollout]",
+    rollout: "A rollout",
     otherKind: {
       made: (kind: string) => `Made by a ${kind}`,
       noCouplings: "A model without couplings: nothing here changes its motion",
@@ -140,36 +136,32 @@ export const lab = {
   },
   presets: {
     label: "Presets",
+    own: "Your own",
     /** Of the model that the page opens with, by id. */
     start: Object.fromEntries(
       startPresets.map(({ id, name }) => [id, { name, meaning: START_MEANINGS[id] ?? "" }]),
     ) as Record<string, PresetWords>,
     learned: { name: "As learned", meaning: "The parts as training coupled them." },
     alone: (part: string) => ({
-      name: `${capital(part)} on its own`,
-      meaning: `What the other parts say about ${part} hardly counts.`,
+      name: `${capital(part)} alone`,
+      meaning: `What the other parts guess about ${part} hardly counts.`,
     }),
     follows: (part: string) => ({
-      name: `${capital(part)} follows the others`,
-      meaning: `What ${part} says about itself hardly counts.`,
+      name: `${capital(part)} by the others alone`,
+      meaning: `What ${part} would do next by the own past hardly counts.`,
     }),
   },
   couplings: {
-    map: "Couplings on the body",
-    drives: (source: string, target: string) => `${source} drives ${target}`,
-    itself: "itself",
-    arrows:
-      "Arrows: which [part|part] drives which ([coupling|coupling]). Drag one up or down: thicker, thinner. Hold it: cut.",
-    weight: (names: string, now: string, learned: string | null) =>
-      `${names}: weight ${now}${learned === null ? "" : ` (learned: ${learned})`}`,
-    knob: (weight: string, alpha: string, learned: string) =>
-      `weight ${weight}, alpha ${alpha}; learned ${learned}`,
+    map: "Couplings",
+    toOther: (source: string, target: string) => `${source} → ${target}`,
+    arrow: "Drag up or down: thicker, thinner. Hold: cut",
+    slidersOf: (part: string) => `Show what drives ${part}`,
+    oneSlider: "The coupling with a slider",
     failed: "The model could not be started, so its couplings cannot be changed.",
     empty: "How the parts drive each other appears here.",
     onePart: "This model has one [part|part], so no part drives another. Train one with two parts or more.",
     completing: "Let a recording move one part",
-    numbers: "Numbers",
-    table: "A row decides about a column. Right is strong: small [α|alpha], large [w|weight].",
+    begins: "Where the motion begins",
     startAs: "Start as clip",
     startLabel: "Start as in",
     trainedOn: "Trained on",
@@ -181,19 +173,16 @@ export const lab = {
     frame: (frame: number, count: number) => `Frame ${frame} of ${count}`,
     decides: "who decides",
     about: "about",
-    pair: (source: string, target: string) => `${source} to ${target}`,
+    pair: (source: string, target: string) => `alpha from ${source} to ${target}`,
     tick: (alpha: string, trained: boolean) => `${trained ? "As learned" : "As it was"}: ${alpha}`,
     value: (alpha: string, weight: string, learned: string | null) =>
       `alpha ${alpha}, weight ${weight}${learned === null ? "" : `; learned ${learned}`}`,
     slider: (pair: string) => `${pair}: drag to change, double click to reset`,
     alphaMeaning: "alpha, the variance of this prediction: small means influential",
     weightMeaning: "weight of this prediction; the weights into a part sum to 1",
-    bar: "Drag a border: one gains what the other loses. Double click to reset.",
-    border: (target: string, one: string, other: string) =>
-      `Who decides where ${target} goes next: ${one} or ${other}`,
   },
   live: {
-    hint: "Hold an arrow of the body map to cut that coupling. Drag a limb or turn the wheel to move a part yourself; drag the dot of a latent plot to push it.",
+    hint: "Drag a limb or turn the wheel to move a part yourself.",
     driven: (part: string) => `You move ${part}. The others follow as the couplings say.`,
     wheel: (part: string) => `Wheel: moves ${part} through its step. Arrow keys turn it, Escape lets go.`,
     wheelMeaning: "Drag the rim: one turn is one step cycle. Let go, and the model goes on.",
@@ -204,7 +193,7 @@ export const lab = {
     recording: "a recording",
     recorded: (part: string, title: string) => `A recording moves ${part}: ${title}. Outline: the recording.`,
     cuts: (count: number) => `${count} couplings are cut`,
-    cut: (source: string, target: string) => `${target} does not hear ${source}`,
+    cut: (source: string, target: string) => `${source} → ${target} is cut`,
     ahead: (part: string) => `ahead of ${part}, in turns`,
     distance: "distance from the learned cycle",
     chart: (first: string, others: readonly string[]) =>
@@ -216,42 +205,39 @@ export const lab = {
     staysWhy: "Nothing else would say where the part goes next.",
   },
   readings: {
-    label: "[Experts|expert], when a coupling changes",
+    title: "[Experts|expert], when a coupling changes",
+    label: "experts",
     about: "What do as learned and re-inferred mean?",
     text: { "re-inferred": "re-inferred", "as-learned": "as learned" },
-    side: { "as-learned": "Left, as learned", "re-inferred": "Right, re-inferred" },
     experts: (reading: string) => `Experts ${reading}`,
     meaning: {
       "re-inferred": "What the same clips would have taught each part’s predictions under these couplings.",
       "as-learned": "Only the weights change: each part predicts as before, and counts for more or less.",
     },
-    both: "Left: training made the experts as a team, and one left alone does only its share. Right: as the same clips teach one that was always alone.",
+    both: "Left, as learned: training made the experts as a team, and one left alone does only its share. Right, re-inferred: as the same clips teach one that was always alone.",
     bothButton: "Both side by side",
-    resetAll: "Reset all",
+    resetAll: "Reset",
   },
   measured: {
-    compared: (reading: string) =>
-      `[Measured|measured]${reading && ` ${reading}`}, compared with as learned:`,
+    compared: (reading: string) => `Measured${reading && ` ${reading}`}:`,
     since: (seconds: number) => `from ${number(seconds, 1)} s on`,
+    still: (since: string) => `one pose ${since}`,
     pose: (since: string) => `keeps one pose ${since}`,
-    figure: (trouble: string) => `the figure ${trouble}`,
-    asLearned: "hands and feet swing as learned",
     common: (step: string) => `hands and feet ${step}`,
-    swingsBy: (centimetres: number) => `swings ${number(centimetres, 0)} cm`,
+    swingsBy: (centimetres: number) => `${number(centimetres, 0)} cm far`,
     swings: (share: number, hardly: boolean) =>
-      `${hardly ? "hardly swings, " : "swings "}${number(share, 2)} × as far`,
+      `${hardly ? "hardly any swing, " : ""}${number(share, 2)} × as far`,
     noPace: "without a steady pace",
-    pace: (is: number, was: number) =>
-      `${is > was ? "slower" : "faster"} (${number(is, 2)} s, not ${number(was, 2)} s)`,
-    speed: (share: number) => `walks ${number(share, 2)} × as fast`,
+    pace: (is: number, was: number) => `${number(is, 2)} s instead of ${number(was, 2)} s`,
+    speed: (share: number) => `${number(share, 2)} × as fast`,
     step: { "in step": "in step", "partly in step": "partly in step", "out of step": "out of step" },
     aPart: "a part",
     standsStill: (since: string) => `stands still ${since}`,
     visits: (share: number, part: string) =>
       `visits ${Math.round(100 * share)} % of its clips’ poses in ${part}`,
-    leaves: (part: string, since: string) => `${part} leaves the training range ${since}`,
+    leaves: (part: string, since: string) => `outside the training range ${since}: ${part}`,
     shakes: (part: string | null, times: number | null, turnsBack: number) =>
-      `shakes: ${part ?? "the body"} moves ${times === null ? "" : `${number(times, 1)} × as fast as in its clips, `}and ${Math.round(100 * turnsBack)} % of its steps turn back`,
+      `shakes (${part ?? "the whole body"}): ${times === null ? "" : `${number(times, 1)} × as fast as in its clips, `}and ${Math.round(100 * turnsBack)} % of its steps turn back`,
     runsAway: "runs away: its numbers are too large to show",
   },
   time: {
@@ -264,9 +250,6 @@ export const lab = {
     backMeaning: "One frame back (left arrow)",
     forward: "One frame forward",
     forwardMeaning: "One frame forward (right arrow)",
-    modes: "Clip or live",
-    clip: "clip",
-    clipMeaning: "A motion of some seconds, again and again",
     live: "live",
     liveMeaning: "The model goes on from here without an end: cut couplings and move parts while it moves",
     frame: "Frame",

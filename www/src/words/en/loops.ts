@@ -1,9 +1,9 @@
-/** The tab Loops: the latent plots and their layers. A [text|term] in brackets is a term with an explanation. */
+/** The latent plots and their layers. A [text|term] in brackets is a term with an explanation. */
 export const loops = {
   title: "[Latent spaces|latent-space]",
+  about:
+    "A loop is the path of a [rollout|rollout] through the latent space of a part, its [movement primitive|movement-primitive]. An arrow is a [coupling|coupling], as thick as its [weight|w]; a small [α|alpha] is a large weight. What couplings do is [measured|measured] on the body.",
   plot: "Plot",
-  failed: "The model could not be started, so there are no latents to show.",
-  empty: "Each part’s path through its latent space appears here.",
   layers: "Show in the plots",
   pose: { label: "poses", meaning: "Pose inducing points: poses that the pose map is pinned to" },
   dynamics: { label: "dynamics", meaning: "Dynamics inducing points: a history in, its prediction out" },
@@ -28,7 +28,8 @@ export const loops = {
     label: "where the model is sure",
     meaning: "Colour: poses that the model is sure about. Arrows: where its dynamics lead. In the 2-D plots",
   },
-  plotOf: (part: string) => `Latent space of ${part}. Drag, or use the arrow keys, to turn it.`,
+  plotOf: (part: string) => `Latent space of ${part}`,
+  turn: "Drag, or use the arrow keys, to turn it",
   dynamicsPoint: (number: number, source: string, target: string | null) =>
     `Dynamics inducing point ${number} of ${source}${target === null ? "" : ` about ${target}`}`,
   posePoint: (number: number, part: string) => `Pose inducing point ${number} of ${part}`,

@@ -1,7 +1,7 @@
 export const next = {
   title: "What next?",
   text:
-    "The model has learned a rule for the next step, a Gaussian process. From where the point was and where it " +
+    "The model has learned a rule for the next step: a Gaussian process, as on the card before. From where the point was and where it " +
     "is, the rule says where the point will be: the arrow is its guess, the circle is how sure it is. Guess " +
     "after guess makes a path. Where will the point be ten frames from now? Put a pin there, and then look at " +
     "futures that the model thinks possible.",
@@ -17,7 +17,9 @@ export const next = {
   again: "Another start",
   away: (deviations: string) => `Your pin is ${deviations} standard deviations from the mean of the futures.`,
   beat: (beaten: number, futures: number) =>
-    `It is nearer to the mean than ${beaten} of ${futures} futures that the model has drawn.`,
+    beaten === 0
+      ? `All of the ${futures} futures that the model has drawn are nearer: far off.`
+      : `It is nearer than ${beaten} of ${futures} futures that the model has drawn.`,
   back: (seconds: string) => `From there the path came back to the loop after ${seconds} s.`,
   lost: "From there the path did not come back to the loop in four seconds.",
   equation: "The next point of a part is drawn around the guess of the experts f, with the variance α.",

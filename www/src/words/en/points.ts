@@ -17,20 +17,20 @@ export const points = {
     steps: (number: number) => `Step ${number}`,
   },
   found: (count: number, nats: string, centimetres: string) =>
-    `${count} points: bound ${nats} nats lower, joints ${centimetres} cm off.`,
+    `${count} points: joints ${centimetres} cm off. The bound, by which the model is chosen, falls by ${nats} nats.`,
   walks: "The walk goes on.",
   stumbled: "The walk stumbles.",
   enough: (enough: number, all: number, centimetres: string) =>
     `${enough} of ${all} points are enough: on average the joints are ${centimetres} cm off. With one less the walk ` +
-    "stumbles. Each time the page took away the point that the bound misses least.",
+    "stumbles. Each time the page took away the point without which the bound falls least.",
   hint: (fewest: number | null) =>
     fewest === null
       ? "Press points to take them away or back. Fewest wins."
-      : `Press points to take them away or back. Your fewest: ${fewest}.`,
+      : `Press points to take them away or back. Your record: ${fewest}.`,
   waiting: "The page loads the program that solves the model anew.",
   removing: "One point after the other goes.",
   all: "All points",
-  pair: (many: number, few: number) => `${many} and ${few}`,
+  pair: (many: number, few: number) => `Beside each other: ${many} and ${few} points`,
   column: (count: number) => `${count} points`,
   chart: {
     bound: "bound",

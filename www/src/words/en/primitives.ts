@@ -124,10 +124,10 @@ export const primitives = {
       return `No coupling found for ${names}: all predictions about ${names} ended at the limit, α = ${limit}. These primitives do not explain ${names} in this clip. Reset undoes the fit. ${number(seconds, 1)} s.`;
     },
     rests: {
-      keepsPose: (part: string) => `${part} keeps one pose`,
+      keepsPose: (part: string) => `one pose: ${part}`,
       alone: "alone it comes to rest",
       decides: (leader: string, share: number, part: string) =>
-        `${leader} decides ${Math.round(100 * share)} % of what ${part} does`,
+        `${Math.round(100 * share)} % of what comes next for ${part} is decided by ${leader}`,
       ownRest: "; with that, its own predictions come to rest",
       doesNotDrive: ", and does not drive it under these couplings",
       neverLearned: (leader: string, part: string) => `, and ${leader} never learned to drive ${part}`,

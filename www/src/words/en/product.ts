@@ -1,9 +1,10 @@
 export const product = {
   title: "Two guesses, one step",
   text:
-    "Two experts speak about the arms’ next step: the arms themselves and the legs. Each gives a guess and says " +
-    "how sure it is, as a circle. The step that is taken lies between, nearer to the one who counts more. Pull " +
-    "at a circle: alpha grows with its radius, and an expert with a large alpha counts less.",
+    "Two experts guess the arms’ next step: the arms and the legs. A guess is a bell: its middle, and a circle whose " +
+    "size is its variance, alpha. The two bells are multiplied: the step lies between, nearer to the smaller circle. " +
+    "The legs’ guess lies far off because both learned as a team: it only has to pull the step the right way. " +
+    "Pull at a circle.",
   guess: {
     question: "We double both alphas. How will the arms move?",
     choices: {
@@ -19,7 +20,7 @@ export const product = {
   },
   sources: { arms: "arms", legs: "legs" },
   row: (name: string, alpha: string, percent: string) => `${name}: alpha ${alpha}, counts ${percent} %`,
-  hint: "Pull at the dots on the circles.",
+  hint: "Pull at the dots beside the circles.",
   learned: "As learned",
   twice: "Double both",
   doubled: (millimetres: string, wider: string) =>

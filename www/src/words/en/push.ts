@@ -6,9 +6,9 @@ const seconds = (value: number) => `${decimal("en", value, 1)} s`;
 export const push = {
   title: "Push it",
   text:
-    "This walk follows no recording. The model guesses each pose from the last few poses, and its guesses " +
+    "This walk follows no recording. The model guesses each pose from the last two poses, and its guesses " +
     "lead round and round a loop: one loop for the legs, one for the arms. Now we pull a hand, and the arms " +
-    "leave their loop. From there, too, the model can only guess the next pose from the last few. It " +
+    "leave their loop. From there, too, the model can only guess the next pose from the last two. It " +
     "does not know that anybody pulled.",
   guess: {
     question: "What will the walk do?",
@@ -21,8 +21,7 @@ export const push = {
   measuring: "Measuring the way home.",
   away: (part: string, farthest: number) =>
     `The ${part} left their loop by ${radii(farthest)} times its radius.`,
-  home: (time: number, limit: number) =>
-    `${seconds(time)} later all was home: within ${radii(limit)} radii, twice as far as usual.`,
+  home: (time: number) => `${seconds(time)} later all was on its loop again.`,
   lost: "It has not come home.",
   back: "Each guess leads nearer to the loop.",
   wheel: {

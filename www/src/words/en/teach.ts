@@ -10,7 +10,7 @@ export const teach = {
     title: "Slides",
     start: "Start the slides",
     keys: {
-      turn: ["← →", "turn the chapters; so does a clicker"],
+      turn: ["← →", "the answer, then the next chapter; so does a clicker"],
       hands: ["1 2 3", "count a hand for this answer, Backspace takes it back"],
       notes: ["n", "your notes, in a second window"],
       code: ["q", "QR code of what is on the screen, in the Lab too"],
@@ -39,7 +39,7 @@ export const teach = {
   },
   steps: {
     computer: {
-      say: "Both walks are made by a computer, and the card says so. The papers asked people the same about recordings.",
+      say: "One walk follows published curves, the other was learned from it. The papers asked people the same about recordings.",
       wrong: "The class looks for a flaw in one light: ask for the first impression.",
     },
     arms: {
@@ -59,7 +59,7 @@ export const teach = {
       wrong: "Fewest wins, but the walk on the stage must go on: let the class judge.",
     },
     product: {
-      say: "Two predictions are multiplied; alpha is a radius. Only ratios count.",
+      say: "Two predictions are multiplied; alpha is the variance that a circle shows. Only ratios count.",
       wrong: "The product is narrower than both: ask why before you say it.",
     },
     push: {
@@ -77,6 +77,10 @@ export const teach = {
     gaussian: {
       say: "One input, one output: mean, variance, and points to drag.",
       wrong: "The band is taken for the data’s noise: away from points it is what nobody knows.",
+    },
+    end: {
+      say: "What is known, what nobody knows, and what one can make: let the class choose what to try.",
+      wrong: "Nobody asks anything: ask which of the pictures surprised them.",
     },
     exercises: {
       say: "Give out the sheet or the QR codes. The page says when an exercise is solved.",

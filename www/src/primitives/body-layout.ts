@@ -1,4 +1,4 @@
-// The positions of nodes, bones and arrows in the body map, in the units of its viewBox.
+// The positions of nodes and bones in the body map, in the units of its viewBox.
 import type { ModelInfo, Motion } from "../engine/protocol";
 import { HERE, poseAt } from "../scene/motion";
 import { partOfJoints } from "../scene/part-of-joints";
@@ -91,47 +91,3 @@ export function drawApart(spots: readonly Spot[]): Spot[] {
   }
   return apart;
 }
-
-/** The line of an arrow, and the spot in its middle. */
-export interface Arrow {
-  path: string;
-  middle: Spot;
-}
-
-/** An arc between the rims of two nodes, bent so that the arrows of both directions do not overlap. */
-export function bowBetween(a: Spot, b: Spot): Arrow {
-  const [dx, dy] = [b.x - a.x, b.y - a.y];
-  const length = Math.hypot(dx, dy) || 1;
-  const [ux, uy] = [dx / length, dy / length];
-  const bow = Math.min(26, 0.32 * length);
-  const bend = { x: (a.x + b.x) / 2 - bow * uy * 1.6, y: (a.y + b.y) / 2 + bow * ux * 1.6 };
-  const rim = (at: Spot, away: number) => {
-    const [vx, vy] = [bend.x - at.x, bend.y - at.y];
-    const size = Math.hypot(vx, vy) || 1;
-    return { x: at.x + (away * vx) / size, y: at.y + (away * vy) / size };
-  };
-  const from = rim(a, NODE + 1);
-  const to = rim(b, NODE + 5);
-  return {
-    path: `M${text(from)}Q${text(bend)} ${text(to)}`,
-    middle: { x: (from.x + 2 * bend.x + to.x) / 4, y: (from.y + 2 * bend.y + to.y) / 4 },
-  };
-}
-
-/** A loop at the outer side of a node. */
-export function loopAt({ x, y }: Spot): Arrow {
-  const side = x < WIDTH / 2 - 1 ? -1 : 1;
-  const at = (angle: number, away: number): Spot => ({
-    x: x + side * away * Math.cos(angle),
-    y: y - away * Math.sin(angle),
-  });
-  const rim = NODE + 1;
-  const [from, up, down, to] = [at(0.75, rim), at(0.62, 46), at(-0.62, 46), at(-0.62, rim + 5)];
-  const middle = (along: "x" | "y") => (from[along] + 3 * up[along] + 3 * down[along] + to[along]) / 8;
-  return {
-    path: `M${text(from)}C${text(up)} ${text(down)} ${text(to)}`,
-    middle: { x: middle("x"), y: middle("y") },
-  };
-}
-
-const text = ({ x, y }: Spot): string => `${x.toFixed(1)} ${y.toFixed(1)}`;

@@ -1,0 +1,27 @@
+import { expect, it } from "vitest";
+import { drawApart, HEIGHT, WIDTH } from "./body-layout";
+
+it("moves nodes away from each other, also from the same spot, and keeps them in the map", () => {
+  for (const spots of [
+    [
+      { x: 85, y: 90 },
+      { x: 85, y: 90 },
+    ],
+    [
+      { x: 85, y: 150 },
+      { x: 85, y: 60 },
+      { x: 60, y: 90 },
+      { x: 110, y: 90 },
+    ],
+    [
+      { x: -40, y: 500 },
+      { x: 85, y: 60 },
+    ],
+  ]) {
+    const apart = drawApart(spots);
+    apart.forEach((a, i) => {
+      expect(a.x > 0 && a.x < WIDTH && a.y > 0 && a.y < HEIGHT).toBe(true);
+      for (const b of apart.slice(i + 1)) expect(Math.hypot(a.x - b.x, a.y - b.y)).toBeGreaterThan(40);
+    });
+  }
+});

@@ -1,0 +1,9 @@
+import type { App } from "../../app/app";
+import "../../stage/stage-view";
+import { storyBody } from "../body";
+import type { Chapter } from "../chapter";
+import { EndChapter } from "./end-chapter";
+
+export async function openChapter(app: App): Promise<Chapter> {
+  return new EndChapter(app.words, storyBody(app));
+}

@@ -1,0 +1,64 @@
+// The last card: what the visitor knows now, what nobody knows, and what to make next.
+import { html } from "lit";
+import { Store } from "../../ui/store";
+import type { WordsStore } from "../../words/words";
+import type { StoryBody } from "../body";
+import type { Chapter } from "../chapter";
+import { EndlessWalk } from "../endless-walk";
+
+/** Where the visitor can make something, by the names of the words. */
+const DOORS = { lab: "view=play", own: "view=play&tab=learn", primitives: "view=primitives" } as const;
+
+export class EndChapter extends Store implements Chapter {
+  readonly #words: WordsStore;
+  readonly #body: StoryBody;
+  readonly #walk: EndlessWalk;
+
+  constructor(words: WordsStore, body: StoryBody) {
+    super();
+    [this.#words, this.#body] = [words, body];
+    this.#walk = new EndlessWalk(body, () => this.changed());
+  }
+
+  get #now() {
+    return this.#words.now.chapters.end;
+  }
+
+  stage() {
+    const { stage, playback } = this.#body;
+    return html`<pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${this.#now.figure}></pg-stage>`;
+  }
+
+  guess() {
+    return null;
+  }
+
+  guessed(): void {}
+
+  control() {
+    return html`<div class="story-row">${Object.entries(DOORS).map(
+      ([door, fragment]) =>
+        html`<a class="story-button" href="#${fragment}" data-testid="end-${door}">${this.#now.doors[door as keyof typeof DOORS]}</a>`,
+    )}</div>`;
+  }
+
+  reveal() {
+    return html`<p>${this.#now.unknown}</p>`;
+  }
+
+  equation() {
+    return null;
+  }
+
+  lab() {
+    return {};
+  }
+
+  arrive(): void {
+    this.#walk.arrive();
+  }
+
+  leave(): void {
+    this.#walk.leave();
+  }
+}
