@@ -145,7 +145,7 @@ describe("a comparison of models", () => {
       .first()
       .waitFor();
     await table
-      .getByText(/^legs\s0\.\d+, arms\s0\.\d+$/)
+      .getByText(/^lower\s0\.\d+, upper\s0\.\d+$/)
       .first()
       .waitFor();
     const more = page.getByRole("button", { name: /^All \d+ settings$/ });

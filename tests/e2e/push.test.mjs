@@ -33,12 +33,13 @@ it("measures how a pulled hand comes home, and lets the visitor pull again", asy
   assert.equal(await page.getByTestId("pull").count(), 0);
   await page.getByTestId("choice-back").click();
   const { text, seconds, trace, from, frameTime } = await wayHome(page);
-  const limit = Number(/within ([\d.]+) radii/.exec(text)?.[1]);
-  assert.ok(limit > 0.01 && limit < 0.3, `home is near the loop: ${text}`);
+  assert.match(text, /later all was on its loop again/);
   assert.ok(seconds > 0 && seconds < 4, `${seconds} s`);
   const away = trace.filter((/** @type {any} */ { frame }) => frame >= from && frame < from + 150);
+  // Home is twice as far from the loop as before the pull, which is never more than this.
+  const limit = 0.3;
   const farthest = Math.max(...away.map((/** @type {any} */ { distances }) => distances[1]));
-  assert.ok(farthest > 4 * limit, `the arms left their loop: ${farthest}`);
+  assert.ok(farthest > 2 * limit, `the arms left their loop: ${farthest}`);
   const home = away.filter((/** @type {any} */ { frame }) => (frame - from) * frameTime >= seconds - 1e-6);
   for (const { distances } of home.slice(0, 30))
     assert.ok(Math.max(...distances) <= limit + 0.005, `${distances} within ${limit}`);

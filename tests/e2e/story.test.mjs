@@ -219,7 +219,7 @@ describe("the way through the story", () => {
   it("measures the time from chapter to chapter", async (test) => {
     const { page, problems, leave } = await site.visit({ story: true, ...LAPTOP });
     await page.locator(".story[data-state=open][data-engine=ready]").waitFor();
-    for (let chapter = 2; chapter <= 9; chapter++) {
+    for (const chapter of [2, 3, 10, 4, 5, 6, 7, 8, 9, 11]) {
       // The program of the next chapter loads when the page is idle.
       await page.waitForTimeout(500);
       await page.keyboard.press("ArrowRight");
@@ -232,7 +232,7 @@ describe("the way through the story", () => {
           .getEntriesByName("chapter-turn")
           .map((entry) => ({ name: /** @type {any} */ (entry).detail, milliseconds: entry.duration })),
       );
-    await soon(async () => assert.equal((await turns()).length, 9));
+    await soon(async () => assert.equal((await turns()).length, 11));
     for (const { name, milliseconds } of await turns()) {
       assert.ok(milliseconds > 0);
       test.diagnostic(`${name}: ${milliseconds.toFixed(0)} ms`);
@@ -315,13 +315,16 @@ describe("the numbers on the cards are those of the library", () => {
       study.positions(stimuli.findIndex((stimulus) => stimulus.id === id));
     const [program, model] = [positions("trial-1"), positions("vcgpdm-3-12-trial-1")];
     const nodes = skeleton.parents.length;
-    const apart = Array.from({ length: program.length / 3 / nodes }, (_, frame) =>
-      skeleton.dots.map((node) => {
-        const first = 3 * (frame * nodes + node);
-        return Math.hypot(...[0, 1, 2].map((k) => (program[first + k] ?? NaN) - (model[first + k] ?? NaN)));
-      }),
-    ).flat();
-    const mean = apart.reduce((sum, distance) => sum + distance, 0) / apart.length;
+    const poses = (/** @type {ArrayLike<number>} */ motion) =>
+      Array.from({ length: motion.length / 3 / nodes }, (_, frame) =>
+        skeleton.dots.map((node) => [0, 1, 2].map((k) => motion[3 * (frame * nodes + node) + k] ?? NaN)),
+      );
+    const between = (/** @type {number[][]} */ a, /** @type {number[][]} */ b) =>
+      a.reduce((sum, dot, i) => sum + Math.hypot(...dot.map((x, k) => x - (b[i]?.[k] ?? NaN))), 0) / a.length;
+    // Each pose of the model beside the nearest one of the program.
+    const recorded = poses(program);
+    const nearest = poses(model).map((pose) => Math.min(...recorded.map((other) => between(pose, other))));
+    const mean = nearest.reduce((sum, distance) => sum + distance, 0) / nearest.length;
     assert.ok(
       Math.abs(Number(found) - 100 * mean) < 0.06,
       `${found} cm on the card, ${100 * mean} cm computed`,

@@ -25,7 +25,7 @@ describe("the page for teachers", () => {
         const { page, problems, leave } = await site.visit({ settings: "teach", locale, ...size });
         await open(page);
         await page.getByTestId("plan-90").click();
-        assert.equal(await page.locator(".teach-plan tbody tr").count(), 12);
+        assert.equal(await page.locator(".teach-plan tbody tr").count(), 14);
         assert.match(await page.locator(".teach-plan tbody tr").last().innerText(), /85–90/);
         assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), size.viewport.width);
         assert.deepEqual(await barriers(page), []);
@@ -63,6 +63,11 @@ describe("slides", () => {
     await page.getByTestId("start-slides").click();
     await chapter(page);
     assert.equal(await page.locator(".story-head").count(), 0);
+    // A clicker has one key: it shows the answer, and then the next chapter.
+    await page.getByTestId("choice-left").waitFor();
+    await page.keyboard.press("ArrowRight");
+    await page.getByTestId("verdict").waitFor();
+    assert.equal(await page.locator(".story-said").count(), 0, "nobody has said anything");
     await page.keyboard.press("ArrowRight");
     await page.getByTestId("choice-stop").waitFor();
     for (const key of ["1", "3", "1", "2", "Backspace"]) await page.keyboard.press(key);
@@ -70,8 +75,8 @@ describe("slides", () => {
     assert.equal(await page.getByTestId("hands-pace").innerText(), "1");
     assert.equal(await page.getByTestId("hands-step").innerText(), "0");
     assert.deepEqual(await barriers(page), []);
-    await page.getByTestId("choice-pace").click();
-    await page.getByText("2 of 3 said “Stop”").waitFor();
+    await page.keyboard.press("Enter");
+    await page.getByText("2 of 3 said “Stop”. Right for another question").waitFor();
     await page.evaluate(() => document.exitFullscreen().catch(() => {}));
     await page.keyboard.press("Escape");
     await open(page);

@@ -248,7 +248,8 @@ export class StoryView extends View {
   #reply() {
     const all: Readonly<Record<string, Readonly<Record<string, string>>>> | null = repliesNow();
     const replies = all?.[this.#name];
-    return replies?.[this.#replies.get(this.#name) ?? ""] ?? nothing;
+    const reply = replies?.[this.#replies.get(this.#name) ?? ""];
+    return reply ? `. ${reply}` : "";
   }
 
   /** What follows a guess: the guess, the measured answer, and the control. */
@@ -259,7 +260,7 @@ export class StoryView extends View {
     const reveal = chapter?.reveal();
     return html`
       <div class="story-answer" tabindex="-1" data-testid="answer">
-        ${!guess && said ? html`<p class="story-said">${said}. ${this.#reply()}</p>` : nothing}
+        ${!guess && said ? html`<p class="story-said">${said}${this.#reply()}</p>` : nothing}
         <div aria-live="polite" data-testid="reveal">${reveal ?? nothing}</div>
       </div>
       <div class="story-control">${chapter?.control() ?? nothing}</div>`;

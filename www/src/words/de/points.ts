@@ -19,7 +19,7 @@ export const points: Words["chapters"]["points"] = {
     steps: (number: number) => `Schritt ${number}`,
   },
   found: (count: number, nats: string, centimetres: string) =>
-    `${count} Punkte: Gelenke ${withComma(centimetres)} cm daneben. Die Schranke, nach der das Modell gewählt wird, fällt um ${nats} Nats.`,
+    `${count} Punkte: Gelenke ${withComma(centimetres)} cm daneben, die Schranke ${nats} Nats weniger.`,
   walks: "Der Gang geht weiter.",
   stumbled: "Der Gang stolpert.",
   enough: (enough: number, all: number, centimetres: string) =>
@@ -27,12 +27,12 @@ export const points: Words["chapters"]["points"] = {
     "stolpert der Gang. Die Seite nahm jedes Mal den Punkt weg, ohne den die Schranke am wenigsten fällt.",
   hint: (fewest: number | null) =>
     fewest === null
-      ? "Drück auf Punkte, um sie wegzunehmen oder zurückzuholen. Wer am wenigsten braucht, gewinnt."
-      : `Drück auf Punkte, um sie wegzunehmen oder zurückzuholen. Dein Rekord: ${fewest}.`,
+      ? "Drück auf Punkte: weg oder zurück. Die wenigsten gewinnen."
+      : `Drück auf Punkte: weg oder zurück. Dein Rekord: ${fewest}.`,
   waiting: "Die Seite lädt das Programm, das das Modell neu löst.",
   removing: "Ein Punkt nach dem anderen geht.",
   all: "Alle Punkte",
-  pair: (many: number, few: number) => `Nebeneinander: ${many} und ${few} Punkte`,
+  pair: (many: number, few: number) => `${many} neben ${few} Punkten`,
   column: (count: number) => `${count} Punkte`,
   chart: {
     bound: "Schranke",

@@ -5,9 +5,9 @@ export const product: Words["chapters"]["product"] = {
   title: "Zwei Vermutungen, ein Schritt",
   text:
     "Zwei Experten vermuten den nächsten Schritt der Arme: die Arme und die Beine. Eine Vermutung ist eine Glocke: " +
-    "ihre Mitte und ein Kreis, dessen Größe ihre Varianz ist, Alpha. Die zwei Glocken werden multipliziert: Der " +
-    "Schritt liegt dazwischen, näher beim kleineren Kreis. Die Vermutung der Beine liegt weit daneben, weil beide " +
-    "als Team gelernt haben: Sie muss den Schritt nur in die richtige Richtung ziehen. Zieh an einem Kreis.",
+    "eine Mitte und ein Kreis, dessen Größe ihre Varianz ist, Alpha. Beide Glocken werden multipliziert: Der Schritt " +
+    "liegt dazwischen, näher beim kleineren Kreis. Die der Beine liegt weit daneben: Sie haben als Team gelernt. " +
+    "Zieh an einem Kreis.",
   guess: {
     question: "Wir verdoppeln beide Alphas. Wie bewegen sich die Arme?",
     choices: {

@@ -17,7 +17,7 @@ export const points = {
     steps: (number: number) => `Step ${number}`,
   },
   found: (count: number, nats: string, centimetres: string) =>
-    `${count} points: joints ${centimetres} cm off. The bound, by which the model is chosen, falls by ${nats} nats.`,
+    `${count} points: joints ${centimetres} cm off, the bound ${nats} nats less.`,
   walks: "The walk goes on.",
   stumbled: "The walk stumbles.",
   enough: (enough: number, all: number, centimetres: string) =>
@@ -30,7 +30,7 @@ export const points = {
   waiting: "The page loads the program that solves the model anew.",
   removing: "One point after the other goes.",
   all: "All points",
-  pair: (many: number, few: number) => `Beside each other: ${many} and ${few} points`,
+  pair: (many: number, few: number) => `${many} beside ${few} points`,
   column: (count: number) => `${count} points`,
   chart: {
     bound: "bound",
