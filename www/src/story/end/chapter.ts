@@ -1,6 +1,7 @@
 import type { App } from "../../app/app";
 import "../../stage/stage-view";
 import { storyBody } from "../body";
+import "../latent/latent.css";
 import type { Chapter } from "../chapter";
 import { EndChapter } from "./end-chapter";
 

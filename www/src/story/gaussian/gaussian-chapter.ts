@@ -153,8 +153,8 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
     const perPixel = plane.latentStep(1, 0)[0]!;
     const columns: [number, Prediction][] = [];
     // Before the guess, the curve ends where it would tell the answer.
-    const right = this.#guessed ? width : pixels(0.55 * ASKED, 0)[0];
-    for (let px = 0; px < right + 3; px += 3) columns.push([px, this.#process.at((px - zero) * perPixel)]);
+    const ends = this.#guessed ? [0, width] : [-0.9 * ASKED, 0.55 * ASKED].map((x) => pixels(x, 0)[0]);
+    for (let px = ends[0]!; px < ends[1]! + 3; px += 3) columns.push([px, this.#process.at((px - zero) * perPixel)]);
     const y = (value: number) => base - value / perPixel;
     draw.fillStyle = draw.strokeStyle = colour;
     for (const deviations of [2, 1]) {
