@@ -4,15 +4,13 @@
 //! The data are the sample walks, repeated with small differences. Each row is measured in a process of its
 //! own by a few iterations of a training; Linux tells the largest memory of a process.
 
-mod long_walks;
-
 use clap::Args;
-use long_walks::{split, walks};
 use nalgebra::DMatrix;
 use std::process::Command;
 use std::time::Instant;
 use vcgpdm::models::variational::VariationalTrainer;
-use vcgpdm::models::{MapSettings, Movements, Sequence, Settings, VariationalSettings};
+use vcgpdm::models::{Dataset, MapSettings, Movements, Sequence, Settings, Source, VariationalSettings};
+use vcgpdm::motion::{parts, samples};
 use vcgpdm_lab::evaluation::stats::{exponent, median};
 
 #[derive(Args)]
@@ -149,4 +147,35 @@ pub fn run(arguments: &Arguments) {
     println!("Exponent in frames: {:.3}.\n", exponent(&pairs).unwrap());
     println!("MAP CGPDM, {} frames:\n", map.frames);
     print("parts", &[1, 2, 3], |parts| Size { parts, ..map });
+}
+
+/// All columns of the sample walks, repeated to `frames` frames, and the lengths of the sequences.
+fn walks(frames: usize) -> (DMatrix<f64>, Vec<usize>) {
+    let clips: Vec<_> = samples::list().iter().take(6).map(|s| samples::clip(s.id).unwrap()).collect();
+    let sources: Vec<Source> = clips.iter().map(|clip| Source { clip, first_frames: None }).collect();
+    let parts = parts::presets(&clips[0].skeleton).remove(0).parts;
+    let dataset = Dataset::new(&sources, &parts, 30.0).unwrap();
+    let (all, lengths) = (&dataset.y[0], dataset.lengths());
+    let mut y = DMatrix::zeros(frames, all.ncols());
+    let mut sequences = Vec::new();
+    let mut at = 0;
+    while at < frames {
+        let round = sequences.len() / lengths.len();
+        let k = sequences.len() % lengths.len();
+        let first: usize = lengths[..k].iter().sum();
+        let rest = frames - at;
+        // The last sequence must be long enough for dynamics.
+        let length = if rest < lengths[k] + 10 { rest.min(lengths[k]) } else { lengths[k] };
+        let scale = 1.0 + 0.03 * (round as f64).sin();
+        y.rows_mut(at, length).copy_from(&(all.rows(first, length) * scale));
+        at += length;
+        sequences.push(length);
+    }
+    (y, sequences)
+}
+
+/// The columns in `parts` groups of about the same size.
+fn split(y: &DMatrix<f64>, parts: usize) -> Vec<DMatrix<f64>> {
+    let begin = |part: usize| part * y.ncols() / parts;
+    (0..parts).map(|part| y.columns(begin(part), begin(part + 1) - begin(part)).into_owned()).collect()
 }
