@@ -1,6 +1,5 @@
 // `npm run lab -- NAME ...`: the measurements behind the documents. Their tables go into docs or to the terminal.
 import { comparison } from "./lab/comparison.mjs";
-import { completing } from "./lab/completing.mjs";
 import { study } from "./lab/study.mjs";
 import { measured, printTables, putTables } from "./lab/tables.mjs";
 import { at, Failure, main } from "./run.mjs";
@@ -8,7 +7,6 @@ import { at, Failure, main } from "./run.mjs";
 /** @type {Record<string, (...words: string[]) => Promise<void> | void>} */
 const MEASUREMENTS = {
   comparison,
-  completing,
   /** A library that shares its walking primitive beside a model of each movement, on made trials. */
   modularity: () => putTables(at("docs/modularity.md"), measured("modularity", at("docs/modularity.svg"))),
   study,
