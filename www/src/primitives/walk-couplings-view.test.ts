@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { LibraryInfo } from "../engine/library-protocol";
-import { restingPartsText } from "./resting-parts";
+import { restingPartsText } from "./walk-couplings-view";
 
 const info = {
   parts: [{ name: "lower" }, { name: "upper" }],

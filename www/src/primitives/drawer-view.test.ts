@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { PrimitiveOrigin } from "../engine/library-protocol";
-import { originText } from "./origin-text";
+import { originText } from "./drawer-view";
 
 const clips = ["walk-1", "walk-2", "walk-2", "walk-3"].map((name) => ({ name })) as PrimitiveOrigin["clips"];
 const origin: PrimitiveOrigin = {
