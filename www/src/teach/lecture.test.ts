@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { Tally } from "./tally";
+import { Tally } from "./lecture";
 
 it("counts hands for each question, takes the last one back, and knows the favourite", () => {
   const tally = new Tally();
