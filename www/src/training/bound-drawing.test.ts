@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { boundRange } from "./bound-range";
+import { boundRange } from "./bound-drawing";
 
 it("leaves out the fall of the first iterations", () => {
   const course = [-1e6, -1e5, -1e4, ...Array.from({ length: 100 }, (_, i) => 1000 + i)];
