@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { popoverPlace } from "./popover";
+import { popoverPlace } from "./card";
 
 const phone = { width: 390, height: 600 };
 const box = { width: 300, height: 120 };
