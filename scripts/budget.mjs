@@ -1,5 +1,8 @@
-// The largest sizes of a visit, in gzipped bytes. The build and a test in a browser check them.
+// The largest sizes of a visit, in gzipped bytes; the build and a test in a browser check them. And the largest size
+// of the project: lower it when the project becomes smaller.
 export const budget = {
+  /** Lines of product and of tests, and files; `npm test` counts them. */
+  lines: { product: 108_100, tests: 45_900, files: 1340 },
   firstVisit: 500_000,
   /** The wasm of a first visit. */
   wasm: 250_000,

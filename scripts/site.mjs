@@ -10,15 +10,9 @@ export const dist = at("www", "dist");
 
 export function buildSite() {
   writeLicences();
+  const places = ["www", "crate/wasm/pkg", "package-lock.json", "scripts/site.mjs", "scripts/policy.mjs"];
   const inputs = filesUnder(
-    [
-      at("www"),
-      at("docs/modularity.svg"),
-      at("crate/wasm/pkg"),
-      at("package-lock.json"),
-      at("scripts/site.mjs"),
-      at("scripts/policy.mjs"),
-    ],
+    places.map((place) => at(place)),
     ["node_modules", "dist"],
   );
   return whenChanged("site", { inputs, outputs: [at("www/dist/index.html")] }, () =>

@@ -1,4 +1,5 @@
-// `npm test`: everything, in two lanes, then a table. `npm test -- --only NAME,NAME` runs these steps.
+// `npm test`: all tests, in two lanes, then a table. `npm test -- --all` adds the steps that a change seldom breaks,
+// `npm test -- --only NAME,NAME` runs these steps.
 import { fork } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 import { setPriority } from "node:os";
@@ -6,8 +7,10 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { at, env, Failure, main, output, root, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
+import { findChromium } from "./chromium.mjs";
 import { compileTests, NATIVE, TESTS } from "./cargo.mjs";
 import { checkGolden } from "./golden.mjs";
+import { checkLines } from "./lines.mjs";
 import { checkLocks } from "./locks.mjs";
 import { nodeTests } from "./node-tests.mjs";
 import { weigh } from "./site.mjs";
@@ -26,7 +29,8 @@ const THIS_STEP = "--this-step";
 
 /**
  * A step may return a note. A note that begins with "skipped: " says why this machine cannot do the step.
- * @typedef {{ name: string, what: string, needs?: string, work: () => Promise<string | void> }} Step
+ * `seldom`: a step of `--all`.
+ * @typedef {{ name: string, what: string, needs?: string, seldom?: true, work: () => Promise<string | void> }} Step
  */
 
 /** @type {Step[]} */
@@ -34,6 +38,7 @@ const PAGE_STEPS = [
   { name: "format", what: "rustfmt and Biome", work: format },
   { name: "lint", what: "Biome", work: () => biome("lint", "--error-on-warnings") },
   { name: "locks", what: "hashes in the lock files", work: checkLocks },
+  { name: "lines", what: "size of the project", work: async () => checkLines() },
   { name: "imports", what: "order and circles of imports", work: imports },
   { name: "build", what: "wasm package and page", work: build },
   { name: "sizes", what: "sizes of a visit", needs: "build", work: async () => weigh() },
@@ -45,7 +50,7 @@ const PAGE_STEPS = [
     needs: "build",
     work: () => runModule("vitest/vitest.mjs", "run", "--root", at("www")),
   },
-  { name: "page", what: "the page in Chromium", needs: "build", work: () => nodeTests("e2e", 2, true) },
+  { name: "page", what: "the page in Chromium", needs: "build", work: page },
 ];
 
 /** @type {Step[]} */
@@ -57,9 +62,9 @@ const RUST_STEPS = [
     work: () => clippy(...NATIVE, "--all-targets", "--all-features"),
   },
   { name: "clippy-wasm", what: "clippy, wasm32", work: () => clippy(...WASM, "--features", "speed") },
-  { name: "features", what: "each feature alone", work: features },
-  { name: "docs", what: "the documentation", work: docs },
-  { name: "msrv", what: `Rust ${oldestRust()}, the oldest`, work: msrv },
+  { name: "features", what: "each feature alone", seldom: true, work: features },
+  { name: "docs", what: "the documentation", seldom: true, work: docs },
+  { name: "msrv", what: `Rust ${oldestRust()}, the oldest`, seldom: true, work: msrv },
   {
     name: "rust",
     what: "Rust tests and doctests",
@@ -175,6 +180,12 @@ async function rustInWasm() {
   await run("wasm-pack", "test", "--node", "--mode", "no-install", at("crate/wasm"));
 }
 
+async function page() {
+  // Each file would say the same after it has served the page.
+  if (findChromium() === null) return "skipped: no Chromium";
+  return nodeTests("e2e", 2, true);
+}
+
 async function files() {
   // The step of the Rust tests has compiled the program already.
   await compileTests();
@@ -188,7 +199,7 @@ async function types() {
 
 function chosen() {
   const i = process.argv.indexOf("--only");
-  if (i < 0) return STEPS;
+  if (i < 0) return STEPS.filter(({ seldom }) => !seldom || process.argv.includes("--all"));
   const names = (process.argv[i + 1] ?? "nothing").split(",");
   const all = STEPS.map(({ name }) => name);
   const unknown = names.find((name) => !all.includes(name));
@@ -265,7 +276,13 @@ async function runAll() {
   if (process.argv.includes("--only")) await runLane(steps, results, resultOf);
   else
     await Promise.all(
-      LANES.map(({ steps, priority }) => runLane(steps, results, ({ name }) => apart(name, priority))),
+      LANES.map((lane) =>
+        runLane(
+          lane.steps.filter((step) => steps.includes(step)),
+          results,
+          ({ name }) => apart(name, lane.priority),
+        ),
+      ),
     );
 
   console.log("\n");

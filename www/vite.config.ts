@@ -79,10 +79,7 @@ const isPerception = (file: string) =>
 const LATER: [folder: string, of: (file: string) => boolean][] = [
   ["assets/teach", isTeaching],
   ["assets/perception", isPerception],
-  [
-    "assets/primitives",
-    (file) => /\/src\/(words\/((en|de)\/)?)?primitives[/.]|\/docs\/modularity\.svg$/.test(file),
-  ],
+  ["assets/primitives", (file) => /\/src\/(words\/((en|de)\/)?)?primitives[/.]/.test(file)],
   ["assets/glb", (file) => file.includes("/src/scene/glb.")],
   ["assets/series", (file) => /\/src\/(words\/((en|de)\/)?)?series[/.]/.test(file)],
   ["assets/on-demand", isOnDemand],

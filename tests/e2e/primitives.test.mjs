@@ -1,10 +1,8 @@
 // A library of primitives: new combinations while the figure moves on, new couplings, learning from clips.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
-import { at } from "../../scripts/run.mjs";
 import { opened } from "./library.mjs";
-import { draws, keepsNobodyOut, openSite, ready, readyVisitor, recolour, saved } from "./site.mjs";
+import { draws, keepsNobodyOut, openSite, ready, readyVisitor, saved } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -107,20 +105,6 @@ async function redrawn(/** @type {Page} */ page, /** @type {string} */ id, /** @
 }
 const median = (/** @type {number[]} */ values) =>
   values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)] ?? 0;
-/** The mean lightness of the picture of an element, 0 to 1. */
-async function lightness(/** @type {import("playwright-core").Locator} */ element) {
-  const picture = (await element.screenshot()).toString("base64");
-  return element.page().evaluate(async (picture) => {
-    const image = new Image();
-    image.src = `data:image/png;base64,${picture}`;
-    await image.decode();
-    const canvas = new OffscreenCanvas(image.width, image.height);
-    const draw = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext("2d"));
-    draw.drawImage(image, 0, 0);
-    const { data } = draw.getImageData(0, 0, image.width, image.height);
-    return data.reduce((sum, value, i) => (i % 4 === 3 ? sum : sum + value), 0) / (0.75 * 255 * data.length);
-  }, picture);
-}
 
 const recorded = (/** @type {Page} */ page) => page.getByTestId("recorded").innerText();
 
@@ -242,48 +226,6 @@ describe("a library of primitives", () => {
     await leave();
   });
 
-  it("maps tempo against coupling, and moves a part from one primitive to another", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "view=primitives", moving: true });
-    await opened(page);
-    // Before the tempos: arms that have run away have no way back that is not fast.
-    await goOn(page, 60);
-    await page.getByTestId("morph-1").fill("0.5");
-    await goOn(page, 45);
-    const { largest } = await walked(page, 45);
-    assert.ok(largest < LARGEST_STEP, `a step of ${largest} m`);
-    await page.getByTestId("morph-1").fill("0");
-    const start = Date.now();
-    await page.getByTestId("locking-make").click();
-    await page.waitForFunction(
-      () =>
-        document.querySelectorAll(".locking .point").length === 143 &&
-        document.querySelectorAll(".locking .point.waiting").length === 0,
-      null,
-      { timeout: 60_000 },
-    );
-    assert.ok(Date.now() - start < 60_000);
-    const values = await page
-      .locator(".locking .point")
-      .evaluateAll((points) =>
-        points.map((point) => Number(point.getAttribute("aria-label")?.match(/locking ([\d.]+)/)?.[1])),
-      );
-    assert.ok(values.every((value) => value >= 0 && value <= 1));
-    assert.ok(Math.max(...values) > 0.9 && Math.min(...values) < 0.3, "locked here, not there");
-    assert.match(
-      await page.getByTestId("locking-words").innerText(),
-      /^From tempo to tempo the locking differs by 0\.\d+ at most, from strength to strength by 0\.\d+\.$/,
-    );
-    await page.getByTestId("locking-12-0").click();
-    assert.equal(await page.getByTestId("locking-12-0").getAttribute("aria-pressed"), "true");
-    assert.equal(await page.getByTestId("tempo-1").inputValue(), "1.3");
-    // Back to what was learned.
-    await page.getByTestId("locking-6-6").click();
-    assert.equal(await page.getByTestId("tempo-1").inputValue(), "1");
-    await goOn(page, 60);
-    assert.deepEqual(problems, []);
-    await leave();
-  });
-
   it("learns a library from clips in groups, which can be taken back", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "view=primitives&fps=15&iterations=20&dynamics=6&poses=8",
@@ -308,7 +250,7 @@ describe("a library of primitives", () => {
     await leave();
   });
 
-  it("saves a primitive, adds it where it fits, and learns it again where it does not", async () => {
+  it("saves a primitive, adds it where it fits, and says why it does not fit", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=primitives", moving: true });
     await ready(page);
     await opened(page);
@@ -325,46 +267,11 @@ describe("a library of primitives", () => {
     other.column_means[3] += 0.01;
     other.primitives[0].name = "stroll";
     await add("other.json", JSON.stringify(other));
-    assert.match(await page.getByTestId("misfit").innerText(), /does not fit as it is: The columns differ/);
-    const { last } = await walked(page);
-    await page.getByTestId("relearn").click();
-    await page.waitForFunction(
-      () => /** @type {any} */ (document.querySelector("pg-import")).imports.iteration >= 5,
-      null,
-      { timeout: 60_000 },
-    );
-    await page.getByTestId("import-cancel").click();
-    await page.getByTestId("primitive-0-8").waitFor({ timeout: 60_000 });
-    assert.match(await page.getByTestId("import-words").innerText(), /^Added legs: stroll\. The pose maps/);
-    assert.match(
-      (await page.getByTestId("primitive-0-8").getAttribute("title")) ?? "",
-      /^Learned again, after stroll/,
-    );
-    await page.getByTestId("primitive-0-8").click();
-    await goOn(page, 45);
-    assert.ok((await walked(page)).last > last + 45, "the same walk");
-    assert.match(await page.getByTestId("combination-title").innerText(), /legs: stroll/);
-    // The lesson sets the experiment up.
-    await page.getByTestId("lesson-try").click();
-    assert.equal(await page.locator(".learning-clip input:checked").count(), 10);
-    assert.equal(await page.getByTestId("share-0-same").getAttribute("aria-pressed"), "true");
-    // One trial is held out here, next to the measured table.
-    await page.getByTestId("fold-trial").selectOption({ label: "Walk and wave, trial 2" });
-    await page.getByTestId("fold-quick").check();
-    await page.getByTestId("fold-start").click();
-    await page.getByTestId("fold-cancel").waitFor();
-    await page.getByTestId("fold-outcome").waitFor({ timeout: 120_000 });
-    const cells = await page.getByTestId("fold-outcome").locator("td").allInnerTexts();
-    assert.equal(cells.length, 4);
-    const stored = JSON.parse(readFileSync(at("www/src/primitives/modularity.json"), "utf8"));
-    const [, , alone, together] = stored.modular.rows.find(
-      (/** @type {string[]} */ [movement]) => movement === "wave",
-    );
-    assert.deepEqual([cells[1], cells[3]], [alone, together], "those of all trials of the movement");
-    assert.ok(
-      [cells[0], cells[2]].every((error) => Number(error) > 0 && Number(error) < 100),
-      cells.join(),
-    );
+    await page
+      .locator("pg-primitives [data-testid=notice]")
+      .filter({ hasText: /the columns differ/i })
+      .waitFor();
+    assert.equal(await page.getByTestId("primitive-0-8").count(), 0);
     assert.deepEqual(problems, []);
     await leave();
   });
@@ -389,47 +296,15 @@ describe("a library of primitives", () => {
     // The couplings of the walk come from the worker.
     await page.getByTestId("walk-alpha-0-1").filter({ hasNotText: "10.0" }).waitFor();
     const learned = await page.getByTestId("walk-alpha-0-1").innerText();
-    await tabTo("locking-make");
-    await page.keyboard.press("Enter");
-    await page.locator(".locking [tabindex='0']:not(.waiting)").waitFor({ timeout: 60_000 });
-    await page.locator(".locking [tabindex='0']").focus();
-    await page.keyboard.press("ArrowUp");
+    await tabTo("tempo-1");
     await page.keyboard.press("ArrowRight");
-    assert.equal(
-      await page.evaluate(() => document.activeElement?.getAttribute("data-testid")),
-      "locking-7-7",
-    );
-    await page.keyboard.press("Enter");
     assert.equal(await page.getByTestId("tempo-1").inputValue(), "1.05");
     const before = await page.getByTestId("walk-alpha-0-1").innerText();
     await tabTo("walk-coupling-0-1");
-    await page.keyboard.press("ArrowLeft");
-    await page.keyboard.press("ArrowLeft");
+    for (let i = 0; i < 9; i++) await page.keyboard.press("ArrowLeft");
     assert.notEqual(await page.getByTestId("walk-alpha-0-1").innerText(), before);
     await page.keyboard.press("Delete");
     assert.equal(await page.getByTestId("walk-alpha-0-1").innerText(), learned);
-    assert.deepEqual(problems, []);
-    await leave();
-  });
-
-  it("has a lesson with a dark picture in the dark, and with the usual format of numbers", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "view=primitives", colorScheme: "light" });
-    const picture = page.locator(".lesson-paths img");
-    await picture.scrollIntoViewIfNeeded();
-    await picture.evaluate((image) => /** @type {HTMLImageElement} */ (image).decode());
-    assert.ok((await lightness(picture)) > 0.9);
-    await recolour(page, "dark");
-    const dark = await lightness(picture);
-    assert.ok(dark > 0.05 && dark < 0.2, `dark as the page around it, with lines to be seen: ${dark}`);
-    const table = page.getByRole("region", {
-      name: "A library compared with models of one movement",
-      exact: true,
-    });
-    assert.match(await table.innerText(), /DTW MSE × 1,000.*−\d\.\d{3} \(−\d\.\d{3} to \+\d\.\d{3}\)/s);
-    const cost = page.getByRole("region", {
-      name: "The cost of a library compared with models of one movement",
-    });
-    assert.match(await cost.innerText(), /2,424\s+2,740/);
     assert.deepEqual(problems, []);
     await leave();
   });

@@ -25,7 +25,7 @@ describe("clips on the view of primitives", () => {
         page.locator(place).evaluate((element, edge) => element.getBoundingClientRect()[edge], edge);
       await page.getByTestId("add-primitives").scrollIntoViewIfNeeded();
       assert.ok((await edge(".walk-panel", "bottom")) > 0, "it is in sight beside the last control");
-      for (const panel of [".recognition-panel", ".learning-panel", ".lesson-panel"]) {
+      for (const panel of [".recognition-panel", ".learning-panel"]) {
         await page.locator(panel).scrollIntoViewIfNeeded();
         assert.ok((await edge(".walk-panel", "bottom")) <= (await edge(".recognition-panel", "top")), panel);
       }

@@ -85,8 +85,9 @@ function countPictures() {
  * @param {(path: string, bytes: number) => void} [options.onSend] called for each file sent
  */
 export async function openSite({ folder = dist, flags = /** @type {string[]} */ ([]), ...options } = {}) {
-  const server = await serve(folder, { prefix: "/some/where/", ...options });
+  // The browser first: a server without one would keep the process of the tests alive.
   const browser = await launchChromium(flags);
+  const server = await serve(folder, { prefix: "/some/where/", ...options });
 
   /**
    * A new visitor on the page, and the problems during the visit.

@@ -53,8 +53,6 @@ pub enum Next {
 pub struct Store {
     path: PathBuf,
     results: Results,
-    /// Whether the jobs predict from observed starts too.
-    observed_start: bool,
     /// Jobs that had failed when the file was opened. They are computed again.
     failed_before: HashSet<Job>,
     owner: Option<Owner>,
@@ -62,13 +60,12 @@ pub struct Store {
 
 impl Store {
     /// Opens the file, or writes a new one: a scheduler waits for the file of a share without jobs too.
-    /// With `observed_start`, an outcome without a prediction from the observed start is not finished.
-    pub fn open(path: &Path, setting: Setting, observed_start: bool) -> Result<Self> {
+    pub fn open(path: &Path, setting: Setting) -> Result<Self> {
         if files::is_standard(path) {
             return Err(usage("--out -: expected a file, to which finished jobs are added one by one"));
         }
         let (path, results) = (path.to_owned(), Results::new(setting));
-        let mut store = Self { path, results, observed_start, failed_before: HashSet::new(), owner: None };
+        let mut store = Self { path, results, failed_before: HashSet::new(), owner: None };
         let lock = lock(&store.path)?;
         files::check_writable(&store.path, [])?;
         store.read()?;
@@ -81,14 +78,9 @@ impl Store {
         Ok(store)
     }
 
-    pub fn results(&self) -> &Results {
-        &self.results
-    }
-
     /// Whether a job is not computed again.
     pub fn is_complete(&self, job: &Job) -> bool {
-        let mut finished = self.results.finished().iter();
-        finished.any(|finished| finished.job == *job && finished.is_complete(self.observed_start))
+        self.results.has_outcome(job)
     }
 
     /// Claims the first of the jobs that is neither finished nor claimed by another program. Finished jobs
@@ -130,10 +122,7 @@ impl Store {
     }
 
     fn is_over(&self, finished: &Finished) -> bool {
-        match finished.outcome {
-            Some(_) => finished.is_complete(self.observed_start),
-            None => !self.failed_before.contains(&finished.job),
-        }
+        finished.outcome.is_some() || !self.failed_before.contains(&finished.job)
     }
 
     fn path_with(&self, ending: &str) -> PathBuf {
@@ -206,7 +195,7 @@ fn with_ending(path: &Path, ending: &str) -> PathBuf {
 /// Excludes other programs from the results in this file until the lock is dropped. The file of the lock is never
 /// deleted: a program that waits for a deleted file and a program that creates a new one would not exclude each
 /// other.
-pub fn lock(results: &Path) -> Result<File> {
+fn lock(results: &Path) -> Result<File> {
     let path = with_ending(results, ".lock");
     let named = |error: &std::io::Error| files::with_path(&path, error);
     let lock = open(&path).map_err(|error| named(&error))?;
@@ -308,7 +297,7 @@ mod tests {
         thread::scope(|scope| {
             for _ in 0..8 {
                 scope.spawn(|| {
-                    let mut store = Store::open(&path, setting(), false).unwrap();
+                    let mut store = Store::open(&path, setting()).unwrap();
                     let mut jobs: Vec<Job> = (0..40).map(job).collect();
                     loop {
                         match store.claim(&mut jobs).unwrap() {
@@ -335,7 +324,7 @@ mod tests {
     fn claims_of_a_program_that_stopped_or_was_killed_are_free() {
         let folder = folder("claims");
         let path = folder.join("results.json");
-        let open = || (Store::open(&path, setting(), false).unwrap(), vec![job(0), job(1)]);
+        let open = || (Store::open(&path, setting()).unwrap(), vec![job(0), job(1)]);
         let (mut first, mut of_first) = open();
         let (mut second, mut of_second) = open();
         assert_eq!(claimed(&mut first, &mut of_first), Some(0));
@@ -363,9 +352,9 @@ mod tests {
     fn computes_again_what_failed_before_but_not_what_fails_meanwhile() {
         let folder = folder("failures");
         let path = folder.join("results.json");
-        let mut before = Store::open(&path, setting(), false).unwrap();
+        let mut before = Store::open(&path, setting()).unwrap();
         before.add(failed(0)).unwrap();
-        let mut store = Store::open(&path, setting(), false).unwrap();
+        let mut store = Store::open(&path, setting()).unwrap();
         before.add(failed(1)).unwrap();
         let mut jobs = vec![job(1), job(0)];
         assert_eq!(claimed(&mut store, &mut jobs), Some(0));

@@ -3,7 +3,6 @@
 //! not published.
 //!
 //! - [`evaluation`]: cross-validation, dynamic time warping, and the results of a comparison.
-//! - [`completing`]: parts of trials inferred from other parts, by filters and by regressions.
 //! - [`perception`]: the graphics Turing test: studies of movements, and the analysis of answers.
 //! - [`synthetic`]: the synthetic experiment: data with a known coupling.
 //! - [`DocumentKind`]: which of the project's documents a JSON text is.
@@ -12,7 +11,6 @@
 // A test may use any platform's sines.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
-pub mod completing;
 mod document_kind;
 pub mod evaluation;
 pub mod golden;

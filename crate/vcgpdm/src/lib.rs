@@ -88,10 +88,10 @@ pub use document::{Document, DocumentError};
 pub use gp::NumericsError;
 pub use json::JsonError;
 pub use models::library::{
-    CombinationError, CouplingTrainer, CouplingsFrom, EncodedClip, ImportError, ImportFrames, ImportRequest,
-    ImportTrainer, Leader, LearnedMovement, Library, LibraryError, LibraryPlan, LibraryTrainer, LibraryWalk,
-    MergeError, Misfit, PartMotion, PlanError, PlannedMovement, Primitive, Recogniser, Recognition,
-    RecognitionError, Segment, TrainedLibrary, WalkError, WalkFrames,
+    CombinationError, CouplingTrainer, CouplingsFrom, EncodedClip, Leader, LearnedMovement, Library,
+    LibraryError, LibraryPlan, LibraryTrainer, LibraryWalk, MergeError, Misfit, PartMotion, PlanError,
+    PlannedMovement, Primitive, Recogniser, Recognition, RecognitionError, Segment, TrainedLibrary,
+    WalkError, WalkFrames,
 };
 pub use models::variational::{
     BoundTerms, LatentMoments, PartPredictions, Prediction, PredictiveDynamics, VariationalTrainer, Vcgpdm,

@@ -9,7 +9,7 @@ use vcgpdm::gp::NumericsError;
 use vcgpdm::models::ObservedClipError;
 #[cfg(feature = "training")]
 use vcgpdm::models::library::{
-    CombinationError, ImportError, LibraryError as PrimitivesError, MergeError, RecognitionError, WalkError,
+    CombinationError, LibraryError as PrimitivesError, MergeError, RecognitionError, WalkError,
 };
 use vcgpdm::models::variational::InducingError;
 #[cfg(feature = "training")]
@@ -327,21 +327,6 @@ impl LibraryError for MergeError {
     fn code(&self) -> ErrorCode {
         match self {
             MergeError::Combination(reason) => reason.code(),
-            _ => ErrorCode::Model,
-        }
-    }
-}
-
-#[cfg(feature = "training")]
-impl LibraryError for ImportError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            ImportError::Combination(reason) => reason.code(),
-            ImportError::Clips(reason) => reason.code(),
-            ImportError::Rollout(reason) => reason.code(),
-            ImportError::Training(reason) => reason.code(),
-            ImportError::Dataset(reason) => reason.code(),
-            ImportError::Pose(_) | ImportError::Numerics(_) => ErrorCode::Numerics,
             _ => ErrorCode::Model,
         }
     }

@@ -132,11 +132,6 @@ export interface Outcome {
      * earlier programs.
      */
     trainingMse?: number;
-    /**
-     * The rollout of a model that was trained without the trial and observes its first frames; absent if it was
-     * not asked for.
-     */
-    observedStart?: { dtwMse: number; seconds: number };
 }
 "#;
 

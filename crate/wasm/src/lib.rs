@@ -30,8 +30,6 @@ mod live;
 mod maker;
 mod model;
 #[cfg(feature = "training")]
-mod modularity;
-#[cfg(feature = "training")]
 mod origin;
 #[cfg(feature = "training")]
 mod perception;

@@ -3,7 +3,7 @@
 use crate::arguments::{Text, Whole};
 use crate::body::BodyInfo;
 use crate::clip::TrainingSet;
-use crate::convert::{flat, from_js, matrix, rows, to_js, to_js_joined};
+use crate::convert::{from_js, matrix, rows, to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::model::{Model, PartInfo, part_infos};
 use crate::origin::PrimitiveOrigin;
@@ -269,28 +269,6 @@ impl Library {
         trained.add_combination(&name, &uses, &matrix(&alpha), from.map(CouplingsFrom::from))?;
         Ok(Library { trained: Rc::new(trained) })
     }
-
-    /// How firmly the target is locked to the source, from 0 to 1, for each tempo of the target and each
-    /// strength of the coupling [tempos x strengths, one tempo after the other]. The coupling variance is
-    /// divided by the strength. The coupling variances are `alpha`, by default those of `nearestCouplings`.
-    #[wasm_bindgen(js_name = lockingMap)]
-    pub fn locking_map(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "number[]")] uses: JsValue,
-        source: &Whole,
-        target: &Whole,
-        tempos: &[f64],
-        strengths: &[f64],
-        #[wasm_bindgen(unchecked_optional_param_type = "number[][] | null")] alpha: JsValue,
-    ) -> Result<Vec<f64>, VcgpdmError> {
-        let source = source.count(ErrorCode::Rollout, "the source")?;
-        let target = target.count(ErrorCode::Rollout, "the target")?;
-        let uses = uses_of(&uses)?;
-        let alpha = self.couplings(&uses, &alpha)?;
-        let library = &self.trained.library;
-        let map = library.locking(&uses, &alpha, (source, target), tempos, strengths, LOCKING_FRAMES)?;
-        Ok(flat(&map))
-    }
 }
 
 impl Library {
@@ -306,9 +284,6 @@ impl Library {
         Ok(given.map_or_else(|| self.trained.library.nearest_couplings(uses), |alpha| matrix(&alpha)))
     }
 }
-
-/// Frames of each rollout for a locking map: about twenty seconds.
-const LOCKING_FRAMES: usize = 600;
 
 /// How a library was trained.
 fn provenance_info<'a>(

@@ -84,23 +84,6 @@ impl LibraryWalk {
         Ok(())
     }
 
-    /// Mixes the predictions of a part's primitive with those of another primitive of the part, whose share
-    /// is from 0 to 1. The share changes evenly, at a rate of 1 per `frames` frames; without `frames` it
-    /// changes at once.
-    pub fn mix(
-        &mut self,
-        part: &Whole,
-        other: &Whole,
-        share: f64,
-        frames: Option<Whole>,
-    ) -> Result<(), VcgpdmError> {
-        let part = part.count(ErrorCode::Rollout, "the part")?;
-        let other = other.count(ErrorCode::Rollout, "the primitive")?;
-        let frames = frames
-            .map_or(Ok(0), |frames| frames.count(ErrorCode::Rollout, "the frames of a whole exchange"))?;
-        Ok(self.walk.latents.mix(&self.trained.library, part, other, share, frames)?)
-    }
-
     /// Sets the couplings `alpha[source][target]` from the next frame on.
     #[wasm_bindgen(js_name = setAlpha)]
     pub fn set_alpha(

@@ -27,11 +27,11 @@ export function wouldLose(app: App): boolean {
 
 /** What runs now and would end with the page. */
 function workUnderWay({ training, comparison, experiment, primitives, series, perception }: App): string[] {
-  const { learning, fitting, imports, fold } = primitives.loaded ?? {};
+  const { learning, fitting } = primitives.loaded ?? {};
   const isBusy = (...stores: ({ busy: boolean } | null | undefined)[]) => stores.some((store) => store?.busy);
   const { running } = lab().files.newVersion;
   return [
-    isBusy(training, learning, fitting, imports, fold, series.loaded?.training) ? running.training : "",
+    isBusy(training, learning, fitting, series.loaded?.training) ? running.training : "",
     isBusy(comparison.loaded) ? running.comparison : "",
     isBusy(experiment.loaded) ? running.experiment : "",
     perception.loaded?.active ? running.participant : "",

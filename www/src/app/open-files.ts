@@ -93,9 +93,9 @@ async function openJson(app: App, kind: DocumentKind, name: string, text: string
   } else if (kind === "results") {
     if (await (await app.comparison.get()).open(text)) app.settings.change({ view: "compare" });
   } else if (kind === "library") {
-    const { imports } = await app.primitives.get();
+    const { library } = await app.primitives.get();
     app.settings.change({ view: "primitives" });
-    await imports.openFile(text, name);
+    await library.openFile(text, name);
   } else if (kind === "series-model") {
     const { model } = await app.series.get();
     if (await model.open(text)) app.settings.change({ view: "series" });

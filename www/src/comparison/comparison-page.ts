@@ -15,8 +15,6 @@ import { withTerms } from "../terms/term";
 import "./choices";
 import type { ComparisonChoices } from "./choices";
 import "./comparison.css";
-import "./comparison-figures";
-import type { SaveFailure } from "./comparison-figures";
 import type { ComparisonStore } from "./comparison-store";
 import { secondsLeft, share } from "./jobs";
 import { modelStyle } from "../figures/model-style";
@@ -24,6 +22,89 @@ import "./side-by-side";
 import { timeLeft } from "../training/words";
 import { lab } from "../words/lab";
 import { compareWords } from "../words/compare";
+import "./comparison-figures.css";
+import type { Comparison } from "../engine/whole-protocol";
+import "./correlations";
+import "./growth";
+import "./models-table";
+import { FigureElement, type SaveFailure } from "../figures/figure-element";
+
+class ClaimsTable extends FigureElement<Comparison> {
+  protected get heading() {
+    return compareWords().claims.heading;
+  }
+  protected readonly file = "claims-of-the-papers";
+
+  protected missing({ claims }: Comparison): string | null {
+    return claims.length === 0 ? compareWords().claims.none : null;
+  }
+
+  protected table({ claims }: Comparison) {
+    return {
+      header: ["the papers say", "place", "our criterion", "we find", "holds here (yes, no or undecided)"],
+      rows: claims.map(({ claim, place, criterion, found, answer }) => [
+        claim,
+        place,
+        criterion,
+        found,
+        answer,
+      ]),
+    };
+  }
+
+  protected figure({ claims }: Comparison) {
+    const words = compareWords().claims;
+    // A narrow page shows the rows as blocks, which then need their roles.
+    return html`
+      <table class="claims-table" role="table">
+        <thead role="rowgroup"><tr role="row">${words.heads.map((head) => html`<th scope="col" role="columnheader">${head}</th>`)}</tr></thead>
+        <tbody role="rowgroup">${claims.map(
+          ({ claim, place, criterion, found, answer }) => html`
+          <tr role="row"><th scope="row" role="rowheader" lang="en">${claim} <small>(${place})</small></th>
+            <td role="cell" class="found"><span lang="en">${found}</span> <small>${words.criterion} <span lang="en">${criterion}.</span></small></td>
+            <td role="cell" class="holds"><span class=${answer}>${words.answers[answer]}</span></td></tr>`,
+        )}</tbody>
+      </table>
+      <figcaption>${words.caption}</figcaption>`;
+  }
+}
+customElements.define("comparison-claims", ClaimsTable);
+
+class ComparisonFigures extends View {
+  static override properties = { comparison: { attribute: false } };
+  declare comparison: Comparison | null;
+
+  constructor() {
+    super();
+    this.comparison = null;
+  }
+
+  protected override stores() {
+    return [];
+  }
+
+  protected override render() {
+    const { comparison } = this;
+    const found = comparison && [comparison.models, comparison.growth, comparison.claims];
+    if (!found?.some((list) => list.length > 0)) {
+      return html`<p class="empty">${compareWords().empty}</p>`;
+    }
+    return html`
+      <div class="figures">
+        <comparison-models .data=${comparison}></comparison-models>
+        <comparison-correlations .data=${comparison}></comparison-correlations>
+        <comparison-growth .data=${comparison}></comparison-growth>
+        <comparison-claims .data=${comparison}></comparison-claims>
+      </div>`;
+  }
+}
+customElements.define("comparison-figures", ComparisonFigures);
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "comparison-figures": ComparisonFigures;
+  }
+}
 
 /** On narrower pages the results are below the choices. */
 const NARROW = "(max-width: 759.98px)";

@@ -1,22 +1,10 @@
 // The messages about libraries of primitives. Types only.
-import type {
-  CouplingsFrom,
-  LibraryInfo,
-  LibraryPlan,
-  Misfit,
-  ModularityFold,
-  ModularityOutcome,
-  PartMotion,
-  RecognisedSegment,
-} from "vcgpdm";
+import type { CouplingsFrom, LibraryInfo, LibraryPlan, PartMotion, RecognisedSegment } from "vcgpdm";
 import type { Couplings, Motion, Report, TrainingClip, TrainingOutcome, TrainingSettings } from "./protocol";
 
 export type {
   CouplingsFrom,
   LibraryInfo,
-  Misfit,
-  ModularityFold,
-  ModularityOutcome,
   PartMotion,
   PrimitiveOrigin,
   RecognisedSegment,
@@ -26,11 +14,6 @@ export type {
 export type WalkChange =
   /** Switches the part to another of its primitives. */
   | { kind: "use"; part: number; primitive: number }
-  /**
-   * Mixes the predictions of another primitive of the part into its own. The share, 0 to 1, changes
-   * gradually.
-   */
-  | { kind: "mix"; part: number; other: number; share: number }
   | { kind: "couplings"; alpha: Couplings }
   /** Sets the couplings to the nearest couplings of the combination. */
   | { kind: "nearest"; uses: readonly number[] }
@@ -58,47 +41,6 @@ export interface FittingJob {
   uses: number[];
   clips: TrainingClip[];
   maxIterations: number;
-}
-
-/** An import of primitives: they are learned again under the pose maps of this library. */
-export interface ImportJob {
-  /** The document of this library. */
-  library: string;
-  /** The document of the other library, which has the primitives. */
-  other: string;
-  /**
-   * Clips of the movement of the primitives. Without clips, the import uses the stored latents or rollouts.
-   */
-  clips: TrainingClip[];
-  maxIterations: number;
-  seed: number;
-}
-
-/**
- * The result of an import: the document of the enlarged library, and for each part how much of the poses its
- * pose map cannot reproduce.
- */
-export interface Imported {
-  text: string;
-  lost: number[];
-}
-
-/**
- * The result of an addition: the enlarged library and the number of new primitives, or the reason why the
- * primitives do not fit.
- */
-export type Addition = { text: string; info: LibraryInfo; added: number } | { misfit: Misfit };
-
-/** One row of the locking map: one tempo, several strengths of the coupling. */
-export interface LockingJob {
-  library: string;
-  uses: number[];
-  source: number;
-  target: number;
-  /** The couplings at strength 1. */
-  alpha: Couplings;
-  tempo: number;
-  strengths: number[];
 }
 
 /** Clips, one after the other, whose primitives are wanted. */
@@ -155,11 +97,10 @@ export interface LibraryWorker {
   /** The document of a library with only these primitives. */
   primitivesText(primitives: number[]): string;
   /**
-   * Adds the primitives of another library. The walk continues. If the primitives do not fit, nothing
-   * changes.
+   * Adds the primitives of another library. The walk continues. If the primitives do not fit, throws the
+   * reason, and nothing changes.
    */
-  addPrimitives(text: string): Addition;
-  importPrimitives(job: ImportJob, report: Report<Imported>, signal: AbortSignal): Promise<TrainingOutcome>;
+  addPrimitives(text: string): { text: string; info: LibraryInfo };
   /** Starts an endless walk. An earlier walk ends. */
   startWalk(uses: number[]): void;
   /**
@@ -169,17 +110,6 @@ export interface LibraryWorker {
   advanceWalk(back: number, changes: WalkChange[], frames: number): Motion;
   learnLibrary(job: LearningJob, report: Report<string>, signal: AbortSignal): Promise<TrainingOutcome>;
   fitCouplings(job: FittingJob, report: Report<Fitted>, signal: AbortSignal): Promise<TrainingOutcome>;
-  /**
-   * Trains without the held-out trial of the fold. The last report has the outcome, unless the training was
-   * cancelled.
-   */
-  holdOut(
-    fold: ModularityFold,
-    report: Report<ModularityOutcome>,
-    signal: AbortSignal,
-  ): Promise<TrainingOutcome>;
-  /** How firmly the target is locked to the source at each strength of the coupling, from 0 to 1. */
-  lockingRow(job: LockingJob): Float64Array;
   /** Reports the share that is done. Answers null if it was cancelled. */
   recognise(
     job: RecognitionJob,

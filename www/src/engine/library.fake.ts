@@ -3,15 +3,9 @@ import type {
   CouplingsFrom,
   Fitted,
   FittingJob,
-  ImportJob,
-  Imported,
   LearningJob,
   LibraryInfo,
   LibraryWorker,
-  LockingJob,
-  Misfit,
-  ModularityFold,
-  ModularityOutcome,
   PartMotion,
   PrimitiveOrigin,
   RecognisedSegment,
@@ -107,15 +101,12 @@ export class FakeLibraries {
   readonly advances: { back: number; frames: number }[] = [];
   readonly learnings: PendingTraining<LearningJob, string>[] = [];
   readonly fittings: PendingTraining<FittingJob, Fitted>[] = [];
-  readonly imports: PendingTraining<ImportJob, Imported>[] = [];
-  readonly folds: PendingTraining<ModularityFold, ModularityOutcome>[] = [];
   /** The origins of the couplings of added combinations. */
   readonly origins: (CouplingsFrom | null)[] = [];
-  /** The reason why primitives of another file do not fit; null if they fit. */
-  misfit: Misfit | null = null;
+  /** The reason why primitives of another file do not fit; empty if they fit. */
+  misfit = "";
   /** The long-run motion of every combination. */
   moves: PartMotion[] = [];
-  readonly rows: LockingJob[] = [];
   readonly recognitions: RecognitionJob[] = [];
   /** What is recognised in every recording: the movement of each of its frames. */
   recognised: number[] = [0, 0, 1, 1, 1, 0];
@@ -173,12 +164,11 @@ export class FakeLibraries {
       addPrimitives: async (other) => {
         const { name: of, added, arms } = JSON.parse(text()) as FakeText;
         const { arms: more, alone } = JSON.parse(other) as FakeText;
-        if (this.misfit && alone) return { misfit: this.misfit };
+        if (this.misfit && alone) throw new Error(this.misfit);
         const fresh = more.filter((name) => !arms.includes(name));
         held = libraryText(of, added, [...arms, ...fresh]);
-        return { text: held, info: infoOf(held), added: fresh.length };
+        return { text: held, info: infoOf(held) };
       },
-      importPrimitives: (job, report, signal) => pending(this.imports, job, report, signal),
       startWalk: async (asked) => {
         text();
         uses = asked;
@@ -203,11 +193,6 @@ export class FakeLibraries {
       },
       learnLibrary: (job, report, signal) => pending(this.learnings, job, report, signal),
       fitCouplings: (job, report, signal) => pending(this.fittings, job, report, signal),
-      holdOut: (fold, report, signal) => pending(this.folds, fold, report, signal),
-      lockingRow: async (job) => {
-        this.rows.push(job);
-        return Float64Array.from(job.strengths, () => 1 / job.tempo);
-      },
       recognise: async (job, report, signal) => {
         if (this.broken) throw new Error(this.broken);
         this.recognitions.push(job);

@@ -3,11 +3,10 @@ import { progress } from "../engine/engine.fake";
 import type { ClipEntry } from "../clips/clips-store";
 import { libraryText } from "../engine/library.fake";
 import type { Fitted } from "../engine/library-protocol";
-import type { TrainingReport } from "../engine/protocol";
-import type { Couplings } from "../engine/protocol";
+import type { TrainingReport, Couplings } from "../engine/protocol";
 import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import { NoticesStore } from "../ui/notices-store";
-import { fitText } from "./fit-text";
+import { fitText } from "./walk-couplings-view";
 import { FittingStore } from "./fitting-store";
 import { LibraryStore } from "./library-store";
 

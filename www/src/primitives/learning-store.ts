@@ -78,17 +78,6 @@ export class LearningStore extends ProgressStore<string> {
     this.changed();
   }
 
-  /** Chooses all sample clips in the groups of their movements, with these shared parts. */
-  chooseSamples(shared: readonly string[]): void {
-    for (const { key, origin } of this.#clips.all) {
-      this.#chosen.set(key, origin === "made");
-      this.#named.delete(key);
-    }
-    this.#shared.clear();
-    for (const part of shared) this.#shared.add(part);
-    this.changed();
-  }
-
   /** The parts of the first chosen clip's body. */
   get parts(): PartSpec[] {
     const [first] = this.#groups().flatMap(({ clips }) => clips);

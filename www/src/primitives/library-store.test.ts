@@ -1,9 +1,9 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import { libraryText } from "../engine/library.fake";
+import { armsText, libraryText } from "../engine/library.fake";
 import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import { NoticesStore } from "../ui/notices-store";
 import { LibraryStore } from "./library-store";
-import { TRANSITION_FRAMES } from "./transition";
+import { TRANSITION_FRAMES } from "./walk-store";
 
 let program: FakeProgram;
 let notices: NoticesStore;
@@ -186,27 +186,13 @@ describe("the combination that walks", () => {
     expect(now()).toBe(2);
   });
 
-  it("mixes primitives from the visible frame on", async () => {
-    await opened();
-    await pass(0.5);
-    const { walk } = library;
-    const [seen, last] = [Math.floor(walk.player.frame), walk.track?.last ?? 0];
-    expect(last).toBeGreaterThan(seen + 3);
-    library.setMix(1, 2, 0.5);
-    await pass(1 / 30);
-    const { back } = program.libraries.advances.find(({ back }) => back > 0) ?? { back: 0 };
-    expect(last - back).toBeLessThanOrEqual(seen + 3);
-    expect(program.libraries.changes).toEqual([{ kind: "mix", part: 1, other: 2, share: 0.5 }]);
-  });
-
-  it("applies the newest couplings, tempos and mixes", async () => {
+  it("applies the newest couplings and tempos", async () => {
     await opened();
     for (const alpha of [5, 6, 7]) library.couplings.set(0, 1, alpha);
     expect(library.couplings.weight(0, 1)).toBeCloseTo(4 / 11, 12);
     library.setTempo(1, 1.2);
     library.setTempo(1, 1.3);
     library.setTempo(0, 0.9);
-    library.setMix(1, 2, 0.4);
     await pass(1);
     const couplings = [
       [1, 7],
@@ -216,19 +202,24 @@ describe("the combination that walks", () => {
       { kind: "couplings", alpha: couplings },
       { kind: "tempo", part: 1, tempo: 1.3 },
       { kind: "tempo", part: 0, tempo: 0.9 },
-      { kind: "mix", part: 1, other: 2, share: 0.4 },
     ]);
-    expect(library.mixes).toEqual([null, { other: 2, share: 0.4 }]);
     expect(JSON.parse(await library.combinationText())).toMatchObject({ uses: [0, 3], alpha: couplings });
     library.couplings.resetAll();
     expect(library.couplings.altered).toBe(false);
-    // The same combination without a mixture.
-    library.take([0, 3]);
-    await pass(1);
-    expect(program.libraries.changes.findLast(({ kind }) => kind === "mix")).toMatchObject({
-      other: 2,
-      share: 0,
-    });
+  });
+
+  it("gets the primitives of a file that fit, and opens a whole library", async () => {
+    await opened();
+    await library.openFile(armsText("swing"), "swing.json");
+    expect(library.addedText).toBe("Added upper: swing.");
+    expect([library.current?.info.primitives.length, library.current?.unsaved]).toEqual([5, true]);
+    await library.openFile(armsText("swing"), "swing.json");
+    expect(library.addedText).toBe("These primitives are in the library already.");
+    program.libraries.misfit = "the pose maps of upper differ";
+    await expect(library.add(armsText("clap"))).rejects.toThrow("the pose maps of upper differ");
+    expect(library.current?.info.primitives).toHaveLength(5);
+    await library.openFile(libraryText("mine"), "mine.json");
+    expect([library.current?.title, library.addedText]).toEqual(["mine.json", ""]);
   });
 
   it("is saved with its library, unless its couplings were changed", async () => {

@@ -1,6 +1,6 @@
 // The open library, and the combination of its primitives that walks.
 import { changedFrom, CouplingsStore } from "../couplings/couplings-store";
-import type { Addition, CouplingsFrom, Fitted, LibraryInfo, PartMotion } from "../engine/library-protocol";
+import type { CouplingsFrom, Fitted, LibraryInfo, PartMotion } from "../engine/library-protocol";
 import { Latest } from "../engine/latest";
 import type { Couplings, Motion } from "../engine/protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
@@ -12,6 +12,7 @@ import { combinationsOf, countOf, exampleOf, firstOf, isSame, recordedAs, titleO
 import { LibraryWorker } from "./library-worker";
 import { WalkStore } from "./walk-store";
 import { primitivesWords } from "../words/primitives";
+import { shownPart } from "../words/lab";
 
 /** The largest number of combinations in the gallery. */
 const MOST_SHOWN = 36;
@@ -30,11 +31,11 @@ export interface OpenLibrary {
   unsaved: boolean;
 }
 
-/** A mixture of the primitive of a part with another primitive. */
-export interface Mix {
-  other: number;
-  /** The share of the other primitive, 0 to 1. */
-  share: number;
+/** "Added lower: walk." */
+function addedText({ parts }: LibraryInfo, fresh: LibraryInfo["primitives"]): string {
+  const { known, added } = primitivesWords().imports;
+  const name = ({ part, name }: (typeof fresh)[number]) => `${shownPart(parts[part]?.name ?? "")}: ${name}`;
+  return fresh.length === 0 ? known : added(fresh.map(name).join(", "));
 }
 
 const isUnsaved = ({ unsaved }: OpenLibrary) => unsaved;
@@ -62,7 +63,7 @@ export class LibraryStore extends Store {
   #moves: readonly PartMotion[] = [];
   #timer: ReturnType<typeof setTimeout> | undefined;
   #tempos: readonly number[] = [];
-  #mixes: readonly (Mix | null)[] = [];
+  #addedText = "";
   /** The motions of the small figures. */
   #motions = new Map<string, Motion>();
   #body: Body | null = null;
@@ -142,8 +143,9 @@ export class LibraryStore extends Store {
     return this.#tempos;
   }
 
-  get mixes(): readonly (Mix | null)[] {
-    return this.#mixes;
+  /** What the last file with primitives added; empty before the first. */
+  get addedText(): string {
+    return this.#addedText;
   }
 
   /** The lasting motion of each part, and the part that leads it; empty before it is computed. */
@@ -217,7 +219,7 @@ export class LibraryStore extends Store {
     this.#motions = new Map();
     const { figure, parts, joints } = library.info;
     this.#body = { figure, parts, joints: joints.map(({ name }) => name) };
-    this.#mixes = library.info.parts.map(() => null);
+    this.#addedText = "";
     this.#tempos = library.info.parts.map(() => 1);
     this.#uses = firstOf(library.info, this.combinations);
     this.#showNearest(await this.nearestTo(this.#uses));
@@ -234,10 +236,7 @@ export class LibraryStore extends Store {
 
   /** Continues with another combination, under the couplings that its primitives were learned with. */
   take(uses: readonly number[]): void {
-    if (isSame(uses, this.#uses) && this.#mixes.every((mix) => mix === null)) return;
-    this.#mixes.forEach((mix, part) => {
-      if (mix) this.walk.change({ kind: "mix", part, other: mix.other, share: 0 });
-    });
+    if (isSame(uses, this.#uses)) return;
     // Primitives and couplings change in the same frame, so that there is one transition.
     uses.forEach((primitive, part) => {
       if (primitive !== this.#uses[part]) this.walk.change({ kind: "use", part, primitive });
@@ -245,7 +244,6 @@ export class LibraryStore extends Store {
     this.walk.change({ kind: "nearest", uses }, true);
     this.#touched = false;
     this.#uses = uses;
-    this.#mixes = uses.map(() => null);
     // The figure must not wait for this request.
     queueMicrotask(() => this.#couplings.request(uses));
     this.changed();
@@ -266,13 +264,6 @@ export class LibraryStore extends Store {
   setTempo(part: number, tempo: number): void {
     this.#tempos = this.#tempos.map((before, other) => (other === part ? tempo : before));
     this.walk.change({ kind: "tempo", part, tempo });
-    this.changed();
-  }
-
-  /** Mixes the primitive of a part with another primitive. */
-  setMix(part: number, other: number, share: number): void {
-    this.#mixes = this.#mixes.map((mix, index) => (index === part ? { other, share } : mix));
-    this.walk.change({ kind: "mix", part, other, share });
     this.changed();
   }
 
@@ -300,25 +291,25 @@ export class LibraryStore extends Store {
     return this.#worker.ask((worker) => worker.primitivesText([primitive]));
   }
 
-  /** Whether the document is a whole library, and not only some primitives. */
-  isWhole(text: string): Promise<boolean> {
-    return this.#worker.ask((worker) => worker.isWholeLibrary(text));
+  /** Opens a file as a library, or adds its primitives if it has not those of a whole body. */
+  async openFile(text: string, title: string): Promise<void> {
+    await this.openFirst();
+    if (await this.#worker.ask((worker) => worker.isWholeLibrary(text))) await this.open(text, title);
+    else await this.add(text);
   }
 
-  /** Adds the primitives of another file, if they fit. */
-  async add(text: string): Promise<Addition> {
-    const addition = await this.#worker.take(text);
+  /** Adds the primitives of another file. Throws the reason if they do not fit. */
+  async add(text: string): Promise<void> {
+    this.#addedText = "";
+    const { text: added, info } = await this.#worker.take(text);
     const current = this.#current;
-    if (!("info" in addition) || !current) return addition;
-    this.#current = {
-      ...current,
-      text: addition.text,
-      info: addition.info,
-      unsaved: current.unsaved || addition.added > 0,
-    };
+    if (!current) return;
+    const fresh = info.primitives.slice(current.info.primitives.length);
+    this.#addedText = addedText(info, fresh);
+    const unsaved = current.unsaved || fresh.length > 0;
+    this.#current = { ...current, text: added, info, unsaved };
     this.changed();
-    void this.#rollOutSmall(addition.info);
-    return addition;
+    void this.#rollOutSmall(info);
   }
 
   /** Whether the combination now can be made again from a saved library: its couplings come with the library. */

@@ -1,5 +1,5 @@
 // The worker that has the library open. A replaced worker opens the library again.
-import type { Addition, CouplingsFrom, LibraryInfo } from "../engine/library-protocol";
+import type { CouplingsFrom, LibraryInfo } from "../engine/library-protocol";
 import type { Couplings } from "../engine/protocol";
 import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
 
@@ -41,11 +41,11 @@ export class LibraryWorker {
     return added;
   }
 
-  /** Adds the primitives of another library, if they fit. */
-  async take(text: string): Promise<Addition> {
-    const addition = await this.ask((worker) => worker.addPrimitives(text));
-    if ("text" in addition) this.#text = addition.text;
-    return addition;
+  /** Adds the primitives of another library. Throws the reason if they do not fit. */
+  async take(text: string): Promise<{ text: string; info: LibraryInfo }> {
+    const added = await this.ask((worker) => worker.addPrimitives(text));
+    this.#text = added.text;
+    return added;
   }
 
   /** Calls the worker that has the library open. */

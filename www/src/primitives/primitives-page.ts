@@ -1,29 +1,129 @@
 // The view of a library of primitives and their combinations.
 import { html, nothing } from "lit";
-import { duration, sentence } from "../ui/format";
+import { duration, sentence, messageOf, fixed } from "../ui/format";
 import { download } from "../ui/download";
 import { fileButton } from "../ui/file-button";
-import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { noticeCard } from "../ui/notices-view";
 import { View } from "../ui/view";
 import type { ClipsStore } from "../clips/clips-store";
-import "./chimera-view";
 import "./walk-couplings-view";
 import "./drawer-view";
-import "./gallery-view";
-import "./import-view";
-import "./lesson-view";
 import "./learning-view";
-import "./morph-view";
 import type { Primitives } from "./primitives";
 import type { StagedModel } from "../stage/staged-model";
 import "./primitives.css";
 import "./recognition-view";
 import "./walk-view";
-import { lab } from "../words/lab";
+import { lab, shownPart } from "../words/lab";
 import { DATA_SOURCE } from "../words/data-source";
 import { primitivesWords } from "../words/primitives";
+import { partColour } from "../ui/palette";
+import { partStyle } from "../ui/styled";
+import type { LibraryStore } from "./library-store";
+import { isSame, recordedAs, titleOf } from "./combinations";
+import "./small-figure-view";
+
+class ImportView extends View {
+  declare library: LibraryStore;
+  declare notices: NoticesStore;
+
+  protected override stores() {
+    return [this.library];
+  }
+
+  async #add(file: File | undefined): Promise<void> {
+    if (!file) return;
+    try {
+      await this.library.add(await file.text());
+    } catch (problem) {
+      this.notices.addError(file.name, messageOf(problem));
+    }
+  }
+
+  protected override render() {
+    const words = primitivesWords().imports;
+    return html`
+      <div class="button-row">
+        ${fileButton({
+          label: words.add,
+          meaning: words.addMeaning,
+          testId: "add-primitives",
+          accept: ".json,application/json",
+          multiple: false,
+          disabled: false,
+          chosen: ([file]) => void this.#add(file),
+        })}
+      </div>
+      <p class="hint" role="status" data-testid="import-words">${this.library.addedText}</p>`;
+  }
+}
+customElements.define("pg-import", ImportView);
+
+class GalleryView extends View {
+  static override properties = { playing: {} };
+  declare library: LibraryStore;
+  declare playing: boolean;
+
+  protected override stores() {
+    return [this.library];
+  }
+
+  protected override render() {
+    const { library } = this;
+    const info = library.current?.info;
+    if (!info) return html``;
+    const words = primitivesWords().gallery;
+    const card = (uses: number[]) => {
+      const recorded = recordedAs(info, uses);
+      return html`
+        <button class="combination" data-testid="combination" aria-pressed=${isSame(uses, library.uses) ? "true" : "false"}
+          @click=${() => library.take(uses)}>
+          <pg-small-figure .body=${library.body} .motion=${library.motionOf(uses)} .accent=${null} .playing=${this.playing}></pg-small-figure>
+          <span>${titleOf(info, uses)}</span>
+          <small>${recorded === null ? words.never : words.recordedAs(recorded)}</small>
+        </button>`;
+    };
+    return html`
+      <h2>${words.title}</h2>
+      <div class="gallery">${library.combinations.map(card)}</div>
+      ${library.notShown > 0 ? html`<p class="hint">${words.more(library.notShown)}</p>` : nothing}`;
+  }
+}
+customElements.define("pg-gallery", GalleryView);
+
+class ChimeraView extends View {
+  declare library: LibraryStore;
+
+  protected override stores() {
+    return [this.library];
+  }
+
+  #tempo(tempo: number, part: number) {
+    const name = shownPart(this.library.current?.info.parts[part]?.name ?? "");
+    const words = primitivesWords().chimera;
+    return html`
+      <label class="tempo" style=${partStyle(partColour(part))}>
+        <span class="part-name"><i class="swatch"></i>${name}</span>
+        <input type="range" min="0.5" max="2" step="0.05" .value=${String(tempo)} data-testid="tempo-${part}"
+          aria-label=${words.tempoOf(name)} aria-valuetext=${words.times(tempo)}
+          @input=${(event: Event) => this.library.setTempo(part, (event.target as HTMLInputElement).valueAsNumber)}
+          @dblclick=${() => this.library.setTempo(part, 1)} />
+        <output>${fixed(tempo, 2)}</output>
+      </label>`;
+  }
+
+  protected override render() {
+    const { library } = this;
+    if (!library.current) return nothing;
+    const words = primitivesWords().chimera;
+    return html`
+      <h2>${words.title}</h2>
+      <p class="hint">${words.about}</p>
+      ${library.tempos.map((tempo, part) => this.#tempo(tempo, part))}`;
+  }
+}
+customElements.define("pg-chimera", ChimeraView);
 
 export class PrimitivesPage extends View {
   declare primitives: Primitives;
@@ -57,7 +157,7 @@ export class PrimitivesPage extends View {
   async #open(file: File | undefined): Promise<void> {
     if (!file) return;
     try {
-      await this.primitives.imports.openFile(await file.text(), file.name);
+      await this.#library.openFile(await file.text(), file.name);
     } catch (problem) {
       this.notices.addError(file.name, messageOf(problem));
     }
@@ -104,7 +204,7 @@ export class PrimitivesPage extends View {
 
   protected override render() {
     const { clips } = this;
-    const { library, fitting, imports, locking, learning, fold, recognition } = this.primitives;
+    const { library, fitting, learning, recognition } = this.primitives;
     const { playing } = library.walk.player;
     const words = primitivesWords();
     const { areas } = words;
@@ -124,15 +224,13 @@ export class PrimitivesPage extends View {
           <div class="beside-figure">
             <section class="panel" aria-label=${words.drawer.title}><pg-drawer .library=${library} .playing=${playing} .notices=${this.notices}></pg-drawer></section>
             <section class="panel" aria-label=${words.gallery.title}><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
-            <section class="panel" aria-label=${areas.chimera}><pg-chimera .library=${library} .locking=${locking}></pg-chimera></section>
-            <section class="panel" aria-label=${areas.couplings}><pg-walk-couplings .library=${library} .fitting=${fitting} .clips=${clips}></pg-walk-couplings>
-              <pg-morph .library=${library}></pg-morph></section>
-            <section class="panel" aria-label=${areas.imports}><pg-import .imports=${imports} .clips=${clips} .notices=${this.notices} .seed=${this.primitives.seed()}></pg-import></section>
+            <section class="panel" aria-label=${areas.chimera}><pg-chimera .library=${library}></pg-chimera></section>
+            <section class="panel" aria-label=${areas.couplings}><pg-walk-couplings .library=${library} .fitting=${fitting} .clips=${clips}></pg-walk-couplings></section>
+            <section class="panel" aria-label=${areas.imports}><pg-import .library=${library} .notices=${this.notices}></pg-import></section>
           </div>
         </div>
         <section class="panel recognition-panel" aria-label=${words.recognition.title}><pg-recognition .recognition=${recognition} .library=${library}></pg-recognition></section>
         <section class="panel learning-panel" aria-label=${words.learning.title}><pg-learning .learning=${learning}></pg-learning></section>
-        <section class="panel lesson-panel" aria-label=${areas.experiment}><pg-lesson .learning=${learning} .fold=${fold}></pg-lesson></section>
       </div>`;
   }
 }

@@ -5,15 +5,19 @@ import type { WholeWorkers } from "../engine/whole-workers";
 import type { SettingsStore } from "../settings/settings-store";
 import type { NoticesStore } from "../ui/notices-store";
 import { prefersReducedMotion } from "../ui/reduced-motion";
-import { fetchLibrary } from "./first-library";
 import { FittingStore } from "./fitting-store";
-import { FoldStore } from "./fold-store";
-import { ImportStore } from "./import-store";
 import { LearningStore } from "./learning-store";
 import { LibraryStore } from "./library-store";
-import { LockingStore } from "./locking-store";
 import { RecordedStore } from "./recorded-store";
 import { RecognitionStore } from "./recognition-store";
+import { lab } from "../words/lab";
+
+/** Its document. */
+async function fetchLibrary(): Promise<string> {
+  const answer = await fetch(new URL("primitives/library.json", document.baseURI));
+  if (!answer.ok) throw new Error(lab().files.hostAnswered(answer.status, answer.url));
+  return answer.text();
+}
 
 /** All stores of the view, and the seed of the settings. */
 export type Primitives = ReturnType<typeof openPrimitives>;
@@ -31,12 +35,7 @@ export function openPrimitives(
   return {
     library,
     fitting: new FittingStore(whole, clips, library),
-    imports: new ImportStore(whole, clips, library),
-    /** The seed of the settings. */
-    seed: () => settings.values.seed,
-    locking: new LockingStore(whole, library),
     learning: new LearningStore(whole, engine, settings, clips, library),
-    fold: new FoldStore(whole, engine),
     recorded: new RecordedStore(whole, clips, fetchLibrary),
     recognition: new RecognitionStore(whole, clips, library),
   };

@@ -5,12 +5,52 @@ import { couplingsTable } from "../couplings/couplings-table";
 import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import { withTerms } from "../terms/term";
-import { fitText } from "./fit-text";
 import type { FittingStore } from "./fitting-store";
 import type { LibraryStore } from "./library-store";
-import { restingPartsText } from "./resting-parts";
 import { lab, shownPart } from "../words/lab";
 import { primitivesWords } from "../words/primitives";
+import { LARGEST_COUPLING } from "../engine/limits";
+import { sentence } from "../ui/format";
+import type { LibraryInfo, PartMotion } from "../engine/library-protocol";
+
+/** Names the parts that rest under these couplings, with the reason; empty if all parts move. */
+export function restingPartsText(
+  { parts, primitives }: LibraryInfo,
+  uses: readonly number[],
+  moves: readonly PartMotion[],
+): string {
+  const words = primitivesWords().couplings.rests;
+  const name = (part: number) => shownPart(parts[part]?.name ?? "");
+  const primitive = (part: number) => `${name(part)}: ${primitives[uses[part] ?? -1]?.name ?? ""}`;
+  const why = ({ leader }: PartMotion, part: number): string => {
+    if (!leader) return words.alone;
+    const { weight, met } = leader;
+    const share = words.decides(name(leader.part), weight, name(part));
+    if (weight < 0.5) return `${share}${words.ownRest}`;
+    return met
+      ? `${share}${words.doesNotDrive}`
+      : `${share}${words.neverLearned(primitive(leader.part), primitive(part))}`;
+  };
+  return moves
+    .flatMap((motion, part) => (motion.still ? [words.keepsPose(name(part)), why(motion, part)] : []))
+    .map(sentence)
+    .join(" ");
+}
+
+type Fit = Pick<FittingStore, "busy" | "iteration" | "elapsed" | "ending" | "unexplained">;
+
+export function fitText({ busy, iteration, elapsed, ending, unexplained }: Fit): {
+  text: string;
+  failed: boolean;
+} {
+  const texts = primitivesWords().couplings;
+  if (busy) return { text: lab().learn.training.iteration(iteration), failed: false };
+  const { words, failed } = ending;
+  if (!words) return { text: texts.fitAbout, failed };
+  if (failed) return { text: sentence(words), failed };
+  if (unexplained.length === 0) return { text: texts.fitted(sentence(words), elapsed), failed };
+  return { text: texts.unexplained(unexplained.map(shownPart), LARGEST_COUPLING, elapsed), failed: true };
+}
 
 export class WalkCouplingsView extends View {
   static override properties = { clip: { state: true } };

@@ -1,14 +1,45 @@
 // Several figures side by side in one picture, with one clock, one camera, and optional ghosts.
-import { Scene, Vector3 } from "three";
+import { Scene, Vector3, Color, Group, Mesh, MeshStandardMaterial, SphereGeometry } from "three";
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
 import { FigureView } from "./figure";
 import { Framing } from "./framing";
 import { Ground } from "./ground";
 import { Lights } from "./lights";
-import { PointLights } from "./point-lights";
 import { HERE, placeOnto, poseAt } from "./motion";
 import { feetOf, floorOf, MIDDLE, SOLE, type View, viewOf } from "./stance";
 import { Viewport } from "./viewport";
+import { theme } from "../ui/palette";
+
+/** Metres. */
+const RADIUS = 0.026;
+
+class PointLights {
+  readonly group = new Group();
+  readonly #nodes: readonly number[];
+  readonly #lights: Mesh[];
+  readonly #geometry = new SphereGeometry(RADIUS, 16, 12);
+  /** The material ignores the lights of the scene. */
+  readonly #material = new MeshStandardMaterial({ color: 0x000000, emissive: new Color(theme().ink) });
+
+  /** A light at each of these nodes. */
+  constructor(nodes: readonly number[]) {
+    this.#nodes = nodes;
+    this.#lights = nodes.map(() => new Mesh(this.#geometry, this.#material));
+    for (const light of this.#lights) light.frustumCulled = false;
+    this.group.add(...this.#lights);
+  }
+
+  /** Node positions [nodes x 3]. */
+  pose(positions: Float32Array): void {
+    this.#lights.forEach((light, i) => light.position.fromArray(positions, 3 * this.#nodes[i]!));
+  }
+
+  dispose(): void {
+    this.#geometry.dispose();
+    this.#material.dispose();
+    this.group.removeFromParent();
+  }
+}
 
 export interface Body {
   figure: Figure;

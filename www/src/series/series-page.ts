@@ -13,16 +13,69 @@ import type { NoticesStore } from "../ui/notices-store";
 import { noticeCard } from "../ui/notices-view";
 import "../ui/two-columns.css";
 import { View } from "../ui/view";
-import { exampleFiles } from "./example";
 import type { Series } from "./series";
 import "./series.css";
-import { seriesCouplings } from "./series-couplings";
 import "./series-curves";
 import "./series-figure";
 import "./series-latent";
 import "./tables-view";
 import { lab } from "../words/lab";
 import { seriesWords } from "../words/series";
+import { couplingsTable } from "../couplings/couplings-table";
+import { readingText } from "../couplings/reading-text";
+import type { Reading } from "../engine/protocol";
+import type { SeriesStore } from "./series-store";
+
+const READINGS: readonly Reading[] = ["re-inferred", "as-learned"];
+
+function seriesCouplings(model: SeriesStore) {
+  const { opened, couplings } = model;
+  const words = seriesWords();
+  if (!opened?.info.alpha) {
+    return html`<p class="hint">${words.noCouplings}</p>`;
+  }
+  return html`
+    ${couplingsTable({
+      couplings,
+      parts: opened.info.parts.map(({ name }) => name),
+    })}
+    <div class="button-row">
+      <span class="segments" role="group" aria-label=${words.changed}>
+        ${READINGS.map(
+          (
+            reading,
+          ) => html`<button title=${words.readings[reading]} aria-pressed=${couplings.reading === reading ? "true" : "false"}
+            @click=${() => couplings.setReading(reading)}>${readingText(reading)}</button>`,
+        )}</span>
+      <button class="small" data-testid="series-reset" ?disabled=${!couplings.altered} @click=${() => couplings.resetAll()}>${words.reset}</button>
+    </div>
+    ${model.problem ? html`<p class="bad" role="alert">${model.problem}</p>` : nothing}`;
+}
+
+const ROWS = 100;
+const STEP = 0.05;
+const NAMES = ["leader_a", "leader_b", "leader_c", "follower_d", "follower_e"];
+
+function measured(recording: number, row: number): number[] {
+  const phase = 0.25 * row + 1.5 * recording;
+  return [
+    10 + Math.sin(phase),
+    2 * Math.cos(phase),
+    Math.tanh(Math.sin(phase + 0.5)),
+    5 + 0.8 * Math.sin(phase - 0.7),
+    0.5 * Math.cos(2 * (phase - 0.7)),
+  ];
+}
+
+/** Two recordings of the machines, as files. */
+function exampleFiles(): File[] {
+  return [1, 2].map((number) => {
+    const rows = Array.from({ length: ROWS }, (_, row) =>
+      [row * STEP, ...measured(number - 1, row)].map((value) => value.toFixed(4)).join(","),
+    );
+    return new File([["time", ...NAMES].join(","), "\n", rows.join("\n"), "\n"], `machines-${number}.csv`);
+  });
+}
 
 /** The column of a table that holds seconds. */
 const TIME_COLUMN = "time";

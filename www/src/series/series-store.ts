@@ -9,9 +9,17 @@ import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import { mayLose, type Work } from "../unsaved/unsaved";
 import { type Giver, GivenColumns } from "./given-columns";
-import { SeriesClock } from "./series-clock";
 import type { TableEntry, TablesStore } from "./tables-store";
 import { seriesWords } from "../words/series";
+import { Clock } from "../stage/clock";
+
+class SeriesClock extends Clock {
+  /** Stays at the current frame if the new rollout has this frame. */
+  load(frames: number, frameTime: number): void {
+    this.player.load(frames, frameTime, frames - 1);
+    this.changed();
+  }
+}
 
 /**
  * The length of a rollout divided by the length of its table. It is above 1 to show also the time after the

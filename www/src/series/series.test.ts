@@ -8,7 +8,7 @@ import { FakeAddressBar } from "../settings/address.fake";
 import { SettingsStore } from "../settings/settings-store";
 import { download } from "../ui/download";
 import { visitor } from "../unsaved/choice-dialog.fake";
-import { curvesOf } from "./curves";
+import { curvesOf } from "./series-curves";
 import { openSeries, type Series } from "./series";
 
 vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));

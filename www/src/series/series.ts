@@ -2,8 +2,55 @@
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { SettingsStore } from "../settings/settings-store";
 import { SeriesStore } from "./series-store";
-import { SeriesTrainingStore } from "./series-training-store";
 import { TablesStore } from "./tables-store";
+import type { TrainedSeries } from "../engine/series-protocol";
+import { pointsOf } from "../settings/settings";
+import { ProgressStore } from "../training/progress-store";
+import { mayLose } from "../unsaved/unsaved";
+import { seriesWords } from "../words/series";
+
+class SeriesTrainingStore extends ProgressStore<TrainedSeries> {
+  readonly #whole: WholeWorkers;
+  readonly #settings: Pick<SettingsStore, "values">;
+  readonly #tables: TablesStore;
+  readonly #series: SeriesStore;
+
+  constructor(
+    whole: WholeWorkers,
+    settings: Pick<SettingsStore, "values">,
+    tables: TablesStore,
+    series: SeriesStore,
+  ) {
+    super();
+    this.#whole = whole;
+    this.#settings = settings;
+    this.#tables = tables;
+    this.#series = series;
+  }
+
+  /** The reason why training cannot start now; empty if it can. */
+  get whyNot(): string {
+    const { ticked, clash } = this.#tables;
+    if (ticked.length === 0) return seriesWords().openFirst;
+    return clash ? seriesWords().clash : "";
+  }
+
+  /** Trains a model and shows it instead of the current one. */
+  async train(): Promise<void> {
+    if (this.busy || this.whyNot || !(await mayLose(this.#series.unsaved))) return;
+    const { latent, order, framesPerSecond, seed, maxIterations } = this.#settings.values;
+    const { dynamicsIps, poseIps } = pointsOf(this.#settings.values);
+    const parts = this.#tables.parts.filter(({ columns }) => columns.length > 0);
+    const job = {
+      tables: this.#tables.ticked.map(({ source }) => source),
+      settings: { parts, latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations },
+    };
+    const found = await this.run((report, signal) =>
+      this.#whole.pool.run((worker) => worker.trainSeries(job, report, signal), signal),
+    );
+    if (found) await this.#series.takeTrained(found);
+  }
+}
 
 /** All stores of the view. */
 export type Series = ReturnType<typeof openSeries>;

@@ -1,17 +1,8 @@
 // Libraries of primitives: keeps one open with its endless walk, learns libraries, fits couplings. No DOM.
-import {
-  CouplingTrainer,
-  ImportTrainer,
-  Library,
-  type LibraryInfo,
-  LibraryTrainer,
-  type LibraryWalk,
-  ModularityTraining,
-} from "vcgpdm";
+import { CouplingTrainer, Library, type LibraryInfo, LibraryTrainer, type LibraryWalk } from "vcgpdm";
 import { MAX_PARTS } from "../engine/limits";
 import type {
   FittingJob,
-  ImportJob,
   LearningJob,
   LibraryWorker,
   RecordedMovement,
@@ -44,19 +35,10 @@ function motionOf(positions: Float32Array, frames: number): Motion {
   return transfer({ positions, frames, nodes, frameTime }, positions);
 }
 
-/**
- * Frames in which a part changes to another of its primitives; at once it would jump, as
- * tests/node/library.test.mjs measures.
- */
-const MIX_FRAMES = 45;
-
 function change(walk: LibraryWalk, change: WalkChange): void {
   switch (change.kind) {
     case "use":
       walk.use(change.part, change.primitive);
-      break;
-    case "mix":
-      walk.mix(change.part, change.other, change.share, MIX_FRAMES);
       break;
     case "couplings":
       walk.setAlpha(change.alpha);
@@ -77,19 +59,6 @@ async function learner({ clips: chosen, settings, movements, shared }: LearningJ
 async function fitter({ library, uses, clips: chosen, maxIterations }: FittingJob): Promise<CouplingTrainer> {
   return using(await clipSet(chosen), (set) =>
     using(Library.fromJson(library), (parsed) => new CouplingTrainer(parsed, uses, set, maxIterations)),
-  );
-}
-
-async function importer(job: ImportJob): Promise<ImportTrainer> {
-  const { library, other, clips: chosen, maxIterations, seed } = job;
-  const set = chosen.length > 0 ? await clipSet(chosen) : null;
-  const request = { maxIterations, seed };
-  const begin = (host: Library, donor: Library) =>
-    set
-      ? using(set, () => ImportTrainer.fromClips(host, donor, set, request))
-      : new ImportTrainer(host, donor, request);
-  return using(Library.fromJson(library), (host) =>
-    using(Library.fromJson(other), (donor) => begin(host, donor)),
   );
 }
 
@@ -155,23 +124,7 @@ export const libraryWorker: LibraryWorker = {
   addCombination: (name, uses, alpha, from) =>
     exchange(current().library.withCombination(name, uses, alpha, from)),
   primitivesText: (primitives) => using(current().library.select(primitives), (some) => some.toJson()),
-  addPrimitives: (text) =>
-    using(Library.fromJson(text), (other) => {
-      const { library } = current();
-      const misfit = library.misfit(other);
-      if (misfit) return { misfit };
-      const before = library.info().primitives.length;
-      const { text, info } = exchange(library.add(other));
-      return { text, info, added: info.primitives.length - before };
-    }),
-  importPrimitives: async (job, report, signal) =>
-    using(await importer(job), (trainer) => {
-      const find = () => ({
-        text: using(trainer.library(), (found) => found.toJson()),
-        lost: [...trainer.lost()],
-      });
-      return follow({ step: () => trainer.step(), find }, report, signal);
-    }),
+  addPrimitives: (text) => using(Library.fromJson(text), (other) => exchange(current().library.add(other))),
   startWalk(uses) {
     const next = current().library.walk(uses);
     endWalk();
@@ -201,23 +154,6 @@ export const libraryWorker: LibraryWorker = {
         });
       return follow({ step: () => trainer.step(), find }, report, signal);
     }),
-  holdOut: (fold, report, signal) =>
-    using(new ModularityTraining(fold), (training) => {
-      let done = false;
-      const step = () => {
-        const progress = training.step();
-        done = progress.done;
-        return progress;
-      };
-      // The outcome of a cancelled training is no measurement.
-      return follow({ step, find: () => (done ? training.outcome() : null) }, report, signal);
-    }),
-  lockingRow({ library, uses, source, target, alpha, tempo, strengths }) {
-    const row = using(Library.fromJson(library), (parsed) =>
-      parsed.lockingMap(uses, source, target, Float64Array.of(tempo), Float64Array.from(strengths), alpha),
-    );
-    return transfer(row, row);
-  },
   recognise: async ({ library, clips }, report, signal) =>
     using(await clipSet(clips), (set) =>
       using(Library.fromJson(library), (parsed) =>

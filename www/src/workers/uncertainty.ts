@@ -1,12 +1,44 @@
 // How sure a model is: moment matching through time, and pictures of planes of its latent spaces. No DOM.
 import * as Comlink from "comlink";
 import { type Clip, Model } from "vcgpdm";
-import type { TrainingClip } from "../engine/protocol";
-import type { UncertaintyWorker } from "../engine/whole-protocol";
+import type { TrainingClip, ModelInfo, RolloutRequest } from "../engine/protocol";
+import type { UncertaintyWorker, KeptPoints, KeptReport } from "../engine/whole-protocol";
 import { readClip } from "./clips";
-import { keptBound, keptReport } from "./kept-points";
 import { transfer } from "./transfer";
 import { using } from "./using";
+
+const infoOf = (model: Model) => model.info() as ModelInfo;
+
+/** Looks at the model with these points. */
+function withKept<Found>(
+  model: Model,
+  { poses, dynamics }: KeptPoints,
+  look: (fewer: Model) => Found,
+): Found {
+  return using(model.withPoints(poses, dynamics), look);
+}
+
+function keptBound(model: Model, kept: KeptPoints): number {
+  return withKept(model, kept, (fewer) => infoOf(fewer).provenance.bound);
+}
+
+function keptReport(model: Model, kept: KeptPoints, request: RolloutRequest): KeptReport {
+  return withKept(model, kept, (fewer) => {
+    const { figure, frameTime, parts, provenance } = infoOf(fewer);
+    return using(fewer.rollout(request), (rollout) => ({
+      bound: provenance.bound,
+      motion: {
+        positions: rollout.positions(),
+        frames: rollout.frames,
+        nodes: figure.nodes.length,
+        frameTime,
+      },
+      latents: parts.map((_, part) => rollout.latents(part)),
+      measures: rollout.measures(Math.floor(request.frames / 3)),
+      health: rollout.health(),
+    }));
+  });
+}
 
 let open: Model | null = null;
 

@@ -20,10 +20,6 @@ pub struct Arguments {
     /// BVH files, or sample:ID; each is a trial.
     #[arg(value_name = "CLIP", required = true)]
     pub clips: Vec<PathBuf>,
-    /// What is compared. To complete is to infer each part of the trial held out from its other parts: by a
-    /// vCGPDM, by a vGPDM of the whole body, and by regressions.
-    #[arg(long, value_enum, default_value_t = Task::Predict)]
-    pub task: Task,
     /// The models: all, or ids (vcgpdm, vgpdm, map-gpdm, map-cgpdm, tmp, dmp-discrete, dmp-rhythmic, promp,
     /// ar).
     ///
@@ -92,10 +88,6 @@ pub struct Arguments {
     /// Predict from this number of first frames of the trial held out.
     #[arg(long, value_name = "N", default_value_t = START_FRAMES as u16, value_parser = whole(1..=u16::MAX))]
     pub start_frames: u16,
-    /// Also predict with a variational model that was trained without the trial held out and observes its
-    /// first frames.
-    #[arg(long)]
-    pub observed_start: bool,
     /// Cut all trials to the same number of whole cycles, from the same phase of the cycle, as the papers do
     /// for the discrete DMP.
     #[arg(long)]
@@ -110,12 +102,6 @@ pub struct Arguments {
     /// failed are.
     #[arg(long, value_name = "RESULTS.json")]
     pub out: PathBuf,
-}
-
-#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
-pub enum Task {
-    Predict,
-    Complete,
 }
 
 /// The trials of `--folds`, which counts from 1, counted from 0; for "all" an empty list.

@@ -1,14 +1,10 @@
 //! `vcgpdm evaluate`: compares models by leave-one-trial-out cross-validation, in parallel and resumable.
 
 mod arguments;
-mod complete;
-mod folds;
 mod work;
 
 use crate::clips;
-use crate::evaluate::arguments::Task;
 pub use crate::evaluate::arguments::{Arguments, folds, models};
-use crate::evaluate::folds::Folds;
 use crate::evaluate::work::Work;
 use crate::files;
 use crate::numbers::check_fps;
@@ -21,7 +17,7 @@ use std::collections::HashMap;
 use std::error::Error;
 use std::thread;
 use vcgpdm::models::{MOST_PRIMITIVES, PoseWeight};
-use vcgpdm_lab::evaluation::{ComparisonPlanError, Fold, Job, ObservedFold, Plan, Setting, whole_cycles};
+use vcgpdm_lab::evaluation::{ComparisonPlanError, Fold, Job, Plan, Setting, whole_cycles};
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     check_fps(arguments.fps)?;
@@ -30,27 +26,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         clips = whole_cycles(&clips, arguments.fps)?.0;
     }
     let parts = parts(&arguments.parts, &clips[0].skeleton)?;
-    if arguments.task == Task::Complete {
-        return complete::run(arguments, &clips, &parts);
-    }
     let start_frames = usize::from(arguments.start_frames);
     let setting = Setting::new(&clips, &parts, arguments.fps, start_frames)?;
     let jobs = jobs(arguments, clips.len(), parts.len())?;
     // Making all folds first finds every unusable trial before anything is computed.
-    let mut folds: HashMap<(usize, usize), Folds> = HashMap::new();
+    let mut folds: HashMap<(usize, usize), Fold> = HashMap::new();
     for job in &jobs {
         let (held_out, count) = (job.held_out, job.training_trials);
         if let std::collections::hash_map::Entry::Vacant(entry) = folds.entry((held_out, count)) {
-            let trained = Fold::new(&clips, held_out, count, &parts, arguments.fps, start_frames)?;
-            let mut folds = Folds { trained, observed: None, start_frames };
-            if arguments.observed_start {
-                folds.observed = Some(ObservedFold::new(&clips, held_out, count, &parts, arguments.fps)?);
-            }
-            entry.insert(folds);
+            entry.insert(Fold::new(&clips, held_out, count, &parts, arguments.fps, start_frames)?);
         }
     }
     let share = share(arguments, jobs.len())?;
-    let store = Store::open(&arguments.out, setting, arguments.observed_start)?;
+    let store = Store::open(&arguments.out, setting)?;
     let (done, open): (Vec<Job>, Vec<Job>) =
         share.map(|k| jobs[k].clone()).partition(|job| store.is_complete(job));
 

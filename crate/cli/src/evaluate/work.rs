@@ -1,6 +1,5 @@
 //! Jobs that the threads of this program, and other programs on the same file, compute one after the other.
 
-use crate::evaluate::folds::Folds;
 use crate::interrupt;
 use crate::progress::Progress;
 use crate::store::{Next, Store};
@@ -10,7 +9,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
-use vcgpdm_lab::evaluation::{Finished, Job};
+use vcgpdm::models::Progress as Training;
+use vcgpdm_lab::evaluation::{Finished, Fold, Job};
 
 /// How often a thread without a job looks whether another program has finished or given up one.
 const POLL: Duration = Duration::from_secs(1);
@@ -80,7 +80,7 @@ impl Work {
     }
 
     /// Computes one job after the other until none is left, or until Ctrl-C.
-    pub fn compute(&self, thread: usize, folds: &HashMap<(usize, usize), Folds>) {
+    pub fn compute(&self, thread: usize, folds: &HashMap<(usize, usize), Fold>) {
         while !self.is_stopped() {
             let mut state = self.state();
             let State { store, open, .. } = &mut *state;
@@ -96,16 +96,15 @@ impl Work {
                 Err(error) => return self.fail(&mut state, error.as_ref()),
             };
             state.fractions.insert(thread, 0.0);
-            let known = state.store.results().outcome(&job).cloned();
             drop(state);
-            let Some(folds) = folds.get(&(job.held_out, job.training_trials)) else { return };
+            let Some(fold) = folds.get(&(job.held_out, job.training_trials)) else { return };
             let begin = Instant::now();
             let seconds = || begin.elapsed().as_secs_f64();
-            let mut watch = |fraction| {
-                self.show(thread, fraction);
+            let mut watch = |progress: &Training| {
+                self.show(thread, progress.fraction);
                 !self.is_stopped()
             };
-            let result = match folds.evaluate(&job, known, &seconds, &mut watch) {
+            let result = match fold.evaluate(&job.candidate, job.seed, &seconds, &mut watch) {
                 Ok(Some(outcome)) => Ok(outcome),
                 Ok(None) => return,
                 Err(error) => Err(error.to_string()),

@@ -1,13 +1,9 @@
 //! `vcgpdm report`: the tables of an evaluation, as Markdown or as JSON.
 
-pub mod completing;
-mod observed_starts;
 mod one_line;
 mod spread;
 
 use crate::files;
-use crate::report::completing::is_completing;
-use crate::report::observed_starts::observed_starts;
 pub use crate::report::one_line::one_line;
 use crate::report::spread::spread;
 use crate::results::{Merged, Preferred, read};
@@ -17,10 +13,9 @@ use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
 use vcgpdm_lab::evaluation::stats::Interval;
-use vcgpdm_lab::evaluation::{Claim, Comparison, FramesAndTime, Labels, ObservedStarts, Results, fixed};
+use vcgpdm_lab::evaluation::{Claim, Comparison, FramesAndTime, Labels, Results, fixed};
 
-/// Print the tables of an evaluation, and what they mean for the claims of the papers; of files of
-/// `evaluate --task complete`, the tables of completing.
+/// Print the tables of an evaluation, and what they mean for the claims of the papers.
 ///
 /// Results of the same trials and parts are put together. Results of other trials are another subject with
 /// its own tables; one more table is for all subjects.
@@ -44,11 +39,6 @@ struct Subject {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let tasks = arguments.results.iter().map(|path| is_completing(path));
-    let tasks = tasks.collect::<Result<Vec<bool>, _>>()?;
-    if tasks.iter().all(|completing| *completing) {
-        return completing::print(&arguments.results, arguments.json);
-    }
     let subjects = subjects(&arguments.results, arguments.prefer)?;
     if arguments.json {
         return files::print_json(&numbers(&subjects));
@@ -71,7 +61,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         )?;
         models(&mut text, &comparison)?;
         details(&mut text, &comparison)?;
-        observed_starts(&mut text, &[&subject.results])?;
         correlations(&mut text, &comparison)?;
         growth(&mut text, &comparison)?;
         evidence(&mut text, &comparison)?;
@@ -87,7 +76,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         )?;
         models(&mut text, &comparison)?;
         details(&mut text, &comparison)?;
-        observed_starts(&mut text, &different)?;
         claims(&mut text, &comparison)?;
     }
     files::print(&files::escape(&text))
@@ -102,7 +90,6 @@ fn numbers(subjects: &[Subject]) -> Value {
             "name": subject.name,
             "setting": results.setting(),
             "comparison": Comparison::new(results),
-            "observed_starts": ObservedStarts::of(&[results]),
             "failed": failed.collect::<Vec<_>>(),
         })
     };

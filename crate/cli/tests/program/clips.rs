@@ -14,7 +14,6 @@ struct Files {
     turned: String,
     model: String,
     library: String,
-    stroll: String,
 }
 
 impl Files {
@@ -27,7 +26,6 @@ impl Files {
             turned: file("turned.bvh"),
             model: file("model.json"),
             library: file("library.json"),
-            stroll: file("stroll.json"),
             folder,
         };
         under_a_still_root("sample:walk-1", 0.0, files.walk.as_ref());
@@ -50,7 +48,6 @@ impl Files {
                 ("{turned}", &self.turned),
                 ("{model}", &self.model),
                 ("{library}", &self.library),
-                ("{stroll}", &self.stroll),
             ];
             let named =
                 named.into_iter().fold(word.to_owned(), |word, (name, file)| word.replace(name, file));
@@ -64,7 +61,6 @@ impl Files {
             "--parts lower,upper --fps 10 --latent 2 --dynamics-ips 4 --pose-ips 4 --max-iterations 3";
         self.run(&format!("train {{walk}} {small} --out {{model}}"));
         self.run(&format!("train --movement a={{walk}} --movement b={{other}} {small} --out {{library}}"));
-        self.run(&format!("train --movement stroll={{other}} {small} --out {{stroll}}"));
     }
 }
 
@@ -82,7 +78,6 @@ fn every_command_says_once_what_is_unusual_in_a_clip() {
         "reproduce {model} {walk}",
         "recognise {library} {walk}",
         "couple {library} --use lower=a,upper=b --clip {walk} --max-iterations 1 --out {folder}/fitted.json",
-        "primitives {library} --add {stroll} --relearn --max-iterations 1 --clip {walk} --out {folder}/two.json",
         &format!("evaluate {{walk}} {{other}} {split} --models dmp-rhythmic --out {{folder}}/results.json"),
         "study {folder}/results.json {walk} {other} --out {folder}/study.json",
     ] {
@@ -125,7 +120,6 @@ fn a_clip_can_have_another_axis_than_the_model() {
         "score {model} CLIP",
         "recognise {library} CLIP",
         "couple {library} --use lower=a,upper=b --clip CLIP --max-iterations 1 --out {folder}/fitted.json",
-        "primitives {library} --add {stroll} --relearn --max-iterations 1 --clip CLIP --out {folder}/two.json",
     ] {
         let summary = |clip: &str, option: &str| {
             numbers(&files.run(&format!("{} {option}", line.replace("CLIP", clip))).0)
@@ -145,7 +139,6 @@ fn a_clip_can_have_another_axis_than_the_model() {
     for (line, expected) in [
         ("rollout {model} --frames 12 --up z --out {folder}/out.bvh", "--from CLIP:FRAMES"),
         ("couple {library} --use lower=a,upper=b --up z --out {folder}/fitted.json", "--clip"),
-        ("primitives {library} --add {stroll} --up z --out {folder}/two.json", "--clip"),
     ] {
         let line = files.line(line);
         let refused = fails(&line.iter().map(String::as_str).collect::<Vec<_>>());

@@ -3,8 +3,6 @@
 //! Bounds are smallest / middle / largest of the seeds. The poses visited are those of the part that visits
 //! least, for each seed, in per cent of its clip's frames. A last table adds up clips of similar length.
 
-use crate::clips::read_clips;
-use crate::effects::health_text;
 use crate::parallel::each_seed;
 use clap::Args;
 use std::path::PathBuf;
@@ -12,7 +10,7 @@ use std::time::Instant;
 use vcgpdm::models::{
     Dataset, Ending, Health, PoseWeight, RolloutRequest, Source, Trainer, VariationalSettings, best_to_show,
 };
-use vcgpdm::motion::{Clip, parts, samples};
+use vcgpdm::motion::{Clip, bvh, parts, samples};
 use vcgpdm_lab::evaluation::TrainingTrials;
 
 const FRAMES_PER_SECOND: f64 = 30.0;
@@ -239,4 +237,41 @@ fn print(title: &str, trainings: &Trainings) {
         middle(runs.iter().map(|run| run.error)),
         trainings.mean_seconds(),
     );
+}
+
+/// Reads files, and the BVH files of folders in the order of their names. A clip is read when the iterator
+/// reaches it.
+fn read_clips(paths: &[PathBuf]) -> impl Iterator<Item = Clip> {
+    let files = paths.iter().flat_map(|path| {
+        if !path.is_dir() {
+            return vec![path.clone()];
+        }
+        let entries = std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
+        let mut files: Vec<PathBuf> =
+            entries.filter(|file| file.extension().is_some_and(|ending| ending == "bvh")).collect();
+        files.sort();
+        files
+    });
+    let read = |file: PathBuf| {
+        let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        bvh::read(&name, &std::fs::read(&file).unwrap()).unwrap().into_clip()
+    };
+    files.map(read)
+}
+
+/// The ending of a rollout as text.
+fn health_text(health: &Health) -> String {
+    let from = health.from.unwrap_or(0.0);
+    match health.state {
+        Ending::MovesOn => "moves on".to_owned(),
+        Ending::VisitsFewPoses => {
+            let share = health.part.and_then(|part| health.parts[part].visited).unwrap_or(0.0);
+            format!("visits {:.0} % of the poses", 100.0 * share)
+        }
+        Ending::StandsStill | Ending::RestsAsRecorded => format!("stands still from {from:.1} s"),
+        Ending::KeepsOnePose => format!("keeps one pose from {from:.1} s"),
+        Ending::LeavesTrainingRange => format!("leaves the training range from {from:.1} s"),
+        Ending::Shakes => "shakes".to_owned(),
+        Ending::NotFinite => "not finite".to_owned(),
+    }
 }

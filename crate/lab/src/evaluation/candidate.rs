@@ -50,11 +50,6 @@ impl Candidate {
         }
     }
 
-    /// Whether the model infers latents from observed columns: a vCGPDM or vGPDM.
-    pub fn observes(&self) -> bool {
-        self.settings().is_some_and(|settings| settings.variational().is_some())
-    }
-
     /// Whether another seed gives another model.
     pub fn is_random(&self) -> bool {
         self.settings().is_some_and(Settings::is_random)

@@ -10,6 +10,7 @@ use crate::evaluation::outcome::Outcome;
 use crate::evaluation::predictor::Predictor;
 use crate::evaluation::training_trials::TrainingTrials;
 use nalgebra::DMatrix;
+use serde::de::IgnoredAny;
 use vcgpdm::internals::{dataset_error, provenance};
 use vcgpdm::models::{
     Body, Dataset, EndReason, FittedModel, Learner, Model, Movements, Progress, RolloutError, Setbacks,
@@ -180,7 +181,7 @@ impl Fold {
             reason: training.reason.as_ref().map(ToString::to_string),
             training_mse,
             details: None,
-            observed_start: None,
+            ignored: IgnoredAny,
         };
         // JSON cannot store such numbers. Squares can overflow though the predicted columns are finite.
         for (what, found) in [
@@ -218,7 +219,7 @@ fn regression(training_mse: Option<f64>) -> Progress {
 }
 
 /// The trial `held_out`, counted from 0, and the first `training_trials` of the others.
-pub(super) fn trials_of(
+fn trials_of(
     trials: &[Clip],
     held_out: usize,
     training_trials: usize,
@@ -235,7 +236,7 @@ pub(super) fn trials_of(
 }
 
 /// The training of a candidate on these trials, before its first step.
-pub(super) fn training_of(
+fn training_of(
     training: &TrainingTrials,
     candidate: &Settings,
     seed: u32,
@@ -249,7 +250,7 @@ pub(super) fn training_of(
 }
 
 /// The learner after its last step. `watch` is called after every step; if it returns false, there is none.
-pub(super) fn trained(
+fn trained(
     mut learner: Box<dyn Learner>,
     watch: &mut dyn FnMut(&Progress) -> bool,
 ) -> Option<Box<dyn Learner>> {

@@ -49,11 +49,6 @@ impl Effect {
         self.median_interval.or(self.mean_interval)
     }
 
-    /// The ratio that the deciding interval is about.
-    pub fn middle(&self) -> f64 {
-        if self.median_interval.is_some() { self.median } else { self.mean }
-    }
-
     /// Whether the ratio is below `limit`: decided only if the whole interval is on one side of it.
     pub fn is_below(&self, limit: f64) -> ClaimAnswer {
         match self.interval() {

@@ -87,24 +87,10 @@ impl Finished {
         Self { job, engine: ENGINE.to_owned(), outcome, failure }
     }
 
-    /// Whether nothing is left to compute: there is an outcome and, with `observed_start`, its prediction from
-    /// the observed start if the model can observe.
-    pub fn is_complete(&self, observed_start: bool) -> bool {
-        let observes = observed_start && self.job.candidate.observes();
-        self.outcome.as_ref().is_some_and(|outcome| !observes || outcome.observed_start.is_some())
-    }
-
-    /// Takes what a later result of the same job adds: an outcome after a failure, or the observed start. A
-    /// later failure adds nothing to an earlier one.
+    /// Takes the outcome of a later result of the same job after a failure.
     pub(super) fn complete_with(&mut self, later: Finished) {
-        match (&mut self.outcome, later.outcome) {
-            (None, Some(outcome)) => {
-                *self = Finished { outcome: Some(outcome), ..later };
-            }
-            (Some(outcome), Some(later)) => {
-                outcome.observed_start = outcome.observed_start.or(later.observed_start);
-            }
-            (_, None) => {}
+        if let (None, Some(outcome)) = (&self.outcome, later.outcome) {
+            *self = Finished { outcome: Some(outcome), ..later };
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::evaluation::details::Details;
 use crate::evaluation::stats::mean;
+use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 use vcgpdm::models::variational::BoundTerms;
 use vcgpdm::models::{EndReason, Score};
@@ -41,21 +42,9 @@ pub struct Outcome {
     /// versions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub details: Option<Details>,
-    /// The prediction of a model that observes the first frames instead of learning from them; absent if it
-    /// was not asked for, and in results of earlier versions.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub observed_start: Option<ObservedStart>,
-}
-
-/// A rollout of a model that was trained without the trial held out, from latents that the model infers from
-/// the first frames of the trial.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ObservedStart {
-    /// Mean squared error after dynamic time warping, as in [`Score`].
-    pub dtw_mse: f64,
-    /// Seconds of the inference and the rollout.
-    pub seconds: f64,
+    /// Some results of earlier versions have a prediction from observed first frames; it is ignored.
+    #[serde(default, skip_serializing, rename = "observed_start")]
+    pub(crate) ignored: IgnoredAny,
 }
 
 /// Numbers that differ by less than this, relative to the larger, count as equal: the last digits of products
@@ -88,7 +77,6 @@ impl Outcome {
                 ("objective", Some(outcome.objective)),
                 ("frames", Some(outcome.frames as f64)),
                 ("training MSE", outcome.training_mse),
-                ("DTW MSE from the observed start", outcome.observed_start.map(|start| start.dtw_mse)),
             ]
             .into_iter()
             .chain(parts)

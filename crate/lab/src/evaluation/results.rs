@@ -151,7 +151,7 @@ impl Results {
     }
 
     /// Adds the results of the other that this one does not have. An outcome replaces a failure; of two
-    /// outcomes of a job, this one's stays, with the other's observed start if this one has none.
+    /// outcomes of a job, this one's stays.
     ///
     /// # Errors
     /// The other is of another setting.
@@ -170,8 +170,7 @@ impl Results {
         Ok(())
     }
 
-    /// Adds a finished job. A later result replaces a failure and adds an observed start; the other numbers of
-    /// an outcome are never replaced.
+    /// Adds a finished job. A later result replaces a failure, but never an outcome.
     ///
     /// # Errors
     /// The job does not fit the setting, or its outcome has an impossible number.
@@ -233,6 +232,16 @@ mod tests {
         let trials: HashSet<usize> = results.finished().iter().map(|f| f.job.held_out).collect();
         assert_eq!(trials, HashSet::from_iter(0..6));
         assert!(results.to_json().unwrap() == file);
+    }
+
+    #[test]
+    fn reads_a_file_with_an_observed_start() {
+        let results = Results { finished: vec![done(0.5)], ..Results::new(setting(2)) };
+        let text = results.to_json().unwrap();
+        let start = r#","observed_start":{"dtw_mse":0.1,"seconds":0.2}"#;
+        let earlier = text.replacen(r#"},"failure""#, &format!(r#"{start}}},"failure""#), 1);
+        assert_ne!(earlier, text);
+        assert!(Results::from_json(&earlier).unwrap() == results);
     }
 
     /// A hundred thousand results once took minutes to read and to merge.
@@ -340,8 +349,7 @@ mod tests {
     fn other_documents_are_refused() {
         let later = Results { version: 2, ..Results::new(setting(2)) };
         let error = Results::from_json(&later.to_json().unwrap()).unwrap_err().to_string();
-        let expected =
-            "expected results of \"evaluate --task predict\" (vcgpdm-evaluation version 1), found ";
+        let expected = "expected results of \"vcgpdm evaluate\" (vcgpdm-evaluation version 1), found ";
         assert_eq!(error, format!("{expected}\"vcgpdm-evaluation\" version 2"));
         let unknown = "{\"format\":\"vcgpdm-completing\",\"version\":1,\"settings\":{}}";
         let error = Results::from_json(unknown).unwrap_err().to_string();

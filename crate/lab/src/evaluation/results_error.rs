@@ -19,7 +19,7 @@ pub enum ResultsError {
     Json(String),
     /// Another document.
     #[error(
-        "expected results of \"evaluate --task predict\" ({} version {}), found {format:?} version {version}",
+        "expected results of \"vcgpdm evaluate\" ({} version {}), found {format:?} version {version}",
         FORMAT,
         VERSION
     )]
@@ -103,9 +103,7 @@ pub(super) fn check_finished(finished: &Finished, index: usize, trials: usize) -
     .into_iter()
     .chain(outcome.part_errors.iter().map(|error| ("the error of a part", *error)))
     .chain(outcome.training_mse.map(|error| ("the error of the trials trained on", error)))
-    .chain(outcome.observed_start.into_iter().flat_map(|start| {
-        [("the error from the observed start", start.dtw_mse), ("the time of observing", start.seconds)]
-    })) {
+    {
         if !(0.0..=1e100).contains(&found) {
             return Err(ResultsError::Number { index, what, found });
         }

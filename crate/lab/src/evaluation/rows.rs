@@ -191,11 +191,6 @@ impl Row<'_> {
         })
     }
 
-    /// The values of all its own folds, means over seeds, as far as known.
-    pub fn values(&self, value: &dyn Fn(&Outcome) -> Option<f64>) -> BTreeMap<usize, f64> {
-        self.by_fold(&self.folds(), value)
-    }
-
     /// The row of a table, over all its own folds. `stands_for` is the number of candidates that it
     /// represents.
     pub fn summary(&self, label: String, stands_for: usize) -> Option<ModelSummary> {

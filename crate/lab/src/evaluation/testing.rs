@@ -54,7 +54,7 @@ pub fn outcome(dtw_mse: f64, bound: Option<f64>, frames: usize, seconds: f64) ->
         part_errors: Vec::new(),
         training_mse: Some(dtw_mse),
         details: None,
-        observed_start: None,
+        ignored: serde::de::IgnoredAny,
     }
 }
 

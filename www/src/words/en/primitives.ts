@@ -28,9 +28,8 @@ export const primitives = {
     library: "The library",
     figure: "The figure",
     chimera: "Chimera",
-    couplings: "Couplings and morph",
+    couplings: "Couplings",
     imports: "Primitives of other files",
-    experiment: "The experiment",
   },
   library: {
     made: "A library of recorded movements",
@@ -84,26 +83,6 @@ export const primitives = {
       "Let each part go through its own time slower or faster; 1 is as learned. The tempo is ours, not the papers’.",
     tempoOf: (part: string) => `Tempo of ${part}`,
     times: (tempo: number) => `${number(tempo, 2)} times as learned`,
-    notYet: "not there yet",
-    locking: (value: number) => `locking ${number(value, 2)}`,
-    point: (tempo: number, strength: string, text: string) =>
-      `Tempo ${number(tempo, 2)}, coupling × ${strength}: ${text}`,
-    map: (target: string, source: string) =>
-      `How firmly ${target} is locked to ${source}, for each tempo and strength. Arrow keys go from point to point.`,
-    axes: (target: string, source: string, alpha: string) =>
-      `Up: tempo of ${target}. To the right: how much stronger the coupling from ${source} to ${target} is than now; its α, ${alpha}, is divided by this. Colour: 1 where the difference of their phases never changes, 0 where it takes all values alike.`,
-    ownWay: "goes its own way",
-    inStep: "keeps in step",
-    effects: (tempo: number, strength: number) =>
-      `From tempo to tempo the locking differs by ${number(tempo, 2)} at most, from strength to strength by ${number(strength, 2)}.`,
-    stripes: (effects: string) =>
-      `Only stripes: the tempo makes little difference here, the coupling decides. ${effects}`,
-    leads: "Leads",
-    follows: "Follows",
-    make: "Make the map",
-    making: "The map",
-    empty:
-      "When does one part still keep step with the other? The map tries all tempos and strengths; press a point to see it walk.",
   },
   couplings: {
     title: "[Couplings|coupling]",
@@ -133,30 +112,11 @@ export const primitives = {
       neverLearned: (leader: string, part: string) => `, and ${leader} never learned to drive ${part}`,
     },
   },
-  morph: {
-    title: "Morph",
-    about: "Moves what a part predicts from one of its primitives to another, little by little.",
-    fromTo: (part: string, from: string, to: string) => `${part}: from ${from} to ${to}`,
-    share: (share: number, to: string) => `${Math.round(100 * share)} per cent ${to}`,
-    towards: (part: string) => `${part}: towards`,
-  },
   imports: {
     add: "Add primitives",
     addMeaning: "Add the primitives of another file (.json) to this library",
-    of: (title: string) => `Primitives of ${title}`,
-    misfit: (why: string) => `does not fit as it is: ${why}`,
-    about:
-      "Its primitives can be learned again here: their dynamics anew, while the pose maps and primitives of this library stay. What the file keeps of its movement shows what its own pose maps show of it; a clip shows all of it.",
-    from: "From",
-    kept: "what the file keeps",
-    relearn: "Learn again",
-    relearning: "Learning again",
-    dismiss: "Leave it",
-    busy: "Primitives are being learned again: wait for them, or cancel.",
     known: "These primitives are in the library already.",
     added: (names: string) => `Added ${names}.`,
-    lost: (each: readonly (readonly [share: string, part: string])[]) =>
-      `The pose maps of this library do not show ${each.map(([share, part]) => `${share} of ${part}`).join(" and ")}.`,
   },
   learning: {
     title: "Learn a library",
@@ -188,61 +148,6 @@ export const primitives = {
     figure: "The recording",
     time: "Time",
     segment: (movement: string, first: string, end: string) => `${movement} from ${first} to ${end} s`,
-  },
-  lesson: {
-    title: "Is a shared primitive as good as one of its own?",
-    question:
-      "Velychko et al. (2018, figure 7) let walking and walking with waving share one primitive of the lower body, and ask whether each movement is predicted as well as by a model of its own. Their answer: equal within the standard errors.",
-    /** Around the command. */
-    method: [
-      "The same with the ten made trials of this project: one is held out, all others are trained on. Errors after time warping, times 1,000, with standard errors. Measured once, by",
-      "; below, one trial can be held out in your browser.",
-    ],
-    errors: "A library compared with models of one movement",
-    open: "The intervals of the differences hold 0: which is better stays open on ten made trials.",
-    costs: "The cost of a library compared with models of one movement",
-    paths: "Latent paths of the lower and the upper body, of walking and of walking with waving",
-    caption: "The latent paths of a library: generated (solid) and as trained (dashed).",
-    importTitle: "Primitives in another library",
-    importText:
-      "A primitive means nothing under the pose maps of another training: it is learned again there, from clips, from the latents that its file keeps, or from its own rollouts. Here walking moves into a library of walking with waving that has never seen a walk without it.",
-    imports: "Walking learned again in another library",
-    importFinding:
-      "The legs lose nothing: the other library knows legs that walk. Most of how the arms of a walk are held is not among its poses, and what its pose maps do not show cannot come back, whatever the dynamics learn.",
-    combinationTitle: "A combination that nobody recorded",
-    combinationText:
-      "Legs from walking, arms from waving while standing: the couplings are fitted to the first seconds of a recording of both, and every model predicts the same last three seconds. Means over eight sets of made trials; beside them the ratio to the first row with its 95 % interval, and in how many sets it is below 1.",
-    combinations: "A combination of primitives compared with other models",
-    combinationFinding:
-      "With half a second seen, a model of that half second does not move at all and has the larger error in all eight sets; with one or two seconds, it is undecided which is better. Whether the couplings help is undecided too: these made arms do not listen to the legs.",
-    /** Cells of the tables, which the program writes in English, in another language. */
-    cells: {} as Record<string, string>,
-    setUp: "Set the experiment up above",
-    setUpMeaning: (learn: string) =>
-      `All ten clips in two groups, the lower body the same: press “${learn}”, and watch which combinations walk.`,
-  },
-  fold: {
-    title: "Hold a trial out here",
-    about:
-      "A library is trained on all other trials of both movements, and a model on those of the trial’s own movement; both also see its first five frames, and predict the rest. Of two seeds the one of the higher bound counts.",
-    trial: "Trial",
-    quick: "a tenth of the iterations, for a first look",
-    start: "Hold it out",
-    library: "Library of both movements.",
-    alone: "Model of its movement alone.",
-    over: "Over.",
-    cancelled: "You cancelled: there is nothing to compare.",
-    label: "One trial held out",
-    heads: (title: string, trials: string) => [
-      "DTW MSE × 1,000",
-      `${title}, here`,
-      `all ${trials} trials, measured`,
-    ],
-    rows: { alone: "alone", library: "library" },
-    one: (folds: number) => `This is one fold of ${folds}: which model is better cannot be said from it.`,
-    quickErrors: "With a tenth of the iterations the errors are not those of the table.",
-    going: "A trial is held out",
-    there: "The errors are there",
   },
   origin: {
     frames: {

@@ -65,18 +65,6 @@ impl Information {
         })
     }
 
-    /// The information about the other experts when the outputs of the first experts are fixed at the
-    /// `coefficients` K^-1 m [height of the first x Q_i].
-    pub fn given_first(&self, coefficients: &DMatrix<f64>) -> Information {
-        let (first, height) = (coefficients.nrows(), self.b.nrows());
-        let others = height - first;
-        let cross = self.precision.view((first, 0), (others, first));
-        Information {
-            precision: self.precision.view((first, first), (others, others)).into_owned(),
-            b: self.b.rows(first, others) - cross * coefficients,
-        }
-    }
-
     /// As an expert stores it; `None` where all entries are 0.
     pub fn nonzero(self) -> Option<ExternalEvidence> {
         let Self { precision, b } = self;

@@ -1,4 +1,4 @@
-//! Latents of a motion without an end, while primitives are exchanged, mixed and set to other tempos.
+//! Latents of a motion without an end, while primitives are exchanged and set to other tempos.
 
 use crate::gp::KernelSum;
 use crate::models::library::{CombinationError, Library, Misfit};
@@ -40,9 +40,6 @@ pub enum WalkError {
     /// The library has other primitives.
     #[error("expected a library with all primitives of the one before, in the same places")]
     Primitives,
-    /// The combination has no cycle, and so its parts have no phases.
-    #[error("expected a combination that repeats itself, found one that does not settle in a cycle")]
-    NoCycle,
     /// The rollout of the combination cannot be made.
     #[error(transparent)]
     Rollout(#[from] RolloutError),
@@ -51,30 +48,10 @@ pub enum WalkError {
     Pose(#[from] PoseError),
 }
 
-/// A mix with another primitive of the part.
-#[derive(Clone, Copy, Debug)]
-struct Mix {
-    other: usize,
-    /// Share of the other primitive's predictions, 0 to 1.
-    share: f64,
-    /// The share at the end, and its largest change in a frame.
-    goal: f64,
-    pace: f64,
-}
-
-impl Mix {
-    /// The mix a frame later; `None` when the share is 0.
-    fn next(self) -> Option<Self> {
-        let share = self.share + (self.goal - self.share).clamp(-self.pace, self.pace);
-        (share > 0.0).then_some(Self { share, ..self })
-    }
-}
-
 /// The walk of one part.
 #[derive(Clone, Debug)]
 struct PartWalk {
     primitive: usize,
-    mix: Option<Mix>,
     /// Frames of the part's own time in a frame.
     tempo: f64,
     /// Its latents [frames x Q], newest last.
@@ -141,7 +118,6 @@ impl LatentWalk {
     fn begin(library: &Library, uses: &[usize], start: &[DMatrix<f64>]) -> Self {
         let part = |(primitive, start): (&usize, &DMatrix<f64>)| PartWalk {
             primitive: *primitive,
-            mix: None,
             tempo: 1.0,
             path: start.rows(0, library.order).transpose().as_slice().to_vec(),
         };
@@ -195,32 +171,6 @@ impl LatentWalk {
             self.parts[part].path = state.transpose().as_slice().to_vec();
         }
         self.parts[part].primitive = primitive;
-        self.parts[part].mix = None;
-        Ok(())
-    }
-
-    /// Mixes the predictions of a part's primitive with those of another primitive of the part: 1 - `share`
-    /// of the first, `share` of the other. The share changes by 1 / `frames` in a frame; with 0 frames, at
-    /// once. A mix with a third primitive begins at share 0.
-    ///
-    /// # Errors
-    ///
-    /// When the other is not a primitive of the part, or the share is not from 0 to 1.
-    pub fn mix(
-        &mut self,
-        library: &Library,
-        part: usize,
-        other: usize,
-        share: f64,
-        frames: usize,
-    ) -> Result<(), WalkError> {
-        library.check_primitive(part, other)?;
-        if !(0.0..=1.0).contains(&share) {
-            return Err(WalkError::Range { what: "a share", lowest: 0.0, highest: 1.0, found: share });
-        }
-        let before = self.parts[part].mix.filter(|mix| mix.other == other).map_or(0.0, |mix| mix.share);
-        let pace = if frames == 0 { 1.0 } else { 1.0 / frames as f64 };
-        self.parts[part].mix = Some(Mix { other, share: before, goal: share, pace });
         Ok(())
     }
 
@@ -248,20 +198,12 @@ impl LatentWalk {
         let widest = self.latent.iter().max().copied().unwrap_or(0);
         let mut scratch = vec![0.0; self.order * widest];
         for _ in 0..frames {
-            for part in &mut self.parts {
-                part.mix = part.mix.and_then(Mix::next);
-            }
             let histories: Vec<Vec<f64>> = (0..m).map(|j| self.history(j)).collect();
             let next: Vec<Vec<f64>> = (0..m)
                 .map(|i| {
                     let mut predicted = vec![0.0; self.latent[i]];
                     for ((part, history), w) in self.parts.iter().zip(&histories).zip(&weights[i]) {
-                        let share = part.mix.map_or(0.0, |mix| mix.share);
-                        let first = library.expert(part.primitive, i);
-                        add(first, w * (1.0 - share), history, &mut scratch, &mut predicted);
-                        if let Some(Mix { other, .. }) = part.mix {
-                            add(library.expert(other, i), w * share, history, &mut scratch, &mut predicted);
-                        }
+                        add(library.expert(part.primitive, i), *w, history, &mut scratch, &mut predicted);
                     }
                     let own = &self.parts[i];
                     let newest = &own.path[own.path.len() - self.latent[i]..];
@@ -302,12 +244,6 @@ impl LatentWalk {
             history.extend(later.iter().zip(earlier).map(|(a, b)| a + between * (b - a)));
         }
         history
-    }
-
-    /// Gives a part another primitive and keeps its state.
-    #[cfg(test)]
-    pub(super) fn replace_primitive(&mut self, part: usize, primitive: usize) {
-        self.parts[part].primitive = primitive;
     }
 
     fn window(&self, part: usize) -> DMatrix<f64> {

@@ -64,14 +64,6 @@ pub enum Misfit {
     },
 }
 
-impl Misfit {
-    /// Whether an [`ImportTrainer`](crate::models::library::ImportTrainer) can learn the primitives again
-    /// under the pose maps of this library: both libraries must move the same parts of the same body.
-    pub fn can_be_relearned(&self) -> bool {
-        !matches!(self, Self::Skeleton(_) | Self::Parts { .. } | Self::Joints { .. })
-    }
-}
-
 /// Why two libraries cannot be merged.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]

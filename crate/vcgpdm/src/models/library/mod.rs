@@ -6,17 +6,15 @@
 //! [`LibraryTrainer`] learns a library from clips of several movements; [`Library::combination`] is a
 //! [`Vcgpdm`](crate::models::variational::Vcgpdm) of any primitives, one of each part, recorded or not;
 //! [`CouplingTrainer`] learns the couplings of a combination from clips, while the primitives stay as they
-//! are; [`ImportTrainer`] learns primitives of another library again.
+//! are.
 
 mod combination;
 mod combination_error;
 mod coupling_trainer;
-mod import;
 mod information;
 mod latent_walk;
 mod library_trainer;
 mod library_walk;
-mod locking;
 mod merge;
 mod movement_chain;
 mod new_combination;
@@ -39,7 +37,6 @@ use nalgebra::DMatrix;
 
 pub use combination_error::CombinationError;
 pub use coupling_trainer::{CouplingTrainer, MOST_ITERATIONS};
-pub use import::{ImportError, ImportFrames, ImportRequest, ImportTrainer};
 pub use latent_walk::{LatentWalk, TEMPOS, WalkError};
 pub use library_trainer::LibraryTrainer;
 pub use library_walk::{LibraryWalk, REWINDS, WalkFrames};

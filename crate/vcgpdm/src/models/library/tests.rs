@@ -191,49 +191,8 @@ fn a_walk_at_tempo_one_is_the_rollout_and_continues_when_a_part_changes() {
     let arms = DMatrix::from_row_slice(2, 2, &walk.history(1));
     let waving = &library.movements[1].starts[0][1];
     assert!((0..44).any(|t| waving.rows(t, 2) == arms));
-    // A mix with share 1 is the other primitive.
-    let mut mixed = LatentWalk::new(&library, &[0, 1]).unwrap();
-    mixed.mix(&library, 1, 2, 1.0, 0).unwrap();
-    let mut other = LatentWalk::new(&library, &[0, 1]).unwrap();
-    other.replace_primitive(1, 2);
-    assert_relative_eq!(mixed.advance(&library, 5)[1], other.advance(&library, 5)[1], epsilon = 1e-12);
     let message = |result: Result<(), WalkError>| result.unwrap_err().to_string();
     assert_eq!(message(walk.set_tempo(0, 3.0)), "expected a tempo from 0.25 to 2, found 3");
-    assert_eq!(
-        message(walk.mix(&library, 0, 1, 0.5, 0)),
-        "expected a primitive of part 0, found primitive 1"
-    );
-    assert_eq!(message(walk.mix(&library, 1, 1, f64::NAN, 0)), "expected a share from 0 to 1, found NaN");
-}
-
-/// A mix changes by the same step in every frame, however many frames are asked for at once. On a slow
-/// display, the arms once jumped a third of the way.
-#[test]
-fn a_mix_changes_by_equal_steps() {
-    let library = trained([true, false]);
-    let path = |pieces: &[usize]| {
-        let mut walk = LatentWalk::new(&library, &[0, 1]).unwrap();
-        walk.mix(&library, 1, 2, 0.5, 30).unwrap();
-        let pieces: Vec<_> = pieces.iter().map(|frames| walk.advance(&library, *frames)).collect();
-        let rows = pieces.iter().flat_map(|piece| piece[1].row_iter());
-        rows.map(|row| (row[0], row[1])).collect::<Vec<_>>()
-    };
-    assert_eq!(path(&[40]), path(&[1, 3, 16, 20]));
-    let at_once = |share: f64, frames: usize| {
-        let mut walk = LatentWalk::new(&library, &[0, 1]).unwrap();
-        walk.mix(&library, 1, 2, share, frames).unwrap();
-        walk.advance(&library, 1)[1].clone()
-    };
-    assert_eq!(at_once(0.5, 30), at_once(1.0 / 30.0, 0));
-    // A mix that returns to share 0 ends.
-    let mut walk = LatentWalk::new(&library, &[0, 1]).unwrap();
-    walk.mix(&library, 1, 2, 0.1, 30).unwrap();
-    walk.advance(&library, 3);
-    walk.mix(&library, 1, 2, 0.0, 30).unwrap();
-    walk.advance(&library, 4);
-    let (mut ended, mut plain) = (walk.clone(), walk);
-    plain.mix(&library, 1, 2, 0.0, 0).unwrap();
-    assert_eq!(ended.advance(&library, 5), plain.advance(&library, 5));
 }
 
 /// At half the tempo, a turn of an uncoupled part takes twice as many frames.
@@ -252,21 +211,6 @@ fn a_tempo_changes_the_speed_of_a_part() {
     };
     let (whole, half) = (turns(1.0), turns(0.5));
     assert!(whole >= 20 && (half as f64 / whole as f64 - 0.5).abs() < 0.1, "{whole} and {half} turns");
-}
-
-#[test]
-fn weakly_coupled_arms_at_another_tempo_are_not_locked() {
-    let library = trained([true, false]);
-    let alpha = library.nearest_couplings(&[0, 1]);
-    let map = library.locking(&[0, 1], &alpha, (0, 1), &[1.0, 1.4], &[1e-6, 1.0], 600).unwrap();
-    assert!(map.iter().all(|locked| (0.0..=1.0 + 1e-12).contains(locked)));
-    assert!(map[(0, 1)] > 0.9 && map[(1, 0)] < 0.3, "{map}");
-    assert!(library.locking(&[0, 1], &alpha, (0, 7), &[1.0], &[1.0], 10).is_err());
-    // A large alpha has the effect of a weak strength.
-    let mut weak = alpha.clone();
-    weak[(0, 1)] *= 1e6;
-    let map = library.locking(&[0, 1], &weak, (0, 1), &[1.4], &[1.0], 600).unwrap();
-    assert!(map[(0, 0)] < 0.3, "{map}");
 }
 
 /// A selection gives the same models as its library.

@@ -1,8 +1,5 @@
-//! Start of a training on new frames in which part of a library is fixed: [`CouplingTrainer`] and
-//! [`ImportTrainer`].
-//!
-//! [`CouplingTrainer`]: crate::models::library::CouplingTrainer
-//! [`ImportTrainer`]: crate::models::library::ImportTrainer
+//! Start of a [`CouplingTrainer`](crate::models::library::CouplingTrainer): a training on new clips in which the
+//! pose maps and the primitives of a library are fixed.
 
 use crate::gp::linalg::stacked;
 use crate::gp::stored_outputs::StoredOutputs;

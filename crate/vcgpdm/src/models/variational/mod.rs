@@ -44,6 +44,6 @@ pub use moments::{Belief, LatentMoments};
 pub use params::{Expert, Params, PartParams};
 pub use predictive::{PartPredictions, Prediction, PredictiveDynamics};
 pub use repertoire::{Movement, Repertoire, RepertoireError};
+pub(crate) use start::first_variance;
 pub use start::starting_point;
-pub(crate) use start::{first_variance, starting_experts};
 pub use trainer::{VariationalTrainer, schedule};
