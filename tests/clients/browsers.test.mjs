@@ -148,7 +148,6 @@ for (const { name, skip, start } of BROWSERS) {
         await browser.run(() => /** @type {any} */ (document.querySelector("pg-page")).session.keepNow());
         await browser.reload();
         await browser.until("the page", READY);
-        await browser.click("[data-testid=bring-back]");
         await browser.until("the clip", OWN_CLIP);
         const models = `() => (${training})().runs.map((run) => run.model?.text)`;
         assert.ok((await browser.run(models)).join() === model, "the trained model is back");

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { bvh } from "./clips.mjs";
-import { drop, openSite, ready } from "./site.mjs";
+import { drop, openSite, ready, revisit } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -35,6 +35,23 @@ async function trained(/** @type {Page} */ page) {
   return run;
 }
 
+describe("a tab that is reloaded", () => {
+  it("has its clips again by itself, without an offer", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "tab=learn" });
+    await ready(page);
+    await drop(page, { "mine.bvh": bvh() });
+    await page.getByTestId("own-clips").getByText("mine").waitFor();
+    await page.waitForFunction(() => /** @type {any} */ (document.querySelector("pg-page")).session !== null);
+    await page.evaluate(() => /** @type {any} */ (document.querySelector("pg-page")).session.keepNow());
+    await page.reload();
+    await ready(page);
+    await page.getByTestId("own-clips").getByText("mine").waitFor();
+    assert.equal(await page.getByTestId("earlier-visit").count(), 0);
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+});
+
 describe("a page that is closed in the middle of a training", () => {
   it("has its clips and training again at a press, and ends in the same model as one that was never closed", async () => {
     const { page, problems, leave } = await site.visit({ settings: SETTINGS });
@@ -61,8 +78,7 @@ describe("a page that is closed in the middle of a training", () => {
     const [stopped] = await runs(page);
     assert.ok(stopped.iterations < ITERATIONS, `${stopped.iterations} iterations before it was cancelled`);
     await page.evaluate(() => /** @type {any} */ (document.querySelector("pg-page")).session.keepNow());
-    await page.reload();
-    await ready(page);
+    await revisit(page);
 
     const offer = page.getByTestId("earlier-visit");
     await offer.waitFor();
@@ -103,8 +119,7 @@ describe("a page that is closed in the middle of a training", () => {
     };
     const offers = page.getByTestId("earlier-visit");
     const reload = async () => {
-      await page.reload();
-      await ready(page);
+      await revisit(page);
       await page.getByTestId("forget").waitFor();
     };
     await forget();

@@ -197,6 +197,13 @@ const isExpanded = async (/** @type {import("playwright-core").Locator} */ butto
 export const choosePreset = (/** @type {Page} */ page, /** @type {string} */ id) =>
   page.getByTestId("preset").selectOption(id);
 
+/** Loads the page again as a new visitor of this browser, not as a reload of the tab. */
+export async function revisit(/** @type {Page} */ page) {
+  await page.evaluate(() => sessionStorage.clear());
+  await page.reload();
+  await ready(page);
+}
+
 /** Whether the picture of an element changes within some milliseconds. */
 export async function changes(/** @type {import("playwright-core").Locator} */ element, milliseconds = 400) {
   const before = await element.screenshot();

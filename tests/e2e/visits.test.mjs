@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { bvh } from "./clips.mjs";
-import { drop, openSite, ready } from "./site.mjs";
+import { drop, openSite, ready, revisit } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -117,15 +117,13 @@ describe("two tabs that end together", () => {
     await openClips(b, "third");
     await Promise.all([keepNow(a), keepNow(b)]);
     await b.close();
-    await a.reload();
-    await ready(a);
+    await revisit(a);
     await a.getByTestId("earlier-visit").filter({ hasText: "a clip" }).getByTestId("forget-visit").click();
     await a.getByTestId("earlier-visit").nth(1).waitFor({ state: "detached" });
     assert.deepEqual(await offers(a), ["2 clips"]);
     await openClips(a, "fourth");
     await keepNow(a);
-    await a.reload();
-    await ready(a);
+    await revisit(a);
     await a.getByTestId("earlier-visit").nth(1).waitFor();
     assert.deepEqual((await offers(a)).sort(), ["2 clips", "a clip"]);
     await leave();
@@ -181,8 +179,7 @@ describe("damaged records", () => {
       [["half", "results"], "{}"],
       [[visit, "run 9"], null],
     ]);
-    await page.reload();
-    await ready(page);
+    await revisit(page);
     await page.getByTestId("earlier-visit").nth(2).waitFor();
     assert.deepEqual((await offers(page)).sort(), ["a clip", "a comparison", "a model"]);
     assert.equal(await page.getByText("The rest of it cannot be read.").count(), 3);

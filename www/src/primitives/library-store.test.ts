@@ -211,7 +211,7 @@ describe("the combination that walks", () => {
   it("gets the primitives of a file that fit, and opens a whole library", async () => {
     await opened();
     await library.openFile(armsText("swing"), "swing.json");
-    expect(library.addedText).toBe("Added upper: swing.");
+    expect(library.addedText).toBe("Added arms: swing.");
     expect([library.current?.info.primitives.length, library.current?.unsaved]).toEqual([5, true]);
     await library.openFile(armsText("swing"), "swing.json");
     expect(library.addedText).toBe("These primitives are in the library already.");

@@ -63,7 +63,7 @@ export class SessionStore extends Store {
     visit: Visit,
     database: VisitDatabase,
     locks: VisitLocks,
-    name = `${Date.now()} ${Math.random()}`,
+    name: string,
   ) {
     super();
     [this.#visit, this.#database, this.#locks, this.#name] = [visit, database, locks, name];

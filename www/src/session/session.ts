@@ -84,10 +84,27 @@ customElements.define("pg-session", SessionView);
 
 /** Fails when the browser stores nothing. */
 export async function openSession(visit: Visit): Promise<SessionStore> {
-  const session = new SessionStore(visit, await browserDatabase(), browserLocks());
+  const name = `${Date.now()} ${Math.random()}`;
+  const session = new SessionStore(visit, await browserDatabase(), browserLocks(), name);
   await session.begin();
+  await reloaded(session);
+  sessionStorage.setItem(OF_TAB, name);
   document.addEventListener("visibilitychange", () => {
     if (document.visibilityState === "hidden") void session.keepNow();
   });
   return session;
+}
+
+/** The name under which a tab keeps its visit, until it is closed. */
+const OF_TAB = "vcgpdm visit";
+
+/** After a reload of the tab, its own visit comes back by itself. */
+async function reloaded(session: SessionStore): Promise<void> {
+  const before = sessionStorage.getItem(OF_TAB);
+  const [navigation] = performance.getEntriesByType("navigation");
+  const own = session.offers.find(({ visit, taken }) => visit === before && !taken);
+  if (!own || (navigation as PerformanceNavigationTiming | undefined)?.type !== "reload") return;
+  // A visit whose return ends the page is only offered the next time.
+  sessionStorage.removeItem(OF_TAB);
+  await session.bringBack(own);
 }
