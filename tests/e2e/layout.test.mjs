@@ -201,7 +201,7 @@ describe("the first screen of the Lab", () => {
       ),
     ]);
     assert.deepEqual(
-      sizes.filter((size) => ![34, 20, 15, 13].includes(size)),
+      sizes.filter((size) => ![34, 20, 15, 14].includes(size)),
       [],
     );
   });

@@ -63,12 +63,10 @@ export class HeaderView extends View {
   }
 
   protected override render() {
-    const { view } = this.app.settings.values;
-    const { title, leads, header } = lab();
+    const { title, header } = lab();
     return html`
       <div class="title">
         <h1>${title}</h1>
-        ${view === "play" ? nothing : html`<p>${leads[view]}</p>`}
       </div>
       ${this.#views()}
       <div class="actions" role="group" aria-label=${header.files}>

@@ -194,7 +194,7 @@ export class PageView extends View {
               <button class="small" @click=${() => void this.app.reload()}>${page.keepAndReload}</button></p>`
             : nothing
         }
-        ${isPlayView || view === "play" ? nothing : html`<main class="on-demand" tabindex="-1">${this.#onDemand(view)}</main>`}
+        ${isPlayView || view === "play" ? nothing : html`<main class="on-demand" tabindex="-1"><p class="view-lead">${lab().leads[view]}</p>${this.#onDemand(view)}</main>`}
         <pg-lab .app=${app}></pg-lab>
         ${
           embedded
