@@ -83,7 +83,7 @@ export class MoreView extends View {
           ? html`
           <h2>${withTerms(words.title)} <pg-term of="reading" text="?" about=${words.about}></pg-term></h2>
           <p class="hint">${withTerms(words.meaning[settings.values.reading])}</p>
-          <button type="button" aria-pressed=${bothShown ? "true" : "false"} data-testid="readings-beside"
+          <button type="button" class="small" aria-pressed=${bothShown ? "true" : "false"} data-testid="readings-beside"
             @click=${() => readings.show(!bothShown)}>${words.bothButton}</button>`
           : nothing
       }`;

@@ -3,7 +3,7 @@ import { decimal } from "../decimal";
 const number = (value: number, digits = 0) => decimal("en", value, digits);
 const times = (count: number) => (count === 1 ? "once" : `${count} times`);
 
-/** The tab Learn: clips, the settings of a training, its course and its end. */
+/** The panel Learn: clips, the settings of a training, its course and its end. */
 export const learn = {
   clips: {
     title: "Clips",

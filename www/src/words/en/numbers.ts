@@ -1,4 +1,4 @@
-/** The tab Numbers. A [text|term] in brackets is a term with an explanation. */
+/** The panel Numbers. A [text|term] in brackets is a term with an explanation. */
 export const numbers = {
   failed: "These numbers could not be computed.",
   empty: "The numbers of the model and its motion appear here.",

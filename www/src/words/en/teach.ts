@@ -84,7 +84,7 @@ export const teach = {
     },
     exercises: {
       say: "Give out the sheet or the QR codes. The page says when an exercise is solved.",
-      wrong: "A changed coupling stays: Reset all before the next exercise.",
+      wrong: "A changed coupling stays: Reset before the next exercise.",
     },
     compare: {
       say: "Simple models foresee a held-out walk as well. The coupled model adds parts that can be cut, pushed and exchanged.",
