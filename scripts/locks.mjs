@@ -9,7 +9,7 @@ export async function checkLocks() {
   const npm = ["package-lock.json", "tools/page-imports/package-lock.json"].flatMap((file) =>
     Object.entries(JSON.parse(read(file)).packages),
   );
-  const cargo = ["Cargo.lock", "crate/python/Cargo.lock", "fuzz/Cargo.lock", "tools/wasm-tests/Cargo.lock"]
+  const cargo = ["Cargo.lock", "crate/python/Cargo.lock", "fuzz/Cargo.lock"]
     .flatMap((file) => read(file).split("[[package]]"))
     .filter((text) => text.includes("\nsource = "));
   const without = [

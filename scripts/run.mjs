@@ -15,13 +15,8 @@ export class Failure extends Error {}
 /** What the file name of a program ends with. */
 export const executable = process.platform === "win32" ? ".exe" : "";
 
-// wasm-pack looks for its tools on the PATH. The last folder is Cargo's own: right after rustup is installed,
-// the PATH of an open shell lacks it.
-const path = [
-  at("target/wasm-tests/debug"),
-  process.env.PATH ?? "",
-  join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "bin"),
-];
+// The last folder is Cargo's own: right after rustup is installed, the PATH of an open shell lacks it.
+const path = [process.env.PATH ?? "", join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "bin")];
 /** @type {NodeJS.ProcessEnv & { PATH: string }} */
 export const env = { ...process.env, PATH: path.join(delimiter) };
 

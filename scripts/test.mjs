@@ -170,14 +170,8 @@ async function recordings() {
 }
 
 async function rustInWasm() {
-  const tools = [
-    "--manifest-path",
-    at("tools/wasm-tests/Cargo.toml"),
-    "--target-dir",
-    at("target/wasm-tests"),
-  ];
-  await run("cargo", "build", "--locked", ...tools);
-  await run("wasm-pack", "test", "--node", "--mode", "no-install", at("crate/wasm"));
+  env.CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER = `node ${at("scripts/wasm-tests.mjs")}`;
+  await run("cargo", "test", ...WASM, "--lib", "--tests");
 }
 
 async function page() {

@@ -28,9 +28,10 @@ const FEATURES = [
 /** The arguments for cargo that compile the wasm with these features. */
 const compile = (/** @type {string[]} */ features) => [
   ...["build", "--locked", "--release", "--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"],
+  ...["--config", "profile.release.opt-level=2"],
   ...["--no-default-features", "--features", features.join(",")],
 ];
-const BINDGEN = ["--locked", "--profile", "tools", "--package", "bindgen"];
+export const BINDGEN = ["--locked", "--profile", "tools", "--package", "bindgen"];
 
 /** The folder for cargo's output. */
 const compiled = at(".tools", "wasm");

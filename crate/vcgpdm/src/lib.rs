@@ -52,6 +52,8 @@
 // Without the feature, code that only the other crates of this project use is dead.
 #![cfg_attr(not(feature = "internals"), allow(dead_code, unused_imports))]
 
+#[doc(hidden)]
+pub mod coded;
 mod elementary;
 mod encoding;
 mod json;

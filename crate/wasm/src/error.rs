@@ -3,30 +3,7 @@
 
 use js_sys::Reflect;
 use std::fmt::Display;
-use vcgpdm::document::DocumentError;
-use vcgpdm::gp::NumericsError;
-#[cfg(feature = "training")]
-use vcgpdm::models::ObservedClipError;
-#[cfg(feature = "training")]
-use vcgpdm::models::library::{
-    CombinationError, LibraryError as PrimitivesError, MergeError, RecognitionError, WalkError,
-};
-use vcgpdm::models::variational::InducingError;
-#[cfg(feature = "training")]
-use vcgpdm::models::variational::{KeptPointsError, ObservationError};
-use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
-use vcgpdm::motion::bvh::BvhError;
-use vcgpdm::motion::parts::PartsError;
-use vcgpdm::motion::pose::PoseError;
-use vcgpdm::motion::{ClipError, UnknownJoint};
-#[cfg(feature = "training")]
-use vcgpdm::series::SeriesError;
-#[cfg(feature = "training")]
-use vcgpdm_lab::evaluation::{ComparisonPlanError, EvaluationError, ResultsError, SettingError};
-#[cfg(feature = "training")]
-use vcgpdm_lab::perception::{AnalysisError, AnswersError, MakerError, StudyError};
-#[cfg(feature = "training")]
-use vcgpdm_lab::synthetic::SyntheticError;
+use vcgpdm::coded::Coded;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -60,69 +37,57 @@ export interface VcgpdmError extends Error {
 }
 "#;
 
-/// The subject of an error.
-#[derive(Clone, Copy)]
-pub enum ErrorCode {
-    /// One clip: its file, a cut, a frame rate.
-    Clip,
-    /// Clips that do not go together.
-    Clips,
-    /// Clips whose joints are the same but whose bones are not: `Clip.withBonesOf` makes them go together.
-    Bones,
-    /// How the body is split.
-    Parts,
-    /// A setting.
-    Settings,
-    /// A training that cannot start.
-    Training,
-    /// A model, or its document.
-    Model,
-    /// A rollout that cannot be made.
-    Rollout,
-    /// A comparison, or a job of it.
-    #[cfg(feature = "training")]
-    Comparison,
-    /// Results, or their file.
-    #[cfg(feature = "training")]
-    Results,
-    /// A table of numbers, or tables that do not go together.
-    #[cfg(feature = "training")]
-    Table,
-    /// A study of perceived naturalness, or answers to one.
-    #[cfg(feature = "training")]
-    Study,
-    /// A number out of bounds, or a matrix that cannot be factorised.
-    Numerics,
+/// The subjects of the errors of this package, and their codes.
+macro_rules! error_codes {
+    ($($(#[$doc:meta])* $name:ident $word:literal,)+) => {
+        /// The subject of an error.
+        #[cfg_attr(not(feature = "training"), allow(dead_code))]
+        #[derive(Clone, Copy)]
+        pub enum ErrorCode {
+            $($(#[$doc])* $name,)+
+        }
+
+        impl ErrorCode {
+            fn word(self) -> &'static str {
+                match self {
+                    $(Self::$name => $word,)+
+                }
+            }
+        }
+    };
 }
 
-impl ErrorCode {
-    fn word(self) -> &'static str {
-        match self {
-            ErrorCode::Clip => "clip",
-            ErrorCode::Clips => "clips",
-            ErrorCode::Bones => "bones",
-            ErrorCode::Parts => "parts",
-            ErrorCode::Settings => "settings",
-            ErrorCode::Training => "training",
-            ErrorCode::Model => "model",
-            ErrorCode::Rollout => "rollout",
-            #[cfg(feature = "training")]
-            ErrorCode::Comparison => "comparison",
-            #[cfg(feature = "training")]
-            ErrorCode::Results => "results",
-            #[cfg(feature = "training")]
-            ErrorCode::Table => "table",
-            #[cfg(feature = "training")]
-            ErrorCode::Study => "study",
-            ErrorCode::Numerics => "numerics",
-        }
-    }
+error_codes! {
+    /// One clip: its file, a cut, a frame rate.
+    Clip "clip",
+    /// Clips that do not go together.
+    Clips "clips",
+    /// How the body is split.
+    Parts "parts",
+    /// A setting.
+    Settings "settings",
+    /// A training that cannot start.
+    Training "training",
+    /// A model, or its document.
+    Model "model",
+    /// A rollout that cannot be made.
+    Rollout "rollout",
+    /// A comparison, or a job of it.
+    Comparison "comparison",
+    /// Results, or their file.
+    Results "results",
+    /// A table of numbers, or tables that do not go together.
+    Table "table",
+    /// A study of perceived naturalness, or answers to one.
+    Study "study",
+    /// A number out of bounds, or a matrix that cannot be factorised.
+    Numerics "numerics",
 }
 
 /// What a function throws.
 pub enum VcgpdmError {
     /// An error of the package.
-    Own(ErrorCode, String),
+    Own(&'static str, String),
     /// What the caller's own code threw, such as a getter of the options.
     Thrown(JsValue),
 }
@@ -130,7 +95,7 @@ pub enum VcgpdmError {
 impl VcgpdmError {
     /// An error with this message.
     pub fn new(code: ErrorCode, message: &dyn Display) -> Self {
-        Self::Own(code, message.to_string())
+        Self::Own(code.word(), message.to_string())
     }
 }
 
@@ -143,227 +108,23 @@ impl From<VcgpdmError> for JsValue {
         let error = js_sys::Error::new(&message);
         error.set_name("VcgpdmError");
         // A new error refuses no field.
-        let _ = Reflect::set(&error, &"code".into(), &code.word().into());
+        let _ = Reflect::set(&error, &"code".into(), &code.into());
         error.into()
     }
 }
 
-/// An error of the library, with its subject.
-trait LibraryError: Display {
-    fn code(&self) -> ErrorCode;
-}
-
-impl<E: LibraryError> From<E> for VcgpdmError {
+/// An error of the library has a code of its own.
+impl<E: Coded + Display> From<E> for VcgpdmError {
     fn from(error: E) -> Self {
-        VcgpdmError::new(error.code(), &error)
-    }
-}
-
-/// Errors with one subject.
-macro_rules! about {
-    ($($error:ty => $code:ident),+ $(,)?) => {
-        $(impl LibraryError for $error {
-            fn code(&self) -> ErrorCode {
-                ErrorCode::$code
-            }
-        })+
-    };
-}
-
-about! {
-    BvhError => Clip,
-    ClipError => Clip,
-    UnknownJoint => Clip,
-    PoseError => Clip,
-    DocumentError => Model,
-    InducingError => Model,
-    NumericsError => Numerics,
-    PartsError => Parts,
-}
-
-#[cfg(feature = "training")]
-about! {
-    ComparisonPlanError => Comparison,
-    ResultsError => Results,
-    SettingError => Comparison,
-    AnalysisError => Study,
-    AnswersError => Study,
-    MakerError => Study,
-    StudyError => Study,
-}
-
-impl LibraryError for TrainingError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            TrainingError::Setting { .. } | TrainingError::PoseWeight { .. } => ErrorCode::Settings,
-            TrainingError::Numerics(_) => ErrorCode::Numerics,
-            _ => ErrorCode::Training,
-        }
-    }
-}
-
-impl LibraryError for DatasetError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            DatasetError::Body { reason, .. } if reason.only_bones_differ() => ErrorCode::Bones,
-            DatasetError::OtherBody { reason, .. } if reason.only_bones_differ() => ErrorCode::Bones,
-            DatasetError::Empty | DatasetError::Body { .. } | DatasetError::OtherBody { .. } => {
-                ErrorCode::Clips
-            }
-            DatasetError::Short { .. } | DatasetError::Clip(_) | DatasetError::Pose { .. } => ErrorCode::Clip,
-            DatasetError::Parts(_) => ErrorCode::Parts,
-            DatasetError::Sequence { reason, .. } => reason.code(),
-            DatasetError::Training(reason) => reason.code(),
-            _ => ErrorCode::Clips,
-        }
-    }
-}
-
-impl LibraryError for RolloutError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            // Only a rollout that is not finite cannot be turned into poses.
-            RolloutError::Numerics(_) | RolloutError::Pose(_) => ErrorCode::Numerics,
-            _ => ErrorCode::Rollout,
-        }
-    }
-}
-
-#[cfg(feature = "training")]
-impl LibraryError for KeptPointsError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            KeptPointsError::Numerics(_) => ErrorCode::Numerics,
-            _ => ErrorCode::Model,
-        }
-    }
-}
-
-#[cfg(feature = "training")]
-impl LibraryError for ObservationError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            ObservationError::Rollout(reason) => reason.code(),
-            ObservationError::Numerics(_) => ErrorCode::Numerics,
-            ObservationError::Short { .. } => ErrorCode::Clip,
-            _ => ErrorCode::Rollout,
-        }
-    }
-}
-
-#[cfg(feature = "training")]
-impl LibraryError for ObservedClipError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            ObservedClipError::Dataset(reason) => reason.code(),
-            ObservedClipError::Observation { reason, .. } => reason.code(),
-            _ => ErrorCode::Clip,
-        }
-    }
-}
-
-#[cfg(feature = "training")]
-impl LibraryError for SeriesError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            SeriesError::Parts(_) => ErrorCode::Parts,
-            _ => ErrorCode::Table,
-        }
-    }
-}
-
-#[cfg(feature = "training")]
-impl LibraryError for CombinationError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            CombinationError::Numerics(_) => ErrorCode::Numerics,
-            _ => ErrorCode::Model,
-        }
-    }
-}
-
-#[cfg(feature = "training")]
-impl LibraryError for WalkError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            WalkError::Combination(reason) => reason.code(),
-            WalkError::Rollout(reason) => reason.code(),
-            WalkError::Pose(_) => ErrorCode::Numerics,
-            _ => ErrorCode::Rollout,
-        }
-    }
-}
-
-#[cfg(feature = "training")]
-impl LibraryError for PrimitivesError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            PrimitivesError::Body { reason, .. } if reason.only_bones_differ() => ErrorCode::Bones,
-            PrimitivesError::Body { .. } => ErrorCode::Clips,
-            PrimitivesError::Clip(reason) => reason.code(),
-            PrimitivesError::Pose { reason, .. } => reason.code(),
-            PrimitivesError::Combination(reason) => reason.code(),
-            PrimitivesError::Rollout(reason) => reason.code(),
-            PrimitivesError::Training(reason) => reason.code(),
-            _ => ErrorCode::Model,
-        }
-    }
-}
-
-#[cfg(feature = "training")]
-impl LibraryError for RecognitionError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            RecognitionError::Combination(reason) => reason.code(),
-            RecognitionError::Clip(reason) => reason.code(),
-            RecognitionError::Observation { reason, .. } => reason.code(),
-            _ => ErrorCode::Clips,
-        }
-    }
-}
-
-#[cfg(feature = "training")]
-impl LibraryError for MergeError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            MergeError::Combination(reason) => reason.code(),
-            _ => ErrorCode::Model,
-        }
-    }
-}
-
-#[cfg(feature = "training")]
-impl LibraryError for EvaluationError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            EvaluationError::Dataset(reason) => reason.code(),
-            EvaluationError::Clip(reason) => reason.code(),
-            EvaluationError::Pose(reason) => reason.code(),
-            EvaluationError::Rollout(reason) => reason.code(),
-            EvaluationError::Numerics(_) | EvaluationError::NotFinite { .. } | EvaluationError::Score(_) => {
-                ErrorCode::Numerics
-            }
-            _ => ErrorCode::Comparison,
-        }
-    }
-}
-
-#[cfg(feature = "training")]
-impl LibraryError for SyntheticError {
-    fn code(&self) -> ErrorCode {
-        match self {
-            SyntheticError::Drive(_) => ErrorCode::Settings,
-            SyntheticError::Numerics(_) => ErrorCode::Numerics,
-            SyntheticError::Training(reason) => reason.code(),
-            SyntheticError::Rollout(reason) => reason.code(),
-            _ => ErrorCode::Training,
-        }
+        Self::Own(error.code(), error.to_string())
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use vcgpdm::gp::NumericsError;
+    use vcgpdm::models::{DatasetError, RolloutError, TrainingError};
     use wasm_bindgen_test::wasm_bindgen_test;
 
     #[wasm_bindgen_test]

@@ -31,6 +31,11 @@ fn each_kind_of_model_trains_and_rolls_out() {
 }
 
 #[wasm_bindgen_test]
+fn alpha_live_rollouts_and_completing_give_the_same_numbers() {
+    training::alpha_live_rollouts_and_completing_give_the_same_numbers();
+}
+
+#[wasm_bindgen_test]
 fn a_library_of_primitives_trains_and_rolls_out() {
     training::a_library_of_primitives_trains_and_rolls_out();
 }

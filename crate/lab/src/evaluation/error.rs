@@ -96,3 +96,12 @@ impl From<ObservationError> for EvaluationError {
         Self::Observation(Box::new(reason))
     }
 }
+
+vcgpdm::coded!(EvaluationError {
+    Self::Dataset(reason) => reason.code(),
+    Self::Clip(reason) => reason.code(),
+    Self::Pose(reason) => reason.code(),
+    Self::Rollout(reason) => reason.code(),
+    Self::Numerics(_) | Self::NotFinite { .. } | Self::Score(_) => "numerics",
+    _ => "comparison",
+});

@@ -239,6 +239,8 @@ impl Plan {
     }
 }
 
+vcgpdm::coded!(ComparisonPlanError => "comparison");
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -123,3 +123,5 @@ pub(super) fn check_finished(finished: &Finished, index: usize, trials: usize) -
     }
     Ok(())
 }
+
+vcgpdm::coded!(ResultsError => "results");

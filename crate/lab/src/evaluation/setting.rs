@@ -149,6 +149,8 @@ impl Setting {
     }
 }
 
+vcgpdm::coded!(SettingError => "comparison");
+
 #[cfg(test)]
 mod tests {
     use super::*;

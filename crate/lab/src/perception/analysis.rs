@@ -176,6 +176,8 @@ fn regression(
     })
 }
 
+vcgpdm::coded!(AnalysisError => "study");
+
 #[cfg(test)]
 mod tests {
     use super::*;

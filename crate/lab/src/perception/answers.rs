@@ -311,6 +311,8 @@ fn without_guard(field: &str) -> &str {
     }
 }
 
+vcgpdm::coded!(AnswersError => "study");
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -66,3 +66,5 @@ impl From<HeadingError> for StudyError {
         }
     }
 }
+
+vcgpdm::coded!(StudyError => "study");

@@ -203,6 +203,8 @@ fn name(candidate: &Settings) -> String {
     format!("{}{size}", candidate.kind().id())
 }
 
+vcgpdm::coded!(MakerError => "study");
+
 #[cfg(test)]
 mod tests {
     use super::*;

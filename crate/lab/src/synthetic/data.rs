@@ -187,3 +187,10 @@ fn moving(drive: f64, random: &mut ChaCha8Rng) -> Result<Vec<DMatrix<f64>>, Nume
     }
     Ok(latents)
 }
+
+vcgpdm::coded!(SyntheticError {
+    Self::Drive(_) => "settings",
+    Self::Numerics(_) => "numerics",
+    Self::Training(reason) => reason.code(),
+    Self::Rollout(reason) => reason.code(),
+});

@@ -108,3 +108,5 @@ impl From<HeadingError> for DocumentError {
         }
     }
 }
+
+crate::coded!(DocumentError => "model");

@@ -243,6 +243,8 @@ pub fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
+crate::coded!(ClipError => "clip");
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -162,6 +162,8 @@ impl Recording {
     }
 }
 
+crate::coded!(UnknownJoint => "clip");
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -57,3 +57,5 @@ pub enum SeriesError {
     #[error("expected at least one table to train on, found none")]
     Empty,
 }
+
+crate::coded!(SeriesError { Self::Parts(_) => "parts", _ => "table" });

@@ -38,6 +38,11 @@ fn each_kind_of_model_trains_and_rolls_out() {
 }
 
 #[test]
+fn alpha_live_rollouts_and_completing_give_the_same_numbers() {
+    cases::alpha_live_rollouts_and_completing_give_the_same_numbers();
+}
+
+#[test]
 fn a_library_of_primitives_trains_and_rolls_out() {
     cases::a_library_of_primitives_trains_and_rolls_out();
 }

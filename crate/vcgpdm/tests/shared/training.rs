@@ -5,8 +5,8 @@ use nalgebra::DMatrix;
 use vcgpdm::internals::sha256;
 use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
 use vcgpdm::models::{
-    ColumnMapping, Dataset, DmpSettings, MapSettings, Model, RolloutRequest, Settings, Source, TmpSettings,
-    Trainer, VariationalSettings,
+    ColumnMapping, Dataset, DmpSettings, LiveRollout, MapSettings, Model, RolloutRequest, Settings, Source,
+    TmpSettings, Trainer, VariationalSettings,
 };
 use vcgpdm::motion::{bvh, parts, samples};
 use vcgpdm::series::{Table, parse_parts, read, write};
@@ -162,7 +162,40 @@ pub fn each_kind_of_model_trains_and_rolls_out() {
         let objective = trainer.run().best;
         let model = trainer.finish().unwrap();
         assert_eq!(model.kind(), settings.kind());
+        let read = Model::from_json(&model.to_json().unwrap()).unwrap();
+        assert_eq!(read.rollout(0, 20).unwrap(), model.rollout(0, 20).unwrap(), "{}", settings.kind().id());
         assert_near(settings.kind().id(), [objective, size(&model)], expected);
+    }
+}
+
+/// Of the models with couplings: other couplings and a live rollout; of several parts: completing.
+pub fn alpha_live_rollouts_and_completing_give_the_same_numbers() {
+    for (settings, split, expected) in [
+        (Settings::Vcgpdm(SMALL), "lower-upper", [15.75884973494433, 717.7683649920364, 15.693584342010519]),
+        (Settings::Vgpdm(SMALL), "whole", [15.892736376786871, 729.5220314805338, 0.0]),
+    ] {
+        let dataset = walks(&["walk-1", "walk-2"], split);
+        let mut trainer = Trainer::new(&dataset, &settings, 1).unwrap();
+        trainer.run();
+        let model = trainer.finish().unwrap();
+        let coupled = model.coupled().unwrap();
+        let alpha = coupled
+            .model
+            .alpha
+            .map_with_location(|source, target, alpha| if source == target { alpha } else { 100.0 * alpha });
+        let request = RolloutRequest { frames: 20, alpha: Some(alpha.clone()), ..RolloutRequest::default() };
+        let rollout = coupled.rollout(&request).unwrap();
+        let dynamics = coupled.model.dynamics(&alpha, request.reading).unwrap();
+        let mut live = LiveRollout::after(coupled, &rollout, 9, 0).unwrap();
+        let next = live.advance(coupled, &dynamics, 10).unwrap();
+        assert_eq!(next.latents[0], rollout.latents[0].rows(10, 10).into_owned(), "the live rollout");
+        let completed = match split {
+            "whole" => 0.0,
+            _ => coupled.complete(&request, &rollout.y, &[0], None).unwrap().y.norm(),
+        };
+        let positions: f64 = next.positions.iter().map(|x| f64::from(*x)).sum();
+        assert_near(split, [rollout.y.norm(), positions], [expected[0], expected[1]]);
+        assert_near(split, [completed, 0.0], [expected[2], 0.0]);
     }
 }
 
@@ -176,6 +209,9 @@ pub fn a_library_of_primitives_trains_and_rolls_out() {
     let uses = trained.read_uses("lower=walk,upper=wave").unwrap();
     let model = trained.combination(&uses, &trained.library.nearest_couplings(&uses)).unwrap();
     assert_near("library", [trainer.progress().best, size(&model)], [7489.858046600491, 3.8700766998827385]);
+    let found = trained.recognise(&[&samples::clip("walk-1").unwrap()]).unwrap();
+    let density = found.log_densities.iter().map(DMatrix::sum).sum::<f64>();
+    assert_near("recognition", [found.posterior.norm(), density], [6.423899022708125, 7960.6778424130225]);
 }
 
 pub fn a_table_trains_and_rolls_out() {

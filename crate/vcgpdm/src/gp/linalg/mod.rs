@@ -242,6 +242,8 @@ pub fn stacked<'a>(blocks: impl IntoIterator<Item = &'a DMatrix<f64>>) -> DMatri
     all
 }
 
+crate::coded!(NumericsError => "numerics");
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -268,6 +268,15 @@ impl<S> Dataset<S> {
     }
 }
 
+crate::coded!(DatasetError {
+    Self::Body { reason, .. } | Self::OtherBody { reason, .. } if reason.only_bones_differ() => "bones",
+    Self::Short { .. } | Self::Clip(_) | Self::Pose { .. } => "clip",
+    Self::Parts(_) => "parts",
+    Self::Sequence { reason, .. } => reason.code(),
+    Self::Training(reason) => reason.code(),
+    _ => "clips",
+});
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -138,3 +138,9 @@ impl Coupled<'_> {
             .map_err(|reason| ObservedClipError::Observation { clip: name.clone(), reason: Box::new(reason) })
     }
 }
+
+crate::coded!(ObservedClipError {
+    Self::Dataset(reason) => reason.code(),
+    Self::Observation { reason, .. } => reason.code(),
+    _ => "clip",
+});

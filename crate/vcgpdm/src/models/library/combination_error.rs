@@ -53,3 +53,5 @@ pub enum CombinationError {
     #[error(transparent)]
     Numerics(#[from] NumericsError),
 }
+
+crate::coded!(CombinationError { Self::Numerics(_) => "numerics", _ => "model" });

@@ -264,3 +264,10 @@ impl Library {
         self.primitives[primitive].experts[i].fitted.sum()
     }
 }
+
+crate::coded!(WalkError {
+    Self::Combination(reason) => reason.code(),
+    Self::Rollout(reason) => reason.code(),
+    Self::Pose(_) => "numerics",
+    _ => "rollout",
+});

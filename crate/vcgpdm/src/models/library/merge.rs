@@ -197,3 +197,5 @@ fn numbered(name: &str, is_taken: impl Fn(&str) -> bool) -> String {
     }
     found
 }
+
+crate::coded!(MergeError { Self::Combination(reason) => reason.code(), _ => "model" });

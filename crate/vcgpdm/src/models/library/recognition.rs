@@ -356,3 +356,10 @@ impl Recognition {
 fn frames_of(seconds: f64, frame_time: f64) -> usize {
     ((seconds / frame_time).round() as usize).max(1)
 }
+
+crate::coded!(RecognitionError {
+    Self::Combination(reason) => reason.code(),
+    Self::Clip(reason) => reason.code(),
+    Self::Observation { reason, .. } => reason.code(),
+    _ => "clips",
+});

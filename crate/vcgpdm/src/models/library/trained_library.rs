@@ -289,3 +289,14 @@ impl TrainedLibrary {
 fn shortened(found: &str) -> String {
     found.chars().take(60).collect()
 }
+
+crate::coded!(LibraryError {
+    Self::Body { reason, .. } if reason.only_bones_differ() => "bones",
+    Self::Body { .. } => "clips",
+    Self::Clip(reason) => reason.code(),
+    Self::Pose { reason, .. } => reason.code(),
+    Self::Combination(reason) => reason.code(),
+    Self::Rollout(reason) => reason.code(),
+    Self::Training(reason) => reason.code(),
+    _ => "model",
+});

@@ -293,3 +293,9 @@ pub(crate) fn check_frames(frames: usize) -> Result<(), RolloutError> {
     }
     Err(RolloutError::Frames { most: MOST_FRAMES, found: frames })
 }
+
+crate::coded!(RolloutError {
+    // Only a rollout that is not finite cannot be turned into poses.
+    Self::Numerics(_) | Self::Pose(_) => "numerics",
+    _ => "rollout",
+});

@@ -128,3 +128,9 @@ pub(crate) fn in_range(name: &'static str, found: usize, highest: usize) -> Resu
     }
     Err(TrainingError::Setting { name, lowest: 1, highest, found })
 }
+
+crate::coded!(TrainingError {
+    Self::Setting { .. } | Self::PoseWeight { .. } => "settings",
+    Self::Numerics(_) => "numerics",
+    _ => "training",
+});

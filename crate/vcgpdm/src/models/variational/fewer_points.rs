@@ -183,6 +183,8 @@ impl Vcgpdm {
     }
 }
 
+crate::coded!(KeptPointsError { Self::Numerics(_) => "numerics", _ => "model" });
+
 #[cfg(test)]
 mod tests {
     use super::*;

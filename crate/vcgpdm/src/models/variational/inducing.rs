@@ -118,6 +118,8 @@ fn kernel_weights(
     Ok(weights)
 }
 
+crate::coded!(InducingError => "model");
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -87,3 +87,5 @@ pub(super) fn quoted(word: &str) -> String {
     }
     format!("{:?}", word.chars().take(LONGEST).chain(['…']).collect::<String>())
 }
+
+crate::coded!(BvhError => "clip");

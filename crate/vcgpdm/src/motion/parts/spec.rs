@@ -116,3 +116,5 @@ pub fn check(parts: &[PartSpec], skeleton: &Skeleton) -> Result<(), PartsError> 
     }
     names(&|uses| uses == 0).map_or(Ok(()), |missing| Err(PartsError::Missing(missing)))
 }
+
+crate::coded!(PartsError => "parts");

@@ -83,3 +83,10 @@ pub enum ObservationError {
     #[error(transparent)]
     Numerics(#[from] NumericsError),
 }
+
+crate::coded!(ObservationError {
+    Self::Rollout(reason) => reason.code(),
+    Self::Numerics(_) => "numerics",
+    Self::Short { .. } => "clip",
+    _ => "rollout",
+});
