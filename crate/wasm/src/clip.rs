@@ -187,7 +187,7 @@ impl Clip {
     pub fn read_body(name: &Text, bytes: &Bytes, root: &Text) -> Result<Clip, VcgpdmError> {
         let name = name.get(ErrorCode::Clip, "the name")?;
         let recording = bvh::read(&name, &bytes.get(ErrorCode::Clip, "the file")?)?;
-        Ok(Clip { clip: recording.of_root(&root.get(ErrorCode::Clip, "the root")?)?.into_clip() })
+        Ok(Clip { clip: recording.of_root(Some(&root.get(ErrorCode::Clip, "the root")?))?.into_clip() })
     }
 
     /// The clip's name.
