@@ -64,6 +64,8 @@ export interface ClipState {
     bonesOf: string | null;
     /** The axis that points up, if it was stated. */
     up: UpAxis | null;
+    /** The axis that was found when the file was read. */
+    foundUp: UpAxis | null;
 }
 
 /** A clip that the project makes itself. */
@@ -98,6 +100,7 @@ struct ClipState {
     file_frame_time: f64,
     bones_of: Option<String>,
     up: Option<String>,
+    found_up: Option<String>,
 }
 
 /// A recorded motion.
@@ -247,6 +250,7 @@ impl Clip {
             file_frame_time: clip.file_frame_time,
             bones_of: clip.bones_of.clone(),
             up: clip.up.map(|up| up.name().to_owned()),
+            found_up: clip.found_up.map(|up| up.name().to_owned()),
         })
     }
 
@@ -269,6 +273,7 @@ impl Clip {
             file_frame_time: state.file_frame_time,
             bones_of: state.bones_of,
             up: state.up.as_deref().map(up_axis).transpose()?,
+            found_up: state.found_up.as_deref().map(up_axis).transpose()?,
         };
         Ok(Clip { clip })
     }

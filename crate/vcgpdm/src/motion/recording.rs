@@ -79,6 +79,7 @@ impl Recording {
             piece: None,
             bones_of: None,
             up: None,
+            found_up: None,
             file_frame_time: frame_time,
         };
         clip.without_carrying_roots().with_recorded_bones().with_checked_axis().with_checked_root()
