@@ -82,7 +82,7 @@ impl Recording {
             found_up: None,
             file_frame_time: frame_time,
         };
-        clip.without_carrying_roots().with_recorded_bones().with_checked_axis().with_checked_root()
+        clip.without_carrying_roots().with_recorded_bones().with_checked_root()
     }
 
     /// The joint of this name and all joints below it, at the same places in the world: one body of a file
