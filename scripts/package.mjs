@@ -45,6 +45,24 @@ const DISPOSE = `declare global {
 }
 `;
 
+/** The classes that have no constructor get one that names the functions which make their objects. */
+function withConstructors(/** @type {string} */ glue) {
+  return glue.replace(/^export class (\w+) \{\n([\s\S]*?)^\}/gm, (whole, name, body) => {
+    if (body.includes("constructor(")) return whole;
+    const makers = body
+      .split(/^(?= {4}\S.*\{$)/m)
+      .filter((/** @type {string} */ part) => part.includes(`${name}.__wrap(`))
+      .flatMap((/** @type {string} */ part) => /^ {4}static (\w+)/.exec(part)?.[1] ?? [])
+      .map((/** @type {string} */ maker) => `${name}.${maker}`);
+    const made = makers.length > 0 ? `use ${makers.join(" or ")}` : "other functions make these objects";
+    return `export class ${name} {
+    constructor() {
+        throw __error("argument", "new ${name} makes no object: ${made}");
+    }
+${body}}`;
+  });
+}
+
 /** Mends what wasm-bindgen wrote for a target. */
 function mend(/** @type {string} */ folder, /** @type {boolean} */ reads) {
   const script = join(folder, "vcgpdm.js");
@@ -63,7 +81,8 @@ function mend(/** @type {string} */ folder, /** @type {boolean} */ reads) {
     if (readFileSync(script, "utf8").includes(start))
       change(script, start, `${start}    __checkNumbers(arg);\n`);
   }
-  writeFileSync(script, readFileSync(script, "utf8") + ERRORS);
+  const glue = reads ? withConstructors(readFileSync(script, "utf8")) : readFileSync(script, "utf8");
+  writeFileSync(script, glue + ERRORS);
   const types = join(folder, "vcgpdm.d.ts");
   // A Blob gives its bytes only later. The player reads no files.
   if (reads) {

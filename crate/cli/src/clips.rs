@@ -95,11 +95,7 @@ impl Up {
 
     /// The clip of a recording, with the root and the axis that the user states.
     pub fn clip(&self, recording: Recording) -> Result<Clip> {
-        let recording = match &self.root {
-            Some(root) => recording.of_root(root)?,
-            None => recording,
-        };
-        Ok(self.of(recording.into_clip()))
+        Ok(self.of(recording.of_root(self.root.as_deref())?.into_clip()))
     }
 
     /// Refuses the options if the command reads no clip. `expected` is the option that would give a clip.

@@ -45,7 +45,7 @@ pub fn warning(health: &Health, names: &[&str]) -> Option<String> {
             let part = health.part.and_then(|part| health.parts.get(part).map(|part| part.pace));
             let pace = part.or(health.pace).unwrap_or_default();
             let times = pace
-                .times()
+                .times
                 .map_or(String::new(), |times| format!("{times:.1} times as fast as in its clips, and "));
             let place = part.map_or("the body", |_| name);
             Some(format!(
@@ -74,8 +74,13 @@ mod tests {
     #[test]
     fn warns_of_a_motion_that_does_not_move_on() {
         let health = |state, from, part| {
-            let pace =
-                Pace { speed: 3.65, clip_speed: Some(0.5), turns_back: 0.958, clip_turns_back: Some(0.0) };
+            let pace = Pace {
+                speed: 3.65,
+                clip_speed: Some(0.5),
+                times: Some(7.3),
+                turns_back: 0.958,
+                clip_turns_back: Some(0.0),
+            };
             let parts = vec![PartPoses { visited: Some(0.221), still_from: None, pace }];
             warning(&Health { state, from, part, rank: 1, pace: Some(pace), parts }, &["legs"])
         };

@@ -30,11 +30,7 @@ impl Clip {
         let bytes = fs::read(&path)?;
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
         let recording = read_at(&name, &bytes, fps).map_err(refused)?;
-        let recording = match root {
-            Some(root) => recording.of_root(root).map_err(refused)?,
-            None => recording,
-        };
-        Ok(Self { clip: recording.into_clip() })
+        Ok(Self { clip: recording.of_root(root).map_err(refused)?.into_clip() })
     }
 
     /// One of the clips that the project makes itself; `samples()` lists their names.

@@ -64,6 +64,8 @@ export interface ClipState {
     bonesOf: string | null;
     /** The axis that points up, if it was stated. */
     up: UpAxis | null;
+    /** The axis that was found when the file was read. */
+    foundUp: UpAxis | null;
 }
 
 /** A clip that the project makes itself. */
@@ -98,6 +100,7 @@ struct ClipState {
     file_frame_time: f64,
     bones_of: Option<String>,
     up: Option<String>,
+    found_up: Option<String>,
 }
 
 /// A recorded motion.
@@ -187,7 +190,7 @@ impl Clip {
     pub fn read_body(name: &Text, bytes: &Bytes, root: &Text) -> Result<Clip, VcgpdmError> {
         let name = name.get(ErrorCode::Clip, "the name")?;
         let recording = bvh::read(&name, &bytes.get(ErrorCode::Clip, "the file")?)?;
-        Ok(Clip { clip: recording.of_root(&root.get(ErrorCode::Clip, "the root")?)?.into_clip() })
+        Ok(Clip { clip: recording.of_root(Some(&root.get(ErrorCode::Clip, "the root")?))?.into_clip() })
     }
 
     /// The clip's name.
@@ -247,6 +250,7 @@ impl Clip {
             file_frame_time: clip.file_frame_time,
             bones_of: clip.bones_of.clone(),
             up: clip.up.map(|up| up.name().to_owned()),
+            found_up: clip.found_up.map(|up| up.name().to_owned()),
         })
     }
 
@@ -269,6 +273,7 @@ impl Clip {
             file_frame_time: state.file_frame_time,
             bones_of: state.bones_of,
             up: state.up.as_deref().map(up_axis).transpose()?,
+            found_up: state.found_up.as_deref().map(up_axis).transpose()?,
         };
         Ok(Clip { clip })
     }

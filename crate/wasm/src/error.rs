@@ -95,7 +95,11 @@ pub enum VcgpdmError {
 impl VcgpdmError {
     /// An error with this message.
     pub fn new(code: ErrorCode, message: &dyn Display) -> Self {
-        Self::Own(code.word(), message.to_string())
+        let message = message.to_string();
+        // The wasm of a first visit reads no numbers of other people.
+        #[cfg(feature = "training")]
+        let message = crate::wording::with_short_numbers(&message);
+        Self::Own(code.word(), message)
     }
 }
 

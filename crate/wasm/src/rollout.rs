@@ -112,6 +112,8 @@ export interface Pace {
     speed: number;
     /** The speed in the clips; null for a file of an earlier version, which has not kept their frames. */
     clipSpeed: number | null;
+    /** How many times as fast as the clips; clips count as 0.05 m/s at least. */
+    times: number | null;
     /** The share of its steps from frame to frame that go back, opposite to the step before; 0 to 1. */
     turnsBack: number;
     /** That share in the clips. */

@@ -6,6 +6,10 @@ use wasm_bindgen::prelude::*;
 /// The longest text that an error repeats, in letters.
 const LONGEST_TEXT: usize = 40;
 
+/// The most letters of a number in a message.
+#[cfg(feature = "training")]
+const MOST_DIGITS: usize = 24;
+
 /// What serde expects, in the words of JavaScript.
 pub fn in_words(expected: &str) -> String {
     let word = match expected {
@@ -67,6 +71,25 @@ pub fn found_value(found: &JsValue) -> String {
         None | Some("" | "Object") => "an object".to_owned(),
         Some(name) => format!("an instance of {name}"),
     }
+}
+
+/// A message in which a number of hundreds of digits has an exponent.
+#[cfg(feature = "training")]
+pub fn with_short_numbers(message: &str) -> String {
+    let in_number = |letter: char| letter.is_ascii_digit() || matches!(letter, '.' | '-');
+    let mut short = String::new();
+    let mut rest = message;
+    while !rest.is_empty() {
+        let (text, after) = rest.split_at(rest.find(in_number).unwrap_or(rest.len()));
+        let (number, after) = after.split_at(after.find(|letter| !in_number(letter)).unwrap_or(after.len()));
+        short.push_str(text);
+        match number.parse::<f64>() {
+            Ok(value) if number.len() > MOST_DIGITS => short.push_str(&format!("{value:e}")),
+            _ => short.push_str(number),
+        }
+        rest = after;
+    }
+    short
 }
 
 /// "dynamics_ips" as "dynamicsIps".

@@ -21,7 +21,7 @@ it("says from when on there is none", () => {
 });
 
 it("says which share of the poses of its clips a motion visits, if it is small", () => {
-  const pace = { speed: 1, clipSpeed: 1, turnsBack: 0, clipTurnsBack: 0 };
+  const pace = { speed: 1, clipSpeed: 1, times: 1, turnsBack: 0, clipTurnsBack: 0 };
   const parts = [{ visited: 0.22, stillFrom: null, pace }];
   const few = { ...MOVES_ON, state: "visits-few-poses" as const, part: 0, rank: 2, pace, parts };
   expect(healthWords(few, seen)).toBe("The model visits 22 % of its clips’ poses in legs.");

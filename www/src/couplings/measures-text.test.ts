@@ -85,7 +85,7 @@ describe("the text about measures", () => {
   });
 });
 
-const CALM: NonNullable<Health["pace"]> = { speed: 1, clipSpeed: 1, turnsBack: 0, clipTurnsBack: 0 };
+const CALM: NonNullable<Health["pace"]> = { speed: 1, clipSpeed: 1, times: 1, turnsBack: 0, clipTurnsBack: 0 };
 
 const inPose = (stillFrom: (number | null)[], health: Partial<Health> = {}): Health => ({
   ...MOVES_ON,
@@ -134,7 +134,7 @@ it("says which share of its clips’ poses a part visits, if it is small", () =>
 });
 
 it("says how fast a part shakes, and how many of its steps turn back", () => {
-  const pace = { ...CALM, speed: 0.35, clipSpeed: 0.05, turnsBack: 0.958 };
+  const pace = { ...CALM, times: 7, turnsBack: 0.958 };
   const part = { visited: 1, stillFrom: null, pace };
   const shakes: Health = { ...MOVES_ON, state: "shakes", part: 1, parts: [{ ...part, pace: CALM }, part] };
   expect(textOf(report([{}, {}], shakes)).trouble).toBe(

@@ -19,8 +19,6 @@ const HARDLY = 0.1;
 const SAME_SWING = 0.1;
 const SAME_PACE = 0.05;
 const SAME_SPEED = 0.1;
-/** The library counts a slower clip as this fast, in metres a second: `SEEN_SPEED` of health.rs. */
-const SEEN_SPEED = 0.05;
 /** Two limbs are in step from the first value of the locking on, and out of step up to the second. */
 const IN_STEP = 0.9;
 const OUT_OF_STEP = 0.5;
@@ -116,8 +114,7 @@ export function troubleText({ state, from, part, parts, pace }: Health, names: r
       return words.leaves(name, since);
     case "shakes": {
       const own = (part === null ? pace : parts[part]?.pace) ?? null;
-      const times = own && own.clipSpeed !== null ? own.speed / Math.max(own.clipSpeed, SEEN_SPEED) : null;
-      return words.shakes(part === null ? null : name, times, own?.turnsBack ?? 0);
+      return words.shakes(part === null ? null : name, own?.times ?? null, own?.turnsBack ?? 0);
     }
     case "not-finite":
       return words.runsAway;

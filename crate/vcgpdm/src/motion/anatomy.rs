@@ -217,18 +217,10 @@ fn up_of_rest(skeleton: &Skeleton) -> usize {
     }
 }
 
-/// A rest pose that stands.
-pub(crate) struct Standing {
-    /// From the feet to the head, or from the tips of the limbs to their sockets where the body stands on all
-    /// its limbs.
-    pub(crate) upward: Vector3<f64>,
-    /// Whether it stands on all its limbs, as animals do.
-    pub(crate) on_limbs: bool,
-}
-
-/// How the rest pose stands; `None` if it does not, as in files whose offsets all point along the bones' own
-/// axes.
-pub(crate) fn standing_at_rest(skeleton: &Skeleton, anatomy: &Anatomy) -> Option<Standing> {
+/// The vector upwards of a rest pose that stands: from the feet to the head, or from the tips of the limbs to
+/// their sockets where the body stands on all its limbs. `None` if it does not stand, as in files whose offsets
+/// all point along the bones' own axes.
+pub(crate) fn standing_at_rest(skeleton: &Skeleton, anatomy: &Anatomy) -> Option<Vector3<f64>> {
     let rest = skeleton.rest_pose().positions;
     let paths = path_lengths(skeleton);
     let (to_head, length) = feet_to_head(skeleton, anatomy, &rest, &paths)?;
@@ -238,11 +230,8 @@ pub(crate) fn standing_at_rest(skeleton: &Skeleton, anatomy: &Anatomy) -> Option
     let by_limbs = Limbs::find(skeleton)
         .filter(|limbs| limbs.agree(&rest))
         .map(|limbs| limbs.upward(&rest))
-        .filter(is_clear);
-    Some(match by_limbs.filter(|upward| upward.iamax() != to_head.iamax()) {
-        Some(upward) => Standing { upward, on_limbs: true },
-        None => Standing { upward: to_head, on_limbs: false },
-    })
+        .filter(|upward| is_clear(upward) && upward.iamax() != to_head.iamax());
+    Some(by_limbs.unwrap_or(to_head))
 }
 
 /// The vector from the middle of the feet to the top of the head, and the length of that path along the
@@ -271,9 +260,7 @@ impl Skeleton {
     pub fn height(&self) -> f64 {
         let rest = self.rest_pose().positions;
         let height = Anatomy::find(self).and_then(|anatomy| match standing_at_rest(self, &anatomy) {
-            Some(Standing { upward, .. }) => {
-                Some(extents(&anatomy.without_arms(self, &rest))[upward.iamax()])
-            }
+            Some(upward) => Some(extents(&anatomy.without_arms(self, &rest))[upward.iamax()]),
             None => {
                 feet_to_head(self, &anatomy, &rest, &path_lengths(self)).map(|(_, length)| STANDING * length)
             }

@@ -352,11 +352,11 @@ mod tests {
             let [warning] = &first.warnings[..] else { panic!("{:?}", first.warnings) };
             assert!(warning.contains(&format!("carries {} bodies: \"A:Hips\" (21 joints)", names.len())));
             assert!(warning.contains("\"B:Hips\" (21 joints)"), "{warning}");
-            let second = all.clone().of_root("B:Hips").unwrap().into_clip();
+            let second = all.clone().of_root(Some("B:Hips")).unwrap().into_clip();
             assert_eq!(second.skeleton.joints[0].name, "B:Hips");
             assert!((second.values[(5, 0)] - walk.values[(5, 0)] - 100.0).abs() < 1e-9);
             assert!(second.warnings.is_empty());
-            let unknown = all.of_root("D:Hips").unwrap_err().to_string();
+            let unknown = all.of_root(Some("D:Hips")).unwrap_err().to_string();
             assert!(unknown.contains("expected the name of a joint, found \"D:Hips\""), "{unknown}");
         }
     }

@@ -79,18 +79,20 @@ impl Recording {
             piece: None,
             bones_of: None,
             up: None,
+            found_up: None,
             file_frame_time: frame_time,
         };
-        clip.without_carrying_roots().with_recorded_bones().with_checked_axis().with_checked_root()
+        clip.without_carrying_roots().with_recorded_bones().with_checked_root()
     }
 
     /// The joint of this name and all joints below it, at the same places in the world: one body of a file
-    /// that has several.
+    /// that has several. `None`: the whole recording.
     ///
     /// # Errors
     ///
     /// [`UnknownJoint`] if there is no joint of this name, or more than one.
-    pub fn of_root(self, name: &str) -> Result<Recording, UnknownJoint> {
+    pub fn of_root(self, name: Option<&str>) -> Result<Recording, UnknownJoint> {
+        let Some(name) = name else { return Ok(self) };
         let mut places = (0..self.skeleton.joints.len()).filter(|&at| self.skeleton.joints[at].name == name);
         let (Some(place), None) = (places.next(), places.next()) else {
             let joints = listed(self.skeleton.joints.iter().map(|joint| joint.name.as_str()));

@@ -11,6 +11,10 @@ use nalgebra::Vector3;
 const TOO_FAST: f64 = 25.0;
 /// Units that files mix: metres with centimetres or millimetres.
 const FACTORS: [f64; 2] = [100.0, 1000.0];
+/// The same, and decimetres, in both directions.
+const FLOOR_FACTORS: [f64; 6] = [10.0, 100.0, 1000.0, 0.1, 0.01, 0.001];
+/// A root that moves by a smaller share of the body's height does not move.
+const STILL: f64 = 1e-3;
 /// Hips that walk rise and fall by more than this share of the body's height.
 const LEVEL: f64 = 0.005;
 /// The unit of the root explains the steps when the factor is within this ratio of such a factor.
@@ -21,8 +25,8 @@ const STRAIGHT: f64 = 0.9;
 const MOST_FRAMES: usize = 2_000;
 
 impl Clip {
-    /// The clip with a warning if its root's path is in another unit than its bones, or if its joints are all
-    /// at one place.
+    /// The clip with the axis that points up found in it, and with a warning if this axis is not certain, if the
+    /// path of the root is in another unit than the bones, or if the joints are all at one place.
     pub(super) fn with_checked_root(mut self) -> Clip {
         if self.frames() > 0 && extents(&self.world_pose(0).positions).amax() < 1e-9 {
             self.warnings.push(
@@ -31,22 +35,67 @@ impl Clip {
             );
             return self;
         }
-        if let Some(factor) = self.root_factor() {
-            let (how, rounded) = if factor > 1.0 { ("short", factor) } else { ("long", 1.0 / factor) };
+        let on_floor = self.factor_to_floor();
+        self = match on_floor {
+            Some(factor) => {
+                self.found_up = Some(self.with_scaled_root(factor).search_up_axis().axis);
+                self
+            }
+            None => self.with_checked_axis(),
+        };
+        if let Some(factor) = on_floor.or_else(|| self.factor_of_walk()) {
+            self = self.without_axis_warning();
+            let (how, mend, rounded) =
+                if factor > 1.0 { ("short", "multiply", factor) } else { ("long", "divide", 1.0 / factor) };
+            let units = match rounded {
+                10.0 => "centimetres and the other in millimetres",
+                100.0 => "metres and the other in centimetres",
+                _ => "metres and the other in millimetres",
+            };
             self.warnings.push(format!(
                 "the path of the root is about {rounded} times too {how} for the bones: a factor of about \
-                 {rounded} between root path and bones. If one is in metres and the other in centimetres, \
-                 {} the root's position channels by {rounded}",
-                if factor > 1.0 { "multiply" } else { "divide" }
+                 {rounded} between root path and bones. If one is in {units}, {mend} the root's position \
+                 channels by {rounded}"
             ));
         }
         self
     }
 
+    /// The columns of the root's position channels.
+    fn root_columns(&self) -> impl Iterator<Item = usize> + '_ {
+        let channels = self.skeleton.joints[0].channels.iter().enumerate();
+        channels.filter(|(_, channel)| !channel.is_rotation()).map(|(column, _)| column)
+    }
+
+    /// The clip with a root whose path is longer by this factor.
+    fn with_scaled_root(&self, factor: f64) -> Clip {
+        let mut scaled = self.clone();
+        self.root_columns().for_each(|column| scaled.values.column_mut(column).apply(|x| *x *= factor));
+        scaled
+    }
+
+    /// The factor that puts a standing body on a floor at zero; `None` if it is on this floor already, or if its
+    /// root does not move: then there is no path.
+    fn factor_to_floor(&self) -> Option<f64> {
+        let step = self.frames().div_ceil(MOST_FRAMES).max(1);
+        let rows: Vec<usize> = (0..self.frames()).step_by(step).collect();
+        let some = self.with_values(self.values.select_rows(&rows), self.frame_time);
+        let moves = |column: usize| some.values.column(column).max() - some.values.column(column).min();
+        let way = self.root_columns().map(moves).fold(0.0, f64::max);
+        if some.stands_on_floor() != Some(false) {
+            return None;
+        }
+        let least = STILL * self.skeleton.height();
+        let fits = |factor: &f64| {
+            factor * way > least && some.with_scaled_root(*factor).stands_on_floor() == Some(true)
+        };
+        FLOOR_FACTORS.into_iter().find(fits)
+    }
+
     /// The number by which the root's path must be multiplied to fit the bones; `None` if it fits, or if
     /// nothing shows it: the feet of a body that walks move to and fro below the root about as fast as the root
     /// moves.
-    fn root_factor(&self) -> Option<f64> {
+    fn factor_of_walk(&self) -> Option<f64> {
         let anatomy = Anatomy::find(&self.skeleton)?;
         let feet = [Side::Left, Side::Right].map(|side| anatomy.foot(&self.skeleton, side));
         let [Some(left), Some(right)] = feet else { return None };
@@ -93,11 +142,15 @@ mod tests {
             (0..3).for_each(|axis| still.values.column_mut(axis).fill(0.9));
             assert_eq!(warnings(still), [""; 0], "{id}");
         }
-        for (factor, text) in [(0.01, "short"), (100.0, "long"), (1e-3, "short")] {
-            let mut walk = samples::clip("walk-1").unwrap();
-            (0..3).for_each(|axis| walk.values.column_mut(axis).apply(|x| *x *= factor));
-            let [warning] = &warnings(walk)[..] else { panic!("{factor}") };
-            assert!(warning.contains(&format!("00 times too {text} for the bones")), "{warning}");
+        let factors =
+            [(0.01, "100 times too short"), (100.0, "100 times too long"), (0.1, "10 times too short")];
+        for (factor, text) in factors {
+            for id in ["walk-1", "stand-wave-1"] {
+                let mut clip = samples::clip(id).unwrap();
+                (0..3).for_each(|axis| clip.values.column_mut(axis).apply(|x| *x *= factor));
+                let [warning] = &warnings(clip)[..] else { panic!("{factor}") };
+                assert!(warning.contains(&format!("{text} for the bones")), "{warning}");
+            }
         }
     }
 

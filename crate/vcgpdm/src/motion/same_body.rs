@@ -142,8 +142,7 @@ impl Skeleton {
         let factor = others / own;
         let fits = |&(a, b): &(f64, f64)| (b - factor * a).abs() <= SAME_BODY_TOLERANCE * others;
         let is_far = factor.is_finite() && !(1.0 / OTHER_UNITS..=OTHER_UNITS).contains(&factor);
-        let rounded = if factor < 1.0 { 1.0 / (1.0 / factor).round() } else { factor.round() };
-        (is_far && pairs.iter().all(fits)).then_some(rounded)
+        (is_far && pairs.iter().all(fits)).then_some((1000.0 * factor).round() / 1000.0)
     }
 
     /// Checks that the other has the same joint tree; offsets may differ.
@@ -231,7 +230,10 @@ mod tests {
         elsewhere.joints[2].parent = Some(0);
         let mut metres = first.clone();
         metres.joints.iter_mut().for_each(|joint| joint.offset[1] *= 0.01);
+        let mut inches = first.clone();
+        inches.joints.iter_mut().for_each(|joint| joint.offset[1] /= 2.54);
         for (other, wanted) in [
+            (inches, "all its bones are 0.394 times as long: is it in other units?"),
             (longer, "joint 2 (\"c\"): its offset differs by 10% of the body's height"),
             (elsewhere, "joint 2 (\"c\"): expected it to hang on \"b\", found it on \"a\""),
             (metres, "all its bones are 0.01 times as long: is it in other units?"),

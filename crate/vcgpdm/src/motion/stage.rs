@@ -38,26 +38,18 @@ impl Stage {
 impl Clip {
     /// The up axis, the height of the body and the ground.
     pub fn stage(&self) -> Stage {
-        let reach = self.reach();
-        self.stage_between(self.up_axis_of(&reach).axis, [reach.low, reach.high])
+        self.stage_along(self.up_axis())
     }
 
     /// The stage of a clip in which this axis points up. It contains no code that searches for the axis.
     pub fn stage_along(&self, up: UpAxis) -> Stage {
-        let mut corners = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
+        let mut ground = f64::INFINITY;
         for frame in 0..self.frames() {
             for place in &self.world_pose(frame).positions {
-                corners = [corners[0].inf(place), corners[1].sup(place)];
+                ground = ground.min(up.height(place));
             }
         }
-        self.stage_between(up, corners)
-    }
-
-    /// The stage of a body between two corners, in file units.
-    fn stage_between(&self, up: UpAxis, corners: [Vector3<f64>; 2]) -> Stage {
-        let turn = up.to_y_up();
-        let lowest = corners.map(|corner| (turn * corner).y).into_iter().fold(f64::INFINITY, f64::min);
-        let ground = if lowest.is_finite() { lowest } else { 0.0 };
+        let ground = if ground.is_finite() { ground } else { 0.0 };
         Stage { up, height: self.height_with(up), ground }
     }
 

@@ -53,6 +53,21 @@ impl UpAxis {
         }
     }
 
+    /// The axis along which a vector has its largest component.
+    pub(crate) fn along(vector: &Vector3<f64>) -> UpAxis {
+        UpAxis::new(vector.iamax(), vector[vector.iamax()] < 0.0)
+    }
+
+    /// Whether the other axis points the other way.
+    pub(crate) fn is_opposite(self, other: UpAxis) -> bool {
+        self != other && self.letter() == other.letter()
+    }
+
+    /// The height of the lowest point of a box between two corners.
+    pub(crate) fn lowest(self, low: &Vector3<f64>, high: &Vector3<f64>) -> f64 {
+        self.height(low).min(self.height(high))
+    }
+
     /// The height of a point.
     pub(crate) fn height(self, place: &Vector3<f64>) -> f64 {
         match self {

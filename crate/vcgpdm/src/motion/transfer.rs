@@ -102,9 +102,8 @@ fn direction(skeleton: &Skeleton, from: usize, to: usize) -> Vector3<f64> {
 fn upright_rest(clip: &Clip) -> Result<UnitQuaternion<f64>, BodyMismatch> {
     let skeleton = &clip.skeleton;
     let standing = Anatomy::find(skeleton).and_then(|anatomy| standing_at_rest(skeleton, &anatomy));
-    let turned = standing.and_then(|standing| {
-        let axis = standing.upward.iamax();
-        let upright = UpAxis::new(axis, standing.upward[axis] < 0.0).to_y_up();
+    let turned = standing.and_then(|upward| {
+        let upright = UpAxis::along(&upward).to_y_up();
         let places: Vec<f32> = (skeleton.rest_pose().positions.iter())
             .flat_map(|place| <[f64; 3]>::from(upright * place).map(|x| x as f32))
             .collect();

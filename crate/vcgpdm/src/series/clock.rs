@@ -150,10 +150,16 @@ fn time_step(
     if let Some(row) = (1..times.len()).find(uneven) {
         return wrong(row, "seconds that grow by as much from row to row (resample before)");
     }
+    let unit = match seconds {
+        1.0 => "seconds",
+        1e-3 => "milliseconds",
+        1e-6 => "microseconds",
+        _ => "nanoseconds",
+    };
     if !USUAL.contains(&step) && (stated.is_none() || step < USUAL.start) {
         warnings.push(format!(
-            "a row lasts {} s by the column {name:?}: if that is wrong, name the column after what it holds: \
-             time_s, time_ms (milliseconds), time_us or frame",
+            "the column {name:?} is taken for {unit}, so a row lasts {} s: name the column after what it holds, \
+             time_s for seconds, time_ms for milliseconds, time_us for microseconds, or frame if it counts rows",
             rounded(step)
         ));
     }

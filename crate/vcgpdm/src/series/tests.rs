@@ -97,8 +97,14 @@ fn columns_that_count_rows_are_left_out() {
 #[test]
 fn doubtful_times_are_named() {
     let milliseconds = with_first("t", 0.0, 8.0);
-    assert!(milliseconds.warnings[0].starts_with("a row lasts 8 s by the column \"t\": if that is wrong"));
-    assert!(with_first("time_ms", 0.0, 0.03).warnings[0].starts_with("a row lasts 0.00003 s"));
+    let taken =
+        "the column \"t\" is taken for seconds, so a row lasts 8 s: name the column after what it holds";
+    assert!(milliseconds.warnings[0].starts_with(taken));
+    assert!(with_first("time", 0.0, 1.0).warnings[0].contains("taken for seconds, so a row lasts 1 s"));
+    assert!(
+        with_first("time_ms", 0.0, 0.03).warnings[0]
+            .contains("taken for milliseconds, so a row lasts 0.00003 s")
+    );
     let unknown = with_first("Bildzeit", 0.0, 0.04);
     assert_eq!((unknown.columns.len(), unknown.frame_time), (2, None));
     assert!(unknown.warnings[0].starts_with("the column \"Bildzeit\" grows by 0.04 in each row"));

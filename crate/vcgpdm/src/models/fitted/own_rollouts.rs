@@ -258,7 +258,8 @@ pub(in crate::models) mod tests {
     }
 
     fn health(state: Ending, rank: u8, speed: f64, turns_back: f64, visited: f64) -> Health {
-        let pace = Pace { speed, clip_speed: Some(1.0), turns_back, clip_turns_back: Some(0.0) };
+        let pace =
+            Pace { speed, clip_speed: Some(1.0), times: Some(speed), turns_back, clip_turns_back: Some(0.0) };
         let parts = vec![PartPoses { visited: Some(visited), still_from: None, pace }];
         Health { state, from: None, part: None, rank, pace: Some(pace), parts }
     }

@@ -109,7 +109,7 @@ impl LibraryTrainer {
     ///
     /// When a covariance of the library cannot be factorised.
     pub fn finish(&self) -> Result<TrainedLibrary, NumericsError> {
-        self.rollouts.as_ref().map_or_else(|| self.trained(), |rollouts| Ok(rollouts.best()))
+        self.rollouts.as_ref().map_or_else(|| self.trained(), |rollouts| Ok(rollouts.best().clone()))
     }
 
     /// The library of the best bound so far.

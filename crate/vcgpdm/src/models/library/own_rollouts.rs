@@ -6,6 +6,7 @@ use crate::gp::tall::product;
 use crate::models::fitted::own_rollouts::{OwnRollouts, is_no_worse};
 use crate::models::library::{Library, TrainedLibrary};
 use crate::models::variational::FittedExpert;
+use std::sync::OnceLock;
 
 impl TrainedLibrary {
     /// Lets the primitives of each learned movement whose rollouts of 20 s do not move on learn from these
@@ -18,7 +19,7 @@ impl TrainedLibrary {
         while !rounds.is_done() {
             rounds.step();
         }
-        *self = rounds.best();
+        *self = rounds.library;
     }
 }
 
@@ -29,11 +30,13 @@ pub(super) struct LibraryRollouts {
     /// The movement that learns, or will learn next.
     movement: usize,
     rounds: Option<OwnRollouts>,
+    /// The library with the best rounds so far, once it was asked for: to judge all movements takes long.
+    judged: OnceLock<TrainedLibrary>,
 }
 
 impl LibraryRollouts {
     pub(super) fn new(library: TrainedLibrary) -> Self {
-        Self { library, movement: 0, rounds: None }
+        Self { library, movement: 0, rounds: None, judged: OnceLock::new() }
     }
 
     /// Judges the next movement, or takes a round with the movement that learns. After the end it does nothing.
@@ -43,12 +46,20 @@ impl LibraryRollouts {
             self.rounds = self.library.movement(self.movement).ok().and_then(OwnRollouts::new);
         }
         if let Some(rounds) = &mut self.rounds {
+            let best = |rounds: &OwnRollouts| rounds.best().map(|(rounds, _)| rounds);
+            let before = best(rounds);
             rounds.step();
+            if best(rounds) != before {
+                self.judged.take();
+            }
             if !rounds.is_done() {
                 return;
             }
         }
-        self.library = self.best();
+        if self.rounds.is_some() {
+            self.library = self.best().clone();
+        }
+        self.judged.take();
         self.rounds = None;
         self.movement += 1;
     }
@@ -64,7 +75,7 @@ impl LibraryRollouts {
     }
 
     /// The library with the best rounds so far of the movement that learns, if no movement is worse with them.
-    pub(super) fn best(&self) -> TrainedLibrary {
+    pub(super) fn best(&self) -> &TrainedLibrary {
         let learned = || {
             let (rounds, model) = self.rounds.as_ref()?.best()?;
             let mut learned = self.library.clone();
@@ -78,7 +89,7 @@ impl LibraryRollouts {
             };
             (0..learned.library.movements.len()).all(is_no_worse).then_some(learned)
         };
-        learned().unwrap_or_else(|| self.library.clone())
+        self.judged.get_or_init(|| learned().unwrap_or_else(|| self.library.clone()))
     }
 }
 

@@ -196,7 +196,7 @@ impl Coupled<'_> {
         };
         let pace = Pace::of(&body, &clips, &begins, self.body.frame_time);
         let health = |state, from, part, parts| ends(state, from, part, Some(pace), parts);
-        let times = |part: &usize| parts[*part].pace.times().unwrap_or(0.0);
+        let times = |part: &usize| parts[*part].pace.times.unwrap_or(0.0);
         let shaking = (0..parts.len()).filter(|part| parts[*part].pace.shakes());
         let worst = shaking.max_by(|a, b| times(a).total_cmp(&times(b)));
         if worst.is_some() || pace.shakes() {

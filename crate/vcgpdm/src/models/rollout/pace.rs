@@ -24,6 +24,8 @@ pub struct Pace {
     /// The speed in the clips as the pose maps make them. `None`: the model has not kept the latents of its clips'
     /// frames.
     pub clip_speed: Option<f64>,
+    /// How many times as fast as the clips it is. Clips count as 0.05 m/s at least, which a viewer hardly sees.
+    pub times: Option<f64>,
     /// The share of its steps from frame to frame that go back, opposite to the step before; 0 to 1.
     pub turns_back: f64,
     /// That share in the clips.
@@ -31,15 +33,10 @@ pub struct Pace {
 }
 
 impl Pace {
-    /// How many times as fast as the clips it is. Clips count as 0.05 m/s at least, which a viewer hardly sees.
-    pub fn times(&self) -> Option<f64> {
-        self.clip_speed.map(|clip| self.speed / clip.max(SEEN_SPEED))
-    }
-
     /// Whether it is no faster and no less smooth than before, but for paces that are usual in models that move on:
     /// 1.75 times as fast as the clips, and 10 per cent more steps that turn back.
     pub(in crate::models) fn is_no_worse_than(&self, before: &Pace) -> bool {
-        let times = self.times().unwrap_or(0.0) <= before.times().unwrap_or(0.0).max(USUAL_SPEED);
+        let times = self.times.unwrap_or(0.0) <= before.times.unwrap_or(0.0).max(USUAL_SPEED);
         let usual_turns = self.clip_turns_back.unwrap_or(0.0) + USUAL_TURNS;
         times && self.turns_back <= before.turns_back.max(usual_turns)
     }
@@ -48,7 +45,7 @@ impl Pace {
     /// the steps turn back, and a viewer sees it (0.05 m/s).
     pub fn shakes(&self) -> bool {
         let turns = self.turns_back - self.clip_turns_back.unwrap_or(0.0) > TURNS;
-        self.times().is_some_and(|times| times > FAST) || (turns && self.speed > SEEN_SPEED)
+        self.times.is_some_and(|times| times > FAST) || (turns && self.speed > SEEN_SPEED)
     }
 
     /// The pace of these poses beside that of the clips, in whose frames `begins` a sequence begins.
@@ -58,9 +55,12 @@ impl Pace {
         let [first, second] = halves;
         let faster = if first.mean > second.mean { first } else { second };
         let clip = (!begins.is_empty()).then(|| clips.steps(0..clips.frames(), begins));
+        let speed = faster.mean / frame_time;
+        let clip_speed = clip.map(|clip| clip.mean / frame_time);
         Pace {
-            speed: faster.mean / frame_time,
-            clip_speed: clip.map(|clip| clip.mean / frame_time),
+            speed,
+            clip_speed,
+            times: clip_speed.map(|clip| speed / clip.max(SEEN_SPEED)),
             turns_back: faster.turned_back,
             clip_turns_back: clip.map(|clip| clip.turned_back),
         }

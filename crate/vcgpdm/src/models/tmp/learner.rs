@@ -9,17 +9,15 @@ use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::tmp::Tmp;
 use crate::models::tmp::partial_trial::PartialTrial;
 use crate::models::tmp::posterior::Posterior;
+use crate::models::tmp::run::Run;
 use crate::models::training::error::{TrainingError, in_range};
 use crate::models::training::learner::Learner;
 use crate::models::training::progress::{EndReason, Progress, Setbacks};
 use crate::models::training::settings::{MOST_PRIMITIVES, TmpSettings};
 
-/// Number of sweeps between two updates of lengthscale and phases.
-const EVERY: usize = 5;
 /// The sweeps of a number of primitives end when [`EVERY`] of them raise the bound by less than this share.
 const SMALL_GAIN: f64 = 5e-6;
-/// The same share, and the most sweeps, during the search for the number of primitives. Each number starts
-/// from the result of the number before and so needs few sweeps.
+/// The same share, and the most sweeps, during the search for the number of primitives.
 const SEARCH_GAIN: f64 = 5e-5;
 const SEARCH_SWEEPS: usize = 30;
 /// More primitives are better only when they raise the bound by this many nats, a Bayes factor of 150.
@@ -27,13 +25,8 @@ const SEARCH_SWEEPS: usize = 30;
 const DECISIVE: f64 = 5.0;
 /// From this number of primitives on, only every second number is tried: one more hardly changes the bound.
 const MANY: usize = 10;
-/// When this many numbers in a row are worse than the best, the search tries again from the best with more
-/// freedom ([`Posterior::freed`]); then it ends.
+/// The search ends when this many numbers in a row are worse than the best.
 const WORSE_IN_A_ROW: usize = 2;
-/// The first step of the phases and the first factor of the lengthscale; both shrink.
-const PHASE_STEP: f64 = 1.0 / 64.0;
-const LENGTHSCALE_FACTOR: f64 = 1.4;
-
 /// Limits of a training.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
@@ -57,25 +50,25 @@ pub struct TmpLearner {
     columns: Vec<usize>,
     /// Whether phases are learned; false: they are normalised time, and all trials have the same weights.
     learns_phases: bool,
+    alignment: Alignment,
+    /// The numbers of neighbouring columns that share their noise.
+    groups: Vec<usize>,
     /// The requested number of primitives; `None`: the number with the highest bound.
     requested: Option<usize>,
     limits: Limits,
-    /// The current number of primitives.
-    count: usize,
-    current: Posterior,
-    bound: f64,
-    sweeps: usize,
-    /// The bound [`EVERY`] sweeps ago.
-    before: f64,
-    phase_step: f64,
-    lengthscale_factor: f64,
-    best: Option<(f64, Posterior)>,
+    current: Run,
+    best: Option<Run>,
     setbacks: Setbacks,
     bounds: Vec<(usize, f64)>,
     /// The numbers of primitives in a row that were worse than the best.
     worse_in_a_row: usize,
-    /// Whether each new primitive has more freedom.
-    freed: bool,
+    /// Whether a start of the current number was the best so far.
+    is_number_best: bool,
+    /// The run from the number before, while the current number has its second start.
+    grown: Option<Run>,
+    /// The second start of the best number. It is trained to the end too, so that the best bound is at least that
+    /// of a training with this number alone.
+    second: Option<Run>,
     iteration: usize,
     /// Why the search for the number ended, while the best number is trained to the end.
     end: Option<EndReason>,
@@ -111,26 +104,24 @@ impl TmpLearner {
         // of a column that hardly moves would grow without limit, and the bounds could not be compared.
         let groups: Vec<usize> = columns.iter().copied().filter(|&width| width > 0).collect();
         let current = Posterior::start(&trials, &alignment, &groups, count, settings.normalised_time)?;
-        let bound = current.bound(&trials)?;
+        let current = Run::new(current, &trials)?;
         Ok(Self {
             trials,
             partial,
             order,
             columns,
             learns_phases,
+            alignment,
+            groups,
             requested,
             limits,
-            count,
             current,
-            bound,
-            sweeps: 0,
-            before: bound,
-            phase_step: PHASE_STEP,
-            lengthscale_factor: LENGTHSCALE_FACTOR,
             best: None,
             bounds: Vec::new(),
             worse_in_a_row: 0,
-            freed: false,
+            is_number_best: false,
+            grown: None,
+            second: None,
             iteration: 0,
             end: None,
             setbacks: Setbacks::default(),
@@ -138,72 +129,82 @@ impl TmpLearner {
         })
     }
 
-    /// Does all updates once and returns the bound.
-    fn sweep(&mut self) -> Result<f64, NumericsError> {
-        let (current, trials) = (&mut self.current, &self.trials);
-        current.update_primitives()?;
-        current.update_weights()?;
-        current.update_hyperparameters(trials)?;
-        if self.sweeps % EVERY == EVERY - 1 {
-            if !current.update_lengthscale(trials, self.lengthscale_factor)? {
-                self.lengthscale_factor = self.lengthscale_factor.sqrt();
-            }
-            if self.learns_phases {
-                current.update_phases(trials, self.phase_step);
-            }
-            self.phase_step = (self.phase_step * 0.7).max(1e-4);
-        }
-        self.sweeps += 1;
-        current.bound(trials)
-    }
-
-    /// One sweep; when the sweeps of a number of primitives end, the change to the next number.
+    /// One sweep; when the sweeps of a run end, the change to the next run.
     fn advance(&mut self) -> Result<(), NumericsError> {
-        self.bound = self.sweep()?;
-        let compare = self.sweeps.is_multiple_of(EVERY);
-        let gain = if self.is_searching() { SEARCH_GAIN } else { SMALL_GAIN };
-        let small = compare && self.bound - self.before < gain * self.bound.abs();
-        if compare {
-            self.before = self.bound;
-        }
-        let most = if self.is_searching() { SEARCH_SWEEPS } else { self.limits.max_sweeps };
-        if self.sweeps < most && !small {
+        let is_searching = self.is_searching();
+        let gain = if is_searching { SEARCH_GAIN } else { SMALL_GAIN };
+        let small = self.current.sweep(&self.trials, self.learns_phases, gain)?;
+        let most = if is_searching { SEARCH_SWEEPS } else { self.limits.max_sweeps };
+        if self.current.sweeps < most && !small {
             return Ok(());
         }
         self.record_bound();
-        let best = self.best.as_ref().map_or(self.count, |(_, p)| p.primitives());
         if self.requested.is_some() {
             self.reason = Some(if small { EndReason::BoundSettled } else { EndReason::Iterations });
-        } else if let Some(end) = self.end.take() {
-            self.reason = Some(end);
-        } else if self.worse_in_a_row >= WORSE_IN_A_ROW {
-            if self.freed {
-                self.train_best(EndReason::MorePrimitivesAreWorse { best });
-            } else {
-                (self.freed, self.worse_in_a_row) = (true, 0);
-                self.return_to_best();
-                self.grow()?;
+        } else if self.end.is_some() {
+            match self.second.take() {
+                Some(second) => self.current = second,
+                None => self.reason = self.end.take(),
             }
-        } else if self.count >= self.limits.most_primitives {
-            self.train_best(EndReason::MostPrimitives { best });
+        } else if self.grown.is_none() && self.count() > 1 {
+            self.start_again()?;
         } else {
-            self.grow()?;
+            self.end_number()?;
         }
+        Ok(())
+    }
+
+    /// The current number of primitives.
+    fn count(&self) -> usize {
+        self.current.posterior.primitives()
+    }
+
+    /// Starts the current number of primitives again, from principal components. From the number before, a new
+    /// primitive can stay at 0 where the lengthscale has become long; from components, more primitives may share
+    /// what fewer explained.
+    fn start_again(&mut self) -> Result<(), NumericsError> {
+        let (count, shared_weights) = (self.count(), !self.learns_phases);
+        let fresh = Posterior::start(&self.trials, &self.alignment, &self.groups, count, shared_weights)?;
+        self.grown = Some(std::mem::replace(&mut self.current, Run::new(fresh, &self.trials)?));
+        Ok(())
+    }
+
+    /// Goes on with the next number of primitives, or trains the best number to the end.
+    fn end_number(&mut self) -> Result<(), NumericsError> {
+        self.worse_in_a_row += 1;
+        if self.is_number_best {
+            (self.worse_in_a_row, self.is_number_best) = (0, false);
+            self.second = Some(self.current.clone());
+        }
+        if let Some(grown) = self.grown.take_if(|grown| grown.bound > self.current.bound) {
+            self.current = grown;
+        }
+        self.grown = None;
+        let best = self.best.as_ref().map_or(self.count(), |run| run.posterior.primitives());
+        let end = if self.worse_in_a_row >= WORSE_IN_A_ROW {
+            EndReason::MorePrimitivesAreWorse { best }
+        } else if self.count() >= self.limits.most_primitives {
+            EndReason::MostPrimitives { best }
+        } else {
+            return self.grow();
+        };
+        // From the best, the steps are large again.
+        if let Some(best) = self.best.clone() {
+            self.current = Run::new(best.posterior, &self.trials)?;
+        }
+        self.end = Some(end);
         Ok(())
     }
 
     /// Changes to the next number of primitives.
     fn grow(&mut self) -> Result<(), NumericsError> {
-        if self.freed {
-            self.current = self.current.freed(&self.trials)?;
-        }
-        let more = if self.count < MANY { 1 } else { 2.min(self.limits.most_primitives - self.count) };
+        let count = self.count();
+        let more = if count < MANY { 1 } else { 2.min(self.limits.most_primitives - count) };
+        let mut posterior = self.current.posterior.clone();
         for _ in 0..more {
-            self.count += 1;
-            self.current = self.current.with_one_more(&self.trials)?;
+            posterior = posterior.with_one_more(&self.trials)?;
         }
-        self.bound = self.current.bound(&self.trials)?;
-        self.restart_sweeps();
+        self.current = Run::new(posterior, &self.trials)?;
         Ok(())
     }
 
@@ -219,44 +220,25 @@ impl TmpLearner {
         self.requested.is_none() && self.end.is_none()
     }
 
-    /// Resets the sweeps, and the steps that shrink in them.
-    fn restart_sweeps(&mut self) {
-        (self.sweeps, self.before) = (0, self.bound);
-        (self.phase_step, self.lengthscale_factor) = (PHASE_STEP, LENGTHSCALE_FACTOR);
-    }
-
     /// Whether the current posterior is better than the best before.
     fn is_best(&self) -> bool {
-        self.best.as_ref().is_none_or(|(bound, posterior)| {
-            self.bound > bound + if posterior.primitives() < self.count { DECISIVE } else { 0.0 }
+        self.best.as_ref().is_none_or(|best| {
+            let more = best.posterior.primitives() < self.count();
+            self.current.bound > best.bound + if more { DECISIVE } else { 0.0 }
         })
     }
 
-    /// Records the bound of the current number of primitives, and the posterior if it is the best.
+    /// Records the bound of the current number of primitives, and the run if it is the best.
     fn record_bound(&mut self) {
-        match self.bounds.iter_mut().find(|(count, _)| *count == self.count) {
-            Some((_, bound)) => *bound = self.bound.max(*bound),
-            None => self.bounds.push((self.count, self.bound)),
+        let (count, found) = (self.count(), self.current.bound);
+        match self.bounds.iter_mut().find(|(other, _)| *other == count) {
+            Some((_, bound)) => *bound = found.max(*bound),
+            None => self.bounds.push((count, found)),
         }
-        self.worse_in_a_row += 1;
         if self.is_best() {
-            self.best = Some((self.bound, self.current.clone()));
-            self.worse_in_a_row = 0;
+            self.best = Some(self.current.clone());
+            self.is_number_best = true;
         }
-    }
-
-    /// Makes the best posterior the current one.
-    fn return_to_best(&mut self) {
-        if let Some((bound, posterior)) = &self.best {
-            (self.count, self.bound, self.current) = (posterior.primitives(), *bound, posterior.clone());
-        }
-    }
-
-    /// Continues with the best number of primitives; `end` is the reason at the end.
-    fn train_best(&mut self, end: EndReason) {
-        self.return_to_best();
-        self.end = Some(end);
-        self.restart_sweeps();
     }
 }
 
@@ -267,18 +249,19 @@ impl Learner for TmpLearner {
             let (advanced, jittered) = counting_jittered(|| self.advance());
             self.setbacks.jittered += jittered;
             if let Err(error) = advanced {
-                self.reason = Some(EndReason::Failed { primitives: Some(self.count), error });
+                self.reason = Some(EndReason::Failed { primitives: Some(self.count()), error });
             }
         }
         self.progress()
     }
 
     fn progress(&self) -> Progress {
-        let most = if self.requested.is_some() { 0 } else { self.numbers_to_try() * SEARCH_SWEEPS };
-        let most = most + self.limits.max_sweeps;
+        let most = if self.requested.is_some() { 0 } else { 2 * self.numbers_to_try() * SEARCH_SWEEPS };
+        let ends = if self.requested.is_some() { 1 } else { 2 };
+        let most = most + ends * self.limits.max_sweeps;
         let best = match &self.best {
-            Some((best, _)) if !self.is_best() => *best,
-            _ => self.bound,
+            Some(best) if !self.is_best() => best.bound,
+            _ => self.current.bound,
         };
         let share = self.iteration as f64 / most as f64;
         let done = self.reason.is_some();
@@ -287,7 +270,7 @@ impl Learner for TmpLearner {
             max_iterations: most,
             evaluations: 0,
             setbacks: self.setbacks,
-            objective: self.bound,
+            objective: self.current.bound,
             best,
             terms: None,
             phase: None,
@@ -310,8 +293,8 @@ impl TmpLearner {
     /// When a covariance cannot be factorised.
     pub fn fitted(&self) -> Result<Tmp, NumericsError> {
         let best = match &self.best {
-            Some((_, posterior)) if !self.is_best() => posterior,
-            _ => &self.current,
+            Some(best) if !self.is_best() => &best.posterior,
+            _ => &self.current.posterior,
         };
         let mut posterior = best.clone();
         let mut trials = self.trials.clone();

@@ -37,6 +37,7 @@ mod kernel;
 mod learner;
 mod partial_trial;
 mod posterior;
+mod run;
 #[cfg(test)]
 mod tests;
 mod trial_features;

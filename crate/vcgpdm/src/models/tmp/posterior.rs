@@ -116,27 +116,6 @@ impl Posterior {
         Ok(posterior)
     }
 
-    /// The posterior with hyperparameters under which a faster primitive can be found: the lengthscale is at
-    /// most that of the start, and the scale of a column at least its squared error. A few slow primitives have
-    /// a long lengthscale, and columns that they do not explain have a small scale; both would keep a faster
-    /// primitive at 0.
-    pub fn freed(&self, trials: &[Trial]) -> Result<Self, NumericsError> {
-        let mut freed = self.clone();
-        let lengthscale = start_lengthscale(self.kernel.axis, self.range);
-        if self.kernel.lengthscale > lengthscale {
-            freed.kernel = PhaseKernel::new(self.kernel.axis, lengthscale, self.range)?;
-            freed.update_features(trials);
-            freed.update_primitives()?;
-        }
-        let frames = trials.iter().map(|t| t.y.nrows()).sum::<usize>() as f64;
-        let energies = freed.energies();
-        for k in 0..freed.scale.len() {
-            let error = freed.squared_error(trials, &energies, k) / frames;
-            freed.scale[k] = freed.scale[k].max(error);
-        }
-        Ok(freed)
-    }
-
     /// The posterior with one more primitive: the function of phase that explains most of the residual.
     pub fn with_one_more(&self, trials: &[Trial]) -> Result<Self, NumericsError> {
         let (r, count) = (self.v.nrows(), self.primitives());

@@ -92,13 +92,17 @@ fn angles_of(joint: usize) -> Range<usize> {
 
 /// A warning about the first frame whose number does not follow that of the frame before.
 fn jump(frames: &[Frame]) -> Option<String> {
-    let step = |pair: &[Frame]| pair[1].number.checked_sub(pair[0].number);
+    let step = |pair: &[Frame]| pair[1].number.checked_sub(pair[0].number).filter(|step| *step > 0);
     let usual = frames.windows(2).filter_map(step).min()?;
     let jump = frames.windows(2).find(|pair| step(pair) != Some(usual))?;
     let ([before, after], line) = ([&jump[0], &jump[1]].map(|frame| frame.number), jump[1].line);
+    let why = if after > before {
+        "frames are missing there, and the motion jumps over them"
+    } else {
+        "the number is wrong, or another recording begins there"
+    };
     Some(format!(
-        "line {line}: frame {after} follows frame {before}: frames are missing there, and the motion jumps over \
-         them (clip --frames keeps the frames before or after)"
+        "line {line}: frame {after} follows frame {before}: {why} (clip --frames keeps the frames before or after)"
     ))
 }
 
@@ -130,8 +134,8 @@ fn fill(frames: &mut [Frame], body: &AsfBody) -> Option<String> {
     let more = names.len().saturating_sub(MOST_NAMES);
     let more = if more > 0 { format!(" and {more} more") } else { String::new() };
     Some(format!(
-        "{count} of {} frames have no lines of {shown}{more}, first frame {} (line {}): these bones keep the pose \
-         of the frame before",
+        "{count} of {} frames have no lines of {shown}{more}, first frame {} (line {}): these bones keep \
+         the pose of the nearest frame that has them",
         frames.len(),
         first.number,
         first.line

@@ -170,6 +170,9 @@ fn frames_that_are_lost_and_bones_that_move_give_a_warning() {
         "{:?}",
         lost.warnings
     );
+    let twice = AMC.to_owned() + &AMC[AMC.find("2\nroot").unwrap()..];
+    let [warning] = &recording(ASF, &twice).unwrap().warnings[..] else { panic!() };
+    assert!(warning.contains("frame 2 follows frame 2: the number is wrong"), "{warning}");
     let asf = ASF.replace("dof rx\n", "dof rx tz\n");
     let amc =
         |z: &str| AMC.replace("ltibia 40", "ltibia 40 0").replace("ltibia 41", &format!("ltibia 41 {z}"));
