@@ -95,11 +95,15 @@ pub enum VcgpdmError {
 impl VcgpdmError {
     /// An error with this message.
     pub fn new(code: ErrorCode, message: &dyn Display) -> Self {
+        Self::own(code.word(), message)
+    }
+
+    fn own(code: &'static str, message: &dyn Display) -> Self {
         let message = message.to_string();
         // The wasm of a first visit reads no numbers of other people.
         #[cfg(feature = "training")]
         let message = crate::wording::with_short_numbers(&message);
-        Self::Own(code.word(), message)
+        Self::Own(code, message)
     }
 }
 
@@ -120,7 +124,7 @@ impl From<VcgpdmError> for JsValue {
 /// An error of the library has a code of its own.
 impl<E: Coded + Display> From<E> for VcgpdmError {
     fn from(error: E) -> Self {
-        Self::Own(error.code(), error.to_string())
+        Self::own(error.code(), &error)
     }
 }
 
