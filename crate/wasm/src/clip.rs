@@ -47,6 +47,8 @@ export interface ClipInfo {
     upAxis: UpAxis;
     /** What was odd about the file but could be read. */
     warnings: string[];
+    /** The root joints of the bodies in the file, where it has several; the first is read. `Clip.readBody` reads another. */
+    bodies: string[];
     /** Ways to split the body; at least "whole". */
     presets: PartsPreset[];
 }
@@ -85,6 +87,7 @@ struct ClipInfo<'a> {
     height: f64,
     up_axis: &'static str,
     warnings: &'a [String],
+    bodies: &'a [String],
     presets: Vec<PartsPreset>,
 }
 
@@ -147,6 +150,7 @@ impl Clip {
             height: stage.height,
             up_axis: stage.up.name(),
             warnings: &clip.warnings,
+            bodies: &clip.bodies,
             presets: parts::presets(&clip.skeleton),
         };
         to_js_joined(&info, &BodyInfo::new(&clip.skeleton))
@@ -187,9 +191,15 @@ impl Clip {
 
     /// Reads one body of a BVH file that has several: the joint of this name and all joints below it.
     #[wasm_bindgen(js_name = readBody)]
-    pub fn read_body(name: &Text, bytes: &Bytes, root: &Text) -> Result<Clip, VcgpdmError> {
+    pub fn read_body(
+        name: &Text,
+        bytes: &Bytes,
+        root: &Text,
+        #[wasm_bindgen(js_name = framesPerSecond)] frames_per_second: Option<f64>,
+    ) -> Result<Clip, VcgpdmError> {
         let name = name.get(ErrorCode::Clip, "the name")?;
-        let recording = bvh::read(&name, &bytes.get(ErrorCode::Clip, "the file")?)?;
+        let bytes = bytes.get(ErrorCode::Clip, "the file")?;
+        let recording = bvh::read_at(&name, &bytes, frames_per_second)?;
         Ok(Clip { clip: recording.of_root(Some(&root.get(ErrorCode::Clip, "the root")?))?.into_clip() })
     }
 
@@ -273,6 +283,7 @@ impl Clip {
             file_frame_time: state.file_frame_time,
             bones_of: state.bones_of,
             up: state.up.as_deref().map(up_axis).transpose()?,
+            bodies: Vec::new(),
             found_up: state.found_up.as_deref().map(up_axis).transpose()?,
         };
         Ok(Clip { clip })

@@ -33,6 +33,8 @@ export interface ClipEntry {
   origin: "made" | "model" | "own";
   source: ClipSource;
   loaded: LoadedClip;
+  /** The root joints of the bodies in its file, if it has several. */
+  bodies: readonly string[];
   /** Whether it is chosen for training and comparisons. */
   ticked: boolean;
   /** The frames to use: first up to, not including, end. */
@@ -154,8 +156,9 @@ export class ClipsStore extends Store {
   /** Opens a clip of the visitor. The first of several goes on the stage. */
   async open(file: File, first: boolean): Promise<void> {
     // A copy of the bytes: the visitor may change the file on disk.
-    const source = { name: clipTitle(file.name), file: new Blob([await file.arrayBuffer()]) };
+    const source: ClipSource = { name: clipTitle(file.name), file: new Blob([await file.arrayBuffer()]) };
     const loaded = await this.#read(source);
+    if (loaded.assumed) source.fps = loaded.assumed.fps;
     // The visitor wants to train on own clips now, so that the made ones are unticked.
     if (first) {
       for (const { key, origin, ticked } of this.#clips)
@@ -218,10 +221,10 @@ export class ClipsStore extends Store {
   }
 
   /**
-   * States the axis that points up in an own clip, or its frames a second; its parts, its cut and its place in
-   * the list stay.
+   * States the axis that points up in an own clip, its frames a second, or which of several bodies it is; its place
+   * in the list stays, and its cut if its length does.
    */
-  async state(key: string, stated: { up: UpAxis } | { fps: number }): Promise<void> {
+  async state(key: string, stated: { up: UpAxis } | { fps: number } | { root: string }): Promise<void> {
     const clip = this.#find(key);
     if (!clip || !("file" in clip.source)) return;
     if ("fps" in stated && !(stated.fps >= 1 && stated.fps <= 10_000)) {
@@ -315,8 +318,9 @@ export class ClipsStore extends Store {
     return this.#clips.find((clip) => clip.key === key);
   }
 
-  #add(clip: Omit<ClipEntry, "first" | "end">): void {
-    this.#clips = [...this.#clips, { ...clip, first: 0, end: clip.loaded.info.frames }];
+  #add(clip: Omit<ClipEntry, "bodies" | "first" | "end">): void {
+    const { bodies, frames } = clip.loaded.info;
+    this.#clips = [...this.#clips, { ...clip, bodies, first: 0, end: frames }];
     this.changed();
   }
 

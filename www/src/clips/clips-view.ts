@@ -52,7 +52,7 @@ export class ClipsView extends View {
         <label>${words.from} ${this.#cutField(clip, "first")}</label>
         <label>${words.to} ${this.#cutField(clip, "end")}</label>
         <span>${words.of(clip.loaded.info.frames)}</span>
-        ${clip.origin === "own" ? [this.#upField(clip), this.#rateField(clip)] : nothing}
+        ${clip.origin === "own" ? [this.#upField(clip), this.#rateField(clip), this.#bodyField(clip)] : nothing}
       </div>`;
   }
 
@@ -65,6 +65,20 @@ export class ClipsView extends View {
     return html`<label>${words.up}
       <select aria-label=${words.upAxis(title)} ?disabled=${clips.locked} @change=${change}>
         ${UP_AXES.map((axis) => html`<option ?selected=${axis === loaded.info.upAxis}>${axis}</option>`)}
+      </select></label>`;
+  }
+
+  /** For a file with several bodies. */
+  #bodyField({ key, title, source, bodies }: ClipEntry) {
+    const { clips } = this;
+    if (bodies.length < 2) return nothing;
+    const words = lab().learn.clips;
+    const now = "root" in source ? source.root : bodies[0];
+    const change = (event: Event) =>
+      void clips.state(key, { root: (event.target as HTMLSelectElement).value });
+    return html`<label>${words.body}
+      <select aria-label=${words.bodyOf(title)} ?disabled=${clips.locked} @change=${change}>
+        ${bodies.map((body) => html`<option ?selected=${body === now}>${body}</option>`)}
       </select></label>`;
   }
 
@@ -101,7 +115,8 @@ export class ClipsView extends View {
             ? html`<button class="round" aria-label=${words.removeOf(title)} title=${words.remove} ?disabled=${clips.locked} @click=${() => void clips.remove(key)}>${icon("close")}</button>`
             : html`<span class="round"></span>`
         }
-        ${this.#cutting.has(key) ? this.#cutFields(clip) : nothing}
+        ${this.#cutting.has(key) || loaded.assumed ? this.#cutFields(clip) : nothing}
+        ${loaded.assumed ? html`<p class="hint bad" data-testid="assumed-rate">${words.assumed(loaded.assumed.why, loaded.assumed.fps)}</p>` : nothing}
         ${fileNotices(warnings)}
       </li>`;
   }

@@ -128,6 +128,7 @@ function shownClip(frames = 60): ShownClip {
     frameTime: 1 / 30,
     upAxis: "y",
     warnings: [],
+    bodies: [],
     presets: [{ id: "lower-upper", title: "", parts }],
   };
   return { info: info as unknown as ClipInfo, motion: still(frames) };

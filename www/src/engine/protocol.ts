@@ -54,6 +54,8 @@ export interface Motion {
 export interface ShownClip {
   info: ClipInfo;
   motion: Motion;
+  /** The frames a second that were assumed, and why: the file's own frame time is no time. */
+  assumed?: { fps: number; why: string };
 }
 
 /** An open clip of the page. */
@@ -180,10 +182,12 @@ export interface OpenedModel {
 }
 
 /**
- * The source of a clip. Each worker that trains on the clip reads the source. `up` and
- * `fps`: the axis and the frames a second that the visitor states.
+ * The source of a clip. Each worker that trains on the clip reads the source. `up`, `fps` and `root`: the axis, the
+ * frames a second and, of several bodies, the root joint that the visitor states.
  */
-export type ClipSource = { sample: string } | { name: string; file: Blob; up?: UpAxis; fps?: number };
+export type ClipSource =
+  | { sample: string }
+  | { name: string; file: Blob; up?: UpAxis; fps?: number; root?: string };
 
 /** A clip chosen for training: the frames from `first` (counted from 0) up to but not including `end`. */
 export interface TrainingClip {

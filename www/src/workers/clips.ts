@@ -6,12 +6,14 @@ import { shownClip } from "./shown-clip";
 import { using } from "./using";
 
 const read = new Map<number, Clip>();
+/** Frames a second of a file whose frame time is no time. */
+const ASSUMED = 30;
 
 /** Reads a clip; the caller frees it. */
 export async function readClip(source: ClipSource): Promise<Clip> {
   if ("sample" in source) return Clip.sample(source.sample);
-  const { up, fps } = source;
-  const clip = await Clip.read(source.name, source.file, fps);
+  const { name, file, up, fps, root } = source;
+  const clip = root === undefined ? await Clip.read(name, file, fps) : await Clip.readBody(name, file, root, fps);
   return up ? using(clip, (found) => found.withUp(up)) : clip;
 }
 
@@ -53,7 +55,19 @@ async function add(set: TrainingSet, piece: TrainingClip, first = piece): Promis
 }
 
 export const clipsWorker: ClipsWorker = {
-  readClip: async (source) => using(await readClip(source), shownClip),
+  async readClip(source) {
+    try {
+      return using(await readClip(source), shownClip);
+    } catch (problem) {
+      if ("sample" in source || source.fps !== undefined) throw problem;
+      // A stated rate replaces the frame time: if that helps, nothing else was wrong with the file.
+      const clip = await readClip({ ...source, fps: ASSUMED }).catch(() => {
+        throw problem;
+      });
+      const assumed = { fps: ASSUMED, why: (problem as VcgpdmError).message };
+      return { ...using(clip, shownClip), assumed };
+    }
+  },
   async checkTogether(clips) {
     try {
       (await clipSet(clips)).free();

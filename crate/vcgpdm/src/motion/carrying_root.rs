@@ -39,6 +39,7 @@ impl Clip {
         let mut clip = self.below(bodies[0]);
         let name = |joint: usize| self.skeleton.joints[joint].name.as_str();
         let size = |joint: usize| counted(below(&self.skeleton, joint).len(), "joint");
+        clip.bodies = bodies.iter().map(|&body| name(body).to_owned()).collect();
         let others = bodies[1..].iter().map(|&body| format!("{:?} ({})", name(body), size(body)));
         clip.warnings.push(format!(
             "the root {:?} carries {} bodies: {:?} ({}) is read, without {}. To read another, name its root: --root in the \
@@ -351,6 +352,7 @@ mod tests {
             assert_eq!(first.skeleton.joints[0].name, "A:Hips");
             let [warning] = &first.warnings[..] else { panic!("{:?}", first.warnings) };
             assert!(warning.contains(&format!("carries {} bodies: \"A:Hips\" (21 joints)", names.len())));
+            assert_eq!(clip.bodies, names);
             assert!(warning.contains("\"B:Hips\" (21 joints)"), "{warning}");
             let second = all.clone().of_root(Some("B:Hips")).unwrap().into_clip();
             assert_eq!(second.skeleton.joints[0].name, "B:Hips");

@@ -40,6 +40,8 @@ pub struct Clip {
     pub bones_of: Option<String>,
     /// The axis that points up, if the user states it; `None`: [`Clip::up_axis`] finds it.
     pub up: Option<UpAxis>,
+    /// The root joints of the bodies in the file, where it has several; the first of them is this clip's.
+    pub bodies: Vec<String>,
     /// The axis that was found when the file was read. A part of a clip has the axis of the whole clip.
     pub found_up: Option<UpAxis>,
 }
@@ -235,6 +237,7 @@ impl Clip {
             piece: self.piece,
             bones_of: self.bones_of.clone(),
             up: self.up,
+            bodies: self.bodies.clone(),
             found_up: self.found_up,
             file_frame_time: self.file_frame_time,
         }

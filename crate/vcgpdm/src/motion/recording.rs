@@ -79,6 +79,7 @@ impl Recording {
             piece: None,
             bones_of: None,
             up: None,
+            bodies: Vec::new(),
             found_up: None,
             file_frame_time: frame_time,
         };

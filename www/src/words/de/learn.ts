@@ -7,6 +7,10 @@ const times = (count: number) => (count === 1 ? "einmal" : `${count}-mal`);
 export const learn: LearnWords = {
   clips: {
     title: "Clips",
+    body: "Körper",
+    bodyOf: (title) => `Welcher Körper von ${title}`,
+    assumed: (why, fps) =>
+      `Gelesen mit ${fps} Bildern je Sekunde, denn die eigene Bildzeit ist keine: Gib die Rate an. (${why})`,
     rate: "Bilder je Sekunde",
     rateOf: (title) => `Bilder je Sekunde von ${title}`,
     up: "oben",

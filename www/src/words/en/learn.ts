@@ -7,6 +7,10 @@ const times = (count: number) => (count === 1 ? "once" : `${count} times`);
 export const learn = {
   clips: {
     title: "Clips",
+    body: "body",
+    bodyOf: (title: string) => `Which body of ${title}`,
+    assumed: (why: string, fps: number) =>
+      `Read at ${fps} frames a second, because its own frame time is none: state the rate. (${why})`,
     rate: "frames a second",
     rateOf: (title: string) => `Frames a second of ${title}`,
     up: "up",

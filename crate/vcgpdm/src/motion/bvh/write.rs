@@ -29,6 +29,7 @@ impl Clip {
             piece: None,
             bones_of: None,
             up: None,
+            bodies: Vec::new(),
             found_up: None,
             file_frame_time: frame_time,
         }
