@@ -266,6 +266,23 @@ describe("own files", () => {
     await leave();
   });
 
+  it("reads a file whose frame time is no time, says so, and takes the rate that is stated", async () => {
+    const { page, problems, leave } = await site.visit({ settings: "tab=learn" });
+    await ready(page);
+    await drop(page, { "rate.bvh": bvh().replace(/Frame Time:.*/, "Frame Time: 30") });
+    const words = page.getByTestId("assumed-rate");
+    await words.waitFor();
+    assert.match(
+      await words.innerText(),
+      /^Read at 30 frames a second.*line \d+: expected the seconds of a frame/,
+    );
+    await page.getByRole("spinbutton", { name: "Frames a second of rate" }).fill("60");
+    await page.keyboard.press("Enter");
+    await words.waitFor({ state: "detached" });
+    assert.deepEqual(problems, []);
+    await leave();
+  });
+
   it("opens a saved model, which moves as before", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "tab=learn&trainings=1&iterations=8&fps=15",

@@ -224,7 +224,11 @@ it("errors have a name, a code of the declared ones, and words", () => {
   cases.push(
     ["freed", () => gone.info(), /^expected an object in use, found one after its free\(\)$/],
     ["freed", () => clips.add(gone), /^expected an object in use/],
-    ["argument", () => new (/** @type {any} */ (Model))("x"), /^new Model makes no object: use Model\.fromJson$/],
+    [
+      "argument",
+      () => new /** @type {any} */ (Model)("x"),
+      /^new Model makes no object: use Model\.fromJson$/,
+    ],
     ["clip", () => Clip.sample("walk-1").resample(1e300), /frames a second, found 1e300$/],
   );
   // Arguments of another type.

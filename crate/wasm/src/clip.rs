@@ -87,6 +87,7 @@ struct ClipInfo<'a> {
     height: f64,
     up_axis: &'static str,
     warnings: &'a [String],
+    #[cfg(feature = "training")]
     bodies: &'a [String],
     presets: Vec<PartsPreset>,
 }
@@ -150,6 +151,7 @@ impl Clip {
             height: stage.height,
             up_axis: stage.up.name(),
             warnings: &clip.warnings,
+            #[cfg(feature = "training")]
             bodies: &clip.bodies,
             presets: parts::presets(&clip.skeleton),
         };

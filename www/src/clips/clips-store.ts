@@ -319,7 +319,8 @@ export class ClipsStore extends Store {
   }
 
   #add(clip: Omit<ClipEntry, "bodies" | "first" | "end">): void {
-    const { bodies, frames } = clip.loaded.info;
+    // The samples come from the program that shows models, and have one body each.
+    const { bodies = [], frames } = clip.loaded.info;
     this.#clips = [...this.#clips, { ...clip, bodies, first: 0, end: frames }];
     this.changed();
   }

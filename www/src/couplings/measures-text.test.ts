@@ -85,7 +85,13 @@ describe("the text about measures", () => {
   });
 });
 
-const CALM: NonNullable<Health["pace"]> = { speed: 1, clipSpeed: 1, times: 1, turnsBack: 0, clipTurnsBack: 0 };
+const CALM: NonNullable<Health["pace"]> = {
+  speed: 1,
+  clipSpeed: 1,
+  times: 1,
+  turnsBack: 0,
+  clipTurnsBack: 0,
+};
 
 const inPose = (stillFrom: (number | null)[], health: Partial<Health> = {}): Health => ({
   ...MOVES_ON,

@@ -59,12 +59,7 @@ export class SessionStore extends Store {
   #refused = false;
   #forgets = false;
 
-  constructor(
-    visit: Visit,
-    database: VisitDatabase,
-    locks: VisitLocks,
-    name: string,
-  ) {
+  constructor(visit: Visit, database: VisitDatabase, locks: VisitLocks, name: string) {
     super();
     [this.#visit, this.#database, this.#locks, this.#name] = [visit, database, locks, name];
   }

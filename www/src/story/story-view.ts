@@ -17,7 +17,7 @@ import { siteHead } from "../app/site-head";
 import { OpenChapters } from "./open-chapters";
 import { Slides } from "./slides";
 import { swipes } from "./swipe";
-import { loadReplies, repliesNow } from "../words/replies";
+import { loadReplies, type Replies, repliesNow } from "../words/replies";
 import "./story.css";
 import "./story-foot.css";
 
@@ -246,8 +246,9 @@ export class StoryView extends View {
 
   /** Whether the guess was right, wrong, or right for another question. */
   #reply() {
-    const all: Readonly<Record<string, Readonly<Record<string, string>>>> | null = repliesNow();
-    const replies = all?.[this.#name];
+    const replies = repliesNow()?.[this.#name as keyof Replies] as
+      | Readonly<Record<string, string>>
+      | undefined;
     const reply = replies?.[this.#replies.get(this.#name) ?? ""];
     return reply ? `. ${reply}` : "";
   }

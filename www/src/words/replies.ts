@@ -1,5 +1,7 @@
 // What the story says to a guess: right, wrong, or right for another question. Loads with the first guess.
 import { viewWords } from "./section";
+
+export type { Replies } from "./en/replies";
 import type { WordsStore } from "./words";
 
 const words = viewWords({

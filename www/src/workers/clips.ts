@@ -13,7 +13,10 @@ const ASSUMED = 30;
 export async function readClip(source: ClipSource): Promise<Clip> {
   if ("sample" in source) return Clip.sample(source.sample);
   const { name, file, up, fps, root } = source;
-  const clip = root === undefined ? await Clip.read(name, file, fps) : await Clip.readBody(name, file, root, fps);
+  const clip =
+    root === undefined
+      ? await Clip.read(name, file, fps)
+      : Clip.readBody(name, await file.arrayBuffer(), root, fps);
   return up ? using(clip, (found) => found.withUp(up)) : clip;
 }
 

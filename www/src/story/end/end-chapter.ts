@@ -1,7 +1,7 @@
 // The last card: what the visitor knows now, what nobody knows, and what to make next.
 import { html } from "lit";
 import { Store } from "../../ui/store";
-import type { WordsStore } from "../../words/words";
+import { repliesNow } from "../../words/replies";
 import type { StoryBody } from "../body";
 import type { Chapter } from "../chapter";
 import { EndlessWalk } from "../endless-walk";
@@ -10,18 +10,17 @@ import { EndlessWalk } from "../endless-walk";
 const DOORS = { lab: "view=play", own: "view=play&tab=learn", primitives: "view=primitives" } as const;
 
 export class EndChapter extends Store implements Chapter {
-  readonly #words: WordsStore;
   readonly #body: StoryBody;
   readonly #walk: EndlessWalk;
 
-  constructor(words: WordsStore, body: StoryBody) {
+  constructor(body: StoryBody) {
     super();
-    [this.#words, this.#body] = [words, body];
+    this.#body = body;
     this.#walk = new EndlessWalk(body, () => this.changed());
   }
 
   get #now() {
-    return this.#words.now.chapters.end;
+    return repliesNow()!.end;
   }
 
   stage() {

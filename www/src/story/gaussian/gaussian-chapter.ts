@@ -154,7 +154,8 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
     const columns: [number, Prediction][] = [];
     // Before the guess, the curve ends where it would tell the answer.
     const ends = this.#guessed ? [0, width] : [-0.9 * ASKED, 0.55 * ASKED].map((x) => pixels(x, 0)[0]);
-    for (let px = ends[0]!; px < ends[1]! + 3; px += 3) columns.push([px, this.#process.at((px - zero) * perPixel)]);
+    for (let px = ends[0]!; px < ends[1]! + 3; px += 3)
+      columns.push([px, this.#process.at((px - zero) * perPixel)]);
     const y = (value: number) => base - value / perPixel;
     draw.fillStyle = draw.strokeStyle = colour;
     for (const deviations of [2, 1]) {

@@ -6,12 +6,4 @@ export const end: Words["chapters"]["end"] = {
     "Das weißt du nun: Jeder Teil eines Körpers kann eine eigene kleine Regel haben, die um eine Schleife führt. Die " +
     "Regel sagt, wo sie nicht sicher ist. Die Regeln zweier Teile werden multipliziert, und Alpha sagt, wer zählt. So " +
     "kann man Teile trennen, anstoßen und austauschen.",
-  unknown:
-    "Das weiß niemand: wer in einem aufgenommenen Gang wirklich wen treibt, und wann Menschen eine neue Bewegung natürlich nennen.",
-  doors: {
-    lab: "An den Kopplungen ziehen",
-    own: "Eine eigene Bewegung lernen",
-    primitives: "Bewegungen mischen",
-  },
-  figure: "Eine gehende Figur. Ziehen dreht den Blick; Tasten: w, a, s, d.",
 };

@@ -36,4 +36,14 @@ export const replies: Replies = {
     legs: "Nein: Dieser Schwung gehörte den anderen Armen.",
     still: "Nein: Sieh auf die Hände.",
   },
+  end: {
+    unknown:
+      "Das weiß niemand: wer in einem aufgenommenen Gang wirklich wen treibt, und wann Menschen eine neue Bewegung natürlich nennen.",
+    doors: {
+      lab: "An den Kopplungen ziehen",
+      own: "Eine eigene Bewegung lernen",
+      primitives: "Bewegungen mischen",
+    },
+    figure: "Eine gehende Figur. Ziehen dreht den Blick; Tasten: w, a, s, d.",
+  },
 };

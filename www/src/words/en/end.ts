@@ -4,8 +4,4 @@ export const end = {
     "What you now know: each part of a body can have a small rule of its own, which leads round a loop. The rule " +
     "says where it is not sure. Rules of two parts are multiplied, and alpha says who counts. So parts can be cut, " +
     "pushed and exchanged.",
-  unknown:
-    "What nobody knows: who really drives whom in a recorded walk, and when people will call a new movement natural.",
-  doors: { lab: "Drag the couplings", own: "Train your own movement", primitives: "Mix movements" },
-  figure: "A walking figure. Drag to look from another side; keys: w, a, s, d.",
 };

@@ -2,11 +2,20 @@ import type { words } from "../en";
 
 type Chapters = (typeof words)["chapters"];
 /** A reply to each answer; chapters that keep a score, or ask for a pin, have none. */
-export type Replies = {
+type Answers = {
   readonly [Name in Exclude<keyof Chapters, "computer" | "next" | "belief" | "end">]: Readonly<
     Record<keyof Chapters[Name]["guess"]["choices"], string>
   >;
 };
+
+export interface Replies extends Answers {
+  /** The rest of the last card. */
+  readonly end: {
+    readonly unknown: string;
+    readonly doors: Readonly<Record<"lab" | "own" | "primitives", string>>;
+    readonly figure: string;
+  };
+}
 
 export const replies: Replies = {
   arms: {
@@ -43,5 +52,11 @@ export const replies: Replies = {
     own: "Right.",
     legs: "No: that swing belonged to the other arms.",
     still: "No: look at the hands.",
+  },
+  end: {
+    unknown:
+      "What nobody knows: who really drives whom in a recorded walk, and when people will call a new movement natural.",
+    doors: { lab: "Drag the couplings", own: "Train your own movement", primitives: "Mix movements" },
+    figure: "A walking figure. Drag to look from another side; keys: w, a, s, d.",
   },
 };
