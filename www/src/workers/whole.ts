@@ -1,8 +1,25 @@
 // A worker of the whole program: it reads clips, trains, compares, does the synthetic experiment, holds a library of
 // primitives, finds the uncertainty of a rollout, knows the graphics Turing test, and models time series that
 // are no body. No DOM.
-import init, { Model, SyntheticExperiment, Trainer, analysePerception, perceptionJson, Study, StudyMaker } from "vcgpdm";
-import type { WholeWorker, AnyModelWorker, ExperimentWorker, PerceptionWorker, StudyChange, StudyInfo, StudyPreset, StudyView } from "../engine/whole-protocol";
+import init, {
+  Model,
+  SyntheticExperiment,
+  Trainer,
+  analysePerception,
+  perceptionJson,
+  Study,
+  StudyMaker,
+} from "vcgpdm";
+import type {
+  WholeWorker,
+  AnyModelWorker,
+  ExperimentWorker,
+  PerceptionWorker,
+  StudyChange,
+  StudyInfo,
+  StudyPreset,
+  StudyView,
+} from "../engine/whole-protocol";
 import { clipsWorker, clipSet, readClip } from "./clips";
 import { comparisonWorker } from "./evaluation";
 import { libraryWorker } from "./library";

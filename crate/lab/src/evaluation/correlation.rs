@@ -2,11 +2,14 @@
 //! et al. (2017), and on the training trials figure 6B of Velychko et al. (2018).
 
 use crate::evaluation::candidate::CandidateKind;
+use crate::evaluation::effect::Errors;
+use crate::evaluation::effect::{Choice, Contender};
 use crate::evaluation::labels::Labels;
-use crate::evaluation::rows::{Row, common_folds, groups};
+use crate::evaluation::rows::{Row, common_folds, groups, is_plain, settings};
 use crate::evaluation::stats::{bootstrap_interval, mean, rank_correlation};
-use crate::evaluation::summary::{BoundAndError, Correlation};
+use crate::evaluation::summary::{BoundAndError, Correlation, Evidence};
 use std::collections::BTreeSet;
+use vcgpdm::models::ModelKind;
 
 /// One correlation for every kind of model and all its settings but the size.
 pub(super) fn correlations(rows: &[Row], labels: &Labels) -> Vec<Correlation> {
@@ -57,4 +60,33 @@ fn with_error(
     let (rank, interval) = (mean(&ranks), bootstrap_interval(&ranks));
     let (settings, folds) = (points.len(), ranks.len());
     (folds > 0).then_some(Correlation { model, label, settings, folds, rank, interval, points })
+}
+
+/// One entry for each fold that both models have. Both are of the same frames and columns, with a noise for
+/// each part or one for all. Models with weighted pose terms do not count: their training did not maximise
+/// the bound on the evidence.
+pub(super) fn evidence(rows: &[Row], name: &dyn Fn(usize) -> String) -> Vec<Evidence> {
+    let contender = |kind| Contender::new(settings(rows, kind, &is_plain), Choice::Bound);
+    let (Some(parts), Some(whole)) = (contender(ModelKind::Vcgpdm), contender(ModelKind::Vgpdm)) else {
+        return Vec::new();
+    };
+    let of_fold = |(fold, bound): (&usize, &f64)| {
+        let (a, b) = (parts.errors.get(fold)?, whole.errors.get(fold)?);
+        let log_bayes_factor = bound - whole.bounds.get(fold)?;
+        (*b > 0.0).then(|| Evidence { trial: name(*fold), log_bayes_factor, error_ratio: a / b })
+    };
+    parts.bounds.iter().filter_map(of_fold).collect()
+}
+
+/// In each fold, the error of the split with the higher bound, and that of the other split.
+pub(super) fn by_preference(parts: &Contender, whole: &Contender) -> (Errors, Errors) {
+    let mut sides = (Errors::new(), Errors::new());
+    for (fold, bound) in &parts.bounds {
+        let Some(other) = whole.bounds.get(fold) else { continue };
+        let (Some(a), Some(b)) = (parts.errors.get(fold), whole.errors.get(fold)) else { continue };
+        let (preferred, other) = if bound > other { (a, b) } else { (b, a) };
+        sides.0.insert(*fold, *preferred);
+        sides.1.insert(*fold, *other);
+    }
+    sides
 }

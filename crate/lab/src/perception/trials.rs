@@ -1,6 +1,6 @@
 //! The trials of one participant: the same for the same seeds, on every machine.
 
-use crate::perception::draw::Draw;
+use crate::perception::ordering::Draw;
 use crate::perception::study::Study;
 use vcgpdm::models::Settings;
 

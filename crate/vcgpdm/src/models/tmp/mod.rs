@@ -31,7 +31,6 @@
 //! lengthscale, starts and rates change only where that raises the bound. So the bound never falls. The
 //! number of primitives is the one with the highest bound.
 
-mod components;
 mod json;
 mod kernel;
 mod learner;

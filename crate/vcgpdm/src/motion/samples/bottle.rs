@@ -6,9 +6,9 @@
 
 use crate::elementary::Elementary;
 use crate::motion::samples::body::{HEIGHT, joint};
-use crate::motion::samples::frames::{Frames, RATE};
-use crate::motion::samples::turns::{half, x, y, z};
 use crate::motion::samples::variation::{Drift, between};
+use crate::motion::samples::variation::{Frames, RATE};
+use crate::motion::samples::variation::{half, x, y, z};
 use crate::motion::skeleton::Skeleton;
 use nalgebra::{DMatrix, Matrix3, Rotation3, UnitQuaternion, Vector3};
 use rand_chacha::ChaCha8Rng;

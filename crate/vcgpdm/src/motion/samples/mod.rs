@@ -4,9 +4,7 @@
 
 mod body;
 mod bottle;
-mod frames;
 mod gait;
-mod turns;
 mod variation;
 mod walker;
 
@@ -144,7 +142,7 @@ fn name(id: &str) -> String {
 }
 
 fn made(name: &str, skeleton: Skeleton, values: DMatrix<f64>) -> Clip {
-    Clip::new(name, skeleton, 1.0 / frames::RATE, values)
+    Clip::new(name, skeleton, 1.0 / variation::RATE, values)
 }
 
 #[cfg(test)]
