@@ -1,4 +1,4 @@
-//! Files of results: reading one, and putting several together.
+//! `vcgpdm results`, and files of results: reading one, and putting several together.
 
 use crate::files;
 use serde_json::json;

@@ -1,4 +1,4 @@
-//! One model in one fold: trained on all trials but one, and tested on that one.
+//! One model in one fold: trained on all trials but one, and tested on that one; and candidates from JavaScript.
 
 use crate::arguments::Whole;
 use crate::clip::TrainingSet;

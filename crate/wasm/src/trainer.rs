@@ -1,4 +1,4 @@
-//! Trainings of clips or tables, step by step.
+//! Trainings of clips or tables, step by step, and their progress.
 
 use crate::arguments::Whole;
 use crate::clip::TrainingSet;

@@ -1,4 +1,4 @@
-//! Text of strangers in tables.
+//! Cells of tables: text of strangers on one line, and means with their errors.
 
 use vcgpdm_lab::evaluation::{Spread, fixed};
 

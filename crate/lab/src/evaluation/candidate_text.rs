@@ -1,4 +1,4 @@
-//! The settings of a candidate as text.
+//! The settings of a candidate as text, and its size.
 
 use crate::evaluation::candidate::Candidate;
 use crate::evaluation::rivals::Rival;

@@ -1,4 +1,4 @@
-//! One job of a comparison, and its result.
+//! One job of a comparison, its cost and its result.
 
 use crate::evaluation::candidate::Candidate;
 use crate::evaluation::candidate_text::every_setting;

@@ -14,7 +14,6 @@ mod details;
 mod effect;
 mod error;
 mod fixed;
-mod growth;
 mod job;
 mod labels;
 mod modularity;

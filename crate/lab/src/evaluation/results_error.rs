@@ -1,4 +1,4 @@
-//! Why results cannot be used, and the check of each.
+//! Why results cannot be used, the check of each, and the head of a document.
 
 use crate::evaluation::details::Details;
 use crate::evaluation::job::Finished;

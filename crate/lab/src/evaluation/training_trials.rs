@@ -1,4 +1,4 @@
-//! The trials that a model learns from, and how well its rollouts repeat them.
+//! The trials that a model learns from, how well its rollouts repeat them, and the model with the body of its fold.
 
 use crate::evaluation::predictor::Predictor;
 use crate::evaluation::stats::mean;

@@ -1,4 +1,5 @@
-//! How often the movements of each setting were taken for the natural one, and their scores.
+//! How often the movements of each setting were taken for the natural one, their scores, and whether the participants
+//! paid attention.
 
 use crate::evaluation::stats::{mean, median};
 use crate::evaluation::{Candidate, Labels};

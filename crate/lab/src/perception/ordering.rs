@@ -1,4 +1,5 @@
-//! The order of several rates, from random draws of their posteriors.
+//! The order of several rates, from random draws of their posteriors; and random choices that are the same on every
+//! machine.
 
 use crate::perception::beta::Rate;
 use rand_chacha::ChaCha8Rng;

@@ -1,5 +1,5 @@
 //! The results of Knopp et al. (2019), as far as they follow from the counts that the printed rates and
-//! errors imply.
+//! errors imply; and the power of such a study.
 
 use crate::perception::beta::{Rate, terms};
 use crate::perception::ordering::{Ordering, ordering};

@@ -1,4 +1,4 @@
-//! The experiment: the data, a training on them, and the findings of the training so far.
+//! The experiment: the data, a training on them, the findings of the training so far, and the verdict.
 
 use crate::synthetic::alignment::{LatentAlignment, align};
 use crate::synthetic::data::{Synthetic, SyntheticError};

@@ -1,4 +1,4 @@
-//! The period of a movement, from the autocorrelation of all columns together.
+//! The period of a movement, from the autocorrelation of all columns together; and percentiles.
 
 use nalgebra::DMatrix;
 

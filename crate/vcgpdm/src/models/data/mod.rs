@@ -6,5 +6,4 @@ pub(crate) mod movements;
 pub(crate) mod phase;
 pub(crate) mod sequences;
 mod tables;
-pub(crate) mod trials;
 mod warnings;

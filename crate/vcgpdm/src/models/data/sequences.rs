@@ -1,4 +1,5 @@
-//! Sequences in a stack of frames, and histories that never cross from one sequence into another.
+//! Sequences in a stack of frames, histories that never cross from one sequence into another, and what is known of
+//! each sequence's clip.
 
 use crate::gp::Gaussians;
 use crate::plural::counted;

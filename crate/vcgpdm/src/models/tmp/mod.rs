@@ -44,8 +44,8 @@ mod weights;
 pub use learner::TmpLearner;
 
 use crate::gp::NumericsError;
+use crate::models::data::movements::split;
 use crate::models::data::phase::{PhaseAxis, PhaseMap, Trial};
-use crate::models::data::trials::split;
 use crate::models::rollout::request::{RolloutError, check_frames};
 use kernel::covariance;
 use nalgebra::{DMatrix, DVector};

@@ -1,4 +1,4 @@
-//! Features of a trial: its phases in terms of the inducing phases.
+//! Features of a trial: its phases in terms of the inducing phases; and principal components over phase.
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::{Factor, symmetric};

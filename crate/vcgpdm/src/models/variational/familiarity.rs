@@ -1,4 +1,4 @@
-//! The distance of latents from those of the training.
+//! The distance of latents from those of the training, and the density of paths.
 
 use crate::elementary::Elementary;
 use crate::gp::linalg::Factor;

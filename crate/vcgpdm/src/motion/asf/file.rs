@@ -1,4 +1,4 @@
-//! A file by name and bytes, and its lines split into words.
+//! A file by name and bytes, its lines split into words, and errors that name a line.
 
 use thiserror::Error;
 

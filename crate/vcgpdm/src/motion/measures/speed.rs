@@ -1,4 +1,4 @@
-//! Speed of a body and its joints, sliding of its feet, and the time at which it comes to rest.
+//! Speed of a body and its joints, sliding of its feet, the time at which it comes to rest, and tracks of joints.
 
 use crate::elementary::Elementary;
 use crate::motion::Skeleton;

@@ -5,10 +5,10 @@
 //! follow the hands, and trunk and head turn to the bottle.
 
 use crate::elementary::Elementary;
+use crate::motion::samples::body::{Frames, RATE};
 use crate::motion::samples::body::{HEIGHT, joint};
+use crate::motion::samples::turns::{half, x, y, z};
 use crate::motion::samples::variation::{Drift, between};
-use crate::motion::samples::variation::{Frames, RATE};
-use crate::motion::samples::variation::{half, x, y, z};
 use crate::motion::skeleton::Skeleton;
 use nalgebra::{DMatrix, Matrix3, Rotation3, UnitQuaternion, Vector3};
 use rand_chacha::ChaCha8Rng;

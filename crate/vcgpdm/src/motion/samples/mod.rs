@@ -5,6 +5,7 @@
 mod body;
 mod bottle;
 mod gait;
+mod turns;
 mod variation;
 mod walker;
 
@@ -142,7 +143,7 @@ fn name(id: &str) -> String {
 }
 
 fn made(name: &str, skeleton: Skeleton, values: DMatrix<f64>) -> Clip {
-    Clip::new(name, skeleton, 1.0 / variation::RATE, values)
+    Clip::new(name, skeleton, 1.0 / body::RATE, values)
 }
 
 #[cfg(test)]

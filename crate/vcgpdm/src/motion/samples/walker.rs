@@ -3,9 +3,9 @@
 
 use crate::elementary::Elementary;
 use crate::motion::samples::body::joint;
+use crate::motion::samples::body::{Frames, RATE};
+use crate::motion::samples::turns::{half, x, y, z};
 use crate::motion::samples::variation::{Drift, between};
-use crate::motion::samples::variation::{Frames, RATE};
-use crate::motion::samples::variation::{half, x, y, z};
 use crate::motion::samples::{body, gait};
 use crate::motion::skeleton::Skeleton;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};

@@ -1,4 +1,4 @@
-//! The sums over rows that q(u) needs, under any coupling.
+//! The sums over rows that q(u) needs, under any coupling; the covariance of experts; the terms of the bound.
 
 use crate::gp::kernel::KernelAdjoint;
 use nalgebra::DMatrix;
