@@ -2,6 +2,9 @@
 import assert from "node:assert/strict";
 import { after, before, describe, it } from "node:test";
 import { barriers, barriersNow, oneVisitor, openSite } from "./site.mjs";
+import { SyntheticExperiment, Library } from "../../crate/wasm/pkg/node/vcgpdm.js";
+import { readFileSync } from "node:fs";
+import { at } from "../../scripts/run.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -95,6 +98,99 @@ it("draws each chapter over the width of its stage, opened by its address", asyn
       return stage && width >= 0.5 * stage.width;
     });
   }
+  assert.deepEqual(problems, []);
+  await leave();
+});
+
+// The story's riddle with a known truth: vote, train, draw the curtain.
+
+it("reveals what the library finds, has each answer once in three rounds, and gives no truth away before", async () => {
+  const { page, problems, leave } = await site.visit({ settings: "story=9" });
+  await page.locator(".story[data-state=open]").waitFor();
+  /** @type {(string | null)[]} */
+  const truths = [];
+  for (let round = 1; round <= 3; round++) {
+    assert.equal(await page.getByTestId("truth-row").getAttribute("data-answer"), "", "behind the curtain");
+    await page.getByTestId("choice-ab").click();
+    const belief = page.getByTestId("belief");
+    await belief.waitFor({ timeout: 120_000 });
+    assert.doesNotMatch((await page.getByTestId("open-in-lab").getAttribute("href")) ?? "", /draw/);
+    const { experiment, isMirrored } = await page.evaluate(
+      () => /** @type {any} */ (document.querySelector("pg-belief")).chapter.round,
+    );
+    const text = (await belief.innerText()).replaceAll(",", "");
+    const [, ab, ba] = text.match(/to B is ([\d.]+) times .* to A ([\d.]+) times/) ?? [];
+    if (round === 1) {
+      const same = new SyntheticExperiment(experiment.seed, experiment.driving);
+      while (!same.step().done);
+      const { forth, back } = same.findings().verdict;
+      same.free();
+      const wanted = isMirrored ? [back, forth] : [forth, back];
+      const text = wanted.map((value) => value.toFixed(value < 10 ? 1 : 0));
+      assert.deepEqual([ab, ba], text, "the numbers are those of the library");
+    }
+    await page.getByTestId("curtain").click();
+    const truth = await page.getByTestId("truth").getAttribute("data-truth");
+    truths.push(truth);
+    assert.equal(await page.getByTestId("truth-row").getAttribute("data-answer"), truth);
+    assert.match(await page.getByTestId("truth").innerText(), new RegExp(`you [01] of ${round}, the model`));
+    if (round === 1) {
+      // What couplings are worth on recordings, with the equations.
+      await page.locator(".story-more summary").click();
+      assert.match(
+        await page.getByTestId("worth").innerText(),
+        /without couplings has 1\.99 times.*1\.82 times.*six persons.*1\.07 times.*: undecided/s,
+      );
+      assert.deepEqual(await barriers(page), []);
+      await page.locator(".story-more summary").click();
+    }
+    await page.getByTestId("another-pair").click();
+  }
+  assert.deepEqual(truths.sort(), ["ab", "ba", "none"]);
+  assert.deepEqual(problems, []);
+  await leave();
+});
+
+// The story's borrowed arms: a guess, and numbers that are those of the library.
+
+/** Centimetres between the hands and the hips in the first 120 frames, on average. */
+function handHeight(/** @type {number[]} */ uses) {
+  const library = Library.fromJson(readFileSync(at("www/first/library.json"), "utf8"));
+  const { joints, figure } = library.info();
+  const hands = ["LeftHand", "RightHand"].map((name) =>
+    figure.nodes.findIndex(({ joint, endSite }) => joints[joint]?.name === name && !endSite),
+  );
+  const rollout = library.combination(uses).rollout({ frames: 120, sequence: 0 });
+  const positions = rollout.positions();
+  const heights = hands.flatMap((hand) =>
+    Array.from({ length: 120 }, (_, frame) => {
+      const start = 3 * frame * figure.nodes.length;
+      return (positions[start + 3 * hand + 1] ?? 0) - (positions[start + 1] ?? 0);
+    }),
+  );
+  return (100 * heights.reduce((sum, height) => sum + height, 0)) / heights.length;
+}
+
+it("puts the arms of the jumping jack on the legs of the walk after the guess, and measures them", async () => {
+  const { page, problems, leave } = await site.visit({ settings: "story=8" });
+  await page.locator(".story[data-state=open]").waitFor();
+  assert.equal(await page.getByTestId("borrow-0-0").count(), 0, "nothing to choose before the guess");
+  await page.getByTestId("choice-own").click();
+  const borrowed = page.getByTestId("borrowed");
+  await borrowed.waitFor({ timeout: 60_000 });
+  await page.getByText("with their own legs").waitFor({ timeout: 60_000 });
+  const text = await borrowed.innerText();
+  assert.match(text, /^Never recorded\. The arms do their own movement\./);
+  const above = [...text.matchAll(/(\d+) cm above the hips/g)].map(([, value]) => Number(value));
+  assert.deepEqual(above, [Math.round(handHeight([0, 5])), Math.round(handHeight([1, 5]))]);
+  assert.deepEqual(await barriers(page), []);
+  await page.getByTestId("borrow-0-1").click();
+  await page.getByText("Learned as a whole: jumping jack.").waitFor();
+  assert.match(await borrowed.innerText(), /The feet stay in their place\.$/);
+  await page.getByTestId("borrow-0-2").click();
+  await page.getByText("The arms do their own movement.").waitFor();
+  await page.getByTestId("borrow-1-6").click();
+  await page.getByText("Learned as a whole: run.").waitFor();
   assert.deepEqual(problems, []);
   await leave();
 });

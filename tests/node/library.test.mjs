@@ -1,9 +1,7 @@
 // A library of primitives from JavaScript: trained, combined, coupled to a clip, and walked through while
 // primitives change.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { after, before, describe, it } from "node:test";
-import { at } from "../../scripts/run.mjs";
 import { coupledInfo, installPackage } from "./package.mjs";
 
 /** @type {Awaited<ReturnType<typeof installPackage>>} */

@@ -77,15 +77,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let seconds = begin.elapsed().as_secs_f64();
     let index = recorded.unwrap_or(trained.library.movements.len() - 1);
     let movement = &trained.library.movements[index];
-    let from = match &movement.couplings {
-        CouplingsFrom::Training => json!({ "from": "training" }),
-        CouplingsFrom::Clips { bound, iterations } => {
-            json!({ "from": "clips", "bound": bound, "iterations": iterations, "reason": reason })
-        }
-        CouplingsFrom::Movement(name) => json!({ "from": "movement", "movement": name }),
-        CouplingsFrom::Hand => json!({ "from": "hand" }),
-        CouplingsFrom::Nothing => json!({ "from": "nothing" }),
-    };
+    let mut from = serde_json::to_value(&movement.couplings)?;
+    if let CouplingsFrom::Clips { .. } = movement.couplings {
+        from["reason"] = json!(reason);
+    }
     let alpha = files::rows(&movement.alpha);
     let model = trained.movement(index)?;
     files::write_text(&arguments.out, &model.to_json()?)?;

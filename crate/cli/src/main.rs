@@ -14,7 +14,6 @@ mod files;
 mod health;
 mod interrupt;
 mod library;
-mod merge;
 mod numbers;
 mod perception;
 mod primitives;
@@ -70,7 +69,7 @@ enum Command {
     Report(report::Arguments),
     Study(study::Arguments),
     Perception(perception::Arguments),
-    Results(merge::Arguments),
+    Results(results::Arguments),
     Completions(shell::Completions),
     Man(shell::Man),
 }
@@ -126,7 +125,7 @@ fn run(command: Command) -> Result<(), Box<dyn Error>> {
         Command::Report(arguments) => report::run(&arguments),
         Command::Study(arguments) => study::run(&arguments),
         Command::Perception(arguments) => perception::run(&arguments),
-        Command::Results(arguments) => merge::run(&arguments),
+        Command::Results(arguments) => results::run(&arguments),
         Command::Completions(arguments) => shell::completions(&arguments, command_line()),
         Command::Man(arguments) => shell::man(&arguments, command_line()),
     }

@@ -7,8 +7,6 @@
 mod arguments;
 mod body;
 mod bvh;
-#[cfg(feature = "training")]
-mod candidate;
 #[cfg(feature = "speed")]
 mod case;
 mod clip;
@@ -39,8 +37,6 @@ mod points;
 mod predictions;
 #[cfg(feature = "training")]
 mod primitives;
-#[cfg(feature = "training")]
-mod progress;
 mod read;
 #[cfg(feature = "training")]
 mod recognition;

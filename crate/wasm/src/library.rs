@@ -9,7 +9,7 @@ use crate::model::{Model, PartInfo, part_infos};
 use crate::origin::PrimitiveOrigin;
 use crate::settings::{Task, settings_to_js};
 use nalgebra::DMatrix;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::rc::Rc;
 use vcgpdm::models::SequenceInfo;
 use vcgpdm::models::library::{CouplingsFrom, EncodedClip, LearnedMovement, Primitive, TrainedLibrary};
@@ -65,43 +65,6 @@ export interface LibraryInfo {
 }
 "#;
 
-/// The origin of couplings.
-#[derive(Serialize, Deserialize)]
-#[serde(tag = "from", rename_all = "lowercase", deny_unknown_fields)]
-enum Origin {
-    Training,
-    Clips { bound: f64, iterations: usize },
-    Movement { movement: String },
-    Hand,
-    Nothing,
-}
-
-impl From<&CouplingsFrom> for Origin {
-    fn from(couplings: &CouplingsFrom) -> Self {
-        match couplings {
-            CouplingsFrom::Training => Self::Training,
-            CouplingsFrom::Clips { bound, iterations } => {
-                Self::Clips { bound: *bound, iterations: *iterations }
-            }
-            CouplingsFrom::Movement(movement) => Self::Movement { movement: movement.clone() },
-            CouplingsFrom::Hand => Self::Hand,
-            CouplingsFrom::Nothing => Self::Nothing,
-        }
-    }
-}
-
-impl From<Origin> for CouplingsFrom {
-    fn from(origin: Origin) -> Self {
-        match origin {
-            Origin::Training => Self::Training,
-            Origin::Clips { bound, iterations } => Self::Clips { bound, iterations },
-            Origin::Movement { movement } => Self::Movement(movement),
-            Origin::Hand => Self::Hand,
-            Origin::Nothing => Self::Nothing,
-        }
-    }
-}
-
 #[derive(Serialize)]
 struct Provenance<'a> {
     engine: &'a str,
@@ -128,7 +91,7 @@ struct MovementInfo<'a> {
     uses: &'a [usize],
     alpha: Vec<Vec<f64>>,
     learned: bool,
-    couplings: Origin,
+    couplings: &'a CouplingsFrom,
     sequences: &'a [SequenceInfo],
 }
 
@@ -204,7 +167,7 @@ impl Library {
                     uses: &movement.uses,
                     alpha: rows(&movement.alpha),
                     learned: movement.sums.is_some(),
-                    couplings: Origin::from(&movement.couplings),
+                    couplings: &movement.couplings,
                     sequences,
                 })
                 .collect(),
@@ -264,9 +227,10 @@ impl Library {
         let name = name.get(ErrorCode::Model, "the name")?;
         let uses = uses_of(&uses)?;
         let alpha: Vec<Vec<f64>> = from_js(ErrorCode::Model, "the couplings", &alpha)?;
-        let from: Option<Origin> = from_js(ErrorCode::Model, "where the couplings come from", &couplings)?;
+        let from: Option<CouplingsFrom> =
+            from_js(ErrorCode::Model, "where the couplings come from", &couplings)?;
         let mut trained = TrainedLibrary::clone(&self.trained);
-        trained.add_combination(&name, &uses, &matrix(&alpha), from.map(CouplingsFrom::from))?;
+        trained.add_combination(&name, &uses, &matrix(&alpha), from)?;
         Ok(Library { trained: Rc::new(trained) })
     }
 }

@@ -1,10 +1,10 @@
 //! Makes a study from the movements of a comparison.
 
 use crate::arguments::{Text, Whole};
-use crate::candidate::candidate_from_js;
 use crate::clip::Clip;
 use crate::convert::from_js;
 use crate::error::{ErrorCode, VcgpdmError};
+use crate::evaluation::candidate_from_js;
 use crate::study::{Study, look, preset};
 use serde::Deserialize;
 use vcgpdm::models::ModelKind;

@@ -1,10 +1,10 @@
 //! Results of a comparison: the planned jobs, the finished jobs, and tables of the results.
 
 use crate::arguments::Text;
-use crate::candidate::job_from_js;
 use crate::clip::TrainingSet;
 use crate::convert::{from_js, from_json, to_js, to_js_joined, to_json};
 use crate::error::{ErrorCode, VcgpdmError};
+use crate::evaluation::job_from_js;
 use crate::evaluation::{ComparisonSettings, check_held_out};
 use crate::settings::{cost_to_js, with_defaults};
 use js_sys::{Array, Object, Reflect};

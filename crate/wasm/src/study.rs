@@ -3,11 +3,11 @@
 use crate::arguments::{Text, Whole};
 use crate::convert::{from_js, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::cell::OnceCell;
 use vcgpdm::models::{ModelKind, Settings};
 use vcgpdm_lab::perception::{
-    Look, Preset, Stimulus as MovementStimulus, Study as MovementStudy, StudyTrial as Shown, Texts,
+    Design, Look, Preset, Stimulus as MovementStimulus, Study as MovementStudy, Texts,
 };
 use wasm_bindgen::prelude::*;
 
@@ -141,16 +141,6 @@ export interface StudyTrial {
 }
 "#;
 
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct StudyTexts {
-    consent: String,
-    instructions: String,
-    question: String,
-    pause: String,
-    end: String,
-}
-
 #[derive(Serialize)]
 struct Skeleton<'a> {
     names: &'a [String],
@@ -185,41 +175,20 @@ struct Stimulus<'a> {
 }
 
 #[derive(Serialize)]
-struct Design {
-    blocks: usize,
-    comparisons: usize,
-    attention_checks: usize,
-    catch_trials: usize,
-    pause_seconds: usize,
-    answer_during_movement: bool,
-    seed: u32,
-}
-
-#[derive(Serialize)]
 struct StudyInfo<'a> {
     title: &'a str,
-    look: &'static str,
+    look: Look,
     frames_per_second: usize,
     seconds: f64,
     frames: usize,
     cross_seconds: f64,
     answer_during_movement: bool,
     pause_seconds: usize,
-    texts: StudyTexts,
+    texts: &'a Texts,
     skeleton: Skeleton<'a>,
     stimuli: Vec<Stimulus<'a>>,
-    design: Design,
+    design: &'a Design,
     hash: String,
-}
-
-#[derive(Serialize)]
-struct StudyTrial {
-    block: usize,
-    kind: &'static str,
-    left: usize,
-    right: usize,
-    natural_side: &'static str,
-    heading_degrees: usize,
 }
 
 /// A study: movements, their sources, and how they are shown.
@@ -251,20 +220,14 @@ impl Study {
         let (texts, design, figure) = (&study.texts, &study.design, &study.figure);
         to_js(&StudyInfo {
             title: &study.title,
-            look: study.look.id(),
+            look: study.look,
             frames_per_second: study.frames_per_second,
             seconds: study.seconds,
             frames: study.frames(),
             cross_seconds: study.cross_seconds,
             answer_during_movement: design.answer_during_movement,
             pause_seconds: design.pause_seconds,
-            texts: StudyTexts {
-                consent: texts.consent.clone(),
-                instructions: texts.instructions.clone(),
-                question: texts.question.clone(),
-                pause: texts.pause.clone(),
-                end: texts.end.clone(),
-            },
+            texts,
             skeleton: Skeleton {
                 names: &figure.names,
                 parents: figure.parents.iter().map(|parent| parent.map_or(-1, |k| k as i32)).collect(),
@@ -275,15 +238,7 @@ impl Study {
                 dots: &figure.landmarks.dots,
             },
             stimuli: self.stimuli(),
-            design: Design {
-                blocks: design.blocks,
-                comparisons: design.comparisons,
-                attention_checks: design.attention_checks,
-                catch_trials: design.catch_trials,
-                pause_seconds: design.pause_seconds,
-                answer_during_movement: design.answer_during_movement,
-                seed: design.seed,
-            },
+            design,
             hash: self.hash()?,
         })
     }
@@ -292,15 +247,7 @@ impl Study {
     #[wasm_bindgen(unchecked_return_type = "StudyTrial[]")]
     pub fn trials(&self, seed: &Whole) -> Result<JsValue, VcgpdmError> {
         let seed = seed.get(ErrorCode::Study, "the seed")?;
-        let trial = |trial: Shown| StudyTrial {
-            block: trial.block,
-            kind: trial.kind.id(),
-            left: trial.left,
-            right: trial.right,
-            natural_side: trial.natural_side.id(),
-            heading_degrees: trial.heading_degrees,
-        };
-        to_js(&self.study.trials(seed).into_iter().map(trial).collect::<Vec<_>>())
+        to_js(&self.study.trials(seed))
     }
 
     /// The positions of a movement's nodes [frames x nodes x 3], in metres. The y axis points up, the ground
@@ -343,10 +290,9 @@ impl Study {
         &self,
         #[wasm_bindgen(unchecked_param_type = "StudyTexts")] texts: JsValue,
     ) -> Result<Study, VcgpdmError> {
-        let StudyTexts { consent, instructions, question, pause, end } =
-            from_js(ErrorCode::Study, "texts", &texts)?;
+        let texts: Texts = from_js(ErrorCode::Study, "texts", &texts)?;
         let mut study = self.study.clone();
-        study.texts = Texts { consent, instructions, question, pause, end };
+        study.texts = texts;
         Ok(self.changed(study))
     }
 

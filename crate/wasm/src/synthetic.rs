@@ -3,7 +3,7 @@
 use crate::arguments::Whole;
 use crate::convert::{flat, rows, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::progress::progress_to_js;
+use crate::trainer::progress_to_js;
 use serde::Serialize;
 use vcgpdm::models::variational::LARGEST_COUPLING;
 use vcgpdm_lab::synthetic::{ALIKE, DRIVE, Experiment, Findings, Fit, MUCH, NOISE_VARIANCE, Synthetic};

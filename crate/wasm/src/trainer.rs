@@ -1,17 +1,20 @@
-//! Trainings of clips or tables, step by step.
+//! Trainings of clips or tables, step by step, and their progress.
 
 use crate::arguments::Whole;
 use crate::clip::TrainingSet;
-use crate::convert::{flat, from_js};
+use crate::convert::{flat, from_js, to_js};
 use crate::error::{ErrorCode, VcgpdmError};
 use crate::model::Model;
-use crate::progress::progress_to_js;
 use crate::settings::{Task, body_parts, settings_from_js};
 use crate::tables::{TablePart, parts_of_columns};
 use crate::trained::Trained;
+use serde::Serialize;
 use std::rc::Rc;
 use vcgpdm::Trainer as BodyTrainer;
-use vcgpdm::models::{Dataset, DatasetError, Source, VariationalSettings};
+use vcgpdm::models::variational::BoundTerms;
+use vcgpdm::models::{
+    Dataset, DatasetError, EndReason, Progress, Setbacks, Source, TrainingPhase, VariationalSettings,
+};
 use vcgpdm::series::Columns;
 use vcgpdm_lab::evaluation::TrainingTrials;
 use wasm_bindgen::prelude::*;
@@ -166,4 +169,39 @@ impl Trainer {
             Ok(flat(part.part_of(ErrorCode::Training, &latents)?))
         })
     }
+}
+
+#[derive(Serialize)]
+struct TrainingProgress<'a> {
+    iteration: usize,
+    max_iterations: usize,
+    evaluations: usize,
+    setbacks: Setbacks,
+    bound: f64,
+    best: f64,
+    terms: Option<&'a BoundTerms>,
+    phase: Option<TrainingPhase>,
+    done: bool,
+    reason: Option<&'static str>,
+    fraction: f64,
+}
+
+/// The progress of the training of a vCGPDM, a vGPDM or a library.
+pub fn progress_to_js(progress: &Progress) -> Result<JsValue, VcgpdmError> {
+    to_js(&TrainingProgress {
+        iteration: progress.iteration,
+        max_iterations: progress.max_iterations,
+        evaluations: progress.evaluations,
+        setbacks: progress.setbacks,
+        bound: progress.objective,
+        best: progress.best,
+        terms: progress.terms.as_ref(),
+        phase: progress.phase,
+        done: progress.done,
+        reason: progress.reason.as_ref().map(|reason| match reason {
+            EndReason::Iterations => "iterations",
+            _ => "settled",
+        }),
+        fraction: progress.fraction,
+    })
 }

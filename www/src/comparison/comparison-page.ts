@@ -22,7 +22,6 @@ import "./side-by-side";
 import { timeLeft } from "../training/words";
 import { lab } from "../words/lab";
 import { compareWords } from "../words/compare";
-import "./comparison-figures.css";
 import type { Comparison } from "../engine/whole-protocol";
 import "./correlations";
 import "./growth";

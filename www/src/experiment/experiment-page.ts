@@ -15,9 +15,8 @@ import type { SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol
 import type { ExperimentStore } from "./experiment-store";
 import { headline, tally, TEN_SEEDS } from "./experiments";
 import { alphaTable, fitTable, verdictWords } from "./findings-tables";
-import { runsTable } from "./runs-table";
+import { runsTable, endingOf } from "./runs-table";
 import { timeLeft } from "../training/words";
-import { endingOf } from "./ending";
 import { percent } from "../figures/numbers";
 import { partColour } from "../ui/palette";
 import { curvePaths, frameOf, linePath } from "./paths";

@@ -4,7 +4,11 @@ import { grouped, short } from "../ui/format";
 import { type ExperimentRun, inOrder, isFound } from "./experiments";
 import { percent, ratio } from "../figures/numbers";
 import { experimentWords } from "../words/experiment";
-import { endingOf } from "./ending";
+import { endingWords } from "../training/words";
+
+/** Empty before the end. */
+export const endingOf = ({ outcome, ending }: ExperimentRun): string =>
+  outcome ? endingWords(outcome) : ending;
 
 /** Whether the truth was found, or the progress of the training. */
 function answer(run: ExperimentRun) {

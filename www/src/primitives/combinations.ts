@@ -2,6 +2,9 @@
 import type { LibraryInfo } from "../engine/library-protocol";
 import { shownPart } from "../words/lab";
 
+/** The data type of a dragged primitive. */
+export const DRAG_TYPE = "application/x-vcgpdm-primitive";
+
 /** The indices of the primitives of a part. */
 export function primitivesOf({ primitives }: LibraryInfo, part: number): number[] {
   return primitives.flatMap((primitive, index) => (primitive.part === part ? [index] : []));

@@ -11,8 +11,7 @@ import type {
 } from "../engine/whole-protocol";
 import { clipSet } from "./clips";
 import { inSlices } from "./slices";
-import { transfer } from "./transfer";
-import { using } from "./using";
+import { transfer, using } from "./using";
 
 async function foldOf({ clips: chosen, settings, heldOut, trainingTrials }: EvaluationJob): Promise<Fold> {
   return using(await clipSet(chosen), (set) => new Fold(set, settings, { heldOut, trainingTrials }));

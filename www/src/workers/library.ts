@@ -12,8 +12,7 @@ import type { Motion } from "../engine/protocol";
 import { clipSet } from "./clips";
 import { follow } from "./follow";
 import { inSlices } from "./slices";
-import { transfer } from "./transfer";
-import { using } from "./using";
+import { transfer, using } from "./using";
 
 /** The library that the page shows. */
 let open: { library: Library; nodes: number; frameTime: number } | null = null;

@@ -1,9 +1,8 @@
 // A rollout that never ends, of the model that the page shows. No DOM.
 import { LiveRollout } from "vcgpdm/player";
 import type { LiveChange, LiveFrames, ModelInfo, RolloutRequest } from "../engine/protocol";
-import { transfer } from "./transfer";
+import { transfer, using } from "./using";
 import type { ShownModel } from "./shown-model";
-import { using } from "./using";
 
 export class Live {
   readonly #model: ShownModel;

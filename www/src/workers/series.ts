@@ -3,8 +3,7 @@ import { Model, type Rollout, Table, Trainer, TrainingSet } from "vcgpdm";
 import { MAX_PARTS } from "../engine/limits";
 import type { SeriesInfo, SeriesRequest, SeriesWorker, TableSource } from "../engine/series-protocol";
 import { follow } from "./follow";
-import { transfer } from "./transfer";
-import { using } from "./using";
+import { transfer, using } from "./using";
 
 let open: { model: Model; parts: number } | null = null;
 

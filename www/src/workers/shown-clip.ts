@@ -1,7 +1,7 @@
 // What the page shows of a clip of either program. No DOM.
 import type { Clip } from "vcgpdm";
 import type { ShownClip } from "../engine/protocol";
-import { transfer } from "./transfer";
+import { transfer } from "./using";
 
 export function shownClip(clip: Pick<Clip, "info" | "positions">): ShownClip {
   const info = clip.info();

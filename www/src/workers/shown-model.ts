@@ -14,8 +14,7 @@ import type {
   RolloutRequest,
   RolloutResult,
 } from "../engine/protocol";
-import { transfer } from "./transfer";
-import { using } from "./using";
+import { transfer, using } from "./using";
 
 /** The open model, with its description. */
 interface OpenModel {

@@ -4,8 +4,7 @@ import { type Clip, Model } from "vcgpdm";
 import type { TrainingClip, ModelInfo, RolloutRequest } from "../engine/protocol";
 import type { UncertaintyWorker, KeptPoints, KeptReport } from "../engine/whole-protocol";
 import { readClip } from "./clips";
-import { transfer } from "./transfer";
-import { using } from "./using";
+import { transfer, using } from "./using";
 
 const infoOf = (model: Model) => model.info() as ModelInfo;
 

@@ -26,8 +26,7 @@ import { libraryWorker } from "./library";
 import { seriesWorker } from "./series";
 import { serve, start } from "./serve";
 import { uncertaintyWorker } from "./uncertainty";
-import { transfer } from "./transfer";
-import { using } from "./using";
+import { transfer, using } from "./using";
 import { follow } from "./follow";
 import type { Health, Report, TrainedModel, Trainee, TrainingJob, TrainingOutcome } from "../engine/protocol";
 

@@ -1,11 +1,10 @@
 //! `vcgpdm report`: the tables of an evaluation, as Markdown or as JSON.
 
 mod one_line;
-mod spread;
 
 use crate::files;
 pub use crate::report::one_line::one_line;
-use crate::report::spread::spread;
+use crate::report::one_line::spread;
 use crate::results::{Merged, Preferred, read};
 use serde_json::{Value, json};
 use std::collections::HashSet;

@@ -12,7 +12,6 @@ mod library;
 mod models;
 mod moving;
 mod perception;
-mod recognise;
 mod recordings;
 mod reproduce;
 mod rollout;

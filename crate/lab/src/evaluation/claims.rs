@@ -4,11 +4,11 @@
 //! if the whole interval agrees.
 
 use crate::evaluation::candidate::{Candidate, CandidateKind};
-use crate::evaluation::candidate_size::size;
-use crate::evaluation::contender::{Choice, Contender};
+use crate::evaluation::candidate_text::size_numbers;
+use crate::evaluation::correlation::by_preference;
 use crate::evaluation::correlation::{correlation, training_correlation};
+use crate::evaluation::effect::{Choice, Contender};
 use crate::evaluation::effect::{Effect, Errors};
-use crate::evaluation::evidence::by_preference;
 use crate::evaluation::fixed::fixed;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::primary::{NEARLY, paired};
@@ -311,7 +311,7 @@ fn bound_and_error(claims: &mut Claims, kind: &Contender, by_rollouts: &Contende
 /// Whether inducing points help more in the dynamics than in the pose maps: k dynamics and l pose points
 /// compared with l and k, for the largest difference of k and l that was tried both ways.
 fn dynamics_or_poses(claims: &mut Claims, rows: &[&Row], labels: &Labels) {
-    let numbers = |row: &Row| size(row.candidate);
+    let numbers = |row: &Row| size_numbers(row.candidate);
     let turned = |row: &Row| {
         let (dynamics, poses) = numbers(row);
         rows.iter().find(|other| numbers(other) == (poses, dynamics))
@@ -352,7 +352,7 @@ fn correlated(c: &Correlation) -> (String, ClaimAnswer) {
 
 /// Whether the error of a DMP is smallest at about 25 bases: higher with the fewest, and with the most.
 fn bases(claims: &mut Claims, rows: &[&Row]) {
-    let number = |row: &Row| size(row.candidate).0;
+    let number = |row: &Row| size_numbers(row.candidate).0;
     let middle = rows.iter().min_by_key(|row| number(row).abs_diff(OPTIMAL_BASES));
     let (few, many) = (rows.iter().min_by_key(|row| number(row)), rows.iter().max_by_key(|row| number(row)));
     let (Some(middle), Some(few), Some(many)) = (middle, few, many) else { return };

@@ -1,12 +1,18 @@
-//! Correlation of bound and error over the sizes of a kind of model: figure 1 of the supplement of Velychko
-//! et al. (2017), and on the training trials figure 6B of Velychko et al. (2018).
+//! Figures beside the tables: the correlation of bound and error over the sizes of a kind of model (figure 1 of the
+//! supplement of Velychko et al. 2017; on the training trials figure 6B of Velychko et al. 2018), the growth of the
+//! time with the data, and bounds of several parts compared with one.
 
-use crate::evaluation::candidate::CandidateKind;
+use crate::evaluation::candidate::{Candidate, CandidateKind};
+use crate::evaluation::effect::{Choice, Contender, Errors};
+use crate::evaluation::job::Finished;
 use crate::evaluation::labels::Labels;
-use crate::evaluation::rows::{Row, common_folds, groups};
-use crate::evaluation::stats::{bootstrap_interval, mean, rank_correlation};
-use crate::evaluation::summary::{BoundAndError, Correlation};
-use std::collections::BTreeSet;
+use crate::evaluation::outcome::{Outcome, share_converged};
+use crate::evaluation::results::Results;
+use crate::evaluation::rows::{Row, common_folds, groups, is_plain, settings};
+use crate::evaluation::stats::{bootstrap_interval, exponent_interval, mean, rank_correlation};
+use crate::evaluation::summary::{BoundAndError, Correlation, Evidence, FramesAndTime, Growth};
+use std::collections::{BTreeMap, BTreeSet};
+use vcgpdm::models::ModelKind;
 
 /// One correlation for every kind of model and all its settings but the size.
 pub(super) fn correlations(rows: &[Row], labels: &Labels) -> Vec<Correlation> {
@@ -57,4 +63,100 @@ fn with_error(
     let (rank, interval) = (mean(&ranks), bootstrap_interval(&ranks));
     let (settings, folds) = (points.len(), ranks.len());
     (folds > 0).then_some(Correlation { model, label, settings, folds, rank, interval, points })
+}
+
+/// One entry for each fold that both models have. Both are of the same frames and columns, with a noise for
+/// each part or one for all. Models with weighted pose terms do not count: their training did not maximise
+/// the bound on the evidence.
+pub(super) fn evidence(rows: &[Row], name: &dyn Fn(usize) -> String) -> Vec<Evidence> {
+    let contender = |kind| Contender::new(settings(rows, kind, &is_plain), Choice::Bound);
+    let (Some(parts), Some(whole)) = (contender(ModelKind::Vcgpdm), contender(ModelKind::Vgpdm)) else {
+        return Vec::new();
+    };
+    let of_fold = |(fold, bound): (&usize, &f64)| {
+        let (a, b) = (parts.errors.get(fold)?, whole.errors.get(fold)?);
+        let log_bayes_factor = bound - whole.bounds.get(fold)?;
+        (*b > 0.0).then(|| Evidence { trial: name(*fold), log_bayes_factor, error_ratio: a / b })
+    };
+    parts.bounds.iter().filter_map(of_fold).collect()
+}
+
+/// In each fold, the error of the split with the higher bound, and that of the other split.
+pub(super) fn by_preference(parts: &Contender, whole: &Contender) -> (Errors, Errors) {
+    let mut sides = (Errors::new(), Errors::new());
+    for (fold, bound) in &parts.bounds {
+        let Some(other) = whole.bounds.get(fold) else { continue };
+        let (Some(a), Some(b)) = (parts.errors.get(fold), whole.errors.get(fold)) else { continue };
+        let (preferred, other) = if bound > other { (a, b) } else { (b, a) };
+        sides.0.insert(*fold, *preferred);
+        sides.1.insert(*fold, *other);
+    }
+    sides
+}
+
+/// Outcomes of a candidate by the number of trials trained on, each with the trial held out.
+type Course<'a> = BTreeMap<usize, Vec<(usize, &'a Outcome)>>;
+
+/// For each kind, the candidate that was trained on the most different numbers of trials; only folds with all
+/// of these numbers count.
+pub(super) fn growth(several: &[&Results], labels: &Labels) -> Vec<Growth> {
+    let mut courses: Vec<(&Candidate, Course)> = Vec::new();
+    let mut before = 0;
+    for results in several {
+        for Finished { job, outcome, .. } in results.finished() {
+            let Some(outcome) = outcome else { continue };
+            let place = courses.iter().position(|(other, _)| **other == job.candidate).unwrap_or_else(|| {
+                courses.push((&job.candidate, Course::new()));
+                courses.len() - 1
+            });
+            let course = courses[place].1.entry(job.training_trials).or_default();
+            course.push((before + job.held_out, outcome));
+        }
+        before += results.setting().trials.len();
+    }
+    let growth = |kind: CandidateKind| {
+        let of_kind = courses.iter().filter(|(candidate, _)| candidate.kind() == kind);
+        let (candidate, course) = of_kind.max_by_key(|(_, course)| course.len())?;
+        let points = points(course);
+        let power = |seconds: &dyn Fn(&FramesAndTime) -> f64| {
+            let pairs = points.iter().map(|p| (p.frames, seconds(p)));
+            let pairs: Vec<(f64, f64)> = pairs.filter(|(_, seconds)| *seconds > 0.0).collect();
+            let slope = exponent_interval(&pairs);
+            (slope.map(|(exponent, _)| exponent), slope.and_then(|(_, interval)| interval))
+        };
+        let (exponent, interval) = power(&|p| p.seconds);
+        let (training_exponent, training_interval) = power(&|p| p.training_seconds);
+        (points.len() > 2).then(|| Growth {
+            model: kind,
+            label: labels.label(candidate),
+            points,
+            exponent,
+            interval,
+            training_exponent,
+            training_interval,
+            converged: share_converged(course.values().flatten().map(|(_, outcome)| *outcome)),
+        })
+    };
+    CandidateKind::all().filter_map(growth).collect()
+}
+
+/// Mean frames and seconds for each number of trials, over the folds that all of them have.
+fn points(course: &Course) -> Vec<FramesAndTime> {
+    let folds = |outcomes: &Vec<(usize, &Outcome)>| -> BTreeSet<usize> {
+        outcomes.iter().map(|(fold, _)| *fold).collect()
+    };
+    let common = course.values().map(folds).reduce(|a, b| &a & &b).unwrap_or_default();
+    let point = |outcomes: &Vec<(usize, &Outcome)>| {
+        let shared = outcomes.iter().filter(|(fold, _)| common.contains(fold));
+        let shared: Vec<&Outcome> = shared.map(|(_, outcome)| *outcome).collect();
+        let of = |value: &dyn Fn(&Outcome) -> f64| {
+            mean(&shared.iter().map(|outcome| value(outcome)).collect::<Vec<f64>>())
+        };
+        (!shared.is_empty()).then(|| FramesAndTime {
+            frames: of(&|o| o.frames as f64),
+            seconds: of(&|o| o.seconds / o.iterations.max(1) as f64),
+            training_seconds: of(&|o| o.seconds),
+        })
+    };
+    course.values().filter_map(point).collect()
 }

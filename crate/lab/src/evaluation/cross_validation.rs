@@ -5,10 +5,10 @@
 use crate::evaluation::candidate::Candidate;
 use crate::evaluation::details::Predicted;
 use crate::evaluation::error::EvaluationError;
-use crate::evaluation::fold_model::fold_model;
 use crate::evaluation::outcome::Outcome;
 use crate::evaluation::predictor::Predictor;
 use crate::evaluation::training_trials::TrainingTrials;
+use crate::evaluation::training_trials::fold_model;
 use nalgebra::DMatrix;
 use serde::de::IgnoredAny;
 use vcgpdm::internals::{dataset_error, provenance};

@@ -4,23 +4,16 @@
 //! [`Comparison`] computes tables and the answers to the papers' claims.
 
 mod candidate;
-mod candidate_size;
 mod candidate_text;
 mod claims;
 mod comparison;
-mod contender;
 mod correlation;
-mod cost;
 mod cross_validation;
 mod cycles;
 mod details;
-pub(crate) mod document_head;
 mod effect;
 mod error;
-mod evidence;
 mod fixed;
-mod fold_model;
-mod growth;
 mod job;
 mod labels;
 mod modularity;

@@ -7,7 +7,7 @@
 //! t test of the median logarithm of each person.
 
 use crate::evaluation::candidate::{Candidate, CandidateKind};
-use crate::evaluation::contender::{Choice, Contender};
+use crate::evaluation::effect::{Choice, Contender};
 use crate::evaluation::effect::{Effect, Errors};
 use crate::evaluation::fixed::fixed;
 use crate::evaluation::labels::Labels;

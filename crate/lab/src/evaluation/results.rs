@@ -1,11 +1,11 @@
 //! The results of a comparison: its setting, and the outcome of each job. Files and the page have the same
 //! document. No I/O.
 
-use crate::evaluation::candidate_size::size;
-use crate::evaluation::document_head::DocumentHead;
+use crate::evaluation::candidate_text::size_numbers;
 use crate::evaluation::job::{Finished, Job};
 use crate::evaluation::outcome::{Difference, Outcome};
 use crate::evaluation::plan::{ComparisonPlanError, Plan};
+use crate::evaluation::results_error::DocumentHead;
 use crate::evaluation::results_error::{FORMAT, ResultsError, VERSION, check_finished};
 use crate::evaluation::setting::Setting;
 use serde::{Deserialize, Serialize};
@@ -105,7 +105,7 @@ impl Results {
     pub fn in_order(&self) -> Vec<&Finished> {
         let mut finished: Vec<&Finished> = self.finished.iter().collect();
         finished.sort_by_key(|Finished { job, .. }| {
-            (job.candidate.kind().place(), size(&job.candidate), job.seed)
+            (job.candidate.kind().place(), size_numbers(&job.candidate), job.seed)
         });
         finished
     }

@@ -1,8 +1,9 @@
-//! Why results cannot be used, and the check of each.
+//! Why results cannot be used, the check of each, and the head of a document.
 
 use crate::evaluation::details::Details;
 use crate::evaluation::job::Finished;
 use crate::evaluation::setting::SettingError;
+use serde::Deserialize;
 use thiserror::Error;
 
 /// The field "format" of a document of results.
@@ -125,3 +126,17 @@ pub(super) fn check_finished(finished: &Finished, index: usize, trials: usize) -
 }
 
 vcgpdm::coded!(ResultsError => "results");
+
+/// The format and version of a document.
+#[derive(Deserialize)]
+pub(crate) struct DocumentHead {
+    pub(crate) format: String,
+    pub(crate) version: u32,
+}
+
+impl DocumentHead {
+    /// Reads the head of a document, whose other fields may be of any kind.
+    pub(crate) fn read(text: &str) -> Option<Self> {
+        serde_json::from_str(text).ok()
+    }
+}

@@ -1,7 +1,7 @@
 //! Scores per candidate and fold. Candidates are compared over the folds that all of them have.
 
 use crate::evaluation::candidate::{Candidate, CandidateKind};
-use crate::evaluation::candidate_size::{size, without_size};
+use crate::evaluation::candidate_text::{size_numbers, without_size};
 use crate::evaluation::details::{Bands, Compared, Details};
 use crate::evaluation::outcome::{Outcome, share_converged};
 use crate::evaluation::results::Results;
@@ -52,7 +52,7 @@ pub(super) fn rows<'a>(several: &[&'a Results]) -> Vec<Row<'a>> {
     let groups: Vec<Candidate> = rows.iter().map(|row| without_size(row.candidate)).collect();
     rows.sort_by_cached_key(|row| {
         let (kind, alike) = (row.candidate.kind(), without_size(row.candidate));
-        (kind.place(), groups.iter().position(|other| *other == alike), size(row.candidate))
+        (kind.place(), groups.iter().position(|other| *other == alike), size_numbers(row.candidate))
     });
     rows
 }

@@ -3,10 +3,10 @@
 use crate::evaluation::stats::mean;
 use crate::perception::answers::Answer;
 use crate::perception::beta::Rate;
+use crate::perception::counts::participants;
 use crate::perception::counts::{Counted, settings};
 use crate::perception::ordering::ordering;
-use crate::perception::participants::participants;
-use crate::perception::power::{trials_for_precision, trials_to_tell};
+use crate::perception::paper::{trials_for_precision, trials_to_tell};
 use crate::perception::regression::{Curve, Point};
 use crate::perception::results::{
     AnalysisOptions, Best, Catch, Confusion, Needed, Order, PerceptionResults, Regression, ScoreKind,

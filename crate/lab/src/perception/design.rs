@@ -1,7 +1,9 @@
 //! The numbers of trials of a participant.
 
+use serde::Serialize;
+
 /// The numbers of trials of a participant, by kind, and of blocks.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Design {
     /// Number of blocks of about equal length, with pauses between them.
     pub blocks: usize,

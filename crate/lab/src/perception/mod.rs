@@ -12,15 +12,12 @@ mod counts;
 mod csv;
 mod design;
 mod document;
-mod draw;
 mod error;
 mod figures;
 mod make;
 mod movement;
 mod ordering;
 mod paper;
-mod participants;
-mod power;
 mod read;
 mod regression;
 mod results;
@@ -45,7 +42,7 @@ pub use figures::FigureTable;
 pub use make::{Maker, MakerError, MakerReason, StudyMovement};
 pub use movement::{FigureMovement, MovementError};
 pub use paper::{PaperCheck, paper_checks};
-pub use power::{trials_for_precision, trials_to_tell};
+pub use paper::{trials_for_precision, trials_to_tell};
 pub use results::{
     AnalysisOptions, Best, Catch, Confusion, MeanScores, Needed, Order, Participant, PerceptionResults,
     Regression, ScoreKind, SettingResult, Size,

@@ -3,11 +3,13 @@
 use crate::perception::design::{Design, Preset};
 use crate::perception::error::{FORMAT, StudyError};
 use crate::perception::stimulus::Stimulus;
+use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 use vcgpdm::motion::landmarks::Landmarks;
 
 /// How a figure is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Look {
     /// A grey figure.
     Figure,
@@ -31,7 +33,8 @@ impl Look {
 }
 
 /// Texts for the participant: plain text, with an empty line between paragraphs.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Texts {
     /// Consent to take part.
     pub consent: String,

@@ -1,11 +1,13 @@
 //! The trials of one participant: the same for the same seeds, on every machine.
 
-use crate::perception::draw::Draw;
+use crate::perception::ordering::Draw;
 use crate::perception::study::Study;
+use serde::Serialize;
 use vcgpdm::models::Settings;
 
 /// The kind of a trial.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum TrialKind {
     /// A generated and a natural movement.
     Comparison,
@@ -34,7 +36,8 @@ impl TrialKind {
 }
 
 /// The side of the natural movement.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum NaturalSide {
     /// Left.
     Left,
@@ -56,7 +59,7 @@ impl NaturalSide {
 }
 
 /// Two movements side by side.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct StudyTrial {
     /// The block, counted from 0.
     pub block: usize,

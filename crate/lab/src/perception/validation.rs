@@ -2,7 +2,7 @@
 //! section 3.3).
 
 use crate::evaluation::stats::{mean, standard_error};
-use crate::perception::draw::Draw;
+use crate::perception::ordering::Draw;
 use crate::perception::regression::{Curve, Point};
 use vcgpdm::internals::Elementary;
 

@@ -31,12 +31,11 @@ mod alignment;
 mod data;
 mod experiment;
 mod function;
-mod verdict;
 
 pub use alignment::{LatentAlignment, align};
 pub use data::{DRIVE, NOISE_VARIANCE, Synthetic, SyntheticError};
+pub use experiment::{ALIKE, MUCH, Verdict};
 pub use experiment::{Experiment, Findings, Fit};
-pub use verdict::{ALIKE, MUCH, Verdict};
 
 #[cfg(test)]
 mod tests;

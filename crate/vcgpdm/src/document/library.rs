@@ -117,7 +117,7 @@ fn movement(movement: &LearnedMovement, sequences: &[&SequenceInfo]) -> Value {
             ("bound", Value::Number(*bound)),
             ("iterations", Value::whole(*iterations)),
         ]),
-        CouplingsFrom::Movement(name) => {
+        CouplingsFrom::Movement { movement: name } => {
             Value::object([("from", Value::text("movement")), ("movement", Value::text(name))])
         }
         CouplingsFrom::Hand => Value::object([("from", Value::text("hand"))]),

@@ -2,7 +2,7 @@
 
 use crate::json::rows::matrix_from_rows;
 use crate::json::value::Value;
-use crate::json::write::digits;
+use crate::json::value::digits;
 use nalgebra::DMatrix;
 use thiserror::Error;
 

@@ -2,7 +2,7 @@
 
 use crate::json::field::{FieldError, Object};
 use crate::json::value::Value;
-use crate::json::write::write;
+use crate::json::value::write;
 use std::ops::RangeInclusive;
 
 /// Why a document does not have the expected format or version.

@@ -7,13 +7,12 @@ mod heading;
 mod parse;
 pub mod rows;
 mod value;
-mod write;
 
 pub use field::{Field, FieldError, Object, place};
 pub use heading::{HeadingError, check_heading};
 pub use parse::{JsonError, outline, parse};
 pub use value::Value;
-pub use write::{NotFinite, write};
+pub use value::{NotFinite, write};
 
 #[cfg(test)]
 mod tests;

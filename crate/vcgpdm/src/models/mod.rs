@@ -25,7 +25,7 @@ pub use data::column_mapping::ColumnMapping;
 pub use data::dataset::{Dataset, DatasetError, Source, same_body, with_bones_of};
 pub use data::movements::{Movements, Sequence};
 pub use data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
-pub use data::sequence_info::SequenceInfo;
+pub use data::sequences::SequenceInfo;
 pub use data::sequences::{MOST_FRAMES, Sequences, SequencesError};
 pub use fitted::body::Body;
 pub use fitted::completion::{Completion, PartCompletion};

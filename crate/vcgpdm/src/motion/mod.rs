@@ -35,7 +35,6 @@ pub mod landmarks;
 mod limbs;
 pub mod measures;
 pub mod parts;
-mod percentile;
 mod period;
 mod plain_names;
 pub mod pose;

@@ -1,4 +1,4 @@
-//! The period of a movement, from the autocorrelation of all columns together.
+//! The period of a movement, from the autocorrelation of all columns together; and percentiles.
 
 use nalgebra::DMatrix;
 
@@ -63,6 +63,14 @@ fn correlation(sequences: &[DMatrix<f64>], lag: usize) -> f64 {
     }
     let scale = (early * late).sqrt();
     if scale > 0.0 { product / scale } else { 0.0 }
+}
+
+/// The 95th percentile and the maximum; both are 0 for an empty list.
+pub(crate) fn upper_end(mut values: Vec<f64>) -> (f64, f64) {
+    values.sort_unstable_by(f64::total_cmp);
+    let last = values.len().saturating_sub(1);
+    let at = |place: usize| values.get(place).copied().unwrap_or(0.0);
+    (at(last * 95 / 100), at(last))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The rows of a file, and the T-pose that some conversions put before a motion.
 
 use crate::motion::clip::Clip;
-use crate::motion::percentile::upper_end;
+use crate::motion::period::upper_end;
 use crate::motion::rotation;
 use crate::motion::skeleton::{LocalPose, Skeleton};
 use crate::plural::listed;

@@ -4,7 +4,7 @@
 use crate::motion::anatomy::{Anatomy, standing_at_rest};
 use crate::motion::clip::Clip;
 use crate::motion::limbs::extents;
-use crate::motion::percentile::upper_end;
+use crate::motion::period::upper_end;
 pub use crate::motion::stage_axes::UpAxis;
 use nalgebra::Vector3;
 

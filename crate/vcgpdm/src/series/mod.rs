@@ -4,7 +4,6 @@
 //! into parts. A model is trained on a [`Dataset`](crate::models::Dataset) of tables as on one of clips.
 
 mod clock;
-mod columns;
 mod csv;
 mod error;
 mod parts;
@@ -13,8 +12,8 @@ mod table;
 #[cfg(test)]
 mod tests;
 
-pub use columns::Columns;
 pub use csv::{read, write};
 pub use error::SeriesError;
+pub use parts::Columns;
 pub use parts::{check_parts, parse_parts, parts_from_json, whole};
 pub use table::Table;

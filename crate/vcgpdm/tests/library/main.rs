@@ -4,7 +4,6 @@
 mod acclaim;
 mod combinations;
 mod documents;
-mod examples;
 mod live;
 mod recognition;
 mod recordings;
@@ -14,4 +13,3 @@ mod series;
 mod start_model;
 mod t_pose;
 mod training;
-mod uncertainty;

@@ -2,10 +2,10 @@
 
 use crate::evaluation::candidate::Candidate;
 use crate::evaluation::claims::{secondary_claims, three_part_claims};
-use crate::evaluation::contender::{Choice, Contender};
 use crate::evaluation::correlation::correlations;
-use crate::evaluation::evidence::evidence;
-use crate::evaluation::growth::growth;
+use crate::evaluation::correlation::evidence;
+use crate::evaluation::correlation::growth;
+use crate::evaluation::effect::{Choice, Contender};
 use crate::evaluation::labels::Labels;
 use crate::evaluation::primary::primary_claims;
 use crate::evaluation::results::Results;

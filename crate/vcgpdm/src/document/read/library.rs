@@ -229,7 +229,7 @@ fn couplings(field: Field) -> Result<CouplingsFrom, FieldError> {
         "training" => CouplingsFrom::Training,
         "hand" => CouplingsFrom::Hand,
         "nothing" => CouplingsFrom::Nothing,
-        "movement" => CouplingsFrom::Movement(object.get("movement")?.text()?.to_owned()),
+        "movement" => CouplingsFrom::Movement { movement: object.get("movement")?.text()?.to_owned() },
         "clips" => CouplingsFrom::Clips {
             bound: object.get("bound")?.number()?,
             iterations: object.get("iterations")?.whole()?,

@@ -1,7 +1,7 @@
 //! From clips to training data: one pose mapping, parts, centred columns, sequences.
 
 use crate::gp::linalg::stacked;
-use crate::models::data::sequence_info::SequenceInfo;
+use crate::models::data::sequences::SequenceInfo;
 use crate::models::data::warnings::{CLIP, changing_columns, constant_warning, sequence_warnings};
 use crate::models::training::error::TrainingError;
 use crate::motion::measures::rests_from;

@@ -4,8 +4,6 @@ pub(crate) mod column_mapping;
 pub(crate) mod dataset;
 pub(crate) mod movements;
 pub(crate) mod phase;
-pub(crate) mod sequence_info;
 pub(crate) mod sequences;
 mod tables;
-pub(crate) mod trials;
 mod warnings;

@@ -1,8 +1,10 @@
-//! Sequences in a stack of frames, and histories that never cross from one sequence into another.
+//! Sequences in a stack of frames, histories that never cross from one sequence into another, and what is known of
+//! each sequence's clip.
 
 use crate::gp::Gaussians;
 use crate::plural::counted;
 use nalgebra::DMatrix;
+use serde::Serialize;
 use std::ops::Range;
 use thiserror::Error;
 
@@ -207,6 +209,27 @@ impl Sequences {
             (first_row..first_row + count, first_frame..first_frame + count)
         })
     }
+}
+
+/// The clip or table that a sequence came from.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SequenceInfo {
+    /// The clip's name.
+    pub name: String,
+    /// The clip's content hash.
+    pub sha256: String,
+    /// Frames of the sequence.
+    pub frames: usize,
+    /// Seconds from its first frame until the body rests; `None`: it moves until its end, or this is not
+    /// known.
+    pub rests_from: Option<f64>,
+    /// The frames of the file that were used, as in [`Clip::piece`](crate::motion::Clip::piece); `None`: all,
+    /// or this is not known.
+    pub piece: Option<(usize, usize)>,
+    /// The name of the clip whose bones it was given; `None`: it has its own, or this is not known.
+    pub bones_of: Option<String>,
+    /// Whether it has all frames of the clip; false: only the first ones.
+    pub whole: bool,
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::gp::linalg::stacked;
 use crate::models::data::dataset::Dataset;
-use crate::models::data::sequence_info::SequenceInfo;
+use crate::models::data::sequences::SequenceInfo;
 use crate::models::data::warnings::{TABLE, changing_columns, constant_warning, sequence_warnings};
 use crate::motion::parts::{PartSpec, PartsLayout};
 use crate::series::{Columns, SeriesError, Table, check_parts};

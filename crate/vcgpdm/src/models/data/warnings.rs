@@ -1,6 +1,6 @@
 //! Warnings about a data set from which a model learns less than its user expects.
 
-use crate::models::data::sequence_info::SequenceInfo;
+use crate::models::data::sequences::SequenceInfo;
 use crate::plural::counted;
 use nalgebra::DMatrix;
 

@@ -2,8 +2,8 @@
 
 use crate::elementary::Elementary;
 use crate::gp::NumericsError;
+use crate::models::data::movements::split;
 use crate::models::data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
-use crate::models::data::trials::split;
 use crate::models::dmp::spring::{ALPHA_Z, Curve, integrate, regress};
 use crate::models::dmp::{OVERLAP, SpringStart};
 use crate::models::rollout::request::{RolloutError, check_frames};

@@ -5,7 +5,7 @@ use crate::json::{Field, FieldError, Value};
 use crate::models::dmp::SpringStart;
 use crate::models::dmp::discrete::{DiscreteStart, DmpDiscrete};
 use crate::models::dmp::rhythmic::{DmpRhythmic, RhythmicStart};
-use crate::models::fitted::json::{column_count, phase_map, phase_map_value, vector};
+use crate::models::fitted::model::{column_count, phase_map, phase_map_value, vector};
 
 const MOST_BASES: usize = 1000;
 

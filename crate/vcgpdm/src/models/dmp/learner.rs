@@ -2,8 +2,8 @@
 
 use crate::gp::NumericsError;
 use crate::models::data::movements::Movements;
+use crate::models::data::movements::split_trials;
 use crate::models::data::phase::Trial;
-use crate::models::data::trials::split_trials;
 use crate::models::dmp::Canonical;
 use crate::models::dmp::discrete::DmpDiscrete;
 use crate::models::dmp::rhythmic::DmpRhythmic;

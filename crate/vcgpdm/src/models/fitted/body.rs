@@ -2,8 +2,8 @@
 
 use crate::models::data::column_mapping::ColumnMapping;
 use crate::models::data::dataset::Dataset;
-use crate::models::data::sequence_info::SequenceInfo;
 use crate::models::data::sequences::MOST_FRAMES;
+use crate::models::data::sequences::SequenceInfo;
 use crate::models::rollout::request::RolloutError;
 use crate::motion::Clip;
 use crate::motion::parts::PartsLayout;

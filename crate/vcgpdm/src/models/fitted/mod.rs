@@ -4,7 +4,6 @@ pub(crate) mod body;
 pub(crate) mod completion;
 pub(crate) mod coupled;
 pub(crate) mod fitted_model;
-pub(crate) mod json;
 pub(crate) mod model;
 pub(crate) mod observed;
 pub(in crate::models) mod own_rollouts;

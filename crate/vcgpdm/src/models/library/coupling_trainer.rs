@@ -1,7 +1,7 @@
 //! New couplings for stored primitives: everything else stays as it was learned.
 
 use crate::models::data::dataset::DatasetError;
-use crate::models::data::sequence_info::SequenceInfo;
+use crate::models::data::sequences::SequenceInfo;
 use crate::models::library::{
     CombinationError, CouplingsFrom, EncodedClip, LearnedMovement, Library, LibraryError, TrainedLibrary,
 };

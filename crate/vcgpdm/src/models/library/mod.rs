@@ -34,6 +34,7 @@ use crate::models::variational::{
     expert_offsets, stack_offsets,
 };
 use nalgebra::DMatrix;
+use serde::{Deserialize, Serialize};
 
 pub use combination_error::CombinationError;
 pub use coupling_trainer::{CouplingTrainer, MOST_ITERATIONS};
@@ -95,7 +96,8 @@ pub struct LearnedMovement {
 }
 
 /// Origin of the couplings of a movement.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "from", rename_all = "lowercase", deny_unknown_fields)]
 pub enum CouplingsFrom {
     /// They were learned together with the primitives.
     Training,
@@ -106,8 +108,11 @@ pub enum CouplingsFrom {
         /// Iterations of the fit.
         iterations: usize,
     },
-    /// They were taken from the movement of this name. The names of several movements are joined with "+".
-    Movement(String),
+    /// They were taken from another movement.
+    Movement {
+        /// Its name. The names of several movements are joined with "+".
+        movement: String,
+    },
     /// A user chose them.
     Hand,
     /// No movement uses the primitives: the couplings are 1.

@@ -79,7 +79,7 @@ impl Library {
             couplings: if names.is_empty() {
                 CouplingsFrom::Nothing
             } else {
-                CouplingsFrom::Movement(names.join("+"))
+                CouplingsFrom::Movement { movement: names.join("+") }
             },
             rollout_rounds: 0,
         })

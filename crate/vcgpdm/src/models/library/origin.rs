@@ -1,6 +1,6 @@
 //! Origins of primitives, and excerpts of movements that are not in their library.
 
-use crate::models::data::sequence_info::SequenceInfo;
+use crate::models::data::sequences::SequenceInfo;
 use crate::models::fitted::provenance::Provenance;
 use nalgebra::DMatrix;
 

@@ -124,7 +124,7 @@ fn a_new_combination_starts_at_the_nearest_states_of_its_parts() {
     let own = |part: usize| library.movements[part].alpha[(part, part)];
     assert_eq!(alpha, DMatrix::from_row_slice(2, 2, &[own(0), 10.0, 10.0, own(1)]));
     let named = library.nearest_combination("half", &uses).unwrap();
-    assert_eq!(named.couplings, CouplingsFrom::Movement("walk+wave".to_owned()));
+    assert_eq!(named.couplings, CouplingsFrom::Movement { movement: "walk+wave".to_owned() });
     assert_eq!(library.nearest_couplings(&[1, 3]), library.movements[1].alpha);
     let model = library.combination(&uses, &library.nearest_couplings(&uses)).unwrap();
     assert_eq!(model.starts.len(), 3);
@@ -259,7 +259,7 @@ fn an_excerpt_gives_couplings_and_starts() {
     assert_eq!(some.movements.len(), 1);
     assert_eq!(some.nearest_couplings(&uses).row(1), library.movements[0].alpha.row(1));
     let named = some.nearest_combination("half", &uses).unwrap();
-    assert_eq!(named.couplings, CouplingsFrom::Movement("wave+walk".to_owned()));
+    assert_eq!(named.couplings, CouplingsFrom::Movement { movement: "wave+walk".to_owned() });
     let window: Vec<_> = library.movements[0].starts[0].iter().map(|x| x.rows(7, 2).into_owned()).collect();
     assert_eq!(some.nearest_state(1, &window, &[]).unwrap(), window[1]);
     assert!(some.combination(&uses, &some.nearest_couplings(&uses)).unwrap().rollout(0, 30).is_ok());

@@ -1,7 +1,7 @@
 //! A library with the body that it moves and its provenance.
 
 use crate::models::data::dataset::DatasetError;
-use crate::models::data::sequence_info::SequenceInfo;
+use crate::models::data::sequences::SequenceInfo;
 use crate::models::fitted::body::Body;
 use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::fitted::model::Model;

@@ -4,7 +4,7 @@
 use crate::gp::linalg::stacked;
 use crate::gp::stored_outputs::StoredOutputs;
 use crate::gp::{Gaussians, NumericsError};
-use crate::models::data::sequence_info::SequenceInfo;
+use crate::models::data::sequences::SequenceInfo;
 use crate::models::data::sequences::Sequences;
 use crate::models::library::{EncodedClip, Library, TrainedLibrary};
 use crate::models::training::pose_weight::PoseWeight;

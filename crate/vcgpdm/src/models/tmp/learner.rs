@@ -3,8 +3,8 @@
 use crate::gp::NumericsError;
 use crate::gp::linalg::counting_jittered;
 use crate::models::data::movements::Movements;
+use crate::models::data::movements::split_trials;
 use crate::models::data::phase::{Alignment, PhaseMap, Trial};
-use crate::models::data::trials::split_trials;
 use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::tmp::Tmp;
 use crate::models::tmp::partial_trial::PartialTrial;

@@ -31,7 +31,6 @@
 //! lengthscale, starts and rates change only where that raises the bound. So the bound never falls. The
 //! number of primitives is the one with the highest bound.
 
-mod components;
 mod json;
 mod kernel;
 mod learner;
@@ -46,8 +45,8 @@ mod weights;
 pub use learner::TmpLearner;
 
 use crate::gp::NumericsError;
+use crate::models::data::movements::split;
 use crate::models::data::phase::{PhaseAxis, PhaseMap, Trial};
-use crate::models::data::trials::split;
 use crate::models::rollout::request::{RolloutError, check_frames};
 use kernel::covariance;
 use nalgebra::{DMatrix, DVector};

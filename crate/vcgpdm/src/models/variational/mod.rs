@@ -18,7 +18,6 @@ pub(crate) mod model;
 mod moments;
 mod own_rollouts;
 pub(crate) mod params;
-mod path_density;
 pub(crate) mod predictive;
 pub(crate) mod repertoire;
 pub(crate) mod start;

@@ -1,6 +1,6 @@
-//! A file by name and bytes, and its lines split into words.
+//! A file by name and bytes, its lines split into words, and errors that name a line.
 
-use crate::motion::asf::error::AsfError;
+use thiserror::Error;
 
 /// A file: its name and its bytes.
 #[derive(Clone, Copy, Debug)]
@@ -50,4 +50,18 @@ pub(super) fn lines<'a>(file: &'a str, text: &'a str) -> Vec<Line<'a>> {
     lines.retain(|line| !line.words.is_empty());
     lines.push(Line { file, number, words: Vec::new() });
     lines
+}
+
+/// Why Acclaim files cannot be read, and where.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("{file}, line {line}: expected {expected}, found {found}")]
+pub struct AsfError {
+    /// The name of the file.
+    pub file: String,
+    /// The line, counted from 1.
+    pub line: usize,
+    /// What was expected.
+    pub expected: String,
+    /// What was found.
+    pub found: String,
 }

@@ -9,14 +9,13 @@
 //! shoulders are at the start of the thorax, fingers at the start of the hand. All other numbers are equal up
 //! to their written digits.
 
-mod error;
 mod file;
 mod motion;
 mod skeleton;
 #[cfg(test)]
 mod tests;
 
-pub use error::AsfError;
+pub use file::AsfError;
 pub use file::File;
 
 use crate::motion::clip::sha256;

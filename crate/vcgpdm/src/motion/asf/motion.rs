@@ -1,6 +1,6 @@
 //! Reads the frames of an AMC file.
 
-use crate::motion::asf::error::AsfError;
+use crate::motion::asf::file::AsfError;
 use crate::motion::asf::file::{File, Line, lines};
 use crate::motion::asf::skeleton::{AsfBody, Dof, turned};
 use crate::motion::rotation;

@@ -1,6 +1,6 @@
 //! Reads the skeleton of an ASF file.
 
-use crate::motion::asf::error::AsfError;
+use crate::motion::asf::file::AsfError;
 use crate::motion::asf::file::{File, Line, lines};
 use crate::motion::rotation;
 use crate::motion::skeleton::{Channel, Joint, Skeleton};

@@ -4,7 +4,7 @@ use crate::elementary::Elementary;
 use crate::motion::Skeleton;
 use crate::motion::anatomy::{Anatomy, Region};
 use crate::motion::joint_names::Side;
-use crate::motion::measures::track::Track;
+use crate::motion::measures::speed::Track;
 use nalgebra::Vector3;
 use serde::Serialize;
 

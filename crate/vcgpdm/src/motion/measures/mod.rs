@@ -6,7 +6,6 @@ mod limbs;
 pub(crate) mod poses;
 mod rhythm;
 mod speed;
-mod track;
 
 use crate::motion::Skeleton;
 use crate::motion::anatomy::Anatomy;
@@ -14,7 +13,7 @@ use crate::motion::{RHYTHMIC, period};
 use limbs::{ends, forward_places};
 use nalgebra::DMatrix;
 use serde::Serialize;
-use track::Track;
+use speed::Track;
 
 pub use limbs::Limb;
 pub use speed::rests_from;

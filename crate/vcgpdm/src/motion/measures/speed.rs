@@ -1,9 +1,8 @@
-//! Speed of a body and its joints, sliding of its feet, and the time at which it comes to rest.
+//! Speed of a body and its joints, sliding of its feet, the time at which it comes to rest, and tracks of joints.
 
 use crate::elementary::Elementary;
 use crate::motion::Skeleton;
 use crate::motion::anatomy::{Anatomy, Region};
-use crate::motion::measures::track::Track;
 use nalgebra::Vector3;
 
 /// The joints of a standing person are slower than this, in metres a second.
@@ -75,4 +74,32 @@ pub(super) fn foot_slide(skeleton: &Skeleton, anatomy: &Anatomy, track: &Track, 
 
 fn along_ground(step: Vector3<f64>) -> f64 {
     step.x.hypotenuse(step.z)
+}
+
+/// Positions of nodes [frames x nodes x 3], y up, in metres.
+pub(super) struct Track<'a> {
+    positions: &'a [f32],
+    pub(super) nodes: usize,
+    /// Seconds from one frame to the next.
+    pub(super) frame_time: f64,
+}
+
+impl<'a> Track<'a> {
+    pub(super) fn new(skeleton: &Skeleton, positions: &'a [f32], frame_time: f64) -> Self {
+        Self { positions, nodes: skeleton.figure().len(), frame_time }
+    }
+
+    pub(super) fn frames(&self) -> usize {
+        self.positions.len() / (3 * self.nodes)
+    }
+
+    pub(super) fn at(&self, frame: usize, node: usize) -> Vector3<f64> {
+        let first = 3 * (frame * self.nodes + node);
+        Vector3::from_fn(|axis, _| f64::from(self.positions[first + axis]))
+    }
+
+    /// The vector from the root to the node.
+    pub(super) fn root_to(&self, frame: usize, node: usize) -> Vector3<f64> {
+        self.at(frame, node) - self.at(frame, 0)
+    }
 }

@@ -4,13 +4,12 @@
 //! user; a [`PartsLayout`] names the columns of Y of each part.
 
 mod from_json;
-mod layout;
 mod presets;
 mod spec;
 #[cfg(test)]
 mod tests;
 
 pub use from_json::{GivenJoint, GivenPart, from_given, from_json};
-pub use layout::PartsLayout;
 pub use presets::{PartsPreset, preset_names, preset_parts, presets};
+pub use spec::PartsLayout;
 pub use spec::{PartSpec, PartsError, check};

@@ -5,8 +5,8 @@
 //! follow the hands, and trunk and head turn to the bottle.
 
 use crate::elementary::Elementary;
+use crate::motion::samples::body::{Frames, RATE};
 use crate::motion::samples::body::{HEIGHT, joint};
-use crate::motion::samples::frames::{Frames, RATE};
 use crate::motion::samples::turns::{half, x, y, z};
 use crate::motion::samples::variation::{Drift, between};
 use crate::motion::skeleton::Skeleton;

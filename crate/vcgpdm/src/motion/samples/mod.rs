@@ -4,7 +4,6 @@
 
 mod body;
 mod bottle;
-mod frames;
 mod gait;
 mod turns;
 mod variation;
@@ -144,7 +143,7 @@ fn name(id: &str) -> String {
 }
 
 fn made(name: &str, skeleton: Skeleton, values: DMatrix<f64>) -> Clip {
-    Clip::new(name, skeleton, 1.0 / frames::RATE, values)
+    Clip::new(name, skeleton, 1.0 / body::RATE, values)
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 
 use crate::elementary::Elementary;
 use crate::motion::samples::body::joint;
-use crate::motion::samples::frames::{Frames, RATE};
+use crate::motion::samples::body::{Frames, RATE};
 use crate::motion::samples::turns::{half, x, y, z};
 use crate::motion::samples::variation::{Drift, between};
 use crate::motion::samples::{body, gait};

@@ -15,11 +15,11 @@ use crate::gp::outputs::Outputs;
 use crate::gp::psi::{PairWorkspace, Purpose};
 use crate::gp::stored_outputs::StoredOutputs;
 use crate::gp::{Gaussians, NumericsError};
-use crate::models::variational::elbo::expert_covariance::ExpertCovariance;
 use crate::models::variational::elbo::objective::Objective;
 use crate::models::variational::elbo::rows::MovementRows;
 #[cfg(feature = "threads")]
 use crate::models::variational::elbo::rows::SourceStatistics;
+use crate::models::variational::elbo::sums::ExpertCovariance;
 use crate::models::variational::elbo::sums::{DynamicsSums, stack_offsets};
 use crate::models::variational::params::Params;
 use nalgebra::DMatrix;

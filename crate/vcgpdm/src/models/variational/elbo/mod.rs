@@ -5,12 +5,10 @@
 //! through both.
 
 mod dynamics;
-mod expert_covariance;
 mod kinematics;
 mod objective;
 mod rows;
 mod sums;
-mod terms;
 #[cfg(feature = "threads")]
 mod threads;
 
@@ -24,8 +22,8 @@ use kinematics::Kinematics;
 use nalgebra::DMatrix;
 pub use objective::{Objective, StoredMaps};
 use std::f64::consts::TAU;
+pub use sums::BoundTerms;
 pub use sums::{DynamicsSums, stack_offsets};
-pub use terms::BoundTerms;
 
 /// The optimal posteriors of all inducing outputs.
 #[derive(Clone, Debug)]

@@ -1,6 +1,8 @@
-//! The sums over rows that q(u) needs, under any coupling.
+//! The sums over rows that q(u) needs, under any coupling; the covariance of experts; the terms of the bound.
 
+use crate::gp::kernel::KernelAdjoint;
 use nalgebra::DMatrix;
+use serde::{Deserialize, Serialize};
 
 /// The sums over t that q(u) of one target part needs, under any coupling: psi2 blocks and psi1^T mu without
 /// weights.
@@ -54,5 +56,46 @@ impl DynamicsSums {
             }
             b.rows_mut(at, size).zip_apply(&self.psi1_mu.rows(at, size), |out, v| *out = w_j * v);
         }
+    }
+}
+
+/// The inducing covariance of the expert of one primitive, with its adjoints.
+pub struct ExpertCovariance {
+    pub k: DMatrix<f64>,
+    /// dF/dK [K x K].
+    pub k_adjoint: DMatrix<f64>,
+    /// dF with respect to the inducing inputs and the kernel.
+    pub kernel_adjoint: KernelAdjoint,
+}
+
+impl ExpertCovariance {
+    /// For K = `ips` inducing inputs of P = `dims` dimensions.
+    pub fn new(ips: usize, dims: usize) -> Self {
+        Self {
+            k: DMatrix::zeros(ips, ips),
+            k_adjoint: DMatrix::zeros(ips, ips),
+            kernel_adjoint: KernelAdjoint::zeros(ips, dims),
+        }
+    }
+}
+
+/// The terms of the bound, in nats.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BoundTerms {
+    /// The pose map of each part `[M]`.
+    pub kinematics: Vec<f64>,
+    /// The dynamics into each part `[M]`.
+    pub dynamics: Vec<f64>,
+    /// The prior of the first p frames of every sequence.
+    pub initial: f64,
+    /// The entropy of q(x) over all frames.
+    pub entropy: f64,
+}
+
+impl BoundTerms {
+    /// The bound on the log evidence.
+    pub fn total(&self) -> f64 {
+        self.kinematics.iter().sum::<f64>() + self.dynamics.iter().sum::<f64>() + self.initial + self.entropy
     }
 }

@@ -41,7 +41,6 @@ mod completion;
 mod correction;
 mod error;
 mod pose_process;
-mod references;
 mod run;
 mod start;
 mod step;

@@ -42,24 +42,6 @@ impl Filter {
         }
     }
 
-    /// The run under which all frames are the likeliest, of those from the starting points of
-    /// [`run_from_best`](Self::run_from_best): slower, because the filter runs over all frames from each of
-    /// them.
-    ///
-    /// # Errors
-    ///
-    /// As [`run`](Self::run).
-    pub fn run_likeliest(&self, y: &[DMatrix<f64>], window: usize) -> Result<Filtered, ObservationError> {
-        self.check(y)?;
-        let starts = self.starts(&self.first_window(y, window), STARTS).into_iter();
-        let runs = starts.filter_map(|start| self.run(start, y).ok());
-        let runs = runs.filter(|run| run.evidence().is_finite());
-        match runs.max_by(|a, b| a.evidence().total_cmp(&b.evidence())) {
-            Some(run) => Ok(run),
-            None => self.run(self.unknown(), y),
-        }
-    }
-
     /// The frames of checked columns until `window` frames after the first one with a number.
     fn first_window(&self, y: &[DMatrix<f64>], window: usize) -> Vec<DMatrix<f64>> {
         let frames = y[0].nrows();

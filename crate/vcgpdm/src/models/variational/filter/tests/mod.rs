@@ -382,27 +382,6 @@ fn finds_the_place_of_the_training_where_a_recording_starts() {
     }
 }
 
-/// The first frames are from another place than all others: alone they choose a place that is not the
-/// likeliest.
-#[test]
-fn all_frames_choose_a_place_that_is_likelier() {
-    let model = trained(2).0;
-    let filter = filter_of(&model);
-    let mut likelier = 0;
-    for frame in 0..6 {
-        let latents: Vec<DMatrix<f64>> = model.starts[0]
-            .iter()
-            .map(|x| DMatrix::from_fn(12, x.ncols(), |t, q| x[(frame + if t < 4 { t + 6 } else { t }, q)]))
-            .collect();
-        let y = without(&model.observations(&latents), 1);
-        let runs = [filter.run_from_best(&y, 4), filter.run_likeliest(&y, 4)];
-        let [first, all] = runs.map(|run| run.unwrap().evidence());
-        assert!(all >= first, "frame {frame}: {all}, {first}");
-        likelier += usize::from(all > first + 0.1);
-    }
-    assert!(likelier > 0, "four frames chose as all frames do");
-}
-
 #[test]
 fn refuses_columns_that_do_not_fit() {
     let filter = filter_of(&fitted(1));
