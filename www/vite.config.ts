@@ -95,8 +95,9 @@ const output = {
   entryFileNames: ({ facadeModuleId }: { facadeModuleId: string | null }) =>
     `${folderOf([facadeModuleId ?? ""])}/[name]-[hash].js`,
   chunkFileNames: ({ moduleIds }: { moduleIds: string[] }) => `${folderOf(moduleIds)}/[name]-[hash].js`,
-  assetFileNames: ({ originalFileNames }: { originalFileNames: string[] }) =>
-    `${folderOf(originalFileNames.map((file) => `/${file}`))}/[name]-[hash][extname]`,
+  // Styles that chapters share come without the files that they are made of.
+  assetFileNames: ({ originalFileNames, names }: { originalFileNames: string[]; names: string[] }) =>
+    `${names.includes("latent-view.css") ? "assets/story" : folderOf(originalFileNames.map((file) => `/${file}`))}/[name]-[hash][extname]`,
 };
 
 /** Not for `vite dev`, whose style sheets are inline. */

@@ -1,7 +1,6 @@
 import type { App } from "../../app/app";
 import "../../stage/stage-view";
 import { storyBody } from "../body";
-import "../latent/latent.css";
 import { loadReplies } from "../../words/replies";
 import type { Chapter } from "../chapter";
 import { EndChapter } from "./end-chapter";
