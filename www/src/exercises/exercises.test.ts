@@ -14,7 +14,8 @@ function roll(alpha: Couplings, reading: Reading) {
   const rollout = model.rollout({ frames, sequence: 0, alpha, reading });
   const positions = rollout.positions();
   const motion = { positions, frames, nodes: info.figure.nodes.length, frameTime: info.frameTime };
-  const report = { measures: rollout.measures(settled), health: rollout.health() } as BodyReport;
+  const request = { frames, sequence: 0, alpha, reading };
+  const report = { measures: rollout.measures(settled), health: rollout.health(), request } as BodyReport;
   return { motion, report };
 }
 const learned = roll(info.alpha, "as-learned");
@@ -56,6 +57,12 @@ for (const [exercise, solution] of Object.entries(SOLUTIONS))
       if (other !== exercise)
         expect(verdict(name, factors, reading), other).toMatchObject({ isSolved: false });
   });
+
+it("takes nearly equal factors of a pointer, and no other ratio", () => {
+  expect(verdict("ratio", { "0.1": 2.2, "1.1": 2.24 }, "as-learned")).toMatchObject({ isSolved: true });
+  expect(verdict("ratio", { "0.1": 2.2, "1.1": 2.6 }, "as-learned")).toMatchObject({ isSolved: false });
+  expect(verdict("ratio", { "0.1": 2, "1.1": 2 }, "re-inferred").findings.at(-1)?.name).toBe("reading");
+});
 
 it("wants a trained model of few points that moves on", () => {
   const facts = {

@@ -15,8 +15,6 @@ const NO_SWING = 0.1;
 const WALKS_ON = 0.8;
 /** A relative difference from the learned motion that counts as none. */
 const SAME = 0.05;
-/** Millimetres between the same joint of two motions that count as one motion. */
-export const SAME_MOTION = 5;
 /** Factors of a changed coupling. A slider moves in steps, so that the factor may be a little less. */
 const DOUBLED = 1.95;
 const HUNDREDFOLD = 95;
@@ -82,6 +80,18 @@ function isSamePace({ now, learned }: BodyReports, part: number): boolean {
   return is != null && was != null && isNear(is / was);
 }
 
+/**
+ * Whether couplings are at least doubled, and all couplings into a part by one factor: then its weights stay. A
+ * pointer does not meet a factor exactly, and the motion then differs a little.
+ */
+function keepsRatios({ learned, alpha }: Facts): boolean {
+  const into = learned.map((_, target) =>
+    learned.map((row, source) => (alpha[source]?.[target] ?? Number.NaN) / row[target]!),
+  );
+  const isOne = (factors: readonly number[]) => Math.max(...factors) / Math.min(...factors) <= 1 + SAME;
+  return into.every(isOne) && into.some(([first = 1]) => atLeast(first, DOUBLED));
+}
+
 /** Whether the model on the stage solves the exercise, and what was measured. */
 export function judge(exercise: ExerciseName, facts: Facts): Verdict {
   const { reports, isStartModel, apart, points } = facts;
@@ -117,10 +127,11 @@ export function judge(exercise: ExerciseName, facts: Facts): Verdict {
     case "pose":
       return { isSolved: legs >= WALKS_ON && arms <= NO_SWING, findings: [swings] };
     case "ratio": {
-      const doubled = changes.filter(({ factor }) => atLeast(factor, DOUBLED));
+      const isAsLearned = reports.now.request.reading === "as-learned";
+      const all: Finding[] = [factors, { name: "apart", values: [apart] }];
       return {
-        isSolved: doubled.length >= 2 && apart <= SAME_MOTION,
-        findings: [factors, { name: "apart", values: [apart] }],
+        isSolved: isAsLearned && keepsRatios(facts),
+        findings: isAsLearned ? all : [...all, { name: "reading", values: [] }],
       };
     }
     case "idle": {

@@ -5,7 +5,7 @@ import { type ChapterName, ORDER } from "../settings/chapters";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import { teachWords } from "../words/teach";
-import type { Step } from "./plans";
+import { lengthOfPlan, type Step, type StepWords, timesOf } from "./plans";
 import "./notes.css";
 
 export class Tally extends Store {
@@ -118,7 +118,8 @@ export class Lecture extends Store {
     const words = this.#app.words.now;
     const { chapter, choices } = this.#shown.slide();
     const titleOf = (name: string | undefined) => words.chapters[name as ChapterName]?.title;
-    const { say, wrong } = steps[chapter];
+    const { say, wrong, answer, asked }: StepWords = steps[chapter];
+    const time = timesOf(lengthOfPlan()).find(({ step }) => step === chapter);
     const next = titleOf(ORDER[ORDER.indexOf(chapter as ChapterName) + 1]);
     page.documentElement.lang = this.#app.words.language;
     page.title = notes.title;
@@ -126,7 +127,10 @@ export class Lecture extends Store {
     render(
       html`<main class="notes">
         <h1>${titleOf(chapter)}</h1>
+        ${time ? html`<p>${notes.minutes(time.from, time.to)}</p>` : nothing}
         <h2>${notes.say}</h2><p>${say}</p>
+        ${answer ? html`<h2>${notes.answer}</h2><p>${answer}</p>` : nothing}
+        ${asked ? html`<h2>${notes.asked}</h2><dl>${asked.map(([question, reply]) => html`<dt>${question}</dt><dd>${reply}</dd>`)}</dl>` : nothing}
         <h2>${notes.wrong}</h2><p>${wrong}</p>
         ${
           hands.length > 0

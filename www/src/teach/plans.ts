@@ -1,7 +1,18 @@
 // The plans of a lecture: what is done for how many minutes. The words are in `words/*/teach`.
+import { keep, kept } from "../ui/kept";
 import type { TeachWords } from "../words/teach";
 
 export type Step = keyof TeachWords["steps"];
+
+/** What a lecturer has at hand for a step. */
+export interface StepWords {
+  readonly say: string;
+  readonly wrong: string;
+  /** The answer to the question of a chapter. */
+  readonly answer?: string;
+  /** Likely questions with their answers. */
+  readonly asked?: readonly (readonly string[])[];
+}
 
 export const PLANS = {
   45: [
@@ -43,3 +54,10 @@ export function timesOf(length: PlanLength): { step: Step; from: number; to: num
     return { step, from, to };
   });
 }
+
+/** The name under which the browser keeps the length of the plan. */
+const KEPT = "plan";
+
+/** The plan that the lecturer has chosen. */
+export const lengthOfPlan = (): PlanLength => (kept(KEPT) === "90" ? 90 : 45);
+export const keepLength = (length: PlanLength): void => keep(KEPT, String(length));

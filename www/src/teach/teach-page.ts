@@ -4,18 +4,14 @@ import type { App } from "../app/app";
 import { siteHead } from "../app/site-head";
 import { EXERCISE_NAMES } from "../exercises/exercises";
 import { addressOf } from "../settings/chapters";
-import { keep, kept } from "../ui/kept";
 import { View } from "../ui/view";
 import { teachWords } from "../words/teach";
 import { addressOf as linkOf } from "./code";
 import { codePicture, showCode } from "./code-dialog";
-import { type PlanLength, type Step, timesOf } from "./plans";
+import { keepLength, lengthOfPlan, type PlanLength, type Step, type StepWords, timesOf } from "./plans";
 import "./teach.css";
 
 const LENGTHS: readonly PlanLength[] = [45, 90];
-/** The name under which the browser keeps the length of the plan. */
-const KEPT = "plan";
-
 /** The addresses of steps that are no chapters. */
 const ADDRESSES: Partial<Record<Step, string>> = { compare: "view=compare" };
 
@@ -30,7 +26,7 @@ export class TeachPage extends View {
 
   constructor() {
     super();
-    this.length = kept(KEPT) === "90" ? 90 : 45;
+    this.length = lengthOfPlan();
   }
 
   override connectedCallback(): void {
@@ -49,7 +45,7 @@ export class TeachPage extends View {
 
   #choose(length: PlanLength): void {
     this.length = length;
-    keep(KEPT, String(length));
+    keepLength(length);
   }
 
   /** The chapters on the whole screen, from the first one. */
@@ -58,6 +54,15 @@ export class TeachPage extends View {
     document.documentElement.requestFullscreen?.().catch(() => {});
     this.app.lecture.turn(true);
     this.app.settings.change({ teach: false, chapter: 1 });
+  }
+
+  /** The answer of a chapter, and likely questions with theirs. */
+  #asked({ answer, asked }: StepWords) {
+    const { notes } = this.#section.now;
+    if (!asked) return nothing;
+    return html`<details><summary>${notes.asked}</summary>
+      ${answer ? html`<p><b>${notes.answer}:</b> ${answer}</p>` : nothing}
+      <dl>${asked.map(([question, reply]) => html`<dt>${question}</dt><dd>${reply}</dd>`)}</dl></details>`;
   }
 
   #plan() {
@@ -83,14 +88,14 @@ export class TeachPage extends View {
           <thead><tr><th scope="col">${minutes}</th>${others.map((column) => html`<th scope="col">${column}</th>`)}</tr></thead>
           <tbody>${timesOf(this.length).map(
             ({ step, from, to }) => html`
-            <tr><td>${from}–${to}</td><th scope="row">${title(step)}</th><td>${steps[step].say}</td><td>${steps[step].wrong}</td></tr>`,
+            <tr><td>${from}–${to}</td><th scope="row">${title(step)}</th><td>${steps[step].say}${this.#asked(steps[step])}</td><td>${steps[step].wrong}</td></tr>`,
           )}</tbody>
         </table>
       </section>`;
   }
 
   #exercises() {
-    const { exercises } = this.#section.now;
+    const { exercises, notes } = this.#section.now;
     return html`
       <section class="teach-sheet" aria-labelledby="teach-exercises">
         <h2 id="teach-exercises">${exercises.title}</h2>
@@ -103,6 +108,7 @@ export class TeachPage extends View {
               <div>
                 <p>${exercises.tasks[name]}</p>
                 <p class="teach-why">${exercises.whys[name]}</p>
+                <details><summary>${notes.answer}</summary><p>${exercises.solutions[name]}</p></details>
                 <p class="teach-links"><a href="#${fragment}" data-testid="try-${name}">${exercises.try}</a>
                   <button class="link" @click=${() => void showCode(this.app, fragment)}>${exercises.code}</button></p>
               </div>

@@ -25,7 +25,7 @@ export const gaussian: Words["chapters"]["gaussian"] = {
   spread: "Unsicherer Eingang",
   reveal: {
     answer: (mean: string, deviation: string, near: string) =>
-      `Dort sagt er ${withComma(mean)} ± ${withComma(deviation)}, zwei Standardabweichungen, wie vor dem ersten Punkt. Am ersten Punkt ist er auf ± ${withComma(near)} sicher.`,
+      `Dort: ${withComma(mean)} ± ${withComma(deviation)} (2 σ), wie vor dem ersten Punkt. Am ersten Punkt: ± ${withComma(near)}.`,
     input: (mean: string, deviation: string) =>
       `Am orangen Eingang: ${withComma(mean)} ± ${withComma(deviation)}.`,
   },

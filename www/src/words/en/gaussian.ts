@@ -22,7 +22,7 @@ export const gaussian = {
   spread: "Uncertain input",
   reveal: {
     answer: (mean: string, deviation: string, near: string) =>
-      `There it says ${mean} ± ${deviation}, two standard deviations, as before it saw a point. At the first point it is sure to ± ${near}.`,
+      `There: ${mean} ± ${deviation} (2 σ), as before it saw a point. At the first point: ± ${near}.`,
     input: (mean: string, deviation: string) => `At the orange input: ${mean} ± ${deviation}.`,
   },
   equation: "The kernel k says how alike the curve is at two inputs.",
