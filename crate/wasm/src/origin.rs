@@ -52,23 +52,11 @@ pub struct PrimitiveOrigin {
     iterations: usize,
     note: Option<String>,
     clips: Vec<SequenceInfo>,
-    relearned: Option<RelearnedFrom>,
-}
-
-#[derive(Serialize)]
-struct RelearnedFrom {
-    primitive: String,
-    frames: &'static str,
-    clips: Vec<SequenceInfo>,
+    relearned: Option<Relearned>,
 }
 
 impl From<Origin> for PrimitiveOrigin {
     fn from(Origin { training, clips, relearned }: Origin) -> Self {
-        let from = |Relearned { primitive, clips, frames }: Relearned| RelearnedFrom {
-            primitive,
-            frames: frames.id(),
-            clips,
-        };
         Self {
             seed: training.seed,
             bound: training.bound(),
@@ -76,7 +64,7 @@ impl From<Origin> for PrimitiveOrigin {
             iterations: training.iterations,
             note: training.note,
             clips,
-            relearned: relearned.map(from),
+            relearned,
         }
     }
 }

@@ -3,9 +3,8 @@
 use crate::convert::to_js;
 use crate::error::VcgpdmError;
 use crate::library::{Library, uses_of};
-use serde::Serialize;
 use std::rc::Rc;
-use vcgpdm::models::library::{Leader, PartMotion, TrainedLibrary};
+use vcgpdm::models::library::TrainedLibrary;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -26,27 +25,6 @@ export interface PartMotion {
 }
 "#;
 
-#[derive(Serialize)]
-struct Motion {
-    share: f64,
-    still: bool,
-    leader: Option<LeaderOfPart>,
-}
-
-#[derive(Serialize)]
-struct LeaderOfPart {
-    part: usize,
-    weight: f64,
-    met: bool,
-}
-
-impl From<PartMotion> for Motion {
-    fn from(PartMotion { share, still, leader }: PartMotion) -> Self {
-        let leader = leader.map(|Leader { part, weight, met }| LeaderOfPart { part, weight, met });
-        Self { share, still, leader }
-    }
-}
-
 #[wasm_bindgen]
 impl Library {
     /// The long-run motion of each part of a combination: whether the part stands still, and which other part
@@ -60,7 +38,7 @@ impl Library {
         let uses = uses_of(&uses)?;
         let alpha = self.couplings(&uses, &alpha)?;
         let motion = self.trained.library.motion(&uses, &alpha)?;
-        to_js(&motion.into_iter().map(Motion::from).collect::<Vec<_>>())
+        to_js(&motion)
     }
 
     /// A new library with only these primitives and the pose maps of their parts. It also contains each

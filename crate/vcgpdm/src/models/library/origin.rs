@@ -3,6 +3,7 @@
 use crate::models::data::sequences::SequenceInfo;
 use crate::models::fitted::provenance::Provenance;
 use nalgebra::DMatrix;
+use serde::Serialize;
 
 /// Origin of a primitive.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,7 +18,7 @@ pub struct Origin {
 }
 
 /// The primitive of another library from which a primitive was learned again.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Relearned {
     /// Its name in the other library.
     pub primitive: String,
@@ -28,7 +29,8 @@ pub struct Relearned {
 }
 
 /// Source of the frames from which a primitive is learned again. A primitive holds no clips.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum FramesFrom {
     /// Clips.
     Clips,

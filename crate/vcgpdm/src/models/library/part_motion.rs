@@ -3,6 +3,7 @@
 use crate::models::library::{Library, WalkError};
 use crate::models::rollout::couplings::{Reading, coupling_weights};
 use nalgebra::DMatrix;
+use serde::Serialize;
 
 /// Frames of the rollout that is measured. Only the second half counts: by then, the effect of the start
 /// has faded.
@@ -11,7 +12,7 @@ const FRAMES: usize = 240;
 const STILL: f64 = 0.05;
 
 /// How much a part of a combination moves in the long run, and which part drives it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PartMotion {
     /// The variance of its latents as a share of that in the movements that its primitive learned from.
     pub share: f64,
@@ -22,7 +23,7 @@ pub struct PartMotion {
 }
 
 /// The part that drives another part.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Leader {
     /// The part, counted from 0.
     pub part: usize,
