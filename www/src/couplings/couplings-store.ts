@@ -112,12 +112,8 @@ export class CouplingsStore {
   }
 
   reset(source: number, target: number): void {
-    this.#reset([pair(source, target)]);
-  }
-
-  /** Resets all couplings that lead to a part. */
-  resetInto(target: number): void {
-    this.#reset(this.#learned.map((_, source) => pair(source, target)));
+    this.#place.change({ alpha: this.#without([pair(source, target)]) });
+    this.#changed("reset");
   }
 
   /** Resets all couplings, and the reading that `takeAll` brought. */
@@ -159,11 +155,6 @@ export class CouplingsStore {
       if (!isClose(value, this.learnedAlpha(source, target))) alpha[pair(source, target)] = value;
     this.#place.change({ alpha });
     this.#changed("set");
-  }
-
-  #reset(pairs: readonly string[]): void {
-    this.#place.change({ alpha: this.#without(pairs) });
-    this.#changed("reset");
   }
 
   #without(pairs: readonly string[]): ChangedCouplings {

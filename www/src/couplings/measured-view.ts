@@ -7,7 +7,6 @@ import type { BodyStore } from "./body-store";
 import { measuresText } from "./measures-text";
 import "./measured-view.css";
 import type { ModelStore } from "./model-store";
-import { readingText } from "./reading-text";
 import type { ReadingsStore } from "./readings-store";
 import { lab, shownPart } from "../words/lab";
 
@@ -25,7 +24,7 @@ export class MeasuredView extends View {
     if (!reports) return nothing;
     const names = (this.model.model?.info.parts ?? []).map(({ name }) => shownPart(name));
     const { parts, step, trouble } = measuresText(reports.now, reports.learned, names);
-    const which = this.readings.bothShown ? readingText(reports.now.request.reading) : "";
+    const which = this.readings.bothShown ? lab().readings.text[reports.now.request.reading] : "";
     const end = [
       step && html`<span data-testid="measured-step">${step}</span>`,
       trouble && html`<strong class="bad" data-testid="measured-trouble">${trouble}</strong>`,

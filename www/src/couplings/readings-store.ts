@@ -5,7 +5,6 @@ import type { Reading, RolloutResult } from "../engine/protocol";
 import type { StageStore } from "../stage/stage-store";
 import { Store } from "../ui/store";
 import type { ModelStore } from "./model-store";
-import { readingText } from "./reading-text";
 import { lab } from "../words/lab";
 
 /** From left to right. */
@@ -75,7 +74,7 @@ export class ReadingsStore extends Store {
 
   #show(rollout: RolloutResult, other: RolloutResult): void {
     const columns = READINGS.map((reading) => ({
-      title: lab().readings.experts(readingText(reading)),
+      title: lab().readings.experts(lab().readings.text[reading]),
       motion: (rollout.request.reading === reading ? rollout : other).motion,
     }));
     this.#stage.setColumns(columns);

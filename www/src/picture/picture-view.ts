@@ -8,7 +8,6 @@ import type { Way } from "../couplings/coupling-view";
 import "../couplings/measured-view";
 import type { ModelStore } from "../couplings/model-store";
 import { presetWords } from "../couplings/presets";
-import { readingText } from "../couplings/reading-text";
 import type { ReadingsStore } from "../couplings/readings-store";
 import type { EngineStore } from "../engine/engine-store";
 import type { ModelInfo, Reading } from "../engine/protocol";
@@ -102,7 +101,7 @@ export class PictureView extends View {
     return html`
       <label class="reading" title=${meaning[now]}>${label}
         <select data-testid="reading" @change=${choose}>
-          ${READINGS.map((reading) => html`<option value=${reading} .selected=${reading === now}>${readingText(reading)}</option>`)}
+          ${READINGS.map((reading) => html`<option value=${reading} .selected=${reading === now}>${lab().readings.text[reading]}</option>`)}
         </select></label>`;
   }
 

@@ -22,7 +22,6 @@ import "./tables-view";
 import { lab } from "../words/lab";
 import { seriesWords } from "../words/series";
 import { couplingsTable } from "../couplings/couplings-table";
-import { readingText } from "../couplings/reading-text";
 import type { Reading } from "../engine/protocol";
 import type { SeriesStore } from "./series-store";
 
@@ -45,7 +44,7 @@ function seriesCouplings(model: SeriesStore) {
           (
             reading,
           ) => html`<button title=${words.readings[reading]} aria-pressed=${couplings.reading === reading ? "true" : "false"}
-            @click=${() => couplings.setReading(reading)}>${readingText(reading)}</button>`,
+            @click=${() => couplings.setReading(reading)}>${lab().readings.text[reading]}</button>`,
         )}</span>
       <button class="small" data-testid="series-reset" ?disabled=${!couplings.altered} @click=${() => couplings.resetAll()}>${words.reset}</button>
     </div>
