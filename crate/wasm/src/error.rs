@@ -3,6 +3,7 @@
 
 use js_sys::Reflect;
 use std::fmt::Display;
+pub use vcgpdm::coded::Code as ErrorCode;
 use vcgpdm::coded::Coded;
 use wasm_bindgen::prelude::*;
 
@@ -37,57 +38,10 @@ export interface VcgpdmError extends Error {
 }
 "#;
 
-/// The subjects of the errors of this package, and their codes.
-macro_rules! error_codes {
-    ($($(#[$doc:meta])* $name:ident $word:literal,)+) => {
-        /// The subject of an error.
-        #[cfg_attr(not(feature = "training"), allow(dead_code))]
-        #[derive(Clone, Copy)]
-        pub enum ErrorCode {
-            $($(#[$doc])* $name,)+
-        }
-
-        impl ErrorCode {
-            fn word(self) -> &'static str {
-                match self {
-                    $(Self::$name => $word,)+
-                }
-            }
-        }
-    };
-}
-
-error_codes! {
-    /// One clip: its file, a cut, a frame rate.
-    Clip "clip",
-    /// Clips that do not go together.
-    Clips "clips",
-    /// How the body is split.
-    Parts "parts",
-    /// A setting.
-    Settings "settings",
-    /// A training that cannot start.
-    Training "training",
-    /// A model, or its document.
-    Model "model",
-    /// A rollout that cannot be made.
-    Rollout "rollout",
-    /// A comparison, or a job of it.
-    Comparison "comparison",
-    /// Results, or their file.
-    Results "results",
-    /// A table of numbers, or tables that do not go together.
-    Table "table",
-    /// A study of perceived naturalness, or answers to one.
-    Study "study",
-    /// A number out of bounds, or a matrix that cannot be factorised.
-    Numerics "numerics",
-}
-
 /// What a function throws.
 pub enum VcgpdmError {
     /// An error of the package.
-    Own(&'static str, String),
+    Own(ErrorCode, String),
     /// What the caller's own code threw, such as a getter of the options.
     Thrown(JsValue),
 }
@@ -95,10 +49,6 @@ pub enum VcgpdmError {
 impl VcgpdmError {
     /// An error with this message.
     pub fn new(code: ErrorCode, message: &dyn Display) -> Self {
-        Self::own(code.word(), message)
-    }
-
-    fn own(code: &'static str, message: &dyn Display) -> Self {
         let message = message.to_string();
         // The wasm of a first visit reads no numbers of other people.
         #[cfg(feature = "training")]
@@ -116,7 +66,7 @@ impl From<VcgpdmError> for JsValue {
         let error = js_sys::Error::new(&message);
         error.set_name("VcgpdmError");
         // A new error refuses no field.
-        let _ = Reflect::set(&error, &"code".into(), &code.into());
+        let _ = Reflect::set(&error, &"code".into(), &code.word().into());
         error.into()
     }
 }
@@ -124,7 +74,7 @@ impl From<VcgpdmError> for JsValue {
 /// An error of the library has a code of its own.
 impl<E: Coded + Display> From<E> for VcgpdmError {
     fn from(error: E) -> Self {
-        Self::own(error.code(), &error)
+        Self::new(error.code(), &error)
     }
 }
 

@@ -102,6 +102,6 @@ vcgpdm::coded!(EvaluationError {
     Self::Clip(reason) => reason.code(),
     Self::Pose(reason) => reason.code(),
     Self::Rollout(reason) => reason.code(),
-    Self::Numerics(_) | Self::NotFinite { .. } | Self::Score(_) => "numerics",
-    _ => "comparison",
+    Self::Numerics(_) | Self::NotFinite { .. } | Self::Score(_) => Numerics,
+    _ => Comparison,
 });

@@ -239,7 +239,7 @@ impl Plan {
     }
 }
 
-vcgpdm::coded!(ComparisonPlanError => "comparison");
+vcgpdm::coded!(ComparisonPlanError => Comparison);
 
 #[cfg(test)]
 mod tests {

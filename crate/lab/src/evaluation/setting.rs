@@ -149,7 +149,7 @@ impl Setting {
     }
 }
 
-vcgpdm::coded!(SettingError => "comparison");
+vcgpdm::coded!(SettingError => Comparison);
 
 #[cfg(test)]
 mod tests {

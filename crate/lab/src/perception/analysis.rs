@@ -176,7 +176,7 @@ fn regression(
     })
 }
 
-vcgpdm::coded!(AnalysisError => "study");
+vcgpdm::coded!(AnalysisError => Study);
 
 #[cfg(test)]
 mod tests {

@@ -311,7 +311,7 @@ fn without_guard(field: &str) -> &str {
     }
 }
 
-vcgpdm::coded!(AnswersError => "study");
+vcgpdm::coded!(AnswersError => Study);
 
 #[cfg(test)]
 mod tests {

@@ -67,4 +67,4 @@ impl From<HeadingError> for StudyError {
     }
 }
 
-vcgpdm::coded!(StudyError => "study");
+vcgpdm::coded!(StudyError => Study);

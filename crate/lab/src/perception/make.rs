@@ -203,7 +203,7 @@ fn name(candidate: &Settings) -> String {
     format!("{}{size}", candidate.kind().id())
 }
 
-vcgpdm::coded!(MakerError => "study");
+vcgpdm::coded!(MakerError => Study);
 
 #[cfg(test)]
 mod tests {

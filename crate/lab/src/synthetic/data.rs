@@ -189,8 +189,8 @@ fn moving(drive: f64, random: &mut ChaCha8Rng) -> Result<Vec<DMatrix<f64>>, Nume
 }
 
 vcgpdm::coded!(SyntheticError {
-    Self::Drive(_) => "settings",
-    Self::Numerics(_) => "numerics",
+    Self::Drive(_) => Settings,
+    Self::Numerics(_) => Numerics,
     Self::Training(reason) => reason.code(),
     Self::Rollout(reason) => reason.code(),
 });

@@ -109,4 +109,4 @@ impl From<HeadingError> for DocumentError {
     }
 }
 
-crate::coded!(DocumentError => "model");
+crate::coded!(DocumentError => Model);

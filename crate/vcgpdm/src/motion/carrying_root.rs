@@ -352,7 +352,9 @@ mod tests {
             assert_eq!(first.skeleton.joints[0].name, "A:Hips");
             let [warning] = &first.warnings[..] else { panic!("{:?}", first.warnings) };
             assert!(warning.contains(&format!("carries {} bodies: \"A:Hips\" (21 joints)", names.len())));
-            assert!(first.bodies.iter().eq(&names.iter().map(|name| format!("{name}Hips")).collect::<Vec<_>>()));
+            assert!(
+                first.bodies.iter().eq(&names.iter().map(|name| format!("{name}Hips")).collect::<Vec<_>>())
+            );
             assert!(warning.contains("\"B:Hips\" (21 joints)"), "{warning}");
             let second = all.clone().of_root(Some("B:Hips")).unwrap().into_clip();
             assert_eq!(second.skeleton.joints[0].name, "B:Hips");

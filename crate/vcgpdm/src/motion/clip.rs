@@ -249,7 +249,7 @@ pub fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-crate::coded!(ClipError => "clip");
+crate::coded!(ClipError => Clip);
 
 #[cfg(test)]
 mod tests {

@@ -165,7 +165,7 @@ impl Recording {
     }
 }
 
-crate::coded!(UnknownJoint => "clip");
+crate::coded!(UnknownJoint => Clip);
 
 #[cfg(test)]
 mod tests {

@@ -58,4 +58,4 @@ pub enum SeriesError {
     Empty,
 }
 
-crate::coded!(SeriesError { Self::Parts(_) => "parts", _ => "table" });
+crate::coded!(SeriesError { Self::Parts(_) => Parts, _ => Table });

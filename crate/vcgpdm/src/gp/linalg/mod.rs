@@ -242,7 +242,7 @@ pub fn stacked<'a>(blocks: impl IntoIterator<Item = &'a DMatrix<f64>>) -> DMatri
     all
 }
 
-crate::coded!(NumericsError => "numerics");
+crate::coded!(NumericsError => Numerics);
 
 #[cfg(test)]
 mod tests {

@@ -269,12 +269,12 @@ impl<S> Dataset<S> {
 }
 
 crate::coded!(DatasetError {
-    Self::Body { reason, .. } | Self::OtherBody { reason, .. } if reason.only_bones_differ() => "bones",
-    Self::Short { .. } | Self::Clip(_) | Self::Pose { .. } => "clip",
-    Self::Parts(_) => "parts",
+    Self::Body { reason, .. } | Self::OtherBody { reason, .. } if reason.only_bones_differ() => Bones,
+    Self::Short { .. } | Self::Clip(_) | Self::Pose { .. } => Clip,
+    Self::Parts(_) => Parts,
     Self::Sequence { reason, .. } => reason.code(),
     Self::Training(reason) => reason.code(),
-    _ => "clips",
+    _ => Clips,
 });
 
 #[cfg(test)]

@@ -142,5 +142,5 @@ impl Coupled<'_> {
 crate::coded!(ObservedClipError {
     Self::Dataset(reason) => reason.code(),
     Self::Observation { reason, .. } => reason.code(),
-    _ => "clip",
+    _ => Clip,
 });

@@ -54,4 +54,4 @@ pub enum CombinationError {
     Numerics(#[from] NumericsError),
 }
 
-crate::coded!(CombinationError { Self::Numerics(_) => "numerics", _ => "model" });
+crate::coded!(CombinationError { Self::Numerics(_) => Numerics, _ => Model });

@@ -268,6 +268,6 @@ impl Library {
 crate::coded!(WalkError {
     Self::Combination(reason) => reason.code(),
     Self::Rollout(reason) => reason.code(),
-    Self::Pose(_) => "numerics",
-    _ => "rollout",
+    Self::Pose(_) => Numerics,
+    _ => Rollout,
 });

@@ -198,4 +198,4 @@ fn numbered(name: &str, is_taken: impl Fn(&str) -> bool) -> String {
     found
 }
 
-crate::coded!(MergeError { Self::Combination(reason) => reason.code(), _ => "model" });
+crate::coded!(MergeError { Self::Combination(reason) => reason.code(), _ => Model });

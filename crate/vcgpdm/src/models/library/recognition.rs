@@ -361,5 +361,5 @@ crate::coded!(RecognitionError {
     Self::Combination(reason) => reason.code(),
     Self::Clip(reason) => reason.code(),
     Self::Observation { reason, .. } => reason.code(),
-    _ => "clips",
+    _ => Clips,
 });

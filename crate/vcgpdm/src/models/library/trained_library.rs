@@ -291,12 +291,12 @@ fn shortened(found: &str) -> String {
 }
 
 crate::coded!(LibraryError {
-    Self::Body { reason, .. } if reason.only_bones_differ() => "bones",
-    Self::Body { .. } => "clips",
+    Self::Body { reason, .. } if reason.only_bones_differ() => Bones,
+    Self::Body { .. } => Clips,
     Self::Clip(reason) => reason.code(),
     Self::Pose { reason, .. } => reason.code(),
     Self::Combination(reason) => reason.code(),
     Self::Rollout(reason) => reason.code(),
     Self::Training(reason) => reason.code(),
-    _ => "model",
+    _ => Model,
 });

@@ -296,6 +296,6 @@ pub(crate) fn check_frames(frames: usize) -> Result<(), RolloutError> {
 
 crate::coded!(RolloutError {
     // Only a rollout that is not finite cannot be turned into poses.
-    Self::Numerics(_) | Self::Pose(_) => "numerics",
-    _ => "rollout",
+    Self::Numerics(_) | Self::Pose(_) => Numerics,
+    _ => Rollout,
 });

@@ -130,7 +130,7 @@ pub(crate) fn in_range(name: &'static str, found: usize, highest: usize) -> Resu
 }
 
 crate::coded!(TrainingError {
-    Self::Setting { .. } | Self::PoseWeight { .. } => "settings",
-    Self::Numerics(_) => "numerics",
-    _ => "training",
+    Self::Setting { .. } | Self::PoseWeight { .. } => Settings,
+    Self::Numerics(_) => Numerics,
+    _ => Training,
 });

@@ -183,7 +183,7 @@ impl Vcgpdm {
     }
 }
 
-crate::coded!(KeptPointsError { Self::Numerics(_) => "numerics", _ => "model" });
+crate::coded!(KeptPointsError { Self::Numerics(_) => Numerics, _ => Model });
 
 #[cfg(test)]
 mod tests {

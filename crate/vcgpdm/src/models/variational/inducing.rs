@@ -118,7 +118,7 @@ fn kernel_weights(
     Ok(weights)
 }
 
-crate::coded!(InducingError => "model");
+crate::coded!(InducingError => Model);
 
 #[cfg(test)]
 mod tests {

@@ -88,4 +88,4 @@ pub(super) fn quoted(word: &str) -> String {
     format!("{:?}", word.chars().take(LONGEST).chain(['…']).collect::<String>())
 }
 
-crate::coded!(BvhError => "clip");
+crate::coded!(BvhError => Clip);

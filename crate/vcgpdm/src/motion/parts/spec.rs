@@ -119,7 +119,7 @@ pub fn check(parts: &[PartSpec], skeleton: &Skeleton) -> Result<(), PartsError> 
     names(&|uses| uses == 0).map_or(Ok(()), |missing| Err(PartsError::Missing(missing)))
 }
 
-crate::coded!(PartsError => "parts");
+crate::coded!(PartsError => Parts);
 
 /// Which columns of Y belong to which part.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -261,4 +261,4 @@ fn first_rotations(clip: &Clip) -> Vec<[f64; 3]> {
     clip.local_pose(0).rotations.iter().map(|rotation| rotation::log(rotation).into()).collect()
 }
 
-crate::coded!(PoseError => "clip");
+crate::coded!(PoseError => Clip);

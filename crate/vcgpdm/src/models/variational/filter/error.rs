@@ -86,7 +86,7 @@ pub enum ObservationError {
 
 crate::coded!(ObservationError {
     Self::Rollout(reason) => reason.code(),
-    Self::Numerics(_) => "numerics",
-    Self::Short { .. } => "clip",
-    _ => "rollout",
+    Self::Numerics(_) => Numerics,
+    Self::Short { .. } => Clip,
+    _ => Rollout,
 });
