@@ -2,7 +2,7 @@
 // of the project: lower it when the project becomes smaller.
 export const budget = {
   /** Lines of product and of tests, and files; `npm test` counts them. */
-  lines: { product: 107_600, tests: 45_800, files: 1265 },
+  lines: { product: 108_100, tests: 45_800, files: 1270 },
   firstVisit: 500_000,
   /** The wasm of a first visit. */
   wasm: 250_000,
