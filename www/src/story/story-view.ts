@@ -161,8 +161,9 @@ export class StoryView extends View {
     if (event.defaultPrevented || isUsedByControl(event)) return;
     const direction = STEPS[event.key];
     const shows = direction === 1 || REVEALS.includes(event.key);
-    if (shows && this.#reveal()) return event.preventDefault();
-    if (direction) this.#step(direction);
+    if (shows && this.#reveal()) {
+      // The step waits for the next press.
+    } else if (direction) this.#step(direction);
     else if (!this.#slides.key(event)) return;
     event.preventDefault();
   }
