@@ -82,7 +82,7 @@ async function pictures() {
     await page.goto(`${address}?embed#view=play`);
     await page.waitForSelector("html[data-engine=ready]");
     await page.evaluate(pointer);
-    const box = await page.getByTestId("coupling-0-1").boundingBox();
+    const box = await page.getByTestId("arrow-0-1").boundingBox();
     if (!box) throw new Failure("the page shows no arrow");
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
     const found = [];
