@@ -54,7 +54,6 @@ fn states_the_range_of_an_option_in_the_error() {
             "-1 0 10001",
             "from 1 to 10000",
         ),
-        ("primitives l --max-iterations", "--max-iterations <N>", "-1 0 10001", "from 1 to 10000"),
         ("rollout m --out o --frames", "--frames <N>", "-1 0 99999999999999999999", "from 1 to 1000000"),
         ("rollout m --out o --frames 9 --seed 1 --samples", "--samples <N>", "-1 0 1001", "from 1 to 1000"),
         ("score m c.bvh --from", "--from <SEQUENCE>", "-1", "from 0"),
