@@ -22,14 +22,14 @@ export const help: HelpWords = {
     ],
     [
       "p",
-      "für einen Projektor: nur die Bühne und eine Tafel, in großer Schrift; Escape bringt den Rest zurück",
+      "für einen Projektor: nur das Bild, in großer Schrift; Escape bringt den Rest zurück",
     ],
     ["w a s d", "auf der Bühne: von einer anderen Seite sehen"],
     ["+ −", "auf der Bühne: näher, weiter weg"],
     ["?", "diese Hilfe"],
   ],
   about: "Über diese Seite",
-  licences: "Lizenzen der Software",
+  licences: "Lizenzen",
   local: "Was du lädst, bleibt auf deinem Gerät: Alles wird in diesem Browser berechnet.",
   samples:
     "Die Beispiele macht ein Programm dieses Projekts. Das Modell, das am Anfang geht, wurde mit Aufnahmen der CMU (Person 7) trainiert.",
