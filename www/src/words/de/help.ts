@@ -20,10 +20,7 @@ export const help: HelpWords = {
       "c",
       "gehalten: schneidet eine Kopplung ab, die des gewählten Reglers oder die stärkste zwischen Teilen, und läuft live",
     ],
-    [
-      "p",
-      "für einen Projektor: nur das Bild, in großer Schrift; Escape bringt den Rest zurück",
-    ],
+    ["p", "für einen Projektor: nur das Bild, in großer Schrift; Escape bringt den Rest zurück"],
     ["w a s d", "auf der Bühne: von einer anderen Seite sehen"],
     ["+ −", "auf der Bühne: näher, weiter weg"],
     ["?", "diese Hilfe"],
