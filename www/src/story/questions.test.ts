@@ -1,5 +1,5 @@
-// The questions of understanding in docs/teaching.md: the key words of each answer are on the screen of the
-// chapters that the table names, in every language.
+// The ten questions of understanding: the key words of each answer are on the screen of these chapters, in every
+// language.
 import { expect, it } from "vitest";
 import { words as german } from "../words/de";
 import { words as english } from "../words/en";

@@ -1,4 +1,4 @@
-//! The effect of a choice of model on the error, trial by trial; and the candidates that stand for a kind of model.
+//! How much the error changes with the model, trial by trial, and which candidate represents each kind of model.
 
 use crate::evaluation::fixed::fixed;
 use crate::evaluation::labels::Labels;

@@ -217,8 +217,8 @@ fn up_of_rest(skeleton: &Skeleton) -> usize {
     }
 }
 
-/// The vector upwards of a rest pose that stands: from the feet to the head, or from the tips of the limbs to
-/// their sockets where the body stands on all its limbs. `None` if it does not stand, as in files whose offsets
+/// The upward vector of an upright rest pose: from the feet to the head, or from the tips of the limbs to their
+/// sockets where all limbs reach the ground. `None` if the rest pose is not upright, as in files whose offsets
 /// all point along the bones' own axes.
 pub(crate) fn standing_at_rest(skeleton: &Skeleton, anatomy: &Anatomy) -> Option<Vector3<f64>> {
     let rest = skeleton.rest_pose().positions;

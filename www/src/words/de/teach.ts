@@ -185,7 +185,7 @@ export const teach: TeachWords = {
       ],
     },
     end: {
-      say: "Was man weiß, was niemand weiß, und was man machen kann: Lass die Klasse wählen, was sie versucht.",
+      say: "Die Karte fasst Regeln, Schleifen und Kopplungen zusammen. Lass die Klasse wählen, was sie im Labor versucht.",
       wrong: "Niemand fragt etwas: Frag, welches Bild überrascht hat.",
       asked: [
         [

@@ -172,7 +172,7 @@ export const teach = {
       ],
     },
     end: {
-      say: "What is known, what nobody knows, and what one can make: let the class choose what to try.",
+      say: "The card sums up rules, loops and couplings. Let the class choose what to try in the Lab.",
       wrong: "Nobody asks anything: ask which of the pictures surprised them.",
       asked: [
         ["What should I try first?", "Drag legs → arms to the left in the Lab, and see the arms’ loop."],

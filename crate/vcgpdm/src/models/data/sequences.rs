@@ -1,5 +1,5 @@
-//! Sequences in a stack of frames, histories that never cross from one sequence into another, and what is known of
-//! each sequence's clip.
+//! Several sequences in one matrix of frames. The history of a frame never contains frames of another sequence.
+//! Each sequence has the facts about its clip.
 
 use crate::gp::Gaussians;
 use crate::plural::counted;

@@ -23,7 +23,7 @@ const BENCH: [f64; 2] = [-0.1, 0.7];
 /// A root that comes as near to the origin, in body heights, may begin there: a thin body then touches a plane
 /// at zero by chance, ...
 const BEGINS_AT_ORIGIN: f64 = 0.1;
-/// ... and a body that stands needs no floor.
+/// ... and an upright body is certain without a floor.
 const NEAR_ORIGIN: f64 = 0.2;
 /// A root that moves farther, in body heights, travels, ...
 const TRAVELS: f64 = 0.5;
@@ -172,14 +172,13 @@ impl Clip {
         self
     }
 
-    /// Whether a body that stands in its motion is on a floor at zero; `None` if it does not clearly stand.
+    /// Whether an upright body has a floor at height zero below its feet; `None` if it is not clearly upright.
     pub(super) fn stands_on_floor(&self) -> Option<bool> {
         let reach = self.reach();
         let upward = reach.upward? / self.frames().max(1) as f64;
         let axis = UpAxis::along(&upward);
         let floors = reach.floors(self.frames(), self.skeleton.height(), axis);
-        let floors = UpAxis::ALL.into_iter().zip(floors);
-        let is_floor = floors.into_iter().any(|(other, floor)| floor && other == axis);
+        let is_floor = UpAxis::ALL.into_iter().zip(floors).any(|(other, floor)| floor && other == axis);
         (axis.height(&upward) > STANDS).then_some(is_floor)
     }
 
@@ -251,7 +250,7 @@ impl Clip {
             let floor_behind =
                 UpAxis::ALL.into_iter().zip(floors).any(|(other, floor)| floor && other.is_opposite(axis));
             let stands = axis.height(&upward) / frames;
-            // A body that stands on its hands.
+            // A handstand: the head is below the feet.
             let on_hands = is_floor && !floor_behind && (is_rest || axis.name() == axis.letter());
             let stands = if on_hands { stands.abs() } else { stands };
             let (limbs, way) = (axis.height(&limbs), axis.height(&way).abs());

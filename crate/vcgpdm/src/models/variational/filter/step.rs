@@ -147,7 +147,7 @@ impl Filter {
     }
 }
 
-/// Frames of a rollout that stands for a sequence of which the model has only the first frames.
+/// The length of a rollout that replaces the latents of a sequence, where the model stores only the first frames.
 const ROLLED_OUT: usize = 120;
 
 /// A latent path [frames x Q_i] of each part for every training sequence: the trained latents, or, of a model
