@@ -7,7 +7,6 @@ import { View } from "../ui/view";
 import { type Coupling, couplingSlider, setWithin } from "./coupling-slider";
 import "./coupling-view.css";
 import type { ModelStore } from "./model-store";
-import { weights } from "./weights";
 import { lab, shownPart } from "../words/lab";
 
 /** Pixels of drag for a factor of ten in alpha. */
@@ -85,25 +84,19 @@ export class CouplingView extends View {
     this.#timer = 0;
   }
 
-  /** The weight as learned. */
-  get #learned(): number {
-    const { couplings } = this.model;
-    const into = couplings.learned.map((_, other) => couplings.learnedAlpha(other, this.target));
-    return weights(into)[this.source] ?? 0;
-  }
-
   #arrow() {
     const { source, target, way } = this;
-    const weight = this.model.couplings.weight(source, target);
+    const { couplings } = this.model;
+    const weight = couplings.weight(source, target);
     const width = thickness(weight);
-    const learned = thickness(this.#learned);
+    const learned = thickness(couplings.learnedWeight(source, target));
     const head = `head-${source}-${target}`;
     const path = PATHS[way];
     const size = (7 + 1.25 * width).toFixed(1);
     return html`
       <svg class=${this.#held ? "arrow cut" : "arrow"} viewBox="0 0 40 100" aria-hidden="true" data-way=${way} data-testid="arrow-${source}-${target}"
         @pointerdown=${this.#grab} @pointermove=${this.#move} @pointerup=${this.#drop} @pointercancel=${this.#drop}
-        @dblclick=${() => this.model.couplings.reset(source, target)}>
+        @dblclick=${() => couplings.reset(source, target)}>
         <title>${lab().couplings.arrow}</title>
         <marker id=${head} viewBox="0 0 10 10" refX="5" refY="5" markerUnits="userSpaceOnUse"
           markerWidth=${size} markerHeight=${size} orient="auto"><path d="M0 0.4L9 5L0 9.6z" /></marker>

@@ -4,6 +4,9 @@ import type { Couplings, Reading } from "../engine/protocol";
 import type { ChangedCouplings } from "../settings/settings";
 import { weights } from "./weights";
 
+/** In the order of the choices. */
+export const READINGS: readonly Reading[] = ["re-inferred", "as-learned"];
+
 /** What the visitor has chosen. */
 export interface ChosenCouplings {
   /** The couplings that differ from the learned ones. */
@@ -88,6 +91,10 @@ export class CouplingsStore {
 
   weight(source: number, target: number): number {
     return this.weightsInto(target)[source] ?? 0;
+  }
+
+  learnedWeight(source: number, target: number): number {
+    return weights(this.#learned.map((_, other) => this.learnedAlpha(other, target)))[source] ?? 0;
   }
 
   /** The coupling between two different parts with the largest weight; null for a model of one part. */

@@ -5,12 +5,13 @@ import type { ClipsStore } from "../clips/clips-store";
 import type { BodyStore } from "../couplings/body-store";
 import "../couplings/coupling-view";
 import type { Way } from "../couplings/coupling-view";
+import { READINGS } from "../couplings/couplings-store";
 import "../couplings/measured-view";
 import type { ModelStore } from "../couplings/model-store";
 import { presetWords } from "../couplings/presets";
 import type { ReadingsStore } from "../couplings/readings-store";
 import type { EngineStore } from "../engine/engine-store";
-import type { ModelInfo, Reading } from "../engine/protocol";
+import type { ModelInfo } from "../engine/protocol";
 import "../latents/latent-plot";
 import type { LayersStore } from "../latents/layers-store";
 import type { PointingStore } from "../latents/pointing-store";
@@ -47,7 +48,6 @@ export interface PictureStores {
 
 type Panel = (typeof PANELS)[number];
 
-const READINGS: readonly Reading[] = ["re-inferred", "as-learned"];
 /** Exercises that ask for the couplings of a preset. */
 const WITHOUT_PRESETS: readonly number[] = [1, 2];
 
@@ -134,14 +134,14 @@ export class PictureView extends View {
     const isChosen = this.#chosenOf(info) === part;
     return html`
       <section class="loop" style=${partStyle(partColour(part))} aria-label=${name}>
-          ${
-            choice
-              ? html`<button class="loop-name" aria-pressed=${isChosen ? "true" : "false"} title=${lab().couplings.slidersOf(name)}
-                data-testid="part-${part}" @click=${() => {
-                  this.chosen = part;
-                }}>${label}</button>`
-              : html`<span class="loop-name">${label}</span>`
-          }
+        ${
+          choice
+            ? html`<button class="loop-name" aria-pressed=${isChosen ? "true" : "false"} title=${lab().couplings.slidersOf(name)}
+              data-testid="part-${part}" @click=${() => {
+                this.chosen = part;
+              }}>${label}</button>`
+            : html`<span class="loop-name">${label}</span>`
+        }
         <pg-latent-plot .bodyPart=${part} .layers=${layers} .model=${model} .pointing=${pointing} .predictions=${predictions}
           .settings=${settings} .stage=${stage} .playback=${playback}></pg-latent-plot>
         ${info.alpha.length > 0 && (!choice || isChosen) ? this.#coupling(part, part, "itself") : nothing}
@@ -169,7 +169,7 @@ export class PictureView extends View {
         : nothing;
     };
     return html`
-      <div class="loops" data-parts=${count}>
+      <div class=${count > 2 ? "loops many" : "loops"}>
         ${parts.map((part) => html`${this.#loop(info, part)}${between(part)}`)}
       </div>`;
   }

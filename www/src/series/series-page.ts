@@ -21,11 +21,9 @@ import "./series-latent";
 import "./tables-view";
 import { lab } from "../words/lab";
 import { seriesWords } from "../words/series";
+import { READINGS } from "../couplings/couplings-store";
 import { couplingsTable } from "../couplings/couplings-table";
-import type { Reading } from "../engine/protocol";
 import type { SeriesStore } from "./series-store";
-
-const READINGS: readonly Reading[] = ["re-inferred", "as-learned"];
 
 function seriesCouplings(model: SeriesStore) {
   const { opened, couplings } = model;

@@ -36,10 +36,8 @@ export class StoryView extends View {
   declare app: App;
   #chapters!: OpenChapters;
   #slides!: Slides;
-  /** The sentence about the last guess in each chapter. */
-  readonly #guesses = new Map<ChapterName, string>();
-  /** The answer that the page replies to in each chapter. */
-  readonly #replies = new Map<ChapterName, string>();
+  /** The last guess in each chapter: the sentence about it, and its answer; null: nobody has said anything. */
+  readonly #guesses = new Map<ChapterName, { sentence: string; answer: string } | null>();
 
   override connectedCallback(): void {
     this.#chapters ??= new OpenChapters(this.app);
@@ -161,20 +159,19 @@ export class StoryView extends View {
     if (event.defaultPrevented || isUsedByControl(event)) return;
     const direction = STEPS[event.key];
     const shows = direction === 1 || REVEALS.includes(event.key);
-    if (shows && this.#reveal()) {
-      // The step waits for the next press.
-    } else if (direction) this.#step(direction);
+    if (shows && this.#reveal()) return void event.preventDefault();
+    if (direction) this.#step(direction);
     else if (!this.#slides.key(event)) return;
     event.preventDefault();
   }
 
   /** The visitor's guess, or that of most hands of a class. */
-  #said({ choices }: Guess, choice: string): string {
+  #said({ choices }: Guess, choice: string): { sentence: string; answer: string } {
     const { frame } = this.app.words.now;
-    const favourite = this.#slides.favourite ?? choice;
-    const label = choices[favourite] ?? favourite;
-    const { count, total } = this.#slides.hands(favourite);
-    return total > 0 ? frame.hands(count, total, label) : frame.guessed(label);
+    const answer = this.#slides.favourite ?? choice;
+    const label = choices[answer] ?? answer;
+    const { count, total } = this.#slides.hands(answer);
+    return { sentence: total > 0 ? frame.hands(count, total, label) : frame.guessed(label), answer };
   }
 
   /** `isSaid`: somebody has said so. */
@@ -182,8 +179,7 @@ export class StoryView extends View {
     const { chapter } = this.#chapters;
     const guess = chapter?.guess();
     if (!chapter || !guess) return;
-    this.#guesses.set(this.#name, isSaid ? this.#said(guess, choice) : "");
-    this.#replies.set(this.#name, isSaid ? (this.#slides.favourite ?? choice) : "");
+    this.#guesses.set(this.#name, isSaid ? this.#said(guess, choice) : null);
     this.#loadReplies();
     chapter.guessed(choice);
     // The pressed button leaves; the focus stays in the card.
@@ -246,11 +242,11 @@ export class StoryView extends View {
   }
 
   /** Whether the guess was right, wrong, or right for another question. */
-  #reply() {
+  #reply(answer: string): string {
     const replies = repliesNow()?.[this.#name as keyof Replies] as
       | Readonly<Record<string, string>>
       | undefined;
-    const reply = replies?.[this.#replies.get(this.#name) ?? ""];
+    const reply = replies?.[answer];
     return reply ? `. ${reply}` : "";
   }
 
@@ -262,7 +258,7 @@ export class StoryView extends View {
     const reveal = chapter?.reveal();
     return html`
       <div class="story-answer" tabindex="-1" data-testid="answer">
-        ${!guess && said ? html`<p class="story-said">${said}${this.#reply()}</p>` : nothing}
+        ${!guess && said ? html`<p class="story-said">${said.sentence}${this.#reply(said.answer)}</p>` : nothing}
         <div aria-live="polite" data-testid="reveal">${reveal ?? nothing}</div>
       </div>
       <div class="story-control">${chapter?.control() ?? nothing}</div>`;

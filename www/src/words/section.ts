@@ -44,6 +44,8 @@ export function viewWords<Section>(loaders: Readonly<Record<Language, () => Prom
       if (!section) throw new Error("these words have not loaded yet");
       return section.now;
     },
+    /** The words; null: they have not loaded yet. */
+    ifLoaded: (): Section | null => (section?.loaded ? section.now : null),
     /** Gives the words to `use`; in the story they load first, in the language of the document. */
     soon(use: (words: Section) => void): void {
       if (section?.loaded) {
