@@ -134,6 +134,11 @@ describe("a phone", () => {
       const [wide, high] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
       assert.ok((wide ?? Infinity) <= 390 && high === 390, `${panel}: ${wide} pixels wide`);
     }
+    const title = await page.locator("h1").boundingBox();
+    const open = await page.locator(".actions").boundingBox();
+    assert.ok(title && open && title.x + title.width <= open.x, "the buttons cover the title");
+    const size = (/** @type {Element} */ choice) => Number.parseFloat(getComputedStyle(choice).fontSize);
+    assert.ok((await page.getByTestId("reading").evaluate(size)) >= 14, "the reading can be read");
     const stage = await page.getByTestId("stage").boundingBox();
     assert.ok(
       stage && stage.y < 300 && stage.width >= 360 && stage.height >= 200,
