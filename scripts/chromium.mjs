@@ -1,6 +1,5 @@
 // The system's Chromium, driven by playwright-core: nothing is downloaded.
 import { existsSync } from "node:fs";
-import { chromium } from "playwright-core";
 import { Failure, which } from "./run.mjs";
 
 const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
@@ -44,5 +43,7 @@ export async function launchChromium(flags = []) {
     `--disable-features=${OFF.join(",")}`,
     ...flags,
   ];
+  // Imported here: `npm test` reads this file before the npm packages are installed.
+  const { chromium } = await import("playwright-core");
   return chromium.launch({ executablePath, args });
 }
