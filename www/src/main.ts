@@ -11,16 +11,16 @@ import { openFiles } from "./app/open-files";
 import type { PageView } from "./app/page";
 import { fetchStartModel, fetchStartMotion } from "./app/start-files";
 import { startEngine } from "./engine/engine";
+import { hireWholeWorkers } from "./engine/whole-workers";
 import { browserAddressBar } from "./settings/address";
 import { openDoor } from "./settings/door";
 import { isEmbedded } from "./settings/settings";
 import { IN_LAB } from "./settings/settings-store";
-import { storyBody } from "./story/body";
 import "./story/doors";
 import { whenIdle } from "./ui/idle";
 import { prefersReducedMotion } from "./ui/reduced-motion";
 
-const app = new App(browserAddressBar, isEmbedded(location.search));
+const app = new App(browserAddressBar, isEmbedded(location.search), hireWholeWorkers());
 openDoor(app.settings, app.embedded);
 const root = document.documentElement;
 const showState = () => {
@@ -63,7 +63,7 @@ document.addEventListener("share", () => void showCode(app.stateFragment));
 // The browser asks whether to leave.
 addEventListener("beforeunload", (event) => wouldLose(app) && event.preventDefault());
 
-const start = () => app.start(startEngine, fetchStartModel);
+const start = () => app.start((events) => startEngine(app.workers, events), fetchStartModel);
 
 let keepsFiles = false;
 /** Keeps the files of the page for later visits, once the first engine runs or has failed. */
@@ -74,7 +74,7 @@ function keepFiles(): void {
     () => void app.offline.begin(async () => (await import("./offline/service-workers")).serviceWorkers()),
   );
 }
-storyBody(app).engine.on(keepFiles);
+app.story.engine.on(keepFiles);
 app.engine.on(keepFiles);
 
 /** Starts the engine of the Lab, when the Lab is on the page for the first time. */

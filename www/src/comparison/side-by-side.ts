@@ -25,7 +25,7 @@ import {
   toggled,
 } from "./predictions";
 import { styled } from "../ui/styled";
-import { compareWords } from "../words/compare";
+import { compareWords } from "./view-words";
 import { lab } from "../words/lab";
 import "../stage/stage-canvas.css";
 

@@ -5,8 +5,9 @@ import { unsafeHTML } from "lit/directives/unsafe-html.js";
 import { withTerms } from "../terms/term";
 import { download } from "../ui/download";
 import { View } from "../ui/view";
-import type { MethodWords } from "../words/en/method";
-import { methodWords } from "../words/method";
+import type { Draw } from "../views/define-view";
+import type { MethodWords } from "./en";
+import { methodWords } from "./view-words";
 import { EQUATIONS, equationsWith, SYMBOLS } from "./equations";
 import { graphs } from "./graphs";
 import "./method.css";
@@ -207,3 +208,5 @@ export class MethodPage extends View {
   }
 }
 customElements.define("pg-method", MethodPage);
+
+export const draw: Draw<"method"> = () => html`<pg-method></pg-method>`;

@@ -8,7 +8,7 @@ import { withTerms } from "../terms/term";
 import type { FittingStore } from "./fitting-store";
 import type { LibraryStore } from "./library-store";
 import { lab, shownPart } from "../words/lab";
-import { primitivesWords } from "../words/primitives";
+import { primitivesWords } from "./view-words";
 import { LARGEST_COUPLING } from "../engine/limits";
 import { sentence } from "../ui/format";
 import type { LibraryInfo, PartMotion } from "../engine/library-protocol";

@@ -13,6 +13,7 @@ import type { NoticesStore } from "../ui/notices-store";
 import { noticeCard } from "../ui/notices-view";
 import "../ui/two-columns.css";
 import { View } from "../ui/view";
+import type { Draw } from "../views/define-view";
 import type { Series } from "./series";
 import "./series.css";
 import "./series-curves";
@@ -237,3 +238,6 @@ export class SeriesPage extends View {
   }
 }
 customElements.define("pg-series", SeriesPage);
+
+export const draw: Draw<"series"> = (series, { settings, notices }) =>
+  html`<pg-series data-clock .series=${series} .settings=${settings} .notices=${notices}></pg-series>`;

@@ -1,6 +1,6 @@
 import type { HelpWords } from "../en/help";
 
-export const help: HelpWords = {
+export const words: HelpWords = {
   title: "Wie das funktioniert",
   close: "Schließen",
   model:

@@ -1,5 +1,5 @@
 /** The dialog with help, keys and facts about the page. */
-export const help = {
+export const words = {
   title: "How this works",
   close: "Close",
   model:
@@ -30,4 +30,4 @@ export const help = {
     `The model now: trained by ${engine} with seed ${seed} on ${clips || "clips it does not name"}. This page runs version ${version}.`,
 };
 
-export type HelpWords = typeof help;
+export type HelpWords = typeof words;
