@@ -5,8 +5,8 @@ import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import { type Coupling, couplingSlider, setWithin } from "./coupling-slider";
+import type { Coupled } from "./coupled";
 import "./coupling-view.css";
-import type { ModelStore } from "./model-store";
 import { lab, shownPart } from "../words/lab";
 
 /** Pixels of drag for a factor of ten in alpha. */
@@ -34,7 +34,7 @@ const thickness = (weight: number) => 1 + 6.5 * weight;
 
 export class CouplingView extends View {
   static override properties = { source: { type: Number }, target: { type: Number }, way: {} };
-  declare model: ModelStore;
+  declare model: Coupled;
   declare source: number;
   declare target: number;
   declare way: Way;

@@ -59,18 +59,7 @@ export const words = {
     "The model on its own. Its file does not hold what was recorded: open the tables to see them dashed.",
   provenance: (engine: string, iterations: number, seed: number) =>
     `Trained by ${engine}, ${iterations} iterations, seed ${seed}.`,
-  latents: "Latent spaces",
-  path: (part: string) => `The path of ${part} through its latent space`,
-  couplings: "Couplings",
-  couplingsMeaning: "Which part decides about which. Right is strong: small α, large w.",
   noCouplings: "A model of this kind has no couplings and no latent spaces: only its curves are shown.",
-  changed: "What a changed coupling means",
-  readings: {
-    "re-inferred":
-      "Under changed couplings the experts are inferred again from what the training left of the data",
-    "as-learned": "The experts stay as learned; only how much each counts is changed",
-  },
-  reset: "All as learned",
   overTime: "Columns over time",
   figure: "The columns NAME.x, NAME.y and NAME.z as points, joined by bones",
   time: "time (s)",
