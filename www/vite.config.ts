@@ -62,7 +62,7 @@ const isLab = (file: string) =>
   );
 /** The page for teachers with its words, the codes in squares, and links with a model in them. */
 const isTeaching = (file: string) =>
-  /\/src\/(teach|exercises|links|app\/linked-model|words\/(en|de)\/(teach|links))|\/node_modules\/qr\//.test(
+  /\/src\/(teach|exercises|links|app\/(linked-model|code)|words\/(en|de)\/(teach|links))|\/node_modules\/qr\//.test(
     file,
   );
 

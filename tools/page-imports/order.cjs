@@ -43,7 +43,7 @@ const PACKAGES = [
   { packages: ["comlink"], folders: ["engine", "workers"] },
   { packages: ["three"], folders: ["scene", "stage", "comparison", "perception"] },
   { packages: ["jspsych"], folders: ["perception"] },
-  { packages: ["qr"], folders: ["teach"] },
+  { packages: ["qr"], folders: ["app"] },
   { packages: ["idb"], folders: ["session", "perception"] },
   { packages: ["workbox-core", "workbox-precaching", "workbox-window"], folders: ["offline"] },
 ];

@@ -5,7 +5,6 @@ import "./app/layout.css";
 import { html, render } from "lit";
 import { App } from "./app/app";
 import { listenToDrops } from "./app/dropping";
-import { listenToKeys } from "./app/keyboard";
 import { wouldLose } from "./app/leaving";
 import { openFiles } from "./app/open-files";
 import type { PageView } from "./app/page";
@@ -32,34 +31,7 @@ const showType = () => root.toggleAttribute("data-large", app.settings.values.la
 showType();
 app.settings.on(showType);
 
-/** Shows the QR code of a state. */
-async function showCode(fragment: string): Promise<void> {
-  try {
-    await (await import("./teach/code-dialog")).showCode(app, fragment);
-  } catch {
-    app.notices.addError("QR", app.words.now.frame.notLoaded);
-  }
-}
-
-/** The Lab; null while the story is open, and before the Lab has loaded. */
-const lab = () => (!app.isLab ? null : document.querySelector<PageView>("pg-page"));
-
-listenToKeys(() => app.isLab, {
-  togglePlay: () => lab()?.clock?.togglePlay(),
-  step: (direction) => lab()?.clock?.step(direction),
-  resetCouplings: () => app.isPlayView && app.model.couplings.resetAll(),
-  help: () => lab()?.openHelp(),
-  hold: (held) => lab()?.holdByKey(held),
-  projector: () => app.settings.change({ large: !app.settings.values.large }),
-  code: () => void showCode(app.stateFragment),
-  leaveProjector() {
-    const { large } = app.settings.values;
-    if (large) app.settings.change({ large: false });
-    return large;
-  },
-});
 addEventListener("hashchange", () => app.followAddress());
-document.addEventListener("share", () => void showCode(app.stateFragment));
 // The browser asks whether to leave.
 addEventListener("beforeunload", (event) => wouldLose(app) && event.preventDefault());
 

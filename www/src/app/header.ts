@@ -22,10 +22,6 @@ export class HeaderView extends ViewElement {
     return [engine, settings, settings.address, offline, this.app.words];
   }
 
-  #tell(type: string, detail?: unknown): void {
-    this.dispatchEvent(new CustomEvent(type, { detail, bubbles: true }));
-  }
-
   /**
    * Links, which can be shared and opened in other tabs. They change with the address, not with each slider
    * event.
@@ -77,10 +73,10 @@ export class HeaderView extends ViewElement {
           accept: ".json,.bvh,.csv,.JSON,.BVH,.CSV,application/json,text/csv",
           multiple: true,
           disabled: false,
-          chosen: (files) => this.#tell("open-files", files),
+          chosen: (files) => this.tell("open-files", files),
         })}
         <pg-save-menu .app=${this.app}></pg-save-menu>
-        <button class="round" aria-label=${header.help} title="${header.help} (?)" data-testid="help" @click=${() => this.#tell("show-help")}>${icon("help")}</button>
+        <button class="round" aria-label=${header.help} title="${header.help} (?)" data-testid="help" @click=${() => this.tell("show-help")}>${icon("help")}</button>
       </div>`;
   }
 }

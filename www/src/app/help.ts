@@ -25,7 +25,7 @@ export class HelpView extends View {
 
   #showMethod(): void {
     this.querySelector("dialog")?.close();
-    this.dispatchEvent(new CustomEvent("show-method", { bubbles: true }));
+    this.tell("show-method");
   }
 
   #provenance() {

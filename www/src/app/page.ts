@@ -1,11 +1,10 @@
 // The layout of the page: header, the Lab or another view, and footer.
 import { html, nothing, type TemplateResult } from "lit";
-import type { StagedModel } from "../stage/staged-model";
 import "../ui/notices-view";
 import type { SessionStore } from "../session/session-store";
 import type { ViewName } from "../settings/views";
-import { messageOf } from "../ui/format";
 import { icon } from "../ui/icons";
+import { isUsedByControl } from "../ui/keyboard";
 import { View as ViewElement } from "../ui/view";
 import { ALL_VIEWS } from "../views/all-views";
 import type { Draw } from "../views/define-view";
@@ -14,15 +13,10 @@ import "./header";
 import type { HelpView } from "./help";
 import "./lab-view";
 import type { LabView } from "./lab-view";
-import { openAnyModel, openFiles } from "./open-files";
+import { COMMANDS, type Commanded } from "./commands";
 import { lab } from "../words/lab";
 import { loadHelp } from "../words/sections";
 import { languageSwitch } from "./language-switch";
-
-interface Clock {
-  togglePlay(): void;
-  step(direction: 1 | -1): void;
-}
 
 type View = (typeof ALL_VIEWS)[number];
 const PAGES = import.meta.glob<Draw<ViewName>>("../*/*-page.ts", { import: "draw" });
@@ -33,7 +27,7 @@ async function loadDraw({ folder }: View): Promise<Draw<ViewName>> {
   return load();
 }
 
-export class PageView extends ViewElement {
+export class PageView extends ViewElement implements Commanded {
   static override properties = { session: { state: true } };
   /** The stored visits; null: the browser stores none, or the session is not loaded yet. */
   declare session: SessionStore | null;
@@ -45,13 +39,8 @@ export class PageView extends ViewElement {
     this.session = null;
   }
 
-  get #lab(): LabView | null {
+  get lab(): LabView | null {
     return this.querySelector<LabView>("pg-lab");
-  }
-
-  /** The key that cuts a coupling goes down or up. */
-  holdByKey(held: boolean): void {
-    this.#lab?.holdByKey(held);
   }
 
   protected override stores() {
@@ -64,11 +53,22 @@ export class PageView extends ViewElement {
     this.listen(window, "online", () => {
       for (const [view, state] of this.#loaded) if (state === "failed") this.#load(view);
     });
+    for (const [name, { run }] of Object.entries(COMMANDS))
+      this.listen(this, name, (event) => run(this, (event as CustomEvent).detail));
+    this.listen(document, "keydown", (event) => this.#obey(event as KeyboardEvent));
+    this.listen(document, "keyup", (event) => {
+      const { key } = event as KeyboardEvent;
+      for (const { run } of Object.values(COMMANDS).filter(
+        (command) => command.isHeld && command.key === key,
+      ))
+        run(this, false);
+    });
   }
 
-  /** The clock that the keys for play and step control. */
-  get clock(): Clock | null {
-    return this.app.isPlayView ? this.app.playback : this.querySelector<HTMLElement & Clock>("[data-clock]");
+  get clock(): Commanded["clock"] {
+    return this.app.isPlayView
+      ? this.app.playback
+      : this.querySelector<HTMLElement & NonNullable<Commanded["clock"]>>("[data-clock]");
   }
 
   /** Loads the help at its first use. */
@@ -85,25 +85,24 @@ export class PageView extends ViewElement {
     }
   }
 
+  #obey(event: KeyboardEvent): void {
+    const { settings, isLab } = this.app;
+    if (!isLab || event.defaultPrevented || isUsedByControl(event)) return;
+    // The key also closes the card of a term.
+    if (event.key === "Escape" && settings.values.large && !document.querySelector(":popover-open")) {
+      event.preventDefault();
+      settings.change({ large: false });
+    }
+    const command = Object.values(COMMANDS).find(({ key }) => key === event.key);
+    if (!command) return;
+    event.preventDefault();
+    if (!command.isHeld || !event.repeat) command.run(this, true);
+  }
+
   /** Past the header, for the keyboard. */
   async #skip(): Promise<void> {
-    if (this.app.isPlayView) return this.#lab?.showPlace("couplings");
+    if (this.app.isPlayView) return this.lab?.showPlace("couplings");
     this.querySelector<HTMLElement>("main.on-demand")?.focus();
-  }
-
-  /** Puts a model of another view on the stage. */
-  async #stageModel({ text, name, made }: StagedModel): Promise<void> {
-    const { notices, settings } = this.app;
-    try {
-      if (!(await openAnyModel(this.app, name, await text, made))) return;
-      settings.change({ view: "play" });
-    } catch (problem) {
-      notices.addError(lab().files.notTakenUp, messageOf(problem));
-    }
-  }
-
-  #showMethod(): void {
-    this.app.settings.change({ view: "method" });
   }
 
   #onDemand(view: View) {
@@ -137,11 +136,7 @@ export class PageView extends ViewElement {
     const view = isPlayView ? undefined : ALL_VIEWS.find(({ name }) => name === settings.values.view);
     const { page } = lab();
     return html`
-      <div class="page" data-embed=${embedded ? "1" : "0"} @show-help=${this.openHelp} @show-method=${this.#showMethod} @show-series=${() => settings.change({ view: "series" })}
-        @show-place=${({ detail }: CustomEvent<string>) => void this.#lab?.showPlace(detail)}
-        @study-made=${({ detail }: CustomEvent<string>) => void this.app.openStudy(detail, true)}
-        @stage-model=${({ detail }: CustomEvent<StagedModel>) => void this.#stageModel(detail)}
-        @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
+      <div class="page" data-embed=${embedded ? "1" : "0"}>
         ${
           embedded
             ? nothing

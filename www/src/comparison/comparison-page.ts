@@ -201,8 +201,7 @@ export class ComparisonPage extends View {
   async #makeStudy(): Promise<void> {
     this.#problem = "";
     try {
-      const detail = await this.comparison.makeStudy();
-      this.dispatchEvent(new CustomEvent<string>("study-made", { detail, bubbles: true }));
+      this.tell("study-made", await this.comparison.makeStudy());
     } catch (problem) {
       this.#problem = compareWords().noStudy(messageOf(problem));
       this.requestUpdate();

@@ -210,7 +210,7 @@ export class SideBySide extends View {
   #putOnStage(prediction: Prediction, trial: string): void {
     const text = prediction.predicted.model.text();
     const detail: StagedModel = { text, name: `${modelOf(prediction)} without ${trial}`, made: true };
-    this.dispatchEvent(new CustomEvent("stage-model", { detail, bubbles: true }));
+    this.tell("stage-model", detail);
   }
 
   protected override render() {

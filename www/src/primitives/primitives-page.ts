@@ -152,7 +152,7 @@ export class PrimitivesPage extends View {
     event.stopPropagation();
     const made = !this.#library.isCombinationSaved;
     const detail: StagedModel = { text: this.#library.combinationText(), name: "combination", made };
-    this.dispatchEvent(new CustomEvent("stage-model", { detail, bubbles: true }));
+    this.tell("stage-model", detail);
   }
 
   async #open(file: File | undefined): Promise<void> {

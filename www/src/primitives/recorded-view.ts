@@ -21,7 +21,7 @@ export class RecordedView extends View {
 
   #stage(name: string, text: string): void {
     const detail: StagedModel = { text: Promise.resolve(text), name, made: false };
-    this.dispatchEvent(new CustomEvent("stage-model", { detail, bubbles: true }));
+    this.tell("stage-model", detail);
   }
 
   protected override render() {

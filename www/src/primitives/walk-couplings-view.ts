@@ -115,7 +115,7 @@ export class WalkCouplingsView extends View {
         <button class="small" data-testid="keep-combination" title=${words.keepMeaning}
           @click=${() => void library.keep(this.#name(movements.map(({ name }) => name)))}>${words.keep}</button>
         <button class="small primary" data-testid="put-on-stage" title=${words.stageMeaning}
-          @click=${() => this.dispatchEvent(new CustomEvent("put-on-stage", { bubbles: true }))}>${words.stage}</button>
+          @click=${() => this.tell("put-on-stage")}>${words.stage}</button>
       </div>`;
   }
 

@@ -47,7 +47,7 @@ export class SeriesPage extends View {
   }
 
   #open(files: readonly File[]): void {
-    this.dispatchEvent(new CustomEvent("open-files", { detail: files, bubbles: true }));
+    this.tell("open-files", files);
   }
 
   async #saveCurves(): Promise<void> {

@@ -57,7 +57,7 @@ export class Slides {
   }
 
   async #showCode(): Promise<void> {
-    await (await import("../teach/code-dialog")).showCode(this.#app, this.#shown.fragment());
+    await (await import("../app/code-dialog")).showCode(this.#app, this.#shown.fragment());
   }
 
   /** The page for teachers again, in the window. */

@@ -1,7 +1,7 @@
 // The frame of the story: a stage above, a card below, and the way from chapter to chapter.
 import { html, nothing } from "lit";
 import type { App } from "../app/app";
-import { isUsedByControl } from "../app/keyboard";
+import { isUsedByControl } from "../ui/keyboard";
 import { addressOf, type ChapterName, chapterAt, ORDER } from "../settings/chapters";
 import { initialSettings, writeSettings } from "../settings/settings";
 import { IN_LAB } from "../settings/settings-store";

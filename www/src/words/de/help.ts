@@ -23,6 +23,7 @@ export const words: HelpWords = {
     ["p", "für einen Projektor: nur das Bild, in großer Schrift; Escape bringt den Rest zurück"],
     ["w a s d", "auf der Bühne: von einer anderen Seite sehen"],
     ["+ −", "auf der Bühne: näher, weiter weg"],
+    ["q", "der Link zu diesem Zustand, mit QR-Code"],
     ["?", "diese Hilfe"],
   ],
   about: "Über diese Seite",

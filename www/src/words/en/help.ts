@@ -19,6 +19,7 @@ export const words = {
     ["p", "for a projector: only the picture, in large type; escape brings the rest back"],
     ["w a s d", "on the stage: look from another side"],
     ["+ −", "on the stage: nearer, farther"],
+    ["q", "the link to this state, with its QR code"],
     ["?", "this help"],
   ] as [key: string, does: string][],
   about: "About",
