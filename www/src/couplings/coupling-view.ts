@@ -62,7 +62,7 @@ export class CouplingView extends View {
   #hold(held: boolean): void {
     this.#held = held;
     const detail: HoldCoupling = { source: this.source, target: this.target, held };
-    this.dispatchEvent(new CustomEvent("hold-coupling", { detail, bubbles: true }));
+    this.tell("hold-coupling", detail);
     this.requestUpdate();
   }
 

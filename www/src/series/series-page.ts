@@ -12,6 +12,7 @@ import { messageOf } from "../ui/format";
 import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";
 import { View } from "../ui/view";
+import type { Draw } from "../views/define-view";
 import { lab } from "../words/lab";
 import { seriesWords } from "../words/series";
 import { exampleFiles } from "./example";
@@ -46,7 +47,7 @@ export class SeriesPage extends View {
   }
 
   #open(files: readonly File[]): void {
-    this.dispatchEvent(new CustomEvent("open-files", { detail: files, bubbles: true }));
+    this.tell("open-files", files);
   }
 
   async #saveCurves(): Promise<void> {
@@ -173,3 +174,6 @@ export class SeriesPage extends View {
   }
 }
 customElements.define("pg-series", SeriesPage);
+
+export const draw: Draw<"series"> = (series, { settings, notices }) =>
+  html`<pg-series data-clock .series=${series} .settings=${settings} .notices=${notices}></pg-series>`;

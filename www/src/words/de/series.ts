@@ -1,6 +1,6 @@
 import type { SeriesWords } from "../en/series";
 
-export const series: SeriesWords = {
+export const words: SeriesWords = {
   setup: "Tabellen und Training",
   tables: "Tabellen",
   open: "Öffnen",

@@ -1,5 +1,5 @@
 /** The view Time series. */
-export const series = {
+export const words = {
   setup: "Tables and training",
   tables: "Tables",
   open: "Open",
@@ -78,4 +78,4 @@ export const series = {
   noModel: "There is no model yet: train one or open one.",
 };
 
-export type SeriesWords = typeof series;
+export type SeriesWords = typeof words;

@@ -1,5 +1,5 @@
-import { decimal } from "../decimal";
-import type { PrimitivesWords } from "../en/primitives";
+import { decimal } from "../words/decimal";
+import type { PrimitivesWords } from "./en";
 
 const number = (value: number, digits: number) => decimal("de", value, digits);
 
@@ -17,7 +17,7 @@ const PEOPLE: Readonly<Record<string, string>> = {
   wave: "CMU 141",
 };
 
-export const primitives: PrimitivesWords = {
+export const words: PrimitivesWords = {
   loading: "Wird geladen",
   tryAgain: "Noch einmal versuchen",
   notOpened: (why) => `Die Bibliothek konnte nicht geöffnet werden: ${why}`,

@@ -1,9 +1,9 @@
-import type { PerceptionWords } from "../en/perception";
-import { study } from "./study";
+import type { PerceptionWords } from "./en";
+import { study } from "./study-de";
 
 const people = (count: number) => `${count} ${count === 1 ? "Versuchsperson" : "Versuchspersonen"}`;
 
-export const perception: PerceptionWords = {
+export const words: PerceptionWords = {
   standard: study,
   title: "Was ist natürlich?",
   about:

@@ -1,9 +1,9 @@
-import { study } from "./study";
+import { study } from "./study-en";
 
 const people = (count: number) => `${count} ${count === 1 ? "participant" : "participants"}`;
 
 /** The view Which is natural?: the graphics Turing test. */
-export const perception = {
+export const words = {
   standard: study,
   title: "Which is natural?",
   about:
@@ -222,4 +222,4 @@ export const perception = {
   },
 };
 
-export type PerceptionWords = typeof perception;
+export type PerceptionWords = typeof words;

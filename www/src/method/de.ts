@@ -1,6 +1,6 @@
-import type { MethodWords } from "../en/method";
+import type { MethodWords } from "./en";
 
-export const method: MethodWords = {
+export const words: MethodWords = {
   model: {
     title: "Das Modell",
     latents:

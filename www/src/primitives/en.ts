@@ -1,4 +1,4 @@
-import { decimal } from "../decimal";
+import { decimal } from "../words/decimal";
 
 const number = (value: number, digits: number) => decimal("en", value, digits);
 
@@ -17,7 +17,7 @@ const PEOPLE: Readonly<Record<string, string>> = {
 };
 
 /** The view Primitives. A [text|term] in brackets is a term with an explanation. */
-export const primitives = {
+export const words = {
   loading: "Loading",
   tryAgain: "Try again",
   notOpened: (why: string) => `The library could not be opened: ${why}`,
@@ -164,4 +164,4 @@ export const primitives = {
   },
 };
 
-export type PrimitivesWords = typeof primitives;
+export type PrimitivesWords = typeof words;

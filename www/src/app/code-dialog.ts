@@ -1,8 +1,8 @@
 // The dialog "Share": the link of a state of the page, with the model in it or without, its QR code, and the
 // line for a frame in another page.
 import { html, nothing, render } from "lit";
-import type { App } from "../app/app";
-import { saveFile } from "../app/save-file";
+import type { App } from "./app";
+import { saveFile } from "./save-file";
 import { addressOf as addressOfFile } from "../links/model-file";
 import { packed } from "../links/packed-model";
 import { LinkError, type LinkProblem } from "../links/problem";
@@ -42,7 +42,7 @@ const shortened = (address: string) => (address.length > SHOWN ? `${address.slic
 export async function showCode(app: App, fragment: string): Promise<void> {
   if (document.querySelector(".code-dialog")) return;
   const [teach, links] = [teachWords(app.words), linkWords(app.words)];
-  const stage = app.isPlayView ? await import("../app/stage-model") : null;
+  const stage = app.isPlayView ? await import("./stage-model") : null;
   await Promise.all([teach.load(), links.load()]);
   const { code, exercises } = teach.now;
   const words = links.now;

@@ -1,8 +1,8 @@
 // The answers of a graphics Turing test in a database of their own, a record for each row: a tab that is
 // closed loses none.
 import { openDB } from "idb";
-import { type AnswerDatabase, answered, type Participation, type Row } from "../perception/participation";
-import { type Check, has, isBoolean, isNumber, isText } from "./checks";
+import { type AnswerDatabase, answered, type Participation, type Row } from "./participation";
+import { type Check, has, isBoolean, isNumber, isText } from "../ui/checks";
 
 const PARTICIPATIONS = "participations";
 const ROWS = "rows";

@@ -1,5 +1,5 @@
 /** The view Compare models. A [text|term] in brackets is a term with an explanation. */
-export const compare = {
+export const words = {
   title: "Compare models",
   setup: "What to compare",
   found: "What came of it",
@@ -200,4 +200,4 @@ export const compare = {
   empty: "Nothing to compare yet. Each model appears here when its first trial has been predicted.",
 };
 
-export type CompareWords = typeof compare;
+export type CompareWords = typeof words;

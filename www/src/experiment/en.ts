@@ -1,5 +1,5 @@
 /** The view Who drives whom?: the synthetic experiment. */
-export const experiment = {
+export const words = {
   title: "Who drives whom?",
   setup: "The experiment",
   part: (place: number) => `Part ${place}`,
@@ -133,4 +133,4 @@ export const experiment = {
   },
 };
 
-export type ExperimentWords = typeof experiment;
+export type ExperimentWords = typeof words;

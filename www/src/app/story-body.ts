@@ -1,13 +1,13 @@
 // The body of the story: the model that comes with the page, with stores and a worker of its own, so that the
 // story changes nothing in the Lab, and shows the same walk whatever model the visitor has opened there.
-import type { App } from "../app/app";
-import { fetchStartModel, fetchStartMotion } from "../app/start-files";
-import { Lazy } from "../app/lazy";
+import { fetchStartModel, fetchStartMotion } from "./start-files";
+import { Lazy } from "../ui/lazy";
 import { BodyStore } from "../couplings/body-store";
 import { ModelStore } from "../couplings/model-store";
 import { PhasesStore } from "../couplings/phases-store";
 import { startEngine } from "../engine/engine";
 import { EngineStore } from "../engine/engine-store";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { AddressBar } from "../settings/address";
 import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
@@ -20,6 +20,7 @@ import { withLab } from "../words/lab";
 export const NO_ADDRESS: AddressBar = { read: () => "", write() {}, push() {} };
 
 export class StoryBody {
+  readonly #workers: WholeWorkers;
   readonly engine = new EngineStore();
   readonly settings = new SettingsStore(NO_ADDRESS);
   readonly playback = new Playback(this.settings);
@@ -35,6 +36,10 @@ export class StoryBody {
     return new LiveStore(this.engine, this.settings, this.model, this.stage, this.playback, this.notices);
   });
   #started: Promise<void> | null = null;
+
+  constructor(workers: WholeWorkers) {
+    this.#workers = workers;
+  }
 
   /** Shows the stored first seconds of the walk. The model continues them when it has arrived. */
   async showFirstMotion(): Promise<void> {
@@ -75,7 +80,7 @@ export class StoryBody {
       stopped: (problem: unknown) => this.engine.stop(problem),
     };
     await this.engine.start(
-      () => startEngine(events),
+      () => startEngine(this.#workers, events),
       async () => {
         const first = await text;
         if (first === null) throw new Error("the host has no model for this page");
@@ -84,13 +89,4 @@ export class StoryBody {
     );
     if (this.engine.state === "failed") throw new Error(this.engine.problem);
   }
-}
-
-const bodies = new WeakMap<App, StoryBody>();
-
-/** The body of the page's story, the same for all chapters. */
-export function storyBody(app: App): StoryBody {
-  const body = bodies.get(app) ?? new StoryBody();
-  bodies.set(app, body);
-  return body;
 }

@@ -1,4 +1,4 @@
-import type { StudyWords } from "../en/study";
+import type { StudyWords } from "./study-en";
 
 const INSTRUCTIONS = {
   cross:

@@ -1,9 +1,9 @@
-import { withComma } from "../decimal";
-import type { ExperimentWords } from "../en/experiment";
+import { withComma } from "../words/decimal";
+import type { ExperimentWords } from "./en";
 
 const number = (value: number) => withComma(String(value));
 
-export const experiment: ExperimentWords = {
+export const words: ExperimentWords = {
   title: "Wer treibt wen?",
   setup: "Das Experiment",
   part: (place) => `Teil ${place}`,

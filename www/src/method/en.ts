@@ -1,5 +1,5 @@
 /** The view Method: equations, symbols and references. A [text|term] is explained when it is pressed. */
-export const method = {
+export const words = {
   model: {
     title: "The model",
     latents:
@@ -167,4 +167,4 @@ export const method = {
   back: "Back to the walk",
 };
 
-export type MethodWords = typeof method;
+export type MethodWords = typeof words;

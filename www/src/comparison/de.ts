@@ -1,6 +1,6 @@
-import type { CompareWords } from "../en/compare";
+import type { CompareWords } from "./en";
 
-export const compare: CompareWords = {
+export const words: CompareWords = {
   title: "Modelle vergleichen",
   setup: "Was verglichen wird",
   found: "Was dabei herauskam",
