@@ -234,10 +234,13 @@ describe("several trainings", () => {
     settings.change({ trainings: 1 });
     const over = training.start();
     await settled();
-    settings.change({ latent: 2 });
+    settings.change({ latent: 2, asInPapers: true });
     await training.start();
     await settled();
     expect([states(), training.asked.length]).toEqual(["running running", 2]);
+    const [usual, papers] = [worker(0), worker(1)].map(({ job }) => job.settings);
+    expect([usual?.poseWeight, usual?.ownRollouts]).toEqual(["balanced", undefined]);
+    expect([papers?.poseWeight, papers?.ownRollouts]).toEqual([1, false]);
     worker(0).end(done);
     await settled();
     const [first] = training.runs;
