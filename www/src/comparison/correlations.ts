@@ -10,7 +10,7 @@ import { linearScale, logScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
 import type { Comparison, Correlation } from "../engine/whole-protocol";
 import { styled } from "../ui/styled";
-import { compareWords } from "../words/compare";
+import { compareWords } from "./view-words";
 
 const GAP = 28;
 const LEAST = 250;

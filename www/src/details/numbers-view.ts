@@ -8,7 +8,7 @@ import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
 import type { Engine, RolloutRequest } from "../engine/protocol";
 import type { LatentLogDensity } from "../engine/whole-protocol";
-import { wholeWorkers } from "../engine/whole-workers";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { Playback } from "../stage/playback";
 import { withTerms } from "../terms/term";
 import { fixed, short } from "../ui/format";
@@ -18,7 +18,7 @@ import type { PlottedMotion } from "./angles-view";
 import { channelsOf, type Recorded, readMotion } from "./channels";
 import "./details.css";
 import { type Kernels, kernelsOf } from "./kernels";
-import { numbers as words } from "../words/numbers";
+import { numbers as words } from "../words/sections";
 import { shownPart } from "../words/lab";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
@@ -100,6 +100,7 @@ export class NumbersView extends View {
     motions: { state: true },
     problem: { state: true },
   };
+  declare workers: WholeWorkers;
   declare engine: EngineStore;
   declare model: ModelStore;
   declare playback: Playback;
@@ -156,7 +157,7 @@ export class NumbersView extends View {
     const read = async (of: "model now" | "model as learned", request: RolloutRequest) => {
       const [bvh, logDensity] = await Promise.all([
         engine.rolloutBvh(request),
-        wholeWorkers().desk.run((worker) => worker.latentLogDensity(text, request)),
+        this.workers.desk.run((worker) => worker.latentLogDensity(text, request)),
       ]);
       return { of, motion: readMotion(bvh), logDensity };
     };

@@ -81,7 +81,7 @@ export class FakeSeries {
         const info = infoOf(text);
         this.opened.push(text);
         open = text;
-        return info;
+        return { info, poseInducing: [], dynamicsInducing: [] };
       },
       rolloutSeries: async (asked) => {
         this.rollouts.push(asked);

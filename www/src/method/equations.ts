@@ -1,6 +1,6 @@
 // The equations of the model in MathML, which browsers draw. They are constants and words of the page: no text
 // of a visitor is in them.
-import type { MethodWords } from "../words/en/method";
+import type { MethodWords } from "./en";
 
 const tag = (name: string, inner: string, attributes = "") => `<${name}${attributes}>${inner}</${name}>`;
 const row = (...parts: string[]) => tag("mrow", parts.join(""));

@@ -5,8 +5,9 @@ import { unsafeHTML } from "lit/directives/unsafe-html.js";
 import { withTerms } from "../terms/term";
 import { download } from "../ui/download";
 import { View } from "../ui/view";
-import type { MethodWords } from "../words/en/method";
-import { methodWords } from "../words/method";
+import type { Draw } from "../views/define-view";
+import type { MethodWords } from "./en";
+import { methodWords } from "./view-words";
 import { EQUATIONS, equationsWith, SYMBOLS } from "./equations";
 import { graphs } from "./graphs";
 import "./method.css";
@@ -91,16 +92,12 @@ export class MethodPage extends View {
     return [];
   }
 
-  #show(place: string): void {
-    this.dispatchEvent(new CustomEvent("show-place", { detail: place, bubbles: true }));
-  }
-
   #model() {
     const { graphs: drawn, model, training, steps, rollout, readings } = methodWords();
     return html`
       <section class="panel">
         <h2>${model.title}</h2>
-        ${graphs((place) => this.#show(place), drawn)}
+        ${graphs((place) => this.tell("show-place", place), drawn)}
         <p>${withTerms(model.latents)}</p>
         ${equation("dynamics")}
         ${equation("weights")}
@@ -135,7 +132,7 @@ export class MethodPage extends View {
         <h2>${readings.title}</h2>
         <p><strong>${readings.learned}</strong> ${readings.learnedText}</p>
         <p><strong>${readings.inferred}</strong> ${readings.inferredText}</p>
-        <button class="small" @click=${() => this.#show("reading")}>${readings.choose}</button>
+        <button class="small" @click=${() => this.tell("show-place", "reading")}>${readings.choose}</button>
       </section>`;
   }
 
@@ -165,7 +162,7 @@ export class MethodPage extends View {
         <td>${
           place === null
             ? html`<small>${symbols.notShown}</small>`
-            : html`<button class="small" data-place=${place} @click=${() => this.#show(place)}>${symbols.there[row.symbol]}</button>`
+            : html`<button class="small" data-place=${place} @click=${() => this.tell("show-place", place)}>${symbols.there[row.symbol]}</button>`
         }</td></tr>`;
   }
 
@@ -201,7 +198,9 @@ export class MethodPage extends View {
 
   protected override render() {
     return html`<div class="method">${this.#model()}${this.#others()}${this.#symbols()}${this.#references()}
-      <p><button @click=${() => this.#show("stage")}>${methodWords().back}</button></p></div>`;
+      <p><button @click=${() => this.tell("show-place", "stage")}>${methodWords().back}</button></p></div>`;
   }
 }
 customElements.define("pg-method", MethodPage);
+
+export const draw: Draw<"method"> = () => html`<pg-method></pg-method>`;

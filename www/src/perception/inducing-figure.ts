@@ -14,7 +14,7 @@ import {
   rateFields,
   regressionOf,
 } from "./answered-settings";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import { type Grid, gridsOf } from "./grids";
 import { type Panel, type PanelAxis, type PanelPoint, panels } from "./panel";
 

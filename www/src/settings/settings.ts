@@ -3,6 +3,7 @@
 import { MAX_PARTS } from "../engine/limits";
 import type { PartSpec, Reading } from "../engine/protocol";
 import { LAST_CHAPTER } from "./chapters";
+import { type ViewName, VIEWS } from "./views";
 
 interface Setting<T> {
   /** The name in the URL. */
@@ -308,17 +309,6 @@ function counts(
   };
 }
 
-/** The views of the page. "synthetic": the synthetic experiment; "perception": the graphics Turing test. */
-export const VIEWS = [
-  "play",
-  "compare",
-  "primitives",
-  "series",
-  "synthetic",
-  "perception",
-  "method",
-] as const;
-
 /** The panels that open next to the picture of the Lab. */
 export const PANELS = ["learn", "more", "numbers"] as const;
 
@@ -354,7 +344,8 @@ export const SETTINGS = {
   cut: choice("cut", "", ["", "relearned", "kept"] as const),
   /** The exercise for a class that the Lab shows; 0: none. */
   exercise: whole("exercise", 0, 0, EXERCISES),
-  view: choice("view", "play", VIEWS),
+  /** "synthetic": the synthetic experiment; "perception": the graphics Turing test. */
+  view: choice<ViewName>("view", "play", VIEWS),
   /** The open panel. The address calls it a tab, as it did when the Lab had tabs. */
   panel: choice("tab", "none", ["none", ...PANELS]),
   parts: preset,

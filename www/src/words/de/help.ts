@@ -1,6 +1,6 @@
 import type { HelpWords } from "../en/help";
 
-export const help: HelpWords = {
+export const words: HelpWords = {
   title: "Wie das funktioniert",
   close: "Schließen",
   model:
@@ -23,6 +23,7 @@ export const help: HelpWords = {
     ["p", "für einen Projektor: nur das Bild, in großer Schrift; Escape bringt den Rest zurück"],
     ["w a s d", "auf der Bühne: von einer anderen Seite sehen"],
     ["+ −", "auf der Bühne: näher, weiter weg"],
+    ["q", "der Link zu diesem Zustand, mit QR-Code"],
     ["?", "diese Hilfe"],
   ],
   about: "Über diese Seite",

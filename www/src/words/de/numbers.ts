@@ -1,6 +1,6 @@
 import type { NumbersWords } from "../en/numbers";
 
-export const numbers: NumbersWords = {
+export const words: NumbersWords = {
   failed: "Diese Zahlen konnten nicht berechnet werden.",
   empty: "Hier erscheinen die Zahlen des Modells und seiner Bewegung.",
   modelNow: "das Modell jetzt",

@@ -1,5 +1,5 @@
 /** The panel Numbers. A [text|term] in brackets is a term with an explanation. */
-export const numbers = {
+export const words = {
   failed: "These numbers could not be computed.",
   empty: "The numbers of the model and its motion appear here.",
   modelNow: "the model now",
@@ -53,4 +53,4 @@ export const numbers = {
   },
 };
 
-export type NumbersWords = typeof numbers;
+export type NumbersWords = typeof words;
