@@ -238,9 +238,8 @@ describe("several trainings", () => {
     await training.start();
     await settled();
     expect([states(), training.asked.length]).toEqual(["running running", 2]);
-    const [usual, papers] = [worker(0), worker(1)].map(({ job }) => job.settings);
-    expect([usual?.poseWeight, usual?.ownRollouts]).toEqual(["balanced", undefined]);
-    expect([papers?.poseWeight, papers?.ownRollouts]).toEqual([1, false]);
+    expect(worker(0).job.settings).toMatchObject({ poseWeight: "balanced" });
+    expect(worker(1).job.settings).toMatchObject({ poseWeight: 1, ownRollouts: false });
     worker(0).end(done);
     await settled();
     const [first] = training.runs;
