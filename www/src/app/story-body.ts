@@ -13,7 +13,7 @@ import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
 import { StageStore } from "../stage/stage-store";
 import { NoticesStore } from "../ui/notices-store";
-import { prefersReducedMotion } from "../ui/reduced-motion";
+import { prefersReducedMotion } from "../ui/browser";
 import { withLab } from "../words/lab";
 
 /** The settings of the story's body are in no address. */

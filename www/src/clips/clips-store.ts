@@ -16,6 +16,14 @@ import { clipTitle, messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import { partsFor } from "./parts";
 import { lab } from "../words/lab";
+import { html, nothing } from "lit";
+import "./clips.css";
+
+export const fileNotices = (warnings: readonly string[]) =>
+  warnings.length === 0
+    ? nothing
+    : html`<details class="warnings"><summary>${lab().learn.clips.notices(warnings.length)}</summary>
+        <ul>${warnings.map((warning) => html`<li>${warning}</li>`)}</ul></details>`;
 
 /** Bytes. A larger file is no motion clip and would fill the memory. */
 export const LARGEST_FILE = 200e6;

@@ -8,7 +8,7 @@ import type { Evaluated, PlannedComparison, ResultsView } from "../engine/whole-
 import type { SettingsStore } from "../settings/settings-store";
 import type { CostWords } from "../training/cost";
 import { messageOf } from "../ui/format";
-import { Store } from "../ui/store";
+import { Job } from "../ui/job";
 import { mayLose } from "../unsaved/unsaved";
 import {
   type ComparisonEntry,
@@ -69,7 +69,7 @@ export type EngineState = Pick<EngineStore, "state" | "on">;
 export type SettingsNow = Pick<SettingsStore, "values" | "on">;
 export type ClipsNow = Pick<ClipsStore, "ticked" | "toTrainOn" | "parts" | "clash" | "samplesLoaded" | "on">;
 
-export class ComparisonStore extends Store {
+export class ComparisonStore extends Job {
   readonly #engine: EngineState;
   readonly #settings: SettingsNow;
   readonly #clips: ClipsNow;
@@ -77,10 +77,7 @@ export class ComparisonStore extends Store {
   readonly #entries = new Map<string, ComparisonEntry>();
   readonly #planning: Latest<Asked, PlannedComparison>;
   #shown: ComparisonEntry | null = null;
-  #status: "idle" | "starting" | "running" | "cancelling" = "idle";
-  #ending = "";
-  #failed = false;
-  #stop = new AbortController();
+  #isPlanning = false;
   #width = 1;
   #look: Look = { fold: null, picked: null, playing: null };
   #asked: Asked | null = null;
@@ -113,17 +110,9 @@ export class ComparisonStore extends Store {
     return this.#shown;
   }
 
-  get status(): "idle" | "starting" | "running" | "cancelling" {
-    return this.#status;
-  }
-
-  get busy(): boolean {
-    return this.#status !== "idle";
-  }
-
-  /** How the last comparison ended, or why it could not start. */
-  get ending(): string {
-    return this.#ending;
+  /** Whether the models are loaded, before the first training begins. */
+  get isPlanning(): boolean {
+    return this.#isPlanning;
   }
 
   /** Whether a study can be made of the movements of the shown comparison. */
@@ -136,10 +125,6 @@ export class ComparisonStore extends Store {
     const request = this.#shown && studyRequestOf(this.#shown);
     if (!request) throw new Error(compareWords().noModelYet);
     return this.#whole.desk.run((worker) => worker.makeStudy(request));
-  }
-
-  get failed(): boolean {
-    return this.#failed;
   }
 
   /** The number of jobs that run at the same time. */
@@ -209,48 +194,38 @@ export class ComparisonStore extends Store {
   async begin(): Promise<void> {
     const asked = this.#request();
     if (this.busy || this.whyNot !== "" || !asked) return;
-    this.#status = "starting";
-    [this.#ending, this.#failed, this.#stop] = ["", false, new AbortController()];
-    const { signal } = this.#stop;
-    this.changed();
+    this.#isPlanning = true;
+    const signal = this.startJob();
     try {
       const { pool, desk } = this.#whole;
       this.#width = pool.width;
       const planned = await desk.run((worker) => plan(worker, asked), signal);
       signal.throwIfAborted();
-      if (!(await mayLose(...this.#lostTo(asked, planned).map(workOf)))) return this.#rest();
+      if (!(await mayLose(...this.#lostTo(asked, planned).map(workOf)))) return this.#rest("");
       const entry = this.#takeUp(asked, planned);
       const jobs = openJobs(planned.jobs, entry.predictions).map(waiting);
       entry.jobs = jobs;
-      this.#status = "running";
+      this.#isPlanning = false;
       this.changed();
       await Promise.all(jobs.map((progress) => this.#carryOut(entry, asked.request, progress, signal)));
-      this.#ending = summary(jobs);
+      this.#rest(summary(jobs));
     } catch (problem) {
-      this.#failed = !signal.aborted;
-      this.#ending = this.#failed ? messageOf(problem) : compareWords().notBegun;
+      if (signal.aborted) this.#rest(compareWords().notBegun);
+      else this.#rest(messageOf(problem), true);
     }
-    this.#rest();
   }
 
-  #rest(): void {
-    this.#status = "idle";
+  #rest(words: string, failed = false): void {
+    this.#isPlanning = false;
+    this.endJob(words, failed);
     this.#askAnew();
   }
 
   /** The machine is online again: drops the failure of loading the program. */
   reconnected(): void {
     if (this.busy) return;
-    if (this.#failed) [this.#ending, this.#failed] = ["", false];
+    if (this.ending.failed) this.setEnding("");
     if (!this.#planned) this.#askAnew();
-  }
-
-  /** Stops; finished folds are kept. */
-  cancel(): void {
-    if (this.#status !== "running" && this.#status !== "starting") return;
-    this.#status = "cancelling";
-    this.#stop.abort();
-    this.changed();
   }
 
   /** All results of this visit that are on no disk. */
@@ -276,7 +251,7 @@ export class ComparisonStore extends Store {
     if (!(await mayLose(workOf(this.#shown)))) return false;
     this.#refuseWhileBusy();
     this.#shown = newEntry(null, results, onDisk ? results.text : "");
-    [this.#ending, this.#failed] = [compareWords().opened(results.finished.length), false];
+    this.setEnding(compareWords().opened(results.finished.length));
     this.#askAnew();
     return true;
   }

@@ -5,7 +5,7 @@ import { Latest } from "../engine/latest";
 import type { BodyReport, RolloutRequest, RolloutResult } from "../engine/protocol";
 import { Store } from "../ui/store";
 import type { ModelStore } from "./model-store";
-import { sameTimes } from "./same-times";
+import { sameTimes } from "./weights";
 
 /** Seconds of motion, and the first of them that the measures leave out, as in docs/couplings.md. */
 const MEASURED = 20;

@@ -15,11 +15,47 @@ import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
-import { AwaitedLink } from "./awaited-link";
 import { type CouplingsChange, CouplingsStore } from "./couplings-store";
 import { couplingsOf, isPreset, type Preset, presetsOf, START_PRESETS } from "./presets";
-import { sameTimes } from "./same-times";
+import { sameTimes } from "./weights";
 import { withLab } from "../words/lab";
+
+type Link = Pick<Settings, "model" | "alpha" | "start" | "startFrame">;
+
+class AwaitedLink {
+  readonly #settings: SettingsStore;
+  #link: Link | null = null;
+
+  constructor(settings: SettingsStore) {
+    this.#settings = settings;
+  }
+
+  /** The first digits of the hash of the model that the link names; null without a link. */
+  get model(): string | null {
+    return this.#link?.model ?? null;
+  }
+
+  /** The address keeps the link, so that it is still there after a reload. */
+  wait(link: Link): void {
+    this.#link = link;
+    this.#settings.holdBack(link);
+  }
+
+  forget(): void {
+    if (!this.#link) return;
+    this.#link = null;
+    this.#settings.holdBack({});
+  }
+
+  /** The couplings and the start of the link, if it names this model. The link then waits no longer. */
+  takeFor(model: string): Omit<Link, "model"> | null {
+    const link = this.#link;
+    if (link?.model !== model) return null;
+    this.forget();
+    const { alpha, start, startFrame } = link;
+    return { alpha, start, startFrame };
+  }
+}
 
 /** A measure in the browser's performance timeline: from the change of a coupling to the new motion. */
 export const REDRAW_MEASURE = "coupling-redraw";

@@ -4,22 +4,20 @@ import type { WholeWorkers } from "../engine/whole-workers";
 import type { Experiment, SyntheticTruth } from "../engine/whole-protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import { messageOf } from "../ui/format";
-import { Store } from "../ui/store";
+import { Job } from "../ui/job";
 import { type ExperimentRun, isSame, newRun } from "./experiments";
 
-export class ExperimentStore extends Store {
+export class ExperimentStore extends Job {
   readonly #settings: Pick<SettingsStore, "values" | "on">;
   readonly #whole: WholeWorkers;
   readonly #drawing: Latest<Experiment, SyntheticTruth>;
   #runs: readonly ExperimentRun[] = [];
   #asked: readonly ExperimentRun[] = [];
-  #status: "idle" | "running" | "cancelling" = "idle";
   #problem = "";
   /** The experiment whose data were requested last, and the one whose data have arrived. */
   #wanted: Experiment | null = null;
   #riddle: Experiment | null = null;
   #drawn: { experiment: Experiment; truth: SyntheticTruth } | null = null;
-  #stop = new AbortController();
   #width = 1;
 
   constructor(settings: Pick<SettingsStore, "values" | "on">, whole: WholeWorkers) {
@@ -48,14 +46,6 @@ export class ExperimentStore extends Store {
   /** The trainings of the last press of a button. */
   get asked(): readonly ExperimentRun[] {
     return this.#asked;
-  }
-
-  get status(): "idle" | "running" | "cancelling" {
-    return this.#status;
-  }
-
-  get busy(): boolean {
-    return this.#status !== "idle";
   }
 
   /** Why the data could not be drawn; empty when they could. */
@@ -125,20 +115,9 @@ export class ExperimentStore extends Store {
     if (this.busy || runs.length === 0) return;
     this.#runs = [...this.#runs.filter((before) => !runs.some((run) => isSame(run, before))), ...runs];
     this.#asked = runs;
-    this.#stop = new AbortController();
-    this.#status = "running";
-    this.changed();
-    await Promise.all(runs.map((run) => this.#carryOut(run, this.#stop.signal)));
-    this.#status = "idle";
-    this.changed();
-  }
-
-  /** Stops the trainings, which keep their best models. */
-  cancel(): void {
-    if (this.#status !== "running") return;
-    this.#status = "cancelling";
-    this.#stop.abort();
-    this.changed();
+    const signal = this.startJob();
+    await Promise.all(runs.map((run) => this.#carryOut(run, signal)));
+    this.endJob();
   }
 
   #find(experiment: Experiment): ExperimentRun | undefined {

@@ -7,7 +7,7 @@ import { LiveTrack } from "../scene/live-track";
 import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
-import { LONGEST_PICTURE } from "../ui/each-frame";
+import { LONGEST_PICTURE } from "../ui/browser";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";

@@ -3,7 +3,7 @@ import type { Motion, PartSpec } from "../engine/protocol";
 import { type Shape, shapeOf } from "../scene/body-shape";
 import type { Body } from "../scene/columns";
 import { FADE, findLoop, HERE, type Loop, poseAt, blendInto, placeOnto } from "../scene/motion";
-import { partOfJoints } from "../scene/part-of-joints";
+import { partOfJoints } from "../scene/joints";
 import { floorOf, headingOf } from "../scene/stance";
 
 /** Height of a body with a hand above its head, metres. */

@@ -3,7 +3,7 @@ import type { LibraryInfo, WalkChange } from "../engine/library-protocol";
 import type { Motion } from "../engine/protocol";
 import { LiveTrack } from "../scene/live-track";
 import { Player } from "../stage/player";
-import { LONGEST_PICTURE } from "../ui/each-frame";
+import { LONGEST_PICTURE } from "../ui/browser";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";

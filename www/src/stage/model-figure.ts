@@ -1,7 +1,7 @@
 // `vcgpdm/figure` of the npm package: a model's body walks on a canvas of any page.
 import type { Motion } from "../engine/protocol";
 import { type Companion, type FigureMotion, FollowedFigure } from "../scene/followed-figure";
-import { eachFrame } from "../ui/each-frame";
+import { eachFrame } from "../ui/browser";
 import { Playback } from "./playback";
 
 /** Coupling variances `alpha[source][target]`. */

@@ -1,6 +1,6 @@
 // The walk of a chapter without an end: the stored seconds at once, the live motion when the model is there.
 import type { LiveStore } from "../live/live-store";
-import { prefersReducedMotion } from "../ui/reduced-motion";
+import { prefersReducedMotion } from "../ui/browser";
 import type { StoryBody } from "../app/story-body";
 
 export class EndlessWalk {

@@ -7,7 +7,7 @@ import { pointsOf } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import { messageOf, sentence } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
-import { Store } from "../ui/store";
+import { Job } from "../ui/job";
 import { Cost, type CostWords, costWords } from "./cost";
 import { PausedRuns, type Send } from "./paused-runs";
 import { bestBound, bestRun, isOver, type Run, seedsFrom } from "./runs";
@@ -19,7 +19,7 @@ import { lab } from "../words/lab";
 interface Session {
   runs: Run[];
   /** Stops the runs; each keeps its best model. */
-  stop: AbortController;
+  signal: AbortSignal;
   /** A promise for each run, which ends with the run. */
   work: Promise<void>[];
   /** Whether the visitor has chosen a run since the session began. */
@@ -28,9 +28,9 @@ interface Session {
   staged: boolean;
 }
 
-const newSession = (): Session => ({
+const newSession = (signal: AbortSignal): Session => ({
   runs: [],
-  stop: new AbortController(),
+  signal,
   work: [],
   picked: false,
   staged: false,
@@ -45,7 +45,7 @@ const POINTS = [20, 30, 40] as const;
 /** Whether a training can continue. */
 const isOpen = ({ cancelled, reason }: TrainingOutcome) => cancelled || reason === "iterations";
 
-export class TrainingStore extends Store {
+export class TrainingStore extends Job {
   readonly #engine: EngineStore;
   readonly #settings: SettingsStore;
   readonly #clips: ClipsStore;
@@ -55,9 +55,7 @@ export class TrainingStore extends Store {
   readonly #cost: Cost;
   /** Whether models of trainings may replace the model on the stage. */
   readonly #mayTakeStage: () => Promise<boolean>;
-  #status: "idle" | "running" | "cancelling" = "idle";
-  #session = newSession();
-  #ending = { words: "", failed: false };
+  #session = newSession(new AbortController().signal);
   #runs: readonly Run[] = [];
   #chosen: Run | null = null;
   #lastId = 0;
@@ -81,14 +79,6 @@ export class TrainingStore extends Store {
     this.#cost = new Cost(engine, settings, clips, () => this.changed());
   }
 
-  get status(): "idle" | "running" | "cancelling" {
-    return this.#status;
-  }
-
-  get busy(): boolean {
-    return this.#status !== "idle";
-  }
-
   /** All runs of this visit, until they are cleared. */
   get runs(): readonly Run[] {
     return this.#runs;
@@ -97,11 +87,6 @@ export class TrainingStore extends Store {
   /** The runs of the last press of Train, and the runs that were added while they ran. */
   get asked(): readonly Run[] {
     return this.#session.runs;
-  }
-
-  /** How the last runs ended, or why they failed. */
-  get ending(): { words: string; failed: boolean } {
-    return this.#ending;
   }
 
   /** The run whose model is on the stage, or will be; null: the model on the stage has no run. */
@@ -155,7 +140,7 @@ export class TrainingStore extends Store {
    * runs join it. For the first caller the promise ends with the session.
    */
   async start(): Promise<void> {
-    if (!(await this.#mayTakeStage()) || this.#status === "cancelling" || this.whyNot()) return;
+    if (!(await this.#mayTakeStage()) || this.status === "cancelling" || this.whyNot()) return;
     const runs = this.#newRuns();
     const begins = !this.busy;
     if (begins) {
@@ -167,7 +152,7 @@ export class TrainingStore extends Store {
     session.runs.push(...runs);
     this.changed();
     session.work.push(
-      ...runs.map((run) => this.#carryOut(run, session.stop.signal, (send) => this.#train(run, send))),
+      ...runs.map((run) => this.#carryOut(run, session.signal, (send) => this.#train(run, send))),
     );
     if (begins) await this.#finish(session);
   }
@@ -198,7 +183,7 @@ export class TrainingStore extends Store {
     run.settings = { ...run.settings, maxIterations: run.settings.maxIterations + more };
     this.changed();
     const work = (send: Send) => (paused ? this.#paused.goOn(run, more, send) : this.#train(run, send));
-    session.work.push(this.#carryOut(run, session.stop.signal, work));
+    session.work.push(this.#carryOut(run, session.signal, work));
     await this.#finish(session);
   }
 
@@ -223,14 +208,6 @@ export class TrainingStore extends Store {
     const [, next = 0] = seedsFrom(last, 2);
     this.#settings.change({ seed: next });
     await this.start();
-  }
-
-  /** Stops all runs. Each run that has begun keeps its best model. */
-  cancel(): void {
-    if (this.#status !== "running") return;
-    this.#status = "cancelling";
-    this.#session.stop.abort();
-    this.changed();
   }
 
   /** The visitor wants to see this run, also when another becomes better. */
@@ -327,10 +304,8 @@ export class TrainingStore extends Store {
   }
 
   #begin(runs: readonly Run[]): void {
-    this.#status = "running";
-    this.#session = newSession();
-    this.#ending = { words: "", failed: false };
     this.#chosen = runs[0] ?? null;
+    this.#session = newSession(this.startJob());
     this.#clips.lock(true);
   }
 
@@ -415,10 +390,9 @@ export class TrainingStore extends Store {
       (await this.#bestToShow(trained.filter(({ state }) => state !== "failed"))) ?? bestRun(trained);
     const { picked } = session;
     if (best && !picked) await this.#stage(best, session.staged);
-    this.#status = "idle";
-    this.#ending = endingOfRuns(session.runs, picked ? null : best);
+    const { words, failed } = endingOfRuns(session.runs, picked ? null : best);
+    this.endJob(words, failed);
     this.#clips.lock(false);
-    this.changed();
   }
 
   /** The run to show: the library chooses by the ends of the rollouts and by their errors on the clips. */

@@ -3,7 +3,7 @@ import comparison from "../../../../docs/comparison.md?raw";
 import together from "../../../../docs/comparison/recorded-trials-together.md?raw";
 import { belief as german } from "../../words/de/belief";
 import { belief as english, type Ratio } from "../../words/en/belief";
-import { TO_RHYTHMIC_DMP, WITHOUT_COUPLINGS } from "./worth";
+import { TO_RHYTHMIC_DMP, WITHOUT_COUPLINGS } from "./belief-chapter";
 
 const { training, heldOut } = WITHOUT_COUPLINGS;
 const fixed = (ratio: Ratio) => ratio.map((value) => value.toFixed(2));

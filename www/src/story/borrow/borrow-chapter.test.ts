@@ -25,7 +25,7 @@ it("shows a recorded movement, and after the guess its legs with the arms of ano
   await settled();
   expect([library.uses, library.recorded]).toEqual([[0, 2], "walk"]);
   expect([chapter.control(), chapter.reveal()]).toEqual([null, null]);
-  chapter.guessed();
+  chapter.guessed("yes");
   expect([library.uses, library.recorded, chapter.guess()]).toEqual([[0, 3], null, null]);
 });
 
@@ -33,12 +33,12 @@ it("leaves the Lab's combination as it was, but for a visitor who opens this one
   library.take([1, 2]);
   chapter.arrive();
   await settled();
-  chapter.guessed();
+  chapter.guessed("yes");
   chapter.leave();
   expect(library.uses).toEqual([1, 2]);
   chapter.arrive();
   await settled();
-  chapter.guessed();
+  chapter.guessed("yes");
   settings.change({ chapter: 0, view: "primitives" });
   chapter.leave();
   expect(library.uses).toEqual([0, 3]);

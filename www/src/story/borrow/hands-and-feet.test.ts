@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { LibraryInfo } from "../../engine/library-protocol";
-import { measureHandsAndFeet } from "./hands-and-feet";
+import { measureHandsAndFeet } from "./borrow-chapter";
 
 const names = ["Hips", "LeftHand", "RightHand", "LeftFoot", "RightFoot"];
 const info = {

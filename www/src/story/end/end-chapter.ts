@@ -1,10 +1,12 @@
 // The last card: what the visitor knows now, what nobody knows, and what to make next.
 import { html } from "lit";
 import { Store } from "../../ui/store";
-import { repliesNow } from "../../words/sections";
+import { repliesNow, loadReplies } from "../../words/sections";
 import type { StoryBody } from "../../app/story-body";
 import type { Chapter } from "../chapter";
 import { EndlessWalk } from "../endless-walk";
+import type { App } from "../../app/app";
+import "../../stage/stage-view";
 
 /** Where the visitor can make something, by the names of the words. */
 const DOORS = { lab: "view=play", own: "view=play&tab=learn", primitives: "view=primitives" } as const;
@@ -60,4 +62,9 @@ export class EndChapter extends Store implements Chapter {
   leave(): void {
     this.#walk.leave();
   }
+}
+
+export async function openChapter(app: App): Promise<Chapter> {
+  await loadReplies(app.words);
+  return new EndChapter(app.story);
 }

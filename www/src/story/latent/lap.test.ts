@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { lapOf } from "./lap";
+import { lapOf } from "./drawing";
 
 const circle = (frames: number, period: number) =>
   Float64Array.from({ length: 2 * frames }, (_, i) => {

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { principalAxes, project } from "../../latents/projection";
-import { lift, nearestRow, projectPath } from "./lift";
+import { lift, nearestRow, projectPath } from "./drawing";
 
 /** A tilted ellipse in three dimensions. */
 const path = Float64Array.from({ length: 3 * 60 }, (_, i) => {

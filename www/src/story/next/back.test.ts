@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { backFrom } from "./back";
+import { backFrom } from "./next-chapter";
 
 it("counts the seconds until a path stays near the loop", () => {
   expect(backFrom(Float64Array.of(2, 0.05, 0.5, 0.09, 0.01), 0.5)).toBe(2);
