@@ -104,16 +104,16 @@ describe("the declared types", () => {
     hold("Rollout.measures", measures);
     assert.deepEqual([measures.limbs.length, measures.parts.length], [4, 2]);
     hold("Rollout.health", rollout.health());
-    const naturalness = rollout.predictedNaturalness();
-    hold("Rollout.predictedNaturalness", naturalness);
-    const { rollout: ofRollout, training, difference } = naturalness;
+    const density = rollout.latentLogDensity();
+    hold("Rollout.latentLogDensity", density);
+    const { rollout: ofRollout, training, difference } = density;
     assert.ok(ofRollout !== null && training !== null && difference !== null);
     assert.ok(Math.abs(difference - (ofRollout - training)) < 1e-9);
     const alpha = [
       [1, 50],
       [50, 0.001],
     ];
-    const other = model.rollout({ frames: 60, alpha }).predictedNaturalness();
+    const other = model.rollout({ frames: 60, alpha }).latentLogDensity();
     assert.ok((other.rollout ?? 0) < ofRollout, "the motion is less likely");
     assert.equal(other.training, training);
     hold("Rollout.latentField", rollout.latentField(0, [[0, 0]]));

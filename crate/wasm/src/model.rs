@@ -135,6 +135,11 @@ export interface ModelInfo {
     startFrames: number[] | null;
     /** How many dynamics inducing points, `dynamicsIps[source][target]`. */
     dynamicsIps: number[][] | null;
+    /**
+     * The bound without the pose maps, in nats: the "dynamics ELBO" with which Knopp et al. (2019) predicted how
+     * natural people find the walks of models. Null for a kind without couplings.
+     */
+    dynamicsElbo: number | null;
     provenance: ModelProvenance;
 }
 
@@ -184,6 +189,7 @@ struct ModelInfo<'a> {
     alpha: Option<Vec<Vec<f64>>>,
     start_frames: Option<Vec<usize>>,
     dynamics_ips: Option<Vec<Vec<usize>>>,
+    dynamics_elbo: Option<f64>,
     provenance: ModelProvenance<'a>,
 }
 
@@ -211,6 +217,7 @@ impl<'a> ModelInfo<'a> {
             start_frames: model
                 .map(|model| (0..body.sequences.len()).map(|k| model.start_frames(k)).collect()),
             dynamics_ips: model.map(counts),
+            dynamics_elbo: model.map(|model| model.terms.dynamics_elbo()),
             provenance: ModelProvenance {
                 engine: &made.engine,
                 settings: settings_to_js(&task, &made.settings)?,

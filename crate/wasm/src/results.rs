@@ -173,7 +173,7 @@ export interface PredictionDetails {
     folds: number;
 }
 
-/** One candidate in figure 6B of Velychko et al. (2018). */
+/** One candidate in figure 1 of the supplement of Velychko et al. (2017). */
 export interface BoundAndError {
     label: string;
     /** The mean bound, in nats. */

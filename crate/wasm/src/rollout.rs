@@ -148,8 +148,8 @@ export interface Health {
     parts: PartPoses[];
 }
 
-/** A prediction of how natural a rollout looks, in nats a frame: see `Rollout.predictedNaturalness`. */
-export interface PredictedNaturalness {
+/** How likely latents are under the dynamics as learned, in nats a frame: see `Rollout.latentLogDensity`. */
+export interface LatentLogDensity {
     /** Of the frames of the rollout; null where there is none after its start. */
     rollout: number | null;
     /** Of the frames of the training; null for a file of an earlier version, which has not kept them. */
@@ -305,15 +305,14 @@ impl Rollout {
         to_js(&health)
     }
 
-    /// A prediction of how natural the motion looks: the mean log density of the latents of a frame under the
-    /// dynamics as learned. For walks of models under their own couplings it predicted what people answered (Knopp
-    /// et al. 2019). Nobody has asked people about other couplings: a prediction to test, for rollouts of one model
-    /// only. A mean rollout has no noise, so its difference is usually above 0, even where the motion stands still:
-    /// read `health` first. Throws for a kind without couplings and for a model of tables.
+    /// How likely the latents are: the mean log density of those of a frame under the dynamics as learned. Compare
+    /// rollouts of one model only. Nobody has asked people about this number; that of Knopp et al. (2019) is
+    /// `dynamicsElbo` of `Model.info`. A mean rollout has no noise, so its difference is usually above 0, even where
+    /// the motion stands still: read `health` first. Throws for a kind without couplings and for a model of tables.
     #[cfg(feature = "training")]
-    #[wasm_bindgen(js_name = predictedNaturalness, unchecked_return_type = "PredictedNaturalness")]
-    pub fn predicted_naturalness(&self) -> Result<JsValue, VcgpdmError> {
-        to_js(&coupled(self.model.body()?)?.predicted_naturalness(&self.rollout)?)
+    #[wasm_bindgen(js_name = latentLogDensity, unchecked_return_type = "LatentLogDensity")]
+    pub fn latent_log_density(&self) -> Result<JsValue, VcgpdmError> {
+        to_js(&coupled(self.model.body()?)?.latent_log_density(&self.rollout)?)
     }
 
     /// The motion as the text of a BVH file.

@@ -87,6 +87,8 @@ export interface TrainingOptions {
     uncoupled?: boolean;
     /** As in `VariationalSettings`; absent: yes for clips and libraries. */
     ownRollouts?: boolean;
+    /** Train as in the papers: with `poseWeight` 1 and `ownRollouts` false, whatever these options are. */
+    asInPapers?: boolean;
     /** The clips are brought to about this rate; absent: 30. */
     framesPerSecond?: number;
     /** The seed of everything random, a whole number from 0 to 4294967295; absent: 0. */
@@ -223,7 +225,13 @@ pub fn settings_from_js<P: DeserializeOwned + Serialize>(
     let usual = to_js_joined(&rate, usual)?;
     let complete = with_defaults(ErrorCode::Settings, "settings", value, usual)?;
     let complete = with_parts(complete, parts)?;
-    from_js_split(ErrorCode::Settings, "settings", &complete)
+    let option = JsValue::from("asInPapers");
+    let given = Reflect::get(&complete, &option).unwrap_or_default();
+    let as_in_papers: Option<bool> = from_js(ErrorCode::Settings, "settings.asInPapers", &given)?;
+    let _ = Reflect::delete_property(complete.unchecked_ref(), &option);
+    let (task, settings) =
+        from_js_split::<_, VariationalSettings>(ErrorCode::Settings, "settings", &complete)?;
+    Ok((task, if as_in_papers == Some(true) { settings.as_in_papers() } else { settings }))
 }
 
 /// The parts of a body from JavaScript: a preset by its id or by the names of its parts, or a list with joints

@@ -1,4 +1,4 @@
-// Error over bound, a panel for each model that has a bound (figure 6B of Velychko et al. 2018).
+// Error over bound, a panel for each model that has a bound (figure 1 of the supplement of Velychko et al. 2017).
 import { html, nothing, svg } from "lit";
 import { axes, labelsWidth } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";

@@ -7,7 +7,7 @@ import { weightText } from "../couplings/weights";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
 import type { Engine, RolloutRequest } from "../engine/protocol";
-import type { PredictedNaturalness } from "../engine/whole-protocol";
+import type { LatentLogDensity } from "../engine/whole-protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { Playback } from "../stage/playback";
 import { withTerms } from "../terms/term";
@@ -149,7 +149,7 @@ interface ReadMotion {
   of: "model now" | "model as learned" | { clip: string };
   motion: Recorded;
   /** Null for a clip. */
-  naturalness: PredictedNaturalness | null;
+  logDensity: LatentLogDensity | null;
 }
 
 export class NumbersView extends View {
@@ -212,14 +212,14 @@ export class NumbersView extends View {
       const { loaded, source, first, end } = clip;
       const bvh = await clips.clipBvh({ id: loaded.id, source, first, end });
       const motion = readMotion(bvh);
-      return { kernels, motions: [{ of: { clip: clip.title }, motion, naturalness: null }] };
+      return { kernels, motions: [{ of: { clip: clip.title }, motion, logDensity: null }] };
     }
     const read = async (of: "model now" | "model as learned", request: RolloutRequest) => {
-      const [bvh, naturalness] = await Promise.all([
+      const [bvh, logDensity] = await Promise.all([
         engine.rolloutBvh(request),
-        this.workers.desk.run((worker) => worker.predictedNaturalness(text, request)),
+        this.workers.desk.run((worker) => worker.latentLogDensity(text, request)),
       ]);
-      return { of, motion: readMotion(bvh), naturalness };
+      return { of, motion: readMotion(bvh), logDensity };
     };
     const now = await read("model now", model.rolloutRequest());
     if (!model.couplings.altered || !model.learned) return { kernels, motions: [now] };
@@ -237,18 +237,19 @@ export class NumbersView extends View {
     return this.motions.map((read) => ({ name: this.#nameOf(read), motion: read.motion }));
   }
 
-  #naturalness() {
-    const { naturalness: heads } = words();
+  #logDensity() {
+    const { logDensity: heads } = words();
     const number = (value: number | null) => (value === null ? "–" : fixed(value, 1));
     const rows = this.motions.flatMap((read) =>
-      read.naturalness ? [{ name: this.#nameOf(read), ...read.naturalness }] : [],
+      read.logDensity ? [{ name: this.#nameOf(read), ...read.logDensity }] : [],
     );
     if (rows.length === 0) return nothing;
+    const elbo = this.model.model?.info.dynamicsElbo ?? null;
     return html`
       <section>
         <h2>${heads.title}</h2>
         <div class="table-scroll" tabindex="0" role="region" aria-label=${heads.title}>
-          <table data-testid="naturalness">
+          <table data-testid="log-density">
             <thead><tr><th scope="col">${heads.of}</th><th scope="col">${heads.rollout}</th>
               <th scope="col">${heads.training}</th><th scope="col">${heads.difference}</th></tr></thead>
             <tbody>${rows.map(
@@ -258,7 +259,7 @@ export class NumbersView extends View {
             )}</tbody>
           </table>
         </div>
-        <p class="hint">${heads.about}</p>
+        <p class="hint">${heads.about(number(elbo))}</p>
         <p class="hint">${heads.caution}</p>
       </section>`;
   }
@@ -297,7 +298,7 @@ export class NumbersView extends View {
         <h2>${words().angles.title}</h2>
         <pg-angles .playback=${this.playback} .motions=${this.#plotted} .channels=${channelsOf(joints)}></pg-angles>
       </section>
-      ${this.#naturalness()}
+      ${this.#logDensity()}
       ${model.model ? this.#couplings() : nothing}
       ${kernelTables(kernels)}`;
   }

@@ -40,6 +40,7 @@ function infoOf(text: string): SeriesInfo {
     order: coupled ? 2 : null,
     startFrames: null,
     dynamicsIps: null,
+    dynamicsElbo: null,
     provenance: { settings: { seed: 1 } } as SeriesInfo["provenance"],
   };
 }

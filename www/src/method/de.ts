@@ -4,7 +4,7 @@ export const words: MethodWords = {
   model: {
     title: "Das Modell",
     latents:
-      "Ein Körper ist in Teile geteilt. Zu jedem Bild von Teil i gehört ein [latenter Zustand|latent], ein Punkt in einem Raum mit Q Dimensionen. Wohin er als Nächstes geht, sagt jeder Teil j aus seinen eigenen letzten Bildern voraus, und ein [Produkt der Experten|product-of-experts] verbindet die Vorhersagen:",
+      "Ein Körper ist in Teile geteilt. Zu jedem Bild von Teil i gehört ein [latenter Zustand|latent], ein Punkt in einem Raum mit Q Dimensionen. Wohin er als Nächstes geht, sagt jeder Teil j aus seinen eigenen letzten Bildern voraus, und ein [Produkt der Experten|product-of-experts] (Hinton 1999) verbindet die Vorhersagen:",
     weights:
       "Je kleiner eine Kopplungsvarianz ist, desto größer ist das Gewicht dieses Experten. Nur die Verhältnisse der Varianzen, die zu einem Teil führen, ändern den Mittelwert. Jeder Experte ist ein Gaußprozess. Seine Signalvarianz ist 1: Sonst könnte seine Größe das Gewicht ersetzen.",
     poses:
@@ -13,40 +13,42 @@ export const words: MethodWords = {
   training: {
     title: "Training",
     bound:
-      "Die latenten Zustände sind nicht bekannt. Darum findet das Training für jeden eine Gaußverteilung, zusammen mit Kernen, Kopplungen und Stützpunkten. Es erhöht eine untere Schranke der logarithmierten Evidenz:",
+      "Die latenten Zustände sind nicht bekannt. Darum findet das Training für jeden eine Gaußverteilung, zusammen mit Kernen, Kopplungen und Stützpunkten. Es erhöht",
+    weights:
+      "Mit γ = 1, wie in den Artikeln, ist das eine untere Schranke der logarithmierten Evidenz. Sonst ist γ gleich Q/D (D Spalten): keine Schranke, aber latente Zustände, die leichter vorherzusagen sind (Urtasun et al. 2006). Ein Modell, dessen Bewegung zur Ruhe kommt, lernt dann aus eigenen Rollouts, die nur 𝐄(u) ändern.",
     terms:
       "Jeder Term F eines Gaußprozesses stützt sich auf wenige Stützpunkte statt auf alle Bilder (Titsias und Lawrence 2010). Für R Zeilen und C Spalten, mit der Varianz n des Beobachteten und der Kovarianz K der Stützpunkte:",
-    sums: "Ψ₂ und b sind Summen über die Bilder: Ψ₂ von erwarteten Produkten zweier Werte des Kerns, b von erwarteten Werten des Kerns mal dem Zielwert. c₂ ist die Summe der erwarteten Quadrate der Zielwerte, und Δ das, was die Stützpunkte nicht erklären. Die Zeit einer Iteration wächst linear mit der Zahl der Bilder.",
+    sums: "Ψ₂ und b sind Summen erwarteter Produkte über die Bilder: zweier Werte des Kerns, und eines Werts des Kerns mit dem Zielwert. c₂ ist die Summe der erwarteten Quadrate der Zielwerte, und Δ das, was die Stützpunkte nicht erklären.",
   },
   steps: {
     title: "Woher die Schranke kommt",
     list: [
-      "Jede Abbildung bekommt Stützpunkte: einige Eingaben und die Ausgaben dort. Sind diese Ausgaben bekannt, so hängt der Rest der Abbildung nicht von den Daten ab.",
-      "An die Stelle der wahren Verteilung von latenten Zuständen und Ausgaben tritt eine, die in Faktoren zerfällt: eine Gaußverteilung für jeden latenten Zustand und eine für die Ausgaben jeder Abbildung. Die jensensche Ungleichung begrenzt dann die logarithmierte Evidenz von unten.",
-      "Über die Abbildungen wird integriert. Die beste Verteilung der Ausgaben an den Stützpunkten hat eine geschlossene Form, die Gleichung von 𝐄(u) oben; sie muss nie gesucht werden.",
-      "Die Werte des Kerns werden über die gaußverteilten latenten Zustände gemittelt. Für diesen Kern sind die Mittelwerte exakt: Nichts wird zufällig gezogen, und der Gradient folgt daraus.",
+      "Jede Abbildung bekommt Stützpunkte: einige Eingaben und die Ausgaben dort. Sind sie bekannt, so hängt der Rest der Abbildung nicht von den Daten ab.",
+      "An die Stelle der wahren Verteilung tritt eine Gaußverteilung für jeden latenten Zustand und eine für die Ausgaben an den Stützpunkten jeder Abbildung. Die jensensche Ungleichung begrenzt dann die logarithmierte Evidenz von unten.",
+      "Über die Abbildungen wird integriert. Die beste Verteilung der Ausgaben an den Stützpunkten hat eine geschlossene Form: 𝐄(u) oben.",
+      "Die Werte des Kerns werden über die latenten Zustände gemittelt. Für diesen Kern sind die Mittelwerte exakt: Nichts wird zufällig gezogen.",
     ],
   },
   rollout: {
     title: "Rollout",
     text: "Ein Rollout beginnt mit den ersten p latenten Zuständen eines Clips und sagt dann Bild für Bild voraus, alle Teile zusammen:",
-    mean: "Das ist der Mittelwert; darin ist nichts zufällig.",
+    mean: "Das ist der Mittelwert, ohne Zufall.",
   },
   readings: {
     title: "Zwei Lesarten einer Kopplung",
     learned: "Experten wie gelernt.",
     learnedText:
-      "Ein Regler ändert α und damit die Gewichte. Was jeder Experte vorhersagt, bleibt. Die Frage ist: Was wäre, wenn dieser Teil weniger auf jenen hörte?",
+      "Ein Regler ändert α und damit die Gewichte, wie in den Artikeln. Was jeder Experte vorhersagt, bleibt: Was wäre, wenn dieser Teil weniger auf jenen hörte?",
     inferred: "Experten neu bestimmt.",
     inferredText:
-      "Unter anderen Kopplungen hätten dieselben Daten andere Experten gelehrt. Das Modell behält die Summen Ψ₂ und b; damit lässt sich 𝐄(u) mit der Gleichung oben für jedes α neu berechnen. Die Frage ist: Lassen sich die Daten unter diesen Kopplungen erklären? Oft geht das, und die Bewegung bleibt fast gleich.",
+      "Unter anderen Kopplungen hätten dieselben Daten andere Experten gelehrt. Das Modell behält die Summen Ψ₂ und b über alles, woraus es lernte; damit lässt sich 𝐄(u) für jedes α neu berechnen. Oft lassen sich die Daten auch unter diesen Kopplungen erklären, und die Bewegung bleibt fast gleich.",
     choose: "Lesart wählen",
   },
   others: {
     title: "Die anderen Modelle",
-    tmp: "[TMP|tmp]: Jede Spalte ist eine gewichtete Summe weniger Kurven über einer gemeinsamen Phase.",
-    dmp: "[DMP|dmp]: Eine Feder zieht jede Spalte zu einem Ziel g, und eine gelernte Kraft f folgt einer vorgegebenen Uhr s.",
-    map: "[MAP|map]: dieselbe Dynamik wie oben, mit allen Bildern statt Stützpunkten, und mit den wahrscheinlichsten latenten Zuständen statt Verteilungen.",
+    tmp: "[TMP|tmp] (Clever et al. 2016): Jede Spalte ist eine gewichtete Summe weniger Kurven über einer gemeinsamen Phase.",
+    dmp: "[DMP|dmp] (Ijspeert et al. 2013): Eine Feder zieht jede Spalte zu einem Ziel g, und eine gelernte Kraft f folgt einer vorgegebenen Uhr s.",
+    map: "[MAP|map] (Wang et al. 2008; Velychko et al. 2014): dieselbe Dynamik wie oben, mit allen Bildern statt Stützpunkten, und mit den wahrscheinlichsten latenten Zuständen statt Verteilungen.",
     score: "Die Verwechslungsrate",
     scoreText:
       "Wie oft Menschen die Bewegung eines Modells für die natürliche halten, sinkt mit seinem Fehler. Velychko et al. (2018) passen a und c an; 0,5 wäre vollkommen.",
@@ -78,7 +80,7 @@ export const words: MethodWords = {
   graphs: {
     one: "Grafisches Modell eines Teils",
     oneText:
-      "Ein Teil. Jeder latente Zustand folgt aus den beiden davor und gibt eine Pose. Wenige Stützpunkte (Rauten) stehen für beide Abbildungen.",
+      "Jeder latente Zustand folgt aus den beiden davor und gibt eine Pose. Wenige Stützpunkte (Rauten) stehen für beide Abbildungen.",
     two: "Grafisches Modell zweier gekoppelter Teile",
     twoText:
       "Zwei Teile. Jeder sagt auch den nächsten latenten Zustand des anderen voraus; die Posen sind weggelassen. Drücke auf eine Form: Sie führt zu ihrem Regler.",
@@ -98,7 +100,7 @@ export const words: MethodWords = {
     expert: "ein Experte",
     kernel: "der Kern",
     pose: "die Posenabbildung",
-    bound: "die Schranke",
+    bound: "was das Training maximiert",
     collapsed: "ein Term der Schranke",
     posterior: "die Ausgaben an den Stützpunkten",
     rollout: "ein Schritt des Rollouts",
@@ -158,10 +160,7 @@ export const words: MethodWords = {
   },
   references: {
     title: "Literatur",
-    thesis: "Dissertation",
-    cite: "So wird zitiert",
-    citeText:
-      "Wenn du diese Seite oder ihre Programme benutzt, zitiere bitte die Artikel, deren Modell sie umsetzen.",
+    cite: "Bitte zitiere diese Artikel",
     save: "Als BibTeX speichern",
   },
   back: "Zurück zum Gang",

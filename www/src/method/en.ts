@@ -3,7 +3,7 @@ export const words = {
   model: {
     title: "The model",
     latents:
-      "A body is split into parts. Each frame of part i is a [latent|latent], a point in a space of Q dimensions. Where the latent goes next is predicted by every part j from its own last frames, and the predictions are combined as a [product of experts|product-of-experts]:",
+      "A body is split into parts. Each frame of part i is a [latent|latent], a point in a space of Q dimensions. Where the latent goes next is predicted by every part j from its own last frames, and the predictions are combined as a [product of experts|product-of-experts] (Hinton 1999):",
     weights:
       "The smaller a coupling variance, the larger the weight of that expert. Only ratios of the variances into one part change the mean. Each expert is a Gaussian process. Its signal variance is 1: otherwise its scale could be traded for its weight.",
     poses: "A [pose map|pose-map], a Gaussian process too, turns the latent into the pose of the part:",
@@ -11,40 +11,42 @@ export const words = {
   training: {
     title: "Training",
     bound:
-      "The latents are not known, so training finds a Gaussian distribution for each, together with kernels, couplings and inducing points. It climbs a lower bound on the log evidence:",
+      "The latents are not known, so training finds a Gaussian distribution for each, together with kernels, couplings and inducing points. It climbs",
+    weights:
+      "With γ = 1, as in the papers, this is a lower bound on the log evidence. By default γ is Q/D (D columns): no bound, but latents that are easier to predict (Urtasun et al. 2006). A model whose motion comes to rest then learns from its own rollouts, which change 𝐄(u) alone.",
     terms:
       "Each term F of a Gaussian process rests on a few inducing points in place of all frames (Titsias and Lawrence 2010). For R rows and C columns, with the variance n of what is observed and the covariance K of the inducing points:",
-    sums: "Ψ₂ and b sum over the frames what the kernel is expected to be, and what it is expected to be times the target; c₂ is the expected square of the targets, and Δ what the inducing points leave unexplained. The time of an iteration grows linearly with the frames.",
+    sums: "Ψ₂ and b are sums over the frames of expected products: of two kernel values, and of a kernel value and the target. c₂ is the expected square of the targets, and Δ what the inducing points leave unexplained.",
   },
   steps: {
     title: "Where the bound comes from",
     list: [
-      "Each map gets inducing points: a few inputs, and the outputs there. Given these outputs, the rest of the map does not depend on the data.",
-      "The true distribution of latents and outputs is replaced by one that factorises: a Gaussian for each latent, and one for the outputs of each map. Jensen’s inequality then bounds the log evidence from below.",
-      "The maps are integrated out. The best distribution of the inducing outputs has a closed form, the equation of 𝐄(u) above, so that it is never searched.",
-      "Kernel values are averaged over the Gaussian latents. For this kernel the averages are exact, so that nothing is sampled, and the gradient follows.",
+      "Each map gets inducing points: a few inputs, and the outputs there. Given these, the rest of the map does not depend on the data.",
+      "In place of the true distribution there is a Gaussian for each latent, and one for the inducing outputs of each map. Jensen’s inequality then bounds the log evidence from below.",
+      "The maps are integrated out. The best distribution of the inducing outputs has a closed form: 𝐄(u) above.",
+      "Kernel values are averaged over the latents. For this kernel the averages are exact: nothing is sampled.",
     ],
   },
   rollout: {
     title: "Rollout",
     text: "A rollout starts with the first p latents of a clip and then predicts frame after frame, all parts together:",
-    mean: "This is the mean; nothing random is in it.",
+    mean: "This is the mean, with nothing random.",
   },
   readings: {
     title: "Two readings of a coupling",
     learned: "Experts as learned.",
     learnedText:
-      "A slider changes α and so the weights. What each expert predicts stays as it is. This asks: what if this part listened less to that one?",
+      "A slider changes α and so the weights, as in the papers. What each expert predicts stays: what if this part listened less to that one?",
     inferred: "Experts re-inferred.",
     inferredText:
-      "Under other couplings the same data would have taught other experts. The model keeps the sums Ψ₂ and b, so that 𝐄(u) can be computed again for any α, with the equation above. This asks: could the data be explained under these couplings? Often they can, and the motion stays nearly the same.",
+      "Under other couplings the same data would have taught other experts. The model keeps the sums Ψ₂ and b of all it learned from, so that 𝐄(u) can be computed again for any α. Often the data can be explained under these couplings too, and the motion stays nearly the same.",
     choose: "Choose the reading",
   },
   others: {
     title: "The other models",
-    tmp: "[TMP|tmp]: every column is a weighted sum of a few curves over a common phase.",
-    dmp: "[DMP|dmp]: a spring pulls every column towards a goal g, and a learned force f follows a given clock s.",
-    map: "[MAP|map]: the same dynamics as above, with all frames in place of inducing points, and the most probable latents in place of distributions.",
+    tmp: "[TMP|tmp] (Clever et al. 2016): every column is a weighted sum of a few curves over a common phase.",
+    dmp: "[DMP|dmp] (Ijspeert et al. 2013): a spring pulls every column towards a goal g, and a learned force f follows a given clock s.",
+    map: "[MAP|map] (Wang et al. 2008; Velychko et al. 2014): the same dynamics as above, with all frames in place of inducing points, and the most probable latents in place of distributions.",
     score: "The perception score",
     scoreText:
       "How often people take a model’s movement for the natural one falls with its error. Velychko et al. (2018) fit a and c; 0.5 would be perfect.",
@@ -64,7 +66,7 @@ export const words = {
       },
       scalable: {
         property: "scalable",
-        meaning: "the time of an iteration grows less than with the cube of the frames",
+        meaning: "the time of an iteration grows linearly with the frames, not with their cube",
       },
       compact: { property: "compact", meaning: "what is stored does not grow with the frames" },
       dynamics: {
@@ -76,7 +78,7 @@ export const words = {
   graphs: {
     one: "Graphical model of one part",
     oneText:
-      "One part. Each latent follows from the two before it and gives a pose. Few inducing points (diamonds) stand for both maps.",
+      "Each latent follows from the two before it and gives a pose. Few inducing points (diamonds) stand for both maps.",
     two: "Graphical model of two coupled parts",
     twoText:
       "Two parts. Each predicts also the next latent of the other; the poses are left out. Press a shape to go to its control.",
@@ -97,7 +99,7 @@ export const words = {
     expert: "an expert",
     kernel: "the kernel",
     pose: "the pose map",
-    bound: "the bound",
+    bound: "what training maximises",
     collapsed: "a term of the bound",
     posterior: "the inducing outputs",
     rollout: "a step of the rollout",
@@ -159,9 +161,7 @@ export const words = {
   },
   references: {
     title: "References",
-    thesis: "Doctoral thesis",
-    cite: "Cite this",
-    citeText: "If you use this page or its programs, please cite the papers whose model they implement.",
+    cite: "Please cite these papers",
     save: "Save as BibTeX",
   },
   back: "Back to the walk",

@@ -171,9 +171,10 @@ export const EQUATIONS = {
 /** The equations with words in them. */
 export const equationsWith = (words: MethodWords["inEquations"]) => ({
   bound: math(
-    log(call(id("p"), id("Y"))),
-    op("≥"),
+    sub(id("F"), id("γ")),
+    op("="),
     sum(i),
+    sub(id("γ"), i),
     sub(id("F"), row(text(words.poses), i)),
     op("+"),
     sum(i),
@@ -182,6 +183,10 @@ export const equationsWith = (words: MethodWords["inEquations"]) => ({
     text(words.firstFrames),
     op("+"),
     text(words.entropy),
+    apart,
+    sub(id("F"), one),
+    op("≤"),
+    log(call(id("p"), id("Y"))),
   ),
   score: math(
     call(id("P"), text(words.natural)),

@@ -11,7 +11,8 @@ import { methodWords } from "./view-words";
 import { EQUATIONS, equationsWith, SYMBOLS } from "./equations";
 import { graphs } from "./graphs";
 import "./method.css";
-import { bibtex, FURTHER_WORKS, inWords, MODEL_PAPERS, type Work } from "./references";
+import papers from "./papers.bib?raw";
+import { WORKS } from "./references";
 
 type SymbolRow =
   | { symbol: Shown; place: string }
@@ -111,6 +112,7 @@ export class MethodPage extends View {
         <h2>${training.title}</h2>
         <p>${training.bound}</p>
         ${equation("bound")}
+        <p>${training.weights}</p>
         <p>${training.terms}</p>
         ${equation("collapsed")}
         ${equation("posterior")}
@@ -178,22 +180,18 @@ export class MethodPage extends View {
       </section>`;
   }
 
-  #work(work: Work) {
-    const { doi } = work;
-    return html`<li>${inWords(work, methodWords().references.thesis)} ${doi ? html`<a href="https://doi.org/${doi}">${`doi:${doi}`}</a>` : nothing}</li>`;
-  }
-
   #references() {
     const words = methodWords().references;
-    const entries = MODEL_PAPERS.map(bibtex).join("\n\n");
-    const save = () => download("vcgpdm.bib", new Blob([`${entries}\n`], { type: "text/plain" }));
+    const save = () => download("vcgpdm.bib", new Blob([papers], { type: "text/plain" }));
     return html`
       <section class="panel">
         <h2>${words.title}</h2>
-        <ol class="works" lang="en">${[...MODEL_PAPERS, ...FURTHER_WORKS].map((work) => this.#work(work))}</ol>
+        <ol class="works" lang="en">${WORKS.map(
+          ({ words, doi }) =>
+            html`<li>${words} ${doi ? html`<a href="https://doi.org/${doi}">${`doi:${doi}`}</a>` : nothing}</li>`,
+        )}</ol>
         <h3>${words.cite}</h3>
-        <p>${words.citeText}</p>
-        <pre class="bibtex" tabindex="0" role="region" lang="en" aria-label=${BIBTEX} data-testid="bibtex">${entries}</pre>
+        <pre class="bibtex" tabindex="0" role="region" lang="en" aria-label=${BIBTEX} data-testid="bibtex">${papers}</pre>
         <button class="small" data-testid="save-bibtex" @click=${save}>${words.save}</button>
       </section>`;
   }

@@ -358,6 +358,8 @@ export const SETTINGS = {
   seed: whole("seed", 0, 0, 4294967295),
   maxIterations: whole("iterations", 250, 10, 5000, 10),
   poseWeight: choice("weight", "balanced", POSE_WEIGHTS),
+  /** Whether training maximises the bound, without own rollouts, whatever the weight of the poses is. */
+  asInPapers: flag("papers", false),
   /** 0: the number of cores, at most a few. */
   trainings: whole("trainings", 0, 0, 20),
   frames: whole("frames", 300, 60, 1200, 30),

@@ -94,7 +94,7 @@ pub struct TermMeans {
     pub dynamics: f64,
 }
 
-/// One candidate in figure 6B of Velychko et al. (2018).
+/// One candidate in figure 1 of the supplement of Velychko et al. (2017).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BoundAndError {
     /// Its settings, in a few words.
@@ -106,7 +106,7 @@ pub struct BoundAndError {
 }
 
 /// Bound and error of one kind of model over its inducing points (primitives of the TMP), all other settings
-/// being the same: figure 6B of Velychko et al. (2018).
+/// being the same: figure 1 of the supplement of Velychko et al. (2017).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Correlation {
     /// The kind of model.

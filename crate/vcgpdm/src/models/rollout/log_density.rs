@@ -1,13 +1,16 @@
-//! A prediction of how natural a motion looks (Knopp et al. 2019): the dynamics part of the bound.
+//! How likely the latents of a rollout are under the dynamics as learned.
 
 use crate::models::data::column_mapping::ColumnMapping;
 use crate::models::fitted::coupled::Coupled;
 use crate::models::rollout::request::{Rollout, RolloutError, RolloutRequest};
 use serde::Serialize;
 
-/// The mean log density of the latents of a frame under the dynamics as learned, in nats a frame.
+/// The mean log density of the latents of a frame under the dynamics as learned, in nats a frame: a number of
+/// this project. The predictor of Knopp et al. (2019) is [`BoundTerms::dynamics_elbo`] of the trained model.
+///
+/// [`BoundTerms::dynamics_elbo`]: crate::models::variational::BoundTerms::dynamics_elbo
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct PredictedNaturalness {
+pub struct LatentLogDensity {
     /// Of the frames of a rollout; `None` where it has no frame after its start.
     pub rollout: Option<f64>,
     /// Of the frames of the training; `None` for a file of an earlier version, which has no latents of them.
@@ -17,18 +20,18 @@ pub struct PredictedNaturalness {
 }
 
 impl<S: ColumnMapping> Coupled<'_, S> {
-    /// A prediction of how natural a rollout of this model looks: how likely its latents are under the dynamics
-    /// as learned, whatever its couplings were, and how likely those of the training are.
+    /// How likely the latents of a rollout of this model are under the dynamics as learned, whatever its
+    /// couplings were, and how likely those of the training are.
     ///
     /// # Errors
     ///
     /// When the rollout is of another model, or a covariance cannot be factorised.
     #[doc(hidden)]
-    pub fn predicted_naturalness(&self, rollout: &Rollout) -> Result<PredictedNaturalness, RolloutError> {
+    pub fn latent_log_density(&self, rollout: &Rollout) -> Result<LatentLogDensity, RolloutError> {
         let learned = self.predictive_dynamics(&RolloutRequest::default())?;
         let of_rollout = learned.mean_log_density(std::slice::from_ref(&rollout.latents))?;
         let training = learned.mean_log_density(&self.model.starts)?;
         let difference = of_rollout.zip(training).map(|(rollout, training)| rollout - training);
-        Ok(PredictedNaturalness { rollout: of_rollout, training, difference })
+        Ok(LatentLogDensity { rollout: of_rollout, training, difference })
     }
 }
