@@ -20,7 +20,6 @@ import { withLab } from "../words/lab";
 export const NO_ADDRESS: AddressBar = { read: () => "", write() {}, push() {} };
 
 export class StoryBody {
-  readonly #workers: WholeWorkers;
   readonly engine = new EngineStore();
   readonly settings = new SettingsStore(NO_ADDRESS);
   readonly playback = new Playback(this.settings);
@@ -37,9 +36,7 @@ export class StoryBody {
   });
   #started: Promise<void> | null = null;
 
-  constructor(workers: WholeWorkers) {
-    this.#workers = workers;
-  }
+  constructor(private readonly workers: WholeWorkers) {}
 
   /** Shows the stored first seconds of the walk. The model continues them when it has arrived. */
   async showFirstMotion(): Promise<void> {
@@ -80,7 +77,7 @@ export class StoryBody {
       stopped: (problem: unknown) => this.engine.stop(problem),
     };
     await this.engine.start(
-      () => startEngine(this.#workers, events),
+      () => startEngine(this.workers, events),
       async () => {
         const first = await text;
         if (first === null) throw new Error("the host has no model for this page");

@@ -70,10 +70,6 @@ export type SettingsNow = Pick<SettingsStore, "values" | "on">;
 export type ClipsNow = Pick<ClipsStore, "ticked" | "toTrainOn" | "parts" | "clash" | "samplesLoaded" | "on">;
 
 export class ComparisonStore extends Job {
-  readonly #engine: EngineState;
-  readonly #settings: SettingsNow;
-  readonly #clips: ClipsNow;
-  readonly #whole: WholeWorkers;
   readonly #entries = new Map<string, ComparisonEntry>();
   readonly #planning: Latest<Asked, PlannedComparison>;
   #shown: ComparisonEntry | null = null;
@@ -89,12 +85,13 @@ export class ComparisonStore extends Job {
   /** Which results the worker holds: only the new outcome is sent to it. */
   readonly #states = new WeakMap<ResultsView, number>();
 
-  constructor(engine: EngineState, settings: SettingsNow, clips: ClipsNow, whole: WholeWorkers) {
+  constructor(
+    private readonly engine: EngineState,
+    private readonly settings: SettingsNow,
+    private readonly clips: ClipsNow,
+    private readonly whole: WholeWorkers,
+  ) {
     super();
-    this.#engine = engine;
-    this.#settings = settings;
-    this.#clips = clips;
-    this.#whole = whole;
     this.#planning = new Latest(
       async (asked) => {
         this.#width = whole.pool.width;
@@ -124,7 +121,7 @@ export class ComparisonStore extends Job {
   async makeStudy(): Promise<string> {
     const request = this.#shown && studyRequestOf(this.#shown);
     if (!request) throw new Error(compareWords().noModelYet);
-    return this.#whole.desk.run((worker) => worker.makeStudy(request));
+    return this.whole.desk.run((worker) => worker.makeStudy(request));
   }
 
   /** The number of jobs that run at the same time. */
@@ -162,13 +159,13 @@ export class ComparisonStore extends Job {
 
   /** What is missing for a plan. */
   #obstacle(): string {
-    const { state } = this.#engine;
-    const clips = this.#clips;
+    const { state } = this.engine;
+    const clips = this.clips;
     const { whyNot } = compareWords();
     if (state === "loading") return whyNot.gettingReady;
     if (state === "failed") return whyNot.cannotRun;
     if (!clips.samplesLoaded) return lab().learn.training.whyNot.samples;
-    const { models, heldOut } = this.#settings.values;
+    const { models, heldOut } = this.settings.values;
     const ticked = clips.ticked.length;
     if (ticked < 2) return whyNot.twoClips;
     if (clips.clash) return clips.clash;
@@ -178,7 +175,7 @@ export class ComparisonStore extends Job {
 
   /** Updates the plan with settings and clips, until the returned function is called. */
   follow(): () => void {
-    const stops = [this.#engine, this.#settings, this.#clips].map((store) => store.on(() => this.#ask()));
+    const stops = [this.engine, this.settings, this.clips].map((store) => store.on(() => this.#ask()));
     this.#ask();
     return () => {
       for (const stop of stops) stop();
@@ -197,7 +194,7 @@ export class ComparisonStore extends Job {
     this.#isPlanning = true;
     const signal = this.startJob();
     try {
-      const { pool, desk } = this.#whole;
+      const { pool, desk } = this.whole;
       this.#width = pool.width;
       const planned = await desk.run((worker) => plan(worker, asked), signal);
       signal.throwIfAborted();
@@ -247,7 +244,7 @@ export class ComparisonStore extends Job {
    */
   async open(text: string, onDisk = true): Promise<boolean> {
     this.#refuseWhileBusy();
-    const results = await this.#whole.desk.run((worker) => worker.openResults(text));
+    const results = await this.whole.desk.run((worker) => worker.openResults(text));
     if (!(await mayLose(workOf(this.#shown)))) return false;
     this.#refuseWhileBusy();
     this.#shown = newEntry(null, results, onDisk ? results.text : "");
@@ -261,7 +258,7 @@ export class ComparisonStore extends Job {
     const isFree = () => this.#shown === null && !this.busy;
     if (!isFree()) return;
     const given = await text();
-    const results = await this.#whole.desk.run((worker) => worker.openResults(given));
+    const results = await this.whole.desk.run((worker) => worker.openResults(given));
     if (!isFree()) return;
     this.#shown = givenEntry(results);
     this.#askAnew();
@@ -273,7 +270,7 @@ export class ComparisonStore extends Job {
 
   /** The request of the settings and the ticked clips. */
   #request(): Asked | null {
-    const request = comparisonRequest(this.#clips, this.#settings.values);
+    const request = comparisonRequest(this.clips, this.settings.values);
     if (!request) return null;
     const opened = this.#shown?.request === null ? this.#shown : null;
     const stored = this.#entries.get(request.key) ?? opened;
@@ -362,7 +359,7 @@ export class ComparisonStore extends Job {
     progress: JobProgress,
     signal: AbortSignal,
   ): Promise<Evaluated | null> {
-    return this.#whole.pool.run((worker) => {
+    return this.whole.pool.run((worker) => {
       progress.state = "running";
       const start = performance.now();
       const report = (fraction: number) => {
@@ -379,7 +376,7 @@ export class ComparisonStore extends Job {
       const { results } = entry;
       if (results.finished.some((finished) => finished.id === id && finished.outcome)) return;
       const add = (from: number | string) =>
-        this.#whole.desk.run((worker) => worker.addOutcome(from, job, outcome));
+        this.whole.desk.run((worker) => worker.addOutcome(from, job, outcome));
       // The worker may have died; a new one needs the whole file.
       const held = await add(this.#states.get(results) ?? results.text).catch(() => null);
       const result = held ?? (await add(results.text));

@@ -8,8 +8,6 @@ import { Job } from "../ui/job";
 import { type ExperimentRun, isSame, newRun } from "./experiments";
 
 export class ExperimentStore extends Job {
-  readonly #settings: Pick<SettingsStore, "values" | "on">;
-  readonly #whole: WholeWorkers;
   readonly #drawing: Latest<Experiment, SyntheticTruth>;
   #runs: readonly ExperimentRun[] = [];
   #asked: readonly ExperimentRun[] = [];
@@ -20,10 +18,11 @@ export class ExperimentStore extends Job {
   #drawn: { experiment: Experiment; truth: SyntheticTruth } | null = null;
   #width = 1;
 
-  constructor(settings: Pick<SettingsStore, "values" | "on">, whole: WholeWorkers) {
+  constructor(
+    private readonly settings: Pick<SettingsStore, "values" | "on">,
+    private readonly whole: WholeWorkers,
+  ) {
     super();
-    this.#settings = settings;
-    this.#whole = whole;
     this.#drawing = new Latest(
       (experiment) => whole.desk.run((worker) => worker.drawExperiment(experiment)),
       (truth, experiment) => {
@@ -60,7 +59,7 @@ export class ExperimentStore extends Job {
 
   /** The experiment on screen: that of the riddle, else the one that the settings name. */
   get experiment(): Experiment {
-    const { drawn: seed, driving } = this.#settings.values;
+    const { drawn: seed, driving } = this.settings.values;
     return this.#riddle ?? { seed, driving };
   }
 
@@ -99,7 +98,7 @@ export class ExperimentStore extends Job {
       if (!this.#wanted || !isSame(this.#wanted, this.experiment)) this.draw();
     };
     draw();
-    return this.#settings.on(draw);
+    return this.settings.on(draw);
   }
 
   draw(): void {
@@ -128,7 +127,7 @@ export class ExperimentStore extends Job {
   async #carryOut(run: ExperimentRun, signal: AbortSignal): Promise<void> {
     const { seed, driving } = run;
     try {
-      const { pool } = this.#whole;
+      const { pool } = this.whole;
       this.#width = pool.width;
       const outcome = await pool.run((worker) => {
         run.state = "running";

@@ -58,7 +58,6 @@ export interface StageColumn {
 }
 
 export class StageStore extends Store {
-  readonly #playback: Playback;
   /** The clip in front of the model. */
   #clip: StageContent | null = null;
   #model: StageContent | null = null;
@@ -92,9 +91,8 @@ export class StageStore extends Store {
     return look;
   }
 
-  constructor(playback: Playback) {
+  constructor(private readonly playback: Playback) {
     super();
-    this.#playback = playback;
   }
 
   get content(): StageContent | null {
@@ -122,7 +120,7 @@ export class StageStore extends Store {
   /** The frame of the outline now; null while it has none. */
   get ghostFrame(): number | null {
     const { live } = this;
-    const { frame } = this.#playback;
+    const { frame } = this.playback;
     return live ? live.recordedAt(frame) : frame;
   }
 
@@ -156,7 +154,7 @@ export class StageStore extends Store {
     this.#clip = null;
     this.#track = track;
     this.#live = { ...this.#model, motion: track.motion, live: true };
-    this.#playback.follow(track);
+    this.playback.follow(track);
     this.changed();
   }
 
@@ -237,7 +235,7 @@ export class StageStore extends Store {
   }
 
   #play(content: StageContent, goesOn: boolean): void {
-    this.#playback.load(content.motion, {
+    this.playback.load(content.motion, {
       whole: content.kind === "clip" || content.kind === "completed",
       goesOn,
     });

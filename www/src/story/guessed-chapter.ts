@@ -10,19 +10,21 @@ import type { Chapter, Guess } from "./chapter";
 
 export abstract class GuessedChapter<Name extends ChapterName> extends Store implements Chapter {
   protected readonly allWords: WordsStore;
-  readonly #name: Name;
   /** The visitor's guess; null before. */
   protected choice: string | null = null;
   /** Called when the chapter leaves the screen. */
   protected stops: (() => void)[] = [];
 
-  constructor(words: WordsStore, name: Name) {
+  constructor(
+    words: WordsStore,
+    private readonly name: Name,
+  ) {
     super();
-    [this.allWords, this.#name] = [words, name];
+    this.allWords = words;
   }
 
   get words(): Words["chapters"][Name] {
-    return this.allWords.now.chapters[this.#name];
+    return this.allWords.now.chapters[this.name];
   }
 
   protected get hasGuessed(): boolean {

@@ -26,16 +26,14 @@ const LOAD: Readonly<Record<ChapterName, () => Loading>> = {
 export type ChapterState = "loading" | "open" | "failed";
 
 export class OpenChapters extends Store {
-  readonly #app: App;
   readonly #loaded = new Map<ChapterName, Lazy<Chapter>>();
   #name: ChapterName | null = null;
   #chapter: Chapter | null = null;
   #state: ChapterState = "loading";
   #stop = () => {};
 
-  constructor(app: App) {
+  constructor(private readonly app: App) {
     super();
-    this.#app = app;
   }
 
   /** The chapter that the visitor asked for last; null before the first. */
@@ -86,7 +84,7 @@ export class OpenChapters extends Store {
   #lazy(name: ChapterName): Lazy<Chapter> {
     const before = this.#loaded.get(name);
     if (before) return before;
-    const opened = new Lazy(async () => (await LOAD[name]()).openChapter(this.#app));
+    const opened = new Lazy(async () => (await LOAD[name]()).openChapter(this.app));
     this.#loaded.set(name, opened);
     return opened;
   }

@@ -85,13 +85,14 @@ type Thread = keyof typeof THREADS;
 const presetOf = (thread: Thread) => START_PRESETS.find(({ id }) => id === THREADS[thread])!;
 
 export class ArmsChapter extends GuessedChapter<"arms"> {
-  readonly body: StoryBody;
   #thread: Thread = "tied";
   readonly #walk: EndlessWalk;
 
-  constructor(words: WordsStore, body: StoryBody) {
+  constructor(
+    words: WordsStore,
+    readonly body: StoryBody,
+  ) {
     super(words, "arms");
-    this.body = body;
     this.#walk = new EndlessWalk(body, () => this.changed());
   }
 

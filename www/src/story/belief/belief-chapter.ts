@@ -128,22 +128,24 @@ export const TO_RHYTHMIC_DMP: Ratio = [1.07, 0.95, 1.28];
 const SEED = 1;
 
 export class BeliefChapter extends GuessedChapter<"belief"> {
-  readonly #random: () => number;
   readonly #settings = new SettingsStore(NO_ADDRESS);
   readonly experiment: ExperimentStore;
   #rounds: Round[] = [];
   #isCurtainOpen = false;
   #score = { you: 0, model: 0, rounds: 0 };
 
-  constructor(words: WordsStore, whole: WholeWorkers, random = randomNumbers(SEED)) {
+  constructor(
+    words: WordsStore,
+    whole: WholeWorkers,
+    private readonly random: () => number = randomNumbers(SEED),
+  ) {
     super(words, "belief");
-    this.#random = random;
     this.experiment = new ExperimentStore(this.#settings, whole);
   }
 
   /** The round on screen. */
   get round(): Round {
-    if (this.#rounds.length === 0) this.#rounds = threeRounds(this.#random);
+    if (this.#rounds.length === 0) this.#rounds = threeRounds(this.random);
     return this.#rounds[0]!;
   }
 

@@ -91,15 +91,16 @@ export function outcomeOf(now: HandsAndFeet, own: HandsAndFeet, legs: HandsAndFe
 }
 
 export class BorrowChapter extends GuessedChapter<"borrow"> {
-  readonly #settings: SettingsStore;
-  readonly library: LibraryStore;
   /** The combination that the visitor left in the Lab; null: the chapter is not on screen. */
   #before: readonly number[] | null = null;
   #isHere = false;
 
-  constructor(words: WordsStore, settings: SettingsStore, library: LibraryStore) {
+  constructor(
+    words: WordsStore,
+    private readonly settings: SettingsStore,
+    readonly library: LibraryStore,
+  ) {
     super(words, "borrow");
-    [this.#settings, this.library] = [settings, library];
   }
 
   get #recorded() {
@@ -198,7 +199,7 @@ export class BorrowChapter extends GuessedChapter<"borrow"> {
   override leave(): void {
     this.#isHere = false;
     super.leave();
-    const { chapter, view } = this.#settings.values;
+    const { chapter, view } = this.settings.values;
     // The link to the Lab shows this combination there.
     const isInLab = chapter === 0 && view === "primitives";
     if (this.#before && !isInLab) this.library.take(this.#before);

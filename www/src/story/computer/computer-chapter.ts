@@ -95,7 +95,6 @@ const otherSide = (side: WalkerSide): WalkerSide => (side === "left" ? "right" :
 
 export class ComputerChapter extends Store implements Chapter {
   readonly #words: WordsStore;
-  readonly #walkers: Walkers;
   /** The side of the model in each pair. */
   readonly #sides: WalkerSide[];
   #place = 0;
@@ -104,10 +103,13 @@ export class ComputerChapter extends Store implements Chapter {
   #playing = false;
 
   /** `random`: the model is on the left below 0.5. */
-  constructor(words: WordsStore, walkers: Walkers, random = randomNumbers(SEED)) {
+  constructor(
+    words: WordsStore,
+    private readonly walkers: Walkers,
+    random = randomNumbers(SEED),
+  ) {
     super();
     this.#words = words;
-    this.#walkers = walkers;
     this.#sides = walkers.pairs.map(() => (random() < 0.5 ? "left" : "right"));
   }
 
@@ -116,11 +118,11 @@ export class ComputerChapter extends Store implements Chapter {
   }
 
   get body() {
-    return this.#walkers.body;
+    return this.walkers.body;
   }
 
   get pair(): WalkerPair {
-    return this.#walkers.pairs[this.#place]!;
+    return this.walkers.pairs[this.#place]!;
   }
 
   get modelSide(): WalkerSide {
@@ -163,7 +165,7 @@ export class ComputerChapter extends Store implements Chapter {
     if (!this.#playing)
       return html`<button class="story-button" data-testid="walk" @click=${() => this.#play()}>${play}</button>`;
     if (this.isOpen) return null;
-    const isLast = this.#place === this.#walkers.pairs.length - 1;
+    const isLast = this.#place === this.walkers.pairs.length - 1;
     return html`<button class="story-button" data-testid="next-pair" @click=${() => this.#turn()}>${isLast ? again : next}</button>`;
   }
 
@@ -201,7 +203,7 @@ export class ComputerChapter extends Store implements Chapter {
   #turn(): void {
     this.#choice = null;
     this.#place += 1;
-    if (this.#place === this.#walkers.pairs.length) {
+    if (this.#place === this.walkers.pairs.length) {
       [this.#place, this.#found] = [0, 0];
       this.#sides.forEach((side, i) => {
         this.#sides[i] = otherSide(side);

@@ -12,12 +12,10 @@ import "../../stage/stage-view";
 const DOORS = { lab: "view=play", own: "view=play&tab=learn", primitives: "view=primitives" } as const;
 
 export class EndChapter extends Store implements Chapter {
-  readonly #body: StoryBody;
   readonly #walk: EndlessWalk;
 
-  constructor(body: StoryBody) {
+  constructor(private readonly body: StoryBody) {
     super();
-    this.#body = body;
     this.#walk = new EndlessWalk(body, () => this.changed());
   }
 
@@ -26,7 +24,7 @@ export class EndChapter extends Store implements Chapter {
   }
 
   stage() {
-    const { stage, playback } = this.#body;
+    const { stage, playback } = this.body;
     return html`<pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${this.#now.figure}></pg-stage>`;
   }
 

@@ -38,16 +38,13 @@ function walkLoop({ model: { model, learned } }: StoryBody, part: number, around
 }
 
 class PoseStage {
-  readonly #body: StoryBody;
   #posed = false;
 
-  constructor(body: StoryBody) {
-    this.#body = body;
-  }
+  constructor(private readonly body: StoryBody) {}
 
   /** Shows a pose [nodes x 3], one part of it faintly. */
   show(positions: Float32Array, fade: Fade): void {
-    const { stage, model } = this.#body;
+    const { stage, model } = this.body;
     const { content } = stage;
     const motion = model.rollout?.motion;
     if (!content || !motion) return;
@@ -59,7 +56,7 @@ class PoseStage {
 
   /** Plays another motion of the same body. */
   play(motion: Motion): void {
-    const { stage } = this.#body;
+    const { stage } = this.body;
     if (!stage.content) return;
     this.#posed = true;
     stage.showModel({ ...stage.content, motion });
@@ -67,7 +64,7 @@ class PoseStage {
 
   /** Shows the walk again. */
   end(): void {
-    const { stage, model } = this.#body;
+    const { stage, model } = this.body;
     stage.setFade(null);
     if (!this.#posed || !stage.content || !model.rollout) return;
     this.#posed = false;
@@ -79,16 +76,18 @@ export abstract class LatentChapter<Name extends ChapterName>
   extends GuessedChapter<Name>
   implements LatentScene
 {
-  protected readonly body: StoryBody;
   protected readonly pose: PoseStage;
   /** Null before the model has arrived. */
   protected loop: WalkLoop | null = null;
   /** Whether the chapter is on screen. */
   protected isHere = false;
 
-  constructor(words: WordsStore, name: Name, body: StoryBody) {
+  constructor(
+    words: WordsStore,
+    name: Name,
+    protected readonly body: StoryBody,
+  ) {
     super(words, name);
-    this.body = body;
     this.pose = new PoseStage(body);
   }
 

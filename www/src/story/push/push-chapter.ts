@@ -214,7 +214,6 @@ const AGAIN = 100;
 const isDone = (way: Homecoming | null) => way !== null && (way.seconds !== null || way.isLost);
 
 export class PushChapter extends GuessedChapter<"push"> {
-  readonly body: StoryBody;
   #live: LiveStore | null = null;
   readonly #walk: EndlessWalk;
   #stopPull = () => {};
@@ -223,9 +222,11 @@ export class PushChapter extends GuessedChapter<"push"> {
   #push: Push | null = null;
   #way: Homecoming | null = null;
 
-  constructor(words: WordsStore, body: StoryBody) {
+  constructor(
+    words: WordsStore,
+    readonly body: StoryBody,
+  ) {
     super(words, "push");
-    this.body = body;
     this.#walk = new EndlessWalk(
       body,
       () => this.changed(),
