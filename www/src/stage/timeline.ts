@@ -2,7 +2,7 @@
 import { html, nothing } from "lit";
 import { SETTINGS } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
-import { clearCanvas } from "../ui/canvas";
+import { clearCanvas } from "../ui/browser";
 import { fixed } from "../ui/format";
 import { icon } from "../ui/icons";
 import { onThemeChange, partColourNow } from "../ui/palette";
