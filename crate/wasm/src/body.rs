@@ -3,53 +3,27 @@
 use serde::Serialize;
 use vcgpdm::motion::Skeleton;
 use vcgpdm::motion::skeleton::{FigureNode, Joint};
-use wasm_bindgen::prelude::*;
-
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** A part is a named group of joints that move together, by their place in the skeleton. */
-export interface PartSpec {
-    name: string;
-    joints: number[];
-}
-
-export interface JointInfo {
-    name: string;
-    /** Null for the root. */
-    parent: number | null;
-    /** What the file records of it, e.g. "Xrotation". */
-    channels: string[];
-}
-
-/** A joint or an end site. A bone runs from each node to its parent node. */
-export interface FigureNode {
-    /** The joint, or, for an end site, the joint whose bone ends here. */
-    joint: number;
-    /** The parent node; null for the root. */
-    parent: number | null;
-    endSite: boolean;
-}
-
-/** What a picture of the body draws. */
-export interface Figure {
-    nodes: FigureNode[];
-}
-"#;
 
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 struct JointInfo {
     name: String,
+    /// Null for the root.
     parent: Option<usize>,
+    /// What the file records of it, e.g. "Xrotation".
     channels: Vec<&'static str>,
 }
 
+/// What a picture of the body draws.
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 struct Figure {
     nodes: Vec<FigureNode>,
 }
 
 /// The joints of a body, and what a picture of it draws.
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct BodyInfo {
     joints: Vec<JointInfo>,
     figure: Figure,

@@ -8,21 +8,14 @@ use serde::Deserialize;
 use vcgpdm::motion::{Clip, bvh};
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** How the text of a BVH file is written. */
-export interface BvhOptions {
-    /**
-     * Whether joints get names that every program reads: `mixamorig:Hips` becomes `Hips`. three.js does not
-     * move joints whose names have a colon. Absent: the names stay.
-     */
-    plainNames?: boolean;
-}
-"#;
-
+/// How the text of a BVH file is written.
 #[derive(Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-struct BvhOptions {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct BvhOptions {
+    /// Whether joints get names that every program reads: `mixamorig:Hips` becomes `Hips`. three.js does not
+    /// move joints whose names have a colon. Absent: the names stay.
+    #[cfg_attr(feature = "types", ts(type = "boolean", optional))]
     plain_names: bool,
 }
 

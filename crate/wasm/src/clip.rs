@@ -20,90 +20,50 @@ use vcgpdm::motion::stage::{Stage, UpAxis};
 use vcgpdm::motion::{Clip as MotionClip, parts, samples};
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** A way to split the body, found from the names of its joints. */
-export interface PartsPreset {
-    id: string;
-    title: string;
-    parts: PartSpec[];
-}
-
-/** The axis that points up in a file; "-z": z points down. */
-export type UpAxis = "x" | "y" | "z" | "-x" | "-y" | "-z";
-
-/** The name, size, body and warnings of a clip. */
-export interface ClipInfo {
-    name: string;
-    /** SHA-256 of the file, hexadecimal. */
-    sha256: string;
-    joints: JointInfo[];
-    figure: Figure;
-    frames: number;
-    /** Seconds from one frame to the next. */
-    frameTime: number;
-    /** Height of the body in the file's own units. */
-    height: number;
-    upAxis: UpAxis;
-    /** What was odd about the file but could be read. */
-    warnings: string[];
-    /** The root joints of the bodies in the file, where it has several; the first is read. `Clip.readBody` reads another. */
-    bodies: string[];
-    /** Ways to split the body; at least "whole". */
-    presets: PartsPreset[];
-}
-
-/** A clip as plain data that `postMessage` can send to a worker. */
-export interface ClipState {
-    name: string;
-    bvh: string;
-    sha256: string;
-    warnings: string[];
-    /** The frames of the file that a cut clip contains; null if it was not cut. */
-    piece: [number, number] | null;
-    /** Seconds from one frame of the file to the next. */
-    fileFrameTime: number;
-    bonesOf: string | null;
-    /** The axis that points up, if it was stated. */
-    up: UpAxis | null;
-    /** The axis that was found when the file was read. */
-    foundUp: UpAxis | null;
-}
-
-/** A clip that the project makes itself. */
-export interface SampleInfo {
-    id: string;
-    title: string;
-    movement: string;
-}
-"#;
-
+/// The name, size, body and warnings of a clip.
 #[derive(Serialize)]
-struct ClipInfo<'a> {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct ClipInfo<'a> {
     name: &'a str,
+    /// SHA-256 of the file, hexadecimal.
     sha256: &'a str,
     frames: usize,
+    /// Seconds from one frame to the next.
     frame_time: f64,
+    /// Height of the body in the file's own units.
     height: f64,
+    #[cfg_attr(feature = "types", ts(as = "UpAxis"))]
     up_axis: &'static str,
+    /// What was odd about the file but could be read.
     warnings: &'a [String],
+    /// The root joints of the bodies in the file, where it has several; the first is read. `Clip.readBody`
+    /// reads another.
     #[cfg(feature = "training")]
     bodies: &'a [String],
+    /// Ways to split the body; at least "whole".
     presets: Vec<PartsPreset>,
 }
 
+/// A clip as plain data that `postMessage` can send to a worker.
 #[cfg(feature = "training")]
 #[derive(Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
-struct ClipState {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct ClipState {
     name: String,
     bvh: String,
     sha256: String,
     warnings: Vec<String>,
+    /// The frames of the file that a cut clip contains; null if it was not cut.
     piece: Option<(usize, usize)>,
+    /// Seconds from one frame of the file to the next.
     file_frame_time: f64,
     bones_of: Option<String>,
+    /// The axis that points up, if it was stated.
+    #[cfg_attr(feature = "types", ts(as = "Option<UpAxis>"))]
     up: Option<String>,
+    /// The axis that was found when the file was read.
+    #[cfg_attr(feature = "types", ts(as = "Option<UpAxis>"))]
     found_up: Option<String>,
 }
 

@@ -17,52 +17,29 @@ use vcgpdm::models::{
 };
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** What is observed of a recording. */
-export interface CompleteOptions {
-    /** The names of the observed parts. */
-    given: string[];
-    /** They are observed until this time, in seconds; absent: to the end. */
-    until?: number;
-    /** Coupling variances `alpha[source][target]`; absent: as learned. */
-    alpha?: number[][] | null;
-    /** Absent: as learned. */
-    reading?: Reading;
-}
-
-/** How well inferred columns of a part fit the recorded ones. */
-export interface CompletionScore {
-    /** Mean squared error over all frames and columns. */
-    mse: number;
-    /** That of the mean pose of the training clips. */
-    mseMeanPose: number;
-    /** The share of the numbers within the 95 % band of their prediction. */
-    coverage95: number;
-    /** The log density of a frame, in nats; the mean over the frames. */
-    logDensity: number;
-}
-
-/** The errors of a part that was not given, while the others are observed. */
-export interface PartCompletion extends CompletionScore {
-    part: string;
-    /** From `until` on; absent without it. */
-    afterCut?: CompletionScore;
-}
-"#;
-
+/// What is observed of a recording.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Options {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "CompleteOptions"))]
+pub(crate) struct Options {
+    /// The names of the observed parts.
     given: Vec<String>,
+    /// They are observed until this time, in seconds; absent: to the end.
+    #[cfg_attr(feature = "types", ts(optional))]
     until: Option<f64>,
+    /// Coupling variances `alpha[source][target]`; absent: as learned.
+    #[cfg_attr(feature = "types", ts(optional = nullable))]
     alpha: Option<Vec<Vec<f64>>>,
+    /// Absent: as learned.
     #[serde(default)]
+    #[cfg_attr(feature = "types", ts(as = "Option<_>", optional))]
     reading: Reading,
 }
 
+/// The errors of a part that was not given, while the others are observed.
 #[derive(Serialize)]
-struct PartScores<'a> {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "PartCompletion"))]
+pub(crate) struct PartScores<'a> {
     part: &'a str,
     #[serde(flatten)]
     scores: PartCompletion,

@@ -5,15 +5,6 @@ use crate::convert::to_js;
 use crate::error::{ErrorCode, VcgpdmError};
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/**
- * A kind of JSON document: a model of a body or of tables, a library of primitives, results of a comparison,
- * a study, a list (as the answers to a study are), or anything else.
- */
-export type DocumentKind = "model" | "series-model" | "library" | "results" | "study" | "list" | "unknown";
-"#;
-
 /// The kind of a JSON document, whatever the order of its fields; fast for large documents.
 #[wasm_bindgen(js_name = documentKind, unchecked_return_type = "DocumentKind")]
 pub fn document_kind(text: &Text) -> Result<JsValue, VcgpdmError> {

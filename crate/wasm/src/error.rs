@@ -7,37 +7,6 @@ pub use vcgpdm::coded::Code as ErrorCode;
 use vcgpdm::coded::Coded;
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** The subject of a `VcgpdmError`. */
-export type ErrorCode =
-    | "clip"
-    | "clips"
-    | "bones"
-    | "parts"
-    | "settings"
-    | "training"
-    | "model"
-    | "rollout"
-    | "comparison"
-    | "results"
-    | "study"
-    | "table"
-    | "numerics"
-    | "argument"
-    | "freed";
-
-/**
- * Every function throws this error when it fails; the message says what was expected and what was found.
- * The code is "argument" for an argument of another class, and "freed" for an object that is used after its
- * `free()`.
- */
-export interface VcgpdmError extends Error {
-    name: "VcgpdmError";
-    code: ErrorCode;
-}
-"#;
-
 /// What a function throws.
 pub enum VcgpdmError {
     /// An error of the package.

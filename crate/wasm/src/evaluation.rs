@@ -14,133 +14,16 @@ use vcgpdm::motion::parts::PartSpec;
 use vcgpdm_lab::evaluation::{CandidateKind, Fold as HeldOut, Job, START_FRAMES};
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** The settings that all folds of a comparison share. Each has a default. */
-export interface ComparisonSettings {
-    /** The parts of the coupled models, as in `TrainingOptions`. */
-    parts?: string | NamedPart[];
-    /** The clips are brought to about this rate; absent: 30. */
-    framesPerSecond?: number;
-}
-
-/** A trial held out, and how many of the others are trained on. */
-export interface FoldOptions {
-    /** Counted from 0; absent: the first. */
-    heldOut?: number;
-    /** Trains on the first ones of the other trials; absent: on all. */
-    trainingTrials?: number;
-}
-
-/** A model with all of its settings but the seed. */
-export type Candidate =
-    | {
-        model: "vcgpdm" | "vgpdm";
-        /** Latent dimensions Q of every part. */
-        latent: number;
-        /** Order p of the dynamics. */
-        order: number;
-        /** Dynamics inducing points of every expert. */
-        dynamicsIps: number;
-        /** Pose inducing points of every part. */
-        poseIps: number;
-        /** Most iterations of the optimiser. */
-        maxIterations: number;
-        /** The factor of the pose terms in the objective; absent: 1. */
-        poseWeight?: number | "balanced";
-        /** Whether each part of a vCGPDM learns as if it were alone; absent: no. */
-        uncoupled?: boolean;
-    }
-    | {
-        model: "map-gpdm" | "map-cgpdm";
-        latent: number;
-        order: number;
-        maxIterations: number;
-        /** Whether the dynamics weigh D / Q times as much (Urtasun, Fleet & Fua 2006). */
-        balanced: boolean;
-        /** Whether the kernels of the dynamics have a linear term (Wang et al. 2008); absent: no. */
-        linear?: boolean;
-    }
-    | {
-        model: "tmp";
-        /** Null: chosen by the bound. */
-        primitives: number | null;
-        /**
-         * Over normalised time, with weights that all trials share, as in the papers; absent: over learned
-         * phases.
-         */
-        normalisedTime?: boolean;
-    }
-    | {
-        model: "dmp-discrete" | "dmp-rhythmic";
-        /** Basis functions of each column. */
-        bases: number;
-    };
-
-/** A model that only files of results of the terminal program contain. It cannot be trained here. */
-export type Rival =
-    /** Probabilistic movement primitives with basis functions of each column. */
-    | { model: "promp"; bases: number }
-    /** An autoregression on principal components, with frames of history. */
-    | { model: "ar"; components: number; order: number };
-
-/** The progress of an evaluation. */
-export interface EvaluationProgress {
-    /** Share of the training done, 0 to 1. Time left is at most elapsed * (1 - fraction) / fraction. */
-    fraction: number;
-    /** Whether training has ended. */
-    done: boolean;
-}
-
-/** How far a prediction is from the trial held out, in the squared units of the columns. */
-export interface Score {
-    /** Mean squared error after dynamic time warping. */
-    dtwMse: number;
-    /** Mean squared error frame by frame. */
-    mse: number;
-    /** The error of a prediction that does not move. */
-    variance: number;
-}
-
-/** The outcome of one model in one fold. */
-export interface Outcome {
-    score: Score;
-    /** The bound on the log evidence, in nats, where the model has one. */
-    bound: number | null;
-    /** What training maximised, at its best. */
-    objective: number;
-    /** Iterations of the training. */
-    iterations: number;
-    /** Seconds of the training. */
-    seconds: number;
-    /** Frames trained on. */
-    frames: number;
-    /** Numbers that must be kept to roll out. */
-    storedNumbers: number;
-    /** Why training ended, as a sentence. */
-    reason: string | null;
-    /**
-     * The terms of the bound, in nats, of each part where they have parts; absent without such a bound, or in
-     * results of earlier programs.
-     */
-    terms?: { kinematics: number[]; dynamics: number[]; initial: number; entropy: number };
-    /** The error of each part; absent in results of earlier programs. */
-    partErrors?: number[];
-    /**
-     * The mean error over the trials trained on; absent where one could not be scored, or in results of
-     * earlier programs.
-     */
-    trainingMse?: number;
-}
-"#;
-
-/// The settings that all folds of a comparison share.
+/// The settings that all folds of a comparison share. Each has a default.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct ComparisonSettings {
-    /// How the coupled models split the body.
+    /// The parts of the coupled models, as in `TrainingOptions`.
+    #[cfg_attr(feature = "types", ts(type = "string | NamedPart[]", optional))]
     pub parts: Vec<PartSpec>,
-    /// The clips are brought to about this rate.
+    /// The clips are brought to about this rate; absent: 30.
+    #[cfg_attr(feature = "types", ts(type = "number", optional))]
     pub frames_per_second: f64,
 }
 
@@ -160,10 +43,16 @@ impl ComparisonSettings {
     }
 }
 
+/// A trial held out, and how many of the others are trained on.
 #[derive(Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-struct FoldOptions {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct FoldOptions {
+    /// Counted from 0; absent: the first.
+    #[cfg_attr(feature = "types", ts(type = "number", optional))]
     held_out: usize,
+    /// Trains on the first ones of the other trials; absent: on all.
+    #[cfg_attr(feature = "types", ts(optional))]
     training_trials: Option<usize>,
 }
 
@@ -177,9 +66,13 @@ pub fn check_held_out(held_out: usize, trials: usize) -> Result<(), VcgpdmError>
     Err(VcgpdmError::new(ErrorCode::Comparison, &words))
 }
 
+/// The progress of an evaluation.
 #[derive(Serialize)]
-struct EvaluationProgress {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct EvaluationProgress {
+    /// Share of the training done, 0 to 1. Time left is at most elapsed * (1 - fraction) / fraction.
     fraction: f64,
+    /// Whether training has ended.
     done: bool,
 }
 
@@ -297,24 +190,6 @@ impl Prediction {
         Ok(self.fold.body().positions(&y)?)
     }
 }
-
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** A candidate that a caller gives: absent fields are the defaults of its model. */
-export type CandidateOptions = Partial<Candidate>;
-
-/** A job that a caller gives. Each field has a default. */
-export interface JobOptions {
-    /** Absent: a vCGPDM. */
-    candidate?: CandidateOptions;
-    /** The held-out trial, counted from 0; absent: the first. */
-    heldOut?: number;
-    /** The number of other trials in the training set; absent: all. */
-    trainingTrials?: number;
-    /** Absent: 0. */
-    seed?: number;
-}
-"#;
 
 /// A candidate from JavaScript. Absent fields are the defaults of its model; an absent model is of the
 /// `usual` kind.

@@ -2,7 +2,6 @@
 //!
 //! Types are the library's own; `convert.rs` carries them over in camelCase, `error.rs` carries its errors.
 //! The TypeScript of a function is declared next to it.
-#![cfg(target_arch = "wasm32")]
 
 mod arguments;
 mod body;
@@ -55,9 +54,13 @@ mod tables;
 mod trained;
 #[cfg(feature = "training")]
 mod trainer;
+#[cfg(feature = "types")]
+mod types;
 mod wording;
 
 use error::{ErrorCode, VcgpdmError};
+#[cfg(feature = "types")]
+pub use types::declarations;
 use wasm_bindgen::prelude::*;
 
 /// A fresh seed from the machine's own randomness.

@@ -5,104 +5,53 @@ use crate::body::BodyInfo;
 use crate::clip::TrainingSet;
 use crate::convert::{from_js, matrix, rows, to_js, to_js_joined};
 use crate::error::{ErrorCode, VcgpdmError};
-use crate::model::{Model, PartInfo, part_infos};
+use crate::model::{Model, ModelProvenance, PartInfo, part_infos};
 use crate::origin::PrimitiveOrigin;
-use crate::settings::{Task, settings_to_js};
 use nalgebra::DMatrix;
 use serde::Serialize;
 use std::rc::Rc;
 use vcgpdm::models::SequenceInfo;
 use vcgpdm::models::library::{CouplingsFrom, EncodedClip, LearnedMovement, Primitive, TrainedLibrary};
-use vcgpdm::models::variational::BoundTerms;
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/**
- * The origin of a movement's couplings: learned with the primitives, fitted to clips, taken from another
- * movement, chosen by the user, or all equal to 1.
- */
-export type CouplingsFrom =
-    | { from: "training" }
-    | { from: "clips"; bound: number; iterations: number }
-    | { from: "movement"; movement: string }
-    | { from: "hand" }
-    | { from: "nothing" };
-
-/** A primitive: the dynamics of one part. */
-export interface PrimitiveInfo {
-    name: string;
-    /** The index of the part of the primitive. */
-    part: number;
-    origin: PrimitiveOrigin;
-}
-
-/** A movement of a library. */
-export interface MovementInfo {
-    name: string;
-    /** The primitive of each part. */
-    uses: number[];
-    /** Coupling variances, `alpha[source][target]`. */
-    alpha: number[][];
-    /** Whether the primitives were trained on the movement. */
-    learned: boolean;
-    couplings: CouplingsFrom;
-    sequences: SequenceInfo[];
-}
-
-/** The parts, primitives and movements of a library. */
-export interface LibraryInfo {
-    parts: PartInfo[];
-    primitives: PrimitiveInfo[];
-    movements: MovementInfo[];
-    /** Order p of the dynamics. */
-    order: number;
-    /** Seconds from one frame to the next. */
-    frameTime: number;
-    joints: JointInfo[];
-    figure: Figure;
-    provenance: Provenance;
-}
-"#;
-
+/// A primitive: the dynamics of one part.
 #[derive(Serialize)]
-struct Provenance<'a> {
-    engine: &'a str,
-    #[serde(with = "serde_wasm_bindgen::preserve")]
-    settings: JsValue,
-    bound: f64,
-    objective: f64,
-    terms: &'a BoundTerms,
-    iterations: usize,
-    evaluations: usize,
-    note: Option<&'a str>,
-}
-
-#[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 struct PrimitiveInfo<'a> {
     name: &'a str,
+    /// The index of the part of the primitive.
     part: usize,
     origin: PrimitiveOrigin,
 }
 
+/// A movement of a library.
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 struct MovementInfo<'a> {
     name: &'a str,
+    /// The primitive of each part.
     uses: &'a [usize],
+    /// Coupling variances, `alpha[source][target]`.
     alpha: Vec<Vec<f64>>,
+    /// Whether the primitives were trained on the movement.
     learned: bool,
     couplings: &'a CouplingsFrom,
     sequences: &'a [SequenceInfo],
 }
 
+/// The parts, primitives and movements of a library.
 #[derive(Serialize)]
-struct LibraryInfo<'a> {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct LibraryInfo<'a> {
     parts: Vec<PartInfo<'a>>,
     primitives: Vec<PrimitiveInfo<'a>>,
     movements: Vec<MovementInfo<'a>>,
+    /// Order p of the dynamics.
     order: usize,
+    /// Seconds from one frame to the next.
     frame_time: f64,
-    provenance: Provenance<'a>,
+    #[cfg_attr(feature = "types", ts(type = "Provenance"))]
+    provenance: ModelProvenance<'a>,
 }
 
 /// Indices of primitives of a library.
@@ -136,11 +85,6 @@ impl Library {
     #[wasm_bindgen(unchecked_return_type = "LibraryInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {
         let TrainedLibrary { library, body, provenance } = &*self.trained;
-        let task = Task {
-            parts: body.layout.parts().to_vec(),
-            frames_per_second: provenance.frames_per_second,
-            seed: provenance.seed,
-        };
         let mut rest = &body.sequences[..];
         let movement = |movement: &LearnedMovement| {
             let (own, others) = rest.split_at(movement.starts.len().min(rest.len()));
@@ -173,11 +117,7 @@ impl Library {
                 .collect(),
             order: library.order,
             frame_time: body.frame_time,
-            provenance: provenance_info(
-                provenance,
-                &library.terms,
-                settings_to_js(&task, &provenance.settings)?,
-            ),
+            provenance: ModelProvenance::new(provenance, body.layout.parts(), Some(&library.terms))?,
         };
         to_js_joined(&info, &BodyInfo::new(body.mapping.skeleton()))
     }
@@ -246,23 +186,5 @@ impl Library {
         let given: Option<Vec<Vec<f64>>> = from_js(ErrorCode::Model, "the couplings", alpha)?;
         self.trained.library.check_uses(uses)?;
         Ok(given.map_or_else(|| self.trained.library.nearest_couplings(uses), |alpha| matrix(&alpha)))
-    }
-}
-
-/// How a library was trained.
-fn provenance_info<'a>(
-    made: &'a vcgpdm::models::Provenance,
-    terms: &'a BoundTerms,
-    settings: JsValue,
-) -> Provenance<'a> {
-    Provenance {
-        engine: &made.engine,
-        settings,
-        bound: made.bound(),
-        objective: made.objective,
-        terms,
-        iterations: made.iterations,
-        evaluations: made.evaluations,
-        note: made.note.as_deref(),
     }
 }

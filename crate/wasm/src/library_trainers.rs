@@ -20,23 +20,16 @@ use vcgpdm::models::{Dataset, DatasetError, Source, VariationalSettings};
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/**
- * The plan of a library's training: the movements in order, the number of clips of each movement (absent: 1),
- * and the parts whose primitive all movements share: by name, or for each part whether it is shared. Absent: no
- * part is shared.
- */
-export interface LibraryPlan {
-    movements: { name: string; sequences?: number }[];
-    shared?: string[] | boolean[];
-}
-"#;
-
+/// The plan of a library's training: the movements in order, the number of clips of each movement (absent:
+/// 1), and the parts whose primitive all movements share: by name, or for each part whether it is shared.
+/// Absent: no part is shared.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Planned {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "LibraryPlan"))]
+pub(crate) struct Planned {
+    #[cfg_attr(feature = "types", ts(inline))]
     movements: Vec<PlannedName>,
+    #[cfg_attr(feature = "types", ts(type = "string[] | boolean[]", optional))]
     shared: Option<Vec<Shared>>,
 }
 
@@ -98,8 +91,10 @@ fn refused_part(expected: &str, found: &str) -> VcgpdmError {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 struct PlannedName {
     name: String,
+    #[cfg_attr(feature = "types", ts(optional))]
     sequences: Option<usize>,
 }
 

@@ -9,26 +9,18 @@ use std::rc::Rc;
 use vcgpdm::models::library::{LibraryWalk as Walk, TrainedLibrary, WalkFrames as Frames};
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/**
- * The start of a walk: a movement, one of its sequences, and a frame of the sequence. All are counted from 0;
- * the default sequence and frame are 0.
- */
-export interface WalkStart {
-    movement: number;
-    sequence?: number;
-    frame?: number;
-}
-"#;
-
+/// The start of a walk: a movement, one of its sequences, and a frame of the sequence. All are counted from
+/// 0; the default sequence and frame are 0.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct WalkStart {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct WalkStart {
     movement: usize,
     #[serde(default)]
+    #[cfg_attr(feature = "types", ts(type = "number", optional))]
     sequence: usize,
     #[serde(default)]
+    #[cfg_attr(feature = "types", ts(type = "number", optional))]
     frame: usize,
 }
 

@@ -12,24 +12,15 @@ use vcgpdm_lab::evaluation::{Outcome, START_FRAMES};
 use vcgpdm_lab::perception::{Maker, StudyMovement};
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** A movement for a new study. */
-export interface MadeMovement {
-    /** The trial, counted from 0. Its id in the study counts from 1. */
-    trial: number;
-    /** The name of the trial. */
-    name: string;
-    /** Seconds from one frame to the next. */
-    frameTime: number;
-}
-"#;
-
 /// A movement for a new study.
 #[derive(Deserialize)]
-struct MadeMovement {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct MadeMovement {
+    /// The trial, counted from 0. Its id in the study counts from 1.
     trial: usize,
+    /// The name of the trial.
     name: String,
+    /// Seconds from one frame to the next.
     frame_time: f64,
 }
 

@@ -15,174 +15,82 @@ use std::rc::Rc;
 use vcgpdm::document::Document;
 use vcgpdm::models::variational::{BoundTerms, PoseMap, Vcgpdm};
 use vcgpdm::models::{
-    ColumnMapping, MOST_SAMPLES, Model as TrainedModel, ModelKind, RolloutRequest, SequenceInfo,
+    ColumnMapping, MOST_SAMPLES, Model as TrainedModel, ModelKind, Provenance, RolloutRequest, SequenceInfo,
 };
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** The terms of the bound, in nats. */
-export interface BoundTerms {
-    /** The pose map of each part. */
-    kinematics: number[];
-    /** The dynamics into each part. */
-    dynamics: number[];
-    /** The prior of the first frames. */
-    initial: number;
-    entropy: number;
-}
-
-/** The kinds of models, in the order of tables. */
-export type ModelKind = "vcgpdm" | "vgpdm" | "map-gpdm" | "map-cgpdm" | "tmp" | "dmp-discrete" | "dmp-rhythmic";
-
-/** A part of a trained model. */
-export interface PartInfo {
-    name: string;
-    joints: number[];
-    /** Latent dimensions Q. */
-    latent: number;
-    /** Pose inducing points L. */
-    poseIps: number;
-}
-
-/** A training sequence that a rollout can start from. */
-export interface SequenceInfo {
-    name: string;
-    sha256: string;
-    frames: number;
-    /**
-     * Seconds from its first frame to where its body comes to rest; null: it moves to its end, or is not
-     * known.
-     */
-    restsFrom: number | null;
-    /**
-     * The frames of the file that were used, the first and the one after the last; null: all, or not known.
-     */
-    piece: [number, number] | null;
-    /** The name of the clip whose bones it was given; null: it kept its own, or not known. */
-    bonesOf: string | null;
-    /** Whether all of the clip's frames are there; else only its first ones are. */
-    whole: boolean;
-}
-
-/** How a vCGPDM, a vGPDM or a library was made. */
-export interface Provenance {
-    /** The program and its version. */
-    engine: string;
-    settings: TrainingSettings;
-    /** The final bound on the log evidence, in nats. */
-    bound: number;
-    /** What training maximised: the bound, or with `poseWeight` the bound with weighted pose terms. */
-    objective: number;
-    terms: BoundTerms;
-    iterations: number;
-    evaluations: number;
-    note: string | null;
-}
-
-/** How a model of any kind was made. */
-export interface ModelProvenance extends Omit<Provenance, "settings" | "bound" | "terms"> {
-    settings: ModelSettings;
-    /** The final bound in nats, or the objective of a model without a bound. */
-    bound: number;
-    /** Null for a model without a bound. */
-    terms: BoundTerms | null;
-}
-
-/** Settings of a training; those of the model itself only of a vCGPDM or vGPDM. */
-export interface ModelSettings {
-    parts: PartSpec[];
-    framesPerSecond: number;
-    seed: number;
-    latent?: number;
-    dynamicsIps?: number;
-    poseIps?: number;
-    order?: number;
-    maxIterations?: number;
-    poseWeight?: number | "balanced";
-    uncoupled?: boolean;
-    ownRollouts?: boolean;
-}
-
-/** A part of a model; latent dimensions and pose inducing points only of a vCGPDM or vGPDM. */
-export interface ModelPart {
-    name: string;
-    /** Of a model of tables, the places of its columns. */
-    joints: number[];
-    latent?: number;
-    poseIps?: number;
-}
-
-/** A model of any kind. */
-export interface ModelInfo {
-    kind: ModelKind;
-    parts: ModelPart[];
-    /** The names of all columns, in the order of `Rollout.values`. */
-    columns: string[];
-    /** Seconds from one frame to the next. */
-    frameTime: number;
-    sequences: SequenceInfo[];
-    /** Null for a model of tables. */
-    joints: JointInfo[] | null;
-    /** Null for a model of tables. */
-    figure: Figure | null;
-    /** Order p of the dynamics; this and the next three are null for a kind without couplings. */
-    order: number | null;
-    /** Coupling variances as learned, `alpha[source][target]`. */
-    alpha: number[][] | null;
-    /** From how many frames of each sequence a rollout can start. */
-    startFrames: number[] | null;
-    /** How many dynamics inducing points, `dynamicsIps[source][target]`. */
-    dynamicsIps: number[][] | null;
-    provenance: ModelProvenance;
-}
-
-/** `ModelInfo` of a vCGPDM or vGPDM of a body. */
-export interface CoupledModelInfo extends Omit<ModelInfo, "parts" | "joints" | "figure" | "order" | "alpha" | "startFrames" | "dynamicsIps" | "provenance"> {
-    parts: PartInfo[];
-    joints: JointInfo[];
-    figure: Figure;
-    order: number;
-    alpha: number[][];
-    startFrames: number[];
-    dynamicsIps: number[][];
-    provenance: Provenance;
-}
-"#;
-
+/// A part of a trained model.
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub(crate) struct PartInfo<'a> {
     name: &'a str,
     joints: &'a [usize],
+    /// Latent dimensions Q.
     latent: usize,
+    /// Pose inducing points L.
     pose_ips: usize,
 }
 
+/// How a model of any kind was made.
 #[derive(Serialize)]
-struct ModelProvenance<'a> {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct ModelProvenance<'a> {
     engine: &'a str,
     #[serde(with = "serde_wasm_bindgen::preserve")]
+    #[cfg_attr(feature = "types", ts(type = "ModelSettings"))]
     settings: JsValue,
+    /// The final bound in nats, or the objective of a model without a bound.
     bound: f64,
     objective: f64,
+    /// Null for a model without a bound.
     terms: Option<&'a BoundTerms>,
     iterations: usize,
     evaluations: usize,
     note: Option<&'a str>,
 }
 
+impl<'a> ModelProvenance<'a> {
+    /// The provenance of a model or a library with these parts.
+    pub(crate) fn new(
+        made: &'a Provenance,
+        parts: &[PartSpec],
+        terms: Option<&'a BoundTerms>,
+    ) -> Result<Self, VcgpdmError> {
+        let task = Task { parts: parts.to_vec(), frames_per_second: made.frames_per_second, seed: made.seed };
+        Ok(Self {
+            engine: &made.engine,
+            settings: settings_to_js(&task, &made.settings)?,
+            bound: made.bound(),
+            objective: made.objective,
+            terms,
+            iterations: made.iterations,
+            evaluations: made.evaluations,
+            note: made.note.as_deref(),
+        })
+    }
+}
+
+/// A model of any kind.
 #[derive(Serialize)]
-struct ModelInfo<'a> {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct ModelInfo<'a> {
     kind: ModelKind,
     #[serde(with = "serde_wasm_bindgen::preserve")]
+    #[cfg_attr(feature = "types", ts(type = "ModelPart[]"))]
     parts: JsValue,
+    /// The names of all columns, in the order of `Rollout.values`.
     columns: Vec<String>,
+    /// Seconds from one frame to the next.
     frame_time: f64,
     sequences: &'a [SequenceInfo],
+    /// Order p of the dynamics; this and the next three are null for a kind without couplings.
     order: Option<usize>,
+    /// Coupling variances as learned, `alpha[source][target]`.
     alpha: Option<Vec<Vec<f64>>>,
+    /// From how many frames of each sequence a rollout can start.
     start_frames: Option<Vec<usize>>,
+    /// How many dynamics inducing points, `dynamicsIps[source][target]`.
     dynamics_ips: Option<Vec<Vec<usize>>>,
     provenance: ModelProvenance<'a>,
 }
@@ -191,7 +99,6 @@ impl<'a> ModelInfo<'a> {
     fn new<S: ColumnMapping>(trained: &'a TrainedModel<S>) -> Result<Self, VcgpdmError> {
         let (body, made) = (&trained.body, &trained.provenance);
         let specs = body.layout.parts();
-        let task = Task { parts: specs.to_vec(), frames_per_second: made.frames_per_second, seed: made.seed };
         let model = trained.coupled().map(|coupled| coupled.model);
         let counts = |model: &Vcgpdm| {
             let rows = model.experts.iter();
@@ -211,24 +118,21 @@ impl<'a> ModelInfo<'a> {
             start_frames: model
                 .map(|model| (0..body.sequences.len()).map(|k| model.start_frames(k)).collect()),
             dynamics_ips: model.map(counts),
-            provenance: ModelProvenance {
-                engine: &made.engine,
-                settings: settings_to_js(&task, &made.settings)?,
-                bound: made.bound(),
-                objective: made.objective,
-                terms: model.map(|model| &model.terms),
-                iterations: made.iterations,
-                evaluations: made.evaluations,
-                note: made.note.as_deref(),
-            },
+            provenance: ModelProvenance::new(made, specs, model.map(|model| &model.terms))?,
         })
     }
 }
 
+/// A model of tables has no body.
 #[cfg(feature = "training")]
 #[derive(Serialize)]
-struct NoBody {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct NoBody {
+    /// Null for a model of tables.
+    #[cfg_attr(feature = "types", ts(type = "JointInfo[] | null"))]
     joints: Option<()>,
+    /// Null for a model of tables.
+    #[cfg_attr(feature = "types", ts(type = "Figure | null"))]
     figure: Option<()>,
 }
 

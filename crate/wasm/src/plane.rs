@@ -13,35 +13,6 @@ use wasm_bindgen::prelude::*;
 use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{ImageData, OffscreenCanvas, OffscreenCanvasRenderingContext2d};
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** A picture of a plane through the latent space of a part. */
-export interface PlanePicture {
-    /** In pixels. */
-    width: number;
-    /** In pixels. */
-    height: number;
-    /** The latents in the middle of the picture [Q]. */
-    centre: number[];
-    /** The step of the latents for one pixel to the right [Q]. */
-    right: number[];
-    /** The step of the latents for one pixel down [Q]. */
-    down: number[];
-    /** Red, green and blue, 0 to 255. */
-    colour: [number, number, number];
-}
-
-/** What a model knows at points of the latent space of a part. */
-export interface LatentField {
-    /** The share of the prior variance of the pose map that is left, 0 to 1 [points]. */
-    poseVariance: number[];
-    /** The share of the prior variance of the dynamics that is left, 0 to 1 [points]. */
-    dynamicsVariance: number[];
-    /** The mean next latents minus the point [points][Q]. */
-    steps: number[][];
-}
-"#;
-
 /// Pixels of a cell, which has one colour before the picture is smoothed.
 const CELL: usize = 4;
 /// Pixels between two arrows.
@@ -53,21 +24,34 @@ const OPAQUE: f64 = 110.0;
 /// The widest and highest picture, in pixels.
 const MOST_PIXELS: usize = 4096;
 
+/// A picture of a plane through the latent space of a part.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct PlanePicture {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct PlanePicture {
+    /// In pixels.
     width: usize,
+    /// In pixels.
     height: usize,
+    /// The latents in the middle of the picture [Q].
     centre: Vec<f64>,
+    /// The step of the latents for one pixel to the right [Q].
     right: Vec<f64>,
+    /// The step of the latents for one pixel down [Q].
     down: Vec<f64>,
+    /// Red, green and blue, 0 to 255.
     colour: [u8; 3],
 }
 
+/// What a model knows at points of the latent space of a part.
 #[derive(Serialize)]
-struct Field {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "LatentField"))]
+pub(crate) struct Field {
+    /// The share of the prior variance of the pose map that is left, 0 to 1 [points].
     pose_variance: Vec<f64>,
+    /// The share of the prior variance of the dynamics that is left, 0 to 1 [points].
     dynamics_variance: Vec<f64>,
+    /// The mean next latents minus the point [points][Q].
     steps: Vec<Vec<f64>>,
 }
 

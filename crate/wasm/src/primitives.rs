@@ -7,24 +7,6 @@ use std::rc::Rc;
 use vcgpdm::models::library::TrainedLibrary;
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** The long-run motion of one part of a combination. */
-export interface PartMotion {
-    /**
-     * The variance of the part's latents, divided by their variance in the training movements of its
-     * primitive.
-     */
-    share: number;
-    still: boolean;
-    /**
-     * The other part whose predictions of this part have the largest weight; null if there is only one part.
-     * `met`: whether the primitives of the two parts learned from the same movement.
-     */
-    leader: { part: number; weight: number; met: boolean } | null;
-}
-"#;
-
 #[wasm_bindgen]
 impl Library {
     /// The long-run motion of each part of a combination: whether the part stands still, and which other part

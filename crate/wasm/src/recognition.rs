@@ -10,28 +10,18 @@ use std::rc::Rc;
 use vcgpdm::models::library::TrainedLibrary;
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** A time in which one combination of primitives is the likeliest. */
-export interface RecognisedSegment {
-    /** The index of the movement that uses these primitives; null: parts use primitives of several movements. */
-    movement: number | null;
-    /** The index of the primitive of each part, as in `LibraryInfo.primitives`. */
-    uses: number[];
-    /** The first frame, and the one after the last. */
-    first: number;
-    end: number;
-    /** The mean of its probability. */
-    probability: number;
-}
-"#;
-
+/// A time in which one combination of primitives is the likeliest.
 #[derive(Serialize)]
-struct Segment {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "RecognisedSegment"))]
+pub(crate) struct Segment {
+    /// The index of the movement that uses these primitives; null: parts use primitives of several movements.
     movement: Option<usize>,
+    /// The index of the primitive of each part, as in `LibraryInfo.primitives`.
     uses: Vec<usize>,
+    /// The first frame, and the one after the last.
     first: usize,
     end: usize,
+    /// The mean of its probability.
     probability: f64,
 }
 

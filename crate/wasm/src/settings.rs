@@ -24,84 +24,6 @@ use vcgpdm::motion::parts::{GivenJoint, GivenPart};
 use vcgpdm::motion::{Skeleton, parts};
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** The size of a variational model, and how long it is trained. */
-export interface VariationalSettings {
-    /** Latent dimensions Q of every part. */
-    latent: number;
-    /** Dynamics inducing points K of every expert. */
-    dynamicsIps: number;
-    /** Pose inducing points L of every part. */
-    poseIps: number;
-    /** Order p of the dynamics. */
-    order: number;
-    /** Most iterations of the optimiser. */
-    maxIterations: number;
-    /**
-     * The factor of the pose terms in the objective: a number from 0.001 to 1000, or "balanced" for Q_i / D_i
-     * (Urtasun, Fleet & Fua 2006). Absent: 1, and the objective is the bound on the log evidence.
-     */
-    poseWeight?: number | "balanced";
-    /** Whether each part of a vCGPDM learns as if it were alone; absent: no. */
-    uncoupled?: boolean;
-    /** Whether a model of a body whose rollouts do not move on learns from these at the end; absent: no. */
-    ownRollouts?: boolean;
-}
-
-/** A part by the names or indices of its joints. */
-export interface NamedPart {
-    name: string;
-    joints: (string | number)[];
-}
-
-/** The complete settings of a training. */
-export interface TrainingSettings extends VariationalSettings {
-    parts: PartSpec[];
-    /** The clips are brought to about this rate. */
-    framesPerSecond: number;
-    /** The seed of everything random, a whole number from 0 to 4294967295. */
-    seed: number;
-}
-
-/** The settings of a training that a caller gives. Each has a default. */
-export interface TrainingOptions {
-    /**
-     * How the body is split: a preset by its id or the names of its parts ("lower-upper", "lower,upper",
-     * "whole"), or a list of parts. Absent: lower and upper body, or the whole body if no legs were found.
-     */
-    parts?: string | NamedPart[];
-    /** Latent dimensions Q of every part; absent: 3. */
-    latent?: number;
-    /** Dynamics inducing points K of every expert; absent: 12, or 30 if a clip has 8 seconds or more. */
-    dynamicsIps?: number;
-    /** Pose inducing points L of every part; absent: as for the dynamics. */
-    poseIps?: number;
-    /** Order p of the dynamics; absent: 2. */
-    order?: number;
-    /** Most iterations of the optimiser; absent: 250. */
-    maxIterations?: number;
-    /** As in `VariationalSettings`; absent: "balanced" for clips, 1 for tables and libraries. */
-    poseWeight?: number | "balanced";
-    /** As in `VariationalSettings`. */
-    uncoupled?: boolean;
-    /** As in `VariationalSettings`; absent: yes for clips and libraries. */
-    ownRollouts?: boolean;
-    /** The clips are brought to about this rate; absent: 30. */
-    framesPerSecond?: number;
-    /** The seed of everything random, a whole number from 0 to 4294967295; absent: 0. */
-    seed?: number;
-}
-
-/** The cost of a training here, on one core; right to a factor of about two. */
-export interface TrainingCost {
-    /** Until all iterations are used; a bound that settles ends the training sooner. */
-    seconds: number;
-    /** Memory. */
-    bytes: number;
-}
-"#;
-
 /// The time of the wasm over that of the native program: docs/training.md has both.
 const SLOWER: f64 = 2.0;
 /// The same for exact Gaussian processes: large matrix products have no wide vectors in wasm.
@@ -110,13 +32,6 @@ const SLOWER_EXACT: f64 = 2.5;
 /// The rate of the data if the caller gives none.
 #[cfg(feature = "training")]
 pub const FRAMES_PER_SECOND: f64 = 30.0;
-
-/// The cost of a training, before it begins.
-#[derive(Serialize)]
-struct Cost {
-    seconds: f64,
-    bytes: f64,
-}
 
 /// The settings of a training of clips of which the longest has this many seconds, where nobody asks for others. A
 /// `Trainer` and `train` use them.
@@ -142,18 +57,21 @@ pub fn training_cost(
 }
 
 /// The cost of a training here, from that in the native program. A rival has no kind of model.
-pub fn cost_to_js(kind: Option<ModelKind>, cost: TrainingCost) -> Result<JsValue, VcgpdmError> {
-    let slower = match kind {
+pub fn cost_to_js(kind: Option<ModelKind>, mut cost: TrainingCost) -> Result<JsValue, VcgpdmError> {
+    cost.seconds *= match kind {
         Some(ModelKind::MapGpdm | ModelKind::MapCgpdm) => SLOWER_EXACT,
         _ => SLOWER,
     };
-    to_js(&Cost { seconds: slower * cost.seconds, bytes: cost.bytes })
+    to_js(&cost)
 }
 
-/// The settings of the data.
+/// The complete settings of a training.
 #[derive(Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[cfg_attr(feature = "types", ts(rename_all = "camelCase", rename = "TrainingSettings", concrete(P = PartSpec)))]
 pub struct Task<P = PartSpec> {
     /// The parts of the body, or of the columns of a table.
+    #[cfg_attr(feature = "types", ts(type = "PartSpec[]"))]
     pub parts: Vec<P>,
     /// The clips are brought to about this rate.
     pub frames_per_second: f64,
@@ -251,12 +169,14 @@ pub fn body_parts(value: &JsValue, skeleton: &Skeleton) -> Result<Vec<PartSpec>,
     Ok(parts::from_given(given.into_iter().map(part).collect(), skeleton)?)
 }
 
-/// A part from JavaScript.
+/// A part by the names or indices of its joints.
 #[cfg(feature = "training")]
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Part {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "NamedPart"))]
+pub(crate) struct Part {
     name: String,
+    #[cfg_attr(feature = "types", ts(type = "(string | number)[]"))]
     joints: Vec<NameOrIndex>,
 }
 

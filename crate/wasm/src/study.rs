@@ -11,176 +11,80 @@ use vcgpdm_lab::perception::{
 };
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** The texts for participants: plain text, with an empty line between paragraphs. */
-export interface StudyTexts {
-    consent: string;
-    instructions: string;
-    question: string;
-    pause: string;
-    end: string;
-}
-
-/** The skeleton of the moving figure. */
-export interface StudySkeleton {
-    /** The name of each node: first the joints, then the ends of the last bones. */
-    names: string[];
-    /** The parent of each node; -1 for the root. */
-    parents: number[];
-    /** The number of nodes that are joints. */
-    joints: number;
-    /** Height of the figure, in metres. */
-    height: number;
-    /** The node on top of the head; null if unknown. */
-    head: number | null;
-    /** The tips of the left and the right foot; null if unknown. */
-    feet: [number, number] | null;
-    /** The nodes that are drawn for a point-light walker. */
-    dots: number[];
-}
-
-/** The errors of a model on the held-out trial, and its bound. */
-export interface StimulusScores {
-    /** Mean squared error on the held-out trial, frame by frame. */
-    mse: number;
-    /** Mean squared error after dynamic time warping. */
-    dtwMse: number;
-    /** The bound on the log evidence, in nats; null for a model without a bound. */
-    bound: number | null;
-    /** The terms of the bound for the dynamics; null if unknown. */
-    dynamics: number | null;
-    /** The terms of the bound for the poses; null if unknown. */
-    pose: number | null;
-}
-
-/** A movement of a study, recorded or generated. */
-export interface StudyStimulus {
-    /** The unique id by which answers refer to the movement. */
-    id: string;
-    kind: "natural" | "generated";
-    /** The recorded trial, or the held-out trial that was predicted. */
-    trial: string;
-    /**
-     * For a natural movement: true if ordinary trials show it, false if only catch trials show it. Always
-     * false for a generated movement.
-     */
-    seen: boolean;
-    /**
-     * Whether the movement is marked as an obvious failure. Such movements check the participants' attention.
-     */
-    failed: boolean;
-    /** The speed of the figure before centring, in metres a second. */
-    speed: number;
-    /** The kind of model; null for a natural movement. */
-    model: ModelKind | null;
-    /** The settings of the model; null for a natural movement. */
-    settings: Candidate | null;
-    /** The scores of the model; null for a natural movement. */
-    scores: StimulusScores | null;
-}
-
-/** The number of trials of each kind for a participant. */
-export interface StudyDesign {
-    blocks: number;
-    comparisons: number;
-    /** A study without a failed movement has no attention checks. */
-    attentionChecks: number;
-    /** A study without an unseen natural movement has no catch trials. */
-    catchTrials: number;
-    /** The shortest pause between blocks. */
-    pauseSeconds: number;
-    /** Whether a participant can answer while the figures move. The answer then ends the trial. */
-    answerDuringMovement: boolean;
-    seed: number;
-}
-
-/** Names of designs. */
-export type StudyPreset = "class" | "p3-part-1" | "p3-part-2" | "p2";
-
-/** How the figures of a study are drawn. */
-export type StudyLook = "figure" | "points";
-
-/** The design, texts and stimuli of a study. */
-export interface StudyInfo {
-    title: string;
-    look: StudyLook;
-    framesPerSecond: number;
-    /** How many seconds of each movement are shown. */
-    seconds: number;
-    /** How many frames of each movement are shown. */
-    frames: number;
-    /** How many seconds the cross is shown before a movement. */
-    crossSeconds: number;
-    answerDuringMovement: boolean;
-    pauseSeconds: number;
-    texts: StudyTexts;
-    skeleton: StudySkeleton;
-    stimuli: StudyStimulus[];
-    design: StudyDesign;
-    /**
-     * SHA-256 of the figure and the movements, hexadecimal. It does not depend on the design, the texts or
-     * the marks of failures. Answers refer to the study by this hash.
-     */
-    hash: string;
-}
-
-/** A trial of the test: two movements side by side. */
-export interface StudyTrial {
-    /** Counted from 0. */
-    block: number;
-    kind: "comparison" | "attention" | "catch";
-    /** The index of the stimulus on the left. */
-    left: number;
-    /** The index of the stimulus on the right. */
-    right: number;
-    /** The side of the natural movement; "none" if both are natural. */
-    naturalSide: "left" | "right" | "none";
-    /** The direction in which both figures walk: 0 is towards the observer, 90 to the observer's right. */
-    headingDegrees: number;
-}
-"#;
-
+/// The skeleton of the moving figure.
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "StudySkeleton"))]
 struct Skeleton<'a> {
+    /// The name of each node: first the joints, then the ends of the last bones.
     names: &'a [String],
+    /// The parent of each node; -1 for the root.
     parents: Vec<i32>,
+    /// The number of nodes that are joints.
     joints: usize,
+    /// Height of the figure, in metres.
     height: f64,
+    /// The node on top of the head; null if unknown.
     head: Option<usize>,
+    /// The tips of the left and the right foot; null if unknown.
     feet: Option<[usize; 2]>,
+    /// The nodes that are drawn for a point-light walker.
     dots: &'a [usize],
 }
 
+/// The errors of a model on the held-out trial, and its bound.
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "StimulusScores"))]
 struct Scores {
+    /// Mean squared error on the held-out trial, frame by frame.
     mse: f64,
+    /// Mean squared error after dynamic time warping.
     dtw_mse: f64,
+    /// The bound on the log evidence, in nats; null for a model without a bound.
     bound: Option<f64>,
+    /// The terms of the bound for the dynamics; null if unknown.
     dynamics: Option<f64>,
+    /// The terms of the bound for the poses; null if unknown.
     pose: Option<f64>,
 }
 
+/// A movement of a study, recorded or generated.
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "StudyStimulus"))]
 struct Stimulus<'a> {
+    /// The unique id by which answers refer to the movement.
     id: &'a str,
+    #[cfg_attr(feature = "types", ts(type = "\"natural\" | \"generated\""))]
     kind: &'static str,
+    /// The recorded trial, or the held-out trial that was predicted.
     trial: &'a str,
+    /// For a natural movement: true if ordinary trials show it, false if only catch trials show it. Always
+    /// false for a generated movement.
     seen: bool,
+    /// Whether the movement is marked as an obvious failure. Such movements check the participants'
+    /// attention.
     failed: bool,
+    /// The speed of the figure before centring, in metres a second.
     speed: f64,
+    /// The kind of model; null for a natural movement.
     model: Option<ModelKind>,
+    /// The settings of the model; null for a natural movement.
     settings: Option<&'a Settings>,
+    /// The scores of the model; null for a natural movement.
     scores: Option<Scores>,
 }
 
+/// The design, texts and stimuli of a study.
 #[derive(Serialize)]
-struct StudyInfo<'a> {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct StudyInfo<'a> {
     title: &'a str,
     look: Look,
     frames_per_second: usize,
+    /// How many seconds of each movement are shown.
     seconds: f64,
+    /// How many frames of each movement are shown.
     frames: usize,
+    /// How many seconds the cross is shown before a movement.
     cross_seconds: f64,
     answer_during_movement: bool,
     pause_seconds: usize,
@@ -188,6 +92,8 @@ struct StudyInfo<'a> {
     skeleton: Skeleton<'a>,
     stimuli: Vec<Stimulus<'a>>,
     design: &'a Design,
+    /// SHA-256 of the figure and the movements, hexadecimal. It does not depend on the design, the texts or
+    /// the marks of failures. Answers refer to the study by this hash.
     hash: String,
 }
 

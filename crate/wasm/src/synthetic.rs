@@ -9,98 +9,57 @@ use vcgpdm::models::variational::LARGEST_COUPLING;
 use vcgpdm_lab::synthetic::{ALIKE, DRIVE, Experiment, Findings, Fit, MUCH, NOISE_VARIANCE, Synthetic};
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** The data, the true latents and couplings, and the limits by which couplings are judged. */
-export interface SyntheticTruth {
-    frames: number;
-    /** The share of the first part in the dynamics of the second part. */
-    drive: number;
-    /** The true latents of each part [frames x 2], row after row. */
-    latents: number[][];
-    /** The centred observations of each part [frames x columns], row after row. */
-    observed: number[][];
-    /** Number of observed columns of a part. */
-    columns: number;
-    /** Variance of the observations' noise. */
-    noise: number;
-    /** If the ratio of coupling variances is at least this, the other part counts as without influence. */
-    much: number;
-    /** If the ratio of coupling variances is at most this, both parts count as having influence. */
-    alike: number;
-    /** The largest possible coupling variance. */
-    largestAlpha: number;
-}
-
-/** How well a model explains the data. */
-export interface SyntheticFit {
-    /** The bound, in nats. */
-    bound: number;
-    /** The mean squared error of a rollout of all frames, after dynamic time warping of each part. */
-    mse: number;
-}
-
-/** Ratios of coupling variances, which show which part drives which, and whether they show the truth. */
-export interface SyntheticVerdict {
-    /** alpha from 2 to 1, divided by alpha from 1 to 1. */
-    back: number;
-    /** alpha from 1 to 2, divided by alpha from 2 to 2. */
-    forth: number;
-    /** Whether `back` shows the truth: the second part does not drive the first. */
-    backIsRight: boolean;
-    /** Whether `forth` shows the truth about whether the first part drives the second. */
-    forthIsRight: boolean;
-}
-
-/** The findings of the training at its best bound so far. */
-export interface SyntheticFindings {
-    /** Coupling variances `alpha[source][target]`. */
-    alpha: number[][];
-    /**
-     * The weights `[source][target]` that follow from the coupling variances. The weights into each part sum
-     * to 1.
-     */
-    weights: number[][];
-    verdict: SyntheticVerdict;
-    /**
-     * The learned latents of each part [frames x 2], row after row, after the affine map that fits them best
-     * to the true latents.
-     */
-    learned: number[][];
-    /** For each part, the share of the variance of the true latents that the learned latents explain. */
-    explained: number[];
-    start: SyntheticFit;
-    now: SyntheticFit;
-}
-"#;
-
+/// The data, the true latents and couplings, and the limits by which couplings are judged.
 #[derive(Serialize)]
-struct SyntheticTruth {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct SyntheticTruth {
     frames: usize,
+    /// The share of the first part in the dynamics of the second part.
     drive: f64,
+    /// The true latents of each part [frames x 2], row after row.
     latents: Vec<Vec<f64>>,
+    /// The centred observations of each part [frames x columns], row after row.
     observed: Vec<Vec<f64>>,
+    /// Number of observed columns of a part.
     columns: usize,
+    /// Variance of the observations' noise.
     noise: f64,
+    /// If the ratio of coupling variances is at least this, the other part counts as without influence.
     much: f64,
+    /// If the ratio of coupling variances is at most this, both parts count as having influence.
     alike: f64,
+    /// The largest possible coupling variance.
     largest_alpha: f64,
 }
 
+/// Ratios of coupling variances, which show which part drives which, and whether they show the truth.
 #[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 struct SyntheticVerdict {
+    /// alpha from 2 to 1, divided by alpha from 1 to 1.
     back: f64,
+    /// alpha from 1 to 2, divided by alpha from 2 to 2.
     forth: f64,
+    /// Whether `back` shows the truth: the second part does not drive the first.
     back_is_right: bool,
+    /// Whether `forth` shows the truth about whether the first part drives the second.
     forth_is_right: bool,
 }
 
+/// The findings of the training at its best bound so far.
 #[derive(Serialize)]
-struct SyntheticFindings {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct SyntheticFindings {
+    /// Coupling variances `alpha[source][target]`.
     alpha: Vec<Vec<f64>>,
+    /// The weights `[source][target]` that follow from the coupling variances. The weights into each part sum
+    /// to 1.
     weights: Vec<Vec<f64>>,
     verdict: SyntheticVerdict,
+    /// The learned latents of each part [frames x 2], row after row, after the affine map that fits them best
+    /// to the true latents.
     learned: Vec<Vec<f64>>,
+    /// For each part, the share of the variance of the true latents that the learned latents explain.
     explained: Vec<f64>,
     start: Fit,
     now: Fit,

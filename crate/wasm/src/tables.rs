@@ -9,54 +9,24 @@ use vcgpdm::motion::parts::PartSpec;
 use vcgpdm::series::{Table as Series, read};
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** The name, size and columns of a table. */
-export interface TableInfo {
-    name: string;
-    sha256: string;
-    columns: string[];
-    rows: number;
-    /** Seconds from one row to the next; null if the file has no column of times. */
-    frameTime: number | null;
-    /** What was odd about the file but could be read. */
-    warnings: string[];
-}
-
-/** A part of a table: the names of the columns that share a latent space. */
-export interface TablePart {
-    name: string;
-    columns: string[];
-}
-
-/** The settings of a training on tables. */
-export interface TableTrainingSettings extends Omit<TrainingSettings, "parts"> {
-    parts: TablePart[];
-    /** Rows a second, if the tables have no column of times. */
-    framesPerSecond: number;
-}
-
-/** The settings of a training on tables that a caller gives. Each has a default. */
-export interface TableTrainingOptions extends Omit<TrainingOptions, "parts"> {
-    /** Absent: one part with all columns. */
-    parts?: TablePart[];
-    /** Rows a second, if the tables have no column of times; absent: 30. */
-    framesPerSecond?: number;
-}
-"#;
-
+/// The name, size and columns of a table.
 #[derive(Serialize)]
-struct TableInfo<'a> {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct TableInfo<'a> {
     name: &'a str,
     sha256: &'a str,
     columns: &'a [String],
     rows: usize,
+    /// Seconds from one row to the next; null if the file has no column of times.
     frame_time: Option<f64>,
+    /// What was odd about the file but could be read.
     warnings: &'a [String],
 }
 
+/// A part of a table: the names of the columns that share a latent space.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub(crate) struct TablePart {
     name: String,
     columns: Vec<String>,

@@ -19,48 +19,6 @@ use vcgpdm::series::Columns;
 use vcgpdm_lab::evaluation::TrainingTrials;
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/**
- * The parameters that are optimised: first all but the latents, then everything. Then, if the settings say so, the
- * model is watched, and its dynamics learn from its own rollouts where these do not move on.
- */
-export type TrainingPhase = "couplings-kernels-inducing-points" | "everything" | "own-rollouts";
-
-/** Why training ended: the bound no longer rises, or all iterations are used. */
-export type EndReason = "settled" | "iterations";
-
-/** Numerical failures that a training survived. */
-export interface Setbacks {
-    /** Factorisations of a covariance that failed, and were tried again with jitter on its diagonal. */
-    jittered: number;
-    /** Evaluations that gave no finite number even so: the search turned back there. */
-    turnedBack: number;
-}
-
-/** The progress of a training. */
-export interface TrainingProgress {
-    iteration: number;
-    maxIterations: number;
-    /** Evaluations of the bound with its gradient. */
-    evaluations: number;
-    /** Numerical failures so far that the training survived. */
-    setbacks: Setbacks;
-    /** The bound now, in nats; with `poseWeight` the objective, in which the pose terms have this weight. */
-    bound: number;
-    /** The best so far. */
-    best: number;
-    /** The terms of the bound at the best, without weights. */
-    terms: BoundTerms;
-    phase: TrainingPhase;
-    done: boolean;
-    /** Null before the end. */
-    reason: EndReason | null;
-    /** Share of the iterations used, 0 to 1. Time left is at most elapsed * (1 - fraction) / fraction. */
-    fraction: number;
-}
-"#;
-
 enum Training {
     Body(BodyTrainer, TrainingTrials),
     Tables(BodyTrainer<Columns>, TrainingTrials<Columns>),
@@ -171,18 +129,30 @@ impl Trainer {
     }
 }
 
+/// The progress of a training.
 #[derive(Serialize)]
-struct TrainingProgress<'a> {
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct TrainingProgress<'a> {
     iteration: usize,
     max_iterations: usize,
+    /// Evaluations of the bound with its gradient.
     evaluations: usize,
+    /// Numerical failures so far that the training survived.
     setbacks: Setbacks,
+    /// The bound now, in nats; with `poseWeight` the objective, in which the pose terms have this weight.
     bound: f64,
+    /// The best so far.
     best: f64,
+    /// The terms of the bound at the best, without weights.
+    #[cfg_attr(feature = "types", ts(as = "BoundTerms"))]
     terms: Option<&'a BoundTerms>,
+    #[cfg_attr(feature = "types", ts(as = "TrainingPhase"))]
     phase: Option<TrainingPhase>,
     done: bool,
+    /// Null before the end.
+    #[cfg_attr(feature = "types", ts(type = "EndReason | null"))]
     reason: Option<&'static str>,
+    /// Share of the iterations used, 0 to 1. Time left is at most elapsed * (1 - fraction) / fraction.
     fraction: f64,
 }
 

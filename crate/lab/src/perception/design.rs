@@ -2,29 +2,34 @@
 
 use serde::Serialize;
 
-/// The numbers of trials of a participant, by kind, and of blocks.
+/// The number of trials of each kind for a participant.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "StudyDesign"))]
 pub struct Design {
     /// Number of blocks of about equal length, with pauses between them.
     pub blocks: usize,
     /// Trials of a generated and a natural movement, spread over the settings of the models as evenly as
     /// possible.
     pub comparisons: usize,
-    /// Trials of an obviously failed and a natural movement; none if the study has no failed movement.
+    /// A study without a failed movement has no attention checks.
     pub attention_checks: usize,
-    /// Trials of two natural movements, of which only one was used for training, in the last quarter; none if
-    /// the study has no unseen movement.
+    /// A study without an unseen natural movement has no catch trials.
     pub catch_trials: usize,
-    /// The shortest pause between blocks, in seconds.
+    /// The shortest pause between blocks.
     pub pause_seconds: usize,
-    /// Whether participants can answer during the movements, which ends the trial.
+    /// Whether a participant can answer while the figures move. The answer then ends the trial.
     pub answer_during_movement: bool,
     /// Together with the participant's seed, the seed of everything random.
     pub seed: u32,
 }
 
-/// Designs with a name.
+/// Names of designs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "types",
+    derive(ts_rs::TS),
+    ts(rename = "StudyPreset", type = "\"class\" | \"p3-part-1\" | \"p3-part-2\" | \"p2\"")
+)]
 pub enum Preset {
     /// 60 trials, about 5 minutes: for a class.
     Class,

@@ -7,9 +7,10 @@ use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 use vcgpdm::motion::landmarks::Landmarks;
 
-/// How a figure is drawn.
+/// How the figures of a study are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "StudyLook"))]
 pub enum Look {
     /// A grey figure.
     Figure,
@@ -32,9 +33,10 @@ impl Look {
     }
 }
 
-/// Texts for the participant: plain text, with an empty line between paragraphs.
+/// The texts for participants: plain text, with an empty line between paragraphs.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "StudyTexts"))]
 pub struct Texts {
     /// Consent to take part.
     pub consent: String,

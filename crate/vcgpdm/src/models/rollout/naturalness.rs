@@ -7,10 +7,11 @@ use serde::Serialize;
 
 /// The mean log density of the latents of a frame under the dynamics as learned, in nats a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct PredictedNaturalness {
-    /// Of the frames of a rollout; `None` where it has no frame after its start.
+    /// Of the frames of the rollout; `None` where there is none after its start.
     pub rollout: Option<f64>,
-    /// Of the frames of the training; `None` for a file of an earlier version, which has no latents of them.
+    /// Of the frames of the training; `None` for a file of an earlier version, which has not kept them.
     pub training: Option<f64>,
     /// That of the rollout minus that of the training.
     pub difference: Option<f64>,

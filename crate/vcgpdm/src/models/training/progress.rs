@@ -6,13 +6,14 @@ use crate::plural::counted;
 use serde::Serialize;
 use std::fmt;
 
-/// Numerical problems from which a training recovered.
+/// Numerical failures that a training survived.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[non_exhaustive]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Setbacks {
-    /// Factorisations of a covariance that failed and were repeated with jitter on the diagonal.
+    /// Factorisations of a covariance that failed, and were tried again with jitter on its diagonal.
     pub jittered: usize,
-    /// Points at which no finite number could be computed; the search turned back from them.
+    /// Evaluations that gave no finite number even so: the search turned back there.
     pub turned_back: usize,
 }
 
@@ -64,9 +65,11 @@ pub struct Progress {
     pub fraction: f64,
 }
 
-/// A phase of a variational training, displayed in plain message.
+/// The parameters that are optimised: first all but the latents, then everything. Then, if the settings say
+/// so, the model is watched, and its dynamics learn from its own rollouts where these do not move on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum TrainingPhase {
     /// Couplings, kernels and inducing points are free, the latents fixed.
     CouplingsKernelsInducingPoints,
