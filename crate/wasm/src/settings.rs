@@ -68,7 +68,8 @@ pub fn cost_to_js(kind: Option<ModelKind>, mut cost: TrainingCost) -> Result<JsV
 /// The complete settings of a training.
 #[derive(Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-#[cfg_attr(feature = "types", ts(rename_all = "camelCase", rename = "TrainingSettings", concrete(P = PartSpec)))]
+#[cfg_attr(feature = "types", ts(rename_all = "camelCase", rename = "TrainingSettings"))]
+#[cfg_attr(feature = "types", ts(concrete(P = PartSpec)))]
 pub struct Task<P = PartSpec> {
     /// The parts of the body, or of the columns of a table.
     #[cfg_attr(feature = "types", ts(type = "PartSpec[]"))]

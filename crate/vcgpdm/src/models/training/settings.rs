@@ -18,8 +18,8 @@ pub const MOST_BASES: usize = 200;
 
 /// The size of a variational model, and how long it is trained.
 ///
-/// Every setting has a default. Methods state those that differ, or a struct literal, as for all settings of this
-/// crate:
+/// Every setting has a default. Methods state those that differ, or a struct literal, as for all settings of
+/// this crate:
 ///
 /// ```
 /// use vcgpdm::VariationalSettings;
