@@ -1,26 +1,26 @@
 //! The TypeScript declarations of the package: those of the structs that its functions give and take. A struct
 //! that no other struct here names needs a line in `declarations`.
 
-use crate::body::BodyInfo;
-use crate::bvh::BvhOptions;
-use crate::clip::{ClipInfo, ClipState};
-use crate::completion::{Options, PartScores};
-use crate::evaluation::{ComparisonSettings, EvaluationProgress, FoldOptions};
+use crate::data::body::BodyInfo;
+use crate::data::bvh::BvhOptions;
+use crate::data::clip::{ClipInfo, ClipState};
+use crate::data::tables::{TableInfo, TablePart};
+use crate::lab::evaluation::{ComparisonSettings, EvaluationProgress, FoldOptions};
+use crate::lab::maker::MadeMovement;
+use crate::lab::perception::AnswersFile;
+use crate::lab::results::IdentifiedJob;
+use crate::lab::study::StudyInfo;
+use crate::lab::synthetic::{SyntheticFindings, SyntheticTruth};
 use crate::library::LibraryInfo;
-use crate::library_trainers::Planned;
-use crate::library_walk::WalkStart;
-use crate::maker::MadeMovement;
-use crate::model::{ModelInfo, NoBody, PartInfo};
-use crate::perception::AnswersFile;
-use crate::plane::{Field, PlanePicture};
-use crate::recognition::Segment;
-use crate::results::IdentifiedJob;
-use crate::rollout::Parts;
-use crate::settings::{Part, Task};
-use crate::study::StudyInfo;
-use crate::synthetic::{SyntheticFindings, SyntheticTruth};
-use crate::tables::{TableInfo, TablePart};
-use crate::trainer::TrainingProgress;
+use crate::library::recognition::Segment;
+use crate::library::trainers::Planned;
+use crate::library::walk::WalkStart;
+use crate::models::completion::{Options, PartScores};
+use crate::models::model::{ModelInfo, NoBody, PartInfo};
+use crate::models::plane::{Field, PlanePicture};
+use crate::models::rollout::Parts;
+use crate::models::settings::{Part, Task};
+use crate::models::trainer::TrainingProgress;
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
 use vcgpdm::models::library::PartMotion;
