@@ -17,15 +17,15 @@ use crate::library::trainers::Planned;
 use crate::library::walk::WalkStart;
 use crate::models::completion::{Options, PartScores};
 use crate::models::model::{ModelInfo, NoBody, PartInfo};
-use crate::models::plane::{Field, PlanePicture};
+use crate::models::plane::PlanePicture;
 use crate::models::rollout::Parts;
 use crate::models::settings::{Part, Task};
-use crate::models::trainer::TrainingProgress;
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
 use vcgpdm::models::library::PartMotion;
+use vcgpdm::models::variational::LatentField;
 use vcgpdm::models::{
-    Health, PredictedNaturalness, RolloutRequest, Settings, TrainingCost, VariationalSettings,
+    Health, PredictedNaturalness, Progress, RolloutRequest, Settings, TrainingCost, VariationalSettings,
 };
 use vcgpdm::motion::measures::Measures;
 use vcgpdm::motion::samples::SampleInfo;
@@ -43,7 +43,7 @@ pub fn declarations() -> String {
     all.visit::<ComparisonSettings>();
     all.visit::<DocumentKind>();
     all.visit::<EvaluationProgress>();
-    all.visit::<Field>();
+    all.visit::<LatentField>();
     all.visit::<FigureTable>();
     all.visit::<FoldOptions>();
     all.visit::<Health>();
@@ -73,7 +73,7 @@ pub fn declarations() -> String {
     all.visit::<TableInfo>();
     all.visit::<TablePart>();
     all.visit::<TrainingCost>();
-    all.visit::<TrainingProgress>();
+    all.visit::<Progress>();
     all.visit::<VariationalSettings>();
     all.visit::<WalkStart>();
     all.joined::<ClipInfo, BodyInfo>();

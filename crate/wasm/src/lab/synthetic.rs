@@ -1,6 +1,5 @@
 //! The synthetic experiment: which part drives which, on data with a known answer.
 
-use crate::models::trainer::progress_to_js;
 use crate::values::arguments::Whole;
 use crate::values::convert::{flat, rows, to_js};
 use crate::values::error::{ErrorCode, VcgpdmError};
@@ -104,7 +103,7 @@ impl SyntheticExperiment {
     /// One iteration of the optimiser. It takes a few milliseconds.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
-        progress_to_js(&self.experiment.step())
+        to_js(&self.experiment.step())
     }
 
     /// The findings so far. They can be read at any time.

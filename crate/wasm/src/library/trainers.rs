@@ -4,7 +4,6 @@ use crate::data::clip::TrainingSet;
 use crate::library::{Library, uses_of};
 use crate::models::model::Model;
 use crate::models::settings::{Task, body_parts, settings_from_js};
-use crate::models::trainer::progress_to_js;
 use crate::values::arguments::{Text, Whole};
 use crate::values::convert::{from_js, rows, to_js};
 use crate::values::error::{ErrorCode, VcgpdmError};
@@ -136,7 +135,7 @@ impl LibraryTrainer {
     /// movement.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
-        progress_to_js(&self.training.step())
+        to_js(&self.training.step())
     }
 
     /// Allows this many more iterations. The training continues where it stopped.
@@ -185,7 +184,7 @@ impl CouplingTrainer {
     /// primitives.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
-        progress_to_js(&self.fit.step())
+        to_js(&self.fit.step())
     }
 
     /// The best couplings so far, `alpha[source][target]`.

@@ -3,10 +3,10 @@
 use crate::models::rollout::Rollout;
 use crate::models::trained::coupled;
 use crate::values::arguments::Whole;
-use crate::values::convert::{from_js, to_js};
+use crate::values::convert::{from_js, matrix, to_js};
 use crate::values::error::{ErrorCode, VcgpdmError};
 use nalgebra::DMatrix;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use vcgpdm::internals::Elementary;
 use vcgpdm::models::variational::LatentField;
 use wasm_bindgen::prelude::*;
@@ -41,18 +41,6 @@ pub(crate) struct PlanePicture {
     down: Vec<f64>,
     /// Red, green and blue, 0 to 255.
     colour: [u8; 3],
-}
-
-/// What a model knows at points of the latent space of a part.
-#[derive(Serialize)]
-#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "LatentField"))]
-pub(crate) struct Field {
-    /// The share of the prior variance of the pose map that is left, 0 to 1 [points].
-    pose_variance: Vec<f64>,
-    /// The share of the prior variance of the dynamics that is left, 0 to 1 [points].
-    dynamics_variance: Vec<f64>,
-    /// The mean next latents minus the point [points][Q].
-    steps: Vec<Vec<f64>>,
 }
 
 impl PlanePicture {
@@ -199,8 +187,6 @@ impl Rollout {
     ) -> Result<JsValue, VcgpdmError> {
         let part = part.count(ErrorCode::Rollout, "the part")?;
         let points: Vec<Vec<f64>> = from_js(ErrorCode::Rollout, "points", &points)?;
-        let LatentField { pose_variance, dynamics_variance, steps } =
-            field(self, part, &crate::values::convert::matrix(&points))?;
-        to_js(&Field { pose_variance, dynamics_variance, steps: crate::values::convert::rows(&steps) })
+        to_js(&field(self, part, &matrix(&points))?)
     }
 }

@@ -8,13 +8,9 @@ use crate::models::trained::Trained;
 use crate::values::arguments::Whole;
 use crate::values::convert::{flat, from_js, to_js};
 use crate::values::error::{ErrorCode, VcgpdmError};
-use serde::Serialize;
 use std::rc::Rc;
 use vcgpdm::Trainer as BodyTrainer;
-use vcgpdm::models::variational::BoundTerms;
-use vcgpdm::models::{
-    Dataset, DatasetError, EndReason, Progress, Setbacks, Source, TrainingPhase, VariationalSettings,
-};
+use vcgpdm::models::{Dataset, DatasetError, Source, VariationalSettings};
 use vcgpdm::series::Columns;
 use vcgpdm_lab::evaluation::TrainingTrials;
 use wasm_bindgen::prelude::*;
@@ -82,7 +78,7 @@ impl Trainer {
     /// One step: an iteration of the optimiser, a few milliseconds to some tens, or a round of own rollouts.
     #[wasm_bindgen(unchecked_return_type = "TrainingProgress")]
     pub fn step(&mut self) -> Result<JsValue, VcgpdmError> {
-        progress_to_js(&either!(&mut self.training, trainer => trainer.step()))
+        to_js(&either!(&mut self.training, trainer => trainer.step()))
     }
 
     /// Allows this many more iterations. The training continues where it stopped, as if they had been allowed
@@ -127,51 +123,4 @@ impl Trainer {
             Ok(flat(part.part_of(ErrorCode::Training, &latents)?))
         })
     }
-}
-
-/// The progress of a training.
-#[derive(Serialize)]
-#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
-pub(crate) struct TrainingProgress<'a> {
-    iteration: usize,
-    max_iterations: usize,
-    /// Evaluations of the bound with its gradient.
-    evaluations: usize,
-    /// Numerical failures so far that the training survived.
-    setbacks: Setbacks,
-    /// The bound now, in nats; with `poseWeight` the objective, in which the pose terms have this weight.
-    bound: f64,
-    /// The best so far.
-    best: f64,
-    /// The terms of the bound at the best, without weights.
-    #[cfg_attr(feature = "types", ts(as = "BoundTerms"))]
-    terms: Option<&'a BoundTerms>,
-    #[cfg_attr(feature = "types", ts(as = "TrainingPhase"))]
-    phase: Option<TrainingPhase>,
-    done: bool,
-    /// Null before the end.
-    #[cfg_attr(feature = "types", ts(type = "EndReason | null"))]
-    reason: Option<&'static str>,
-    /// Share of the iterations used, 0 to 1. Time left is at most elapsed * (1 - fraction) / fraction.
-    fraction: f64,
-}
-
-/// The progress of the training of a vCGPDM, a vGPDM or a library.
-pub fn progress_to_js(progress: &Progress) -> Result<JsValue, VcgpdmError> {
-    to_js(&TrainingProgress {
-        iteration: progress.iteration,
-        max_iterations: progress.max_iterations,
-        evaluations: progress.evaluations,
-        setbacks: progress.setbacks,
-        bound: progress.objective,
-        best: progress.best,
-        terms: progress.terms.as_ref(),
-        phase: progress.phase,
-        done: progress.done,
-        reason: progress.reason.as_ref().map(|reason| match reason {
-            EndReason::Iterations => "iterations",
-            _ => "settled",
-        }),
-        fraction: progress.fraction,
-    })
 }
