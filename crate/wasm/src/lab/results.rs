@@ -17,7 +17,9 @@ use wasm_bindgen::prelude::*;
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub(crate) struct IdentifiedJob<'a> {
+    /// A readable id that no other job has.
     id: String,
+    /// In files of the terminal program, the candidate can also be a `Rival`.
     job: &'a Job,
 }
 

@@ -36,12 +36,14 @@ pub(crate) struct PartInfo<'a> {
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub(crate) struct ModelProvenance<'a> {
+    /// The program and its version.
     engine: &'a str,
     #[serde(with = "serde_wasm_bindgen::preserve")]
     #[cfg_attr(feature = "types", ts(type = "ModelSettings"))]
     settings: JsValue,
     /// The final bound in nats, or the objective of a model without a bound.
     bound: f64,
+    /// What training maximised: the bound, or with `poseWeight` the bound with weighted pose terms.
     objective: f64,
     /// Null for a model without a bound.
     terms: Option<&'a BoundTerms>,

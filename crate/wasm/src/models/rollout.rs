@@ -21,6 +21,7 @@ use wasm_bindgen::prelude::*;
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub(crate) struct Parts {
+    /// Each part of the model, in its order.
     parts: Vec<PartMeasures>,
 }
 

@@ -74,7 +74,7 @@ pub struct Task<P = PartSpec> {
     pub parts: Vec<P>,
     /// The clips are brought to about this rate.
     pub frames_per_second: f64,
-    /// The seed of everything random.
+    /// The seed of everything random, a whole number from 0 to 4294967295.
     pub seed: u32,
 }
 

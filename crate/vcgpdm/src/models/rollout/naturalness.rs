@@ -5,7 +5,8 @@ use crate::models::fitted::coupled::Coupled;
 use crate::models::rollout::request::{Rollout, RolloutError, RolloutRequest};
 use serde::Serialize;
 
-/// The mean log density of the latents of a frame under the dynamics as learned, in nats a frame.
+/// A prediction of how natural a rollout looks: the mean log density of the latents of a frame under the dynamics as
+/// learned, in nats a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct PredictedNaturalness {
