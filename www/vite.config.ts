@@ -2,6 +2,7 @@ import { fileURLToPath } from "node:url";
 /// <reference types="vitest/config" />
 import { defineConfig, type Plugin } from "vite";
 import { policy } from "../scripts/policy.mjs";
+import { views } from "../scripts/views.mjs";
 import { offline } from "./offline.ts";
 
 // The wasm package is built next to this folder and not installed.
@@ -26,9 +27,7 @@ const WHEN_ASKED = [
   "completing/",
   "live/",
   "offline/service-workers",
-  "method/",
   "session/",
-
   "stage/columns-view",
   "terms/card",
   "terms/terms",
@@ -37,12 +36,9 @@ const WHEN_ASKED = [
   "ui/dialog",
   "clips/part-names",
   "unsaved/choice-dialog",
-  "words/completing",
-  "words/help",
-  "words/method",
-  "words/session",
+  "ui/checks",
   "words/terms",
-  ...["completing", "help", "method", "numbers", "session", "terms"].flatMap((name) => [
+  ...["completing", "help", "numbers", "session", "terms"].flatMap((name) => [
     `words/en/${name}`,
     `words/de/${name}`,
   ]),
@@ -56,7 +52,7 @@ const isAsked = (file: string) =>
   );
 /** The whole program and the views that need it, when they are opened. */
 const isOnDemand = (file: string) =>
-  /\/src\/(comparison|experiment|figures)\/|\/src\/words\/((en|de)\/)?(compare|experiment)\.|\/training\/progress-|\/app\/any-model\.|\/ui\/two-columns|\/pkg\/web\/|\/whole(-engine|-desk)?\.ts$/.test(
+  /\/src\/figures\/|\/training\/progress-|\/app\/any-model\.|\/ui\/two-columns|\/pkg\/web\/|\/whole(-engine|-desk)?\.ts$/.test(
     file,
   );
 /** The Lab, and what it shares with chapters of the story. A first visit loads none of it. */
@@ -66,22 +62,26 @@ const isLab = (file: string) =>
   );
 /** The page for teachers with its words, the codes in squares, and links with a model in them. */
 const isTeaching = (file: string) =>
-  /\/src\/(teach|exercises|links|app\/linked-model|words\/(en|de)\/(teach|links))|\/node_modules\/qr\//.test(
+  /\/src\/(teach|exercises|links|app\/(linked-model|code)|words\/(en|de)\/(teach|links))|\/node_modules\/qr\//.test(
     file,
   );
-/** The graphics Turing test, with jsPsych. */
-const isPerception = (file: string) =>
-  /\/src\/(words\/((en|de)\/)?)?perception[/.]|\/src\/words\/(en|de)\/study\.|\/jspsych\//.test(file);
+
+/** A file of a view, and its words in www/src/words. */
+const isOf = (view: string, file: string) =>
+  [`/src/${view}/`, `/src/words/${view}.`, `/src/words/en/${view}.`, `/src/words/de/${view}.`].some((place) =>
+    file.includes(place),
+  );
+type Later = [folder: string, of: (file: string) => boolean];
 
 /**
  * What is loaded after the first visit's page, by the folder of the site; scripts/site.mjs counts it by that.
  */
-const LATER: [folder: string, of: (file: string) => boolean][] = [
+const LATER: Later[] = [
   ["assets/teach", isTeaching],
-  ["assets/perception", isPerception],
-  ["assets/primitives", (file) => /\/src\/(words\/((en|de)\/)?)?primitives[/.]/.test(file)],
+  // The Lab names all views.
+  ["assets/lab", (file) => file.includes("/src/views/")],
+  ...views.map(({ folder, name }): Later => [`assets/${name}`, (file) => isOf(folder, file)]),
   ["assets/glb", (file) => file.includes("/src/scene/glb.")],
-  ["assets/series", (file) => /\/src\/(words\/((en|de)\/)?)?series[/.]/.test(file)],
   ["assets/on-demand", isOnDemand],
   ["assets/when-asked", isAsked],
   ["assets/story", isChapter],
@@ -116,6 +116,7 @@ const heldToPolicy: Plugin = {
 export default defineConfig({
   // Relative paths: the built folder works from any sub-folder of any static host.
   base: "./",
+  define: { VIEW_NAMES: JSON.stringify(views.map(({ name }) => name)) },
   plugins: [heldToPolicy, offline()],
   resolve: {
     alias: [

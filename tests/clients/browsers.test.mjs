@@ -129,8 +129,6 @@ for (const { name, skip, start } of BROWSERS) {
           180_000,
         );
 
-        await browser.click("#tab-listen");
-        await browser.click("[data-testid=coupling-numbers] summary");
         const weight = () => document.querySelector("[data-testid=weight-0-1]")?.textContent;
         const learned = await browser.run(weight);
         await browser.drag("[data-testid=coupling-0-1]", 40);

@@ -32,7 +32,7 @@ describe("the tab Numbers", () => {
     assert.ok(Math.abs(Number(cells[0]) / document.parts[0].variance - 1) < 0.05, "signal variance");
     assert.ok(Math.abs(Number(cells[2]) / Math.sqrt(document.parts[0].lambda[0]) - 1) < 0.05, "lengthscale");
     assert.equal(await page.getByTestId("expert-kernels").locator("tbody tr").count(), 4);
-    assert.equal(await page.getByTestId("naturalness").locator("tbody tr").count(), 1);
+    assert.equal(await page.getByTestId("log-density").locator("tbody tr").count(), 1);
     assert.deepEqual(await barriers(page), []);
     await page.locator("pg-numbers .term[data-term=lengthscale]").first().click();
     await page.getByRole("dialog", { name: "lengthscale" }).waitFor();
@@ -52,7 +52,7 @@ describe("the tab Numbers", () => {
     // With changed couplings there are two curves: the present motion, and as learned.
     await page.locator("pg-numbers .course").nth(1).waitFor();
     assert.equal(await page.locator("pg-numbers .course").count(), 2);
-    const motions = await page.getByTestId("naturalness").locator("tbody tr").allInnerTexts();
+    const motions = await page.getByTestId("log-density").locator("tbody tr").allInnerTexts();
     const [altered = NaN, learned = NaN] = motions.map((row) => Number(row.split("\t")[1]));
     assert.ok(altered < learned, `the changed motion is the less likely one: ${motions.join("; ")}`);
     assert.deepEqual(await barriers(page), []);

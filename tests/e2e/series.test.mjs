@@ -99,8 +99,9 @@ describe("tables of columns", () => {
       3,
       "dashes above the lines",
     );
-    assert.equal(await page.locator("pg-series-latent canvas").count(), 2);
-    await page.getByText("machine").first().waitFor();
+    assert.equal(await page.locator("pg-series .plot canvas").count(), 2);
+    assert.equal(await page.locator("pg-series .mark").count(), 24, "inducing points of both parts");
+    await page.locator("pg-series .loop-name").filter({ hasText: "machine" }).waitFor();
     const learned = await saved(page, "save-curves");
     const rows = learned.text.trim().split("\n");
     assert.equal(rows[0], "frame,time,drive_a,drive_b,load_c");
@@ -173,6 +174,7 @@ describe("tables of columns", () => {
     );
     assert.equal(await course(page, 2), before);
     // Enough iterations for the curves to appear during the training.
+    await page.locator("pg-series #open-learn").click();
     await page.getByTestId("series-maxIterations").fill("5000");
     await page.getByTestId("series-train").click();
     await question.waitFor();
@@ -235,8 +237,8 @@ describe("tables of columns", () => {
     await page.getByTestId("series-scrub").fill("30");
     assert.ok(await rests(figure));
     const learned = await figure.screenshot();
-    // The pelvis decides about the right leg.
-    await page.locator("pg-series [data-testid=coupling-0-4]").fill("-3");
+    // The left leg decides about the right one.
+    await page.locator("pg-series [data-testid=coupling-3-4]").fill("-3");
     await soon(async () =>
       assert.ok(!(await figure.screenshot()).equals(learned), "moves with the couplings"),
     );

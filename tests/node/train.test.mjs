@@ -33,13 +33,14 @@ describe("one call", () => {
     /** @type {number[]} */
     const iterations = [];
     const onProgress = (/** @type {{ iteration: number }} */ { iteration }) => iterations.push(iteration);
-    const model = await train(clips, { ...SHORT, seed: 3, ownRollouts: false, onProgress });
+    const papers = { poseWeight: 1, ownRollouts: false };
+    const model = await train(clips, { ...SHORT, seed: 3, ...papers, onProgress });
     const set = new TrainingSet();
     for (const clip of clips) set.add(clip);
     const trainer = new Trainer(set, {
       ...SHORT,
       seed: 3,
-      ownRollouts: false,
+      asInPapers: true,
       parts: "upper,lower".split(",").reverse().join(","),
     });
     while (!trainer.step().done);

@@ -66,14 +66,14 @@ describe("the declared types", () => {
     check("LatentField", rollout.latentField(0, [[0, 0]]));
     const observed = { given: [parts[0]?.name ?? ""], until: 1 };
     check("PartCompletion", model.complete(Clip.sample("walk-3"), observed).scores()[0]);
-    const { rollout: own, training, difference } = rollout.predictedNaturalness();
+    const { rollout: own, training, difference } = rollout.latentLogDensity();
     assert.ok(own !== null && training !== null && difference !== null);
     assert.ok(Math.abs(difference - (own - training)) < 1e-9);
     const alpha = [
       [1, 50],
       [50, 0.001],
     ];
-    const other = model.rollout({ frames: 60, alpha }).predictedNaturalness();
+    const other = model.rollout({ frames: 60, alpha }).latentLogDensity();
     assert.ok((other.rollout ?? 0) < own, "the motion is less likely");
     assert.equal(other.training, training);
 

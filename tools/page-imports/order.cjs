@@ -2,6 +2,7 @@
 // `npm test -- --only imports`.
 const { readdirSync } = require("node:fs");
 const { join } = require("node:path");
+const { views } = require("../../scripts/views.mjs");
 
 /** The folders of www/src. A folder imports only from lines above its own. */
 const ORDER = [
@@ -20,7 +21,8 @@ const ORDER = [
   ["live"], // the rollout without an end
   ["training"],
   ["picture"], // loops and couplings next to the figure of the Lab
-  ["comparison", "experiment", "perception", "primitives", "series", "method", "details"],
+  ["views"], // what a view of the page is; the folders with a file entry.ts are the next line
+  [...views.map(({ folder }) => folder), "details"],
   ["exercises"], // what a class does in the Lab, and when it is solved
   ["session"], // the copy of a visit in the browser's database
   ["app"], // creates the stores and connects them
@@ -41,8 +43,8 @@ const PACKAGES = [
   { packages: ["comlink"], folders: ["engine", "workers"] },
   { packages: ["three"], folders: ["scene", "stage", "comparison", "perception"] },
   { packages: ["jspsych"], folders: ["perception"] },
-  { packages: ["qr"], folders: ["teach"] },
-  { packages: ["idb"], folders: ["session"] },
+  { packages: ["qr"], folders: ["app"] },
+  { packages: ["idb"], folders: ["session", "perception"] },
   { packages: ["workbox-core", "workbox-precaching", "workbox-window"], folders: ["offline"] },
 ];
 

@@ -5,22 +5,21 @@ import "./app/layout.css";
 import { html, render } from "lit";
 import { App } from "./app/app";
 import { listenToDrops } from "./app/dropping";
-import { listenToKeys } from "./app/keyboard";
 import { wouldLose } from "./app/leaving";
 import { openFiles } from "./app/open-files";
 import type { PageView } from "./app/page";
 import { fetchStartModel, fetchStartMotion } from "./app/start-files";
 import { startEngine } from "./engine/engine";
+import { hireWholeWorkers } from "./engine/whole-workers";
 import { browserAddressBar } from "./settings/address";
 import { openDoor } from "./settings/door";
 import { isEmbedded } from "./settings/settings";
 import { IN_LAB } from "./settings/settings-store";
-import { storyBody } from "./story/body";
 import "./story/doors";
 import { whenIdle } from "./ui/idle";
 import { prefersReducedMotion } from "./ui/reduced-motion";
 
-const app = new App(browserAddressBar, isEmbedded(location.search));
+const app = new App(browserAddressBar, isEmbedded(location.search), hireWholeWorkers());
 openDoor(app.settings, app.embedded);
 const root = document.documentElement;
 const showState = () => {
@@ -32,38 +31,11 @@ const showType = () => root.toggleAttribute("data-large", app.settings.values.la
 showType();
 app.settings.on(showType);
 
-/** Shows the QR code of a state. */
-async function showCode(fragment: string): Promise<void> {
-  try {
-    await (await import("./teach/code-dialog")).showCode(app, fragment);
-  } catch {
-    app.notices.addError("QR", app.words.now.frame.notLoaded);
-  }
-}
-
-/** The Lab; null while the story is open, and before the Lab has loaded. */
-const lab = () => (!app.isLab ? null : document.querySelector<PageView>("pg-page"));
-
-listenToKeys(() => app.isLab, {
-  togglePlay: () => lab()?.clock?.togglePlay(),
-  step: (direction) => lab()?.clock?.step(direction),
-  resetCouplings: () => app.isPlayView && app.model.couplings.resetAll(),
-  help: () => lab()?.openHelp(),
-  hold: (held) => lab()?.holdByKey(held),
-  projector: () => app.settings.change({ large: !app.settings.values.large }),
-  code: () => void showCode(app.stateFragment),
-  leaveProjector() {
-    const { large } = app.settings.values;
-    if (large) app.settings.change({ large: false });
-    return large;
-  },
-});
 addEventListener("hashchange", () => app.followAddress());
-document.addEventListener("share", () => void showCode(app.stateFragment));
 // The browser asks whether to leave.
 addEventListener("beforeunload", (event) => wouldLose(app) && event.preventDefault());
 
-const start = () => app.start(startEngine, fetchStartModel);
+const start = () => app.start((events) => startEngine(app.workers, events), fetchStartModel);
 
 let keepsFiles = false;
 /** Keeps the files of the page for later visits, once the first engine runs or has failed. */
@@ -74,7 +46,7 @@ function keepFiles(): void {
     () => void app.offline.begin(async () => (await import("./offline/service-workers")).serviceWorkers()),
   );
 }
-storyBody(app).engine.on(keepFiles);
+app.story.engine.on(keepFiles);
 app.engine.on(keepFiles);
 
 /** Starts the engine of the Lab, when the Lab is on the page for the first time. */

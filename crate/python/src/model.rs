@@ -80,7 +80,7 @@ impl Vcgpdm {
     /// arrays have `fps` rows a second; `columns` are the names of their columns.
     ///
     /// A model of clips whose motion would come to rest learns from its own rollouts at the end, unless
-    /// `own_rollouts` is False.
+    /// `own_rollouts` is False. With `as_in_papers`, training has the pose weight 1 and no own rollouts.
     ///
     /// `progress` is called with a `Progress` after every iteration. When it raises StopIteration, the best
     /// model so far is returned. Ctrl-C raises KeyboardInterrupt, whose attribute `model` is the best model
@@ -88,11 +88,11 @@ impl Vcgpdm {
     #[staticmethod]
     #[pyo3(signature = (
         data, parts=None, *, latent=Count(3), order=Count(2), dynamics_ips=None, pose_ips=None,
-        max_iterations=Count(250), pose_weight=None, uncoupled=false, own_rollouts=true, fps=30.0, columns=None,
-        seed=Count(0), threads=Count(1), progress=None
+        max_iterations=Count(250), pose_weight=None, uncoupled=false, own_rollouts=true, as_in_papers=false,
+        fps=30.0, columns=None, seed=Count(0), threads=Count(1), progress=None
     ), text_signature = "(data, parts=None, *, latent=3, order=2, dynamics_ips=None, pose_ips=None, \
-        max_iterations=250, pose_weight=None, uncoupled=False, own_rollouts=True, fps=30.0, columns=None, \
-        seed=0, threads=1, progress=None)")]
+        max_iterations=250, pose_weight=None, uncoupled=False, own_rollouts=True, as_in_papers=False, \
+        fps=30.0, columns=None, seed=0, threads=1, progress=None)")]
     #[allow(clippy::too_many_arguments)]
     fn fit(
         py: Python<'_>,
@@ -106,6 +106,7 @@ impl Vcgpdm {
         pose_weight: Option<&Bound<'_, PyAny>>,
         uncoupled: bool,
         own_rollouts: bool,
+        as_in_papers: bool,
         fps: f64,
         columns: Option<Vec<String>>,
         seed: Count,
@@ -117,7 +118,7 @@ impl Vcgpdm {
             Data::Body(dataset) => VariationalSettings::for_dataset(dataset),
             Data::Series(dataset) => VariationalSettings::for_dataset(dataset),
         };
-        let settings = Settings::Vcgpdm(VariationalSettings {
+        let settings = VariationalSettings {
             latent: latent.0,
             order: order.0,
             dynamics_ips: dynamics_ips.map_or(usual.dynamics_ips, |count| count.0),
@@ -126,7 +127,8 @@ impl Vcgpdm {
             pose_weight: pose_weight.map_or(Ok(usual.pose_weight), read_weight)?,
             uncoupled,
             own_rollouts: usual.own_rollouts && own_rollouts,
-        });
+        };
+        let settings = Settings::Vcgpdm(if as_in_papers { settings.as_in_papers() } else { settings });
         let run = Run { settings, seed: seed.seed()?, threads: threads.0.max(1), progress };
         let (trained, interrupt) = match &data {
             Data::Body(dataset) => {

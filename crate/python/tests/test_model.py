@@ -83,7 +83,8 @@ def test_the_usual_settings_give_the_bound_that_every_program_gives():
 
 def test_a_model_that_would_stop_learns_from_its_rollouts_unless_told_otherwise(walk):
     settings = {"parts": "lower,upper", "max_iterations": 40, "pose_weight": 1}
-    plain = Vcgpdm.fit(walk, own_rollouts=False, **settings)
+    plain = Vcgpdm.fit(walk, **{**settings, "as_in_papers": True, "pose_weight": None})
+    assert plain.to_json() == Vcgpdm.fit(walk, own_rollouts=False, **settings).to_json()
     model = Vcgpdm.fit(walk, **settings)
     assert "rollout_rounds" not in plain.to_json() and "rollout_rounds" in model.to_json()
     assert model.bound == plain.bound

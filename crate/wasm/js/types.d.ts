@@ -88,6 +88,8 @@ export interface TrainingOptions {
     uncoupled?: boolean;
     /** As in `VariationalSettings`; absent: yes for clips and libraries. */
     ownRollouts?: boolean;
+    /** Train as in the papers: with `poseWeight` 1 and `ownRollouts` false, whatever these options are. */
+    asInPapers?: boolean;
     /** The clips are brought to about this rate; absent: 30. */
     framesPerSecond?: number;
     /** The seed of everything random, a whole number from 0 to 4294967295; absent: 0. */

@@ -25,7 +25,7 @@ use ts_rs::{Config, TS, TypeVisitor};
 use vcgpdm::models::library::PartMotion;
 use vcgpdm::models::variational::LatentField;
 use vcgpdm::models::{
-    Health, PredictedNaturalness, Progress, RolloutRequest, Settings, TrainingCost, VariationalSettings,
+    Health, LatentLogDensity, Progress, RolloutRequest, Settings, TrainingCost, VariationalSettings,
 };
 use vcgpdm::motion::measures::Measures;
 use vcgpdm::motion::samples::SampleInfo;
@@ -58,7 +58,7 @@ pub fn declarations() -> String {
     all.visit::<Plan>();
     all.visit::<PlanePicture>();
     all.visit::<Planned>();
-    all.visit::<PredictedNaturalness>();
+    all.visit::<LatentLogDensity>();
     all.visit::<Preset>();
     all.visit::<Rival>();
     all.visit::<RolloutRequest>();

@@ -16,7 +16,7 @@ beforeEach(() => {
 });
 
 const show = (name: string, text: string) =>
-  showAnyModel({ stage, settings }, { name, text, link: null }, program);
+  showAnyModel({ stage, settings, workers: program }, { name, text, link: null });
 
 /** The motion of a model with couplings. */
 function showModel(): void {
@@ -52,7 +52,7 @@ it("goes when the model comes back", async () => {
 it("is named by the address that brought it until it leaves the stage", async () => {
   showModel();
   const link = { frames: 60, take: () => settings.change({ modelFile: "b.json", frames: 60 }) };
-  await showAnyModel({ stage, settings }, { name: "b.json", text: '{"kind":"tmp"}', link }, program);
+  await showAnyModel({ stage, settings, workers: program }, { name: "b.json", text: '{"kind":"tmp"}', link });
   expect(otherModelOnStage(stage)).toMatchObject({ motion: { frames: 60 }, modelFile: "b.json" });
   showModel();
   expect(settings.values.modelFile).toBe("b.json");

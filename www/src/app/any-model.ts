@@ -1,6 +1,6 @@
 // Models of kinds without couplings: their motion moves on the stage in front of the model, whose couplings stay.
 // Loaded at the first use.
-import { wholeWorkers } from "../engine/whole-workers";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { MadeMotion } from "../engine/whole-protocol";
 import { modelStyle } from "../figures/model-style";
 import type { SettingsStore } from "../settings/settings-store";
@@ -30,9 +30,8 @@ interface BringingLink {
 
 /** Rolls the model out and shows its motion. `name`: that of its file. `link`: null for a visitor's file. */
 export async function showAnyModel(
-  { stage, settings }: { stage: StageStore; settings: SettingsStore },
+  { stage, settings, workers }: { stage: StageStore; settings: SettingsStore; workers: WholeWorkers },
   { name, text, link }: { name: string; text: string; link: BringingLink | null },
-  workers = wholeWorkers(),
 ): Promise<void> {
   const { frames } = link ?? settings.values;
   const made = await workers.desk.run((worker) => worker.rollOutAny(text, frames));

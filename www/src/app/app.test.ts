@@ -1,5 +1,6 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { FakeEngine, FakeTrainers, modelText, settled, started } from "../engine/engine.fake";
+import { FakeProgram } from "../engine/whole-workers.fake";
 import { FakeAddressBar } from "../settings/address.fake";
 import { App } from "./app";
 import { download } from "../ui/download";
@@ -21,7 +22,7 @@ function begin(fragment = ""): void {
   engine = new FakeEngine();
   trainers = new FakeTrainers(1);
   bar = new FakeAddressBar(fragment);
-  app = new App(bar, false);
+  app = new App(bar, false, new FakeProgram());
 }
 beforeEach(() => begin());
 
@@ -180,13 +181,14 @@ it("leaving the page loses only work that the browser does not store", async () 
   await openModel(app, modelText(7), true);
   expect(wouldLose(app)).toBe(true);
   const session = { loaded: { keeps: true } };
-  expect(wouldLose({ ...app, session } as unknown as App)).toBe(false);
+  const stored = (comparison: unknown) => {
+    const view = (name: string) => ({ loaded: name === "compare" ? comparison : null });
+    return wouldLose({ ...app, session, view } as unknown as App);
+  };
+  expect(stored(null)).toBe(false);
   // The browser stores only the shown comparison.
   const [shown, other] = [{}, {}];
-  const compared = (unsaved: unknown[]) => {
-    const comparison = { loaded: { unsaved, shown } };
-    return wouldLose({ ...app, session, comparison } as unknown as App);
-  };
+  const compared = (unsaved: unknown[]) => stored({ unsaved, shown });
   expect([compared([]), compared([shown]), compared([shown, other])]).toEqual([false, false, true]);
 });
 

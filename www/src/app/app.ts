@@ -8,15 +8,16 @@ import { ReadingsStore } from "../couplings/readings-store";
 import type { StartedEngine } from "../engine/engine";
 import { EngineStore } from "../engine/engine-store";
 import type { SupervisedEvents } from "../engine/supervised";
-import { wholeWorkers } from "../engine/whole-workers";
+import type { WholeWorkers } from "../engine/whole-workers";
 import { OfflineStore } from "../offline/offline-store";
 import { PointingStore } from "../latents/pointing-store";
 import { LayersStore } from "../latents/layers-store";
 import { PredictionsStore } from "../latents/predictions-store";
-import type { AnswerCounts } from "../session/answer-database";
+import type { AnswerCounts } from "../perception/answer-database";
 import type { AddressBar } from "../settings/address";
 import { type Settings, writeSettings } from "../settings/settings";
 import { IN_LAB, SettingsStore } from "../settings/settings-store";
+import type { ViewName, ViewStores } from "../settings/views";
 import { Playback } from "../stage/playback";
 import { momentOf, takeMoment } from "../stage/moment";
 import { StageStore } from "../stage/stage-store";
@@ -26,9 +27,11 @@ import { stageWork } from "../couplings/model-work";
 import { mayLose } from "../unsaved/unsaved";
 import { Switch } from "../ui/switch";
 import { WordsStore } from "../words/words";
-import { Lazy } from "./lazy";
+import { Lazy } from "../ui/lazy";
 import { OTHER_MODEL } from "./model-kinds";
 import { lab } from "../words/lab";
+import { loadCompleting, loadSession } from "../words/sections";
+import { StoryBody } from "./story-body";
 
 /** Opens the models of links. */
 const linked = () => import("./linked-model");
@@ -37,6 +40,8 @@ export class App {
   /** Whether the chapters are shown as slides of a lecture. */
   readonly lecture = new Switch();
   readonly words = new WordsStore();
+  /** The stores of the story. */
+  readonly story: StoryBody;
   readonly notices = new NoticesStore();
   readonly engine = new EngineStore();
   readonly offline = new OfflineStore(() => location.reload());
@@ -54,6 +59,8 @@ export class App {
   readonly starts: ClipStartStore;
   readonly training: TrainingStore;
 
+  readonly #views = new Map<ViewName, Lazy<unknown>>();
+
   readonly live = new Lazy(async () => {
     const { LiveStore } = await import("../live/live-store");
     return new LiveStore(this.engine, this.settings, this.model, this.stage, this.playback, this.notices);
@@ -61,12 +68,11 @@ export class App {
 
   /** The recordings that can give a part of the model, with their words. */
   readonly recordings = new Lazy(async () => {
-    const [{ Recordings }, { loadCompleting }] = await Promise.all([
+    const [{ Recordings }] = await Promise.all([
       import("../completing/recordings"),
-      import("../words/completing"),
+      loadCompleting(this.words),
     ]);
-    await loadCompleting(this.words);
-    return new Recordings(this.engine, this.model, this.clips, wholeWorkers());
+    return new Recordings(this.engine, this.model, this.clips, this.workers);
   });
 
   /** Recordings that move parts of the live motion. */
@@ -89,81 +95,30 @@ export class App {
     return new CompletingStore(recordings, this.model, this.stage, this.notices);
   });
 
-  readonly comparison = new Lazy(async () => {
-    const [{ ComparisonStore }, { loadCompare }] = await Promise.all([
-      import("../comparison/comparison-store"),
-      import("../words/compare"),
-    ]);
-    await loadCompare(this.words);
-    const comparison = new ComparisonStore(this.engine, this.settings, this.clips, wholeWorkers());
-    comparison.on(this.#touched);
-    return comparison;
-  });
-
   /** Stores this visit in the browser from now on. */
   readonly session = new Lazy(async () => {
-    const [{ openSession }, { visitOf }, { loadSession }] = await Promise.all([
+    const [{ openSession }, { visitOf }] = await Promise.all([
       import("../session/session"),
       import("./holdings"),
-      import("../words/session"),
+      loadSession(this.words),
     ]);
-    await loadSession(this.words);
     const session = await openSession(visitOf(this));
-    for (const store of [this.clips, this.training, this.model]) store.on(this.#touched);
+    for (const store of [this.clips, this.training, this.model]) store.on(this.touched);
     return session;
   });
 
-  readonly #touched = () => this.session.loaded?.touched();
-
-  readonly primitives = new Lazy(async () => {
-    const [{ openPrimitives }, { loadPrimitives }] = await Promise.all([
-      import("../primitives/primitives"),
-      import("../words/primitives"),
-    ]);
-    await loadPrimitives(this.words);
-    const primitives = openPrimitives(wholeWorkers(), this.engine, this.settings, this.clips, this.notices);
-    primitives.library.on(this.#touched);
-    return primitives;
-  });
+  readonly touched = () => this.session.loaded?.touched();
 
   /** Movements of recorded people, with their view. */
   readonly recorded = new Lazy(async () => {
-    const [{ recorded }] = await Promise.all([this.primitives.get(), import("../primitives/recorded-view")]);
+    const [{ recorded }] = await Promise.all([
+      this.view("primitives").get(),
+      import("../primitives/recorded-view"),
+    ]);
     return recorded;
   });
 
-  readonly series = new Lazy(async () => {
-    const [{ openSeries }, { loadSeries }] = await Promise.all([
-      import("../series/series"),
-      import("../words/series"),
-    ]);
-    await loadSeries(this.words);
-    return openSeries(wholeWorkers(), this.settings);
-  });
-
-  readonly experiment = new Lazy(async () => {
-    const { ExperimentStore } = await import("../experiment/experiment-store");
-    return new ExperimentStore(this.settings, wholeWorkers());
-  });
-
-  readonly perception = new Lazy(async () => {
-    const [{ PerceptionStore }, { studyOfThePage }, { loadPerception }, database] = await Promise.all([
-      import("../perception/perception-store"),
-      import("../perception/study-of-the-page"),
-      import("../words/perception"),
-      // The experiment works also in a browser that stores nothing.
-      this.#answers.get().catch(() => null),
-    ]);
-    await loadPerception(this.words);
-    return new PerceptionStore(wholeWorkers(), database, studyOfThePage);
-  });
-
-  readonly analysis = new Lazy(async () => {
-    const { AnalysisStore } = await import("../perception/analysis-store");
-    return new AnalysisStore(wholeWorkers());
-  });
-
-  readonly #answers = new Lazy(async () => (await import("../session/answer-database")).answerDatabase());
+  readonly #answers = new Lazy(async () => (await import("../perception/answer-database")).answerDatabase());
 
   /** Stores this visit if the browser can, and loads the page again. */
   async reload(): Promise<void> {
@@ -177,7 +132,8 @@ export class App {
   /** Shows the study of this text. `made`: it was made here and is on no disk. */
   async openStudy(text: string, made = false): Promise<void> {
     this.settings.change({ view: "perception" });
-    await (await this.perception.get()).openStudy(async () => text, made);
+    const { perception } = await this.view("perception").get();
+    await perception.openStudy(async () => text, made);
   }
 
   async countAnswers(): Promise<AnswerCounts> {
@@ -187,18 +143,18 @@ export class App {
   /** Removes the stored answers of all participants but one who answers now. The result brings them back. */
   async forgetAnswers(): Promise<() => Promise<void>> {
     const restore = await (await this.#answers.get()).forgetAll();
-    const listAgain = this.perception.loaded?.dropStored();
+    const listAgain = this.view("perception").loaded?.perception.dropStored();
     return async () => {
       await restore();
       listAgain?.();
       // The view of the test may have been opened since.
-      await this.perception.loaded?.loadStored();
+      await this.view("perception").loaded?.perception.loadStored();
     };
   }
 
   readonly #outlook = new Lazy(async () => {
     const { OutlookStore, behindPath } = await import("../latents/outlook");
-    const store = new OutlookStore(this.engine, this.model, this.stage, this.notices, wholeWorkers());
+    const store = new OutlookStore(this.engine, this.model, this.stage, this.notices, this.workers);
     return { store, behindPath };
   });
 
@@ -206,8 +162,10 @@ export class App {
     address: AddressBar,
     /** Whether the page is in a frame of another page: without header and footer. */
     readonly embedded: boolean,
+    readonly workers: WholeWorkers,
   ) {
     this.settings = new SettingsStore(address);
+    this.story = new StoryBody(workers);
     this.playback = new Playback(this.settings);
     this.stage = new StageStore(this.playback);
     this.clips = new ClipsStore(this.engine, this.settings, this.stage);
@@ -217,7 +175,7 @@ export class App {
     this.readings = new ReadingsStore(this.engine, this.model, this.stage);
     this.pointing = new PointingStore(this.engine, this.model, this.stage);
     this.predictions = new PredictionsStore(this.engine, this.model);
-    this.starts = new ClipStartStore(this.engine, this.model, this.clips, this.notices, wholeWorkers);
+    this.starts = new ClipStartStore(this.engine, this.model, this.clips, this.notices, workers);
     const mayTakeStage = () => mayLose(stageWork(this.model, this.engine));
     this.training = new TrainingStore(
       this.engine,
@@ -227,6 +185,18 @@ export class App {
       this.notices,
       mayTakeStage,
     );
+  }
+
+  /** The stores of a view, made at the first use. */
+  view<Name extends ViewName>(name: Name): Lazy<ViewStores[Name]> {
+    const made =
+      this.#views.get(name) ??
+      new Lazy(async () => {
+        const { ALL_VIEWS } = await import("../views/all-views");
+        return ALL_VIEWS.find((view) => view.name === name)?.stores(this);
+      });
+    this.#views.set(name, made);
+    return made as Lazy<ViewStores[Name]>;
   }
 
   /** Whether a chapter of the story is open. */

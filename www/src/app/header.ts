@@ -3,26 +3,23 @@ import { html, nothing } from "lit";
 import { guard } from "lit/directives/guard.js";
 import { lastChapter } from "../settings/door";
 import { writeSettings } from "../settings/settings";
+import type { ViewName } from "../settings/views";
 import { fileButton } from "../ui/file-button";
 import { icon } from "../ui/icons";
-import { View } from "../ui/view";
+import { View as ViewElement } from "../ui/view";
+import { ALL_VIEWS } from "../views/all-views";
+import type { View } from "../views/define-view";
 import type { App } from "./app";
 import { loadNewVersion } from "./leaving";
 import "./save-menu";
 import { lab } from "../words/lab";
 
-const VIEWS = ["play", "compare", "primitives", "synthetic", "perception", "method", "series"] as const;
-
-export class HeaderView extends View {
+export class HeaderView extends ViewElement {
   declare app: App;
 
   protected override stores() {
     const { engine, settings, offline } = this.app;
     return [engine, settings, settings.address, offline, this.app.words];
-  }
-
-  #tell(type: string, detail?: unknown): void {
-    this.dispatchEvent(new CustomEvent(type, { detail, bubbles: true }));
   }
 
   /**
@@ -31,26 +28,24 @@ export class HeaderView extends View {
    */
   #views() {
     const { settings, words } = this.app;
-    const { views } = lab();
-    return html`
-      <nav class="segments" aria-label=${words.now.frame.views}>
-        <a href="#story=${lastChapter()}" data-testid="view-story">${words.now.frame.story}</a>
-        ${VIEWS.filter((view) => view !== "series" || this.#hasSeries).map(
-          (view) => html`
+    const link = (view: ViewName, name: string) => html`
           <a href=${guard([settings.address.fragment], () => `#${writeSettings({ ...settings.written, view })}`)}
             data-testid="view-${view}" aria-current=${settings.values.view === view ? "page" : "false"}
             @click=${(event: MouseEvent) => {
               if (event.ctrlKey || event.metaKey || event.shiftKey) return;
               event.preventDefault();
               settings.change({ view });
-            }}>${views[view]}</a>`,
-        )}
+            }}>${name}</a>`;
+    return html`
+      <nav class="segments" aria-label=${words.now.frame.views}>
+        <a href="#story=${lastChapter()}" data-testid="view-story">${words.now.frame.story}</a>
+        ${link("play", lab().lab)}
+        ${ALL_VIEWS.filter((view) => this.#isListed(view)).map((view) => link(view.name, view.words[words.language].name))}
       </nav>`;
   }
 
-  /** Few visitors have time series, so that this view is in the list only after its first use. */
-  get #hasSeries(): boolean {
-    return this.app.settings.values.view === "series" || this.app.series.loaded !== null;
+  #isListed({ name, place }: View): boolean {
+    return place !== null || this.app.settings.values.view === name || this.app.view(name).loaded !== null;
   }
 
   /** The new version waits until the visitor asks for it. */
@@ -78,10 +73,10 @@ export class HeaderView extends View {
           accept: ".json,.bvh,.csv,.JSON,.BVH,.CSV,application/json,text/csv",
           multiple: true,
           disabled: false,
-          chosen: (files) => this.#tell("open-files", files),
+          chosen: (files) => this.tell("open-files", files),
         })}
         <pg-save-menu .app=${this.app}></pg-save-menu>
-        <button class="round" aria-label=${header.help} title="${header.help} (?)" data-testid="help" @click=${() => this.#tell("show-help")}>${icon("help")}</button>
+        <button class="round" aria-label=${header.help} title="${header.help} (?)" data-testid="help" @click=${() => this.tell("show-help")}>${icon("help")}</button>
       </div>`;
   }
 }

@@ -8,7 +8,7 @@ import "../ui/dialog.css";
 import { View } from "../ui/view";
 import { DATA_SOURCE } from "../words/data-source";
 import "./help.css";
-import { helpWords } from "../words/help";
+import { helpWords } from "../words/sections";
 
 export class HelpView extends View {
   declare model: ModelStore;
@@ -25,7 +25,7 @@ export class HelpView extends View {
 
   #showMethod(): void {
     this.querySelector("dialog")?.close();
-    this.dispatchEvent(new CustomEvent("show-method", { bubbles: true }));
+    this.tell("show-method");
   }
 
   #provenance() {

@@ -1,10 +1,8 @@
 // The work on the page that a session stores, and how a later visit takes it up.
 import type { ClipsStore } from "../clips/clips-store";
-import type { ComparisonStore } from "../comparison/comparison-store";
 import type { ModelStore } from "../couplings/model-store";
 import { stageWork } from "../couplings/model-work";
 import type { EngineStore } from "../engine/engine-store";
-import type { Primitives } from "../primitives/primitives";
 import type { Holdings } from "../session/records";
 import type { Visit } from "../session/session-store";
 import { initialSettings, writeSettings } from "../settings/settings";
@@ -13,8 +11,9 @@ import type { TrainingStore } from "../training/training-store";
 import { messageOf, sentence } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { mayLose } from "../unsaved/unsaved";
-import type { Lazy } from "./lazy";
-import { sessionWords } from "../words/session";
+import type { ViewName, ViewStores } from "../settings/views";
+import type { Lazy } from "../ui/lazy";
+import { sessionWords } from "../words/sections";
 
 /** The stores whose work a session stores. */
 interface Stores {
@@ -24,8 +23,7 @@ interface Stores {
   training: TrainingStore;
   model: ModelStore;
   notices: NoticesStore;
-  comparison: Lazy<ComparisonStore>;
-  primitives: Lazy<Primitives>;
+  view<Name extends ViewName>(name: Name): Lazy<ViewStores[Name]>;
 }
 
 /** Clips of runs that are not open any more have negative ids: no open clip has one. */
@@ -39,8 +37,10 @@ export function visitOf(stores: Stores): Visit {
   };
 }
 
-function holdingsOf({ settings, clips, training, model, comparison, primitives }: Stores): Holdings {
-  const shown = comparison.loaded?.shown;
+function holdingsOf(stores: Stores): Holdings {
+  const { settings, clips, training, model } = stores;
+  const comparison = stores.view("compare").loaded;
+  const shown = comparison?.shown;
   const ids = new Map(clips.all.map(({ key, loaded }) => [key, loaded.id]));
   return {
     fragment: settings.labFragment,
@@ -52,9 +52,9 @@ function holdingsOf({ settings, clips, training, model, comparison, primitives }
     results: shown && !shown.given ? shown.results.text : null,
     unsaved: {
       model: model.unsaved,
-      results: comparison.loaded?.unsaved.some((entry) => entry === shown) ?? false,
+      results: comparison?.unsaved.some((entry) => entry === shown) ?? false,
     },
-    library: primitives.loaded?.library.stored ?? null,
+    library: stores.view("primitives").loaded?.library.stored ?? null,
   };
 }
 
@@ -69,7 +69,7 @@ async function takeUp(stores: Stores, holdings: Holdings): Promise<string[]> {
   const keepsPresent = () => new Error(words.keepsPresent);
   if (bringsModel && !(await mayLose(stageWork(model, engine)))) throw keepsPresent();
   if (holdings.results !== null) {
-    const comparison = await stores.comparison.get();
+    const comparison = await stores.view("compare").get();
     if (!(await comparison.open(holdings.results, !unsaved.results))) throw keepsPresent();
   }
   if (settings.labFragment === writeSettings(initialSettings()) && holdings.fragment !== "") {
@@ -112,7 +112,7 @@ async function takeUp(stores: Stores, holdings: Holdings): Promise<string[]> {
     });
   if (library !== null)
     await attempt(words.theLibrary, async () => {
-      const primitives = await stores.primitives.get();
+      const primitives = await stores.view("primitives").get();
       await primitives.library.open(library.text, library.title, library.unsaved);
     });
   return problems;

@@ -14,10 +14,10 @@ import "../training/training-view";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 import { lab, shownPart } from "../words/lab";
-import { loadNumbers } from "../words/numbers";
+import { loadNumbers } from "../words/sections";
 import type { App } from "./app";
 import { clipOnStage } from "./caption";
-import type { Lazy } from "./lazy";
+import type { Lazy } from "../ui/lazy";
 
 type Panel = Settings["panel"];
 
@@ -213,7 +213,7 @@ export class LabView extends View {
       loadNumbers(words)
         .then(() => import("../details/numbers-view"))
         .catch(() => this.#notLoaded("panel"));
-    return html`<pg-numbers .engine=${engine} .model=${model} .playback=${playback} .clip=${clipOnStage(this.app)} .visible=${isPlayView}></pg-numbers>`;
+    return html`<pg-numbers .workers=${this.app.workers} .engine=${engine} .model=${model} .playback=${playback} .clip=${clipOnStage(this.app)} .visible=${isPlayView}></pg-numbers>`;
   }
 
   protected override render() {

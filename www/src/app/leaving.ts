@@ -8,16 +8,16 @@ import { lab } from "../words/lab";
  * studies, series, and the comparisons and libraries that are not looked at.
  */
 export function wouldLose(app: App): boolean {
-  const library = app.primitives.loaded?.library;
-  const comparison = app.comparison.loaded;
-  const perception = app.perception.loaded;
+  const library = app.view("primitives").loaded?.library;
+  const comparison = app.view("compare").loaded;
+  const perception = app.view("perception").loaded?.perception ?? null;
   const isStored = app.session.loaded?.keeps ?? false;
   const isStoredThing = (shown: unknown) => (thing: unknown) => isStored && thing === shown;
   return [
     !isStored && (app.model.unsaved || app.training.runs.some(({ model }) => model !== null)),
     !(library?.unsaved ?? []).every(isStoredThing(library?.current)),
     !(comparison?.unsaved ?? []).every(isStoredThing(comparison?.shown)),
-    (app.series.loaded?.model.unsaved ?? null) !== null,
+    (app.view("series").loaded?.model.unsaved ?? null) !== null,
     (perception?.unsaved ?? null) !== null,
     perception !== null &&
       perception.storageProblem !== "" &&
@@ -26,15 +26,15 @@ export function wouldLose(app: App): boolean {
 }
 
 /** What runs now and would end with the page. */
-function workUnderWay({ training, comparison, experiment, primitives, series, perception }: App): string[] {
-  const { learning, fitting } = primitives.loaded ?? {};
+function workUnderWay(app: App): string[] {
+  const { learning, fitting } = app.view("primitives").loaded ?? {};
   const isBusy = (...stores: ({ busy: boolean } | null | undefined)[]) => stores.some((store) => store?.busy);
   const { running } = lab().files.newVersion;
   return [
-    isBusy(training, learning, fitting, series.loaded?.training) ? running.training : "",
-    isBusy(comparison.loaded) ? running.comparison : "",
-    isBusy(experiment.loaded) ? running.experiment : "",
-    perception.loaded?.active ? running.participant : "",
+    isBusy(app.training, learning, fitting, app.view("series").loaded?.training) ? running.training : "",
+    isBusy(app.view("compare").loaded) ? running.comparison : "",
+    isBusy(app.view("synthetic").loaded) ? running.experiment : "",
+    app.view("perception").loaded?.perception.active ? running.participant : "",
   ].filter(Boolean);
 }
 

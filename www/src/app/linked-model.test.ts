@@ -1,16 +1,13 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { FakeEngine, FakeTrainers, modelText, settled, started } from "../engine/engine.fake";
 import { packed } from "../links/packed-model";
+import { FakeProgram } from "../engine/whole-workers.fake";
 import { FakeAddressBar } from "../settings/address.fake";
 import { visitor } from "../unsaved/choice-dialog.fake";
 import { App } from "./app";
 
 // Its marks are drawn with the DOM.
 vi.mock("../figures/model-style", () => ({ modelStyle: () => ({ name: "TMP" }) }));
-vi.mock("../engine/whole-workers", async () => {
-  const { FakeProgram } = await import("../engine/whole-workers.fake");
-  return { wholeWorkers: () => new FakeProgram() };
-});
 vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));
 
 let bar: FakeAddressBar;
@@ -20,7 +17,7 @@ let fetchedFirst: number;
 /** Opens the page at an address. */
 async function open(fragment: string): Promise<void> {
   bar = new FakeAddressBar(fragment);
-  app = new App(bar, false);
+  app = new App(bar, false, new FakeProgram());
   fetchedFirst = 0;
   await app.words.load("en");
   await app.start(
@@ -132,7 +129,7 @@ describe("the address of the first visit", () => {
 describe("a link that is followed", () => {
   it("opens its model also before the page is ready", async () => {
     bar = new FakeAddressBar("alpha=0.1:3");
-    app = new App(bar, false);
+    app = new App(bar, false, new FakeProgram());
     await app.words.load("en");
     let begin = () => {};
     const engine = new Promise<void>((resolve) => {

@@ -15,6 +15,7 @@ import { mayLose } from "../unsaved/unsaved";
 import { lab } from "../words/lab";
 import { linkWords } from "../words/links";
 import type { WordsStore } from "../words/words";
+import type { WholeWorkers } from "../engine/whole-workers";
 import { hasNoCouplings } from "./model-kinds";
 
 interface Stores {
@@ -25,6 +26,7 @@ interface Stores {
   model: ModelStore;
   training: TrainingStore;
   notices: NoticesStore;
+  workers: WholeWorkers;
   takeMoment(): void;
 }
 type Brought = Pick<Settings, "modelFile" | "packedModel">;

@@ -67,7 +67,7 @@ async function isAnswersTable(app: App, file: File): Promise<boolean> {
 /** A file with an error does not stop the others. */
 async function openTables(app: App, files: readonly File[], refuse: (title: string, text: string) => void) {
   app.settings.change({ view: "series" });
-  const { tables } = await app.series.get();
+  const { tables } = await app.view("series").get();
   for (const file of files) {
     try {
       await tables.open(file);
@@ -80,7 +80,7 @@ async function openTables(app: App, files: readonly File[], refuse: (title: stri
 /** Adds the answers of several participants to those that are open. */
 async function openAnswers(app: App, files: readonly File[]): Promise<void> {
   app.settings.change({ view: "perception" });
-  const [perception, analysis] = await Promise.all([app.perception.get(), app.analysis.get()]);
+  const { perception, analysis } = await app.view("perception").get();
   await perception.ready();
   const texts = await Promise.all(files.map(async (file) => ({ name: file.name, text: await file.text() })));
   if (perception.study) await analysis.add(perception.study.text, texts);
@@ -91,13 +91,13 @@ async function openJson(app: App, kind: DocumentKind, name: string, text: string
   if (kind === "study") {
     await app.openStudy(text);
   } else if (kind === "results") {
-    if (await (await app.comparison.get()).open(text)) app.settings.change({ view: "compare" });
+    if (await (await app.view("compare").get()).open(text)) app.settings.change({ view: "compare" });
   } else if (kind === "library") {
-    const { library } = await app.primitives.get();
+    const { library } = await app.view("primitives").get();
     app.settings.change({ view: "primitives" });
     await library.openFile(text, name);
   } else if (kind === "series-model") {
-    const { model } = await app.series.get();
+    const { model } = await app.view("series").get();
     if (await model.open(text)) app.settings.change({ view: "series" });
   } else {
     await openAnyModel(app, name, text);

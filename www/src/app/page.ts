@@ -1,85 +1,46 @@
 // The layout of the page: header, the Lab or another view, and footer.
 import { html, nothing, type TemplateResult } from "lit";
-import type { StagedModel } from "../stage/staged-model";
 import "../ui/notices-view";
 import type { SessionStore } from "../session/session-store";
-import { messageOf } from "../ui/format";
+import type { ViewName } from "../settings/views";
 import { icon } from "../ui/icons";
-import { View } from "../ui/view";
+import { isUsedByControl } from "../ui/keyboard";
+import { View as ViewElement } from "../ui/view";
+import { ALL_VIEWS } from "../views/all-views";
+import type { Draw } from "../views/define-view";
 import type { App } from "./app";
 import "./header";
 import type { HelpView } from "./help";
 import "./lab-view";
 import type { LabView } from "./lab-view";
-import { openAnyModel, openFiles } from "./open-files";
+import { COMMANDS, type Commanded } from "./commands";
 import { lab } from "../words/lab";
+import { loadHelp } from "../words/sections";
 import { languageSwitch } from "./language-switch";
 
-interface Clock {
-  togglePlay(): void;
-  step(direction: 1 | -1): void;
+type View = (typeof ALL_VIEWS)[number];
+const PAGES = import.meta.glob<Draw<ViewName>>("../*/*-page.ts", { import: "draw" });
+
+async function loadDraw({ folder }: View): Promise<Draw<ViewName>> {
+  const [, load] = Object.entries(PAGES).find(([file]) => file.startsWith(folder)) ?? [];
+  if (!load) throw new Error(`${folder}: expected a file that ends with -page.ts`);
+  return load();
 }
 
-/** Views that are loaded at their first use. Each function returns a function that draws the view. */
-const ON_DEMAND = {
-  async compare({ comparison, settings, clips, engine, notices }: App) {
-    const [store] = await Promise.all([comparison.get(), import("../comparison/comparison-page")]);
-    return () => html`
-      <pg-comparison .comparison=${store} .settings=${settings} .clips=${clips} .engine=${engine} .notices=${notices}></pg-comparison>`;
-  },
-  async synthetic({ experiment, settings, words }: App) {
-    const [store, { loadExperiment }] = await Promise.all([
-      experiment.get(),
-      import("../words/experiment"),
-      import("../experiment/experiment-page"),
-    ]);
-    await loadExperiment(words);
-    return () => html`<pg-synthetic .experiment=${store} .settings=${settings}></pg-synthetic>`;
-  },
-  async perception({ perception, analysis, notices }: App) {
-    const [store, answers] = await Promise.all([
-      perception.get(),
-      analysis.get(),
-      import("../perception/perception-page"),
-    ]);
-    return () =>
-      html`<pg-perception .perception=${store} .analysis=${answers} .notices=${notices}></pg-perception>`;
-  },
-  async primitives({ primitives, clips, notices }: App) {
-    const [stores] = await Promise.all([primitives.get(), import("../primitives/primitives-page")]);
-    return () =>
-      html`<pg-primitives .primitives=${stores} .clips=${clips} .notices=${notices}></pg-primitives>`;
-  },
-  async series({ series, settings, notices }: App) {
-    const [stores] = await Promise.all([series.get(), import("../series/series-page")]);
-    return () => html`<pg-series .series=${stores} .settings=${settings} .notices=${notices}></pg-series>`;
-  },
-  async method({ words }: App) {
-    const [{ loadMethod }] = await Promise.all([import("../words/method"), import("../method/method-page")]);
-    await loadMethod(words);
-    return () => html`<pg-method></pg-method>`;
-  },
-};
-
-export class PageView extends View {
+export class PageView extends ViewElement implements Commanded {
   static override properties = { session: { state: true } };
   /** The stored visits; null: the browser stores none, or the session is not loaded yet. */
   declare session: SessionStore | null;
   declare app: App;
-  readonly #loaded = new Map<keyof typeof ON_DEMAND, "loading" | "failed" | (() => TemplateResult)>();
+  readonly #loaded = new Map<View, "loading" | "failed" | (() => TemplateResult)>();
 
   constructor() {
     super();
     this.session = null;
   }
 
-  get #lab(): LabView | null {
+  get lab(): LabView | null {
     return this.querySelector<LabView>("pg-lab");
-  }
-
-  /** The key that cuts a coupling goes down or up. */
-  holdByKey(held: boolean): void {
-    this.#lab?.holdByKey(held);
   }
 
   protected override stores() {
@@ -92,19 +53,27 @@ export class PageView extends View {
     this.listen(window, "online", () => {
       for (const [view, state] of this.#loaded) if (state === "failed") this.#load(view);
     });
+    for (const [name, { run }] of Object.entries(COMMANDS))
+      this.listen(this, name, (event) => run(this, (event as CustomEvent).detail));
+    this.listen(document, "keydown", (event) => this.#obey(event as KeyboardEvent));
+    this.listen(document, "keyup", (event) => {
+      const { key } = event as KeyboardEvent;
+      for (const { run } of Object.values(COMMANDS).filter(
+        (command) => command.isHeld && command.key === key,
+      ))
+        run(this, false);
+    });
   }
 
-  /** The clock that the keys for play and step control. */
-  get clock(): Clock | null {
+  get clock(): Commanded["clock"] {
     return this.app.isPlayView
       ? this.app.playback
-      : this.querySelector<HTMLElement & Clock>("pg-side-by-side, pg-walk, pg-series");
+      : this.querySelector<HTMLElement & NonNullable<Commanded["clock"]>>("[data-clock]");
   }
 
   /** Loads the help at its first use. */
   async openHelp(): Promise<void> {
     try {
-      const { loadHelp } = await import("../words/help");
       await loadHelp(this.app.words);
       await import("./help");
       const help = this.querySelector<HelpView>("pg-help");
@@ -116,28 +85,27 @@ export class PageView extends View {
     }
   }
 
+  #obey(event: KeyboardEvent): void {
+    const { settings, isLab } = this.app;
+    if (!isLab || event.defaultPrevented || isUsedByControl(event)) return;
+    // The key also closes the card of a term.
+    if (event.key === "Escape" && settings.values.large && !document.querySelector(":popover-open")) {
+      event.preventDefault();
+      settings.change({ large: false });
+    }
+    const command = Object.values(COMMANDS).find(({ key }) => key === event.key);
+    if (!command) return;
+    event.preventDefault();
+    if (!command.isHeld || !event.repeat) command.run(this, true);
+  }
+
   /** Past the header, for the keyboard. */
   async #skip(): Promise<void> {
-    if (this.app.isPlayView) return this.#lab?.showPlace("couplings");
+    if (this.app.isPlayView) return this.lab?.showPlace("couplings");
     this.querySelector<HTMLElement>("main.on-demand")?.focus();
   }
 
-  /** Puts a model of another view on the stage. */
-  async #stageModel({ text, name, made }: StagedModel): Promise<void> {
-    const { notices, settings } = this.app;
-    try {
-      if (!(await openAnyModel(this.app, name, await text, made))) return;
-      settings.change({ view: "play" });
-    } catch (problem) {
-      notices.addError(lab().files.notTakenUp, messageOf(problem));
-    }
-  }
-
-  #showMethod(): void {
-    this.app.settings.change({ view: "method" });
-  }
-
-  #onDemand(view: keyof typeof ON_DEMAND) {
+  #onDemand(view: View) {
     const loaded = this.#loaded.get(view);
     if (typeof loaded === "function") return loaded();
     if (loaded === "failed")
@@ -147,28 +115,28 @@ export class PageView extends View {
     return html`<p class="empty" role="status">${lab().page.loading}</p>`;
   }
 
-  #load(view: keyof typeof ON_DEMAND): void {
+  #load(view: View): void {
     if (this.#loaded.get(view) === "loading") return;
     const arrived = (state: "loading" | "failed" | (() => TemplateResult)) => {
       this.#loaded.set(view, state);
       this.requestUpdate();
     };
     arrived("loading");
-    ON_DEMAND[view](this.app).then(arrived, () => arrived("failed"));
+    const { app } = this;
+    Promise.all([app.view(view.name).get(), loadDraw(view)]).then(
+      ([stores, draw]) => arrived(() => draw(stores, app)),
+      () => arrived("failed"),
+    );
   }
 
   protected override render() {
     const { app } = this;
     const { engine, settings, model, notices, embedded, isPlayView } = app;
     const { model: linked } = model.link;
-    const { view } = settings.values;
+    const view = isPlayView ? undefined : ALL_VIEWS.find(({ name }) => name === settings.values.view);
     const { page } = lab();
     return html`
-      <div class="page" data-embed=${embedded ? "1" : "0"} @show-help=${this.openHelp} @show-method=${this.#showMethod} @show-series=${() => settings.change({ view: "series" })}
-        @show-place=${({ detail }: CustomEvent<string>) => void this.#lab?.showPlace(detail)}
-        @study-made=${({ detail }: CustomEvent<string>) => void this.app.openStudy(detail, true)}
-        @stage-model=${({ detail }: CustomEvent<StagedModel>) => void this.#stageModel(detail)}
-        @open-files=${({ detail }: CustomEvent<File[]>) => void openFiles(app, detail, null)}>
+      <div class="page" data-embed=${embedded ? "1" : "0"}>
         ${
           embedded
             ? nothing
@@ -194,7 +162,7 @@ export class PageView extends View {
               <button class="small" @click=${() => void this.app.reload()}>${page.keepAndReload}</button></p>`
             : nothing
         }
-        ${isPlayView || view === "play" ? nothing : html`<main class="on-demand" tabindex="-1"><p class="view-lead">${lab().leads[view]}</p>${this.#onDemand(view)}</main>`}
+        ${view ? html`<main class="on-demand" tabindex="-1"><p class="view-lead">${view.words[app.words.language].lead}</p>${this.#onDemand(view)}</main>` : nothing}
         <pg-lab .app=${app}></pg-lab>
         ${
           embedded

@@ -47,7 +47,7 @@ export class SaveMenu extends View {
 
   #share(): void {
     this.querySelector<HTMLElement>("#save-menu")?.hidePopover();
-    this.dispatchEvent(new CustomEvent("share", { bubbles: true }));
+    this.tell("share");
   }
 
   protected override render() {

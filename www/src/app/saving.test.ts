@@ -1,5 +1,6 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { FakeEngine, FakeTrainers, modelHash, modelText, settled, started } from "../engine/engine.fake";
+import { FakeProgram } from "../engine/whole-workers.fake";
 import { FakeAddressBar } from "../settings/address.fake";
 import { download } from "../ui/download";
 import { App } from "./app";
@@ -9,17 +10,13 @@ import { modelOnStage } from "./stage-model";
 
 // Its marks are drawn with the DOM.
 vi.mock("../figures/model-style", () => ({ modelStyle: () => ({ name: "TMP" }) }));
-vi.mock("../engine/whole-workers", async () => {
-  const { FakeProgram } = await import("../engine/whole-workers.fake");
-  return { wholeWorkers: () => new FakeProgram() };
-});
 vi.mock("../ui/download", () => ({ download: vi.fn() }));
 
 const TMP = '{"kind":"tmp"}';
 
 let app: App;
 beforeEach(async () => {
-  app = new App(new FakeAddressBar("alpha=0.1:50&frames=90"), false);
+  app = new App(new FakeAddressBar("alpha=0.1:50&frames=90"), false, new FakeProgram());
   await app.start(
     async () => started(new FakeEngine(), new FakeTrainers(1)),
     async () => modelText(1),

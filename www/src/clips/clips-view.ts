@@ -160,7 +160,7 @@ export class ClipsView extends View {
         own.length > 0
           ? html`<ul class="clip-list" data-testid="own-clips">${this.#rows(own)}</ul>`
           : html`<p class="hint">${words.openOwn}
-            <button class="link" data-testid="show-series" @click=${() => this.dispatchEvent(new CustomEvent("show-series", { bubbles: true }))}>${words.series}</button>
+            <button class="link" data-testid="show-series" @click=${() => this.tell("show-series")}>${words.series}</button>
             ${words.seriesView}</p>`
       }
       ${

@@ -10,7 +10,8 @@ import { numberField } from "../settings/number-field";
 import { View } from "../ui/view";
 import type { ComparisonStore } from "./comparison-store";
 import { modelStyle } from "../figures/model-style";
-import { type CompareWords, compareWords } from "../words/compare";
+import type { CompareWords } from "./en";
+import { compareWords } from "./view-words";
 import { lab, shownPart, shownSplit } from "../words/lab";
 
 /** The settings with a label. */

@@ -4,7 +4,7 @@ import { download } from "../ui/download";
 import type { Work } from "../unsaved/unsaved";
 import type { JobProgress } from "./jobs";
 import type { ComparisonRequest } from "./comparison-request";
-import { compareWords } from "../words/compare";
+import { compareWords } from "./view-words";
 
 /** The most stored motions, of some hundred kilobytes each. */
 const MOST_MOTIONS = 400;

@@ -10,6 +10,7 @@ import type { NoticesStore } from "../ui/notices-store";
 import { noticeCard } from "../ui/notices-view";
 import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
+import type { Draw } from "../views/define-view";
 import "../ui/two-columns.css";
 import { withTerms } from "../terms/term";
 import "./choices";
@@ -21,7 +22,7 @@ import { modelStyle } from "../figures/model-style";
 import "./side-by-side";
 import { timeLeft } from "../training/words";
 import { lab } from "../words/lab";
-import { compareWords } from "../words/compare";
+import { compareWords } from "./view-words";
 import type { Comparison } from "../engine/whole-protocol";
 import "./correlations";
 import "./growth";
@@ -200,8 +201,7 @@ export class ComparisonPage extends View {
   async #makeStudy(): Promise<void> {
     this.#problem = "";
     try {
-      const detail = await this.comparison.makeStudy();
-      this.dispatchEvent(new CustomEvent<string>("study-made", { detail, bubbles: true }));
+      this.tell("study-made", await this.comparison.makeStudy());
     } catch (problem) {
       this.#problem = compareWords().noStudy(messageOf(problem));
       this.requestUpdate();
@@ -277,7 +277,7 @@ export class ComparisonPage extends View {
     return html`
       <section class="card setup" aria-label=${words.setup}><h2>${words.title}</h2>${this.#setup()}</section>
       <section class="found" aria-label=${words.found}>
-        <div class="card stage-card"><pg-side-by-side .comparison=${comparison}></pg-side-by-side></div>
+        <div class="card stage-card"><pg-side-by-side data-clock .comparison=${comparison}></pg-side-by-side></div>
         ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice, lab().files.dismiss))}
         ${this.#failures()}
         ${comparison.shown?.given ? html`<p class="hint" data-testid="given">${words.given}</p>` : nothing}
@@ -286,3 +286,6 @@ export class ComparisonPage extends View {
   }
 }
 customElements.define("pg-comparison", ComparisonPage);
+
+export const draw: Draw<"compare"> = (comparison, { settings, clips, engine, notices }) => html`
+  <pg-comparison .comparison=${comparison} .settings=${settings} .clips=${clips} .engine=${engine} .notices=${notices}></pg-comparison>`;

@@ -23,7 +23,7 @@ import {
 import { costOf, type JobProgress, openJobs, summary, waiting } from "./jobs";
 import { type ComparisonRequest, comparisonRequest } from "./comparison-request";
 import { studyRequestOf } from "./study-request";
-import { compareWords } from "../words/compare";
+import { compareWords } from "./view-words";
 import { lab } from "../words/lab";
 
 /** The most stored comparisons. They let the visitor change settings and return. */

@@ -1,4 +1,4 @@
-// Error over bound, a panel for each model that has a bound (figure 6B of Velychko et al. 2018).
+// Error over bound, a panel for each model that has a bound (figure 1 of the supplement of Velychko et al. 2017).
 import { html, nothing, svg } from "lit";
 import { axes, labelsWidth } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
@@ -10,7 +10,7 @@ import { linearScale, logScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
 import type { Comparison, Correlation } from "../engine/whole-protocol";
 import { styled } from "../ui/styled";
-import { compareWords } from "../words/compare";
+import { compareWords } from "./view-words";
 
 const GAP = 28;
 const LEAST = 250;

@@ -10,7 +10,7 @@ import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { plain } from "../figures/numbers";
 import { linearScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
-import { compareWords } from "../words/compare";
+import { compareWords } from "./view-words";
 
 export interface Distances {
   /** Seconds between frames. */

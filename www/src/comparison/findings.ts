@@ -3,7 +3,7 @@ import { modelStyle } from "../figures/model-style";
 import { twoDecimals } from "../figures/numbers";
 import { differs } from "./measures";
 import type { Correlation, Growth, ModelSummary } from "../engine/whole-protocol";
-import { compareWords } from "../words/compare";
+import { compareWords } from "./view-words";
 
 /** Of fewer settings, even a perfect order is likely by chance: 1 in 12 for four settings. */
 const FEWEST_SETTINGS = 5;

@@ -9,7 +9,7 @@ import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { logScale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
 import type { Comparison, Growth } from "../engine/whole-protocol";
-import { compareWords } from "../words/compare";
+import { compareWords } from "./view-words";
 
 const MOST = 860;
 /** In a narrower figure names and exponents have two lines. */

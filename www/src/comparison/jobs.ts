@@ -1,7 +1,7 @@
 // The progress of the trainings of a comparison. No rendering, no worker.
 import type { Job, PlannedComparison, PlannedJob } from "../engine/whole-protocol";
 import { type CostWords, waitWords } from "../training/cost";
-import { compareWords } from "../words/compare";
+import { compareWords } from "./view-words";
 
 /** A job of the last press of Compare. */
 export interface JobProgress {

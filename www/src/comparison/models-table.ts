@@ -12,7 +12,7 @@ import { plain, estimateText } from "../figures/numbers";
 import type { Scale } from "../figures/scale";
 import { textWidth } from "../figures/text-width";
 import type { Comparison, ModelSummary, Spread } from "../engine/whole-protocol";
-import { compareWords } from "../words/compare";
+import { compareWords } from "./view-words";
 
 /** The size of the drawing in a cell, in pixels; the page may widen it. */
 const NARROWEST = 112;

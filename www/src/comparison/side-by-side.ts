@@ -25,7 +25,7 @@ import {
   toggled,
 } from "./predictions";
 import { styled } from "../ui/styled";
-import { compareWords } from "../words/compare";
+import { compareWords } from "./view-words";
 import { lab } from "../words/lab";
 import "../stage/stage-canvas.css";
 
@@ -210,7 +210,7 @@ export class SideBySide extends View {
   #putOnStage(prediction: Prediction, trial: string): void {
     const text = prediction.predicted.model.text();
     const detail: StagedModel = { text, name: `${modelOf(prediction)} without ${trial}`, made: true };
-    this.dispatchEvent(new CustomEvent("stage-model", { detail, bubbles: true }));
+    this.tell("stage-model", detail);
   }
 
   protected override render() {

@@ -2,7 +2,7 @@
 // models trained in this visit.
 import type { GeneratedMovement, StudyRequest } from "../engine/whole-protocol";
 import type { ReadonlyEntry } from "./comparison-entry";
-import { compareWords } from "../words/compare";
+import { compareWords } from "./view-words";
 
 /** Null: no model was trained in this visit, and results from a file have no movements. */
 export function studyRequestOf({

@@ -7,7 +7,7 @@ import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
-import { completingWords } from "../words/completing";
+import { completingWords } from "../words/sections";
 import type { Recording, Recordings } from "./recordings";
 
 interface Asked {

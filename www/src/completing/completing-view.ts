@@ -6,7 +6,7 @@ import { fixed } from "../ui/format";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
-import { completingWords } from "../words/completing";
+import { completingWords } from "../words/sections";
 import "./completing.css";
 import type { CompletingStore } from "./completing-store";
 import { shownPart } from "../words/lab";

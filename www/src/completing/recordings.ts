@@ -7,7 +7,7 @@ import type { ClipSource, ModelView } from "../engine/protocol";
 import type { CompletedClip, CompletionRequest } from "../engine/whole-protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
 import { Store } from "../ui/store";
-import { completingWords } from "../words/completing";
+import { completingWords } from "../words/sections";
 
 export interface Recording {
   key: string;

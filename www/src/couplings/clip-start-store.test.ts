@@ -27,7 +27,7 @@ beforeEach(async () => {
   const stage = new StageStore(new Playback(settings));
   model = new ModelStore(store, settings, stage, notices);
   clips = new ClipsStore(store, settings, stage);
-  starts = new ClipStartStore(store, model, clips, notices, () => whole);
+  starts = new ClipStartStore(store, model, clips, notices, whole);
   await store.start(
     () => Promise.resolve(started(engine)),
     () => model.open(modelText(1, 2)),

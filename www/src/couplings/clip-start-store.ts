@@ -22,7 +22,7 @@ export class ClipStartStore extends Store {
   readonly #engine: EngineStore;
   readonly #model: ModelStore;
   readonly #clips: ClipsStore;
-  readonly #workers: () => Pick<WholeWorkers, "desk">;
+  readonly #workers: Pick<WholeWorkers, "desk">;
   readonly #asked: Latest<Asked, number[][][]>;
   /** The key of the clip that the visitor has chosen last, until its start is there. */
   #awaited: string | null = null;
@@ -32,7 +32,7 @@ export class ClipStartStore extends Store {
     model: ModelStore,
     clips: ClipsStore,
     notices: NoticesStore,
-    workers: () => Pick<WholeWorkers, "desk">,
+    workers: Pick<WholeWorkers, "desk">,
   ) {
     super();
     [this.#engine, this.#model, this.#clips, this.#workers] = [engine, model, clips, workers];
@@ -101,7 +101,7 @@ export class ClipStartStore extends Store {
     const text = await engine.modelJson();
     const { source, first, end, loaded } = clip;
     const piece = { id: loaded.id, source, first, end };
-    return this.#workers().desk.run((worker) => worker.inferStart(text, piece, framesOf(info)));
+    return this.#workers.desk.run((worker) => worker.inferStart(text, piece, framesOf(info)));
   }
 
   #take(latents: number[][][], { model, clip: { key, title } }: Asked): void {

@@ -5,8 +5,8 @@ import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import { type Coupling, couplingSlider, setWithin } from "./coupling-slider";
+import type { Coupled } from "./coupled";
 import "./coupling-view.css";
-import type { ModelStore } from "./model-store";
 import { lab, shownPart } from "../words/lab";
 
 /** Pixels of drag for a factor of ten in alpha. */
@@ -34,7 +34,7 @@ const thickness = (weight: number) => 1 + 6.5 * weight;
 
 export class CouplingView extends View {
   static override properties = { source: { type: Number }, target: { type: Number }, way: {} };
-  declare model: ModelStore;
+  declare model: Coupled;
   declare source: number;
   declare target: number;
   declare way: Way;
@@ -62,7 +62,7 @@ export class CouplingView extends View {
   #hold(held: boolean): void {
     this.#held = held;
     const detail: HoldCoupling = { source: this.source, target: this.target, held };
-    this.dispatchEvent(new CustomEvent("hold-coupling", { detail, bubbles: true }));
+    this.tell("hold-coupling", detail);
     this.requestUpdate();
   }
 

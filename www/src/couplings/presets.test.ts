@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import type { ModelView } from "../engine/protocol";
-import { lab as german } from "../words/de/lab";
-import { lab as english } from "../words/en/lab";
+import { words as german } from "../words/de/lab";
+import { words as english } from "../words/en/lab";
 import {
   couplingsOf,
   INVITATION,

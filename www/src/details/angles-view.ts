@@ -6,7 +6,7 @@ import type { Playback } from "../stage/playback";
 import { download } from "../ui/download";
 import { View } from "../ui/view";
 import { type Channel, courseOf, plottedCsv, type Recorded, speedOf } from "./channels";
-import { numbers } from "../words/numbers";
+import { numbers } from "../words/sections";
 
 /** A motion of the body on the stage. */
 export interface PlottedMotion {

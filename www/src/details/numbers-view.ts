@@ -7,8 +7,8 @@ import { weightText } from "../couplings/weights";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
 import type { Engine, RolloutRequest } from "../engine/protocol";
-import type { PredictedNaturalness } from "../engine/whole-protocol";
-import { wholeWorkers } from "../engine/whole-workers";
+import type { LatentLogDensity } from "../engine/whole-protocol";
+import type { WholeWorkers } from "../engine/whole-workers";
 import type { Playback } from "../stage/playback";
 import { withTerms } from "../terms/term";
 import { fixed, short } from "../ui/format";
@@ -18,7 +18,7 @@ import type { PlottedMotion } from "./angles-view";
 import { channelsOf, type Recorded, readMotion } from "./channels";
 import "./details.css";
 import { type Kernels, kernelsOf } from "./kernels";
-import { numbers as words } from "../words/numbers";
+import { numbers as words } from "../words/sections";
 import { shownPart } from "../words/lab";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
@@ -89,7 +89,7 @@ interface ReadMotion {
   of: "model now" | "model as learned" | { clip: string };
   motion: Recorded;
   /** Null for a clip. */
-  naturalness: PredictedNaturalness | null;
+  logDensity: LatentLogDensity | null;
 }
 
 export class NumbersView extends View {
@@ -100,6 +100,7 @@ export class NumbersView extends View {
     motions: { state: true },
     problem: { state: true },
   };
+  declare workers: WholeWorkers;
   declare engine: EngineStore;
   declare model: ModelStore;
   declare playback: Playback;
@@ -151,14 +152,14 @@ export class NumbersView extends View {
       const { loaded, source, first, end } = clip;
       const bvh = await clips.clipBvh({ id: loaded.id, source, first, end });
       const motion = readMotion(bvh);
-      return { kernels, motions: [{ of: { clip: clip.title }, motion, naturalness: null }] };
+      return { kernels, motions: [{ of: { clip: clip.title }, motion, logDensity: null }] };
     }
     const read = async (of: "model now" | "model as learned", request: RolloutRequest) => {
-      const [bvh, naturalness] = await Promise.all([
+      const [bvh, logDensity] = await Promise.all([
         engine.rolloutBvh(request),
-        wholeWorkers().desk.run((worker) => worker.predictedNaturalness(text, request)),
+        this.workers.desk.run((worker) => worker.latentLogDensity(text, request)),
       ]);
-      return { of, motion: readMotion(bvh), naturalness };
+      return { of, motion: readMotion(bvh), logDensity };
     };
     const now = await read("model now", model.rolloutRequest());
     if (!model.couplings.altered || !model.learned) return { kernels, motions: [now] };
@@ -176,18 +177,19 @@ export class NumbersView extends View {
     return this.motions.map((read) => ({ name: this.#nameOf(read), motion: read.motion }));
   }
 
-  #naturalness() {
-    const { naturalness: heads } = words();
+  #logDensity() {
+    const { logDensity: heads } = words();
     const number = (value: number | null) => (value === null ? "–" : fixed(value, 1));
     const rows = this.motions.flatMap((read) =>
-      read.naturalness ? [{ name: this.#nameOf(read), ...read.naturalness }] : [],
+      read.logDensity ? [{ name: this.#nameOf(read), ...read.logDensity }] : [],
     );
     if (rows.length === 0) return nothing;
+    const elbo = this.model.model?.info.dynamicsElbo ?? null;
     return html`
       <section>
         <h2>${heads.title}</h2>
         <div class="table-scroll" tabindex="0" role="region" aria-label=${heads.title}>
-          <table data-testid="naturalness">
+          <table data-testid="log-density">
             <thead><tr><th scope="col">${heads.of}</th><th scope="col">${heads.rollout}</th>
               <th scope="col">${heads.training}</th><th scope="col">${heads.difference}</th></tr></thead>
             <tbody>${rows.map(
@@ -197,7 +199,7 @@ export class NumbersView extends View {
             )}</tbody>
           </table>
         </div>
-        <p class="hint">${heads.about}</p>
+        <p class="hint">${heads.about(number(elbo))}</p>
         <p class="hint">${heads.caution}</p>
       </section>`;
   }
@@ -236,7 +238,7 @@ export class NumbersView extends View {
         <h2>${words().angles.title}</h2>
         <pg-angles .playback=${this.playback} .motions=${this.#plotted} .channels=${channelsOf(joints)}></pg-angles>
       </section>
-      ${this.#naturalness()}
+      ${this.#logDensity()}
       ${model.model ? this.#couplings() : nothing}
       ${kernelTables(kernels)}`;
   }

@@ -96,6 +96,7 @@ function infoOf(text: string): ModelInfo {
     })),
     joints,
     figure,
+    dynamicsElbo: null,
     provenance: {
       engine: "fake",
       settings: { ...settings, maxIterations: 100 },

@@ -4,7 +4,7 @@ import { loadPlayer, loadWholeWhenIdle } from "./programs";
 import type { ClipCalls, Engine, SampleInfo, Workbench } from "./protocol";
 import { nameOf, startIn } from "./running";
 import { SupervisedEngine, type SupervisedEvents } from "./supervised";
-import { clipCalls, type TrainingWorker, wholeWorkers } from "./whole-workers";
+import { clipCalls, type TrainingWorker, type WholeWorkers } from "./whole-workers";
 import type { Pool } from "./pool";
 
 export interface StartedEngine {
@@ -32,7 +32,7 @@ async function startWorkbench(program: Promise<WebAssembly.Module>) {
  * Starts the worker that shows. The promise fails, with a sentence for the visitor, where wasm or workers are
  * missing.
  */
-export async function startEngine(events: SupervisedEvents): Promise<StartedEngine> {
+export async function startEngine(whole: WholeWorkers, events: SupervisedEvents): Promise<StartedEngine> {
   if (typeof WebAssembly !== "object") {
     throw new Error("this browser has no WebAssembly, which the model needs.");
   }
@@ -43,6 +43,5 @@ export async function startEngine(events: SupervisedEvents): Promise<StartedEngi
   const restart = async () => (await startWorkbench(program)).running;
   const { engine } = new SupervisedEngine(running, restart, events);
   loadWholeWhenIdle();
-  const whole = wholeWorkers();
   return { engine, clips: clipCalls(whole), pool: whole.pool, version, samples };
 }

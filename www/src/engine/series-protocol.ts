@@ -1,6 +1,6 @@
 // The messages about time series without a body. Types only.
 import type { ModelInfo, TableInfo, TableTrainingSettings } from "vcgpdm";
-import type { Couplings, Reading, Report, TrainingOutcome } from "./protocol";
+import type { Couplings, ModelView, Reading, Report, TrainingOutcome } from "./protocol";
 
 export type { TableInfo, TablePart } from "vcgpdm";
 export type SeriesInfo = ModelInfo;
@@ -32,6 +32,11 @@ export interface TrainedSeries {
   latents: Float64Array[];
 }
 
+/** A model of columns that a worker has opened. */
+export interface OpenedSeries extends Pick<ModelView, "poseInducing" | "dynamicsInducing"> {
+  info: SeriesInfo;
+}
+
 export interface SeriesRequest {
   frames: number;
   /** The index of the training table from whose first rows the rollout starts. */
@@ -58,7 +63,7 @@ export interface SeriesWorker {
   /** The reason why these tables cannot be trained on together; empty if they can. */
   checkTables(tables: TableSource[]): Promise<string>;
   /** Opens a model and closes the earlier one. If the text is not a model of tables, throws the reason. */
-  openSeries(text: string): SeriesInfo;
+  openSeries(text: string): OpenedSeries;
   /** A rollout of the open model. */
   rolloutSeries(request: SeriesRequest): SeriesRollout;
   /** A rollout of the open model as CSV: frame, time in seconds, and the columns of the model. */

@@ -40,6 +40,7 @@ function infoOf(text: string): SeriesInfo {
     order: coupled ? 2 : null,
     startFrames: null,
     dynamicsIps: null,
+    dynamicsElbo: null,
     provenance: { settings: { seed: 1 } } as SeriesInfo["provenance"],
   };
 }
@@ -80,7 +81,7 @@ export class FakeSeries {
         const info = infoOf(text);
         this.opened.push(text);
         open = text;
-        return info;
+        return { info, poseInducing: [], dynamicsInducing: [] };
       },
       rolloutSeries: async (asked) => {
         this.rollouts.push(asked);

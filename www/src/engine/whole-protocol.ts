@@ -13,7 +13,7 @@ import type {
   Plan,
   PlanePicture,
   PlannedJob,
-  PredictedNaturalness,
+  LatentLogDensity,
   Setting,
   StudyInfo,
   StudyLook,
@@ -60,7 +60,7 @@ export type {
   Plan,
   PlanePicture,
   PlannedJob,
-  PredictedNaturalness,
+  LatentLogDensity,
   Regression,
   Rival,
   Setting,
@@ -250,7 +250,7 @@ export interface UncertaintyWorker {
    */
   inferStart(text: string, clip: TrainingClip, frames: number): Promise<number[][][]>;
   /** How natural the motion of the model of this document is predicted to look. */
-  predictedNaturalness(text: string, request: RolloutRequest): PredictedNaturalness;
+  latentLogDensity(text: string, request: RolloutRequest): LatentLogDensity;
   /** A rollout of the model with some of its inducing points only. */
   keptRollout(kept: KeptPoints, request: RolloutRequest): KeptReport;
 }

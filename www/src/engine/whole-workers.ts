@@ -30,13 +30,10 @@ function hire(): Hired<WholeCalls> {
   return { worker: calls, ...rest };
 }
 
-let workers: WholeWorkers | null = null;
-
-/** The workers of this page. */
-export function wholeWorkers(): WholeWorkers {
+/** The workers of a page. Each starts at its first work. */
+export function hireWholeWorkers(): WholeWorkers {
   const cores = Math.max(1, navigator.hardwareConcurrency || 1);
-  workers ??= { pool: new Pool(cores, hire), desk: new Pool(1, hire), library: new Pool(1, hire) };
-  return workers;
+  return { pool: new Pool(cores, hire), desk: new Pool(1, hire), library: new Pool(1, hire) };
 }
 
 /** The calls about clips, by the worker for short questions. */

@@ -5,11 +5,12 @@ import { settingField } from "../settings/setting-field";
 import type { SettingsStore } from "../settings/settings-store";
 import { restOf, shareOf } from "../training/runs";
 import { localNumber, sentence } from "../ui/format";
-import { experimentWords } from "../words/experiment";
+import { experimentWords } from "./view-words";
 import { progressBar } from "../ui/progress-bar";
 import { randomNumbers } from "../ui/random-numbers";
 import "../ui/two-columns.css";
 import { View } from "../ui/view";
+import type { Draw } from "../views/define-view";
 import "./experiment.css";
 import type { SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
 import type { ExperimentStore } from "./experiment-store";
@@ -309,3 +310,6 @@ export class ExperimentPage extends View {
   }
 }
 customElements.define("pg-synthetic", ExperimentPage);
+
+export const draw: Draw<"synthetic"> = (experiment, { settings }) =>
+  html`<pg-synthetic .experiment=${experiment} .settings=${settings}></pg-synthetic>`;

@@ -3,7 +3,7 @@ import type { TrainingOutcome } from "../engine/protocol";
 import type { Experiment, SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
 import type { Course } from "../training/runs";
 import { ratio } from "../figures/numbers";
-import { experimentWords } from "../words/experiment";
+import { experimentWords } from "./view-words";
 
 /** A training on an experiment that waits, runs or is over. */
 export interface ExperimentRun extends Experiment, Course {

@@ -6,7 +6,7 @@ import { type ExperimentRun, headline, isFound, readings } from "./experiments";
 import { partColour } from "../ui/palette";
 import type { SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
 import { partStyle } from "../ui/styled";
-import { experimentWords } from "../words/experiment";
+import { experimentWords } from "./view-words";
 
 const PARTS = [0, 1];
 

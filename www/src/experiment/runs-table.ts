@@ -3,7 +3,7 @@ import { html, nothing } from "lit";
 import { grouped, short } from "../ui/format";
 import { type ExperimentRun, inOrder, isFound } from "./experiments";
 import { percent, ratio } from "../figures/numbers";
-import { experimentWords } from "../words/experiment";
+import { experimentWords } from "./view-words";
 import { endingWords } from "../training/words";
 
 /** Empty before the end. */

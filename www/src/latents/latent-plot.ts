@@ -1,9 +1,9 @@
 // The latent space of one part: a canvas, and a button on each inducing point.
 import { html, nothing } from "lit";
-import type { ModelStore } from "../couplings/model-store";
-import type { DynamicsInducing, InducingPoint, RolloutResult } from "../engine/protocol";
+import type { Coupled, LatentPaths } from "../couplings/coupled";
+import type { DynamicsInducing, InducingPoint } from "../engine/protocol";
 import type { SettingsStore } from "../settings/settings-store";
-import type { Playback } from "../stage/playback";
+import type { Clock } from "../stage/clock";
 import type { StageStore } from "../stage/stage-store";
 import { onThemeChange, partColour, partColourNow } from "../ui/palette";
 import { View } from "../ui/view";
@@ -22,6 +22,16 @@ import { lab, shownPart } from "../words/lab";
 const FLAT: Turn = { about: 0, tilt: 0 };
 const TILTED: Turn = { about: -0.6, tilt: 0.5 };
 
+/** What the plots of one model have in common. Only a model of a body has the optional stores. */
+export interface Space {
+  readonly layers: LayersStore;
+  readonly settings: SettingsStore;
+  readonly playback: Clock;
+  readonly stage?: StageStore;
+  readonly pointing?: PointingStore;
+  readonly predictions?: PredictionsStore;
+}
+
 interface Mark {
   key: string;
   point: InducingPoint;
@@ -34,17 +44,12 @@ interface Mark {
 export class LatentPlot extends View {
   static override properties = { bodyPart: { type: Number } };
   declare bodyPart: number;
-  declare layers: LayersStore;
-  declare model: ModelStore;
-  declare pointing: PointingStore;
-  declare predictions: PredictionsStore;
-  declare settings: SettingsStore;
-  declare stage: StageStore;
-  declare playback: Playback;
+  declare model: Coupled;
+  declare space: Space;
   #turn: Turn = FLAT;
   #projection: Projection | null = null;
   /** The rollout as learned that the axes were computed from. */
-  #projected: RolloutResult | null = null;
+  #projected: LatentPaths | null = null;
   #drag: { x: number; y: number; turn: Turn; moved: boolean } | null = null;
   #list: Mark[] = [];
   /** The requested animation frame; 0 without one. */
@@ -59,12 +64,14 @@ export class LatentPlot extends View {
   }
 
   protected override stores() {
-    return [this.model, this.pointing, this.settings, this.stage, this.layers];
+    const { pointing, settings, stage, layers } = this.space;
+    return [this.model, settings, layers, ...(pointing ? [pointing] : []), ...(stage ? [stage] : [])];
   }
 
   protected override arrived(): void {
-    for (const store of [this.playback, this.predictions])
-      this.whenLeaving(store.on(() => this.#paintSoon()));
+    const { playback, predictions } = this.space;
+    for (const store of [playback, predictions])
+      if (store) this.whenLeaving(store.on(() => this.#paintSoon()));
     this.whenLeaving(() => {
       cancelAnimationFrame(this.#frame);
       this.#frame = 0;
@@ -81,7 +88,7 @@ export class LatentPlot extends View {
       this.#projection = principalAxes(this.#cloud(q), q, this.#projection);
       this.#projected = learned;
     }
-    if (this.settings.values.plot === "2d") this.#turn = FLAT;
+    if (this.space.settings.values.plot === "2d") this.#turn = FLAT;
     else if (this.#turn.about === 0 && this.#turn.tilt === 0) this.#turn = TILTED;
     this.#list = this.#listMarks();
   }
@@ -111,7 +118,7 @@ export class LatentPlot extends View {
     parts.forEach((_, target) => {
       const own = target === part;
       const inducing = model.dynamicsInducing[part]?.[target];
-      if (!inducing || !(own ? this.layers.shown.dynamics : this.layers.shown.between)) return;
+      if (!inducing || !(own ? this.space.layers.shown.dynamics : this.space.layers.shown.between)) return;
       for (let i = 0; i < inducing.count; i++) {
         marks.push({
           key: `d${target}-${i}`,
@@ -124,7 +131,7 @@ export class LatentPlot extends View {
     });
     // Last, so that their buttons lie on top.
     const poses = model.poseInducing[part];
-    for (let i = 0; this.layers.shown.pose && poses && i < (parts[part]?.poseIps ?? 0); i++) {
+    for (let i = 0; this.space.layers.shown.pose && poses && i < (parts[part]?.poseIps ?? 0); i++) {
       const label = words.posePoint(i + 1, name(part));
       marks.push({ key: `p${i}`, point: { kind: "pose", part, index: i }, label, points: poses, row: i });
     }
@@ -151,17 +158,18 @@ export class LatentPlot extends View {
   }
 
   #picture(box: HTMLElement): LatentPicture | null {
-    const { bodyPart: part, playback } = this;
-    const { shown, behind } = this.layers;
+    const { bodyPart: part } = this;
+    const { playback, layers, stage } = this.space;
+    const { shown, behind } = layers;
     const projection = this.#projection;
     const turn = this.#turn;
     const { model, rollout, learned, couplings } = this.model;
-    const { live } = this.stage;
+    const live = stage?.live;
     const latents = live?.latents(part) ?? rollout?.latents[part];
     if (!model || !latents || !projection || projection.dimensions !== model.info.parts[part]?.latent)
       return null;
-    const { report } = this.pointing;
-    const predictions = this.predictions.report;
+    const report = this.space.pointing?.report ?? null;
+    const predictions = this.space.predictions?.report;
     const inducing = (source: number, target: number) => model.dynamicsInducing[source]?.[target];
     const ofOthers = (pointsOf: (other: number) => DynamicsInducing | undefined) =>
       model.info.parts.flatMap((_, other) => {
@@ -185,12 +193,12 @@ export class LatentPlot extends View {
       incoming: ofOthers((other) => inducing(other, part)),
       order: model.info.order,
       frame: playback.frame - (live?.first ?? 0),
-      live: this.stage.content?.kind === "model",
+      live: !stage || stage.content?.kind === "model",
       report,
       lit:
         report !== null && part === (report.point.kind === "pose" ? report.point.part : report.point.source),
       predicted:
-        !predictions || live || !rollout
+        !predictions || live || !rollout?.weights
           ? null
           : { report: predictions, weights: rollout.weights.map((row) => row[part] ?? 0) },
       band: this.#band,
@@ -253,7 +261,7 @@ export class LatentPlot extends View {
 
   #turnTo(turn: Turn): void {
     this.#turn = { about: turn.about, tilt: Math.max(-1.5, Math.min(1.5, turn.tilt)) };
-    if (this.settings.values.plot === "2d") this.settings.change({ plot: "3d" });
+    if (this.space.settings.values.plot === "2d") this.space.settings.change({ plot: "3d" });
     this.#moved = true;
     this.#paintSoon();
   }
@@ -266,7 +274,7 @@ export class LatentPlot extends View {
   #keys(event: KeyboardEvent): void {
     const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
     if (!step) {
-      if (event.key === "Escape") this.pointing.pointAt(null);
+      if (event.key === "Escape") this.space.pointing?.pointAt(null);
       return;
     }
     event.preventDefault();
@@ -285,9 +293,9 @@ export class LatentPlot extends View {
   }
 
   protected override render() {
-    const { pointing } = this;
+    const { pointing, stage } = this.space;
     const name = shownPart(this.model.model?.info.parts[this.bodyPart]?.name ?? "");
-    const point = (to: InducingPoint | null) => () => pointing.pointAt(to);
+    const point = (to: InducingPoint | null) => () => pointing?.pointAt(to);
     return html`
       <figure class="latent" style=${partStyle(partColour(this.bodyPart))}>
         <div class="plot" tabindex="0" role="group" aria-label=${lab().loops.plotOf(name)} title=${lab().loops.turn}
@@ -298,11 +306,11 @@ export class LatentPlot extends View {
           ${this.#list.map(
             ({ key, point: to, label }, i) => html`
             <button class="mark" type="button" data-mark=${key} tabindex=${i === 0 ? 0 : -1} aria-label=${label} title=${label}
-              aria-pressed=${samePoint(to, pointing.point) ? "true" : "false"}
+              aria-pressed=${pointing && samePoint(to, pointing.point) ? "true" : "false"}
               @pointerenter=${point(to)} @pointerleave=${point(null)}
               @focus=${point(to)} @blur=${point(null)} @click=${point(to)}></button>`,
           )}
-          ${this.stage.live ? html`<pg-push-handle .bodyPart=${this.bodyPart} .name=${name}></pg-push-handle>` : nothing}
+          ${stage?.live ? html`<pg-push-handle .bodyPart=${this.bodyPart} .name=${name}></pg-push-handle>` : nothing}
         </div>
       </figure>
     `;

@@ -10,7 +10,7 @@ import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
 import { StageStore } from "../stage/stage-store";
 import { NoticesStore } from "../ui/notices-store";
-import { loadCompleting } from "../words/completing";
+import { loadCompleting } from "../words/sections";
 import { WordsStore } from "../words/words";
 import { LiveStore } from "./live-store";
 import { RecordedParts } from "./recorded-parts";

@@ -7,7 +7,7 @@ import type { CompletedClip } from "../engine/whole-protocol";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
-import { completingWords } from "../words/completing";
+import { completingWords } from "../words/sections";
 import type { LiveStore } from "./live-store";
 
 interface Asked {

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
-import { method as de } from "../words/de/method";
-import { method as en } from "../words/en/method";
+import { words as de } from "./de";
+import { words as en } from "./en";
 import { EQUATIONS, equationsWith, SYMBOLS } from "./equations";
 
 const all = [

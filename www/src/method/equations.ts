@@ -1,6 +1,6 @@
 // The equations of the model in MathML, which browsers draw. They are constants and words of the page: no text
 // of a visitor is in them.
-import type { MethodWords } from "../words/en/method";
+import type { MethodWords } from "./en";
 
 const tag = (name: string, inner: string, attributes = "") => `<${name}${attributes}>${inner}</${name}>`;
 const row = (...parts: string[]) => tag("mrow", parts.join(""));
@@ -171,9 +171,10 @@ export const EQUATIONS = {
 /** The equations with words in them. */
 export const equationsWith = (words: MethodWords["inEquations"]) => ({
   bound: math(
-    log(call(id("p"), id("Y"))),
-    op("≥"),
+    sub(id("F"), id("γ")),
+    op("="),
     sum(i),
+    sub(id("γ"), i),
     sub(id("F"), row(text(words.poses), i)),
     op("+"),
     sum(i),
@@ -182,6 +183,10 @@ export const equationsWith = (words: MethodWords["inEquations"]) => ({
     text(words.firstFrames),
     op("+"),
     text(words.entropy),
+    apart,
+    sub(id("F"), one),
+    op("≤"),
+    log(call(id("p"), id("Y"))),
   ),
   score: math(
     call(id("P"), text(words.natural)),

@@ -3,7 +3,7 @@
 import { html, svg, type SVGTemplateResult } from "lit";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
-import type { MethodWords } from "../words/en/method";
+import type { MethodWords } from "./en";
 
 const R = 21;
 /** Shows a place of the page. */

@@ -5,12 +5,14 @@ import { unsafeHTML } from "lit/directives/unsafe-html.js";
 import { withTerms } from "../terms/term";
 import { download } from "../ui/download";
 import { View } from "../ui/view";
-import type { MethodWords } from "../words/en/method";
-import { methodWords } from "../words/method";
+import type { Draw } from "../views/define-view";
+import type { MethodWords } from "./en";
+import { methodWords } from "./view-words";
 import { EQUATIONS, equationsWith, SYMBOLS } from "./equations";
 import { graphs } from "./graphs";
 import "./method.css";
-import { bibtex, FURTHER_WORKS, inWords, MODEL_PAPERS, type Work } from "./references";
+import papers from "./papers.bib?raw";
+import { WORKS } from "./references";
 
 type SymbolRow =
   | { symbol: Shown; place: string }
@@ -90,16 +92,12 @@ export class MethodPage extends View {
     return [];
   }
 
-  #show(place: string): void {
-    this.dispatchEvent(new CustomEvent("show-place", { detail: place, bubbles: true }));
-  }
-
   #model() {
     const { graphs: drawn, model, training, steps, rollout, readings } = methodWords();
     return html`
       <section class="panel">
         <h2>${model.title}</h2>
-        ${graphs((place) => this.#show(place), drawn)}
+        ${graphs((place) => this.tell("show-place", place), drawn)}
         <p>${withTerms(model.latents)}</p>
         ${equation("dynamics")}
         ${equation("weights")}
@@ -114,6 +112,7 @@ export class MethodPage extends View {
         <h2>${training.title}</h2>
         <p>${training.bound}</p>
         ${equation("bound")}
+        <p>${training.weights}</p>
         <p>${training.terms}</p>
         ${equation("collapsed")}
         ${equation("posterior")}
@@ -133,7 +132,7 @@ export class MethodPage extends View {
         <h2>${readings.title}</h2>
         <p><strong>${readings.learned}</strong> ${readings.learnedText}</p>
         <p><strong>${readings.inferred}</strong> ${readings.inferredText}</p>
-        <button class="small" @click=${() => this.#show("reading")}>${readings.choose}</button>
+        <button class="small" @click=${() => this.tell("show-place", "reading")}>${readings.choose}</button>
       </section>`;
   }
 
@@ -163,7 +162,7 @@ export class MethodPage extends View {
         <td>${
           place === null
             ? html`<small>${symbols.notShown}</small>`
-            : html`<button class="small" data-place=${place} @click=${() => this.#show(place)}>${symbols.there[row.symbol]}</button>`
+            : html`<button class="small" data-place=${place} @click=${() => this.tell("show-place", place)}>${symbols.there[row.symbol]}</button>`
         }</td></tr>`;
   }
 
@@ -181,29 +180,27 @@ export class MethodPage extends View {
       </section>`;
   }
 
-  #work(work: Work) {
-    const { doi } = work;
-    return html`<li>${inWords(work, methodWords().references.thesis)} ${doi ? html`<a href="https://doi.org/${doi}">${`doi:${doi}`}</a>` : nothing}</li>`;
-  }
-
   #references() {
     const words = methodWords().references;
-    const entries = MODEL_PAPERS.map(bibtex).join("\n\n");
-    const save = () => download("vcgpdm.bib", new Blob([`${entries}\n`], { type: "text/plain" }));
+    const save = () => download("vcgpdm.bib", new Blob([papers], { type: "text/plain" }));
     return html`
       <section class="panel">
         <h2>${words.title}</h2>
-        <ol class="works" lang="en">${[...MODEL_PAPERS, ...FURTHER_WORKS].map((work) => this.#work(work))}</ol>
+        <ol class="works" lang="en">${WORKS.map(
+          ({ words, doi }) =>
+            html`<li>${words} ${doi ? html`<a href="https://doi.org/${doi}">${`doi:${doi}`}</a>` : nothing}</li>`,
+        )}</ol>
         <h3>${words.cite}</h3>
-        <p>${words.citeText}</p>
-        <pre class="bibtex" tabindex="0" role="region" lang="en" aria-label=${BIBTEX} data-testid="bibtex">${entries}</pre>
+        <pre class="bibtex" tabindex="0" role="region" lang="en" aria-label=${BIBTEX} data-testid="bibtex">${papers}</pre>
         <button class="small" data-testid="save-bibtex" @click=${save}>${words.save}</button>
       </section>`;
   }
 
   protected override render() {
     return html`<div class="method">${this.#model()}${this.#others()}${this.#symbols()}${this.#references()}
-      <p><button @click=${() => this.#show("stage")}>${methodWords().back}</button></p></div>`;
+      <p><button @click=${() => this.tell("show-place", "stage")}>${methodWords().back}</button></p></div>`;
   }
 }
 customElements.define("pg-method", MethodPage);
+
+export const draw: Draw<"method"> = () => html`<pg-method></pg-method>`;

@@ -1,149 +1,58 @@
-// The works behind the models. CITATION.cff has the same for programs; a test compares both.
+// The works behind the models, and those of the other equations of the view. CITATION.cff has some for programs;
+// a test compares them.
 
-export interface Work {
-  /** The key of its BibTeX entry. */
-  key: string;
-  type: "article" | "conference-paper" | "thesis";
-  authors: { family: string; given: string }[];
-  title: string;
-  year: number;
-  /** The journal, the proceedings or the university. */
-  where: string;
-  volume?: string;
-  issue?: string;
-  /** The first and the last page, or the number of an article. */
-  start?: string;
-  end?: string;
-  doi?: string;
-  /** The title of the book that contains it. */
-  isbn?: string;
-}
-
-const velychko = { family: "Velychko", given: "Dmytro" };
-const knopp = { family: "Knopp", given: "Benjamin" };
-const endres = { family: "Endres", given: "Dominik" };
-
-/** The papers of the model. */
-export const MODEL_PAPERS: Work[] = [
+/** The papers of the model, and the works that these build on, as lines of a list. */
+export const WORKS: readonly { words: string; doi?: string }[] = [
   {
-    key: "velychko2018",
-    type: "article",
-    authors: [velychko, knopp, endres],
-    title:
-      "Making the Coupled Gaussian Process Dynamical Model Modular and Scalable with Variational Approximations",
-    year: 2018,
-    where: "Entropy",
-    volume: "20",
-    issue: "10",
-    start: "724",
+    words:
+      "Velychko, D., Knopp, B., Endres, D. (2018). Making the Coupled Gaussian Process Dynamical Model Modular and Scalable with Variational Approximations. Entropy 20(10), 724.",
     doi: "10.3390/e20100724",
   },
   {
-    key: "velychko2017",
-    type: "conference-paper",
-    authors: [velychko, knopp, endres],
-    title: "The Variational Coupled Gaussian Process Dynamical Model",
-    year: 2017,
-    where:
-      "Artificial Neural Networks and Machine Learning - ICANN 2017, Proceedings, Part I, Lecture Notes in Computer Science",
-    volume: "10613",
-    start: "291",
-    end: "299",
+    words:
+      "Velychko, D., Knopp, B., Endres, D. (2017). The Variational Coupled Gaussian Process Dynamical Model. ICANN 2017, 291–299.",
     // The DOI of the volume, which the paper itself names.
     doi: "10.1007/978-3-319-68600-4",
-    isbn: "978-3-319-68600-4",
   },
   {
-    key: "knopp2019",
-    type: "article",
-    authors: [knopp, velychko, { family: "Dreibrodt", given: "Johannes" }, endres],
-    title:
-      "Predicting Perceived Naturalness of Human Animations Based on Generative Movement Primitive Models",
-    year: 2019,
-    where: "ACM Transactions on Applied Perception",
-    volume: "16",
-    issue: "3",
-    start: "15",
+    words:
+      "Knopp, B., Velychko, D., Dreibrodt, J., Endres, D. (2019). Predicting Perceived Naturalness of Human Animations Based on Generative Movement Primitive Models. ACM Transactions on Applied Perception 16(3), 15.",
     doi: "10.1145/3355401",
   },
-];
-
-/** The works that these papers build on. */
-export const FURTHER_WORKS: Work[] = [
   {
-    key: "velychko2020",
-    type: "thesis",
-    authors: [velychko],
-    title: "Probabilistic Models of Motor Production",
-    year: 2020,
-    where: "Philipps University of Marburg",
+    words:
+      "Velychko, D. (2020). Probabilistic Models of Motor Production. Doctoral thesis, Philipps University of Marburg.",
   },
   {
-    key: "wang2008",
-    type: "article",
-    authors: [
-      { family: "Wang", given: "Jack M." },
-      { family: "Fleet", given: "David J." },
-      { family: "Hertzmann", given: "Aaron" },
-    ],
-    title: "Gaussian Process Dynamical Models for Human Motion",
-    year: 2008,
-    where: "IEEE Transactions on Pattern Analysis and Machine Intelligence",
-    volume: "30",
-    issue: "2",
-    start: "283",
-    end: "298",
+    words:
+      "Velychko, D., Endres, D., Taubert, N., Giese, M. A. (2014). Coupling Gaussian Process Dynamical Models with Product-of-Experts Kernels. ICANN 2014, 603–610.",
+  },
+  {
+    words:
+      "Wang, J. M., Fleet, D. J., Hertzmann, A. (2008). Gaussian Process Dynamical Models for Human Motion. IEEE PAMI 30(2), 283–298.",
     doi: "10.1109/TPAMI.2007.1167",
   },
   {
-    key: "titsias2010",
-    type: "conference-paper",
-    authors: [
-      { family: "Titsias", given: "Michalis K." },
-      { family: "Lawrence", given: "Neil D." },
-    ],
-    title: "Bayesian Gaussian Process Latent Variable Model",
-    year: 2010,
-    where:
-      "Proceedings of the Thirteenth International Conference on Artificial Intelligence and Statistics (AISTATS)",
-    start: "844",
-    end: "851",
+    words:
+      "Titsias, M. K., Lawrence, N. D. (2010). Bayesian Gaussian Process Latent Variable Model. AISTATS 2010, 844–851.",
+  },
+  {
+    words:
+      "Urtasun, R., Fleet, D. J., Fua, P. (2006). 3D People Tracking with Gaussian Process Dynamical Models. CVPR 2006, 238–245.",
+  },
+  { words: "Hinton, G. E. (1999). Products of Experts. ICANN 1999, 1–6." },
+  {
+    words:
+      "Clever, D. et al. (2016). A Novel Approach for the Generation of Complex Humanoid Walking Sequences … Robotics and Autonomous Systems 83, 287–298.",
+    doi: "10.1016/j.robot.2016.06.001",
+  },
+  {
+    words:
+      "Ijspeert, A. J. et al. (2013). Dynamical Movement Primitives: Learning Attractor Models for Motor Behaviors. Neural Computation 25(2), 328–373.",
+    doi: "10.1162/NECO_a_00393",
+  },
+  {
+    words:
+      "Sakoe, H., Chiba, S. (1978). Dynamic Programming Algorithm Optimization for Spoken Word Recognition. IEEE ASSP 26(1), 43–49.",
   },
 ];
-
-const ENTRIES: Record<Work["type"], { entry: string; where: string }> = {
-  article: { entry: "article", where: "journal" },
-  "conference-paper": { entry: "inproceedings", where: "booktitle" },
-  thesis: { entry: "phdthesis", where: "school" },
-};
-
-/** A work as a BibTeX entry. */
-export function bibtex(work: Work): string {
-  const { key, type, authors, title, year, volume, issue, start, end, doi, isbn } = work;
-  const { entry, where } = ENTRIES[type];
-  const fields: [string, string | undefined][] = [
-    ["author", authors.map(({ family, given }) => `${family}, ${given}`).join(" and ")],
-    // Braces keep the capitals of names such as Gaussian.
-    ["title", `{${title}}`],
-    [where, work.where],
-    ["volume", volume],
-    ["number", issue],
-    ["pages", end ? `${start}--${end}` : start],
-    ["year", String(year)],
-    ["doi", doi],
-    ["isbn", isbn],
-  ];
-  const lines = fields.flatMap(([name, value]) => (value === undefined ? [] : [`  ${name} = {${value}},`]));
-  return [`@${entry}{${key},`, ...lines, "}"].join("\n");
-}
-
-/** A work in a line, for a list of references. `thesis`: what a thesis is called. */
-export function inWords(work: Work, thesis: string): string {
-  const { authors, year, title, where, volume, issue, start, end, type } = work;
-  const names = authors.map(({ family, given }) =>
-    `${family}, ${given.replace(/(\p{L})[\p{L}]+/gu, "$1.")}`.replace("..", "."),
-  );
-  const number = volume ? ` ${volume}${issue ? `(${issue})` : ""}` : "";
-  const pages = start ? `, ${start}${end ? `–${end}` : ""}` : "";
-  return `${names.join(", ")} (${year}). ${title}. ${type === "thesis" ? `${thesis}, ` : ""}${where}${number}${pages}.`;
-}

@@ -17,7 +17,7 @@ import "./heat-maps";
 import "./inducing-figure";
 import "./pairwise-figure";
 import { answered } from "./participation";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import type { PerceptionStore } from "./perception-store";
 import "./rate-figures";
 import "./score-figures";

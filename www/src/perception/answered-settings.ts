@@ -1,7 +1,7 @@
 // The settings of models that have answers, and the data of their figures. No rendering.
 import type { Confusion, Regression, PerceptionResults, SettingResult } from "../engine/whole-protocol";
 import { estimateText } from "../figures/numbers";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 
 /** A setting with its scores and its rate. */
 export type Answered = SettingResult & {

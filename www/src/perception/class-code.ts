@@ -1,7 +1,7 @@
 // The answers of a participant as one short code, which a class can read out or paste as a column. The code
 // has the seed, from which the trials follow, and a bit for each answer; it has no times.
 import { messageOf } from "../ui/format";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import type { Row } from "./participation";
 import type { Side } from "./trial-view";
 

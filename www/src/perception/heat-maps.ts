@@ -6,7 +6,7 @@ import { modelStyle } from "../figures/model-style";
 import { textWidth } from "../figures/text-width";
 import { fixed } from "../ui/format";
 import { styled } from "../ui/styled";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import { MSE_TITLE, RATE_TITLES, rateFields } from "./answered-settings";
 import { type Grid, gridsOf } from "./grids";
 

@@ -1,4 +1,5 @@
-// Answers, error and bound over the numbers of inducing points (figure 6 of Velychko et al. 2018).
+// Answers, error on trials held out and bound over the numbers of inducing points. Figure 6 of Velychko et al. (2018)
+// has the error on the training data.
 import { html } from "lit";
 import type { PerceptionResults } from "../engine/whole-protocol";
 import { FigureElement } from "../figures/figure-element";
@@ -13,7 +14,7 @@ import {
   rateFields,
   regressionOf,
 } from "./answered-settings";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import { type Grid, gridsOf } from "./grids";
 import { type Panel, type PanelAxis, type PanelPoint, panels } from "./panel";
 

@@ -8,7 +8,7 @@ import type { NoticesStore } from "../ui/notices-store";
 import { View } from "../ui/view";
 import { motionsOf } from "./motions";
 import { CanvasPair } from "./pair-stage";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import type { PerceptionStore } from "./perception-store";
 import "../ui/dialog.css";
 

@@ -7,7 +7,7 @@ import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import "../terms/term";
 import { fixed, localNumber } from "../ui/format";
 import { styled } from "../ui/styled";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import { RATE_TITLES, rateFields } from "./answered-settings";
 
 const two = (value: number) => fixed(value, 2);

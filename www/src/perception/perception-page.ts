@@ -8,6 +8,7 @@ import type { NoticesStore } from "../ui/notices-store";
 import { noticeCard } from "../ui/notices-view";
 import "../ui/two-columns.css";
 import { View } from "../ui/view";
+import type { Draw } from "../views/define-view";
 import type { AnalysisStore } from "./analysis-store";
 import "./analysis-view";
 import "./movement-look";
@@ -18,7 +19,7 @@ import "./run-dialog";
 import { studyCard } from "./study-card";
 import { STUDY_OF_THE_PAGE } from "./study-of-the-page";
 import { lab } from "../words/lab";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import type { AnswersFile } from "../engine/whole-protocol";
 import { download } from "../ui/download";
 import { csvFile, jsonFile } from "./answer-files";
@@ -173,3 +174,6 @@ export class PerceptionPage extends View {
   }
 }
 customElements.define("pg-perception", PerceptionPage);
+
+export const draw: Draw<"perception"> = ({ perception, analysis }, { notices }) =>
+  html`<pg-perception .perception=${perception} .analysis=${analysis} .notices=${notices}></pg-perception>`;

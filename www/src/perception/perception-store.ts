@@ -18,7 +18,7 @@ import {
   type Row,
   sessionCount,
 } from "./participation";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import { codesOf } from "./class-code";
 import { type Step, stepsOf, trialColumns } from "./steps";
 

@@ -12,7 +12,7 @@ import {
   rateBar,
   rateFields,
 } from "./answered-settings";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import { type Panel, type PanelAxis, type PanelPoint, panels } from "./panel";
 
 /** The names of the building blocks that a model counts. */

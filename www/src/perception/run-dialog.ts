@@ -9,7 +9,7 @@ import type { PerceptionStore, ActiveParticipation } from "./perception-store";
 import { answered } from "./participation";
 import { run, type Running } from "./run";
 import { messageOf } from "../ui/format";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import "../ui/dialog.css";
 import "./run-dialog.css";
 

@@ -18,7 +18,7 @@ import {
   type Score,
   SCORES,
 } from "./answered-settings";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import { type Panel, type PanelAxis, type PanelPoint, panels } from "./panel";
 
 const pointsOf = (settings: readonly Answered[], score: Score): PanelPoint[] =>

@@ -2,13 +2,13 @@ import { describe, expect, it, vi } from "vitest";
 import library from "../../../crate/lab/src/perception/study.rs?raw";
 import bundled from "../../public/study/walks.study.json?raw";
 import type { StudyTexts } from "../engine/whole-protocol";
-import { study as german } from "../words/de/study";
-import { study as english } from "../words/en/study";
+import { study as german } from "./study-de";
+import { study as english } from "./study-en";
 import { shownText, storedText } from "./standard-texts";
 
-vi.mock("../words/perception", async () => {
-  const { perception } = await import("../words/de/perception");
-  return { perceptionWords: () => perception, loadPerception: async () => {} };
+vi.mock("./view-words", async () => {
+  const { words } = await import("./de");
+  return { perceptionWords: () => words };
 });
 
 const NAMES = Object.keys(english) as (keyof StudyTexts)[];

@@ -1,8 +1,8 @@
 // The texts that participants read. A study that nobody has edited has the standard texts in English; the page
 // shows these in its own language, and the file of the study keeps them as they are.
 import type { StudyTexts } from "../engine/whole-protocol";
-import { study as english } from "../words/en/study";
-import { perceptionWords } from "../words/perception";
+import { study as english } from "./study-en";
+import { perceptionWords } from "./view-words";
 
 const inOther = (text: string, from: readonly string[], to: readonly string[]) =>
   to[from.indexOf(text)] ?? text;

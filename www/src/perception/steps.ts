@@ -1,6 +1,6 @@
 // The steps of a participant: pages of text and pairs of movements. No rendering.
 import type { StudyInfo, StudyTrial } from "../engine/whole-protocol";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import type { Row } from "./participation";
 import { shownText } from "./standard-texts";
 

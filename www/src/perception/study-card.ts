@@ -6,7 +6,7 @@ import { modelStyle } from "../figures/model-style";
 import { plain } from "../figures/numbers";
 import { duration, grouped } from "../ui/format";
 import { icon } from "../ui/icons";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import type { PerceptionStore } from "./perception-store";
 import { shownText, storedText } from "./standard-texts";
 

@@ -1,6 +1,6 @@
 // jsPsych's plugin for a page of text with a button: consent, instructions, a pause, thanks.
 import { type JsPsych, type JsPsychPlugin, ParameterType, type TrialType } from "jspsych";
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 import type { TextStep } from "./steps";
 
 const info = {

@@ -1,5 +1,5 @@
 // The display of a trial: the cross, the movements, and the question with a button for each side.
-import { perceptionWords } from "../words/perception";
+import { perceptionWords } from "./view-words";
 
 export const SIDES = ["left", "right"] as const;
 export type Side = (typeof SIDES)[number];

@@ -3,16 +3,12 @@
 import { html, nothing } from "lit";
 import type { ClipsStore } from "../clips/clips-store";
 import type { BodyStore } from "../couplings/body-store";
-import "../couplings/coupling-view";
-import type { Way } from "../couplings/coupling-view";
-import { READINGS } from "../couplings/couplings-store";
+import { readingChoice } from "../couplings/reading-choice";
 import "../couplings/measured-view";
 import type { ModelStore } from "../couplings/model-store";
 import { presetWords } from "../couplings/presets";
 import type { ReadingsStore } from "../couplings/readings-store";
 import type { EngineStore } from "../engine/engine-store";
-import type { ModelInfo } from "../engine/protocol";
-import "../latents/latent-plot";
 import type { LayersStore } from "../latents/layers-store";
 import type { PointingStore } from "../latents/pointing-store";
 import type { PredictionsStore } from "../latents/predictions-store";
@@ -24,10 +20,9 @@ import { withTerms } from "../terms/term";
 import "../training/train-row";
 import type { TrainingStore } from "../training/training-store";
 import { icon } from "../ui/icons";
-import { partColour } from "../ui/palette";
-import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
-import { lab, shownPart } from "../words/lab";
+import { lab } from "../words/lab";
+import "./loops-view";
 import "./picture.css";
 
 /** What the picture shows; all stores of the page have these. */
@@ -52,20 +47,14 @@ type Panel = (typeof PANELS)[number];
 const WITHOUT_PRESETS: readonly number[] = [1, 2];
 
 export class PictureView extends View {
-  static override properties = { panels: {}, chosen: { state: true }, one: { state: true } };
+  static override properties = { panels: {} };
   declare app: PictureStores;
   /** The panels that can be opened. */
   declare panels: readonly Panel[];
-  /** With three parts or more: the part whose sliders are visible. */
-  declare chosen: number;
-  /** On a phone: the coupling whose slider is visible, as "source.target". */
-  declare one: string;
 
   constructor() {
     super();
     this.panels = PANELS;
-    this.chosen = 0;
-    this.one = "0.1";
   }
 
   protected override stores() {
@@ -90,21 +79,6 @@ export class PictureView extends View {
       </select>`;
   }
 
-  #reading() {
-    const { model, settings } = this.app;
-    const { label, meaning } = lab().readings;
-    const now = settings.values.reading;
-    const choose = (event: Event) =>
-      model.couplings.setReading(
-        READINGS[(event.target as HTMLSelectElement).selectedIndex] ?? "re-inferred",
-      );
-    return html`
-      <label class="reading" title=${meaning[now]}>${label}
-        <select data-testid="reading" @change=${choose}>
-          ${READINGS.map((reading) => html`<option value=${reading} .selected=${reading === now}>${lab().readings.text[reading]}</option>`)}
-        </select></label>`;
-  }
-
   /** What the couplings now are, or what to try. */
   #lead(): string {
     const { stage, model, training } = this.app;
@@ -118,75 +92,6 @@ export class PictureView extends View {
       return model.preset ? presetWords(model.preset).meaning : lead.own;
     }
     return training.learning ? lead.learning : lead.drag;
-  }
-
-  #coupling(source: number, target: number, way: Way) {
-    const key = `${source}.${target}`;
-    return html`<pg-coupling .model=${this.app.model} .source=${source} .target=${target} .way=${way} data-one=${key === this.one ? "yes" : "no"}></pg-coupling>`;
-  }
-
-  /** A part: its name, the coupling with itself, and its latent space. */
-  #loop(info: ModelInfo, part: number) {
-    const { model, pointing, predictions, settings, stage, playback, layers } = this.app;
-    const name = shownPart(info.parts[part]?.name ?? "");
-    const choice = info.parts.length > 2;
-    const label = html`<i class="swatch"></i>${name}`;
-    const isChosen = this.#chosenOf(info) === part;
-    return html`
-      <section class="loop" style=${partStyle(partColour(part))} aria-label=${name}>
-        ${
-          choice
-            ? html`<button class="loop-name" aria-pressed=${isChosen ? "true" : "false"} title=${lab().couplings.slidersOf(name)}
-              data-testid="part-${part}" @click=${() => {
-                this.chosen = part;
-              }}>${label}</button>`
-            : html`<span class="loop-name">${label}</span>`
-        }
-        <pg-latent-plot .bodyPart=${part} .layers=${layers} .model=${model} .pointing=${pointing} .predictions=${predictions}
-          .settings=${settings} .stage=${stage} .playback=${playback}></pg-latent-plot>
-        ${info.alpha.length > 0 && (!choice || isChosen) ? this.#coupling(part, part, "itself") : nothing}
-      </section>`;
-  }
-
-  #chosenOf({ parts }: ModelInfo): number {
-    return Math.min(this.chosen, parts.length - 1);
-  }
-
-  /** The first part, often the legs, is the lowest. */
-  #loops(info: ModelInfo) {
-    const count = info.parts.length;
-    const parts = info.parts.map((_, part) => part).reverse();
-    const chosen = this.#chosenOf(info);
-    const between = (part: number) => {
-      if (count < 2) return nothing;
-      if (count === 2)
-        return part === 1
-          ? html`<div class="between">${this.#coupling(0, 1, "up")}${this.#coupling(1, 0, "down")}</div>`
-          : nothing;
-      const others = parts.filter((other) => other !== part);
-      return part === chosen
-        ? html`<div class="between">${others.map((source) => this.#coupling(source, part, "up"))}</div>`
-        : nothing;
-    };
-    return html`
-      <div class=${count > 2 ? "loops many" : "loops"}>
-        ${parts.map((part) => html`${this.#loop(info, part)}${between(part)}`)}
-      </div>`;
-  }
-
-  /** On a phone one slider is visible at a time. */
-  #oneAtATime({ parts, alpha }: ModelInfo) {
-    const { toOther, oneSlider } = lab().couplings;
-    const name = (part: number) => shownPart(parts[part]?.name ?? "");
-    const pairs = alpha.flatMap((row, source) => row.map((_, target) => [source, target] as const));
-    const choose = (event: Event) => {
-      this.one = (event.target as HTMLSelectElement).value;
-      this.chosen = Number(this.one.split(".")[1]);
-    };
-    return html`
-      <select class="one-slider" aria-label=${oneSlider} data-testid="one-slider" @change=${choose}>
-        ${pairs.map(([source, target]) => html`<option value="${source}.${target}" .selected=${`${source}.${target}` === this.one}>${toOther(name(source), name(target))}</option>`)}
-      </select>`;
   }
 
   #foot() {
@@ -218,7 +123,7 @@ export class PictureView extends View {
     const isMeasured = content?.kind === "model" && !content.live;
     return html`
       <div class="picture-head" role="group" aria-label=${words.map}>
-        ${isCoupled ? [this.#presets(), this.#reading(), this.#oneAtATime(info)] : nothing}
+        ${isCoupled ? [this.#presets(), readingChoice(model.couplings)] : nothing}
         ${
           model.couplings.altered
             ? html`<button data-testid="reset-couplings" @click=${() => model.couplings.resetAll()}>${icon("reset")} ${lab().readings.resetAll} <kbd>0</kbd></button>`
@@ -226,7 +131,7 @@ export class PictureView extends View {
         }
       </div>
       <p class="picture-lead" data-testid="lead" role="status">${isCoupled || content?.kind !== "model" ? withTerms(this.#lead()) : withTerms(words.onePart)}</p>
-      ${this.#loops(info)}
+      <pg-loops .model=${model} .space=${this.app}></pg-loops>
       <div class="picture-measured">${isMeasured && isCoupled ? html`<pg-measured .model=${model} .body=${body} .readings=${readings}></pg-measured>` : nothing}</div>
       ${this.#foot()}`;
   }

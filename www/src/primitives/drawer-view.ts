@@ -11,7 +11,7 @@ import { View } from "../ui/view";
 import { exampleOf, primitivesOf, DRAG_TYPE } from "./combinations";
 import "./small-figure-view";
 import type { LibraryStore } from "./library-store";
-import { primitivesWords } from "../words/primitives";
+import { primitivesWords } from "./view-words";
 import { shownPart } from "../words/lab";
 import type { PrimitiveOrigin } from "../engine/library-protocol";
 

@@ -9,7 +9,7 @@ import { pointsOf } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import type { LibraryStore } from "./library-store";
 import { ProgressStore } from "../training/progress-store";
-import { primitivesWords } from "../words/primitives";
+import { primitivesWords } from "./view-words";
 
 /** The default number of chosen sample clips of a movement. */
 const SAMPLES_CHOSEN = 2;

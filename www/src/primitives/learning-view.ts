@@ -5,7 +5,7 @@ import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import type { LearningClip, LearningStore } from "./learning-store";
-import { primitivesWords } from "../words/primitives";
+import { primitivesWords } from "./view-words";
 import { shownPart } from "../words/lab";
 
 export class LearningView extends View {

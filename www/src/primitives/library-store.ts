@@ -11,7 +11,7 @@ import { Store } from "../ui/store";
 import { combinationsOf, countOf, exampleOf, firstOf, isSame, recordedAs, titleOf } from "./combinations";
 import { LibraryWorker } from "./library-worker";
 import { WalkStore } from "./walk-store";
-import { primitivesWords } from "../words/primitives";
+import { primitivesWords } from "./view-words";
 import { shownPart } from "../words/lab";
 
 /** The largest number of combinations in the gallery. */

@@ -6,6 +6,7 @@ import { fileButton } from "../ui/file-button";
 import type { NoticesStore } from "../ui/notices-store";
 import { noticeCard } from "../ui/notices-view";
 import { View } from "../ui/view";
+import type { Draw } from "../views/define-view";
 import type { ClipsStore } from "../clips/clips-store";
 import "./walk-couplings-view";
 import "./drawer-view";
@@ -17,7 +18,7 @@ import "./recognition-view";
 import "./walk-view";
 import { lab, shownPart } from "../words/lab";
 import { DATA_SOURCE } from "../words/data-source";
-import { primitivesWords } from "../words/primitives";
+import { primitivesWords } from "./view-words";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import type { LibraryStore } from "./library-store";
@@ -151,7 +152,7 @@ export class PrimitivesPage extends View {
     event.stopPropagation();
     const made = !this.#library.isCombinationSaved;
     const detail: StagedModel = { text: this.#library.combinationText(), name: "combination", made };
-    this.dispatchEvent(new CustomEvent("stage-model", { detail, bubbles: true }));
+    this.tell("stage-model", detail);
   }
 
   async #open(file: File | undefined): Promise<void> {
@@ -220,7 +221,7 @@ export class PrimitivesPage extends View {
         ${this.#head()}
         ${here.length > 0 ? html`<div class="library-notices">${here.map((notice) => noticeCard(this.notices, notice, lab().files.dismiss))}</div>` : nothing}
         <div class="walk-and-controls">
-          <section class="panel walk-panel" aria-label=${areas.figure}><pg-walk .library=${library}></pg-walk></section>
+          <section class="panel walk-panel" aria-label=${areas.figure}><pg-walk data-clock .library=${library}></pg-walk></section>
           <div class="beside-figure">
             <section class="panel" aria-label=${words.drawer.title}><pg-drawer .library=${library} .playing=${playing} .notices=${this.notices}></pg-drawer></section>
             <section class="panel" aria-label=${words.gallery.title}><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
@@ -235,3 +236,6 @@ export class PrimitivesPage extends View {
   }
 }
 customElements.define("pg-primitives", PrimitivesPage);
+
+export const draw: Draw<"primitives"> = (primitives, { clips, notices }) =>
+  html`<pg-primitives .primitives=${primitives} .clips=${clips} .notices=${notices}></pg-primitives>`;

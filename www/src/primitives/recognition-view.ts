@@ -15,7 +15,7 @@ import { progressBar } from "../ui/progress-bar";
 import { partStyle, styled } from "../ui/styled";
 import { View } from "../ui/view";
 import { lab, shownPart } from "../words/lab";
-import { primitivesWords } from "../words/primitives";
+import { primitivesWords } from "./view-words";
 import type { LibraryStore } from "./library-store";
 import "./recognition.css";
 import { type Band, bandsOf, nameOf, type RecognitionStore } from "./recognition-store";

@@ -4,7 +4,7 @@ import type { RecordedMovement } from "../engine/library-protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
 import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
-import { primitivesWords } from "../words/primitives";
+import { primitivesWords } from "./view-words";
 
 export class RecordedStore extends Store {
   readonly #whole: WholeWorkers;

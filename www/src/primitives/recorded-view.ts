@@ -5,7 +5,7 @@ import type { StagedModel } from "../stage/staged-model";
 import { sentence } from "../ui/format";
 import { View } from "../ui/view";
 import { DATA_SOURCE, RECORDINGS } from "../words/data-source";
-import { primitivesWords } from "../words/primitives";
+import { primitivesWords } from "./view-words";
 import type { RecordedStore } from "./recorded-store";
 
 export class RecordedView extends View {
@@ -21,7 +21,7 @@ export class RecordedView extends View {
 
   #stage(name: string, text: string): void {
     const detail: StagedModel = { text: Promise.resolve(text), name, made: false };
-    this.dispatchEvent(new CustomEvent("stage-model", { detail, bubbles: true }));
+    this.tell("stage-model", detail);
   }
 
   protected override render() {

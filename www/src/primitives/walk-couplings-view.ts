@@ -8,7 +8,7 @@ import { withTerms } from "../terms/term";
 import type { FittingStore } from "./fitting-store";
 import type { LibraryStore } from "./library-store";
 import { lab, shownPart } from "../words/lab";
-import { primitivesWords } from "../words/primitives";
+import { primitivesWords } from "./view-words";
 import { LARGEST_COUPLING } from "../engine/limits";
 import { sentence } from "../ui/format";
 import type { LibraryInfo, PartMotion } from "../engine/library-protocol";
@@ -115,7 +115,7 @@ export class WalkCouplingsView extends View {
         <button class="small" data-testid="keep-combination" title=${words.keepMeaning}
           @click=${() => void library.keep(this.#name(movements.map(({ name }) => name)))}>${words.keep}</button>
         <button class="small primary" data-testid="put-on-stage" title=${words.stageMeaning}
-          @click=${() => this.dispatchEvent(new CustomEvent("put-on-stage", { bubbles: true }))}>${words.stage}</button>
+          @click=${() => this.tell("put-on-stage")}>${words.stage}</button>
       </div>`;
   }
 

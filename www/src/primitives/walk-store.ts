@@ -8,7 +8,7 @@ import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import type { LibraryWorker } from "./library-worker";
-import { primitivesWords } from "../words/primitives";
+import { primitivesWords } from "./view-words";
 
 /** Frames in which the jump fades. */
 export const TRANSITION_FRAMES = 15;

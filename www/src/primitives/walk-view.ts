@@ -12,7 +12,7 @@ import { View } from "../ui/view";
 import { exampleOf, DRAG_TYPE } from "./combinations";
 import type { LibraryStore } from "./library-store";
 import { lab, shownPart } from "../words/lab";
-import { primitivesWords } from "../words/primitives";
+import { primitivesWords } from "./view-words";
 import "../stage/stage-canvas.css";
 
 export class WalkView extends View {

@@ -1,7 +1,14 @@
 // The shown model of tables: its current couplings, its given columns and its rollout.
+import type { Coupled, LatentModel } from "../couplings/coupled";
 import { CouplingsStore } from "../couplings/couplings-store";
 import { Latest } from "../engine/latest";
-import type { SeriesInfo, SeriesRequest, SeriesRollout, TrainedSeries } from "../engine/series-protocol";
+import type {
+  OpenedSeries,
+  SeriesInfo,
+  SeriesRequest,
+  SeriesRollout,
+  TrainedSeries,
+} from "../engine/series-protocol";
 import { OpenDocument } from "../engine/open-document";
 import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
 import { download } from "../ui/download";
@@ -27,11 +34,10 @@ class SeriesClock extends Clock {
  */
 const AS_LONG = 1.5;
 
-interface OpenModel {
+interface OpenModel extends OpenedSeries {
   text: string;
-  info: SeriesInfo;
   /** Latent means of the training rows of each part; null for a model from a file. */
-  training: Float64Array[] | null;
+  trainingLatents: Float64Array[] | null;
   /** Whether the model was trained here and has not been saved. */
   unsaved: boolean;
 }
@@ -43,11 +49,11 @@ interface Rolled {
   learned: SeriesRollout;
 }
 
-export class SeriesStore extends Store {
+export class SeriesStore extends Store implements Coupled {
   readonly clock = new SeriesClock();
   /** Only a vCGPDM or vGPDM has couplings; empty for other kinds of models. */
   readonly couplings = new CouplingsStore(() => this.#request());
-  readonly #document: OpenDocument<WholeCalls, SeriesInfo>;
+  readonly #document: OpenDocument<WholeCalls, OpenedSeries>;
   readonly #tables: TablesStore;
   readonly #rollouts: Latest<SeriesRequest, Rolled>;
   readonly #given = new GivenColumns();
@@ -74,6 +80,11 @@ export class SeriesStore extends Store {
 
   get opened(): OpenModel | null {
     return this.#opened;
+  }
+
+  /** The model if it has latent spaces and couplings. */
+  get model(): LatentModel | null {
+    return this.#opened?.info.alpha ? (this.#opened as LatentModel) : null;
   }
 
   /** The rollout under the current couplings; null before the first rollout. */
@@ -137,9 +148,9 @@ export class SeriesStore extends Store {
     text: string,
     training: TrainedSeries["latents"] | null,
   ): Promise<{ opened: OpenModel; rolled: Rolled }> {
-    const info = await this.#document.open(text);
-    const opened = { text, info, training, unsaved: training !== null };
-    return { opened, rolled: await this.#roll(asLearned(info, 0), opened) };
+    const model = await this.#document.open(text);
+    const opened = { text, ...model, trainingLatents: training, unsaved: training !== null };
+    return { opened, rolled: await this.#roll(asLearned(model.info, 0), opened) };
   }
 
   #takeUp({ opened, rolled }: { opened: OpenModel; rolled: Rolled }): void {

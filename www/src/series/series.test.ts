@@ -113,7 +113,7 @@ describe("a training", () => {
     asked?.report(report({ text: seriesText(["a.csv"]), latents }));
     asked?.end({ cancelled: false, reason: "settled" });
     await over;
-    expect(model.opened?.training).toEqual(latents);
+    expect(model.opened?.trainingLatents).toEqual(latents);
     expect(model.recorded?.info.name).toBe("a.csv");
     expect([model.clock.lastFrame, model.couplings.altered]).toEqual([14, false]);
   });

@@ -5,9 +5,9 @@ import { forgetKept } from "../ui/kept";
 import type { NoticesStore } from "../ui/notices-store";
 import { isConfirmed } from "../unsaved/unsaved";
 import { View } from "../ui/view";
-import type { AnswerCounts } from "./answer-database";
+import type { AnswerCounts } from "../perception/answer-database";
 import type { SessionStore } from "./session-store";
-import { sessionWords } from "../words/session";
+import { sessionWords } from "../words/sections";
 
 interface Forgettable {
   contents: string;

@@ -3,7 +3,7 @@
 import type { StoredClip } from "../clips/clips-store";
 import type { ClipSource, UpAxis } from "../engine/protocol";
 import type { Run } from "../training/runs";
-import { sessionWords } from "../words/session";
+import { sessionWords } from "../words/sections";
 
 /** How many things of each kind a visit holds. */
 export interface Counts {

@@ -2,7 +2,7 @@
 // so each piece is checked and left out when it cannot be read.
 import type { Health, TrainedModel } from "../engine/protocol";
 import type { Run } from "../training/runs";
-import { type Check, has, isBoolean, isListOf, isNullOr, isNumber, isOneOf, isText } from "./checks";
+import { type Check, has, isBoolean, isListOf, isNullOr, isNumber, isOneOf, isText } from "../ui/checks";
 import { type Counts, countsOf, contentsText, type Holdings, type StoredLibrary } from "./records";
 
 /** `Date` knows no times beyond these milliseconds. */

@@ -4,7 +4,7 @@ import { Store } from "../ui/store";
 import { contentsText, type Counts, countsOf, type Holdings, RecordWriter, sumOf } from "./records";
 import { type Recovered, recover } from "./recovery";
 import type { VisitDatabase } from "./visit-database";
-import { sessionWords } from "../words/session";
+import { sessionWords } from "../words/sections";
 
 /** Milliseconds between two writes: a crash loses no more. */
 const BETWEEN_WRITES = 4000;

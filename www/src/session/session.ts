@@ -4,7 +4,7 @@ import { browserDatabase } from "./visit-database";
 import "./forget-view";
 import { html, nothing } from "lit";
 import { View } from "../ui/view";
-import { sessionWords } from "../words/session";
+import { sessionWords } from "../words/sections";
 import { contentsText } from "./records";
 
 const PREFIX = "vcgpdm visit ";

@@ -56,6 +56,7 @@ describe("settings in the URL", () => {
       seed: 4294967295,
       maxIterations: 1000,
       poseWeight: 0.3 as const,
+      asInPapers: true,
       trainings: 5,
       frames: 600,
       start: 3,

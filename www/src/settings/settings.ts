@@ -3,6 +3,7 @@
 import { MAX_PARTS } from "../engine/limits";
 import type { PartSpec, Reading } from "../engine/protocol";
 import { LAST_CHAPTER } from "./chapters";
+import { type ViewName, VIEWS } from "./views";
 
 interface Setting<T> {
   /** The name in the URL. */
@@ -308,17 +309,6 @@ function counts(
   };
 }
 
-/** The views of the page. "synthetic": the synthetic experiment; "perception": the graphics Turing test. */
-export const VIEWS = [
-  "play",
-  "compare",
-  "primitives",
-  "series",
-  "synthetic",
-  "perception",
-  "method",
-] as const;
-
 /** The panels that open next to the picture of the Lab. */
 export const PANELS = ["learn", "more", "numbers"] as const;
 
@@ -354,7 +344,8 @@ export const SETTINGS = {
   cut: choice("cut", "", ["", "relearned", "kept"] as const),
   /** The exercise for a class that the Lab shows; 0: none. */
   exercise: whole("exercise", 0, 0, EXERCISES),
-  view: choice("view", "play", VIEWS),
+  /** "synthetic": the synthetic experiment; "perception": the graphics Turing test. */
+  view: choice<ViewName>("view", "play", VIEWS),
   /** The open panel. The address calls it a tab, as it did when the Lab had tabs. */
   panel: choice("tab", "none", ["none", ...PANELS]),
   parts: preset,
@@ -367,6 +358,8 @@ export const SETTINGS = {
   seed: whole("seed", 0, 0, 4294967295),
   maxIterations: whole("iterations", 250, 10, 5000, 10),
   poseWeight: choice("weight", "balanced", POSE_WEIGHTS),
+  /** Whether training maximises the bound, without own rollouts, whatever the weight of the poses is. */
+  asInPapers: flag("papers", false),
   /** 0: the number of cores, at most a few. */
   trainings: whole("trainings", 0, 0, 20),
   frames: whole("frames", 300, 60, 1200, 30),

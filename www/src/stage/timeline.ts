@@ -51,7 +51,7 @@ export class TimelineView extends View {
     const change = (event: Event) => {
       const input = event.target as HTMLInputElement;
       const detail = input.valueAsNumber;
-      if (detail > 0) this.dispatchEvent(new CustomEvent("set-seconds", { detail, bubbles: true }));
+      if (detail > 0) this.tell("set-seconds", detail);
       input.value = seconds(this.settings.values.frames);
       const words = input.parentElement?.nextElementSibling;
       const limits = { min: Number(seconds(min)), max: Number(seconds(max)) };
@@ -68,7 +68,7 @@ export class TimelineView extends View {
     if (content?.kind !== "model") return nothing;
     const live = content.live === true;
     const words = lab().time;
-    const turn = () => this.dispatchEvent(new CustomEvent("switch-live", { detail: !live, bubbles: true }));
+    const turn = () => this.tell("switch-live", !live);
     return html`<button class="chip" aria-pressed=${live ? "true" : "false"} data-testid="live-on" title=${words.liveMeaning} @click=${turn}>${words.live}</button>`;
   }
 

@@ -1,7 +1,7 @@
 // The walk of a chapter without an end: the stored seconds at once, the live motion when the model is there.
 import type { LiveStore } from "../live/live-store";
 import { prefersReducedMotion } from "../ui/reduced-motion";
-import type { StoryBody } from "./body";
+import type { StoryBody } from "../app/story-body";
 
 export class EndlessWalk {
   readonly #body: StoryBody;

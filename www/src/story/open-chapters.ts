@@ -1,6 +1,6 @@
 // The chapters that have been loaded, the one on screen, and the one that is about to be.
 import type { App } from "../app/app";
-import { Lazy } from "../app/lazy";
+import { Lazy } from "../ui/lazy";
 import { whenIdle } from "../ui/idle";
 import { Store } from "../ui/store";
 import type { Chapter } from "./chapter";

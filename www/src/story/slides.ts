@@ -1,6 +1,6 @@
 // The keys of a lecturer in the story: hands, notes and the QR code. Their program loads at its first use.
 import type { App } from "../app/app";
-import { Lazy } from "../app/lazy";
+import { Lazy } from "../ui/lazy";
 import type { Lecture, Shown as ShownInLecture } from "../teach/lecture";
 import type { NoticesStore } from "../ui/notices-store";
 
@@ -57,7 +57,7 @@ export class Slides {
   }
 
   async #showCode(): Promise<void> {
-    await (await import("../teach/code-dialog")).showCode(this.#app, this.#shown.fragment());
+    await (await import("../app/code-dialog")).showCode(this.#app, this.#shown.fragment());
   }
 
   /** The page for teachers again, in the window. */

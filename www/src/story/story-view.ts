@@ -1,7 +1,7 @@
 // The frame of the story: a stage above, a card below, and the way from chapter to chapter.
 import { html, nothing } from "lit";
 import type { App } from "../app/app";
-import { isUsedByControl } from "../app/keyboard";
+import { isUsedByControl } from "../ui/keyboard";
 import { addressOf, type ChapterName, chapterAt, ORDER } from "../settings/chapters";
 import { initialSettings, writeSettings } from "../settings/settings";
 import { IN_LAB } from "../settings/settings-store";
@@ -10,14 +10,13 @@ import { whenIdle } from "../ui/idle";
 import { prefersReducedMotion } from "../ui/reduced-motion";
 import { View } from "../ui/view";
 import { noticeCard } from "../ui/notices-view";
-import { storyBody } from "./body";
 import type { Guess } from "./chapter";
 import { chapterPlace } from "./chapter-place";
 import { siteHead } from "../app/site-head";
 import { OpenChapters } from "./open-chapters";
 import { Slides } from "./slides";
 import { swipes } from "./swipe";
-import { loadReplies, type Replies, repliesNow } from "../words/replies";
+import { loadReplies, type Replies, repliesNow } from "../words/sections";
 import "./story.css";
 import "./story-foot.css";
 
@@ -41,7 +40,7 @@ export class StoryView extends View {
 
   override connectedCallback(): void {
     this.#chapters ??= new OpenChapters(this.app);
-    this.#slides ??= new Slides(this.app, storyBody(this.app).notices, {
+    this.#slides ??= new Slides(this.app, this.app.story.notices, {
       slide: () => ({ chapter: this.#name, choices: this.#chapters.chapter?.guess()?.choices ?? {} }),
       fragment: () => this.#fragment(),
       key: (event) => this.#obey(event),
@@ -52,21 +51,16 @@ export class StoryView extends View {
 
   protected override stores() {
     const { settings, words, lecture } = this.app;
-    const { notices, engine } = storyBody(this.app);
+    const { notices, engine } = this.app.story;
     return [settings, words, lecture, this.#chapters, notices, engine];
   }
 
   protected override arrived(): void {
     this.#follow();
     // The first chapter needs no engine, the others do.
-    whenIdle(
-      () =>
-        void storyBody(this.app)
-          .start()
-          .catch(() => {}),
-    );
+    whenIdle(() => void this.app.story.start().catch(() => {}));
     this.whenLeaving(this.app.settings.on(() => this.#follow()));
-    this.whenLeaving(storyBody(this.app).stage.on(() => this.#restore()));
+    this.whenLeaving(this.app.story.stage.on(() => this.#restore()));
     this.whenLeaving(() => this.#chapters.leave());
     this.listen(document, "keydown", (event) => this.#obey(event as KeyboardEvent));
     const card = this.querySelector<HTMLElement>(".story-card");
@@ -106,13 +100,13 @@ export class StoryView extends View {
       settings.change({ cut: "" });
       chapter.restore?.({ cut });
     }
-    const { stage, playback } = storyBody(this.app);
+    const { stage, playback } = this.app.story;
     takeMoment(settings, stage, playback);
   }
 
   /** The fragment of an address with this state. */
   #fragment(): string {
-    const { stage, playback } = storyBody(this.app);
+    const { stage, playback } = this.app.story;
     const { chapter } = this.#chapters;
     const moment = stage.live ? { camera: stage.camera() ?? [] } : momentOf(stage, playback, null);
     return writeSettings({
@@ -125,7 +119,7 @@ export class StoryView extends View {
 
   /** The fragment with which the Lab shows this state, with camera and time. */
   #labFragment(): string {
-    const { model, stage, playback } = storyBody(this.app);
+    const { model, stage, playback } = this.app.story;
     const lab = { ...UNCOUPLED, ...this.#chapters.chapter?.lab(), ...IN_LAB };
     const moment = lab.view === "play" ? momentOf(stage, playback, model.rollout?.motion ?? null) : {};
     return writeSettings({ ...this.app.settings.written, ...lab, ...moment });
@@ -201,7 +195,7 @@ export class StoryView extends View {
   /** What the visitor should know of the story's model. */
   #notices() {
     const { frame } = this.app.words.now;
-    const { engine, notices } = storyBody(this.app);
+    const { engine, notices } = this.app.story;
     const isBroken = engine.state === "failed" || engine.state === "stopped";
     return html`
       <div class="story-notices">
@@ -290,7 +284,7 @@ export class StoryView extends View {
     const { embedded, lecture, words } = this.app;
     const { title, text } = words.now.chapters[this.#name];
     return html`
-      <div class="story" data-embed=${embedded ? "1" : "0"} data-state=${this.#chapters.state} data-engine=${storyBody(this.app).engine.state} data-chapter=${this.#name} ?data-lecture=${lecture.isOn}>
+      <div class="story" data-embed=${embedded ? "1" : "0"} data-state=${this.#chapters.state} data-engine=${this.app.story.engine.state} data-chapter=${this.#name} ?data-lecture=${lecture.isOn}>
         ${embedded || lecture.isOn ? nothing : siteHead(this.app, "story")}
         <main>
           <section class="story-stage" aria-label=${words.now.frame.stage}>

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { words } from "../words/en";
-import { teach } from "../words/en/teach";
+import { words as teach } from "../words/en/teach";
 import { ORDER } from "../settings/chapters";
 import { PLANS, timesOf } from "./plans";
 

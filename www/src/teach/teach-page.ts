@@ -6,8 +6,8 @@ import { EXERCISE_NAMES } from "../exercises/exercises";
 import { addressOf } from "../settings/chapters";
 import { View } from "../ui/view";
 import { teachWords } from "../words/teach";
-import { addressOf as linkOf } from "./code";
-import { codePicture, showCode } from "./code-dialog";
+import { addressOf as linkOf } from "../app/code";
+import { codePicture, showCode } from "../app/code-dialog";
 import { keepLength, lengthOfPlan, type PlanLength, type Step, type StepWords, timesOf } from "./plans";
 import "./teach.css";
 

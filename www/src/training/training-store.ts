@@ -298,7 +298,8 @@ export class TrainingStore extends Store {
   }
 
   #newRuns(): Run[] {
-    const { latent, order, framesPerSecond, maxIterations, seed, poseWeight } = this.#settings.values;
+    const { latent, order, framesPerSecond, maxIterations, seed, poseWeight, asInPapers } =
+      this.#settings.values;
     const { dynamicsIps, poseIps } = pointsOf(this.#settings.values, this.usual);
     const { parts, toTrainOn: clips } = this.#clips;
     return seedsFrom(seed, this.count).map((seed): Run => {
@@ -311,7 +312,7 @@ export class TrainingStore extends Store {
         framesPerSecond,
         seed,
         maxIterations,
-        poseWeight,
+        ...(asInPapers ? { poseWeight: 1, ownRollouts: false } : { poseWeight }),
       };
       this.#lastId += 1;
       const course = {

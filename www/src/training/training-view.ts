@@ -83,6 +83,7 @@ export class TrainingView extends View {
 
   protected override render() {
     const { training, settings } = this;
+    const { asInPapers, poseWeight } = settings.values;
     const { field, settings: names, training: words } = lab().learn;
     return html`
       <h2>${words.title}</h2>
@@ -94,6 +95,10 @@ export class TrainingView extends View {
         ${this.#count("framesPerSecond")}
       </div>
       ${this.#whyPoints()}
+      <label class="tick-label" title=${names.asInPapers.hint}>
+        <input type="checkbox" data-testid="setting-asInPapers" .checked=${asInPapers}
+          @change=${() => settings.change({ asInPapers: !asInPapers })} />
+        ${names.asInPapers.label}</label>
       <details class="advanced">
         <summary>${names.advanced}</summary>
         <div class="fields">
@@ -106,9 +111,9 @@ export class TrainingView extends View {
           ${this.#count("order", "order", "p")}
           ${this.#count("maxIterations", "iterations")}
           <label class="field"><span>${names.poseWeight.label}</span>
-            <select data-testid="setting-poseWeight" title=${names.poseWeight.hint}
+            <select data-testid="setting-poseWeight" title=${names.poseWeight.hint} ?disabled=${asInPapers}
               @change=${(event: Event) => settings.change({ poseWeight: POSE_WEIGHTS[(event.target as HTMLSelectElement).selectedIndex] ?? "balanced" })}>
-              ${POSE_WEIGHTS.map((weight) => html`<option ?selected=${weight === settings.values.poseWeight}>${names.poseWeight.value(weight)}</option>`)}
+              ${POSE_WEIGHTS.map((weight) => html`<option ?selected=${weight === (asInPapers ? 1 : poseWeight)}>${names.poseWeight.value(weight)}</option>`)}
             </select></label>
         </div>
       </details>

@@ -25,6 +25,11 @@ export abstract class View extends LitElement {
     this.whenLeaving(() => ended.abort());
   }
 
+  /** Sends an event, which bubbles. */
+  protected tell(type: string, detail?: unknown): void {
+    this.dispatchEvent(new CustomEvent(type, { detail, bubbles: true }));
+  }
+
   /** Calls back when the size of an element changes, until the view leaves the page. */
   protected watchSize(element: Element, resized: () => void): void {
     const observer = new ResizeObserver(resized);

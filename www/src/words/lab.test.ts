@@ -1,5 +1,5 @@
 import { expect, it, vi } from "vitest";
-import { lab as german } from "./de/lab";
+import { words as german } from "./de/lab";
 import { shownPart, shownSplit } from "./lab";
 import { SectionWords } from "./section";
 

@@ -4,10 +4,7 @@ import { viewWords } from "./section";
 export type { LabWords } from "./en/lab";
 export type { LearnWords } from "./en/learn";
 
-const words = viewWords({
-  en: async () => (await import("./en/lab")).lab,
-  de: async () => (await import("./de/lab")).lab,
-});
+const words = viewWords({ en: () => import("./en/lab"), de: () => import("./de/lab") });
 
 /** The words in the present language. */
 export const lab = words.now;

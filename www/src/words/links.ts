@@ -5,7 +5,4 @@ import type { WordsStore } from "./words";
 
 /** The words in the language of the page; load them first. */
 export const linkWords = (words: WordsStore) =>
-  new SectionWords<LinkWords>(words, {
-    en: async () => (await import("./en/links")).links,
-    de: async () => (await import("./de/links")).links,
-  });
+  new SectionWords<LinkWords>(words, { en: () => import("./en/links"), de: () => import("./de/links") });

@@ -6,7 +6,10 @@ it("loads the words at the first use, and again in another language", async () =
   Object.assign(globalThis, { document: { documentElement: { lang: "" } } });
   const words = new WordsStore();
   await words.load("en");
-  const section = new SectionWords(words, { en: async () => "yes", de: async () => "ja" });
+  const section = new SectionWords(words, {
+    en: async () => ({ words: "yes" }),
+    de: async () => ({ words: "ja" }),
+  });
   expect(() => section.now).toThrow("not loaded");
   await section.load();
   expect(section.now).toBe("yes");
@@ -18,7 +21,7 @@ it("loads the words at the first use, and again in another language", async () =
 
 it("gives the words of a view to a notice before they have loaded, in the language of the document", async () => {
   Object.assign(globalThis, { document: { documentElement: { lang: "de" } } });
-  const view = viewWords({ en: async () => "yes", de: async () => "ja" });
+  const view = viewWords({ en: async () => ({ words: "yes" }), de: async () => ({ words: "ja" }) });
   expect(() => view.now()).toThrow("not loaded");
   expect(await new Promise((resolve) => view.soon(resolve))).toBe("ja");
   const words = new WordsStore();

@@ -3,15 +3,18 @@ import { languageChanges } from "../ui/language";
 import { Store } from "../ui/store";
 import type { Language, WordsStore } from "./words";
 
+/** The files with the words, one for each language. */
+type Files<Section> = Readonly<Record<Language, () => Promise<{ readonly words: Section }>>>;
+
 export class SectionWords<Section> extends Store {
   readonly #words: WordsStore;
-  readonly #load: Readonly<Record<Language, () => Promise<Section>>>;
+  readonly #files: Files<Section>;
   #now: Section | null = null;
   #language: Language | null = null;
 
-  constructor(words: WordsStore, load: Readonly<Record<Language, () => Promise<Section>>>) {
+  constructor(words: WordsStore, files: Files<Section>) {
     super();
-    [this.#words, this.#load] = [words, load];
+    [this.#words, this.#files] = [words, files];
     // The words before stay where the new ones cannot be loaded.
     words.on(() => void this.load().catch(() => {}));
   }
@@ -29,15 +32,15 @@ export class SectionWords<Section> extends Store {
   async load(): Promise<void> {
     const { language } = this.#words;
     if (language === this.#language) return;
-    const section = await this.#load[language]();
+    const { words } = await this.#files[language]();
     if (this.#words.language !== language) return;
-    [this.#now, this.#language] = [section, language];
+    [this.#now, this.#language] = [words, language];
     this.changed();
   }
 }
 
 /** The words of a view, which load before the view. All views are drawn again in another language. */
-export function viewWords<Section>(loaders: Readonly<Record<Language, () => Promise<Section>>>) {
+export function viewWords<Section>(files: Files<Section>) {
   let section: SectionWords<Section> | null = null;
   return {
     now(): Section {
@@ -53,11 +56,11 @@ export function viewWords<Section>(loaders: Readonly<Record<Language, () => Prom
         return;
       }
       const language = document.documentElement.lang === "de" ? "de" : "en";
-      void loaders[language]().then(use);
+      void files[language]().then(({ words }) => use(words));
     },
     async load(words: WordsStore): Promise<void> {
       if (!section) {
-        section = new SectionWords(words, loaders);
+        section = new SectionWords(words, files);
         section.on(() => languageChanges.tell());
       }
       await section.load();

@@ -1,16 +1,7 @@
 import { expect, it } from "vitest";
 
 const SOURCES = import.meta.glob<string>(
-  [
-    "../{story,teach,exercises}/**/*.ts",
-    // The frame of the Lab, its stage and the tabs.
-    "../app/{site-head,page,header,lead,caption,stage-words,health-words,save-menu,help}.ts",
-    "../couplings/**/*.ts",
-    "../{clips,comparison,completing,details,experiment,figures,latents,live,method,perception,primitives,series,session,training,unsaved}/**/*.ts",
-    "../settings/*-field.ts",
-    "../stage/*.ts",
-    "!../**/*.test.ts",
-  ],
+  ["../**/*.ts", "!../words/**", "!../**/{en,de,entry}.ts", "!../**/*.test.ts"],
   { query: "?raw", import: "default", eager: true },
 );
 

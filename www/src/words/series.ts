@@ -1,11 +1,5 @@
-// The words of the view Time series. They load with the view.
+// The words of the view Time series in the present language.
 import { viewWords } from "./section";
 
-const words = viewWords({
-  en: async () => (await import("./en/series")).series,
-  de: async () => (await import("./de/series")).series,
-});
-
-/** The words in the present language. */
+export const words = viewWords({ en: () => import("./en/series"), de: () => import("./de/series") });
 export const seriesWords = words.now;
-export const loadSeries = words.load;

@@ -7,7 +7,4 @@ export type { TeachWords } from "./en/teach";
 
 /** The words in the language of the page; load them first. */
 export const teachWords = (words: WordsStore) =>
-  new SectionWords<TeachWords>(words, {
-    en: async () => (await import("./en/teach")).teach,
-    de: async () => (await import("./de/teach")).teach,
-  });
+  new SectionWords<TeachWords>(words, { en: () => import("./en/teach"), de: () => import("./de/teach") });

@@ -1,13 +1,15 @@
 // Time series that are no body: reads tables, trains on them, keeps a model open for rollouts. No DOM.
 import { Model, type Rollout, Table, Trainer, TrainingSet } from "vcgpdm";
 import { MAX_PARTS } from "../engine/limits";
-import type { SeriesInfo, SeriesRequest, SeriesWorker, TableSource } from "../engine/series-protocol";
+import type { ModelInfo } from "../engine/protocol";
+import type { OpenedSeries, SeriesRequest, SeriesWorker, TableSource } from "../engine/series-protocol";
 import { follow } from "./follow";
+import { inducingOf } from "./inducing";
 import { transfer, using } from "./using";
 
 let open: { model: Model; parts: number } | null = null;
 
-function openModel(text: string): SeriesInfo {
+function openModel(text: string): OpenedSeries {
   const model = Model.fromJson(text);
   const info = model.info();
   const { figure, parts } = info;
@@ -21,7 +23,11 @@ function openModel(text: string): SeriesInfo {
   }
   open?.model.free();
   open = { model, parts: parts.length };
-  return info;
+  // Other kinds of models have no inducing points.
+  const inducing = info.alpha
+    ? inducingOf(model, info as ModelInfo)
+    : { poseInducing: [], dynamicsInducing: [] };
+  return { info, ...inducing };
 }
 
 async function read({ name, file, without }: TableSource): Promise<Table> {

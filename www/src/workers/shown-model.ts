@@ -3,7 +3,6 @@ import { Model, type Rollout } from "vcgpdm/player";
 import { MAX_PARTS } from "../engine/limits";
 import type {
   BodyReport,
-  DynamicsInducing,
   InducingPoint,
   InducingReport,
   ModelInfo,
@@ -14,6 +13,7 @@ import type {
   RolloutRequest,
   RolloutResult,
 } from "../engine/protocol";
+import { inducingOf } from "./inducing";
 import { transfer, using } from "./using";
 
 /** The open model, with its description. */
@@ -152,20 +152,7 @@ export class ShownModel {
 }
 
 function view({ model, info, revision }: OpenModel): ModelView {
-  const parts = info.parts.map((_, i) => i);
-  const dynamics = (source: number, target: number): DynamicsInducing => ({
-    count: info.dynamicsIps[source]?.[target] ?? 0,
-    inputs: model.dynamicsIps(source, target),
-    outputs: model.dynamicsIvs(source, target),
-  });
-  return {
-    revision,
-    sha256: model.sha256(),
-    info,
-    poseInducing: parts.map((part) => model.poseIps(part)),
-    dynamicsInducing: parts.map((source) => parts.map((target) => dynamics(source, target))),
-    trainingLatents: null,
-  };
+  return { revision, sha256: model.sha256(), info, ...inducingOf(model, info), trainingLatents: null };
 }
 
 function roll(open: OpenModel, request: RolloutRequest): RolloutResult {

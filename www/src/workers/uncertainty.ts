@@ -87,9 +87,9 @@ export const uncertaintyWorker: UncertaintyWorker = {
   },
   inferStart: async (text, clip, frames) =>
     using(await pieceOf(clip), (piece) => using(Model.fromJson(text), (model) => model.infer(piece, frames))),
-  predictedNaturalness: (text, request) =>
+  latentLogDensity: (text, request) =>
     using(Model.fromJson(text), (model) =>
-      using(model.rollout(request), (rollout) => rollout.predictedNaturalness()),
+      using(model.rollout(request), (rollout) => rollout.latentLogDensity()),
     ),
   keptBounds: (choices) => choices.map((kept) => keptBound(current(), kept)),
   keptRollout: (kept, request) => {

@@ -22,9 +22,9 @@ use vcgpdm::series;
 
 /// Roll a model out and write the motion as BVH, or its columns as CSV.
 ///
-/// Of a model of a body with couplings, one JSON object says how the motion ends, measures it, and has its
-/// predicted_naturalness: the mean log density of the latents of a frame under the learned dynamics, and its
-/// difference from that of the training, in nats a frame.
+/// Of a model of a body with couplings, one JSON object says how the motion ends and measures it. It has the
+/// dynamics_elbo of the trained model, and the latent_log_density of the motion: the mean log density of the
+/// latents of a frame under the learned dynamics, and its difference from that of the training, in nats a frame.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A trained model of any kind.

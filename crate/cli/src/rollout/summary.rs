@@ -1,4 +1,4 @@
-//! The summary of a rollout of a body: how it ends, the measures of its motion, and its predicted naturalness.
+//! The summary of a rollout of a body: how it ends, the measures of its motion, and how likely its latents are.
 
 use crate::files;
 use crate::health::warning;
@@ -6,7 +6,7 @@ use crate::progress::say;
 use serde_json::json;
 use std::error::Error;
 use std::path::Path;
-use vcgpdm::models::{Coupled, PredictedNaturalness, Rollout, RolloutRequest};
+use vcgpdm::models::{Coupled, LatentLogDensity, Rollout, RolloutRequest};
 use vcgpdm::motion::measures::measures;
 
 /// Prints the summary as JSON, and a warning if the motion does not move on.
@@ -23,12 +23,13 @@ pub fn print(
     if let Some(words) = warning(&health, &names) {
         say(&format!("warning: the motion {words}"));
     }
-    let PredictedNaturalness { rollout, training, difference } = model.predicted_naturalness(rollout)?;
+    let LatentLogDensity { rollout, training, difference } = model.latent_log_density(rollout)?;
     let value = json!({
         "parts": names,
         "health": health,
         "measures": measures,
-        "predicted_naturalness": {
+        "dynamics_elbo": model.model.terms.dynamics_elbo(),
+        "latent_log_density": {
             "rollout": rollout,
             "training": training,
             "difference": difference,

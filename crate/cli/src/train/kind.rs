@@ -43,6 +43,9 @@ pub struct Options {
     /// objective is the bound on the log evidence. Absent: balanced for one body, 1 for tables and libraries.
     #[arg(long, value_name = "W|balanced", conflicts_with = "balanced", value_parser = pose_weight)]
     pose_weight: Option<PoseWeight>,
+    /// Train as in the papers, with `--pose-weight 1 --no-own-rollouts` (vcgpdm, vgpdm, libraries).
+    #[arg(long, conflicts_with_all = ["balanced", "pose_weight", "no_own_rollouts"])]
+    as_in_papers: bool,
     /// Keep the couplings between parts off: each part learns as if it were alone (vcgpdm).
     #[arg(long)]
     uncoupled: bool,
@@ -80,7 +83,7 @@ const TMP: &[ModelKind] = &[ModelKind::Tmp];
 const DMPS: &[ModelKind] = &[ModelKind::DmpDiscrete, ModelKind::DmpRhythmic];
 
 /// The kinds that have an option.
-const KINDS: [(&str, &[ModelKind]); 16] = [
+const KINDS: [(&str, &[ModelKind]); 17] = [
     ("seed", GPDMS),
     ("latent", GPDMS),
     ("dynamics_ips", VARIATIONAL),
@@ -90,6 +93,7 @@ const KINDS: [(&str, &[ModelKind]); 16] = [
     ("threads", VARIATIONAL),
     ("balanced", GPDMS),
     ("pose_weight", VARIATIONAL),
+    ("as_in_papers", VARIATIONAL),
     ("uncoupled", &[ModelKind::Vcgpdm]),
     ("no_own_rollouts", VARIATIONAL),
     ("linear", POINT),
@@ -125,6 +129,7 @@ impl Options {
             uncoupled,
             own_rollouts: usual.own_rollouts && !self.no_own_rollouts,
         };
+        let variational = if self.as_in_papers { variational.as_in_papers() } else { variational };
         let point = MapSettings { latent, order, max_iterations, balanced, linear };
         Ok(match kind {
             ModelKind::Vcgpdm => Settings::Vcgpdm(variational),

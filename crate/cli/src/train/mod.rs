@@ -130,6 +130,7 @@ fn train<S: ColumnMapping>(
                 "kind": kind.id(),
                 "elbo": bound,
                 "terms": model.terms,
+                "dynamics_elbo": model.terms.dynamics_elbo(),
                 "alpha": files::rows(&model.alpha),
                 "iterations": iterations,
                 "evaluations": evaluations,

@@ -74,7 +74,7 @@ fn rolls_out_every_kind_of_model_as_it_was_trained() {
     };
     let point = |balanced| MapSettings { latent: 2, order: 1, max_iterations: 8, balanced, linear: false };
     let small = "--latent 2 --order 1 --seed 3 --max-iterations 8";
-    let ips = "--dynamics-ips 4 --pose-ips 5 --pose-weight 1 --no-own-rollouts";
+    let ips = "--dynamics-ips 4 --pose-ips 5 --as-in-papers";
     let split = "--parts lower,upper";
     let cases = [
         (Settings::Vcgpdm(gpdm.clone()), "lower-upper", format!("{split} {small} {ips}")),

@@ -197,7 +197,6 @@ impl Row<'_> {
         let folds = self.folds();
         let spread = |value: &dyn Fn(&Outcome) -> Option<f64>| Spread::new(&self.means(&folds, value));
         let terms = |value: &dyn Fn(&BoundTerms) -> f64| Some(spread(&|o| o.terms.as_ref().map(value))?.mean);
-        let dynamics = |t: &BoundTerms| t.dynamics.iter().sum::<f64>() + t.initial + t.entropy;
         let parts = self.outcomes.values().flatten().map(|o| o.part_errors.len()).max().unwrap_or(0);
         Some(ModelSummary {
             model: self.candidate.kind(),
@@ -212,7 +211,7 @@ impl Row<'_> {
             stored_numbers: spread(&|o| Some(o.stored_numbers as f64))?,
             converged: share_converged(self.outcomes.values().flatten().copied()),
             terms: terms(&|t| t.kinematics.iter().sum())
-                .zip(terms(&dynamics))
+                .zip(terms(&BoundTerms::dynamics_elbo))
                 .map(|(pose, dynamics)| TermMeans { pose, dynamics }),
             part_errors: (0..parts)
                 .map_while(|k| Some(spread(&|o| o.part_errors.get(k).copied())?.mean))

@@ -102,7 +102,7 @@ pub struct TermMeans {
     pub dynamics: f64,
 }
 
-/// One candidate in figure 6B of Velychko et al. (2018).
+/// One candidate in figure 1 of the supplement of Velychko et al. (2017).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct BoundAndError {
@@ -115,6 +115,8 @@ pub struct BoundAndError {
 }
 
 /// Bounds and errors of one kind of model in several sizes. All other settings are the same.
+///
+/// Figure 1 of the supplement of Velychko et al. (2017).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Correlation {

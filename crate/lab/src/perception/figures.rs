@@ -16,7 +16,8 @@ pub struct FigureTable {
 }
 
 impl PerceptionResults {
-    /// The data of figures 2 to 8 of Knopp et al. (2019) and figure 6 of Velychko et al. (2018).
+    /// The data of figures 2 to 8 of Knopp et al. (2019) and, with the error on trials held out in place of that on
+    /// the training data, of figure 6 of Velychko et al. (2018).
     pub fn figures(&self) -> Vec<FigureTable> {
         let table = |name, title, header: &str, rows: Vec<Vec<String>>| {
             let mut writer = csv::Writer::from_writer(format!("{header}\n").into_bytes());
@@ -30,7 +31,7 @@ impl PerceptionResults {
         vec![
             table(
                 "settings.csv",
-                "Knopp et al. 2019, figures 2, 3, 4 and 7; Velychko et al. 2018, figure 6: rates, scores and sizes",
+                "Knopp et al. 2019, figures 2, 3, 4 and 7; Velychko et al. 2018, figure 6, with errors on trials held out: rates, scores and sizes",
                 SETTINGS,
                 self.settings.iter().map(setting).collect(),
             ),

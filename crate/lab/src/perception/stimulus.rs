@@ -77,7 +77,7 @@ impl Scores {
     /// The part of the bound about dynamics: the dynamics terms of all parts, the first frames, and the
     /// entropy of the latents.
     pub fn dynamics(&self) -> Option<f64> {
-        self.terms.as_ref().map(|terms| terms.dynamics.iter().sum::<f64>() + terms.initial + terms.entropy)
+        self.terms.as_ref().map(BoundTerms::dynamics_elbo)
     }
 }
 

@@ -99,6 +99,7 @@ class Vcgpdm:
         pose_weight: float | Literal["balanced"] | None = None,
         uncoupled: bool = False,
         own_rollouts: bool = True,
+        as_in_papers: bool = False,
         fps: float = 30.0,
         columns: Sequence[str] | None = None,
         seed: int = 0,

@@ -3,7 +3,8 @@
 use crate::gp::exp::exp;
 use nalgebra::{DMatrix, DVector};
 
-/// An ARD squared exponential kernel over P input dimensions (Velychko et al. 2018, A9):
+/// An ARD squared exponential kernel over P input dimensions (Velychko et al. 2018, A9: "ARD RBF"). The papers
+/// call that of the pose maps a radial basis function; ours has a lengthscale for each dimension there too.
 ///
 /// k(x, x') = variance * exp( -1/2 sum_q (x_q - x'_q)^2 / lambda_q )
 ///

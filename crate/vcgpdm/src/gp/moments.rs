@@ -173,7 +173,7 @@ mod tests {
         let joint = DMatrix::from_fn(4, 4, |r, c| v[(r % 2, c % 2)]);
         let psi1 = expected_kernels(basis, &mean, &v).unwrap().psi1;
         let psi2 = expected_products((basis, &mean), (basis, &mean), &joint).unwrap();
-        // Equations (A10) and (A11) of Velychko et al. 2018.
+        // Equations (A16) and (A17) of Velychko et al. 2018, for a diagonal S.
         for a in 0..3 {
             let (mut scale, mut form) = (1.0, 0.0);
             for q in 0..2 {

@@ -94,6 +94,9 @@ pub(crate) struct ModelInfo<'a> {
     start_frames: Option<Vec<usize>>,
     /// How many dynamics inducing points, `dynamicsIps[source][target]`.
     dynamics_ips: Option<Vec<Vec<usize>>>,
+    /// The bound without the pose maps, in nats: the "dynamics ELBO" with which Knopp et al. (2019) predicted how
+    /// natural people find the walks of models. Null for a kind without couplings.
+    dynamics_elbo: Option<f64>,
     provenance: ModelProvenance<'a>,
 }
 
@@ -120,6 +123,7 @@ impl<'a> ModelInfo<'a> {
             start_frames: model
                 .map(|model| (0..body.sequences.len()).map(|k| model.start_frames(k)).collect()),
             dynamics_ips: model.map(counts),
+            dynamics_elbo: model.map(|model| model.terms.dynamics_elbo()),
             provenance: ModelProvenance::new(made, specs, model.map(|model| &model.terms))?,
         })
     }

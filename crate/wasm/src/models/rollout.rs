@@ -166,15 +166,14 @@ impl Rollout {
         to_js(&health)
     }
 
-    /// A prediction of how natural the motion looks: the mean log density of the latents of a frame under the
-    /// dynamics as learned. For walks of models under their own couplings it predicted what people answered (Knopp
-    /// et al. 2019). Nobody has asked people about other couplings: a prediction to test, for rollouts of one model
-    /// only. A mean rollout has no noise, so its difference is usually above 0, even where the motion stands still:
-    /// read `health` first. Throws for a kind without couplings and for a model of tables.
+    /// How likely the latents are: the mean log density of those of a frame under the dynamics as learned. Compare
+    /// rollouts of one model only. Nobody has asked people about this number; that of Knopp et al. (2019) is
+    /// `dynamicsElbo` of `Model.info`. A mean rollout has no noise, so its difference is usually above 0, even where
+    /// the motion stands still: read `health` first. Throws for a kind without couplings and for a model of tables.
     #[cfg(feature = "training")]
-    #[wasm_bindgen(js_name = predictedNaturalness, unchecked_return_type = "PredictedNaturalness")]
-    pub fn predicted_naturalness(&self) -> Result<JsValue, VcgpdmError> {
-        to_js(&coupled(self.model.body()?)?.predicted_naturalness(&self.rollout)?)
+    #[wasm_bindgen(js_name = latentLogDensity, unchecked_return_type = "LatentLogDensity")]
+    pub fn latent_log_density(&self) -> Result<JsValue, VcgpdmError> {
+        to_js(&coupled(self.model.body()?)?.latent_log_density(&self.rollout)?)
     }
 
     /// The motion as the text of a BVH file.

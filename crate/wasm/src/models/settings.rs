@@ -118,7 +118,13 @@ pub fn settings_from_js<P: DeserializeOwned + Serialize>(
     let usual = to_js_joined(&rate, usual)?;
     let complete = with_defaults(ErrorCode::Settings, "settings", value, usual)?;
     let complete = with_parts(complete, parts)?;
-    from_js_split(ErrorCode::Settings, "settings", &complete)
+    let option = JsValue::from("asInPapers");
+    let given = Reflect::get(&complete, &option).unwrap_or_default();
+    let as_in_papers: Option<bool> = from_js(ErrorCode::Settings, "settings.asInPapers", &given)?;
+    let _ = Reflect::delete_property(complete.unchecked_ref(), &option);
+    let (task, settings) =
+        from_js_split::<_, VariationalSettings>(ErrorCode::Settings, "settings", &complete)?;
+    Ok((task, if as_in_papers == Some(true) { settings.as_in_papers() } else { settings }))
 }
 
 /// The parts of a body from JavaScript: a preset by its id or by the names of its parts, or a list with joints

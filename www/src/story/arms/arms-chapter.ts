@@ -6,7 +6,7 @@ import { weights } from "../../couplings/weights";
 import { initialSettings, type Settings } from "../../settings/settings";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
-import type { StoryBody } from "../body";
+import type { StoryBody } from "../../app/story-body";
 import type { Chapter } from "../chapter";
 import { EndlessWalk } from "../endless-walk";
 import { equation } from "../equation";

@@ -1,12 +1,11 @@
 import type { App } from "../../app/app";
 import "../../couplings/phase-clock";
 import "../../stage/stage-view";
-import { storyBody } from "../body";
 import type { Chapter } from "../chapter";
 import { ArmsChapter } from "./arms-chapter";
 import "./arms.css";
 import "./thread-view";
 
 export async function openChapter(app: App): Promise<Chapter> {
-  return new ArmsChapter(app.words, storyBody(app));
+  return new ArmsChapter(app.words, app.story);
 }

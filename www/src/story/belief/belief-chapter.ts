@@ -8,7 +8,7 @@ import type { Settings } from "../../settings/settings";
 import { SettingsStore } from "../../settings/settings-store";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
-import { NO_ADDRESS } from "../body";
+import { NO_ADDRESS } from "../../app/story-body";
 import type { Chapter } from "../chapter";
 import { randomNumbers } from "../../ui/random-numbers";
 import { type Answer, type Belief, beliefOf, ratiosOf, type Round, threeRounds } from "./rounds";

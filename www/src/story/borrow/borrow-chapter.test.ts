@@ -6,7 +6,7 @@ import { SettingsStore } from "../../settings/settings-store";
 import { NoticesStore } from "../../ui/notices-store";
 import { words } from "../../words/en";
 import type { WordsStore } from "../../words/words";
-import { NO_ADDRESS } from "../body";
+import { NO_ADDRESS } from "../../app/story-body";
 import { BorrowChapter, outcomeOf } from "./borrow-chapter";
 
 let library: LibraryStore;

@@ -5,6 +5,6 @@ import "./borrow.css";
 import { BorrowChapter } from "./borrow-chapter";
 
 export async function openChapter(app: App): Promise<Chapter> {
-  const { library } = await app.primitives.get();
+  const { library } = await app.view("primitives").get();
   return new BorrowChapter(app.words, app.settings, library);
 }

@@ -1,8 +1,8 @@
 // The last card: what the visitor knows now, what nobody knows, and what to make next.
 import { html } from "lit";
 import { Store } from "../../ui/store";
-import { repliesNow } from "../../words/replies";
-import type { StoryBody } from "../body";
+import { repliesNow } from "../../words/sections";
+import type { StoryBody } from "../../app/story-body";
 import type { Chapter } from "../chapter";
 import { EndlessWalk } from "../endless-walk";
 

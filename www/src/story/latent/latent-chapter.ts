@@ -4,7 +4,7 @@ import type { Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
-import type { StoryBody } from "../body";
+import type { StoryBody } from "../../app/story-body";
 import { attempt } from "./attempt";
 import type { Handle, LatentScene } from "./latent-view";
 import { PoseStage } from "./pose-stage";

@@ -1,7 +1,7 @@
 // Shows single poses on the story's stage instead of the walk, and gives the stage back.
 import type { Motion } from "../../engine/protocol";
 import type { Fade } from "../../stage/stage-store";
-import type { StoryBody } from "../body";
+import type { StoryBody } from "../../app/story-body";
 
 export class PoseStage {
   readonly #body: StoryBody;

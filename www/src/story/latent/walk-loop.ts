@@ -1,6 +1,6 @@
 // The loop of one part in the plane of a plot.
 import { type Projection, principalAxes } from "../../latents/projection";
-import type { StoryBody } from "../body";
+import type { StoryBody } from "../../app/story-body";
 import { type Lap, lapOf } from "./lap";
 import { projectPath } from "./lift";
 

@@ -7,7 +7,7 @@ import { arrowHead, fillDot, traceEllipse } from "../../latents/shapes";
 import { partColourNow, theme } from "../../ui/palette";
 import { prefersReducedMotion } from "../../ui/reduced-motion";
 import type { WordsStore } from "../../words/words";
-import type { StoryBody } from "../body";
+import type { StoryBody } from "../../app/story-body";
 import type { Chapter } from "../chapter";
 import { equation } from "../equation";
 import { attempt } from "../latent/attempt";

@@ -9,7 +9,7 @@ import type { Projection } from "../../latents/projection";
 import { arrowHead } from "../../latents/shapes";
 import { partColourNow, theme } from "../../ui/palette";
 import type { WordsStore } from "../../words/words";
-import type { StoryBody } from "../body";
+import type { StoryBody } from "../../app/story-body";
 import type { Chapter } from "../chapter";
 import { equation } from "../equation";
 import { attempt } from "../latent/attempt";

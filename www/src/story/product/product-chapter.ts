@@ -10,7 +10,7 @@ import { ALPHA_MAX, ALPHA_MIN } from "../../settings/settings";
 import { partColour, partColourNow, theme } from "../../ui/palette";
 import { partStyle } from "../../ui/styled";
 import type { WordsStore } from "../../words/words";
-import type { StoryBody } from "../body";
+import type { StoryBody } from "../../app/story-body";
 import type { Chapter } from "../chapter";
 import { equation } from "../equation";
 import { attempt } from "../latent/attempt";

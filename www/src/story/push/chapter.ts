@@ -1,6 +1,5 @@
 import type { App } from "../../app/app";
 import "../../stage/stage-view";
-import { storyBody } from "../body";
 import type { Chapter } from "../chapter";
 import { PushChapter } from "./push-chapter";
 import "./push-hands";
@@ -8,5 +7,5 @@ import "./push-loops";
 import "./push.css";
 
 export async function openChapter(app: App): Promise<Chapter> {
-  return new PushChapter(app.words, storyBody(app));
+  return new PushChapter(app.words, app.story);
 }

@@ -7,7 +7,7 @@ import type { Settings } from "../../settings/settings";
 import { eachFrame } from "../../ui/each-frame";
 import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
-import type { StoryBody } from "../body";
+import type { StoryBody } from "../../app/story-body";
 import type { Chapter } from "../chapter";
 import { EndlessWalk } from "../endless-walk";
 import { equation } from "../equation";

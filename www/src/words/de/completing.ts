@@ -1,7 +1,7 @@
 // The words of a recording that gives one part, in German.
-import type { completing as english } from "../en/completing";
+import type { words as english } from "../en/completing";
 
-export const completing: typeof english = {
+export const words: typeof english = {
   about:
     "Eine Aufnahme bewegt einen Teil. Das Modell sieht nur diesen Teil und schließt über die Kopplungen auf die anderen. Der Umriss ist die Aufnahme.",
   given: "Die Aufnahme bewegt",

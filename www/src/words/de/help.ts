@@ -1,6 +1,6 @@
 import type { HelpWords } from "../en/help";
 
-export const help: HelpWords = {
+export const words: HelpWords = {
   title: "Wie das funktioniert",
   close: "Schließen",
   model:
@@ -8,7 +8,7 @@ export const help: HelpWords = {
   points:
     "Stützpunkte sind die wenigen Beispiele, die das Modell statt der Daten behält: Posen (Rauten) und kurze Stücke Bewegung (Pfeile). Zeige auf einen, um seine Pose zu sehen, und auf der Zeitleiste die Bilder, für die er spricht.",
   training:
-    "Das Training erhöht die untere Schranke der Evidenz: wie gut das Modell die Clips erklärt, abzüglich dessen, was das Erklären kostet.",
+    "Das Training erhöht die untere Schranke der Evidenz, meist mit gewichteten Posen: wie gut das Modell die Clips erklärt, abzüglich der Kosten.",
   method: "Die Methode: Gleichungen, Zeichen, Literatur",
   keysTitle: "Tasten",
   keys: [
@@ -23,6 +23,7 @@ export const help: HelpWords = {
     ["p", "für einen Projektor: nur das Bild, in großer Schrift; Escape bringt den Rest zurück"],
     ["w a s d", "auf der Bühne: von einer anderen Seite sehen"],
     ["+ −", "auf der Bühne: näher, weiter weg"],
+    ["q", "der Link zu diesem Zustand, mit QR-Code"],
     ["?", "diese Hilfe"],
   ],
   about: "Über diese Seite",

@@ -6,7 +6,7 @@ import { files } from "./files";
 
 const number = (value: number, digits: number) => decimal("de", value, digits);
 
-export const lab: LabWords = {
+export const words: LabWords = {
   files,
   learn,
   loops,
@@ -27,24 +27,7 @@ export const lab: LabWords = {
     "legs-trunk-arms": "Beine, Rumpf, linker Arm, rechter Arm",
   },
   title: "Gekoppelte Bewegungs\u00adprimitive",
-  views: {
-    play: "Labor",
-    compare: "Modelle vergleichen",
-    primitives: "Primitive",
-    synthetic: "Wer treibt wen?",
-    perception: "Was ist natürlich?",
-    method: "Methode",
-    series: "Zeitreihen",
-  },
-  leads: {
-    compare: "Welches Modell sieht einen Gang am besten voraus, und was kostet es?",
-    primitives: "Teile, einmal gelernt und neu zusammengesetzt: Beine einer Bewegung, Arme einer anderen.",
-    synthetic: "Zwei erdachte Systeme, deren Wahrheit bekannt ist: Findet das Training sie?",
-    series: "Kurven, die kein Körper sind: welche Teile sie haben, und welcher Teil welchen treibt.",
-    perception:
-      "Der grafische Turing-Test: Unterscheiden Menschen die Bewegung eines Modells von einer natürlichen?",
-    method: "Das Modell in Gleichungen, und wo jedes Zeichen zu sehen ist.",
-  },
+  lab: "Labor",
   header: {
     files: "Dateien",
     open: "Öffnen",

@@ -107,6 +107,10 @@ export const learn: LearnWords = {
       hint: "ausgewogen: Posen zählen so viel wie die Dynamik, und die latenten Zustände sind leichter vorherzusagen. 1: Das Training maximiert die Schranke",
       value: (weight) => (weight === "balanced" ? "ausgewogen" : withComma(String(weight))),
     },
+    asInPapers: {
+      label: "Wie in den Artikeln",
+      hint: "Gewicht 1 der Posen, kein Lernen aus eigenen Rollouts: Das Training maximiert die Schranke",
+    },
   },
   training: {
     title: "Training",
@@ -219,7 +223,7 @@ export const learn: LearnWords = {
     seed: (seed) => `Startwert ${seed}`,
     overIterations: "Die Schranke über den Iterationen",
     empty: "Sie steigt hier, während ein Modell lernt.",
-    terms: "Ihre Terme",
+    terms: "Terme der Schranke",
     termsOverIterations: "Die Terme der Schranke über den Iterationen",
     poses: (part) => `Posen, ${part}`,
     dynamics: (part) => `Dynamik, ${part}`,

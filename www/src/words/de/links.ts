@@ -26,7 +26,7 @@ function problems(problem: LinkProblem): string {
   }
 }
 
-export const links: LinkWords = {
+export const words: LinkWords = {
   notOpened: "Das Modell dieses Links wurde nicht geöffnet",
   problems,
   withModel: "Mit dem Modell im Link",

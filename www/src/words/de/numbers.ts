@@ -1,20 +1,20 @@
 import type { NumbersWords } from "../en/numbers";
 
-export const numbers: NumbersWords = {
+export const words: NumbersWords = {
   failed: "Diese Zahlen konnten nicht berechnet werden.",
   empty: "Hier erscheinen die Zahlen des Modells und seiner Bewegung.",
   modelNow: "das Modell jetzt",
   asLearned: "wie gelernt",
-  naturalness: {
-    title: "Vorhergesagte Natürlichkeit",
+  logDensity: {
+    title: "Log-Dichte der latenten Zustände",
     of: "Bewegung",
     rollout: "ein Bild von ihr",
     training: "ein Bild des Trainings",
     difference: "Unterschied",
-    about:
-      "Wie wahrscheinlich die latenten Zustände eines Bildes unter der gelernten Dynamik sind, in Nat. Für das Gehen von Modellen mit ihren eigenen Kopplungen sagte diese Zahl vorher, wie natürlich Menschen das Gehen fanden (Knopp et al. 2019).",
+    about: (elbo) =>
+      `Wie wahrscheinlich die latenten Zustände eines Bildes unter der gelernten Dynamik sind, in Nat. Knopp et al. (2019) sagten mit einer anderen Zahl vorher, wie natürlich Menschen das Gehen fanden: mit der Dynamik-ELBO des trainierten Modells, hier ${elbo}.`,
     caution:
-      "Eine Vorhersage, die zu prüfen ist: Niemand hat Menschen nach veränderten Kopplungen gefragt. Vergleiche nur Bewegungen eines Modells. Eine Bewegung ohne Rauschen liegt meist über 0, auch wenn sie stillsteht.",
+      "Nach dieser hat niemand Menschen gefragt. Vergleiche nur Bewegungen eines Modells. Ohne Rauschen liegt eine Bewegung meist über 0, auch in Ruhe.",
   },
   couplings: {
     title: "[Kopplungen|coupling]",

@@ -1,6 +1,6 @@
 import type { Replies } from "../en/replies";
 
-export const replies: Replies = {
+export const words: Replies = {
   arms: {
     stop: "Richtig für eine andere Frage: Drück „Getrennt wie gelernt“.",
     step: "Nein: Ohne den Faden sagt den Armen niemand, wann.",

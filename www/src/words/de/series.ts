@@ -1,6 +1,6 @@
 import type { SeriesWords } from "../en/series";
 
-export const series: SeriesWords = {
+export const words: SeriesWords = {
   setup: "Tabellen und Training",
   tables: "Tabellen",
   open: "Öffnen",
@@ -58,19 +58,8 @@ export const series: SeriesWords = {
     "Das Modell allein. Seine Datei enthält nicht, was aufgenommen wurde: Öffne die Tabellen, um es gestrichelt zu sehen.",
   provenance: (engine, iterations, seed) =>
     `Trainiert von ${engine}, ${iterations} Iterationen, Startwert ${seed}.`,
-  latents: "Latente Räume",
-  path: (part) => `Der Weg von ${part} durch seinen latenten Raum`,
-  couplings: "Kopplungen",
-  couplingsMeaning: "Welcher Teil über welchen entscheidet. Rechts ist stark: kleines α, großes w.",
   noCouplings:
     "Ein solches Modell hat keine Kopplungen und keine latenten Räume: Nur seine Kurven stehen hier.",
-  changed: "Was eine geänderte Kopplung bedeutet",
-  readings: {
-    "re-inferred":
-      "Unter geänderten Kopplungen werden die Experten aus dem, was das Training von den Daten behielt, neu bestimmt",
-    "as-learned": "Die Experten bleiben wie gelernt; nur wie viel jeder zählt, ändert sich",
-  },
-  reset: "Alles wie gelernt",
   overTime: "Spalten über der Zeit",
   figure: "Die Spalten NAME.x, NAME.y und NAME.z als Punkte, durch Knochen verbunden",
   time: "Zeit (s)",

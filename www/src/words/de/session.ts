@@ -3,7 +3,7 @@ import type { SessionWords } from "../en/session";
 const counted = (count: number, singular: string, plural: string) =>
   count === 1 ? singular : `${count} ${plural}`;
 
-export const session: SessionWords = {
+export const words: SessionWords = {
   clips: (count) => counted(count, "ein Clip", "Clips"),
   runs: (count) => counted(count, "ein Training", "Trainings"),
   models: (count) => counted(count, "ein Modell", "Modelle"),

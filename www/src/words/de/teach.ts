@@ -4,7 +4,7 @@ import type { TeachWords } from "../en/teach";
 const times = (value: number) => `das ${decimal("de", value, 2)}-Fache`;
 const seconds = (value: number) => `${decimal("de", value, 2)} s`;
 
-export const teach: TeachWords = {
+export const words: TeachWords = {
   title: "Für die Lehre",
   lead: "Die Kapitel sind Folien, die Seite prüft die Aufgaben, und eine Klasse antwortet mit kurzen Codes.",
   slides: {

@@ -31,12 +31,12 @@ export const terms: TermsWords = {
     predictions: {
       title: "Vorhersagen, gezeichnet",
       words:
-        "Die Vorhersage jedes Teils für den Zustand jetzt ist ein Kreis in seiner Farbe, mit einer Standardabweichung als Radius; dünne Linien führen zu ihrem Produkt in Schwarz (weiß auf dunkler Seite), gestrichelte haben ein Gewicht unter 0,01 und werden kaum gehört. Der Pfeil ist der Schritt vom Zustand davor, und das Band um den Weg ist so breit, wie das Produkt unsicher ist.",
+        "Die Vorhersage jedes Teils für den Zustand jetzt ist ein Kreis in seiner Farbe, mit einer Standardabweichung als Radius; dünne Linien führen zu ihrem Produkt in Schwarz (weiß auf dunkler Seite), gestrichelte haben ein Gewicht unter 0,01. Der Pfeil ist der Schritt vom Zustand davor, und das Band um den Weg ist so breit, wie das Produkt unsicher ist.",
     },
     reading: {
       title: "wie gelernt, neu bestimmt",
       words:
-        "Wie gelernt: Ein Regler ändert nur die Gewichte, und jeder Experte sagt voraus wie zuvor. Neu bestimmt: Die Experten werden neu berechnet, so wie dieselben Daten sie unter diesen Kopplungen gelehrt hätten; oft bleibt die Bewegung dann fast gleich, weil andere Experten übernehmen.",
+        "Wie gelernt: Ein Regler ändert nur die Gewichte, und jeder Experte sagt voraus wie zuvor. Neu bestimmt: Die Experten werden neu berechnet, so wie alles, woraus das Modell lernte, sie unter diesen Kopplungen gelehrt hätten; oft bleibt die Bewegung dann fast gleich.",
     },
     measured: {
       title: "Messwerte",
@@ -101,12 +101,12 @@ export const terms: TermsWords = {
     bound: {
       title: "untere Schranke der Evidenz",
       words:
-        "Die Zahl, die das Training so groß wie möglich macht: wie gut das Modell die Clips erklärt, abzüglich dessen, was das Erklären kostet. Schranken sind nur zwischen Modellen derselben Bilder vergleichbar.",
+        "Wie gut das Modell die Clips erklärt, abzüglich dessen, was das Erklären kostet. Das Training erhöht sie, meist mit kleineren Gewichten der Posen; Schranken sind nur zwischen Modellen derselben Bilder vergleichbar.",
     },
     "bound-terms": {
       title: "Terme der Schranke",
       words:
-        "Die Schranke ist eine Summe: wie gut Posen und Dynamik jedes Teils erklärt sind, die ersten Bilder, und die Entropie der latenten Zustände. Knopp et al. (2019) fanden, dass die Dynamik am meisten darüber sagt, wie natürlich eine Bewegung aussieht.",
+        "Die Schranke ist eine Summe: wie gut Posen und Dynamik jedes Teils erklärt sind, die ersten Bilder, und die Entropie der latenten Zustände. Knopp et al. (2019) fanden, dass die Dynamik am meisten darüber sagt, wie natürlich das Gehen eines Modells aussieht.",
     },
     nats: {
       title: "Nat",
@@ -116,7 +116,7 @@ export const terms: TermsWords = {
     iterations: {
       title: "Iteration",
       words:
-        "Ein Schritt der Optimierung, die alle Zahlen des Modells so ändert, dass die Schranke steigt. Das Training endet, wenn sie nicht mehr steigt oder nach so vielen Schritten.",
+        "Ein Schritt der Optimierung, die alle Zahlen des Modells so ändert, dass die Schranke, oft mit Gewichten, steigt. Das Training endet, wenn sie nicht mehr steigt oder nach so vielen Schritten.",
     },
     seed: {
       title: "Startwert",
@@ -141,7 +141,7 @@ export const terms: TermsWords = {
     "moment-matching": {
       title: "Moment-Matching",
       words:
-        "Was über den Zustand bekannt ist, wenn nur die ersten Bilder sicher sind: Mittelwert und Streuung, von Bild zu Bild als Gaußverteilung weitergegeben. Eine Gaußverteilung kann sich nicht um eine Schleife biegen; bei den Beinen des Startmodells fallen nach etwa zwei Dritteln einer Sekunde mehr Zukünfte aus dem Takt, als sie weiß, und dann sagen die Zukünfte mehr.",
+        "Was über den Zustand bekannt ist, wenn nur die ersten Bilder sicher sind: Mittelwert und Streuung, von Bild zu Bild als Gaußverteilung weitergegeben. Eine Gaußverteilung kann sich nicht um eine Schleife biegen: Bei den Beinen des Startmodells sagen die Zukünfte nach etwa zwei Dritteln einer Sekunde mehr.",
     },
     map: {
       title: "MAP-Modelle",

@@ -1,5 +1,5 @@
 // The words of a recording that gives one part, in English.
-export const completing = {
+export const words = {
   about:
     "A recording moves one part. The model sees this part alone and infers the others, through the couplings. The outline is the recording.",
   given: "The recording moves",

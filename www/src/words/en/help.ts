@@ -1,5 +1,5 @@
 /** The dialog with help, keys and facts about the page. */
-export const help = {
+export const words = {
   title: "How this works",
   close: "Close",
   model:
@@ -7,7 +7,7 @@ export const help = {
   points:
     "Inducing points are the few examples that the model keeps in place of the data: poses (diamonds), and short pieces of movement (arrows). Point at one to see its pose, and the frames it speaks for on the time line.",
   training:
-    "Training climbs the evidence lower bound: how well the model explains the clips, less what it takes to say so.",
+    "Training climbs the evidence lower bound, mostly with weighted poses: how well the model explains the clips, less its cost.",
   method: "The method: equations, symbols, references",
   keysTitle: "Keys",
   keys: [
@@ -19,6 +19,7 @@ export const help = {
     ["p", "for a projector: only the picture, in large type; escape brings the rest back"],
     ["w a s d", "on the stage: look from another side"],
     ["+ −", "on the stage: nearer, farther"],
+    ["q", "the link to this state, with its QR code"],
     ["?", "this help"],
   ] as [key: string, does: string][],
   about: "About",
@@ -30,4 +31,4 @@ export const help = {
     `The model now: trained by ${engine} with seed ${seed} on ${clips || "clips it does not name"}. This page runs version ${version}.`,
 };
 
-export type HelpWords = typeof help;
+export type HelpWords = typeof words;

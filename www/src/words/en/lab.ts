@@ -21,7 +21,7 @@ const START_MEANINGS: Record<string, string> = {
 };
 
 /** The Lab: its frame, the stage and the couplings. A [text|term] in brackets is a term with an explanation. */
-export const lab = {
+export const words = {
   files,
   learn,
   loops,
@@ -29,23 +29,7 @@ export const lab = {
   partNames: { lower: "legs", upper: "arms" } as Readonly<Record<string, string>>,
   splits: { "lower-upper": "Legs and arms" } as Readonly<Record<string, string>>,
   title: "Coupled movement primitives",
-  views: {
-    play: "Lab",
-    compare: "Compare models",
-    primitives: "Primitives",
-    synthetic: "Who drives whom?",
-    perception: "Which is natural?",
-    method: "Method",
-    series: "Time series",
-  },
-  leads: {
-    compare: "Which model foresees a walk best, and what does it cost?",
-    primitives: "Parts learned once, put together in new ways: legs of one movement, arms of another.",
-    synthetic: "Two made-up systems of which the truth is known: does training find it?",
-    series: "Curves that are no body: which parts they have, and which part drives which.",
-    perception: "The graphics Turing test: can people tell a model’s movement from a natural one?",
-    method: "The model in equations, and where each symbol is to be seen.",
-  },
+  lab: "Lab",
   header: {
     files: "Files",
     open: "Open",
@@ -261,4 +245,4 @@ export const lab = {
   },
 };
 
-export type LabWords = typeof lab;
+export type LabWords = typeof words;

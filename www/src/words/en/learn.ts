@@ -101,6 +101,10 @@ export const learn = {
       hint: "balanced: poses count as much as dynamics, so that the latents are easier to predict. 1: training maximises the bound",
       value: (weight: number | "balanced") => String(weight),
     },
+    asInPapers: {
+      label: "As in the papers",
+      hint: "Weight 1 of the poses, no learning from own rollouts: training maximises the bound",
+    },
   },
   training: {
     title: "Training",
@@ -214,7 +218,7 @@ export const learn = {
     seed: (seed: number) => `seed ${seed}`,
     overIterations: "The bound over the iterations",
     empty: "It rises here while a model trains.",
-    terms: "Its terms",
+    terms: "Terms of the bound",
     termsOverIterations: "The terms of the bound over the iterations",
     poses: (part: string) => `poses, ${part}`,
     dynamics: (part: string) => `dynamics, ${part}`,

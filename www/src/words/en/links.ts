@@ -26,7 +26,7 @@ function problems(problem: LinkProblem): string {
 }
 
 /** Links that bring a model, and the dialog that makes them. */
-export const links = {
+export const words = {
   notOpened: "The model of this link was not opened",
   problems,
   withModel: "With the model in the link",
@@ -49,4 +49,4 @@ export const links = {
   frameTitle: "A motion model",
 };
 
-export type LinkWords = typeof links;
+export type LinkWords = typeof words;

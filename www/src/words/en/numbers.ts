@@ -1,19 +1,19 @@
 /** The panel Numbers. A [text|term] in brackets is a term with an explanation. */
-export const numbers = {
+export const words = {
   failed: "These numbers could not be computed.",
   empty: "The numbers of the model and its motion appear here.",
   modelNow: "the model now",
   asLearned: "as learned",
-  naturalness: {
-    title: "Predicted naturalness",
+  logDensity: {
+    title: "Latent log density",
     of: "motion",
     rollout: "a frame of it",
     training: "a frame of the training",
     difference: "difference",
-    about:
-      "How likely the latents of a frame are under the dynamics as learned, in nats. For walks of models under their own couplings, this number predicted how natural people found the walks (Knopp et al. 2019).",
+    about: (elbo: string) =>
+      `How likely the latents of a frame are under the dynamics as learned, in nats. Knopp et al. (2019) predicted how natural people found walks with another number: the dynamics ELBO of the trained model, here ${elbo}.`,
     caution:
-      "A prediction to test: nobody has asked people about changed couplings. Compare only motions of one model. A motion without noise is usually above 0, even if it stands still.",
+      "Nobody has asked people about this one. Compare only motions of one model. Without noise a motion is usually above 0, even at rest.",
   },
   couplings: {
     title: "[Couplings|coupling]",
@@ -53,4 +53,4 @@ export const numbers = {
   },
 };
 
-export type NumbersWords = typeof numbers;
+export type NumbersWords = typeof words;

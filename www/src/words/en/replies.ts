@@ -1,6 +1,6 @@
-import type { words } from "../en";
+import type { Words } from "../en";
 
-type Chapters = (typeof words)["chapters"];
+type Chapters = Words["chapters"];
 /** A reply to each answer; chapters that keep a score, or ask for a pin, have none. */
 type Answers = {
   readonly [Name in Exclude<keyof Chapters, "computer" | "next" | "belief" | "end">]: Readonly<
@@ -17,7 +17,7 @@ export interface Replies extends Answers {
   };
 }
 
-export const replies: Replies = {
+export const words: Replies = {
   arms: {
     stop: "Right for another question: press “Cut, as learned”.",
     step: "No: without the thread nobody tells the arms when.",

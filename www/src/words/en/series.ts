@@ -1,5 +1,5 @@
 /** The view Time series. */
-export const series = {
+export const words = {
   setup: "Tables and training",
   tables: "Tables",
   open: "Open",
@@ -59,18 +59,7 @@ export const series = {
     "The model on its own. Its file does not hold what was recorded: open the tables to see them dashed.",
   provenance: (engine: string, iterations: number, seed: number) =>
     `Trained by ${engine}, ${iterations} iterations, seed ${seed}.`,
-  latents: "Latent spaces",
-  path: (part: string) => `The path of ${part} through its latent space`,
-  couplings: "Couplings",
-  couplingsMeaning: "Which part decides about which. Right is strong: small α, large w.",
   noCouplings: "A model of this kind has no couplings and no latent spaces: only its curves are shown.",
-  changed: "What a changed coupling means",
-  readings: {
-    "re-inferred":
-      "Under changed couplings the experts are inferred again from what the training left of the data",
-    "as-learned": "The experts stay as learned; only how much each counts is changed",
-  },
-  reset: "All as learned",
   overTime: "Columns over time",
   figure: "The columns NAME.x, NAME.y and NAME.z as points, joined by bones",
   time: "time (s)",
@@ -89,4 +78,4 @@ export const series = {
   noModel: "There is no model yet: train one or open one.",
 };
 
-export type SeriesWords = typeof series;
+export type SeriesWords = typeof words;

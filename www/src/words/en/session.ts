@@ -4,7 +4,7 @@ const listed = (words: readonly string[]) =>
   words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`;
 
 /** What earlier visits left, and "Forget everything". */
-export const session = {
+export const words = {
   clips: (count: number) => counted(count, "a clip", "clips"),
   runs: (count: number) => counted(count, "a training", "trainings"),
   models: (count: number) => counted(count, "a model", "models"),
@@ -59,4 +59,4 @@ export const session = {
   theLibrary: "The library of primitives",
 };
 
-export type SessionWords = typeof session;
+export type SessionWords = typeof words;

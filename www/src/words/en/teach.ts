@@ -3,7 +3,7 @@ import { decimal } from "../decimal";
 const times = (value: number) => `${decimal("en", value, 2)} ×`;
 const seconds = (value: number) => `${decimal("en", value, 2)} s`;
 
-export const teach = {
+export const words = {
   title: "For teachers",
   lead: "The chapters are slides, the page checks the exercises, and a class answers by short codes.",
   slides: {
@@ -301,4 +301,4 @@ export const teach = {
   },
 };
 
-export type TeachWords = typeof teach;
+export type TeachWords = typeof words;

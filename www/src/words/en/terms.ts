@@ -30,12 +30,12 @@ export const terms = {
     predictions: {
       title: "predictions, drawn",
       words:
-        "Each part’s prediction of the state now is a circle in its colour, with a radius of one standard deviation; thin lines lead to their product in black (white on a dark page), dashed ones have a weight below 0.01 and are hardly heard. The arrow is the step from the state before, and the band around the path is as wide as the product is unsure.",
+        "Each part’s prediction of the state now is a circle in its colour, with a radius of one standard deviation; thin lines lead to their product in black (white on a dark page), dashed ones have a weight below 0.01. The arrow is the step from the state before, and the band around the path is as wide as the product is unsure.",
     },
     reading: {
       title: "as learned, re-inferred",
       words:
-        "As learned: a slider changes the weights only, and every expert predicts as before. Re-inferred: the experts are computed again, as the same data would have taught them under these couplings; often the motion then stays nearly the same, because other experts take over.",
+        "As learned: a slider changes the weights only, and every expert predicts as before. Re-inferred: the experts are computed again, as all that the model learned from would have taught them under these couplings; often the motion then stays nearly the same.",
     },
     measured: {
       title: "measures",
@@ -100,12 +100,12 @@ export const terms = {
     bound: {
       title: "evidence lower bound",
       words:
-        "The number that training makes as large as it can: how well the model explains the clips, less what it takes to say so. Bounds can be compared between models of the same frames only.",
+        "How well the model explains the clips, less what it takes to say so. Training raises it, by default with smaller weights of the poses; bounds can be compared between models of the same frames only.",
     },
     "bound-terms": {
       title: "terms of the bound",
       words:
-        "The bound is a sum: how well poses and dynamics of each part are explained, the first frames, and the entropy of the latents. Knopp et al. (2019) found that the dynamics say most about how natural a motion looks.",
+        "The bound is a sum: how well poses and dynamics of each part are explained, the first frames, and the entropy of the latents. Knopp et al. (2019) found that the dynamics say most about how natural the walks of a model look.",
     },
     nats: {
       title: "nat",
@@ -114,7 +114,7 @@ export const terms = {
     iterations: {
       title: "iteration",
       words:
-        "One step of the optimiser, which changes all numbers of the model so that the bound rises. Training ends when the bound no longer rises, or after this many.",
+        "One step of the optimiser, which changes all numbers of the model so that the bound, often with weights, rises. Training ends when it no longer rises, or after this many.",
     },
     seed: {
       title: "seed",
@@ -139,7 +139,7 @@ export const terms = {
     "moment-matching": {
       title: "moment matching",
       words:
-        "What is known of the state if only the first frames are certain: mean and spread, carried from frame to frame as a Gaussian. A Gaussian cannot bend around a loop; in the legs of the start model, after about two thirds of a second, more futures fall out of time than it knows of, and then the futures say more.",
+        "What is known of the state if only the first frames are certain: mean and spread, carried from frame to frame as a Gaussian. A Gaussian cannot bend around a loop: in the legs of the start model, after about two thirds of a second, the futures say more.",
     },
     map: {
       title: "MAP models",

@@ -54,7 +54,7 @@ impl Comparison {
         let people: Vec<Range<usize>> = several.iter().map(folds).collect();
         let parts = several.first().map_or(1, |results| results.setting().parts.len());
         let mut claims = primary_claims(&rows, &people, parts, &labels);
-        claims.extend(secondary_claims(&rows, &growth, &labels));
+        claims.extend(secondary_claims(&rows, parts, &growth, &labels));
         if several.iter().all(|results| results.setting().parts.len() == 3) {
             claims.extend(three_part_claims(&rows, &labels));
         }

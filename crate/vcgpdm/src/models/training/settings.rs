@@ -109,6 +109,13 @@ impl VariationalSettings {
         Self::default().with_own_rollouts(true)
     }
 
+    /// Trained as in the papers: the objective is the bound on the log evidence, and the model does not learn from
+    /// its own rollouts.
+    #[must_use]
+    pub fn as_in_papers(self) -> Self {
+        self.with_pose_weight(PoseWeight::default()).with_own_rollouts(false)
+    }
+
     /// With another number of latent dimensions of every part.
     #[must_use]
     pub fn with_latent(self, latent: usize) -> Self {
