@@ -8,7 +8,7 @@ use crate::values::error::{ErrorCode, VcgpdmError};
 #[cfg(feature = "training")]
 use crate::values::wording::{found_value, quoted};
 #[cfg(feature = "training")]
-use js_sys::{Array, Reflect};
+use js_sys::{Array, Object, Reflect};
 #[cfg(feature = "training")]
 use serde::de::{DeserializeOwned, Deserializer, Error, Visitor};
 use serde::{Deserialize, Serialize};
@@ -121,7 +121,7 @@ pub fn settings_from_js<P: DeserializeOwned + Serialize>(
     let option = JsValue::from("asInPapers");
     let given = Reflect::get(&complete, &option).unwrap_or_default();
     let as_in_papers: Option<bool> = from_js(ErrorCode::Settings, "settings.asInPapers", &given)?;
-    let _ = Reflect::delete_property(complete.unchecked_ref(), &option);
+    let _ = Reflect::delete_property(complete.unchecked_ref::<Object>(), &option);
     let (task, settings) =
         from_js_split::<_, VariationalSettings>(ErrorCode::Settings, "settings", &complete)?;
     Ok((task, if as_in_papers == Some(true) { settings.as_in_papers() } else { settings }))
