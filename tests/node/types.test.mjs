@@ -101,6 +101,9 @@ describe("the declared types", () => {
       check("ModelInfo", any.info());
       assert.equal(any.toJson(), text);
       const rolled = any.rollout({ frames: 7 });
+      const alpha = Array(2).fill([1, 9]);
+      if (kind === "map-cgpdm")
+        assert.notDeepEqual(any.rollout({ frames: 7, alpha }).values(), rolled.values());
       assert.equal(rolled.values().length, 7 * any.info().columns.length, kind);
       assert.equal(rolled.toCsv().split("\n").length, 9);
       assert.equal(any.info().alpha !== null, ["vcgpdm", "series", "combination"].includes(kind), kind);

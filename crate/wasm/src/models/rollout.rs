@@ -89,12 +89,20 @@ impl Rollout {
     }
 }
 
-/// A rollout as columns. Only a model with couplings has latents and weights, and starts from any frame.
-fn columns<S: ColumnMapping>(model: &Model<S>, request: &RolloutRequest) -> Result<Columns, VcgpdmError> {
+/// A rollout as columns. Only a vCGPDM or vGPDM has latents and weights, and starts from any frame.
+fn columns<S: ColumnMapping + Clone>(
+    model: &Model<S>,
+    request: &RolloutRequest,
+) -> Result<Columns, VcgpdmError> {
     if let Some(coupled) = model.coupled() {
         return Ok(coupled.rollout(request)?);
     }
-    if request.alpha.is_some() || request.frame > 0 || request.start.is_some() {
+    // The player has no MAP CGPDM.
+    #[cfg(feature = "training")]
+    let changed = request.alpha.clone().and_then(|alpha| model.with_alpha(alpha)).transpose()?;
+    #[cfg(not(feature = "training"))]
+    let changed: Option<Model<S>> = None;
+    if request.alpha.is_some() && changed.is_none() || request.frame > 0 || request.start.is_some() {
         let words = format_args!(
             "expected a vcgpdm or vgpdm model for other couplings, another frame or start latents, found a {} \
              model",
@@ -102,7 +110,7 @@ fn columns<S: ColumnMapping>(model: &Model<S>, request: &RolloutRequest) -> Resu
         );
         return Err(VcgpdmError::new(ErrorCode::Rollout, &words));
     }
-    let y = model.rollout(request.sequence, request.frames)?;
+    let y = changed.as_ref().unwrap_or(model).rollout(request.sequence, request.frames)?;
     Ok(Columns::of_columns(y))
 }
 

@@ -34,7 +34,7 @@ pub struct RolloutRequest {
     #[serde(default, deserialize_with = "rows::optional_matrices")]
     #[cfg_attr(feature = "types", ts(type = "number[][][] | null", optional))]
     pub start: Option<Vec<DMatrix<f64>>>,
-    /// Coupling variances `alpha[source][target]`; absent: as learned.
+    /// Coupling variances `alpha[source][target]`, also of a MAP CGPDM; absent: as learned.
     #[serde(default, deserialize_with = "rows::optional_matrix")]
     #[cfg_attr(feature = "types", ts(type = "number[][] | null", optional))]
     pub alpha: Option<DMatrix<f64>>,
