@@ -207,7 +207,7 @@ describe("the way through the story", () => {
       const arrived = performance.getEntriesByType("resource").map(({ name }) => name);
       const links = [...document.querySelectorAll("link[rel=modulepreload], link[rel=stylesheet]")];
       const wanted = links.map((link) => /** @type {HTMLLinkElement} */ (link).href);
-      const hasChapter = arrived.some((name) => /story\/chapter-[^/]*\.js$/.test(name));
+      const hasChapter = arrived.some((name) => /story\/arms-chapter-[^/]*\.js$/.test(name));
       return hasChapter && wanted.every((name) => arrived.includes(name));
     });
     await page.route("**/assets/**", (route) => route.abort());

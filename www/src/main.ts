@@ -4,7 +4,6 @@ import "./ui/controls.css";
 import "./app/layout.css";
 import { html, render } from "lit";
 import { App } from "./app/app";
-import { listenToDrops } from "./app/dropping";
 import { wouldLose } from "./app/leaving";
 import { openFiles } from "./app/open-files";
 import type { PageView } from "./app/page";
@@ -16,8 +15,37 @@ import { openDoor } from "./settings/door";
 import { isEmbedded } from "./settings/settings";
 import { IN_LAB } from "./settings/settings-store";
 import "./story/doors";
-import { whenIdle } from "./ui/idle";
-import { prefersReducedMotion } from "./ui/reduced-motion";
+import { whenIdle, prefersReducedMotion } from "./ui/browser";
+import type { Place } from "./ui/notices-store";
+import { type DroppedFiles, droppedFiles } from "./app/dropped-files";
+
+function listenToDrops(opened: (dropped: Promise<DroppedFiles>, at: Place) => Promise<void>): void {
+  const page = document.documentElement;
+  const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
+  // Each element under the pointer sends these events, so they are counted.
+  let depth = 0;
+  const show = (dragging: boolean) => page.toggleAttribute("data-dragging", dragging);
+  document.addEventListener("dragenter", (event) => {
+    if (!hasFiles(event)) return;
+    depth += 1;
+    show(true);
+  });
+  document.addEventListener("dragleave", (event) => {
+    if (!hasFiles(event)) return;
+    depth = Math.max(0, depth - 1);
+    if (depth === 0) show(false);
+  });
+  document.addEventListener("dragover", (event) => {
+    if (hasFiles(event)) event.preventDefault();
+  });
+  document.addEventListener("drop", (event) => {
+    depth = 0;
+    show(false);
+    if (!hasFiles(event)) return;
+    event.preventDefault();
+    void opened(droppedFiles(event.dataTransfer?.items ?? []), { x: event.clientX, y: event.clientY });
+  });
+}
 
 const app = new App(browserAddressBar, isEmbedded(location.search), hireWholeWorkers());
 openDoor(app.settings, app.embedded);

@@ -6,7 +6,7 @@ import { modelStyle } from "../figures/model-style";
 import type { SettingsStore } from "../settings/settings-store";
 import type { StageContent, StageStore } from "../stage/stage-store";
 import { lab } from "../words/lab";
-import { OTHER_MODEL } from "./model-kinds";
+import { OTHER_MODEL } from "../couplings/model-document";
 
 /** A model without couplings on the stage, with its motion. */
 interface OtherModel extends MadeMotion {

@@ -25,13 +25,28 @@ import { TrainingStore } from "../training/training-store";
 import { NoticesStore } from "../ui/notices-store";
 import { stageWork } from "../couplings/model-work";
 import { mayLose } from "../unsaved/unsaved";
-import { Switch } from "../ui/switch";
 import { WordsStore } from "../words/words";
 import { Lazy } from "../ui/lazy";
-import { OTHER_MODEL } from "./model-kinds";
+import { OTHER_MODEL } from "../couplings/model-document";
 import { lab } from "../words/lab";
 import { loadCompleting, loadSession } from "../words/sections";
 import { StoryBody } from "./story-body";
+import { Store } from "../ui/store";
+
+/** Something that is on or off. */
+class Switch extends Store {
+  #isOn = false;
+
+  get isOn(): boolean {
+    return this.#isOn;
+  }
+
+  turn(on: boolean): void {
+    if (on === this.#isOn) return;
+    this.#isOn = on;
+    this.changed();
+  }
+}
 
 /** Opens the models of links. */
 const linked = () => import("./linked-model");

@@ -6,9 +6,30 @@ import { presetWords } from "../couplings/presets";
 import { View } from "../ui/view";
 import type { App } from "./app";
 import "./caption.css";
-import { healthWords } from "./health-words";
 import { type StageWords, stageWords } from "./stage-words";
 import { lab, shownPart } from "../words/lab";
+import { troubleText } from "../couplings/measures-text";
+import type { BodyReport } from "../engine/protocol";
+import { sentence } from "../ui/format";
+
+/** The motion on the stage. */
+interface StageMotion {
+  /** Seconds of motion. */
+  seconds: number;
+  parts: readonly { name: string }[];
+  /** Whether a coupling is changed. */
+  altered: boolean;
+}
+
+/** One sentence; empty for a healthy motion. */
+export function healthWords(health: BodyReport["health"], { seconds, parts, altered }: StageMotion): string {
+  const names = parts.map(({ name }) => shownPart(name));
+  const words = troubleText(health, names);
+  // The measured motion may be longer than the shown one.
+  if (!words || (health.from ?? 0) >= seconds) return "";
+  if (health.state === "leaves-training-range") return sentence(words);
+  return sentence(lab().stage.health(words, altered));
+}
 
 /** The clip on the stage; null: the model's motion is there. */
 export function clipOnStage({ clips, stage }: App): ClipEntry | null {

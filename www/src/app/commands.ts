@@ -1,7 +1,7 @@
 // What a visitor can ask of the page: by a key, by a button, and by an event of a view that has the command's name.
 import { messageOf } from "../ui/format";
 import { lab } from "../words/lab";
-import type { StagedModel } from "../stage/staged-model";
+import type { StagedModel } from "../stage/stage-store";
 import type { App } from "./app";
 import type { LabView } from "./lab-view";
 import { openAnyModel, openFiles } from "./open-files";

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { modelName, plain } from "../couplings/model-file";
-import { motionName, type RolledOut } from "./file-names";
+import { motionName, type RolledOut } from "./saving";
 
 const sequence = (name: string) => ({
   name,

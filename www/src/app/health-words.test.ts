@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { MOVES_ON, STANDS_STILL } from "../engine/engine.fake";
-import { healthWords } from "./health-words";
+import { healthWords } from "./caption";
 
 const seen = { seconds: 10, parts: [{ name: "lower" }, { name: "upper" }], altered: false };
 

@@ -16,7 +16,7 @@ import { lab } from "../words/lab";
 import { linkWords } from "../words/links";
 import type { WordsStore } from "../words/words";
 import type { WholeWorkers } from "../engine/whole-workers";
-import { hasNoCouplings } from "./model-kinds";
+import { hasNoCouplings } from "../couplings/model-document";
 
 interface Stores {
   words: WordsStore;

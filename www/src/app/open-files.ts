@@ -7,7 +7,7 @@ import { stageWork } from "../couplings/model-work";
 import { mayLose } from "../unsaved/unsaved";
 import type { DocumentKind } from "../engine/protocol";
 import type { App } from "./app";
-import { hasNoCouplings } from "./model-kinds";
+import { hasNoCouplings } from "../couplings/model-document";
 import { lab } from "../words/lab";
 
 /** In bytes. */

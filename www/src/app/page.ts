@@ -11,12 +11,12 @@ import type { Draw } from "../views/define-view";
 import type { App } from "./app";
 import "./header";
 import type { HelpView } from "./help";
-import "./lab-view";
 import type { LabView } from "./lab-view";
+import "./lab-view";
 import { COMMANDS, type Commanded } from "./commands";
 import { lab } from "../words/lab";
 import { loadHelp } from "../words/sections";
-import { languageSwitch } from "./language-switch";
+import { languageSwitch } from "./site-head";
 
 type View = (typeof ALL_VIEWS)[number];
 const PAGES = import.meta.glob<Draw<ViewName>>("../*/*-page.ts", { import: "draw" });

@@ -2,7 +2,12 @@
 import { html } from "lit";
 import { lastChapter } from "../settings/door";
 import type { App } from "./app";
-import { languageSwitch } from "./language-switch";
+import { LANGUAGES, type Language, type WordsStore } from "../words/words";
+
+export function languageSwitch(words: WordsStore, style = "story-language") {
+  const other = Object.keys(LANGUAGES).find((language) => language !== words.language) as Language;
+  return html`<button class=${style} lang=${other} data-testid="language" @click=${() => void words.choose(other)}>${LANGUAGES[other]}</button>`;
+}
 
 type Door = "story" | "lab" | "teach";
 

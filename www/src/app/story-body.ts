@@ -13,14 +13,13 @@ import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
 import { StageStore } from "../stage/stage-store";
 import { NoticesStore } from "../ui/notices-store";
-import { prefersReducedMotion } from "../ui/reduced-motion";
+import { prefersReducedMotion } from "../ui/browser";
 import { withLab } from "../words/lab";
 
 /** The settings of the story's body are in no address. */
 export const NO_ADDRESS: AddressBar = { read: () => "", write() {}, push() {} };
 
 export class StoryBody {
-  readonly #workers: WholeWorkers;
   readonly engine = new EngineStore();
   readonly settings = new SettingsStore(NO_ADDRESS);
   readonly playback = new Playback(this.settings);
@@ -37,9 +36,7 @@ export class StoryBody {
   });
   #started: Promise<void> | null = null;
 
-  constructor(workers: WholeWorkers) {
-    this.#workers = workers;
-  }
+  constructor(private readonly workers: WholeWorkers) {}
 
   /** Shows the stored first seconds of the walk. The model continues them when it has arrived. */
   async showFirstMotion(): Promise<void> {
@@ -80,7 +77,7 @@ export class StoryBody {
       stopped: (problem: unknown) => this.engine.stop(problem),
     };
     await this.engine.start(
-      () => startEngine(this.#workers, events),
+      () => startEngine(this.workers, events),
       async () => {
         const first = await text;
         if (first === null) throw new Error("the host has no model for this page");

@@ -16,6 +16,14 @@ import { clipTitle, messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import { partsFor } from "./parts";
 import { lab } from "../words/lab";
+import { html, nothing } from "lit";
+import "./clips.css";
+
+export const fileNotices = (warnings: readonly string[]) =>
+  warnings.length === 0
+    ? nothing
+    : html`<details class="warnings"><summary>${lab().learn.clips.notices(warnings.length)}</summary>
+        <ul>${warnings.map((warning) => html`<li>${warning}</li>`)}</ul></details>`;
 
 /** Bytes. A larger file is no motion clip and would fill the memory. */
 export const LARGEST_FILE = 200e6;
@@ -46,9 +54,6 @@ export interface ClipEntry {
 export type StoredClip = Pick<ClipEntry, "key" | "title" | "origin" | "source" | "ticked" | "first" | "end">;
 
 export class ClipsStore extends Store {
-  readonly #engine: EngineStore;
-  readonly #settings: SettingsStore;
-  readonly #stage: StageStore;
   #clips: readonly ClipEntry[] = [];
   #samplesLoaded = false;
   #clash: Clash | null = null;
@@ -59,11 +64,12 @@ export class ClipsStore extends Store {
   /** The made clips that were unticked when the visitor opened own clips. */
   #steppedBack = new Set<string>();
 
-  constructor(engine: EngineStore, settings: SettingsStore, stage: StageStore) {
+  constructor(
+    private readonly engine: EngineStore,
+    private readonly settings: SettingsStore,
+    private readonly stage: StageStore,
+  ) {
     super();
-    this.#engine = engine;
-    this.#settings = settings;
-    this.#stage = stage;
   }
 
   get all(): readonly ClipEntry[] {
@@ -135,7 +141,7 @@ export class ClipsStore extends Store {
 
   /** Loads the clips that the project makes itself; the plain walks are ticked. */
   async loadSamples(): Promise<void> {
-    const { engine, samples } = this.#engine;
+    const { engine, samples } = this.engine;
     if (!engine) return;
     for (const { id, title, movement } of samples) {
       const loaded = this.#numbered(await engine.sampleClip(id));
@@ -217,7 +223,7 @@ export class ClipsStore extends Store {
     const from = Math.min(Math.max(0, Math.round(first)), frames - fewest);
     const to = Math.min(Math.max(from + fewest, Math.round(end)), frames);
     this.#update(key, { first: from, end: to });
-    if (this.#stage.clip === key) this.show(key);
+    if (this.stage.clip === key) this.show(key);
   }
 
   /**
@@ -236,7 +242,7 @@ export class ClipsStore extends Store {
     // A new number: a worker may still have the clip as it was.
     const loaded = await this.#read(source);
     this.#update(key, { source, loaded });
-    if (this.#stage.clip === key) this.show(key);
+    if (this.stage.clip === key) this.show(key);
     await this.checkClash();
   }
 
@@ -246,7 +252,7 @@ export class ClipsStore extends Store {
     if (!clip) return;
     const { info, motion } = clip.loaded;
     const width = motion.nodes * 3;
-    this.#stage.showClip({
+    this.stage.showClip({
       kind: "clip",
       clip: key,
       figure: info.figure,
@@ -262,8 +268,8 @@ export class ClipsStore extends Store {
 
   /** Changes the parts to a preset or to `split` by hand. The clip on the stage shows them. */
   setParts(change: { parts?: string; split?: PartSpec[] }): void {
-    this.#settings.change(change);
-    if (this.#stage.clip !== null) this.show(this.#stage.clip);
+    this.settings.change(change);
+    if (this.stage.clip !== null) this.show(this.stage.clip);
     this.changed();
   }
 
@@ -272,7 +278,7 @@ export class ClipsStore extends Store {
     if (!clip) return;
     this.#clips = this.#clips.filter((other) => other !== clip);
     this.#bringBack();
-    if (this.#stage.clip === key) this.#stage.endClip();
+    if (this.stage.clip === key) this.stage.endClip();
     this.changed();
     await this.checkClash();
   }
@@ -284,7 +290,7 @@ export class ClipsStore extends Store {
     const clips = this.toTrainOn;
     let clash: Clash | null = null;
     try {
-      if (clips.length > 1) clash = (await this.#engine.clips?.checkTogether(clips)) ?? null;
+      if (clips.length > 1) clash = (await this.engine.clips?.checkTogether(clips)) ?? null;
     } catch (problem) {
       clash = { words: messageOf(problem), bones: false };
     }
@@ -304,7 +310,7 @@ export class ClipsStore extends Store {
   }
 
   async #read(source: ClipSource): Promise<LoadedClip> {
-    const { clips } = this.#engine;
+    const { clips } = this.engine;
     if (!clips) throw new Error(lab().files.gettingReady);
     return this.#numbered(await clips.readClip(source));
   }
@@ -331,7 +337,7 @@ export class ClipsStore extends Store {
   }
 
   #partsOf({ loaded }: ClipEntry): PartSpec[] {
-    const { parts, split } = this.#settings.values;
+    const { parts, split } = this.settings.values;
     return partsFor(loaded.info, parts, split);
   }
 }

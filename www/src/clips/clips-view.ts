@@ -6,9 +6,8 @@ import type { UpAxis } from "../engine/protocol";
 import type { StageStore } from "../stage/stage-store";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
-import type { ClipEntry, ClipsStore } from "./clips-store";
+import { type ClipEntry, type ClipsStore, fileNotices } from "./clips-store";
 import "./clips.css";
-import { fileNotices } from "./file-notices";
 import { lab } from "../words/lab";
 
 const UP_AXES: readonly UpAxis[] = ["x", "y", "z", "-x", "-y", "-z"];

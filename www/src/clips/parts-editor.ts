@@ -1,7 +1,7 @@
 // The editor of parts: the joints as a tree, each with its part. A change applies to the whole branch.
 import { html } from "lit";
 import type { PartSpec } from "../engine/protocol";
-import { partOfJoints } from "../scene/part-of-joints";
+import { partOfJoints } from "../scene/joints";
 import { MAX_PARTS } from "../engine/limits";
 import { partName } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { partOfJoints } from "../scene/part-of-joints";
+import { partOfJoints } from "../scene/joints";
 import { completeSplit, filledSplit, moveBranch, partsFor } from "./parts";
 
 //   0 - 1 - 2

@@ -152,17 +152,17 @@ export class ComparisonPage extends View {
     const { status, ending, whyNot, outlook } = comparison;
     const words = compareWords();
     if (this.#problem) return html`<span class="bad" role="alert">${sentence(this.#problem)}</span>`;
-    if (status === "starting") return words.loadingModels;
     if (status === "cancelling") return words.cancelling;
+    if (comparison.isPlanning) return words.loadingModels;
     if (status === "running") {
       const jobs = comparison.shown?.jobs ?? [];
       const over = jobs.filter(({ state }) => state === "done" || state === "failed").length;
       const left = timeLeft(secondsLeft(jobs, comparison.width), true);
       return html`<span>${words.done(over, jobs.length)}</span><span>${sentence(left)}</span>`;
     }
-    const ended = comparison.failed
-      ? html`<span class="bad" role="alert">${words.failed(sentence(ending))}</span>`
-      : html`<span>${sentence(ending)}</span>`;
+    const ended = ending.failed
+      ? html`<span class="bad" role="alert">${words.failed(sentence(ending.words))}</span>`
+      : html`<span>${sentence(ending.words)}</span>`;
     if (whyNot) return html`${ended}<span>${sentence(whyNot)}</span>`;
     if (!outlook) return ended;
     const { asked, open, goesOn, cost } = outlook;
@@ -174,11 +174,12 @@ export class ComparisonPage extends View {
 
   /** Screen readers read the state, not each training. */
   #announcement(): string {
-    const { status, shown, failed, ending } = this.comparison;
+    const { status, shown, ending, isPlanning } = this.comparison;
     const words = compareWords();
+    if (isPlanning && status === "running") return "";
     if (status === "running") return words.share(Math.floor(share(shown?.jobs ?? []) * 10) * 10);
     if (status === "cancelling") return words.cancelling;
-    return status === "idle" && !failed ? ending : "";
+    return status === "idle" && !ending.failed ? ending.words : "";
   }
 
   #begin(): void {

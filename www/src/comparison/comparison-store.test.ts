@@ -71,14 +71,14 @@ async function compare(): Promise<void> {
 describe("a comparison", () => {
   it("holds out each trial in turn, and stores the result of each training", async () => {
     await compare();
-    expect(comparison.ending).toBe("6 of 6 trainings done.");
+    expect(comparison.ending.words).toBe("6 of 6 trainings done.");
     expect(finished()).toHaveLength(6);
     expect(comparison.shown?.predictions.size).toBe(6);
     expect([...(comparison.shown?.actual.keys() ?? [])]).toEqual([0, 1, 2]);
     const [predicted] = comparison.shown?.predictions.values() ?? [];
     expect(await predicted?.model.text()).toBe(evaluated.model);
     await compare();
-    expect(comparison.ending).toBe("All of this was finished before.");
+    expect(comparison.ending.words).toBe("All of this was finished before.");
   });
 
   it("runs a training on each worker, and reports the progress", async () => {
@@ -101,12 +101,12 @@ describe("a comparison", () => {
     comparison.cancel();
     expect(comparison.status).toBe("cancelling");
     await over;
-    expect(comparison.ending).toBe("1 of 6 trainings done; the others were cancelled.");
+    expect(comparison.ending.words).toBe("1 of 6 trainings done; the others were cancelled.");
     expect(states()).toBe("done cancelled cancelled cancelled cancelled cancelled");
     expect(finished()).toEqual(["tmp 1 of 2 seed 0"]);
     program.evaluations.length = 0;
     await compare();
-    expect(comparison.ending).toBe("5 of 5 trainings done.");
+    expect(comparison.ending.words).toBe("5 of 5 trainings done.");
     expect(finished()).toHaveLength(6);
   });
 
@@ -114,8 +114,8 @@ describe("a comparison", () => {
     const over = comparison.begin();
     comparison.cancel();
     await over;
-    expect(comparison.ending).toBe("You cancelled before it began.");
-    expect([comparison.failed, comparison.shown]).toEqual([false, null]);
+    expect(comparison.ending.words).toBe("You cancelled before it began.");
+    expect([comparison.ending.failed, comparison.shown]).toEqual([false, null]);
   });
 
   it("continues when one training fails, and repeats that training the next time", async () => {
@@ -124,10 +124,10 @@ describe("a comparison", () => {
     program.evaluations.shift()?.fail(new Error("no period was found"));
     await endAll();
     await over;
-    expect(comparison.ending).toBe("5 of 6 trainings done, 1 failed.");
+    expect(comparison.ending.words).toBe("5 of 6 trainings done, 1 failed.");
     expect(comparison.shown?.jobs[0]).toMatchObject({ state: "failed", why: "no period was found" });
     await compare();
-    expect(comparison.ending).toBe("1 of 1 trainings done.");
+    expect(comparison.ending.words).toBe("1 of 1 trainings done.");
   });
 
   it("continues when a worker dies during a training", async () => {
@@ -136,7 +136,7 @@ describe("a comparison", () => {
     program.evaluations.shift()?.die(new Error("out of memory"));
     await endAll();
     await over;
-    expect(comparison.ending).toBe("5 of 6 trainings done, 1 failed.");
+    expect(comparison.ending.words).toBe("5 of 6 trainings done, 1 failed.");
   });
 
   it("loses no outcome when a worker dies while it adds one", async () => {
@@ -147,7 +147,7 @@ describe("a comparison", () => {
     program.failures.push(new Error("the worker stopped"));
     await endAll();
     await over;
-    expect(comparison.ending).toBe("6 of 6 trainings done.");
+    expect(comparison.ending.words).toBe("6 of 6 trainings done.");
     expect(finished()).toHaveLength(6);
     const { jobs } = JSON.parse(comparison.shown?.results.text ?? "{}");
     expect(jobs).toEqual(comparison.shown?.results.finished.map(({ job }) => job));
@@ -164,7 +164,7 @@ describe("a comparison", () => {
     program.failures.push(new Error("not finite"), new Error("not finite"));
     await endAll();
     await over;
-    expect(comparison.ending).toBe("5 of 6 trainings done, 1 failed.");
+    expect(comparison.ending.words).toBe("5 of 6 trainings done, 1 failed.");
     expect(comparison.shown?.jobs.find(({ state }) => state === "failed")?.why).toBe("not finite");
     expect(finished()).toHaveLength(5);
   });
@@ -172,10 +172,14 @@ describe("a comparison", () => {
   it("says why the program could not be loaded, and can begin again", async () => {
     program.unreachable = "offline";
     await comparison.begin();
-    expect([comparison.failed, comparison.ending, comparison.whyNot]).toEqual([true, "offline", ""]);
+    expect([comparison.ending.failed, comparison.ending.words, comparison.whyNot]).toEqual([
+      true,
+      "offline",
+      "",
+    ]);
     program.unreachable = "";
     await compare();
-    expect([comparison.failed, comparison.ending]).toEqual([false, "6 of 6 trainings done."]);
+    expect([comparison.ending.failed, comparison.ending.words]).toEqual([false, "6 of 6 trainings done."]);
   });
 
   it("ignores settings that change while it runs", async () => {
@@ -186,7 +190,7 @@ describe("a comparison", () => {
     clips.tick(1, 2);
     await endAll();
     await over;
-    expect(comparison.ending).toBe("6 of 6 trainings done.");
+    expect(comparison.ending.words).toBe("6 of 6 trainings done.");
     await settled();
     expect(comparison.outlook).toMatchObject({ asked: 2, open: 2, goesOn: false });
     await compare();
@@ -196,7 +200,7 @@ describe("a comparison", () => {
     await settled();
     expect(comparison.outlook).toMatchObject({ asked: 6, open: 0, goesOn: false });
     await compare();
-    expect([comparison.ending, finished().length]).toEqual(["All of this was finished before.", 6]);
+    expect([comparison.ending.words, finished().length]).toEqual(["All of this was finished before.", 6]);
   });
 });
 
@@ -204,7 +208,7 @@ describe("results that come with the page", () => {
   it("are shown until there are others, and are no unsaved work", async () => {
     const text = savedResults([clip(8), clip(9)], { parts: clips.parts, framesPerSecond: 30 }, ["tmp"]);
     await comparison.showGiven(async () => text);
-    expect([comparison.shown?.given, comparison.ending, comparison.unsaved]).toEqual([true, "", []]);
+    expect([comparison.shown?.given, comparison.ending.words, comparison.unsaved]).toEqual([true, "", []]);
     comparison.follow();
     await settled();
     expect(comparison.outlook?.goesOn).toBe(true);
@@ -281,11 +285,11 @@ describe("the plan", () => {
     program.unreachable = "offline";
     comparison.follow();
     await comparison.begin();
-    expect([comparison.failed, comparison.ending]).toEqual([true, "offline"]);
+    expect([comparison.ending.failed, comparison.ending.words]).toEqual([true, "offline"]);
     program.unreachable = "";
     comparison.reconnected();
     await settled();
-    expect([comparison.failed, comparison.ending]).toEqual([false, ""]);
+    expect([comparison.ending.failed, comparison.ending.words]).toEqual([false, ""]);
     expect(comparison.outlook?.asked).toBeGreaterThan(0);
   });
 });
@@ -298,10 +302,10 @@ describe("opened results", () => {
     comparison.follow();
     await comparison.open(saved());
     await settled();
-    expect([comparison.ending, comparison.shown?.request]).toEqual(["2 results opened.", null]);
+    expect([comparison.ending.words, comparison.shown?.request]).toEqual(["2 results opened.", null]);
     expect(comparison.outlook).toMatchObject({ asked: 6, open: 6, goesOn: true });
     await compare();
-    expect(comparison.ending).toBe("6 of 6 trainings done.");
+    expect(comparison.ending.words).toBe("6 of 6 trainings done.");
     expect(finished()).toHaveLength(6);
     expect(comparison.shown?.predictions.size).toBe(6);
   });
@@ -321,7 +325,7 @@ describe("opened results", () => {
     await settled();
     expect(comparison.outlook).toMatchObject({ open: 5, goesOn: false });
     await compare();
-    expect([comparison.ending, finished().length]).toEqual(["5 of 5 trainings done.", 6]);
+    expect([comparison.ending.words, finished().length]).toEqual(["5 of 5 trainings done.", 6]);
   });
 
   it("ask before they replace results that are on no disk", async () => {

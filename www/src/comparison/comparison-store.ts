@@ -8,7 +8,7 @@ import type { Evaluated, PlannedComparison, ResultsView } from "../engine/whole-
 import type { SettingsStore } from "../settings/settings-store";
 import type { CostWords } from "../training/cost";
 import { messageOf } from "../ui/format";
-import { Store } from "../ui/store";
+import { Job } from "../ui/job";
 import { mayLose } from "../unsaved/unsaved";
 import {
   type ComparisonEntry,
@@ -69,18 +69,11 @@ export type EngineState = Pick<EngineStore, "state" | "on">;
 export type SettingsNow = Pick<SettingsStore, "values" | "on">;
 export type ClipsNow = Pick<ClipsStore, "ticked" | "toTrainOn" | "parts" | "clash" | "samplesLoaded" | "on">;
 
-export class ComparisonStore extends Store {
-  readonly #engine: EngineState;
-  readonly #settings: SettingsNow;
-  readonly #clips: ClipsNow;
-  readonly #whole: WholeWorkers;
+export class ComparisonStore extends Job {
   readonly #entries = new Map<string, ComparisonEntry>();
   readonly #planning: Latest<Asked, PlannedComparison>;
   #shown: ComparisonEntry | null = null;
-  #status: "idle" | "starting" | "running" | "cancelling" = "idle";
-  #ending = "";
-  #failed = false;
-  #stop = new AbortController();
+  #isPlanning = false;
   #width = 1;
   #look: Look = { fold: null, picked: null, playing: null };
   #asked: Asked | null = null;
@@ -92,12 +85,13 @@ export class ComparisonStore extends Store {
   /** Which results the worker holds: only the new outcome is sent to it. */
   readonly #states = new WeakMap<ResultsView, number>();
 
-  constructor(engine: EngineState, settings: SettingsNow, clips: ClipsNow, whole: WholeWorkers) {
+  constructor(
+    private readonly engine: EngineState,
+    private readonly settings: SettingsNow,
+    private readonly clips: ClipsNow,
+    private readonly whole: WholeWorkers,
+  ) {
     super();
-    this.#engine = engine;
-    this.#settings = settings;
-    this.#clips = clips;
-    this.#whole = whole;
     this.#planning = new Latest(
       async (asked) => {
         this.#width = whole.pool.width;
@@ -113,17 +107,9 @@ export class ComparisonStore extends Store {
     return this.#shown;
   }
 
-  get status(): "idle" | "starting" | "running" | "cancelling" {
-    return this.#status;
-  }
-
-  get busy(): boolean {
-    return this.#status !== "idle";
-  }
-
-  /** How the last comparison ended, or why it could not start. */
-  get ending(): string {
-    return this.#ending;
+  /** Whether the models are loaded, before the first training begins. */
+  get isPlanning(): boolean {
+    return this.#isPlanning;
   }
 
   /** Whether a study can be made of the movements of the shown comparison. */
@@ -135,11 +121,7 @@ export class ComparisonStore extends Store {
   async makeStudy(): Promise<string> {
     const request = this.#shown && studyRequestOf(this.#shown);
     if (!request) throw new Error(compareWords().noModelYet);
-    return this.#whole.desk.run((worker) => worker.makeStudy(request));
-  }
-
-  get failed(): boolean {
-    return this.#failed;
+    return this.whole.desk.run((worker) => worker.makeStudy(request));
   }
 
   /** The number of jobs that run at the same time. */
@@ -177,13 +159,13 @@ export class ComparisonStore extends Store {
 
   /** What is missing for a plan. */
   #obstacle(): string {
-    const { state } = this.#engine;
-    const clips = this.#clips;
+    const { state } = this.engine;
+    const clips = this.clips;
     const { whyNot } = compareWords();
     if (state === "loading") return whyNot.gettingReady;
     if (state === "failed") return whyNot.cannotRun;
     if (!clips.samplesLoaded) return lab().learn.training.whyNot.samples;
-    const { models, heldOut } = this.#settings.values;
+    const { models, heldOut } = this.settings.values;
     const ticked = clips.ticked.length;
     if (ticked < 2) return whyNot.twoClips;
     if (clips.clash) return clips.clash;
@@ -193,7 +175,7 @@ export class ComparisonStore extends Store {
 
   /** Updates the plan with settings and clips, until the returned function is called. */
   follow(): () => void {
-    const stops = [this.#engine, this.#settings, this.#clips].map((store) => store.on(() => this.#ask()));
+    const stops = [this.engine, this.settings, this.clips].map((store) => store.on(() => this.#ask()));
     this.#ask();
     return () => {
       for (const stop of stops) stop();
@@ -209,48 +191,38 @@ export class ComparisonStore extends Store {
   async begin(): Promise<void> {
     const asked = this.#request();
     if (this.busy || this.whyNot !== "" || !asked) return;
-    this.#status = "starting";
-    [this.#ending, this.#failed, this.#stop] = ["", false, new AbortController()];
-    const { signal } = this.#stop;
-    this.changed();
+    this.#isPlanning = true;
+    const signal = this.startJob();
     try {
-      const { pool, desk } = this.#whole;
+      const { pool, desk } = this.whole;
       this.#width = pool.width;
       const planned = await desk.run((worker) => plan(worker, asked), signal);
       signal.throwIfAborted();
-      if (!(await mayLose(...this.#lostTo(asked, planned).map(workOf)))) return this.#rest();
+      if (!(await mayLose(...this.#lostTo(asked, planned).map(workOf)))) return this.#rest("");
       const entry = this.#takeUp(asked, planned);
       const jobs = openJobs(planned.jobs, entry.predictions).map(waiting);
       entry.jobs = jobs;
-      this.#status = "running";
+      this.#isPlanning = false;
       this.changed();
       await Promise.all(jobs.map((progress) => this.#carryOut(entry, asked.request, progress, signal)));
-      this.#ending = summary(jobs);
+      this.#rest(summary(jobs));
     } catch (problem) {
-      this.#failed = !signal.aborted;
-      this.#ending = this.#failed ? messageOf(problem) : compareWords().notBegun;
+      if (signal.aborted) this.#rest(compareWords().notBegun);
+      else this.#rest(messageOf(problem), true);
     }
-    this.#rest();
   }
 
-  #rest(): void {
-    this.#status = "idle";
+  #rest(words: string, failed = false): void {
+    this.#isPlanning = false;
+    this.endJob(words, failed);
     this.#askAnew();
   }
 
   /** The machine is online again: drops the failure of loading the program. */
   reconnected(): void {
     if (this.busy) return;
-    if (this.#failed) [this.#ending, this.#failed] = ["", false];
+    if (this.ending.failed) this.setEnding("");
     if (!this.#planned) this.#askAnew();
-  }
-
-  /** Stops; finished folds are kept. */
-  cancel(): void {
-    if (this.#status !== "running" && this.#status !== "starting") return;
-    this.#status = "cancelling";
-    this.#stop.abort();
-    this.changed();
   }
 
   /** All results of this visit that are on no disk. */
@@ -272,11 +244,11 @@ export class ComparisonStore extends Store {
    */
   async open(text: string, onDisk = true): Promise<boolean> {
     this.#refuseWhileBusy();
-    const results = await this.#whole.desk.run((worker) => worker.openResults(text));
+    const results = await this.whole.desk.run((worker) => worker.openResults(text));
     if (!(await mayLose(workOf(this.#shown)))) return false;
     this.#refuseWhileBusy();
     this.#shown = newEntry(null, results, onDisk ? results.text : "");
-    [this.#ending, this.#failed] = [compareWords().opened(results.finished.length), false];
+    this.setEnding(compareWords().opened(results.finished.length));
     this.#askAnew();
     return true;
   }
@@ -286,7 +258,7 @@ export class ComparisonStore extends Store {
     const isFree = () => this.#shown === null && !this.busy;
     if (!isFree()) return;
     const given = await text();
-    const results = await this.#whole.desk.run((worker) => worker.openResults(given));
+    const results = await this.whole.desk.run((worker) => worker.openResults(given));
     if (!isFree()) return;
     this.#shown = givenEntry(results);
     this.#askAnew();
@@ -298,7 +270,7 @@ export class ComparisonStore extends Store {
 
   /** The request of the settings and the ticked clips. */
   #request(): Asked | null {
-    const request = comparisonRequest(this.#clips, this.#settings.values);
+    const request = comparisonRequest(this.clips, this.settings.values);
     if (!request) return null;
     const opened = this.#shown?.request === null ? this.#shown : null;
     const stored = this.#entries.get(request.key) ?? opened;
@@ -387,7 +359,7 @@ export class ComparisonStore extends Store {
     progress: JobProgress,
     signal: AbortSignal,
   ): Promise<Evaluated | null> {
-    return this.#whole.pool.run((worker) => {
+    return this.whole.pool.run((worker) => {
       progress.state = "running";
       const start = performance.now();
       const report = (fraction: number) => {
@@ -404,7 +376,7 @@ export class ComparisonStore extends Store {
       const { results } = entry;
       if (results.finished.some((finished) => finished.id === id && finished.outcome)) return;
       const add = (from: number | string) =>
-        this.#whole.desk.run((worker) => worker.addOutcome(from, job, outcome));
+        this.whole.desk.run((worker) => worker.addOutcome(from, job, outcome));
       // The worker may have died; a new one needs the whole file.
       const held = await add(this.#states.get(results) ?? results.text).catch(() => null);
       const result = held ?? (await add(results.text));

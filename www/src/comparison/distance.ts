@@ -5,11 +5,10 @@ import type { ModelKind } from "../engine/whole-protocol";
 import { axes, path, labelsWidth } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
-import { spreadLabels } from "../figures/labels";
+import { spreadLabels, textWidth } from "../figures/labels";
 import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { plain } from "../figures/numbers";
 import { linearScale } from "../figures/scale";
-import { textWidth } from "../figures/text-width";
 import { compareWords } from "./view-words";
 
 export interface Distances {

@@ -4,10 +4,9 @@ import { axes, path, labelsWidth } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { FigureElement } from "../figures/figure-element";
 import { exponentWords, growthFinding } from "./findings";
-import { type Point, spreadLabels } from "../figures/labels";
+import { type Point, spreadLabels, textWidth } from "../figures/labels";
 import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { logScale } from "../figures/scale";
-import { textWidth } from "../figures/text-width";
 import type { Comparison, Growth } from "../engine/whole-protocol";
 import { compareWords } from "./view-words";
 

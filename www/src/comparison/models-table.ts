@@ -10,7 +10,7 @@ import { bestOf, ends, isSkewed, type Measure, MEASURES, scaleOf } from "./measu
 import { inColour, modelMark, modelStyle } from "../figures/model-style";
 import { plain, estimateText } from "../figures/numbers";
 import type { Scale } from "../figures/scale";
-import { textWidth } from "../figures/text-width";
+import { textWidth } from "../figures/labels";
 import type { Comparison, ModelSummary, Spread } from "../engine/whole-protocol";
 import { compareWords } from "./view-words";
 

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { Job, ModelSummary } from "../engine/whole-protocol";
-import { chosenOf, foldsOf, predictionsOf, toggled } from "./predictions";
+import { chosenOf, foldsOf, predictionsOf, toggled } from "./side-by-side";
 import { newEntry } from "./comparison-entry";
 
 const dmp = (bases: number, heldOut: number, seed = 0): Job => ({

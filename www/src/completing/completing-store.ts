@@ -17,10 +17,6 @@ interface Asked {
 }
 
 export class CompletingStore extends Store {
-  readonly #recordings: Recordings;
-  readonly #model: ModelStore;
-  readonly #stage: StageStore;
-  readonly #notices: NoticesStore;
   readonly #asked: Latest<Asked, CompletedClip>;
   #part = 0;
   #clip = "";
@@ -31,23 +27,26 @@ export class CompletingStore extends Store {
   /** What the worker was last asked for. */
   #last = "";
 
-  constructor(recordings: Recordings, model: ModelStore, stage: StageStore, notices: NoticesStore) {
+  constructor(
+    private readonly recordings: Recordings,
+    private readonly model: ModelStore,
+    private readonly stage: StageStore,
+    private readonly notices: NoticesStore,
+  ) {
     super();
-    [this.#recordings, this.#model] = [recordings, model];
-    [this.#stage, this.#notices] = [stage, notices];
     this.#asked = new Latest(
       ({ model, clip, request }) => recordings.complete(model, clip, request),
       (completed, asked) => this.#take(completed, asked),
       (problem) => {
         this.hide();
-        this.#notices.addError(completingWords().failed, messageOf(problem));
+        this.notices.addError(completingWords().failed, messageOf(problem));
       },
     );
     recordings.on(() => this.#follow());
   }
 
   get clips(): readonly Recording[] {
-    return this.#recordings.all;
+    return this.recordings.all;
   }
 
   get clip(): Recording | undefined {
@@ -57,7 +56,7 @@ export class CompletingStore extends Store {
 
   /** The part that is given, as a place in the list of the model's parts. */
   get part(): number {
-    return this.#part < (this.#model.model?.info.parts.length ?? 0) ? this.#part : 0;
+    return this.#part < (this.model.model?.info.parts.length ?? 0) ? this.#part : 0;
   }
 
   /** The time until which the part is observed, in seconds; null: to the end. */
@@ -67,7 +66,7 @@ export class CompletingStore extends Store {
 
   /** The first and the last time at which the observation can end, in seconds. */
   get times(): readonly [number, number] {
-    const { model } = this.#model;
+    const { model } = this.model;
     const { clip } = this;
     if (!model || !clip) return [0, 0];
     return [model.info.order * model.info.frameTime, (clip.end - clip.first - 1) * clip.frameTime];
@@ -93,7 +92,7 @@ export class CompletingStore extends Store {
     this.#shown = false;
     this.#scores = null;
     this.#asked.drop();
-    this.#stage.showCompleted(null);
+    this.stage.showCompleted(null);
     this.changed();
   }
 
@@ -116,14 +115,14 @@ export class CompletingStore extends Store {
   /** Asks for the recording as completed under the couplings now, if that is another one. */
   #follow(): void {
     this.changed();
-    const { model } = this.#model;
+    const { model } = this.model;
     const { clip } = this;
     if (!this.#shown) return;
     if (!model || !clip || model.info.parts.length < 2) {
       this.hide();
       return;
     }
-    const { alpha, reading } = this.#model.rolloutRequest();
+    const { alpha, reading } = this.model.rolloutRequest();
     const given = model.info.parts[this.part]?.name ?? "";
     const request = { given, until: this.#until, alpha, reading };
     const asked = JSON.stringify([model.revision, clip, request]);
@@ -133,10 +132,10 @@ export class CompletingStore extends Store {
   }
 
   #take({ motion, recorded, scores }: CompletedClip, { model, clip, request }: Asked): void {
-    if (!this.#shown || model.revision !== this.#model.model?.revision) return;
+    if (!this.#shown || model.revision !== this.model.model?.revision) return;
     this.#scores = scores;
     const { figure, joints, parts } = model.info;
-    this.#stage.showCompleted({
+    this.stage.showCompleted({
       kind: "completed",
       figure,
       joints: joints.map(({ name }) => name),

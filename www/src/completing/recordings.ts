@@ -23,19 +23,15 @@ export interface Recording {
 
 /** It changes with the model and the open clips. */
 export class Recordings extends Store {
-  readonly #engine: EngineStore;
-  readonly #model: ModelStore;
-  readonly #clips: ClipsStore;
   readonly #document: ModelDocument;
 
   constructor(
-    engine: EngineStore,
-    model: ModelStore,
-    clips: ClipsStore,
+    private readonly engine: EngineStore,
+    private readonly model: ModelStore,
+    private readonly clips: ClipsStore,
     workers: Pick<WholeWorkers, "desk">,
   ) {
     super();
-    [this.#engine, this.#model, this.#clips] = [engine, model, clips];
     this.#document = new ModelDocument(engine, workers);
     model.on(() => this.changed());
     clips.on(() => this.changed());
@@ -43,12 +39,12 @@ export class Recordings extends Store {
 
   /** The clips of the model's body, and the model's own walk. */
   get all(): readonly Recording[] {
-    const { learned, model } = this.#model;
+    const { learned, model } = this.model;
     if (!model || !learned) return [];
     const { frames, frameTime } = learned.motion;
     const title = completingWords().ownWalk;
     const own = { key: "own-motion", title, source: null, first: 0, end: frames, frameTime };
-    const fitting = this.#clips
+    const fitting = this.clips
       .ofBody(model.info.joints)
       .map(({ key, title, source, first, end, loaded }) => ({
         key,
@@ -67,8 +63,8 @@ export class Recordings extends Store {
     { source, first, end }: Recording,
     request: Omit<CompletionRequest, "clip">,
   ): Promise<CompletedClip> {
-    const { engine } = this.#engine;
-    const { learned } = this.#model;
+    const { engine } = this.engine;
+    const { learned } = this.model;
     if (!engine || !learned) throw new Error(completingWords().notReady);
     const read = source ?? {
       name: "walk.bvh",

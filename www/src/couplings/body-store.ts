@@ -5,7 +5,7 @@ import { Latest } from "../engine/latest";
 import type { BodyReport, RolloutRequest, RolloutResult } from "../engine/protocol";
 import { Store } from "../ui/store";
 import type { ModelStore } from "./model-store";
-import { sameTimes } from "./same-times";
+import { sameTimes } from "./weights";
 
 /** Seconds of motion, and the first of them that the measures leave out, as in docs/couplings.md. */
 const MEASURED = 20;
@@ -27,7 +27,6 @@ interface Question {
 }
 
 export class BodyStore extends Store {
-  readonly #model: ModelStore;
   readonly #latest: Latest<Question, BodyReports | null>;
   #reports: BodyReports | null = null;
   #learned: BodyReport | null = null;
@@ -37,9 +36,11 @@ export class BodyStore extends Store {
   #measured: RolloutResult | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(engine: EngineStore, model: ModelStore) {
+  constructor(
+    engine: EngineStore,
+    private readonly model: ModelStore,
+  ) {
     super();
-    this.#model = model;
     this.#latest = new Latest(
       async ({ now, learned, first }) => {
         if (!engine.engine) return null;
@@ -64,22 +65,20 @@ export class BodyStore extends Store {
 
   /** Whether the measures belong to the motion under the couplings now. */
   get isCurrent(): boolean {
-    const { rollout } = this.#model;
+    const { rollout } = this.model;
     return (
-      rollout !== null && rollout === this.#measured && same(rollout.request, this.#model.rolloutRequest())
+      rollout !== null && rollout === this.#measured && same(rollout.request, this.model.rolloutRequest())
     );
   }
 
   #isOf(report: BodyReport | null, request: RolloutRequest): report is BodyReport {
     return (
-      report?.revision === this.#model.model?.revision &&
-      report !== null &&
-      sameTimes(report.request, request)
+      report?.revision === this.model.model?.revision && report !== null && sameTimes(report.request, request)
     );
   }
 
   #follow(): void {
-    const { rollout } = this.#model;
+    const { rollout } = this.model;
     if (rollout === this.#asked) return;
     this.#asked = rollout;
     clearTimeout(this.#timer);
@@ -88,7 +87,7 @@ export class BodyStore extends Store {
   }
 
   #ask(): void {
-    const { rollout, model } = this.#model;
+    const { rollout, model } = this.model;
     if (!rollout || !model) return;
     const frames = (seconds: number) => Math.round(seconds / model.info.frameTime);
     const now = { ...rollout.request, frames: Math.max(rollout.request.frames, frames(MEASURED)) };
@@ -97,7 +96,7 @@ export class BodyStore extends Store {
   }
 
   #take(reports: BodyReports | null, { rollout }: Question): void {
-    if (!reports || reports.now.revision !== this.#model.model?.revision) return;
+    if (!reports || reports.now.revision !== this.model.model?.revision) return;
     this.#reports = reports;
     this.#measured = rollout;
     this.changed();

@@ -19,23 +19,20 @@ interface Asked {
 }
 
 export class ClipStartStore extends Store {
-  readonly #engine: EngineStore;
-  readonly #model: ModelStore;
   readonly #clips: ClipsStore;
-  readonly #workers: Pick<WholeWorkers, "desk">;
   readonly #asked: Latest<Asked, number[][][]>;
   /** The key of the clip that the visitor has chosen last, until its start is there. */
   #awaited: string | null = null;
 
   constructor(
-    engine: EngineStore,
-    model: ModelStore,
+    private readonly engine: EngineStore,
+    private readonly model: ModelStore,
     clips: ClipsStore,
     notices: NoticesStore,
-    workers: Pick<WholeWorkers, "desk">,
+    private readonly workers: Pick<WholeWorkers, "desk">,
   ) {
     super();
-    [this.#engine, this.#model, this.#clips, this.#workers] = [engine, model, clips, workers];
+    this.#clips = clips;
     this.#asked = new Latest(
       (asked) => this.#infer(asked),
       (latents, asked) => this.#take(latents, asked),
@@ -49,20 +46,20 @@ export class ClipStartStore extends Store {
 
   /** The clips of the model's body that it was not trained on. */
   get clips(): readonly Pick<ClipEntry, "key" | "title">[] {
-    const info = this.#model.model?.info;
+    const info = this.model.model?.info;
     if (!info) return [];
     const trainedOn = info.sequences.map(({ sha256 }) => sha256);
     const clips = this.#clips
       .ofBody(info.joints)
       .filter(({ loaded }) => !trainedOn.includes(loaded.info.sha256));
-    const { clipStart } = this.#model;
+    const { clipStart } = this.model;
     // A clip that was removed from the list can still be the start.
     return clipStart && !clips.some(({ key }) => key === clipStart.key) ? [...clips, clipStart] : clips;
   }
 
   /** The key of the clip that begins the rollouts, or will soon; null: a training sequence does. */
   get clip(): string | null {
-    return this.#awaited ?? this.#model.clipStart?.key ?? null;
+    return this.#awaited ?? this.model.clipStart?.key ?? null;
   }
 
   /** Whether the start of a clip is being inferred. */
@@ -72,12 +69,12 @@ export class ClipStartStore extends Store {
 
   /** The seconds of the clip that are observed. */
   get observed(): number {
-    const { info } = this.#model.model ?? {};
+    const { info } = this.model.model ?? {};
     return info ? framesOf(info) * info.frameTime : OBSERVED;
   }
 
   chooseClip(key: string): void {
-    const { model } = this.#model;
+    const { model } = this.model;
     const clip = this.#clips.all.find((clip) => clip.key === key);
     if (!model || !clip) return;
     this.#await(key);
@@ -87,7 +84,7 @@ export class ClipStartStore extends Store {
   chooseSequence(sequence: number): void {
     this.#asked.drop();
     this.#await(null);
-    this.#model.setStart(sequence);
+    this.model.setStart(sequence);
   }
 
   #await(key: string | null): void {
@@ -96,18 +93,18 @@ export class ClipStartStore extends Store {
   }
 
   async #infer({ model: { info }, clip }: Asked): Promise<number[][][]> {
-    const { engine } = this.#engine;
+    const { engine } = this.engine;
     if (!engine) throw new Error(lab().learn.training.whyNot.cannotRun);
     const text = await engine.modelJson();
     const { source, first, end, loaded } = clip;
     const piece = { id: loaded.id, source, first, end };
-    return this.#workers.desk.run((worker) => worker.inferStart(text, piece, framesOf(info)));
+    return this.workers.desk.run((worker) => worker.inferStart(text, piece, framesOf(info)));
   }
 
   #take(latents: number[][][], { model, clip: { key, title } }: Asked): void {
     this.#await(null);
     // Another model may have been opened meanwhile.
-    if (model.revision === this.#model.model?.revision) this.#model.startWith({ key, title, latents });
+    if (model.revision === this.model.model?.revision) this.model.startWith({ key, title, latents });
   }
 }
 

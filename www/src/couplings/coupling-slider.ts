@@ -6,9 +6,26 @@ import { partColour } from "../ui/palette";
 import { partStyle, styled } from "../ui/styled";
 import "./couplings.css";
 import type { CouplingsStore } from "./couplings-store";
-import { alphaOf, placeOf, STRONGEST, strengthOf, WEAKEST } from "./strength";
 import { isOff, weightText } from "./weights";
 import { lab } from "../words/lab";
+
+export const WEAKEST = -Math.log10(ALPHA_MAX);
+export const STRONGEST = -Math.log10(ALPHA_MIN);
+
+/** The slider's value for a coupling variance. */
+export function strengthOf(alpha: number): number {
+  return Math.min(STRONGEST, Math.max(WEAKEST, -Math.log10(alpha)));
+}
+
+/** The coupling variance for a slider's value. */
+export function alphaOf(strength: number): number {
+  return 10 ** -strength;
+}
+
+/** The place of a coupling on its slider: 0 at the left, weak end, 1 at the right, strong end. */
+export function placeOf(alpha: number): number {
+  return (strengthOf(alpha) - WEAKEST) / (STRONGEST - WEAKEST);
+}
 
 /** One coupling: which part drives which. */
 export interface Coupling {

@@ -35,15 +35,16 @@ export function isClose(a: number, b: number): boolean {
 
 export class CouplingsStore {
   #learned: Couplings = [];
-  readonly #place: CouplingsPlace;
   readonly #changed: (change: CouplingsChange) => void;
   /** The reading before `takeAll` brought another one. */
   #ownReading: Reading | null = null;
 
   /** `changed` is called after each change by the visitor. */
-  constructor(changed: (change: CouplingsChange) => void, place: CouplingsPlace = inMemory()) {
+  constructor(
+    changed: (change: CouplingsChange) => void,
+    private readonly place: CouplingsPlace = inMemory(),
+  ) {
     this.#changed = changed;
-    this.#place = place;
   }
 
   /** alpha[source][target] as learned; empty for a model without couplings. */
@@ -59,12 +60,12 @@ export class CouplingsStore {
   }
 
   get reading(): Reading {
-    return this.#place.values.reading;
+    return this.place.values.reading;
   }
 
   /** Whether a coupling differs from the learned one. */
   get altered(): boolean {
-    return Object.keys(this.#place.values.alpha).length > 0;
+    return Object.keys(this.place.values.alpha).length > 0;
   }
 
   /** Whether all couplings are these, as closely as a visitor can tell. */
@@ -114,25 +115,25 @@ export class CouplingsStore {
   /** Sets all couplings at once, and a reading that lasts until `resetAll`. */
   takeAll(alpha: ChangedCouplings, reading = this.reading): void {
     this.#ownReading ??= this.reading;
-    this.#place.change({ alpha, reading });
+    this.place.change({ alpha, reading });
     this.#changed("all");
   }
 
   reset(source: number, target: number): void {
-    this.#place.change({ alpha: this.#without([pair(source, target)]) });
+    this.place.change({ alpha: this.#without([pair(source, target)]) });
     this.#changed("reset");
   }
 
   /** Resets all couplings, and the reading that `takeAll` brought. */
   resetAll(): void {
-    this.#place.change({ alpha: {}, reading: this.#ownReading ?? this.reading });
+    this.place.change({ alpha: {}, reading: this.#ownReading ?? this.reading });
     this.#ownReading = null;
     this.#changed("all");
   }
 
   setReading(reading: Reading): void {
     this.#ownReading = null;
-    this.#place.change({ reading });
+    this.place.change({ reading });
     this.#changed("reading");
   }
 
@@ -144,11 +145,11 @@ export class CouplingsStore {
   /** Takes the couplings of another model, without changes. */
   learn(learned: Couplings): void {
     this.#learned = learned;
-    this.#place.change({ alpha: {} });
+    this.place.change({ alpha: {} });
   }
 
   #chosen(source: number, target: number): number | undefined {
-    return this.#place.values.alpha[pair(source, target)];
+    return this.place.values.alpha[pair(source, target)];
   }
 
   #alphasInto(target: number): number[] {
@@ -160,12 +161,12 @@ export class CouplingsStore {
     const alpha = this.#without(changes.map(([source, target]) => pair(source, target)));
     for (const [source, target, value] of changes)
       if (!isClose(value, this.learnedAlpha(source, target))) alpha[pair(source, target)] = value;
-    this.#place.change({ alpha });
+    this.place.change({ alpha });
     this.#changed("set");
   }
 
   #without(pairs: readonly string[]): ChangedCouplings {
-    const others = Object.entries(this.#place.values.alpha).filter(([pair]) => !pairs.includes(pair));
+    const others = Object.entries(this.place.values.alpha).filter(([pair]) => !pairs.includes(pair));
     return Object.fromEntries(others);
   }
 }

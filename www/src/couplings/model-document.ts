@@ -5,13 +5,14 @@ import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
 import { lab } from "../words/lab";
 
 export class ModelDocument {
-  readonly #engine: EngineStore;
   readonly #document: OpenDocument<WholeCalls, void>;
   /** The document of the model of this revision. */
   #text: { revision: number; text: Promise<string> } | null = null;
 
-  constructor(engine: EngineStore, { desk }: Pick<WholeWorkers, "desk">) {
-    this.#engine = engine;
+  constructor(
+    private readonly engine: EngineStore,
+    { desk }: Pick<WholeWorkers, "desk">,
+  ) {
     this.#document = new OpenDocument(desk, (worker, text) => worker.openOutlook(text));
   }
 
@@ -21,9 +22,16 @@ export class ModelDocument {
   }
 
   #textOf(revision: number): Promise<string> {
-    const { engine } = this.#engine;
+    const { engine } = this.engine;
     if (!engine) throw new Error(lab().learn.training.whyNot.cannotRun);
     if (this.#text?.revision !== revision) this.#text = { revision, text: engine.modelJson() };
     return this.#text.text;
   }
 }
+
+const OTHER_KIND = /"kind"\s*:\s*"(map-gpdm|map-cgpdm|tmp|dmp-discrete|dmp-rhythmic)"/;
+
+/** The key of their motion on the stage; keys of clips begin with "made-" or "own-". */
+export const OTHER_MODEL = "other-model";
+
+export const hasNoCouplings = (document: string): boolean => OTHER_KIND.test(document);

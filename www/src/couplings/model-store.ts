@@ -15,11 +15,44 @@ import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
-import { AwaitedLink } from "./awaited-link";
 import { type CouplingsChange, CouplingsStore } from "./couplings-store";
 import { couplingsOf, isPreset, type Preset, presetsOf, START_PRESETS } from "./presets";
-import { sameTimes } from "./same-times";
+import { sameTimes } from "./weights";
 import { withLab } from "../words/lab";
+
+type Link = Pick<Settings, "model" | "alpha" | "start" | "startFrame">;
+
+class AwaitedLink {
+  #link: Link | null = null;
+
+  constructor(private readonly settings: SettingsStore) {}
+
+  /** The first digits of the hash of the model that the link names; null without a link. */
+  get model(): string | null {
+    return this.#link?.model ?? null;
+  }
+
+  /** The address keeps the link, so that it is still there after a reload. */
+  wait(link: Link): void {
+    this.#link = link;
+    this.settings.holdBack(link);
+  }
+
+  forget(): void {
+    if (!this.#link) return;
+    this.#link = null;
+    this.settings.holdBack({});
+  }
+
+  /** The couplings and the start of the link, if it names this model. The link then waits no longer. */
+  takeFor(model: string): Omit<Link, "model"> | null {
+    const link = this.#link;
+    if (link?.model !== model) return null;
+    this.forget();
+    const { alpha, start, startFrame } = link;
+    return { alpha, start, startFrame };
+  }
+}
 
 /** A measure in the browser's performance timeline: from the change of a coupling to the new motion. */
 export const REDRAW_MEASURE = "coupling-redraw";
@@ -52,10 +85,6 @@ const KEEP_NOTHING: Keep = { couplings: "none", clip: false };
 export class ModelStore extends Store {
   readonly couplings: CouplingsStore;
   readonly link: AwaitedLink;
-  readonly #engine: EngineStore;
-  readonly #settings: SettingsStore;
-  readonly #stage: StageStore;
-  readonly #notices: NoticesStore;
   #model: ModelView | null = null;
   /** The hash of the model that the page opens with. */
   #startModel: string | null = null;
@@ -74,12 +103,13 @@ export class ModelStore extends Store {
   readonly #rollouts: Latest<RolloutRequest, RolloutResult>;
   readonly #learnedRollouts: Latest<RolloutRequest, RolloutResult>;
 
-  constructor(engine: EngineStore, settings: SettingsStore, stage: StageStore, notices: NoticesStore) {
+  constructor(
+    private readonly engine: EngineStore,
+    private readonly settings: SettingsStore,
+    private readonly stage: StageStore,
+    private readonly notices: NoticesStore,
+  ) {
     super();
-    this.#engine = engine;
-    this.#settings = settings;
-    this.#stage = stage;
-    this.#notices = notices;
     this.link = new AwaitedLink(settings);
     this.couplings = new CouplingsStore((change) => this.#couplingsChanged(change), {
       get values() {
@@ -94,7 +124,7 @@ export class ModelStore extends Store {
           // The worker may have opened another model whose answer has not arrived.
           if (result.revision === this.#model?.revision) done(result);
         },
-        (problem) => withLab(({ files }) => this.#notices.addError(files.rolloutFailed, messageOf(problem))),
+        (problem) => withLab(({ files }) => this.notices.addError(files.rolloutFailed, messageOf(problem))),
       );
     this.#rollouts = queue((result) => this.#takeRollout(result));
     this.#learnedRollouts = queue((result) => this.#takeLearned(result));
@@ -162,7 +192,7 @@ export class ModelStore extends Store {
   /** The preset that matches the couplings now. */
   get preset(): Preset | null {
     const info = this.#model?.info;
-    return (info && this.presets.find((preset) => isPreset(preset, info, this.#settings.values))) ?? null;
+    return (info && this.presets.find((preset) => isPreset(preset, info, this.settings.values))) ?? null;
   }
 
   /** The clip that begins the rollouts; null: a training sequence does. */
@@ -172,7 +202,7 @@ export class ModelStore extends Store {
 
   /** The request for the rollout on the stage. */
   rolloutRequest(): RolloutRequest {
-    const { reading } = this.#settings.values;
+    const { reading } = this.settings.values;
     const begins = this.#beginning();
     const { alpha, altered } = this.couplings;
     return altered ? { ...begins, alpha, reading } : { ...begins, alpha: null, reading: "as-learned" };
@@ -187,8 +217,8 @@ export class ModelStore extends Store {
     trainingLatents: Float64Array[] | null = null,
   ): Promise<void> {
     this.want();
-    const opened = await this.#running().openModel(text, this.#settings.values.frames);
-    if (this.#settings.bringsModel) this.#settings.change({ modelFile: "", packedModel: "" });
+    const opened = await this.#running().openModel(text, this.settings.values.frames);
+    if (this.settings.bringsModel) this.settings.change({ modelFile: "", packedModel: "" });
     this.#text = text;
     this.#madeHere = false;
     this.#takeUp({ ...opened, model: { ...opened.model, trainingLatents } }, keep);
@@ -199,7 +229,7 @@ export class ModelStore extends Store {
    * model.
    */
   async openLinked(text: string, take: () => void): Promise<void> {
-    const opened = await this.#running().openModel(text, this.#settings.values.frames);
+    const opened = await this.#running().openModel(text, this.settings.values.frames);
     take();
     this.#text = text;
     this.#madeHere = false;
@@ -226,7 +256,7 @@ export class ModelStore extends Store {
     const alpha = this.#model && couplingsOf(preset, this.#model.info);
     if (!alpha) return;
     this.link.forget();
-    this.#stage.endClip();
+    this.stage.endClip();
     this.couplings.takeAll(alpha, preset.reading);
   }
 
@@ -263,21 +293,21 @@ export class ModelStore extends Store {
   }
 
   #running(): Engine {
-    const { engine } = this.#engine;
+    const { engine } = this.engine;
     if (!engine) throw new Error("The model cannot run in this browser.");
     return engine;
   }
 
   /** Changes settings. An address with couplings or a start also names their model. */
   #change(change: Partial<Settings>, turnsPage = false): void {
-    const { alpha, start, startFrame } = { ...this.#settings.values, ...change };
+    const { alpha, start, startFrame } = { ...this.settings.values, ...change };
     const aboutModel = start + startFrame > 0 || Object.keys(alpha).length > 0;
-    this.#settings.change({ ...change, model: aboutModel ? this.id : "" }, turnsPage);
+    this.settings.change({ ...change, model: aboutModel ? this.id : "" }, turnsPage);
   }
 
   /** The length of the rollouts, and what begins them. */
   #beginning(): Omit<RolloutRequest, "alpha" | "reading"> {
-    const { frames, start, startFrame } = this.#settings.values;
+    const { frames, start, startFrame } = this.settings.values;
     if (this.#clipStart) return { frames, sequence: 0, start: this.#clipStart.latents };
     const sequences = this.#model?.info.sequences.length ?? 1;
     const sequence = Math.min(start, Math.max(0, sequences - 1));
@@ -289,7 +319,7 @@ export class ModelStore extends Store {
     if (change === "set") {
       this.#changedAt = performance.now();
       this.link.forget();
-      this.#stage.endClip();
+      this.stage.endClip();
     }
     this.#rollOut();
   }
@@ -339,7 +369,7 @@ export class ModelStore extends Store {
     // Other stores drop the model before, and then the stage shows the new one.
     this.changed();
     this.#show();
-    if (!keep.clip) this.#stage.endClip();
+    if (!keep.clip) this.stage.endClip();
     const { request } = rollout;
     const asked = this.rolloutRequest();
     if (this.couplings.altered || !sameTimes(request, asked)) this.#rollOutBoth();
@@ -347,7 +377,7 @@ export class ModelStore extends Store {
 
   /** Sets the couplings and the start of the new model. */
   #settleCouplings({ info }: ModelView, keep: Keep): void {
-    const { alpha, start, startFrame, model } = this.#settings.values;
+    const { alpha, start, startFrame, model } = this.settings.values;
     const ofOtherModel = keep.couplings === "link" && model !== "" && model !== this.id;
     if (ofOtherModel) this.link.wait({ model, alpha, start, startFrame });
     else if (keep.couplings === "link") this.link.forget();
@@ -360,7 +390,7 @@ export class ModelStore extends Store {
   }
 
   #couplingsFit(info: ModelInfo): boolean {
-    const parts = Object.keys(this.#settings.values.alpha).flatMap((key) => key.split(".").map(Number));
+    const parts = Object.keys(this.settings.values.alpha).flatMap((key) => key.split(".").map(Number));
     return parts.every((part) => part < info.parts.length);
   }
 
@@ -368,11 +398,11 @@ export class ModelStore extends Store {
     if (!this.#model || !this.#rollout) return;
     const { figure, joints, parts } = this.#model.info;
     const names = joints.map(({ name }) => name);
-    this.#stage.showModel({ kind: "model", figure, joints: names, parts, motion: this.#rollout.motion });
+    this.stage.showModel({ kind: "model", figure, joints: names, parts, motion: this.#rollout.motion });
     this.#showGhost();
   }
 
   #showGhost(): void {
-    this.#stage.setGhost(this.couplings.altered ? (this.#learned?.motion ?? null) : null);
+    this.stage.setGhost(this.couplings.altered ? (this.#learned?.motion ?? null) : null);
   }
 }

@@ -11,16 +11,15 @@ export class PhaseTrace {
   /** The number of the newest frame; -1 without frames. */
   last = -1;
   #first = 0;
-  readonly #cycles: readonly LearnedCycle[];
-  readonly #capacity: number;
   /** For each part, turns since its first frame, and distances from the cycle; frame t at t % capacity. */
   readonly #turns: readonly Float64Array[];
   readonly #distances: readonly Float64Array[];
 
   /** Stores the last `capacity` frames. */
-  constructor(cycles: readonly LearnedCycle[], capacity: number) {
-    this.#cycles = cycles;
-    this.#capacity = capacity;
+  constructor(
+    private readonly cycles: readonly LearnedCycle[],
+    private readonly capacity: number,
+  ) {
     this.#turns = cycles.map(() => new Float64Array(capacity));
     this.#distances = cycles.map(() => new Float64Array(capacity));
   }
@@ -28,17 +27,17 @@ export class PhaseTrace {
   /** Adds a frame. `paths`: the latent path of each part [frames x Q], where the frame is row `row`. */
   add(frame: number, paths: readonly Float64Array[], row: number): void {
     const isNext = frame === this.last + 1 && this.last >= 0;
-    for (let part = 0; part < this.#cycles.length; part++) {
-      const cycle = this.#cycles[part]!;
+    for (let part = 0; part < this.cycles.length; part++) {
+      const cycle = this.cycles[part]!;
       cycle.place(paths[part]!, row);
-      const before = isNext ? this.#turns[part]![this.last % this.#capacity]! : 0;
+      const before = isNext ? this.#turns[part]![this.last % this.capacity]! : 0;
       // The shorter way round from the frame before.
       const step = cycle.phase - before;
-      this.#turns[part]![frame % this.#capacity] = before + step - (isNext ? Math.round(step) : 0);
-      this.#distances[part]![frame % this.#capacity] = cycle.distance;
+      this.#turns[part]![frame % this.capacity] = before + step - (isNext ? Math.round(step) : 0);
+      this.#distances[part]![frame % this.capacity] = cycle.distance;
     }
     if (!isNext) this.#first = frame;
-    this.#first = Math.max(this.#first, frame - this.#capacity + 1);
+    this.#first = Math.max(this.#first, frame - this.capacity + 1);
     this.last = frame;
   }
 
@@ -56,19 +55,19 @@ export class PhaseTrace {
     if (!values || this.last < 0) return 0;
     const at = Math.min(Math.max(frame, this.#first), this.last);
     const low = Math.floor(at);
-    const a = values[low % this.#capacity]!;
-    return a + (values[Math.min(low + 1, this.last) % this.#capacity]! - a) * (at - low);
+    const a = values[low % this.capacity]!;
+    return a + (values[Math.min(low + 1, this.last) % this.capacity]! - a) * (at - low);
   }
 
   /** Frames of one turn: the mean of the last two; null if two turns are not stored. */
   period(part: number): number | null {
     const values = this.#turns[part];
     if (!values || this.last < 0) return null;
-    const goal = values[this.last % this.#capacity]! - TURNS;
+    const goal = values[this.last % this.capacity]! - TURNS;
     for (let frame = this.last - 1; frame >= this.#first; frame--) {
-      const before = values[frame % this.#capacity]!;
+      const before = values[frame % this.capacity]!;
       if (before > goal) continue;
-      const after = values[(frame + 1) % this.#capacity]!;
+      const after = values[(frame + 1) % this.capacity]!;
       return (this.last - frame - (goal - before) / (after - before)) / TURNS;
     }
     return null;
@@ -77,9 +76,9 @@ export class PhaseTrace {
   /** Whether a part has hardly turned in the time of one learned turn. */
   isStanding(part: number): boolean {
     const values = this.#turns[part];
-    const from = this.last - (this.#cycles[part]?.frames ?? 0);
+    const from = this.last - (this.cycles[part]?.frames ?? 0);
     if (!values || from < this.#first) return false;
-    return values[this.last % this.#capacity]! - values[from % this.#capacity]! < STANDING;
+    return values[this.last % this.capacity]! - values[from % this.capacity]! < STANDING;
   }
 
   /**
@@ -91,7 +90,7 @@ export class PhaseTrace {
     if (!first || !own || this.last - this.#first + 1 < frames) return null;
     let [cosines, sines] = [0, 0];
     for (let frame = this.last - frames + 1; frame <= this.last; frame++) {
-      const angle = 2 * Math.PI * (own[frame % this.#capacity]! - first[frame % this.#capacity]!);
+      const angle = 2 * Math.PI * (own[frame % this.capacity]! - first[frame % this.capacity]!);
       cosines += Math.cos(angle);
       sines += Math.sin(angle);
     }

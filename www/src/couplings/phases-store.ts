@@ -15,10 +15,6 @@ const STORED = 8;
 const STEP_SECONDS = 4;
 
 export class PhasesStore extends Store {
-  readonly #model: ModelStore;
-  readonly #body: BodyStore;
-  readonly #stage: StageStore;
-  readonly #playback: Playback;
   #cycles: readonly LearnedCycle[] = [];
   /** The learned motion and the periods that the cycles were made of. */
   #cyclesOf: { learned: RolloutResult; periods: string } | null = null;
@@ -26,12 +22,13 @@ export class PhasesStore extends Store {
   #rolled: { rollout: RolloutResult; trace: PhaseTrace } | null = null;
   #followed: { track: LiveTrack; trace: PhaseTrace } | null = null;
 
-  constructor(model: ModelStore, body: BodyStore, stage: StageStore, playback: Playback) {
+  constructor(
+    private readonly model: ModelStore,
+    private readonly body: BodyStore,
+    private readonly stage: StageStore,
+    private readonly playback: Playback,
+  ) {
     super();
-    this.#model = model;
-    this.#body = body;
-    this.#stage = stage;
-    this.#playback = playback;
     const follow = () => this.#follow();
     model.on(follow);
     body.on(follow);
@@ -40,22 +37,22 @@ export class PhasesStore extends Store {
 
   /** The parts of the model; none while the stage shows a clip, or if the learned motion is not periodic. */
   get parts(): readonly { name: string }[] {
-    return this.#trace() ? (this.#model.model?.info.parts ?? []) : [];
+    return this.#trace() ? (this.model.model?.info.parts ?? []) : [];
   }
 
   /** Whether the motion is live. Then `periods` and `step` change with time. */
   get isLive(): boolean {
-    return this.#stage.live !== null;
+    return this.stage.live !== null;
   }
 
   /** The turns of a part at the time of the stage. Parts in step as learned have the same turns. */
   turns(part: number): number {
-    return this.#trace()?.turns(part, this.#playback.frame) ?? 0;
+    return this.#trace()?.turns(part, this.playback.frame) ?? 0;
   }
 
   /** The distance of a part from its learned cycle at the time of the stage, in radii of the cycle. */
   distance(part: number): number {
-    return this.#trace()?.distance(part, this.#playback.frame) ?? 0;
+    return this.#trace()?.distance(part, this.playback.frame) ?? 0;
   }
 
   /**
@@ -69,7 +66,7 @@ export class PhasesStore extends Store {
       const frames = trace?.period(part) ?? null;
       return frames === null ? null : frames * this.#frameTime;
     }
-    const { reports } = this.#body;
+    const { reports } = this.body;
     const now = reports?.now.measures.parts[part];
     const learned = reports?.learned.measures.parts[part];
     if (!now || !learned) return null;
@@ -83,24 +80,24 @@ export class PhasesStore extends Store {
     const frames = Math.round(STEP_SECONDS / this.#frameTime);
     const lockings = this.isLive
       ? parts.slice(1).map((part) => this.#trace()?.locking(part, frames) ?? null)
-      : (this.#body.reports?.now.measures.parts.map(({ locking }) => locking) ?? []);
+      : (this.body.reports?.now.measures.parts.map(({ locking }) => locking) ?? []);
     const measured = lockings.filter((locking) => locking !== null);
     return measured.length > 0 ? stepOf(Math.min(...measured)) : null;
   }
 
   /** Whether the measures belong to the motion under the couplings now. */
   get isCurrent(): boolean {
-    return this.isLive || this.#body.isCurrent;
+    return this.isLive || this.body.isCurrent;
   }
 
   get #frameTime(): number {
-    return this.#model.model?.info.frameTime ?? 1 / 30;
+    return this.model.model?.info.frameTime ?? 1 / 30;
   }
 
   /** The phases of the motion on the stage, up to its newest frame. */
   #trace(): PhaseTrace | null {
-    if (this.#stage.content?.kind !== "model") return null;
-    const { live } = this.#stage;
+    if (this.stage.content?.kind !== "model") return null;
+    const { live } = this.stage;
     if (!live) return this.#rolled?.trace ?? null;
     if (this.#followed?.track !== live) this.#followLive(live);
     const trace = this.#followed?.trace ?? null;
@@ -119,7 +116,7 @@ export class PhasesStore extends Store {
   }
 
   #follow(): void {
-    const { model, learned, rollout } = this.#model;
+    const { model, learned, rollout } = this.model;
     this.#makeCycles(model?.info ?? null, learned);
     if (!rollout || this.#cycles.length === 0) this.#rolled = null;
     else if (this.#rolled?.rollout !== rollout) {
@@ -132,7 +129,7 @@ export class PhasesStore extends Store {
 
   /** The cycle of each part, from the learned motion and the periods that the library measures in it. */
   #makeCycles(info: ModelInfo | null, learned: RolloutResult | null): void {
-    const report = this.#body.reports?.learned ?? null;
+    const report = this.body.reports?.learned ?? null;
     if (!info || !learned || report?.revision !== learned.revision) {
       this.#setCycles([], null);
       return;

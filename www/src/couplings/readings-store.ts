@@ -11,17 +11,17 @@ import { lab } from "../words/lab";
 const READINGS: readonly Reading[] = ["as-learned", "re-inferred"];
 
 export class ReadingsStore extends Store {
-  readonly #model: ModelStore;
-  readonly #stage: StageStore;
   readonly #latest: Latest<RolloutResult, RolloutResult | null>;
   #bothShown = false;
   /** The last motion whose other reading was asked for. */
   #asked: RolloutResult | null = null;
 
-  constructor(engine: EngineStore, model: ModelStore, stage: StageStore) {
+  constructor(
+    engine: EngineStore,
+    private readonly model: ModelStore,
+    private readonly stage: StageStore,
+  ) {
     super();
-    this.#model = model;
-    this.#stage = stage;
     this.#latest = new Latest(
       async ({ request }) =>
         (await engine.engine?.rollout({ ...request, reading: otherThan(request.reading) })) ?? null,
@@ -45,23 +45,23 @@ export class ReadingsStore extends Store {
     this.#bothShown = both;
     this.#asked = null;
     if (both) {
-      this.#stage.endClip();
-      this.#stage.endLive();
+      this.stage.endClip();
+      this.stage.endLive();
       this.#follow();
     } else {
       this.#latest.drop();
-      this.#stage.setColumns(null);
+      this.stage.setColumns(null);
     }
     this.changed();
   }
 
   #follow(): void {
-    const { rollout } = this.#model;
+    const { rollout } = this.model;
     if (!this.#bothShown || !rollout || rollout === this.#asked) return;
     const before = this.#asked;
     this.#asked = rollout;
     // Another model has another body.
-    if (rollout.revision !== before?.revision) this.#stage.setColumns(null);
+    if (rollout.revision !== before?.revision) this.stage.setColumns(null);
     // Under the learned couplings both readings are the same.
     if (!rollout.request.alpha) this.#show(rollout, rollout);
     else this.#latest.request(rollout);
@@ -69,7 +69,7 @@ export class ReadingsStore extends Store {
 
   #take(other: RolloutResult | null, rollout: RolloutResult): void {
     // For changed couplings another answer is under way.
-    if (this.#bothShown && other && rollout === this.#model.rollout) this.#show(rollout, other);
+    if (this.#bothShown && other && rollout === this.model.rollout) this.#show(rollout, other);
   }
 
   #show(rollout: RolloutResult, other: RolloutResult): void {
@@ -77,7 +77,7 @@ export class ReadingsStore extends Store {
       title: lab().readings.experts(lab().readings.text[reading]),
       motion: (rollout.request.reading === reading ? rollout : other).motion,
     }));
-    this.#stage.setColumns(columns);
+    this.stage.setColumns(columns);
   }
 }
 

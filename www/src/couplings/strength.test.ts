@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { ALPHA_MAX, ALPHA_MIN } from "../settings/settings";
-import { alphaOf, placeOf, STRONGEST, strengthOf, WEAKEST } from "./strength";
+import { alphaOf, placeOf, STRONGEST, strengthOf, WEAKEST } from "./coupling-slider";
 
 it("grows to the right, from the largest variance to the smallest", () => {
   expect([alphaOf(WEAKEST), alphaOf(STRONGEST)].map((alpha) => alpha.toPrecision(6))).toEqual(

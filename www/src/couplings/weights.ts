@@ -1,5 +1,6 @@
 // The weights of the sources of one part.
 import { weight } from "../ui/format";
+import type { RolloutRequest } from "../engine/protocol";
 
 /** A source with a smaller weight has no visible effect. */
 const OFF = 0.01;
@@ -26,4 +27,11 @@ export function isOff(weight: number): boolean {
 /** A weight as the table writes it. */
 export function weightText(value: number): string {
   return isOff(value) ? "≈ 0" : weight(value);
+}
+
+/** Whether two rollouts have the same start and the same length. */
+export function sameTimes(a: RolloutRequest, b: RolloutRequest): boolean {
+  const times = ({ frames, sequence, frame, start }: RolloutRequest) =>
+    JSON.stringify([frames, sequence, frame, start]);
+  return times(a) === times(b);
 }

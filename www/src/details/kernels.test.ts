@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import model from "../../first/model.json";
-import { kernelsOf } from "./kernels";
+import { kernelsOf } from "./numbers-view";
 
 it("finds lengthscales, variances and couplings of the model that comes with the page", () => {
   const { order, poses, experts } = kernelsOf(JSON.stringify(model));

@@ -5,7 +5,7 @@ import { LayersStore } from "../latents/layers-store";
 import { coupledPicture } from "../picture/coupled-picture";
 import type { SettingsStore } from "../settings/settings-store";
 import { download } from "../ui/download";
-import { eachFrame } from "../ui/each-frame";
+import { eachFrame } from "../ui/browser";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 import type { Draw } from "../views/define-view";

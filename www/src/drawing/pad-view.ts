@@ -1,7 +1,7 @@
 // The pad of one hand: what was drawn, and the pen of the model with its trail.
 import { html } from "lit";
-import { eachFrame } from "../ui/each-frame";
-import { clearCanvas } from "../ui/canvas";
+import { eachFrame } from "../ui/browser";
+import { clearCanvas } from "../ui/browser";
 import { onThemeChange, partColour, partColourNow } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";

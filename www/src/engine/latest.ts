@@ -4,21 +4,14 @@ export class Latest<Request, Result> {
   #busy = false;
   #waiting: { request: Request } | null = null;
 
-  readonly #ask: (request: Request) => Promise<Result>;
-  readonly #done: (result: Result, request: Request) => void;
-  readonly #failed: (problem: unknown) => void;
   /** Grows when the answer under way is dropped. */
   #generation = 0;
 
   constructor(
-    ask: (request: Request) => Promise<Result>,
-    done: (result: Result, request: Request) => void,
-    failed: (problem: unknown) => void,
-  ) {
-    this.#ask = ask;
-    this.#done = done;
-    this.#failed = failed;
-  }
+    private readonly ask: (request: Request) => Promise<Result>,
+    private readonly done: (result: Result, request: Request) => void,
+    private readonly failed: (problem: unknown) => void,
+  ) {}
 
   request(request: Request): void {
     this.#waiting = { request };
@@ -39,10 +32,10 @@ export class Latest<Request, Result> {
         const generation = this.#generation;
         this.#waiting = null;
         try {
-          const result = await this.#ask(request);
-          if (generation === this.#generation) this.#done(result, request);
+          const result = await this.ask(request);
+          if (generation === this.#generation) this.done(result, request);
         } catch (problem) {
-          if (generation === this.#generation) this.#failed(problem);
+          if (generation === this.#generation) this.failed(problem);
         }
       }
     } finally {

@@ -2,24 +2,25 @@
 import type { Pool } from "./pool";
 
 export class OpenDocument<Worker, Info> {
-  readonly #pool: Pool<Worker>;
   readonly #open: (worker: Worker, text: string) => Promise<Info>;
   /** The worker that has the document open, and which document. */
   #holder: Worker | null = null;
   #text = "";
 
-  constructor(pool: Pool<Worker>, open: (worker: Worker, text: string) => Promise<Info>) {
-    this.#pool = pool;
+  constructor(
+    private readonly pool: Pool<Worker>,
+    open: (worker: Worker, text: string) => Promise<Info>,
+  ) {
     this.#open = open;
   }
 
   open(text: string): Promise<Info> {
-    return this.#pool.run((worker) => this.#openIn(worker, text));
+    return this.pool.run((worker) => this.#openIn(worker, text));
   }
 
   /** Makes a call to a worker that has this document open. */
   ask<Answer>(text: string, call: (worker: Worker) => Promise<Answer>): Promise<Answer> {
-    return this.#pool.run(async (worker) => {
+    return this.pool.run(async (worker) => {
       if (worker !== this.#holder || text !== this.#text) await this.#openIn(worker, text);
       return call(worker);
     });

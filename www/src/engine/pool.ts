@@ -40,18 +40,13 @@ export class Pool<Worker> {
   readonly #atWork = new Map<Hired<Worker>, (problem: unknown) => void>();
   /** Workers that are kept for work that continues. */
   readonly #kept = new Set<Worker>();
-  readonly #hire: () => Hired<Worker>;
-  readonly #grace: number;
 
   constructor(
     /** How many workers work at once. */
     readonly width: number,
-    hire: () => Hired<Worker>,
-    grace = GRACE,
-  ) {
-    this.#hire = hire;
-    this.#grace = grace;
-  }
+    private readonly hire: () => Hired<Worker>,
+    private readonly grace: number = GRACE,
+  ) {}
 
   /**
    * Does the work on a worker of its own, now or when one is free. An abort drops work that still waits. Work
@@ -145,7 +140,7 @@ export class Pool<Worker> {
 
   async #attend({ work, on, signal, done, failed }: Waiting<Worker>): Promise<void> {
     this.#tasks.push(signal);
-    const silence = patience(signal, this.#grace);
+    const silence = patience(signal, this.grace);
     let hired: Hired<Worker> | null = null;
     try {
       hired = this.#take(on) ?? this.#open();
@@ -176,7 +171,7 @@ export class Pool<Worker> {
   }
 
   #open(): Hired<Worker> {
-    const hired = this.#hire();
+    const hired = this.hire();
     hired.broken.catch((problem) => {
       // A worker at work is dismissed by `#attend`, when its work fails.
       if (this.#idle.includes(hired)) this.#forget(hired);

@@ -1,7 +1,7 @@
 // The two wasm programs: the player, for the first visit, and the whole program, which also trains and
 // compares. No wasm import.
 import { messageOf } from "../ui/format";
-import { whenIdle } from "../ui/idle";
+import { whenIdle } from "../ui/browser";
 
 /** Compiles a program, once for all its workers. */
 async function compile(place: URL): Promise<WebAssembly.Module> {

@@ -24,17 +24,17 @@ class Died extends Error {}
 
 export class SupervisedEngine {
   readonly engine: Engine;
-  readonly #start: () => Promise<RunningWorkbench>;
-  readonly #events: SupervisedEvents;
   #worker: Promise<RunningWorkbench>;
   #model: { text: string; frames: number; revision: number } | null = null;
   #revision = 0;
   /** The unfinished calls, which fail when the worker dies. */
   readonly #underWay = new Set<(problem: Died) => void>();
 
-  constructor(first: RunningWorkbench, start: () => Promise<RunningWorkbench>, events: SupervisedEvents) {
-    this.#start = start;
-    this.#events = events;
+  constructor(
+    first: RunningWorkbench,
+    private readonly start: () => Promise<RunningWorkbench>,
+    private readonly events: SupervisedEvents,
+  ) {
     this.#worker = Promise.resolve(first);
     this.#watch(first);
     this.engine = callsBy<Engine>((name, given) => {
@@ -90,8 +90,8 @@ export class SupervisedEngine {
     dead.dismiss();
     this.#worker = this.#takeOver();
     this.#worker.then(
-      () => this.#events.restarted(why),
-      (problem: unknown) => this.#events.stopped(problem),
+      () => this.events.restarted(why),
+      (problem: unknown) => this.events.stopped(problem),
     );
     for (const fail of [...this.#underWay]) fail(new Died(why));
   }
@@ -112,7 +112,7 @@ export class SupervisedEngine {
 
   /** Starts a worker with the same model. The worker may die at each step. */
   async #successor(): Promise<RunningWorkbench> {
-    const worker = await this.#start();
+    const worker = await this.start();
     try {
       await Promise.race([this.#fill(worker.calls), worker.broken]);
     } catch (problem) {

@@ -41,39 +41,7 @@ import type {
 } from "./protocol";
 import type { SeriesWorker } from "./series-protocol";
 
-export type {
-  AnswersFile,
-  Candidate,
-  Claim,
-  Comparison,
-  Confusion,
-  Correlation,
-  FinishedJob,
-  Growth,
-  Job,
-  ModelKind,
-  ModelSummary,
-  Outcome,
-  PartCompletion,
-  Participant,
-  PerceptionResults,
-  Plan,
-  PlanePicture,
-  PlannedJob,
-  LatentLogDensity,
-  Regression,
-  Rival,
-  Setting,
-  SettingResult,
-  Spread,
-  StudyInfo,
-  StudyPreset,
-  StudyStimulus,
-  StudyTexts,
-  StudyTrial,
-  SyntheticFindings,
-  SyntheticTruth,
-} from "vcgpdm";
+export type * from "vcgpdm";
 
 /** The settings that all folds of a comparison share. */
 export type ComparisonSettings = Pick<Setting, "parts" | "framesPerSecond">;

@@ -4,28 +4,25 @@ import type { WholeWorkers } from "../engine/whole-workers";
 import type { Experiment, SyntheticTruth } from "../engine/whole-protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import { messageOf } from "../ui/format";
-import { Store } from "../ui/store";
+import { Job } from "../ui/job";
 import { type ExperimentRun, isSame, newRun } from "./experiments";
 
-export class ExperimentStore extends Store {
-  readonly #settings: Pick<SettingsStore, "values" | "on">;
-  readonly #whole: WholeWorkers;
+export class ExperimentStore extends Job {
   readonly #drawing: Latest<Experiment, SyntheticTruth>;
   #runs: readonly ExperimentRun[] = [];
   #asked: readonly ExperimentRun[] = [];
-  #status: "idle" | "running" | "cancelling" = "idle";
   #problem = "";
   /** The experiment whose data were requested last, and the one whose data have arrived. */
   #wanted: Experiment | null = null;
   #riddle: Experiment | null = null;
   #drawn: { experiment: Experiment; truth: SyntheticTruth } | null = null;
-  #stop = new AbortController();
   #width = 1;
 
-  constructor(settings: Pick<SettingsStore, "values" | "on">, whole: WholeWorkers) {
+  constructor(
+    private readonly settings: Pick<SettingsStore, "values" | "on">,
+    private readonly whole: WholeWorkers,
+  ) {
     super();
-    this.#settings = settings;
-    this.#whole = whole;
     this.#drawing = new Latest(
       (experiment) => whole.desk.run((worker) => worker.drawExperiment(experiment)),
       (truth, experiment) => {
@@ -50,14 +47,6 @@ export class ExperimentStore extends Store {
     return this.#asked;
   }
 
-  get status(): "idle" | "running" | "cancelling" {
-    return this.#status;
-  }
-
-  get busy(): boolean {
-    return this.#status !== "idle";
-  }
-
   /** Why the data could not be drawn; empty when they could. */
   get problem(): string {
     return this.#problem;
@@ -70,7 +59,7 @@ export class ExperimentStore extends Store {
 
   /** The experiment on screen: that of the riddle, else the one that the settings name. */
   get experiment(): Experiment {
-    const { drawn: seed, driving } = this.#settings.values;
+    const { drawn: seed, driving } = this.settings.values;
     return this.#riddle ?? { seed, driving };
   }
 
@@ -109,7 +98,7 @@ export class ExperimentStore extends Store {
       if (!this.#wanted || !isSame(this.#wanted, this.experiment)) this.draw();
     };
     draw();
-    return this.#settings.on(draw);
+    return this.settings.on(draw);
   }
 
   draw(): void {
@@ -125,20 +114,9 @@ export class ExperimentStore extends Store {
     if (this.busy || runs.length === 0) return;
     this.#runs = [...this.#runs.filter((before) => !runs.some((run) => isSame(run, before))), ...runs];
     this.#asked = runs;
-    this.#stop = new AbortController();
-    this.#status = "running";
-    this.changed();
-    await Promise.all(runs.map((run) => this.#carryOut(run, this.#stop.signal)));
-    this.#status = "idle";
-    this.changed();
-  }
-
-  /** Stops the trainings, which keep their best models. */
-  cancel(): void {
-    if (this.#status !== "running") return;
-    this.#status = "cancelling";
-    this.#stop.abort();
-    this.changed();
+    const signal = this.startJob();
+    await Promise.all(runs.map((run) => this.#carryOut(run, signal)));
+    this.endJob();
   }
 
   #find(experiment: Experiment): ExperimentRun | undefined {
@@ -149,7 +127,7 @@ export class ExperimentStore extends Store {
   async #carryOut(run: ExperimentRun, signal: AbortSignal): Promise<void> {
     const { seed, driving } = run;
     try {
-      const { pool } = this.#whole;
+      const { pool } = this.whole;
       this.#width = pool.width;
       const outcome = await pool.run((worker) => {
         run.state = "running";

@@ -2,7 +2,7 @@
 // series of data from `--series`.
 import { nothing, svg } from "lit";
 import type { Scale, Tick } from "./scale";
-import { textWidth } from "./text-width";
+import { textWidth } from "./labels";
 
 /** The space inside the axes, and the size of the type. */
 export interface Plot {

@@ -11,7 +11,7 @@ import type { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
-import { sameTimes } from "../couplings/same-times";
+import { sameTimes } from "../couplings/weights";
 import { PlanePictures } from "./plane-pictures";
 import { lab } from "../words/lab";
 

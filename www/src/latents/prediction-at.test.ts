@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { PredictionsReport, RolloutRequest } from "../engine/protocol";
-import { sameTimes } from "../couplings/same-times";
+import { sameTimes } from "../couplings/weights";
 import { interpolate, predictedAt } from "./prediction-at";
 
 const request: RolloutRequest = { frames: 5, sequence: 0, alpha: null, reading: "as-learned" };

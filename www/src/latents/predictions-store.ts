@@ -1,6 +1,6 @@
 // The predictions of each part about each part in the rollout on the stage, and their products.
 import type { ModelStore } from "../couplings/model-store";
-import { sameTimes } from "../couplings/same-times";
+import { sameTimes } from "../couplings/weights";
 import type { EngineStore } from "../engine/engine-store";
 import { Latest } from "../engine/latest";
 import type { PredictionsReport, RolloutRequest, RolloutResult } from "../engine/protocol";

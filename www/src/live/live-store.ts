@@ -7,7 +7,7 @@ import { LiveTrack } from "../scene/live-track";
 import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
-import { LONGEST_PICTURE } from "../ui/each-frame";
+import { LONGEST_PICTURE } from "../ui/browser";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
@@ -60,12 +60,6 @@ export interface TracePoint {
 }
 
 export class LiveStore extends Store {
-  readonly #engine: EngineStore;
-  readonly #settings: SettingsStore;
-  readonly #model: ModelStore;
-  readonly #stage: StageStore;
-  readonly #playback: Playback;
-  readonly #notices: NoticesStore;
   #track: LiveTrack | null = null;
   #starting = false;
   #trace: TracePoint[] = [];
@@ -87,20 +81,14 @@ export class LiveStore extends Store {
   #revision = 0;
 
   constructor(
-    engine: EngineStore,
-    settings: SettingsStore,
-    model: ModelStore,
-    stage: StageStore,
-    playback: Playback,
-    notices: NoticesStore,
+    private readonly engine: EngineStore,
+    private readonly settings: SettingsStore,
+    private readonly model: ModelStore,
+    private readonly stage: StageStore,
+    private readonly playback: Playback,
+    private readonly notices: NoticesStore,
   ) {
     super();
-    this.#engine = engine;
-    this.#settings = settings;
-    this.#model = model;
-    this.#stage = stage;
-    this.#playback = playback;
-    this.#notices = notices;
     playback.on(() => void this.#fill());
     model.on(() => this.#followCouplings());
     stage.on(() => {
@@ -131,23 +119,23 @@ export class LiveStore extends Store {
 
   /** Starts at the state of the figure. */
   async start(): Promise<void> {
-    const { engine } = this.#engine;
+    const { engine } = this.engine;
     if (!engine || this.#track || this.#starting) return;
     this.#starting = true;
     try {
       let track: LiveTrack;
       // A new model from training may have replaced the model: then the new one goes live.
       do {
-        const { model } = this.#model;
+        const { model } = this.model;
         if (!model) return;
         this.#revision = model.revision;
         track = await this.#begin(engine, model.info);
-      } while (this.#model.model?.revision !== this.#revision);
+      } while (this.model.model?.revision !== this.#revision);
       this.#track = track;
-      this.#stage.showLive(track);
-      this.#playback.play();
+      this.stage.showLive(track);
+      this.playback.play();
     } catch (problem) {
-      withLab(({ live }) => this.#notices.addError(live.notBegun, messageOf(problem)));
+      withLab(({ live }) => this.notices.addError(live.notBegun, messageOf(problem)));
     } finally {
       this.#starting = false;
     }
@@ -156,9 +144,9 @@ export class LiveStore extends Store {
 
   /** The first frames of this model. */
   async #begin(engine: Engine, { frameTime, figure, parts }: ModelInfo): Promise<LiveTrack> {
-    this.#stage.endClip();
-    const request = this.#model.rolloutRequest();
-    const frame = Math.min(Math.floor(this.#playback.frame), request.frames - 1);
+    this.stage.endClip();
+    const request = this.model.rolloutRequest();
+    const frame = Math.min(Math.floor(this.playback.frame), request.frames - 1);
     await engine.startLive(request, frame);
     this.#sent = this.#couplings();
     [this.#trace, this.#marks, this.#changes] = [[], [], []];
@@ -176,8 +164,8 @@ export class LiveStore extends Store {
     if (!this.#track) return;
     this.#track = null;
     this.#forget();
-    this.#stage.endLive();
-    void this.#engine.engine?.endLive();
+    this.stage.endLive();
+    void this.engine.engine?.endLive();
     this.changed();
   }
 
@@ -194,11 +182,11 @@ export class LiveStore extends Store {
     if (!this.#track) return;
     const from = this.#next;
     if (held) {
-      const others = this.#model.model?.info.parts.some(
+      const others = this.model.model?.info.parts.some(
         (_, other) => other !== source && !this.isCut(other, target),
       );
       if (!others) {
-        withLab(({ live }) => this.#notices.addError(live.stays, live.staysWhy));
+        withLab(({ live }) => this.notices.addError(live.stays, live.staysWhy));
         return;
       }
       const mark = { kind: "cut" as const, source, target, from, to: null };
@@ -223,7 +211,7 @@ export class LiveStore extends Store {
   /** Lets the part of a node follow the node's place in the picture, shifted by metres, until it is released. */
   reach(node: number, by: readonly [number, number, number]): void {
     const part = this.#partOf(node);
-    const { pose } = this.#playback;
+    const { pose } = this.playback;
     if (!this.#track || !pose || part < 0) return;
     const mover = this.#movers.get(part);
     if (mover?.kind !== "push")
@@ -307,7 +295,7 @@ export class LiveStore extends Store {
     if (before) this.#end(before);
     this.#movers.set(mark.part, mark);
     this.#marks.push(mark);
-    this.#playback.play();
+    this.playback.play();
   }
 
   #end(mark: MoverMark): void {
@@ -318,11 +306,11 @@ export class LiveStore extends Store {
   }
 
   #showRecording(): void {
-    this.#stage.setRecording([...this.#recordings.values()].at(-1) ?? null);
+    this.stage.setRecording([...this.#recordings.values()].at(-1) ?? null);
   }
 
   #partOf(node: number): number {
-    const { model } = this.#model;
+    const { model } = this.model;
     const joint = model?.info.figure.nodes[node]?.joint ?? -1;
     return model?.info.parts.findIndex(({ joints }) => joints.includes(joint)) ?? -1;
   }
@@ -337,14 +325,14 @@ export class LiveStore extends Store {
   }
 
   #couplings(): Extract<LiveChange, { kind: "couplings" }> {
-    const { alpha, reading } = this.#model.couplings;
+    const { alpha, reading } = this.model.couplings;
     return { kind: "couplings", alpha, reading };
   }
 
   /** Called when the couplings or the model may have changed. */
   #followCouplings(): void {
     if (!this.#track) return;
-    if (this.#model.model?.revision !== this.#revision) {
+    if (this.model.model?.revision !== this.#revision) {
       this.stop();
       return;
     }
@@ -359,7 +347,7 @@ export class LiveStore extends Store {
   /** Asks for frames before the clock needs them. */
   async #fill(): Promise<void> {
     const track = this.#track;
-    const { engine } = this.#engine;
+    const { engine } = this.engine;
     if (!track || !engine || this.#busy) return;
     // A slow machine, or double speed, needs more frames at once.
     const now = performance.now();
@@ -367,27 +355,27 @@ export class LiveStore extends Store {
     this.#askedAt = now;
     const isHeld = [...this.#movers.values()].some(({ kind }) => kind !== "record");
     const lead = isHeld ? DRIVEN_LEAD : LEAD;
-    const ahead = lead + (seconds * this.#settings.values.speed) / track.motion.frameTime;
+    const ahead = lead + (seconds * this.settings.values.speed) / track.motion.frameTime;
     const movedAt = this.#movedAt;
     // A frame that the figure has not reached is computed again, so that the next picture obeys the hand.
-    const replaced = movedAt !== null && track.last > this.#playback.frame ? 1 : 0;
+    const replaced = movedAt !== null && track.last > this.playback.frame ? 1 : 0;
     const last = track.last - replaced;
-    if (movedAt === null && last - this.#playback.frame >= ahead) return;
+    if (movedAt === null && last - this.playback.frame >= ahead) return;
     this.#busy = true;
     const changes: LiveChange[] = replaced > 0 ? [{ kind: "take-back" }, ...this.#changes] : this.#changes;
     [this.#changes, this.#movedAt] = [[], null];
     try {
-      const frames = Math.max(1, Math.ceil(ahead + this.#playback.frame - last));
+      const frames = Math.max(1, Math.ceil(ahead + this.playback.frame - last));
       const next = await engine.advanceLive(changes, frames);
       if (this.#track === track) {
         this.#dropAfter(track, last);
         this.#take(track, next);
-        this.#playback.follow(track);
+        this.playback.follow(track);
         if (movedAt !== null) performance.measure(HAND_MEASURE, { start: movedAt });
       }
     } catch (problem) {
       if (this.#track === track) {
-        withLab(({ live }) => this.#notices.addError(live.ended, messageOf(problem)));
+        withLab(({ live }) => this.notices.addError(live.ended, messageOf(problem)));
         this.stop();
       }
     } finally {

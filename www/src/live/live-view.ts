@@ -2,11 +2,11 @@
 // can be dragged.
 import { html, nothing } from "lit";
 import type { ModelStore } from "../couplings/model-store";
-import "../latents/push-handle";
 import type { PushPart } from "../latents/push-handle";
+import "../latents/push-handle";
 import type { Playback } from "../stage/playback";
 import type { StageView } from "../stage/stage-view";
-import { clearCanvas } from "../ui/canvas";
+import { clearCanvas } from "../ui/browser";
 import { onThemeChange, partColour, partColourNow } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";

@@ -17,18 +17,18 @@ interface Asked {
 }
 
 export class RecordedParts extends Store {
-  readonly #recordings: Recordings;
-  readonly #model: ModelStore;
-  readonly #live: LiveStore;
-  readonly #notices: NoticesStore;
   /** The requests of each part: of one part only the newest counts. */
   readonly #asked = new Map<number, Latest<Asked, CompletedClip>>();
   /** The key of the recording that each part waits for. */
   readonly #waiting = new Map<number, string>();
 
-  constructor(recordings: Recordings, model: ModelStore, live: LiveStore, notices: NoticesStore) {
+  constructor(
+    private readonly recordings: Recordings,
+    private readonly model: ModelStore,
+    private readonly live: LiveStore,
+    private readonly notices: NoticesStore,
+  ) {
     super();
-    [this.#recordings, this.#model, this.#live, this.#notices] = [recordings, model, live, notices];
     recordings.on(() => this.changed());
   }
 
@@ -40,13 +40,13 @@ export class RecordedParts extends Store {
       ({ model, recording }) => {
         const given = model.info.parts[part]?.name ?? "";
         const request = { given, until: null, alpha: null, reading: "as-learned" as const };
-        return this.#recordings.complete(model, recording, request);
+        return this.recordings.complete(model, recording, request);
       },
       (completed, asked) => this.#take(completed, asked),
       (problem) => {
         this.#waiting.delete(part);
         this.changed();
-        this.#notices.addError(completingWords().failed, messageOf(problem));
+        this.notices.addError(completingWords().failed, messageOf(problem));
       },
     );
     this.#asked.set(part, requests);
@@ -55,18 +55,18 @@ export class RecordedParts extends Store {
 
   /** The recordings to choose from; the model needs another part, which it infers. */
   get all(): readonly Recording[] {
-    return (this.#model.model?.info.parts.length ?? 0) > 1 ? this.#recordings.all : [];
+    return (this.model.model?.info.parts.length ?? 0) > 1 ? this.recordings.all : [];
   }
 
   /** The recording that a part waits for or has. */
   keyOf(part: number): string | null {
-    const mover = this.#live.moverOf(part);
+    const mover = this.live.moverOf(part);
     return this.#waiting.get(part) ?? (mover?.kind === "record" ? mover.key : null);
   }
 
   /** Lets a recording move a part as soon as its latents are there; null: not any more. */
   choose(part: number, key: string | null): void {
-    const { model } = this.#model;
+    const { model } = this.model;
     const recording = this.all.find((recording) => recording.key === key);
     this.#waiting.delete(part);
     if (model && recording) {
@@ -80,8 +80,8 @@ export class RecordedParts extends Store {
     const { key, title } = recording;
     if (this.#waiting.get(part) !== key) return;
     this.#waiting.delete(part);
-    if (model.revision === this.#model.model?.revision)
-      this.#live.record(part, { key, title, latents, motion: recorded });
+    if (model.revision === this.model.model?.revision)
+      this.live.record(part, { key, title, latents, motion: recorded });
     this.changed();
   }
 }

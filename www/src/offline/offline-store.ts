@@ -11,11 +11,9 @@ export interface ServiceWorkers {
 export class OfflineStore extends Store {
   #workers: ServiceWorkers | null = null;
   #state: "current" | "waiting" | "asked" | "taken" = "current";
-  readonly #reload: () => void;
 
-  constructor(reload: () => void) {
+  constructor(private readonly reload: () => void) {
     super();
-    this.#reload = reload;
   }
 
   /** Whether another version of the page is there. */
@@ -32,7 +30,7 @@ export class OfflineStore extends Store {
       this.#workers = await load();
       this.#workers.addEventListener("waiting", () => this.#become("waiting"));
       this.#workers.addEventListener("controlling", ({ isUpdate }) => {
-        if (this.#state === "asked") this.#reload();
+        if (this.#state === "asked") this.reload();
         // Another tab has taken the new version: this one still shows the old.
         else if (isUpdate) this.#become("taken");
       });
@@ -45,7 +43,7 @@ export class OfflineStore extends Store {
   /** Loads the page anew, in its new version. */
   takeNewVersion(): void {
     if (this.#state === "taken") {
-      this.#reload();
+      this.reload();
       return;
     }
     this.#become("asked");

@@ -5,7 +5,6 @@ import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 
 export class AnalysisStore extends Store {
-  readonly #whole: WholeWorkers;
   #files: readonly AnswersFile[] = [];
   #results: PerceptionResults | null = null;
   #busy = false;
@@ -13,9 +12,8 @@ export class AnalysisStore extends Store {
   /** The number of the newest request; results of older ones are dropped. */
   #asked = 0;
 
-  constructor(whole: WholeWorkers) {
+  constructor(private readonly whole: WholeWorkers) {
     super();
-    this.#whole = whole;
   }
 
   /** The files that are analysed together. */
@@ -51,7 +49,7 @@ export class AnalysisStore extends Store {
 
   /** The results as JSON, equal to the file of the terminal program. */
   json(study: string): Promise<string> {
-    return this.#whole.desk.run((worker) => worker.perceptionJson(study, [...this.#files]));
+    return this.whole.desk.run((worker) => worker.perceptionJson(study, [...this.#files]));
   }
 
   /** Analyses only these files. */
@@ -65,7 +63,7 @@ export class AnalysisStore extends Store {
     let found: PerceptionResults | null = null;
     let problem = "";
     try {
-      found = await this.#whole.desk.run((worker) => worker.analysePerception(study, [...files]));
+      found = await this.whole.desk.run((worker) => worker.analysePerception(study, [...files]));
     } catch (failure) {
       problem = messageOf(failure);
     }

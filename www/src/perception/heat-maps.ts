@@ -3,7 +3,7 @@ import { html, nothing, svg } from "lit";
 import type { PerceptionResults, SettingResult } from "../engine/whole-protocol";
 import { FigureElement } from "../figures/figure-element";
 import { modelStyle } from "../figures/model-style";
-import { textWidth } from "../figures/text-width";
+import { textWidth } from "../figures/labels";
 import { fixed } from "../ui/format";
 import { styled } from "../ui/styled";
 import { perceptionWords } from "./view-words";

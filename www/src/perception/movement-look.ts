@@ -1,7 +1,7 @@
 // Plays a generated movement next to the natural one of its trial, to see whether it has failed.
 import { html, nothing } from "lit";
 import type { StudyTrial, StudyView } from "../engine/whole-protocol";
-import { eachFrame } from "../ui/each-frame";
+import { eachFrame } from "../ui/browser";
 import { icon } from "../ui/icons";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";

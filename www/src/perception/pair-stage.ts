@@ -22,7 +22,6 @@ export class CanvasPair implements PairStage {
   readonly element = document.createElement("div");
   readonly #columns: Columns;
   readonly #body: Body;
-  readonly #motionOf: (stimulus: number) => Motion;
   readonly #speedOf: (stimulus: number) => number;
   readonly #rate: number;
   #before = 0;
@@ -30,7 +29,7 @@ export class CanvasPair implements PairStage {
   /** Throws where the browser has no WebGL. */
   constructor(
     { skeleton, look, framesPerSecond, stimuli }: StudyInfo,
-    motionOf: (stimulus: number) => Motion,
+    private readonly motionOf: (stimulus: number) => Motion,
   ) {
     this.element.className = "pair-stage";
     const canvas = document.createElement("canvas");
@@ -47,14 +46,13 @@ export class CanvasPair implements PairStage {
     this.#body = { figure: { nodes }, joints: skeleton.names, parts: [] };
     if (look === "points") this.#body.lights = skeleton.dots;
     this.#speedOf = (stimulus) => stimuli[stimulus]?.speed ?? 0;
-    this.#motionOf = motionOf;
     this.#rate = framesPerSecond;
   }
 
   take({ left, right, headingDegrees }: StudyTrial): void {
     const heading = (headingDegrees * Math.PI) / 180;
     const motions = [left, right].map((stimulus) =>
-      underWay(this.#motionOf(stimulus), this.#speedOf(stimulus), heading),
+      underWay(this.motionOf(stimulus), this.#speedOf(stimulus), heading),
     );
     this.#columns.show(this.#body, motions);
     this.#before = performance.now();

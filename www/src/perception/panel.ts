@@ -4,9 +4,8 @@ import type { ModelKind } from "../engine/whole-protocol";
 import { axes, path, uprightBar, labelsWidth } from "../figures/chart";
 import { MARK_SIZE } from "../figures/marks";
 import { inColour, modelMark } from "../figures/model-style";
-import { spreadLabels } from "../figures/labels";
+import { spreadLabels, textWidth } from "../figures/labels";
 import { linearScale, logScale, type Scale } from "../figures/scale";
-import { textWidth } from "../figures/text-width";
 import { styled } from "../ui/styled";
 
 export interface PanelPoint {

@@ -33,9 +33,6 @@ export interface ActiveParticipation {
 }
 
 export class PerceptionStore extends Store {
-  readonly #whole: WholeWorkers;
-  readonly #database: AnswerDatabase | null;
-  readonly #studyOfThePage: () => Promise<string>;
   #study: StudyView | null = null;
   /** The text of the study that is on the visitor's disk; empty: the study was made here. */
   #onDisk = "";
@@ -52,9 +49,12 @@ export class PerceptionStore extends Store {
   #changing: Promise<void> = Promise.resolve();
 
   /** Without a database the answers end with the visit. */
-  constructor(whole: WholeWorkers, database: AnswerDatabase | null, studyOfThePage: () => Promise<string>) {
+  constructor(
+    private readonly whole: WholeWorkers,
+    private readonly database: AnswerDatabase | null,
+    private readonly studyOfThePage: () => Promise<string>,
+  ) {
     super();
-    [this.#whole, this.#database, this.#studyOfThePage] = [whole, database, studyOfThePage];
   }
 
   get study(): StudyView | null {
@@ -82,18 +82,18 @@ export class PerceptionStore extends Store {
 
   /** Why answers are not stored beyond this visit; empty when they are. */
   get storageProblem(): string {
-    return this.#database === null ? perceptionWords().participants.keepsNothing : this.#storageProblem;
+    return this.database === null ? perceptionWords().participants.keepsNothing : this.#storageProblem;
   }
 
   /** Adds the participations of earlier visits. */
   async loadStored(): Promise<void> {
-    this.#add((await this.#database?.all()) ?? []);
+    this.#add((await this.database?.all()) ?? []);
   }
 
   /** Waits until a study is open; when there is no other, opens the one that comes with the page. */
   ready(): Promise<void> {
     return this.#inTurn(async () => {
-      if (!this.#study) await this.#open(this.#studyOfThePage);
+      if (!this.#study) await this.#open(this.studyOfThePage);
     });
   }
 
@@ -104,7 +104,7 @@ export class PerceptionStore extends Store {
 
   async #open(text: () => Promise<string>, made = false): Promise<void> {
     const opened = await text();
-    const study = await this.#whole.desk.run((worker) => worker.openStudy(opened));
+    const study = await this.whole.desk.run((worker) => worker.openStudy(opened));
     if (!(await mayLose(this.unsaved))) return;
     this.#study = study;
     this.#onDisk = made ? "" : study.text;
@@ -134,14 +134,14 @@ export class PerceptionStore extends Store {
     return this.#inTurn(async () => {
       const { text } = this.#study ?? {};
       if (text !== undefined)
-        this.#study = await this.#whole.desk.run((worker) => worker.changeStudy(text, change));
+        this.#study = await this.whole.desk.run((worker) => worker.changeStudy(text, change));
     });
   }
 
   /** Positions of the figure's nodes in each movement of the open study [frames x nodes x 3]. */
   async movements(): Promise<readonly Float32Array[]> {
     const { text } = this.#study ?? {};
-    return text === undefined ? [] : this.#whole.desk.run((worker) => worker.movements(text));
+    return text === undefined ? [] : this.whole.desk.run((worker) => worker.movements(text));
   }
 
   /** Begins the experiment with a new participant. */
@@ -150,7 +150,7 @@ export class PerceptionStore extends Store {
       const { text, info } = this.#study ?? {};
       if (text === undefined || !info || this.#active) return;
       const seed = newSeed();
-      const trials = await this.#whole.desk.run((worker) => worker.drawTrials(text, seed));
+      const trials = await this.whole.desk.run((worker) => worker.drawTrials(text, seed));
       const free = freeName(
         name.trim() || newName(),
         new Set(this.#participations.map(({ participant }) => participant)),
@@ -161,9 +161,9 @@ export class PerceptionStore extends Store {
         seed,
         simulated,
       });
-      const movements = await this.#whole.desk.run((worker) => worker.movements(text));
+      const movements = await this.whole.desk.run((worker) => worker.movements(text));
       this.#texts.set(participation.key, text);
-      await this.#tryToStore(() => this.#database?.begin(participation, text));
+      await this.#tryToStore(() => this.database?.begin(participation, text));
       this.#participations = [{ ...participation, rows: [] }, ...this.#participations];
       await this.#lock(participation.key);
       this.#activate(participation.key, info, stepsOf(info, trials, 0), movements);
@@ -176,7 +176,7 @@ export class PerceptionStore extends Store {
       if (this.#active) return;
       if (!(await this.#lock(key))) throw new Error(perceptionWords().run.otherTab);
       // Another tab may have added answers meanwhile.
-      const now = (await this.#database?.all())?.find((other) => other.key === key);
+      const now = (await this.database?.all())?.find((other) => other.key === key);
       if (now && !this.#storageProblem) this.#replace(now);
       const participation = this.#participations.find((other) => other.key === key);
       if (!participation || isComplete(participation)) {
@@ -184,12 +184,12 @@ export class PerceptionStore extends Store {
         return;
       }
       const { seed } = participation;
-      const text = this.#texts.get(key) ?? (await this.#database?.study(key));
+      const text = this.#texts.get(key) ?? (await this.database?.study(key));
       try {
         if (typeof text !== "string") throw new Error(perceptionWords().run.noStudy);
-        const { info } = await this.#whole.desk.run((worker) => worker.openStudy(text));
-        const trials = await this.#whole.desk.run((worker) => worker.drawTrials(text, seed));
-        const movements = await this.#whole.desk.run((worker) => worker.movements(text));
+        const { info } = await this.whole.desk.run((worker) => worker.openStudy(text));
+        const trials = await this.whole.desk.run((worker) => worker.drawTrials(text, seed));
+        const movements = await this.whole.desk.run((worker) => worker.movements(text));
         this.#activate(key, info, stepsOf(info, trials, answered(participation)), movements);
       } catch (problem) {
         this.#release();
@@ -207,7 +207,7 @@ export class PerceptionStore extends Store {
     if (!study) throw new Error(perceptionWords().study.none);
     const { info } = study;
     const coded = codesOf(info.hash, text);
-    const trials = await this.#whole.desk.run((worker) =>
+    const trials = await this.whole.desk.run((worker) =>
       Promise.all(coded.map(({ seed }) => worker.drawTrials(study.text, seed))),
     );
     return coded.map(({ seed, simulated, answers }, i) => {
@@ -236,7 +236,7 @@ export class PerceptionStore extends Store {
     const place = participation.rows.length;
     const placed = { ...row, trial_index: place };
     this.#replace({ ...participation, rows: [...participation.rows, placed] });
-    await this.#tryToStore(() => this.#database?.add(participation.key, place, placed));
+    await this.#tryToStore(() => this.database?.add(participation.key, place, placed));
   }
 
   /** The participant has answered everything or has left. */
@@ -247,7 +247,7 @@ export class PerceptionStore extends Store {
   }
 
   async forget(key: string): Promise<void> {
-    await this.#tryToStore(() => this.#database?.forget(key));
+    await this.#tryToStore(() => this.database?.forget(key));
     this.#texts.delete(key);
     this.#participations = this.#participations.filter((other) => other.key !== key);
     this.changed();
@@ -272,8 +272,8 @@ export class PerceptionStore extends Store {
 
   /** Takes the participation for this tab; false: another tab has it. */
   async #lock(key: string): Promise<boolean> {
-    if (!this.#database) return true;
-    this.#unlock = await this.#database.hold(key);
+    if (!this.database) return true;
+    this.#unlock = await this.database.hold(key);
     return this.#unlock !== null;
   }
 

@@ -26,11 +26,8 @@ const SECOND = 1000;
 
 export class TextPlugin implements JsPsychPlugin<Info> {
   static readonly info = info;
-  readonly #jsPsych: JsPsych;
 
-  constructor(jsPsych: JsPsych) {
-    this.#jsPsych = jsPsych;
-  }
+  constructor(private readonly jsPsych: JsPsych) {}
 
   trial(display: HTMLElement, { text }: TrialType<Info>, loaded?: () => void) {
     return this.#run(display, text as TextStep, loaded, () => {});
@@ -44,8 +41,8 @@ export class TextPlugin implements JsPsychPlugin<Info> {
   ): Promise<object> {
     const { page } = text as TextStep;
     if (mode === "visual") {
-      return this.#run(this.#jsPsych.getDisplayElement(), text as TextStep, loaded, (button) =>
-        this.#jsPsych.pluginAPI.clickTarget(button, 1),
+      return this.#run(this.jsPsych.getDisplayElement(), text as TextStep, loaded, (button) =>
+        this.jsPsych.pluginAPI.clickTarget(button, 1),
       );
     }
     loaded?.();
@@ -80,7 +77,7 @@ export class TextPlugin implements JsPsychPlugin<Info> {
       button.disabled = rest > 0;
       button.textContent = onward;
       left.textContent = rest > 0 ? perceptionWords().run.wait(rest) : "";
-      if (rest > 0) return void this.#jsPsych.pluginAPI.setTimeout(count, Math.min(SECOND, SECOND * rest));
+      if (rest > 0) return void this.jsPsych.pluginAPI.setTimeout(count, Math.min(SECOND, SECOND * rest));
       button.focus({ preventScroll: true });
       open(button);
     };

@@ -1,7 +1,7 @@
 // The positions of nodes and bones in the body map, in the units of its viewBox.
 import type { ModelInfo, Motion } from "../engine/protocol";
 import { HERE, poseAt } from "../scene/motion";
-import { partOfJoints } from "../scene/part-of-joints";
+import { partOfJoints } from "../scene/joints";
 
 export const WIDTH = 170;
 export const HEIGHT = 190;

@@ -11,16 +11,14 @@ const MOST_ITERATIONS = 100;
 const isLargest = (alpha: number) => alpha > 0.999 * LARGEST_COUPLING;
 
 export class FittingStore extends ProgressStore<Fitted> {
-  readonly #whole: WholeWorkers;
-  readonly #clips: Pick<ClipsStore, "all">;
-  readonly #library: LibraryStore;
   #unexplained: readonly string[] = [];
 
-  constructor(whole: WholeWorkers, clips: Pick<ClipsStore, "all">, library: LibraryStore) {
+  constructor(
+    private readonly whole: WholeWorkers,
+    private readonly clips: Pick<ClipsStore, "all">,
+    private readonly library: LibraryStore,
+  ) {
     super();
-    this.#whole = whole;
-    this.#clips = clips;
-    this.#library = library;
   }
 
   /**
@@ -33,8 +31,8 @@ export class FittingStore extends ProgressStore<Fitted> {
 
   /** Fits to the clip of this key, and sets the sliders to the result. */
   async fit(key: string): Promise<void> {
-    const clip = this.#clips.all.find((clip) => clip.key === key);
-    const { current, uses } = this.#library;
+    const clip = this.clips.all.find((clip) => clip.key === key);
+    const { current, uses } = this.library;
     if (!clip || !current) return;
     const { loaded, source, first, end } = clip;
     const job = {
@@ -45,12 +43,12 @@ export class FittingStore extends ProgressStore<Fitted> {
     };
     this.#unexplained = [];
     const fitted = await this.run((report, signal) =>
-      this.#whole.pool.run((worker) => worker.fitCouplings(job, report, signal), signal),
+      this.whole.pool.run((worker) => worker.fitCouplings(job, report, signal), signal),
     );
-    if (!fitted || this.#library.current !== current) return;
+    if (!fitted || this.library.current !== current) return;
     const atLimit = (part: number) => fitted.alpha.every((row) => isLargest(row[part] ?? 0));
     this.#unexplained = current.info.parts.filter((_, part) => atLimit(part)).map(({ name }) => name);
-    this.#library.takeFitted(uses, fitted);
+    this.library.takeFitted(uses, fitted);
     this.changed();
   }
 }

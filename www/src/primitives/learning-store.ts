@@ -23,11 +23,7 @@ export interface LearningClip {
 }
 
 export class LearningStore extends ProgressStore<string> {
-  readonly #whole: WholeWorkers;
-  readonly #engine: Pick<EngineStore, "samples">;
-  readonly #settings: Pick<SettingsStore, "values" | "on">;
   readonly #clips: Pick<ClipsStore, "all" | "samplesLoaded" | "on">;
-  readonly #library: LibraryStore;
   /** The choices of the visitor, by the keys of the clips. */
   readonly #chosen = new Map<string, boolean>();
   readonly #named = new Map<string, string>();
@@ -35,18 +31,14 @@ export class LearningStore extends ProgressStore<string> {
   readonly #shared = new Set<string>();
 
   constructor(
-    whole: WholeWorkers,
-    engine: Pick<EngineStore, "samples">,
-    settings: Pick<SettingsStore, "values" | "on">,
+    private readonly whole: WholeWorkers,
+    private readonly engine: Pick<EngineStore, "samples">,
+    private readonly settings: Pick<SettingsStore, "values" | "on">,
     clips: Pick<ClipsStore, "all" | "samplesLoaded" | "on">,
-    library: LibraryStore,
+    private readonly library: LibraryStore,
   ) {
     super();
-    this.#whole = whole;
-    this.#engine = engine;
-    this.#settings = settings;
     this.#clips = clips;
-    this.#library = library;
     clips.on(() => this.changed());
     settings.on(() => this.changed());
   }
@@ -81,7 +73,7 @@ export class LearningStore extends ProgressStore<string> {
   /** The parts of the first chosen clip's body. */
   get parts(): PartSpec[] {
     const [first] = this.#groups().flatMap(({ clips }) => clips);
-    const { parts, split } = this.#settings.values;
+    const { parts, split } = this.settings.values;
     return first ? partsFor(first.loaded.info, parts, split) : [];
   }
 
@@ -109,8 +101,8 @@ export class LearningStore extends ProgressStore<string> {
     if (this.busy || this.whyNot) return;
     const groups = this.#groups();
     const parts = this.parts;
-    const { latent, order, framesPerSecond, seed, maxIterations } = this.#settings.values;
-    const { dynamicsIps, poseIps } = pointsOf(this.#settings.values);
+    const { latent, order, framesPerSecond, seed, maxIterations } = this.settings.values;
+    const { dynamicsIps, poseIps } = pointsOf(this.settings.values);
     const job = {
       clips: groups.flatMap(({ clips }) =>
         clips.map(({ loaded, source, first, end }) => ({ id: loaded.id, source, first, end })),
@@ -120,14 +112,14 @@ export class LearningStore extends ProgressStore<string> {
       shared: parts.map(({ name }) => this.isShared(name)),
     };
     const text = await this.run((report, signal) =>
-      this.#whole.pool.run((worker) => worker.learnLibrary(job, report, signal), signal),
+      this.whole.pool.run((worker) => worker.learnLibrary(job, report, signal), signal),
     );
-    if (text !== null) await this.#library.open(text, primitivesWords().library.learnedHere, true);
+    if (text !== null) await this.library.open(text, primitivesWords().library.learnedHere, true);
   }
 
   #movementOf({ source, title, origin }: ClipEntry): string {
     if (!("sample" in source)) return origin === "model" ? title.replace(/ \d.*$/, "") : title;
-    return this.#engine.samples.find(({ id }) => id === source.sample)?.movement ?? title;
+    return this.engine.samples.find(({ id }) => id === source.sample)?.movement ?? title;
   }
 
   /** The chosen clips, group by group. */

@@ -45,8 +45,6 @@ export class LibraryStore extends Store {
   /** Its learned values are those that the primitives were learned with. */
   readonly couplings = new CouplingsStore((change) => this.#walkUnder(change === "all"));
   readonly #worker: LibraryWorker;
-  readonly #notices: NoticesStore;
-  readonly #fetchStartFile: () => Promise<string>;
   #current: OpenLibrary | null = null;
   /** Libraries that can be brought back: the previous one as the last, and before it unsaved ones. */
   #earlier: readonly OpenLibrary[] = [];
@@ -71,12 +69,14 @@ export class LibraryStore extends Store {
   readonly #partMotions: Latest<{ uses: readonly number[]; alpha: Couplings }, PartMotion[]>;
 
   /** `fetchStartFile`: the document of the library that comes with the page. */
-  constructor(whole: WholeWorkers, notices: NoticesStore, fetchStartFile: () => Promise<string>) {
+  constructor(
+    whole: WholeWorkers,
+    private readonly notices: NoticesStore,
+    private readonly fetchStartFile: () => Promise<string>,
+  ) {
     super();
     this.#worker = new LibraryWorker(whole);
     this.walk = new WalkStore(this.#worker, notices);
-    this.#notices = notices;
-    this.#fetchStartFile = fetchStartFile;
     this.#couplings = new Latest(
       (uses) => this.nearestTo(uses),
       (alpha, uses) => {
@@ -85,7 +85,7 @@ export class LibraryStore extends Store {
         if (this.#touched) this.#takeNearest(alpha);
         else this.#showNearest(alpha);
       },
-      (problem) => this.#notices.addError(primitivesWords().notPutTogether, messageOf(problem)),
+      (problem) => this.notices.addError(primitivesWords().notPutTogether, messageOf(problem)),
     );
     this.#partMotions = new Latest(
       ({ uses, alpha }) => this.#worker.ask((worker) => worker.combinationMoves([...uses], alpha)),
@@ -186,7 +186,7 @@ export class LibraryStore extends Store {
     this.#problem = "";
     this.changed();
     try {
-      const text = await this.#fetchStartFile();
+      const text = await this.fetchStartFile();
       this.#first = text;
       // The visitor may have opened another library meanwhile.
       if (!this.#current) await this.open(text, "");
@@ -376,7 +376,7 @@ export class LibraryStore extends Store {
         const motion = await this.#worker.ask((worker) => worker.combinationMotion([...uses], SMALL_FRAMES));
         motions.set(uses.join(), motion);
       } catch (problem) {
-        this.#notices.addError(primitivesWords().doesNotMove(titleOf(info, uses)), messageOf(problem));
+        this.notices.addError(primitivesWords().doesNotMove(titleOf(info, uses)), messageOf(problem));
       }
       this.changedSoon();
     }

@@ -4,13 +4,10 @@ import type { Couplings } from "../engine/protocol";
 import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
 
 export class LibraryWorker {
-  readonly #whole: WholeWorkers;
   #text = "";
   #holder: WholeCalls | null = null;
 
-  constructor(whole: WholeWorkers) {
-    this.#whole = whole;
-  }
+  constructor(private readonly whole: WholeWorkers) {}
 
   /** The document of the library; empty before there is one. */
   get text(): string {
@@ -20,7 +17,7 @@ export class LibraryWorker {
   /** Opens another library. The previous one stays open if that fails. */
   async open(text: string): Promise<LibraryInfo> {
     this.#holder = null;
-    const info = await this.#whole.library.run(async (worker) => {
+    const info = await this.whole.library.run(async (worker) => {
       const info = await worker.openLibrary(text);
       this.#holder = worker;
       return info;
@@ -50,7 +47,7 @@ export class LibraryWorker {
 
   /** Calls the worker that has the library open. */
   async ask<Answer>(question: (worker: WholeCalls) => Promise<Answer>): Promise<Answer> {
-    return this.#whole.library.run(async (worker) => {
+    return this.whole.library.run(async (worker) => {
       if (worker !== this.#holder) {
         await worker.openLibrary(this.#text);
         this.#holder = worker;

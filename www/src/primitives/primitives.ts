@@ -4,7 +4,7 @@ import type { EngineStore } from "../engine/engine-store";
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { SettingsStore } from "../settings/settings-store";
 import type { NoticesStore } from "../ui/notices-store";
-import { prefersReducedMotion } from "../ui/reduced-motion";
+import { prefersReducedMotion } from "../ui/browser";
 import { FittingStore } from "./fitting-store";
 import { LearningStore } from "./learning-store";
 import { LibraryStore } from "./library-store";

@@ -44,9 +44,7 @@ export function nameOf(
 
 export class RecognitionStore extends Store {
   readonly player = new Player();
-  readonly #whole: WholeWorkers;
   readonly #clips: ClipsStore;
-  readonly #library: LibraryStore;
   /** The keys of the clips; empty for none, null where the visitor has not chosen. */
   readonly #keys: (string | null)[] = Array.from({ length: PLACES }, () => null);
   #found: Recognised | null = null;
@@ -55,9 +53,13 @@ export class RecognitionStore extends Store {
   #problem = "";
   #stop = new AbortController();
 
-  constructor(whole: WholeWorkers, clips: ClipsStore, library: LibraryStore) {
+  constructor(
+    private readonly whole: WholeWorkers,
+    clips: ClipsStore,
+    private readonly library: LibraryStore,
+  ) {
     super();
-    [this.#whole, this.#clips, this.#library] = [whole, clips, library];
+    this.#clips = clips;
     let text = library.current?.text;
     library.on(() => {
       if (library.current?.text === text) return;
@@ -72,7 +74,7 @@ export class RecognitionStore extends Store {
 
   /** The clips of the body of the library. */
   get clips(): readonly ClipEntry[] {
-    const { current } = this.#library;
+    const { current } = this.library;
     return current ? this.#clips.ofBody(current.info.joints) : [];
   }
 
@@ -107,7 +109,7 @@ export class RecognitionStore extends Store {
   }
 
   async recognise(): Promise<void> {
-    const { current } = this.#library;
+    const { current } = this.library;
     const clips = this.chosen.flatMap((clip) =>
       clip ? [{ id: clip.loaded.id, source: clip.source, first: clip.first, end: clip.end }] : [],
     );
@@ -126,7 +128,7 @@ export class RecognitionStore extends Store {
     let problem = "";
     try {
       const job = { library: current.text, clips };
-      found = await this.#whole.pool.run((worker) => worker.recognise(job, report, stop.signal), stop.signal);
+      found = await this.whole.pool.run((worker) => worker.recognise(job, report, stop.signal), stop.signal);
     } catch (reason) {
       problem = messageOf(reason);
     }

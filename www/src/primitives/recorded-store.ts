@@ -7,20 +7,16 @@ import { Store } from "../ui/store";
 import { primitivesWords } from "./view-words";
 
 export class RecordedStore extends Store {
-  readonly #whole: WholeWorkers;
-  readonly #clips: Pick<ClipsStore, "all" | "addModelled">;
-  readonly #fetchLibrary: () => Promise<string>;
   #movements: readonly RecordedMovement[] = [];
   #problem = "";
   #loading: Promise<void> | null = null;
 
   constructor(
-    whole: WholeWorkers,
-    clips: Pick<ClipsStore, "all" | "addModelled">,
-    fetchLibrary: () => Promise<string>,
+    private readonly whole: WholeWorkers,
+    private readonly clips: Pick<ClipsStore, "all" | "addModelled">,
+    private readonly fetchLibrary: () => Promise<string>,
   ) {
     super();
-    [this.#whole, this.#clips, this.#fetchLibrary] = [whole, clips, fetchLibrary];
   }
 
   /** The movements with their models; empty before they are loaded. */
@@ -45,13 +41,13 @@ export class RecordedStore extends Store {
 
   async #load(): Promise<void> {
     this.#problem = "";
-    const text = await this.#fetchLibrary();
-    const found = await this.#whole.desk.run((worker) => worker.recordedMovements(text));
+    const text = await this.fetchLibrary();
+    const found = await this.whole.desk.run((worker) => worker.recordedMovements(text));
     const { clip } = primitivesWords().recorded;
     // An earlier visit may have brought the clips back.
-    if (!this.#clips.all.some(({ origin }) => origin === "model"))
+    if (!this.clips.all.some(({ origin }) => origin === "model"))
       for (const { name, clips } of found)
-        for (const [place, bvh] of clips.entries()) await this.#clips.addModelled(clip(name, place + 1), bvh);
+        for (const [place, bvh] of clips.entries()) await this.clips.addModelled(clip(name, place + 1), bvh);
     this.#movements = found;
     this.changed();
   }

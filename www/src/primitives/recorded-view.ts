@@ -1,7 +1,7 @@
 // Movements of recorded people: their models, and where the recordings are had. Their clips are in the list
 // of clips.
 import { html } from "lit";
-import type { StagedModel } from "../stage/staged-model";
+import type { StagedModel } from "../stage/stage-store";
 import { sentence } from "../ui/format";
 import { View } from "../ui/view";
 import { DATA_SOURCE, RECORDINGS } from "../words/data-source";

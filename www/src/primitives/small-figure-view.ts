@@ -2,8 +2,7 @@
 import { html } from "lit";
 import type { Motion } from "../engine/protocol";
 import type { Body } from "../scene/columns";
-import { clearCanvas } from "../ui/canvas";
-import { eachFrame } from "../ui/each-frame";
+import { clearCanvas, eachFrame } from "../ui/browser";
 import { onThemeChange, partColourNow, theme } from "../ui/palette";
 import { View } from "../ui/view";
 import { SmallFigure } from "./small-figure";

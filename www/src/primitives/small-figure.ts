@@ -3,7 +3,7 @@ import type { Motion, PartSpec } from "../engine/protocol";
 import { type Shape, shapeOf } from "../scene/body-shape";
 import type { Body } from "../scene/columns";
 import { FADE, findLoop, HERE, type Loop, poseAt, blendInto, placeOnto } from "../scene/motion";
-import { partOfJoints } from "../scene/part-of-joints";
+import { partOfJoints } from "../scene/joints";
 import { floorOf, headingOf } from "../scene/stance";
 
 /** Height of a body with a hand above its head, metres. */
@@ -93,7 +93,6 @@ export function drawStrokes(
 
 /** A motion in a loop on the spot. */
 export class SmallFigure {
-  readonly #motion: Motion;
   readonly #loop: Loop;
   readonly #shape: Shape;
   readonly #parts: Int16Array;
@@ -102,8 +101,10 @@ export class SmallFigure {
   readonly #pose: Float32Array;
   readonly #other: Float32Array;
 
-  constructor({ figure, joints, parts }: Body, motion: Motion) {
-    this.#motion = motion;
+  constructor(
+    { figure, joints, parts }: Body,
+    private readonly motion: Motion,
+  ) {
     this.#loop = findLoop(motion);
     this.#pose = poseAt(motion, 0, HERE, new Float32Array(motion.nodes * 3));
     this.#other = this.#pose.slice();
@@ -128,12 +129,12 @@ export class SmallFigure {
   /** The pose at a time. The end of a lap fades into the start of the next. */
   #poseAfter(seconds: number): Float32Array {
     const { end } = this.#loop;
-    const frame = end > 0 ? (seconds / this.#motion.frameTime) % end : 0;
-    const pose = poseAt(this.#motion, frame, HERE, this.#pose);
-    if (frame < FADE && seconds / this.#motion.frameTime >= end) {
-      const before = poseAt(this.#motion, end + frame, HERE, this.#other);
+    const frame = end > 0 ? (seconds / this.motion.frameTime) % end : 0;
+    const pose = poseAt(this.motion, frame, HERE, this.#pose);
+    if (frame < FADE && seconds / this.motion.frameTime >= end) {
+      const before = poseAt(this.motion, end + frame, HERE, this.#other);
       const onto = placeOnto(before, pose);
-      blendInto(pose, poseAt(this.#motion, end + frame, onto, this.#other), 1 - frame / FADE);
+      blendInto(pose, poseAt(this.motion, end + frame, onto, this.#other), 1 - frame / FADE);
     }
     return pose;
   }

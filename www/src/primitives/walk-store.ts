@@ -3,7 +3,7 @@ import type { LibraryInfo, WalkChange } from "../engine/library-protocol";
 import type { Motion } from "../engine/protocol";
 import { LiveTrack } from "../scene/live-track";
 import { Player } from "../stage/player";
-import { LONGEST_PICTURE } from "../ui/each-frame";
+import { LONGEST_PICTURE } from "../ui/browser";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
@@ -80,8 +80,6 @@ function expectedAfter(track: LiveTrack, frame: number): Float32Array | null {
 
 export class WalkStore extends Store {
   readonly player = new Player();
-  readonly #worker: LibraryWorker;
-  readonly #notices: NoticesStore;
   #track: LiveTrack | null = null;
   #transition = new Transition();
   #changes: WalkChange[] = [];
@@ -95,10 +93,11 @@ export class WalkStore extends Store {
   /** The number of walks. Answers for an earlier walk are dropped. */
   #walks = 0;
 
-  constructor(worker: LibraryWorker, notices: NoticesStore) {
+  constructor(
+    private readonly worker: LibraryWorker,
+    private readonly notices: NoticesStore,
+  ) {
     super();
-    this.#worker = worker;
-    this.#notices = notices;
   }
 
   /** The newest frames; null without a walk. */
@@ -117,7 +116,7 @@ export class WalkStore extends Store {
       { nodes: figure.nodes.length, frameTime },
       Math.round(STORED_SECONDS / frameTime),
     );
-    const motion = await this.#worker.ask(async (worker) => {
+    const motion = await this.worker.ask(async (worker) => {
       await worker.startWalk([...uses]);
       return worker.advanceWalk(0, [], LEAD);
     });
@@ -196,14 +195,14 @@ export class WalkStore extends Store {
     const leaps = this.#leaps;
     this.#leaps = false;
     try {
-      const motion = await this.#worker.ask((worker) => worker.advanceWalk(back, changes, frames));
+      const motion = await this.worker.ask((worker) => worker.advanceWalk(back, changes, frames));
       if (walks !== this.#walks) return;
       this.#take(track, motion, from, leaps);
       if (onward > 0 && !this.player.playing) this.#goTo(from + onward);
     } catch (problem) {
       if (walks !== this.#walks) return;
       this.#track = null;
-      this.#notices.addError(primitivesWords().stopped, messageOf(problem));
+      this.notices.addError(primitivesWords().stopped, messageOf(problem));
       this.changed();
     } finally {
       this.#busy = false;

@@ -4,7 +4,7 @@ import { bodyOf, type Body as MapBody, HEIGHT, NODE, WIDTH } from "./body-layout
 import type { Motion } from "../engine/protocol";
 import { Columns } from "../scene/columns";
 import type { LiveTrack } from "../scene/live-track";
-import { eachFrame } from "../ui/each-frame";
+import { eachFrame } from "../ui/browser";
 import { icon } from "../ui/icons";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";

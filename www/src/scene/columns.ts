@@ -15,15 +15,13 @@ const RADIUS = 0.026;
 
 class PointLights {
   readonly group = new Group();
-  readonly #nodes: readonly number[];
   readonly #lights: Mesh[];
   readonly #geometry = new SphereGeometry(RADIUS, 16, 12);
   /** The material ignores the lights of the scene. */
   readonly #material = new MeshStandardMaterial({ color: 0x000000, emissive: new Color(theme().ink) });
 
   /** A light at each of these nodes. */
-  constructor(nodes: readonly number[]) {
-    this.#nodes = nodes;
+  constructor(private readonly nodes: readonly number[]) {
     this.#lights = nodes.map(() => new Mesh(this.#geometry, this.#material));
     for (const light of this.#lights) light.frustumCulled = false;
     this.group.add(...this.#lights);
@@ -31,7 +29,7 @@ class PointLights {
 
   /** Node positions [nodes x 3]. */
   pose(positions: Float32Array): void {
-    this.#lights.forEach((light, i) => light.position.fromArray(positions, 3 * this.#nodes[i]!));
+    this.#lights.forEach((light, i) => light.position.fromArray(positions, 3 * this.nodes[i]!));
   }
 
   dispose(): void {

@@ -15,7 +15,7 @@ import {
   Vector3,
 } from "three";
 import { partColourNow, type Theme, theme } from "../ui/palette";
-import { partOfJoints } from "./part-of-joints";
+import { partOfJoints } from "./joints";
 import type { Figure, PartSpec } from "../engine/protocol";
 import { type Ball, type Capsule, type Shape, shapeOf } from "./body-shape";
 

@@ -56,7 +56,6 @@ export interface Companion {
 
 export class FollowedFigure {
   readonly viewport: Viewport;
-  readonly #clock: FigureClock;
   readonly #scene = new Scene();
   readonly #ground: Ground;
   readonly #lights: Lights;
@@ -82,11 +81,10 @@ export class FollowedFigure {
    */
   constructor(
     canvas: HTMLCanvasElement,
-    clock: FigureClock,
+    private readonly clock: FigureClock,
     recoloured: () => void,
     dark: boolean | null = null,
   ) {
-    this.#clock = clock;
     const resized = (width: number, height: number) => this.#fit(width, height);
     this.viewport = new Viewport(canvas, { resized, recoloured: () => this.#recolour(recoloured) }, dark);
     const { controls, theme } = this.viewport;
@@ -235,7 +233,7 @@ export class FollowedFigure {
 
   /** Places the camera at the side of the walk, a little in front. */
   #placeCamera({ motion }: FigureMotion): void {
-    const { pose } = this.#clock;
+    const { pose } = this.clock;
     if (!pose) return;
     this.#focus.fromArray(pose);
     this.#root.copy(this.#focus);
@@ -255,10 +253,10 @@ export class FollowedFigure {
    */
   draw(seconds: number, feet = true, posed = (_pose: Float32Array) => {}): void {
     const { viewport } = this;
-    const quality = viewport.next(seconds, this.#clock.playing);
+    const quality = viewport.next(seconds, this.clock.playing);
     if (quality === null) return;
     this.#drawShadows(quality);
-    const { pose } = this.#clock;
+    const { pose } = this.clock;
     if (pose && this.#figure) {
       this.#figure.pose(pose);
       for (const companion of this.#companions) this.#poseCompanion(companion, pose);
@@ -275,13 +273,13 @@ export class FollowedFigure {
   #drawShadows(quality: Quality): void {
     const { renderer, drawn } = this.viewport;
     renderer.shadowMap.autoUpdate = quality === "fine";
-    renderer.shadowMap.needsUpdate = quality === "plain" && (!this.#clock.playing || drawn % 3 === 0);
+    renderer.shadowMap.needsUpdate = quality === "plain" && (!this.clock.playing || drawn % 3 === 0);
   }
 
   /** Poses another motion at the place of the figure. */
   #poseCompanion(companion: Companion & { view: FigureView }, pose: Float32Array): void {
     const { view, motion } = companion;
-    const frame = companion.frame ? companion.frame() : this.#clock.frame;
+    const frame = companion.frame ? companion.frame() : this.clock.frame;
     view.group.visible = frame !== null;
     if (frame === null) return;
     if (motion.nodes * 3 !== pose.length) return;
@@ -299,7 +297,7 @@ export class FollowedFigure {
       this.#framing.wanted = this.#view(shown.motion);
       this.#sinceLook = 0;
     }
-    const { playing, speed } = this.#clock;
+    const { playing, speed } = this.clock;
     this.#moveCamera(() => {
       // A recording keeps its own directions, also if the body turns round in it.
       if (!shown.clip) this.#framing.follow(pose, seconds * speed);
@@ -309,7 +307,7 @@ export class FollowedFigure {
 
   /** Moves camera and light with the figure: smoothly during play, exactly for steps and scrubs. */
   #followWalk(pose: Float32Array, seconds: number): void {
-    const { playing } = this.#clock;
+    const { playing } = this.clock;
     const { x, z } = new Vector3().fromArray(pose);
     let [dx, dz] = [x - this.#focus.x, z - this.#focus.z];
     if (Math.hypot(dx, dz) < 3) {

@@ -20,7 +20,7 @@ import { GLTFExporter } from "three/addons/exporters/GLTFExporter.js";
 import { BVHLoader } from "three/addons/loaders/BVHLoader.js";
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
 import { partColourNow } from "../ui/palette";
-import { partOfJoints } from "./part-of-joints";
+import { partOfJoints } from "./joints";
 
 export interface MovedBody {
   figure: Figure;

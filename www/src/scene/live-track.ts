@@ -6,7 +6,6 @@ export class LiveTrack {
   /** The number of the first stored frame, counted from the start. */
   first = 0;
   readonly #motion: Motion;
-  readonly #kept: number;
   readonly #pose: Float32Array;
   /** The latent path of each part, and its dimensions. */
   readonly #latents: readonly { values: Float64Array; width: number }[];
@@ -19,10 +18,9 @@ export class LiveTrack {
   /** Keeps the last `kept` frames, and a little more; `widths`: the latent dimensions of each part. */
   constructor(
     { nodes, frameTime }: Pick<Motion, "nodes" | "frameTime">,
-    kept: number,
+    private readonly kept: number,
     widths: readonly number[] = [],
   ) {
-    this.#kept = kept;
     this.#motion = { positions: new Float32Array(2 * kept * nodes * 3), frames: 0, nodes, frameTime };
     this.#pose = new Float32Array(nodes * 3);
     this.#latents = widths.map((width) => ({ values: new Float64Array(2 * kept * width), width }));
@@ -72,7 +70,7 @@ export class LiveTrack {
     recorded: readonly (number | null)[] = Array(frames).fill(null),
   ): void {
     const motion = this.#motion;
-    if (motion.frames + frames > 2 * this.#kept) this.#forget(motion.frames - this.#kept);
+    if (motion.frames + frames > 2 * this.kept) this.#forget(motion.frames - this.kept);
     motion.positions.set(positions, motion.frames * nodes * 3);
     this.#latents.forEach(({ values, width }, part) =>
       values.set(latents[part] ?? [], motion.frames * width),

@@ -25,7 +25,6 @@ export class Viewport {
   readonly renderer: WebGLRenderer;
   readonly camera = new PerspectiveCamera(30, 1, 0.1, 60);
   readonly controls: OrbitControls;
-  readonly #events: ViewportEvents;
   readonly #pictureQuality = new PictureQuality();
   readonly #observer = new ResizeObserver(() => this.resize());
   readonly #listening = new AbortController();
@@ -41,10 +40,9 @@ export class Viewport {
    */
   constructor(
     readonly canvas: HTMLCanvasElement,
-    events: ViewportEvents,
+    private readonly events: ViewportEvents,
     dark: boolean | null = null,
   ) {
-    this.#events = events;
     this.#dark = dark;
     this.renderer = new WebGLRenderer({
       canvas,
@@ -90,7 +88,7 @@ export class Viewport {
 
   #recolour(): void {
     this.renderer.setClearColor(this.theme.ground);
-    this.#events.recoloured();
+    this.events.recoloured();
     this.changed();
   }
 
@@ -117,7 +115,7 @@ export class Viewport {
     this.renderer.setPixelRatio(Math.min(PIXELS[this.#quality], devicePixelRatio));
     this.renderer.setSize(width, height, false);
     this.#keepSize(width, height);
-    this.#events.resized(width, height);
+    this.events.resized(width, height);
     this.camera.updateProjectionMatrix();
     this.changed();
   }

@@ -2,7 +2,7 @@
 import { html, nothing } from "lit";
 import { type FigureMotion, FollowedFigure } from "../scene/followed-figure";
 import { HERE, poseAt } from "../scene/motion";
-import { eachFrame } from "../ui/each-frame";
+import { eachFrame } from "../ui/browser";
 import { View } from "../ui/view";
 import { motionOf, type PointBody, pointBody } from "./point-body";
 import type { SeriesStore } from "./series-store";

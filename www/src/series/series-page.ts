@@ -6,7 +6,7 @@ import { coupledPicture } from "../picture/coupled-picture";
 import type { SettingsStore } from "../settings/settings-store";
 import { progressRow } from "../training/progress-row";
 import { download } from "../ui/download";
-import { eachFrame } from "../ui/each-frame";
+import { eachFrame } from "../ui/browser";
 import { messageOf } from "../ui/format";
 import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";

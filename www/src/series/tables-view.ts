@@ -3,7 +3,7 @@ import { html, nothing } from "lit";
 import "../clips/parts-editor.css";
 import { MAX_PARTS } from "../engine/limits";
 import { icon } from "../ui/icons";
-import { fileNotices } from "../clips/file-notices";
+import { fileNotices } from "../clips/clips-store";
 import { memberRow, partColours, partNames } from "../clips/part-names";
 import { View } from "../ui/view";
 import { placeOf } from "./parts-of-columns";

@@ -1,7 +1,7 @@
 // "Forget everything" in the footer: asks with numbers, and can be undone until the page is left.
 import { html } from "lit";
 import { messageOf } from "../ui/format";
-import { forgetKept } from "../ui/kept";
+import { forgetKept } from "../ui/browser";
 import type { NoticesStore } from "../ui/notices-store";
 import { isConfirmed } from "../unsaved/unsaved";
 import { View } from "../ui/view";

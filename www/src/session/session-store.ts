@@ -42,10 +42,6 @@ export interface Offer extends Omit<Recovered, "holdings"> {
 }
 
 export class SessionStore extends Store {
-  readonly #visit: Visit;
-  readonly #database: VisitDatabase;
-  readonly #locks: VisitLocks;
-  readonly #name: string;
   readonly #records = new RecordWriter();
   #left: readonly Offer[] = [];
   /** The visits that this tab has brought back. */
@@ -59,9 +55,13 @@ export class SessionStore extends Store {
   #refused = false;
   #forgets = false;
 
-  constructor(visit: Visit, database: VisitDatabase, locks: VisitLocks, name: string) {
+  constructor(
+    private readonly visit: Visit,
+    private readonly database: VisitDatabase,
+    private readonly locks: VisitLocks,
+    private readonly name: string,
+  ) {
     super();
-    [this.#visit, this.#database, this.#locks, this.#name] = [visit, database, locks, name];
   }
 
   /** The earlier visits that can be brought back, the newest first. */
@@ -82,7 +82,7 @@ export class SessionStore extends Store {
   /** What "Forget everything" would remove, and how many earlier visits are part of it. */
   get forgettable(): { contents: string; earlierVisits: number } {
     const earlier = this.#left.filter(({ taken }) => !taken);
-    const counts = [countsOf(this.#visit.holdings()), ...earlier.map(({ counts }) => counts)];
+    const counts = [countsOf(this.visit.holdings()), ...earlier.map(({ counts }) => counts)];
     return { contents: contentsText(sumOf(counts)), earlierVisits: earlier.length };
   }
 
@@ -92,9 +92,9 @@ export class SessionStore extends Store {
 
   /** Looks for visits that were left. */
   async begin(): Promise<void> {
-    await this.#locks.hold(this.#name);
+    await this.locks.hold(this.name);
     await this.#inTurn(() => this.#look());
-    this.#locks.listen(() => void this.#inTurn(() => this.#look()).catch(() => {}));
+    this.locks.listen(() => void this.#inTurn(() => this.#look()).catch(() => {}));
   }
 
   #inTurn<Result>(work: () => Promise<Result>): Promise<Result> {
@@ -104,14 +104,14 @@ export class SessionStore extends Store {
   }
 
   async #look(): Promise<void> {
-    const stored = await this.#database.visits();
+    const stored = await this.database.visits();
     // Asked after the database: a visit of another tab has its lock before its first record.
-    const held = await this.#locks.heldVisits();
+    const held = await this.locks.heldVisits();
     const before = new Map(this.#left.map((offer) => [offer.visit, offer]));
     const left: Offer[] = [];
     for (const visit of new Set([...before.keys(), ...stored])) {
       const offered = before.get(visit);
-      if (visit === this.#name || this.#broughtBack.has(visit)) continue;
+      if (visit === this.name || this.#broughtBack.has(visit)) continue;
       if (held.includes(visit)) {
         if (offered) left.push({ ...offered, taken: true });
       } else if (stored.includes(visit)) {
@@ -119,14 +119,14 @@ export class SessionStore extends Store {
       }
     }
     const isEmpty = ({ contents, whole }: Offer) => contents === "" && whole;
-    if (this.#locks.tellTabsApart) for (const offer of left) if (isEmpty(offer)) await this.#remove(offer);
+    if (this.locks.tellTabsApart) for (const offer of left) if (isEmpty(offer)) await this.#remove(offer);
     this.#left = left.filter((offer) => !isEmpty(offer)).sort((a, b) => (b.at ?? 0) - (a.at ?? 0));
     this.changed();
   }
 
   async #read(visit: string): Promise<Offer> {
     try {
-      const { at, contents, counts, whole } = recover(await this.#database.read(visit, false));
+      const { at, contents, counts, whole } = recover(await this.database.read(visit, false));
       return { visit, at, contents, counts, whole, taken: false };
     } catch {
       return { visit, at: null, contents: "", counts: NOTHING, whole: false, taken: false };
@@ -149,16 +149,16 @@ export class SessionStore extends Store {
   async #write(): Promise<void> {
     if (this.#forgets) return;
     try {
-      const changes = this.#records.changes(this.#visit.holdings(), Date.now());
+      const changes = this.#records.changes(this.visit.holdings(), Date.now());
       if (!changes) return;
-      await this.#database.write(this.#name, changes);
+      await this.database.write(this.name, changes);
       this.#records.wereWritten();
       this.#refused = false;
     } catch (problem) {
       // Once, not every few seconds.
       if (this.#refused) return;
       this.#refused = true;
-      this.#visit.showError(sessionWords().notKept, sessionWords().notKeptWhy(storageProblem(problem)));
+      this.visit.showError(sessionWords().notKept, sessionWords().notKeptWhy(storageProblem(problem)));
     }
   }
 
@@ -170,7 +170,7 @@ export class SessionStore extends Store {
     try {
       await this.#inTurn(() => this.#bringBack(offer));
     } catch (problem) {
-      this.#visit.showError(sessionWords().notBroughtBack, messageOf(problem));
+      this.visit.showError(sessionWords().notBroughtBack, messageOf(problem));
     }
     this.#busy = false;
     this.changed();
@@ -178,27 +178,27 @@ export class SessionStore extends Store {
 
   async #bringBack(offer: Offer): Promise<void> {
     const { visit } = offer;
-    const release = await this.#locks.hold(visit);
+    const release = await this.locks.hold(visit);
     if (!release) return this.#markTaken(visit);
     try {
-      this.#locks.announce();
-      const { contents, holdings, whole } = recover(await this.#database.read(visit, true));
+      this.locks.announce();
+      const { contents, holdings, whole } = recover(await this.database.read(visit, true));
       if (contents === "") {
         this.#drop(visit);
         throw new Error(sessionWords().otherTab);
       }
-      const problems = await this.#visit.takeUp(holdings);
+      const problems = await this.visit.takeUp(holdings);
       this.#broughtBack.add(visit);
       this.#drop(visit);
       await this.keepNow();
-      if (problems.length > 0) this.#visit.showError(sessionWords().notAllBroughtBack, problems.join(" "));
+      if (problems.length > 0) this.visit.showError(sessionWords().notAllBroughtBack, problems.join(" "));
       const isStoredAgain = this.keeps && whole && problems.length === 0;
-      if (isStoredAgain && this.#locks.tellTabsApart) await this.#database.forget(visit);
+      if (isStoredAgain && this.locks.tellTabsApart) await this.database.forget(visit);
     } catch (problem) {
       if (!this.#broughtBack.has(visit)) release();
       throw problem;
     } finally {
-      this.#locks.announce();
+      this.locks.announce();
     }
   }
 
@@ -225,12 +225,12 @@ export class SessionStore extends Store {
   }
 
   async #remove({ visit }: Offer): Promise<void> {
-    const release = await this.#locks.hold(visit);
+    const release = await this.locks.hold(visit);
     if (!release) return this.#markTaken(visit);
-    await this.#database.forget(visit);
+    await this.database.forget(visit);
     this.#drop(visit);
     release();
-    this.#locks.announce();
+    this.locks.announce();
   }
 
   /**
@@ -240,19 +240,19 @@ export class SessionStore extends Store {
   async forgetAll(): Promise<() => Promise<void>> {
     this.#forgets = true;
     await this.#writing;
-    const own = [this.#name, ...this.#broughtBack];
-    const others = (await this.#locks.heldVisits()).filter((visit) => !own.includes(visit));
-    const removed = await this.#database.forgetAllBut(others).catch((problem: unknown) => {
+    const own = [this.name, ...this.#broughtBack];
+    const others = (await this.locks.heldVisits()).filter((visit) => !own.includes(visit));
+    const removed = await this.database.forgetAllBut(others).catch((problem: unknown) => {
       this.#forgets = false;
       throw problem;
     });
     this.#left = [];
-    this.#locks.announce();
+    this.locks.announce();
     this.changed();
     return async () => {
-      await this.#database.restore(removed);
+      await this.database.restore(removed);
       this.#forgets = false;
-      this.#locks.announce();
+      this.locks.announce();
       await this.#inTurn(() => this.#look());
       this.touched();
     };

@@ -28,14 +28,12 @@ export const browserAddressBar: AddressBar = {
 
 /** Writes settings to the address after their changes, at most every 300 ms. Listeners hear of each write. */
 export class Address extends Store {
-  readonly #bar: AddressBar;
   #waiting: Settings | null = null;
   #written = -Infinity;
   #fragment: string;
 
-  constructor(bar: AddressBar) {
+  constructor(private readonly bar: AddressBar) {
     super();
-    this.#bar = bar;
     this.#fragment = bar.read();
   }
 
@@ -46,7 +44,7 @@ export class Address extends Store {
 
   read(): string {
     this.#waiting = null;
-    this.#fragment = this.#bar.read();
+    this.#fragment = this.bar.read();
     return this.#fragment;
   }
 
@@ -63,7 +61,7 @@ export class Address extends Store {
    */
   push(settings: Settings): void {
     this.#write();
-    this.#bar.push();
+    this.bar.push();
     this.#waiting = settings;
     this.#write();
   }
@@ -73,7 +71,7 @@ export class Address extends Store {
     this.#fragment = writeSettings(this.#waiting);
     this.#waiting = null;
     this.#written = performance.now();
-    this.#bar.write(this.#fragment);
+    this.bar.write(this.#fragment);
     this.changed();
   }
 }

@@ -1,5 +1,5 @@
 // Where the page opens: at the address, or, without one, where the visitor was: in a chapter or in the Lab.
-import { keep, kept } from "../ui/kept";
+import { keep, kept } from "../ui/browser";
 import type { SettingsStore } from "./settings-store";
 
 /** The names under which the browser keeps the last chapter, and "lab" for a visitor who has left the story. */

@@ -2,7 +2,7 @@
 // on demand.
 import { html, nothing } from "lit";
 import { Columns } from "../scene/columns";
-import { eachFrame } from "../ui/each-frame";
+import { eachFrame } from "../ui/browser";
 import { View } from "../ui/view";
 import "./columns-view.css";
 import type { Playback } from "./playback";

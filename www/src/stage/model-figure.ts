@@ -1,7 +1,7 @@
 // `vcgpdm/figure` of the npm package: a model's body walks on a canvas of any page.
 import type { Motion } from "../engine/protocol";
 import { type Companion, type FigureMotion, FollowedFigure } from "../scene/followed-figure";
-import { eachFrame } from "../ui/each-frame";
+import { eachFrame } from "../ui/browser";
 import { Playback } from "./playback";
 
 /** Coupling variances `alpha[source][target]`. */
@@ -57,7 +57,6 @@ const problem = (code: "argument" | "model", message: string) =>
 
 /** The body of a model on a canvas. It stands until `play`. A drag turns the camera. */
 export class Figure {
-  readonly #model: FigureModel;
   readonly #kind: string;
   readonly #learned: Alpha | null;
   readonly #frameTime: number;
@@ -76,7 +75,11 @@ export class Figure {
    * The canvas keeps the size of its style. The model must not be freed before `dispose`. Throws for a model
    * without a body, for options that the model refuses, and where the browser has no WebGL.
    */
-  constructor(canvas: HTMLCanvasElement, model: FigureModel, options: FigureOptions = {}) {
+  constructor(
+    canvas: HTMLCanvasElement,
+    private readonly model: FigureModel,
+    options: FigureOptions = {},
+  ) {
     const unknown = Object.keys(options).find((name) => !OPTIONS.includes(name));
     if (unknown) throw problem("argument", `expected options of ${OPTIONS.join(", ")}, found ${unknown}`);
     const { seconds = SECONDS, sequence = 0, alpha = null, samples = 0, dark = null } = options;
@@ -84,7 +87,6 @@ export class Figure {
     const { kind, frameTime, parts, joints, figure, alpha: learned } = model.info();
     if (!figure || !joints)
       throw problem("model", `expected a model of a body, found a ${kind} of tables, which has no figure`);
-    this.#model = model;
     this.#kind = kind;
     this.#learned = learned;
     this.#frameTime = frameTime;
@@ -162,8 +164,8 @@ export class Figure {
     const next = alpha ?? this.#learned;
     const { frames, sequence, samples } = this.#options;
     const request = { frames, sequence, ...(next && { alpha: next as number[][] }) };
-    const motion = this.#motionOf(this.#model.rollout(request));
-    const futures = samples > 0 ? this.#model.sampledRollouts(request, samples, 0) : [];
+    const motion = this.#motionOf(this.model.rollout(request));
+    const futures = samples > 0 ? this.model.sampledRollouts(request, samples, 0) : [];
     this.#companions = futures.map((rollout, index) => ({
       style: { kind: "future", index },
       motion: this.#motionOf(rollout),

@@ -5,6 +5,16 @@ import { Store } from "../ui/store";
 import type { LiveTrack } from "../scene/live-track";
 import type { Playback } from "./playback";
 
+/** A model of another view for the stage: the detail of the event stage-model. */
+export interface StagedModel {
+  /** The document of the model. */
+  text: Promise<string>;
+  /** The name of its file, without an ending. */
+  name: string;
+  /** Whether it was made here and is on no disk. */
+  made: boolean;
+}
+
 /** A motion on the stage. */
 export interface StageContent {
   /**
@@ -48,7 +58,6 @@ export interface StageColumn {
 }
 
 export class StageStore extends Store {
-  readonly #playback: Playback;
   /** The clip in front of the model. */
   #clip: StageContent | null = null;
   #model: StageContent | null = null;
@@ -82,9 +91,8 @@ export class StageStore extends Store {
     return look;
   }
 
-  constructor(playback: Playback) {
+  constructor(private readonly playback: Playback) {
     super();
-    this.#playback = playback;
   }
 
   get content(): StageContent | null {
@@ -112,7 +120,7 @@ export class StageStore extends Store {
   /** The frame of the outline now; null while it has none. */
   get ghostFrame(): number | null {
     const { live } = this;
-    const { frame } = this.#playback;
+    const { frame } = this.playback;
     return live ? live.recordedAt(frame) : frame;
   }
 
@@ -146,7 +154,7 @@ export class StageStore extends Store {
     this.#clip = null;
     this.#track = track;
     this.#live = { ...this.#model, motion: track.motion, live: true };
-    this.#playback.follow(track);
+    this.playback.follow(track);
     this.changed();
   }
 
@@ -227,7 +235,7 @@ export class StageStore extends Store {
   }
 
   #play(content: StageContent, goesOn: boolean): void {
-    this.#playback.load(content.motion, {
+    this.playback.load(content.motion, {
       whole: content.kind === "clip" || content.kind === "completed",
       goesOn,
     });

@@ -1,6 +1,6 @@
 // The stage on the page: the canvas, the names of the parts, and a message where nothing can be drawn.
 import { html, nothing } from "lit";
-import { eachFrame } from "../ui/each-frame";
+import { eachFrame } from "../ui/browser";
 import { partColour } from "../ui/palette";
 import { View } from "../ui/view";
 import type { Playback } from "./playback";

@@ -8,8 +8,6 @@ import type { Playback } from "./playback";
 import type { Fade, Marks, StageContent, StageStore } from "./stage-store";
 
 export class Stage {
-  readonly #store: StageStore;
-  readonly #playback: Playback;
   readonly #walk: FollowedFigure;
   #marked: FigureView[] = [];
   /** The content that the marked poses were made for. */
@@ -17,9 +15,11 @@ export class Stage {
   #faded: { opacity: number; part?: number } | null = null;
 
   /** Throws where the browser has no WebGL. */
-  constructor(store: StageStore, playback: Playback, canvas: HTMLCanvasElement) {
-    this.#store = store;
-    this.#playback = playback;
+  constructor(
+    private readonly store: StageStore,
+    private readonly playback: Playback,
+    canvas: HTMLCanvasElement,
+  ) {
     this.#walk = new FollowedFigure(canvas, playback, () => this.update());
     store.camera = this.#camera;
     this.update();
@@ -30,7 +30,7 @@ export class Stage {
 
   /** Frees the graphics memory. */
   dispose(): void {
-    if (this.#store.camera === this.#camera) this.#store.camera = () => null;
+    if (this.store.camera === this.#camera) this.store.camera = () => null;
     this.#clearMarked();
     this.#walk.dispose();
   }
@@ -48,24 +48,24 @@ export class Stage {
   /** Makes the figures of the stage's content. */
   update(): void {
     this.tick();
-    const { content } = this.#store;
+    const { content } = this.store;
     if (!content) return;
     if (this.#walk.show(content)) {
       this.#clearMarked();
       this.#faded = null;
     }
-    const look = this.#walk.look && this.#store.takeLook();
+    const look = this.#walk.look && this.store.takeLook();
     if (look) this.#walk.lookFrom(look);
     this.#walk.accompany(this.#companions(content));
     this.#updateMarked(content);
-    this.#fade(this.#marked.length > 0 ? { opacity: 0.12 } : this.#store.fade);
+    this.#fade(this.#marked.length > 0 ? { opacity: 0.12 } : this.store.fade);
   }
 
   /** The ghost and the futures. */
   #companions(content: StageContent): Companion[] {
-    const { ghost } = this.#store;
-    const frame = () => this.#store.ghostFrame;
-    const futures = content.kind === "model" && !content.live ? this.#store.futures : [];
+    const { ghost } = this.store;
+    const frame = () => this.store.ghostFrame;
+    const futures = content.kind === "model" && !content.live ? this.store.futures : [];
     return [
       ...futures.map((motion, index): Companion => ({ style: { kind: "future", index }, motion })),
       ...(ghost ? [{ style: { kind: "ghost" }, motion: ghost, frame } satisfies Companion] : []),
@@ -82,7 +82,7 @@ export class Stage {
 
   /** The poses of an inducing point. */
   #updateMarked(content: StageContent): void {
-    const marks = content.kind === "model" ? this.#store.marks : null;
+    const marks = content.kind === "model" ? this.store.marks : null;
     if (this.#markedOf === marks) return;
     this.#clearMarked();
     this.#markedOf = marks;
@@ -93,7 +93,7 @@ export class Stage {
 
   /** The place of a node in the picture, in pixels of the page; null before the first pose. */
   placeOf(node: number): { x: number; y: number } | null {
-    const { pose } = this.#playback;
+    const { pose } = this.playback;
     if (!pose) return null;
     const { size, camera } = this.#walk.viewport;
     const seen = new Vector3().fromArray(pose, 3 * node).project(camera);
@@ -102,7 +102,7 @@ export class Stage {
 
   /** The node nearest to a place in the picture; null if none is within `within` pixels. */
   nodeAt(x: number, y: number, within: number): number | null {
-    const nodes = (this.#playback.pose?.length ?? 0) / 3;
+    const nodes = (this.playback.pose?.length ?? 0) / 3;
     let best: { node: number; away: number } | null = null;
     for (let node = 0; node < nodes; node++) {
       const place = this.placeOf(node);
@@ -115,7 +115,7 @@ export class Stage {
   /** The shift of a node in metres for a drag in pixels, parallel to the picture. */
   dragged(node: number, dx: number, dy: number): [number, number, number] {
     const { camera, size } = this.#walk.viewport;
-    const { pose } = this.#playback;
+    const { pose } = this.playback;
     if (!pose) return [0, 0, 0];
     const seen = new Vector3().fromArray(pose, 3 * node).project(camera);
     const moved = new Vector3(

@@ -1,19 +1,19 @@
 // The walk of a chapter without an end: the stored seconds at once, the live motion when the model is there.
 import type { LiveStore } from "../live/live-store";
-import { prefersReducedMotion } from "../ui/reduced-motion";
+import { prefersReducedMotion } from "../ui/browser";
 import type { StoryBody } from "../app/story-body";
 
 export class EndlessWalk {
-  readonly #body: StoryBody;
   readonly #changed: () => void;
-  readonly #begins: (live: LiveStore) => void;
   #isHere = false;
 
   /** `changed`: playing or live has changed; `begins`: the live motion is about to start, or goes on. */
-  constructor(body: StoryBody, changed: () => void, begins: (live: LiveStore) => void = () => {}) {
-    this.#body = body;
+  constructor(
+    private readonly body: StoryBody,
+    changed: () => void,
+    private readonly begins: (live: LiveStore) => void = () => {},
+  ) {
     this.#changed = changed;
-    this.#begins = begins;
   }
 
   /** Whether the chapter is on screen. */
@@ -28,16 +28,16 @@ export class EndlessWalk {
 
   leave(): void {
     this.#isHere = false;
-    this.#body.reset();
+    this.body.reset();
   }
 
   async #arrive(): Promise<void> {
     const calm = prefersReducedMotion();
     try {
-      await this.#body.showFirstMotion();
-      if (!calm) this.#body.playback.play();
+      await this.body.showFirstMotion();
+      if (!calm) this.body.playback.play();
       this.#changed();
-      await this.#body.start();
+      await this.body.start();
       if (this.#isHere && !calm) await this.#walk();
     } catch {
       // The frame says why the model cannot run here.
@@ -51,11 +51,11 @@ export class EndlessWalk {
   }
 
   async #walk(): Promise<void> {
-    this.#body.playback.play();
-    await this.#body.start();
-    const live = await this.#body.live.get();
+    this.body.playback.play();
+    await this.body.start();
+    const live = await this.body.live.get();
     if (!this.#isHere) return;
-    this.#begins(live);
+    this.begins(live);
     await live.start();
     this.#changed();
   }

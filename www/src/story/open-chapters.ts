@@ -1,26 +1,39 @@
 // The chapters that have been loaded, the one on screen, and the one that is about to be.
 import type { App } from "../app/app";
 import { Lazy } from "../ui/lazy";
-import { whenIdle } from "../ui/idle";
+import { whenIdle } from "../ui/browser";
 import { Store } from "../ui/store";
 import type { Chapter } from "./chapter";
 import { type ChapterName, ORDER } from "../settings/chapters";
-import { LOAD } from "./chapters";
+
+type Loading = Promise<{ openChapter(app: App): Promise<Chapter> }>;
+
+const LOAD: Readonly<Record<ChapterName, () => Loading>> = {
+  computer: () => import("./computer/computer-chapter"),
+  arms: () => import("./arms/arms-chapter"),
+  loop: () => import("./loop/loop-chapter"),
+  next: () => import("./next/next-chapter"),
+  points: () => import("./points/points-chapter"),
+  product: () => import("./product/product-chapter"),
+  push: () => import("./push/push-chapter"),
+  borrow: () => import("./borrow/borrow-chapter"),
+  belief: () => import("./belief/belief-chapter"),
+  gaussian: () => import("./gaussian/gaussian-chapter"),
+  end: () => import("./end/end-chapter"),
+};
 
 /** "loading" and "failed" are about the chapter that the visitor asked for last. */
 export type ChapterState = "loading" | "open" | "failed";
 
 export class OpenChapters extends Store {
-  readonly #app: App;
   readonly #loaded = new Map<ChapterName, Lazy<Chapter>>();
   #name: ChapterName | null = null;
   #chapter: Chapter | null = null;
   #state: ChapterState = "loading";
   #stop = () => {};
 
-  constructor(app: App) {
+  constructor(private readonly app: App) {
     super();
-    this.#app = app;
   }
 
   /** The chapter that the visitor asked for last; null before the first. */
@@ -71,7 +84,7 @@ export class OpenChapters extends Store {
   #lazy(name: ChapterName): Lazy<Chapter> {
     const before = this.#loaded.get(name);
     if (before) return before;
-    const opened = new Lazy(async () => (await LOAD[name]()).openChapter(this.#app));
+    const opened = new Lazy(async () => (await LOAD[name]()).openChapter(this.app));
     this.#loaded.set(name, opened);
     return opened;
   }

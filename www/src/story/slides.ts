@@ -12,13 +12,13 @@ export interface Shown extends ShownInLecture {
 }
 
 export class Slides {
-  readonly #app: App;
-  readonly #notices: NoticesStore;
-  readonly #shown: Shown;
   readonly #lecture: Lazy<Lecture>;
 
-  constructor(app: App, notices: NoticesStore, shown: Shown) {
-    [this.#app, this.#notices, this.#shown] = [app, notices, shown];
+  constructor(
+    private readonly app: App,
+    private readonly notices: NoticesStore,
+    private readonly shown: Shown,
+  ) {
     this.#lecture = new Lazy(async () => {
       const { Lecture } = await import("../teach/lecture");
       const lecture = await Lecture.open(app, notices, shown);
@@ -30,13 +30,13 @@ export class Slides {
   /** The number of hands for an answer in the open chapter, and of all hands. */
   hands(choice: string): { count: number; total: number } {
     const { tally } = this.#lecture.loaded ?? {};
-    const { chapter } = this.#shown.slide();
+    const { chapter } = this.shown.slide();
     return { count: tally?.count(chapter, choice) ?? 0, total: tally?.total(chapter) ?? 0 };
   }
 
   /** The answer of most hands in the open chapter; null: none. */
   get favourite(): string | null {
-    return this.#lecture.loaded?.tally.favourite(this.#shown.slide().chapter) ?? null;
+    return this.#lecture.loaded?.tally.favourite(this.shown.slide().chapter) ?? null;
   }
 
   /** Another chapter or another answer is on the screen. */
@@ -46,7 +46,7 @@ export class Slides {
 
   /** Does what a key asks for; false: nothing. */
   key(event: KeyboardEvent): boolean {
-    const { lecture } = this.#app;
+    const { lecture } = this.app;
     const isOfLecture = lecture.isOn && /^([1-9]|Backspace)$/.test(event.key);
     if (event.key === "Escape" && lecture.isOn) this.end();
     else if (event.key === "q") this.#try(this.#showCode());
@@ -57,19 +57,19 @@ export class Slides {
   }
 
   async #showCode(): Promise<void> {
-    await (await import("../app/code-dialog")).showCode(this.#app, this.#shown.fragment());
+    await (await import("../app/code-dialog")).showCode(this.app, this.shown.fragment());
   }
 
   /** The page for teachers again, in the window. */
   end(): void {
-    if (!this.#app.lecture.isOn) return;
-    this.#app.lecture.turn(false);
+    if (!this.app.lecture.isOn) return;
+    this.app.lecture.turn(false);
     if (document.fullscreenElement) void document.exitFullscreen();
-    this.#app.settings.change({ chapter: 0, teach: true });
+    this.app.settings.change({ chapter: 0, teach: true });
   }
 
   #try(work: Promise<void>): void {
-    const { teach, notLoaded } = this.#app.words.now.frame;
-    work.catch(() => this.#notices.addError(teach, notLoaded));
+    const { teach, notLoaded } = this.app.words.now.frame;
+    work.catch(() => this.notices.addError(teach, notLoaded));
   }
 }

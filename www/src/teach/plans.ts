@@ -1,5 +1,5 @@
 // The plans of a lecture: what is done for how many minutes. The words are in `words/*/teach`.
-import { keep, kept } from "../ui/kept";
+import { keep, kept } from "../ui/browser";
 import type { TeachWords } from "../words/teach";
 
 export type Step = keyof TeachWords["steps"];

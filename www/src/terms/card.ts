@@ -1,6 +1,12 @@
 // The card that explains a term. The page has one, a popover, which Escape and a click outside close.
-import { termWords } from "../words/terms";
 import { TERMS, type TermName } from "./terms";
+import type { TermsWords } from "../words/en/terms";
+
+export async function termWords(language = document.documentElement.lang): Promise<TermsWords> {
+  return language === "de"
+    ? (await import("../words/de/terms")).terms
+    : (await import("../words/en/terms")).terms;
+}
 
 /** Pixels from the edges of the window and from the control. */
 const EDGE = 8;

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import glossary from "../../../docs/glossary.md?raw";
-import { termWords } from "../words/terms";
+import { termWords } from "./card";
 import { TERMS } from "./terms";
 
 /**

@@ -22,15 +22,16 @@ export interface CostWords {
 }
 
 export class Cost {
-  readonly #settings: SettingsStore;
-  readonly #clips: ClipsStore;
   readonly #latest: Latest<CostQuestion, PlannedTraining | undefined>;
   #asked = "";
   #cost: PlannedTraining | null = null;
 
-  constructor(engine: EngineStore, settings: SettingsStore, clips: ClipsStore, changed: () => void) {
-    this.#settings = settings;
-    this.#clips = clips;
+  constructor(
+    engine: EngineStore,
+    private readonly settings: SettingsStore,
+    private readonly clips: ClipsStore,
+    changed: () => void,
+  ) {
     const done = (cost: PlannedTraining | undefined) => {
       this.#cost = cost ?? null;
       changed();
@@ -46,8 +47,8 @@ export class Cost {
   }
 
   #ask(): void {
-    const { latent, order, dynamicsIps, poseIps, maxIterations, framesPerSecond } = this.#settings.values;
-    const { ticked, parts } = this.#clips;
+    const { latent, order, dynamicsIps, poseIps, maxIterations, framesPerSecond } = this.settings.values;
+    const { ticked, parts } = this.clips;
     const seconds = ticked.map(({ first, end, loaded }) => (end - first) * loaded.info.frameTime);
     const frames = Math.round(seconds.reduce((sum, some) => sum + some, 0) * framesPerSecond);
     if (frames === 0) return;

@@ -20,23 +20,20 @@ interface PausedRun {
 }
 
 export class PausedRuns {
-  readonly #engine: EngineStore;
   readonly #workers = new Map<Run, PausedRun>();
 
-  constructor(engine: EngineStore) {
-    this.#engine = engine;
-  }
+  constructor(private readonly engine: EngineStore) {}
 
   has(run: Run): boolean {
     const paused = this.#workers.get(run);
-    return paused !== undefined && (this.#engine.pool?.keeps(paused.worker) ?? false);
+    return paused !== undefined && (this.engine.pool?.keeps(paused.worker) ?? false);
   }
 
   /**
    * Reserves the worker of a run. When all workers are reserved, the run of the lowest bound loses its own.
    */
   keep(run: Run, worker: TrainingWorker, bound: number): void {
-    const { pool } = this.#engine;
+    const { pool } = this.engine;
     if (!pool) return;
     this.#workers.set(run, { worker, bound });
     pool.keep(worker);
@@ -49,7 +46,7 @@ export class PausedRuns {
     const paused = this.#workers.get(run);
     if (!paused) return;
     this.#workers.delete(run);
-    this.#engine.pool?.letGo(paused.worker);
+    this.engine.pool?.letGo(paused.worker);
   }
 
   releaseAll(): void {
@@ -59,7 +56,7 @@ export class PausedRuns {
   /** Continues a run for at most `more` iterations. A run whose bound has settled releases its worker. */
   async goOn(run: Run, more: number, { report, signal, begun }: Send): Promise<TrainingOutcome> {
     const paused = this.#workers.get(run);
-    const { pool } = this.#engine;
+    const { pool } = this.engine;
     if (!paused || !pool) throw new Error(lab().learn.training.workerGone);
     const work = (worker: TrainingWorker) => {
       begun();

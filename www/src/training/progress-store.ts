@@ -1,7 +1,7 @@
 // A training in its own view: its progress and its end.
 import type { TrainingOutcome, TrainingProgress, TrainingReport } from "../engine/protocol";
 import { messageOf } from "../ui/format";
-import { Store } from "../ui/store";
+import { Job } from "../ui/job";
 import { endingWords } from "./words";
 
 /** Carries out the training and reports its progress. */
@@ -10,19 +10,8 @@ export type Work<Found> = (
   signal: AbortSignal,
 ) => Promise<TrainingOutcome>;
 
-export class ProgressStore<Found> extends Store {
-  #status: "idle" | "running" | "cancelling" = "idle";
+export class ProgressStore<Found> extends Job {
   #report: TrainingReport<Found> | null = null;
-  #ending = { words: "", failed: false };
-  #stop = new AbortController();
-
-  get status(): "idle" | "running" | "cancelling" {
-    return this.#status;
-  }
-
-  get busy(): boolean {
-    return this.#status !== "idle";
-  }
 
   get iteration(): number {
     return this.#report?.progress.iteration ?? 0;
@@ -38,19 +27,11 @@ export class ProgressStore<Found> extends Store {
     return this.#report?.elapsed ?? 0;
   }
 
-  /** How the last one ended; empty before. */
-  get ending(): { words: string; failed: boolean } {
-    return this.#ending;
-  }
-
   /** Returns the result, also of a cancelled training; null: it failed. */
   async run(work: Work<Found>): Promise<Found | null> {
     if (this.busy) return null;
-    this.#status = "running";
     this.#report = null;
-    this.#ending = { words: "", failed: false };
-    this.#stop = new AbortController();
-    this.changed();
+    const signal = this.startJob();
     let found: Found | null = null;
     const seen: { last?: TrainingProgress } = {};
     try {
@@ -59,23 +40,13 @@ export class ProgressStore<Found> extends Store {
         seen.last = report.progress;
         found = report.found ?? found;
         this.changedSoon();
-      }, this.#stop.signal);
-      this.#ending = { words: endingWords(outcome, seen.last), failed: false };
+      }, signal);
+      this.endJob(endingWords(outcome, seen.last));
     } catch (problem) {
       found = null;
-      const left = problem === this.#stop.signal.reason;
-      this.#ending = left ? { words: "", failed: false } : { words: messageOf(problem), failed: true };
+      const left = problem === signal.reason;
+      this.endJob(left ? "" : messageOf(problem), !left);
     }
-    this.#status = "idle";
-    this.changed();
     return found;
-  }
-
-  /** Stops the training, which keeps its best model. */
-  cancel(): void {
-    if (this.#status !== "running") return;
-    this.#status = "cancelling";
-    this.#stop.abort();
-    this.changed();
   }
 }

@@ -11,8 +11,6 @@ import { lab } from "../words/lab";
 const BETWEEN = 1000;
 
 export class Staging {
-  readonly #model: ModelStore;
-  readonly #notices: NoticesStore;
   /** One model follows the other. */
   #turn: Promise<void> = Promise.resolve();
   #asked = 0;
@@ -20,10 +18,10 @@ export class Staging {
   /** When the last model reached the stage; infinity while one is on its way. */
   #at = -Infinity;
 
-  constructor(model: ModelStore, notices: NoticesStore) {
-    this.#model = model;
-    this.#notices = notices;
-  }
+  constructor(
+    private readonly model: ModelStore,
+    private readonly notices: NoticesStore,
+  ) {}
 
   /** The trained model that reached the stage last. */
   get staged(): TrainedModel | null {
@@ -37,7 +35,7 @@ export class Staging {
 
   /** The run leaves the list. If its model is on the stage, no list holds that model any more. */
   release({ model }: Run): void {
-    if (model && model === this.#staged) this.#model.markMadeHere();
+    if (model && model === this.#staged) this.model.markMadeHere();
   }
 
   /** Puts the newest model of a run on the stage; of several quick requests only the last. */
@@ -56,10 +54,10 @@ export class Staging {
 
   async #takeUp(run: Run, model: TrainedModel, keep?: Keep): Promise<void> {
     try {
-      await this.#model.open(model.text, keep, model.latents);
+      await this.model.open(model.text, keep, model.latents);
       this.#staged = model;
     } catch (problem) {
-      this.#notices.addError(lab().learn.training.notTakenUp(run.settings.seed), messageOf(problem));
+      this.notices.addError(lab().learn.training.notTakenUp(run.settings.seed), messageOf(problem));
     }
   }
 }

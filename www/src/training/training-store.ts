@@ -7,7 +7,7 @@ import { pointsOf } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import { messageOf, sentence } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
-import { Store } from "../ui/store";
+import { Job } from "../ui/job";
 import { Cost, type CostWords, costWords } from "./cost";
 import { PausedRuns, type Send } from "./paused-runs";
 import { bestBound, bestRun, isOver, type Run, seedsFrom } from "./runs";
@@ -19,7 +19,7 @@ import { lab } from "../words/lab";
 interface Session {
   runs: Run[];
   /** Stops the runs; each keeps its best model. */
-  stop: AbortController;
+  signal: AbortSignal;
   /** A promise for each run, which ends with the run. */
   work: Promise<void>[];
   /** Whether the visitor has chosen a run since the session began. */
@@ -28,9 +28,9 @@ interface Session {
   staged: boolean;
 }
 
-const newSession = (): Session => ({
+const newSession = (signal: AbortSignal): Session => ({
   runs: [],
-  stop: new AbortController(),
+  signal,
   work: [],
   picked: false,
   staged: false,
@@ -45,48 +45,28 @@ const POINTS = [20, 30, 40] as const;
 /** Whether a training can continue. */
 const isOpen = ({ cancelled, reason }: TrainingOutcome) => cancelled || reason === "iterations";
 
-export class TrainingStore extends Store {
-  readonly #engine: EngineStore;
-  readonly #settings: SettingsStore;
-  readonly #clips: ClipsStore;
-  readonly #notices: NoticesStore;
+export class TrainingStore extends Job {
   readonly #staging: Staging;
   readonly #paused: PausedRuns;
   readonly #cost: Cost;
-  /** Whether models of trainings may replace the model on the stage. */
-  readonly #mayTakeStage: () => Promise<boolean>;
-  #status: "idle" | "running" | "cancelling" = "idle";
-  #session = newSession();
-  #ending = { words: "", failed: false };
+  #session = newSession(new AbortController().signal);
   #runs: readonly Run[] = [];
   #chosen: Run | null = null;
   #lastId = 0;
 
   constructor(
-    engine: EngineStore,
-    settings: SettingsStore,
-    clips: ClipsStore,
+    private readonly engine: EngineStore,
+    private readonly settings: SettingsStore,
+    private readonly clips: ClipsStore,
     model: ModelStore,
-    notices: NoticesStore,
-    mayTakeStage: () => Promise<boolean> = async () => true,
+    private readonly notices: NoticesStore,
+    /** Whether models of trainings may replace the model on the stage. */
+    private readonly mayTakeStage: () => Promise<boolean> = async () => true,
   ) {
     super();
-    this.#mayTakeStage = mayTakeStage;
-    this.#engine = engine;
-    this.#settings = settings;
-    this.#clips = clips;
-    this.#notices = notices;
     this.#staging = new Staging(model, notices);
     this.#paused = new PausedRuns(engine);
     this.#cost = new Cost(engine, settings, clips, () => this.changed());
-  }
-
-  get status(): "idle" | "running" | "cancelling" {
-    return this.#status;
-  }
-
-  get busy(): boolean {
-    return this.#status !== "idle";
   }
 
   /** All runs of this visit, until they are cleared. */
@@ -97,11 +77,6 @@ export class TrainingStore extends Store {
   /** The runs of the last press of Train, and the runs that were added while they ran. */
   get asked(): readonly Run[] {
     return this.#session.runs;
-  }
-
-  /** How the last runs ended, or why they failed. */
-  get ending(): { words: string; failed: boolean } {
-    return this.#ending;
   }
 
   /** The run whose model is on the stage, or will be; null: the model on the stage has no run. */
@@ -121,12 +96,12 @@ export class TrainingStore extends Store {
 
   /** The number of runs that train at the same time. */
   get workers(): number {
-    return this.#engine.pool?.width ?? 1;
+    return this.engine.pool?.width ?? 1;
   }
 
   /** The number of trainings that a press of Train begins. */
   get count(): number {
-    return this.#settings.values.trainings || Math.min(MOST_UNASKED, this.workers);
+    return this.settings.values.trainings || Math.min(MOST_UNASKED, this.workers);
   }
 
   /** The cost of a press of Train; empty for short trainings. */
@@ -142,12 +117,12 @@ export class TrainingStore extends Store {
   /** Why Train cannot be pressed now; empty when it can. */
   whyNot(): string {
     const words = lab().learn.training.whyNot;
-    if (this.#engine.state === "loading") return words.gettingReady;
-    if (!this.#engine.engine) return words.cannotRun;
+    if (this.engine.state === "loading") return words.gettingReady;
+    if (!this.engine.engine) return words.cannotRun;
     // The sample clips arrive one by one: an early press would train on some of them only.
-    if (!this.#clips.samplesLoaded) return words.samples;
-    if (this.#clips.ticked.length === 0) return words.tick;
-    return this.#clips.clash ? words.clash : "";
+    if (!this.clips.samplesLoaded) return words.samples;
+    if (this.clips.ticked.length === 0) return words.tick;
+    return this.clips.clash ? words.clash : "";
   }
 
   /**
@@ -155,7 +130,7 @@ export class TrainingStore extends Store {
    * runs join it. For the first caller the promise ends with the session.
    */
   async start(): Promise<void> {
-    if (!(await this.#mayTakeStage()) || this.#status === "cancelling" || this.whyNot()) return;
+    if (!(await this.mayTakeStage()) || this.status === "cancelling" || this.whyNot()) return;
     const runs = this.#newRuns();
     const begins = !this.busy;
     if (begins) {
@@ -167,7 +142,7 @@ export class TrainingStore extends Store {
     session.runs.push(...runs);
     this.changed();
     session.work.push(
-      ...runs.map((run) => this.#carryOut(run, session.stop.signal, (send) => this.#train(run, send))),
+      ...runs.map((run) => this.#carryOut(run, session.signal, (send) => this.#train(run, send))),
     );
     if (begins) await this.#finish(session);
   }
@@ -187,7 +162,7 @@ export class TrainingStore extends Store {
    * where it stopped, with the same bits. Both end like a training that was never stopped.
    */
   async continue(run: Run): Promise<void> {
-    if (!(await this.#mayTakeStage()) || !this.canContinue(run)) return;
+    if (!(await this.mayTakeStage()) || !this.canContinue(run)) return;
     const more = this.moreIterations(run);
     const paused = this.#paused.has(run);
     this.#begin([run]);
@@ -198,7 +173,7 @@ export class TrainingStore extends Store {
     run.settings = { ...run.settings, maxIterations: run.settings.maxIterations + more };
     this.changed();
     const work = (send: Send) => (paused ? this.#paused.goOn(run, more, send) : this.#train(run, send));
-    session.work.push(this.#carryOut(run, session.stop.signal, work));
+    session.work.push(this.#carryOut(run, session.signal, work));
     await this.#finish(session);
   }
 
@@ -212,30 +187,22 @@ export class TrainingStore extends Store {
   async trainWithMorePoints(run: Run): Promise<void> {
     const points = this.morePoints(run);
     if (points === null || this.busy) return;
-    this.#settings.change({ dynamicsIps: points, poseIps: points });
+    this.settings.change({ dynamicsIps: points, poseIps: points });
     await this.start();
   }
 
   /** Starts trainings from the seeds after those of the last press of Train. */
   async trainOtherSeeds(): Promise<void> {
     if (this.busy) return;
-    const last = this.#session.runs.at(-1)?.settings.seed ?? this.#settings.values.seed;
+    const last = this.#session.runs.at(-1)?.settings.seed ?? this.settings.values.seed;
     const [, next = 0] = seedsFrom(last, 2);
-    this.#settings.change({ seed: next });
+    this.settings.change({ seed: next });
     await this.start();
-  }
-
-  /** Stops all runs. Each run that has begun keeps its best model. */
-  cancel(): void {
-    if (this.#status !== "running") return;
-    this.#status = "cancelling";
-    this.#session.stop.abort();
-    this.changed();
   }
 
   /** The visitor wants to see this run, also when another becomes better. */
   async choose(run: Run): Promise<void> {
-    if (run.model && !(await this.#mayTakeStage())) return;
+    if (run.model && !(await this.mayTakeStage())) return;
     this.#session.picked = this.busy;
     if (run.model) void this.#stage(run, false);
     else this.#look(run);
@@ -293,15 +260,15 @@ export class TrainingStore extends Store {
   }
 
   async newSeed(): Promise<void> {
-    const seed = await this.#engine.engine?.freshSeed();
-    if (seed !== undefined) this.#settings.change({ seed });
+    const seed = await this.engine.engine?.freshSeed();
+    if (seed !== undefined) this.settings.change({ seed });
   }
 
   #newRuns(): Run[] {
     const { latent, order, framesPerSecond, maxIterations, seed, poseWeight, asInPapers } =
-      this.#settings.values;
-    const { dynamicsIps, poseIps } = pointsOf(this.#settings.values, this.usual);
-    const { parts, toTrainOn: clips } = this.#clips;
+      this.settings.values;
+    const { dynamicsIps, poseIps } = pointsOf(this.settings.values, this.usual);
+    const { parts, toTrainOn: clips } = this.clips;
     return seedsFrom(seed, this.count).map((seed): Run => {
       const settings: TrainingSettings = {
         parts,
@@ -328,18 +295,16 @@ export class TrainingStore extends Store {
   }
 
   #begin(runs: readonly Run[]): void {
-    this.#status = "running";
-    this.#session = newSession();
-    this.#ending = { words: "", failed: false };
     this.#chosen = runs[0] ?? null;
-    this.#clips.lock(true);
+    this.#session = newSession(this.startJob());
+    this.clips.lock(true);
   }
 
   /** Trains on a free worker of the pool. */
   #train(run: Run, { report, signal, begun }: Send): Promise<TrainingOutcome> {
-    const { pool } = this.#engine;
+    const { pool } = this.engine;
     if (!pool) throw new Error(lab().learn.training.whyNot.cannotRun);
-    const { frames } = this.#settings.values;
+    const { frames } = this.settings.values;
     return pool.run(async (worker) => {
       begun();
       const outcome = await worker.train(
@@ -398,11 +363,11 @@ export class TrainingStore extends Store {
 
   /** Says once, for all seeds, what no clip in the list says. */
   #warn(warning: string): void {
-    const infos = this.#clips.all.map(({ loaded }) => loaded.info);
+    const infos = this.clips.all.map(({ loaded }) => loaded.info);
     const shown = infos.flatMap(({ name, warnings }) => warnings.map((text) => `${name}: ${text}`));
     const text = sentence(warning);
-    if (shown.includes(warning) || this.#notices.all.some((notice) => notice.text === text)) return;
-    this.#notices.addError(lab().learn.training.about, text);
+    if (shown.includes(warning) || this.notices.all.some((notice) => notice.text === text)) return;
+    this.notices.addError(lab().learn.training.about, text);
   }
 
   /** Waits for all runs, also for those that join meanwhile, and puts the best on the stage. */
@@ -416,16 +381,15 @@ export class TrainingStore extends Store {
       (await this.#bestToShow(trained.filter(({ state }) => state !== "failed"))) ?? bestRun(trained);
     const { picked } = session;
     if (best && !picked) await this.#stage(best, session.staged);
-    this.#status = "idle";
-    this.#ending = endingOfRuns(session.runs, picked ? null : best);
-    this.#clips.lock(false);
-    this.changed();
+    const { words, failed } = endingOfRuns(session.runs, picked ? null : best);
+    this.endJob(words, failed);
+    this.clips.lock(false);
   }
 
   /** The run to show: the library chooses by the ends of the rollouts and by their errors on the clips. */
   async #bestToShow(runs: readonly Run[]): Promise<Run | null> {
     const ranks = runs.map(({ model }) => model?.health?.rank ?? 0);
-    const place = await this.#engine.engine?.bestToShow(
+    const place = await this.engine.engine?.bestToShow(
       ranks,
       runs.map(({ model }) => model?.error ?? Infinity),
     );

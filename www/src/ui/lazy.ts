@@ -1,13 +1,10 @@
 // A value that is loaded at its first use.
 
 export class Lazy<Value> {
-  readonly #load: () => Promise<Value>;
   #loading: Promise<Value> | null = null;
   #loaded: Value | null = null;
 
-  constructor(load: () => Promise<Value>) {
-    this.#load = load;
-  }
+  constructor(private readonly load: () => Promise<Value>) {}
 
   /** The loaded value; null before. */
   get loaded(): Value | null {
@@ -22,7 +19,7 @@ export class Lazy<Value> {
 
   async #loadNow(): Promise<Value> {
     try {
-      this.#loaded = await this.#load();
+      this.#loaded = await this.load();
       return this.#loaded;
     } catch (problem) {
       this.#loading = null;

@@ -8,13 +8,15 @@ type Files<Section> = Readonly<Record<Language, () => Promise<{ readonly words: 
 
 export class SectionWords<Section> extends Store {
   readonly #words: WordsStore;
-  readonly #files: Files<Section>;
   #now: Section | null = null;
   #language: Language | null = null;
 
-  constructor(words: WordsStore, files: Files<Section>) {
+  constructor(
+    words: WordsStore,
+    private readonly files: Files<Section>,
+  ) {
     super();
-    [this.#words, this.#files] = [words, files];
+    this.#words = words;
     // The words before stay where the new ones cannot be loaded.
     words.on(() => void this.load().catch(() => {}));
   }
@@ -32,7 +34,7 @@ export class SectionWords<Section> extends Store {
   async load(): Promise<void> {
     const { language } = this.#words;
     if (language === this.#language) return;
-    const { words } = await this.#files[language]();
+    const { words } = await this.files[language]();
     if (this.#words.language !== language) return;
     [this.#now, this.#language] = [words, language];
     this.changed();

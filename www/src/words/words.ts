@@ -1,5 +1,5 @@
 // The sentences of the page in the visitor's language. Only the language in use is loaded.
-import { keep, kept } from "../ui/kept";
+import { keep, kept } from "../ui/browser";
 import { languageChanges } from "../ui/language";
 import { Store } from "../ui/store";
 import type { Words } from "./en";

@@ -5,15 +5,12 @@ import { transfer, using } from "./using";
 import type { ShownModel } from "./shown-model";
 
 export class Live {
-  readonly #model: ShownModel;
   #live: { rollout: LiveRollout; info: ModelInfo } | null = null;
 
-  constructor(model: ShownModel) {
-    this.#model = model;
-  }
+  constructor(private readonly model: ShownModel) {}
 
   start(request: RolloutRequest, frame: number): void {
-    const next = this.#model.withRollout(request, (rollout, info) => ({
+    const next = this.model.withRollout(request, (rollout, info) => ({
       rollout: new LiveRollout(rollout, frame),
       info,
     }));

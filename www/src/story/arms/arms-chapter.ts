@@ -1,15 +1,79 @@
 // Who tells the arms when to swing? The coupling from the legs to the arms is cut while the figure walks.
-import { html, nothing } from "lit";
+import { html, nothing, svg } from "lit";
 import { couplingsOf, START_PRESETS } from "../../couplings/presets";
 import { isSwinging, stepOf } from "../../couplings/measures-text";
 import { weights } from "../../couplings/weights";
 import { initialSettings, type Settings } from "../../settings/settings";
-import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../../app/story-body";
 import type { Chapter } from "../chapter";
+import { GuessedChapter } from "../guessed-chapter";
 import { EndlessWalk } from "../endless-walk";
-import { equation } from "../equation";
+import { nodeNamed } from "../../scene/joints";
+import type { StageView } from "../../stage/stage-view";
+import "../../stage/stage-view";
+import { eachFrame, prefersReducedMotion } from "../../ui/browser";
+import { View } from "../../ui/view";
+import type { App } from "../../app/app";
+import "../../couplings/phase-clock";
+import "./arms.css";
+
+/** Each thread goes from a knee to the hand of the other side, which swings with it. */
+const TIED = [
+  ["LeftLeg", "RightHand"],
+  ["RightLeg", "LeftHand"],
+] as const;
+
+/** Seconds in which the thread snaps, and the share of it that stays at each end. */
+const SNAP = 0.3;
+const LOOSE = 0.1;
+/** Pixels by which a thread hangs down. */
+const SLACK = 14;
+
+class ThreadView extends View {
+  declare chapter: ArmsChapter;
+  /** 0: tied; 1: cut. */
+  #cut = 0;
+
+  protected override stores() {
+    return [this.chapter];
+  }
+
+  protected override arrived(): void {
+    const calm = prefersReducedMotion();
+    this.whenLeaving(
+      eachFrame((seconds) => {
+        const towards = this.chapter.isCut ? 1 : 0;
+        const step = calm ? 1 : seconds / SNAP;
+        this.#cut += Math.max(-step, Math.min(step, towards - this.#cut));
+        this.#draw();
+      }),
+    );
+  }
+
+  #draw(): void {
+    const scene = this.parentElement?.querySelector<StageView>("pg-stage")?.scene;
+    const { content } = this.chapter.body.stage;
+    const paths = this.querySelectorAll<SVGPathElement>("path");
+    const half = 0.5 - this.#cut * (0.5 - LOOSE);
+    TIED.forEach((ends, i) => {
+      const path = paths[i];
+      const [from, to] = ends.map((name) => {
+        const node = nodeNamed(content, name);
+        return node < 0 ? null : (scene?.placeOf(node) ?? null);
+      });
+      if (!path || !from || !to) return;
+      const [x, y] = [(from.x + to.x) / 2, (from.y + to.y) / 2 + SLACK];
+      path.setAttribute("d", `M${from.x} ${from.y}Q${x} ${y} ${to.x} ${to.y}`);
+      path.setAttribute("stroke-dasharray", this.#cut === 0 ? "none" : `${half} ${1 - 2 * half} ${half} 1`);
+    });
+  }
+
+  protected override render() {
+    return html`<svg aria-hidden="true" data-cut=${this.chapter.isCut ? "yes" : "no"}>${TIED.map(() => svg`<path pathLength="1"></path>`)}</svg>`;
+  }
+}
+customElements.define("pg-thread", ThreadView);
 
 /** The parts of the model, in its order. */
 const [LEGS, ARMS] = [0, 1] as const;
@@ -20,23 +84,16 @@ type Thread = keyof typeof THREADS;
 
 const presetOf = (thread: Thread) => START_PRESETS.find(({ id }) => id === THREADS[thread])!;
 
-export class ArmsChapter extends Store implements Chapter {
-  readonly #words: WordsStore;
-  readonly body: StoryBody;
+export class ArmsChapter extends GuessedChapter<"arms"> {
   #thread: Thread = "tied";
-  #hasGuessed = false;
-  #stop = () => {};
   readonly #walk: EndlessWalk;
 
-  constructor(words: WordsStore, body: StoryBody) {
-    super();
-    this.#words = words;
-    this.body = body;
+  constructor(
+    words: WordsStore,
+    readonly body: StoryBody,
+  ) {
+    super(words, "arms");
     this.#walk = new EndlessWalk(body, () => this.changed());
-  }
-
-  get #now() {
-    return this.#words.now.chapters.arms;
   }
 
   get isCut(): boolean {
@@ -45,7 +102,7 @@ export class ArmsChapter extends Store implements Chapter {
 
   stage() {
     const { stage, playback, phases } = this.body;
-    const { clock, parts, figure } = this.#now;
+    const { clock, parts, figure } = this.words;
     const words = { clock, seconds: () => "", still: "", step: NO_STEPS };
     return html`<div class="arms">
       <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${figure}></pg-stage>
@@ -55,20 +112,20 @@ export class ArmsChapter extends Store implements Chapter {
   }
 
   guess() {
-    return this.#hasGuessed ? null : this.#now.guess;
+    return this.hasGuessed ? null : this.words.guess;
   }
 
-  guessed(): void {
-    this.#hasGuessed = true;
+  override guessed(choice: string): void {
+    this.choice = choice;
     this.#pull("relearned");
   }
 
   control() {
-    if (!this.#hasGuessed) {
+    if (!this.hasGuessed) {
       if (this.body.playback.playing) return null;
-      return html`<button class="story-button" data-testid="walk" @click=${() => this.#walk.walk()}>${this.#now.walk}</button>`;
+      return html`<button class="story-button" data-testid="walk" @click=${() => this.#walk.walk()}>${this.words.walk}</button>`;
     }
-    const { label, ...names } = this.#now.thread;
+    const { label, ...names } = this.words.thread;
     return html`<div class="story-choice" role="group" aria-label=${label}>
       ${Object.entries(names).map(
         ([thread, name]) => html`
@@ -86,8 +143,8 @@ export class ArmsChapter extends Store implements Chapter {
   }
 
   reveal() {
-    if (!this.#hasGuessed) return null;
-    const { measuring, periods, swing, tied, outcome, relearned, kept } = this.#now;
+    if (!this.hasGuessed) return null;
+    const { measuring, periods, swing, tied, outcome, relearned, kept } = this.words;
     const measured = this.#measured();
     if (!measured) return html`<p>${measuring}</p>`;
     const { legs, arms, learned } = measured;
@@ -109,7 +166,7 @@ export class ArmsChapter extends Store implements Chapter {
 
   equation() {
     const shares = this.#shares();
-    return equation(["dynamics", "weights"], shares && this.#now.equation(shares.tied, shares.cut));
+    return this.equations(["dynamics", "weights"], shares && this.words.equation(shares.tied, shares.cut));
   }
 
   /** The share of the legs in the steps of the arms. */
@@ -124,7 +181,7 @@ export class ArmsChapter extends Store implements Chapter {
     return { tied: share("tied"), cut: share("relearned") };
   }
 
-  lab(): Partial<Settings> {
+  override lab(): Partial<Settings> {
     const { model } = this.body;
     const alpha = (model.model && couplingsOf(presetOf(this.#thread), model.model.info)) ?? {};
     const { reading } = presetOf(this.#thread);
@@ -137,22 +194,21 @@ export class ArmsChapter extends Store implements Chapter {
 
   restore({ cut }: Pick<Settings, "cut">): void {
     if (cut === "") return;
-    this.#hasGuessed = true;
+    this.choice = cut;
     this.#pull(cut);
   }
 
-  arrive(): void {
+  override arrive(): void {
     const { measures, model, phases, playback } = this.body;
-    const stops = [measures, model, phases].map((store) => store.on(() => this.changed()));
-    this.#stop = () => stops.forEach((stop) => stop());
+    this.stops = [measures, model, phases].map((store) => store.on(() => this.changed()));
     this.#walk.arrive();
     if (playback.playing) this.changed();
   }
 
-  leave(): void {
-    this.#stop();
+  override leave(): void {
+    super.leave();
     this.#walk.leave();
-    [this.#thread, this.#hasGuessed] = ["tied", false];
+    this.#thread = "tied";
   }
 
   /** Ties or cuts the thread. */
@@ -175,3 +231,7 @@ export class ArmsChapter extends Store implements Chapter {
 }
 
 const NO_STEPS = { "in step": "", "partly in step": "", "out of step": "" };
+
+export async function openChapter(app: App): Promise<Chapter> {
+  return new ArmsChapter(app.words, app.story);
+}

@@ -3,7 +3,12 @@ import type { SyntheticFindings, SyntheticTruth } from "../../engine/whole-proto
 import { FakeProgram, settled } from "../../engine/whole-workers.fake";
 import { words } from "../../words/en";
 import type { WordsStore } from "../../words/words";
-import { BeliefChapter } from "./belief-chapter";
+import { BeliefChapter, TO_RHYTHMIC_DMP, WITHOUT_COUPLINGS } from "./belief-chapter";
+import comparison from "../../../../docs/comparison.md?raw";
+import together from "../../../../docs/comparison/recorded-trials-together.md?raw";
+import { belief as german } from "../../words/de/belief";
+import { belief as english, type Ratio } from "../../words/en/belief";
+import { beliefOf, ratiosOf, threeRounds } from "./rounds";
 
 let program: FakeProgram;
 let chapter: BeliefChapter;
@@ -49,4 +54,67 @@ it("starts anew when the visitor comes back", async () => {
   chapter.leave();
   expect(chapter.guess()).not.toBeNull();
   expect(chapter.truth).toBeNull();
+});
+
+const { training, heldOut } = WITHOUT_COUPLINGS;
+const fixed = (ratio: Ratio) => ratio.map((value) => value.toFixed(2));
+
+it("has the numbers of the tables", () => {
+  const written = (ratio: Ratio) => {
+    const [median, low, high] = fixed(ratio);
+    return `${median} (${low} to ${high})`;
+  };
+  const row =
+    comparison.split("\n").find((line) => line.startsWith("| all folders | vCGPDM, uncoupled")) ?? "";
+  const cells = row.split("|").map((cell) => cell.trim());
+  expect(cells[3]).toContain(written(heldOut));
+  expect(cells[6]).toContain(written(training));
+
+  const [median, low, high] = fixed(TO_RHYTHMIC_DMP);
+  const best = together.split("\n").find((line) => line.includes("the 2-part vCGPDM performs best")) ?? "";
+  expect(best).toContain(`${median} times (${low} to ${high}) DMP (rhythmic)`);
+});
+
+it("calls a ratio undecided where its interval contains 1, and no other", () => {
+  const isUndecided = ([, low, high]: Ratio) => low <= 1 && high >= 1;
+  expect([training, heldOut, TO_RHYTHMIC_DMP].map(isUndecided)).toEqual([false, false, true]);
+  expect(english.closing(training, heldOut, TO_RHYTHMIC_DMP)).toMatch(
+    /1\.99 times \(1\.31 to 3\.04\) .*1\.82 times \(1\.19 to 2\.77\) .*six persons\..*1\.07 times .*: undecided\./,
+  );
+  expect(german.closing(training, heldOut, TO_RHYTHMIC_DMP)).toMatch(
+    /1,99-mal .*1,82-mal .*sechs Personen\..*1,07-mal .*: unentschieden\./,
+  );
+});
+
+/** Numbers between 0 and 1 that a seed decides. */
+function numbers(seed: number): () => number {
+  let state = seed;
+  return () => {
+    state = (state * 16807) % 2147483647;
+    return state / 2147483647;
+  };
+}
+
+it("has each answer once in three rounds, in an order that cannot be foreseen", () => {
+  const orders = new Set<string>();
+  for (let seed = 1; seed < 200; seed++) {
+    const rounds = threeRounds(numbers(1000 * seed));
+    expect(rounds.map(({ truth }) => truth).sort()).toEqual(["ab", "ba", "none"]);
+    for (const { experiment, truth } of rounds) {
+      expect(experiment.driving).toBe(truth !== "none");
+      expect(experiment.seed).toBeGreaterThanOrEqual(0);
+      expect(experiment.seed).toBeLessThan(10);
+    }
+    orders.add(rounds.map(({ truth }) => truth).join());
+  }
+  expect(orders.size).toBe(6);
+});
+
+it("reads the belief from the couplings, mirrored as the points on the screen", () => {
+  const verdict = { forth: 2.1, back: 1911, forthIsRight: true, backIsRight: true };
+  const round = { experiment: { seed: 0, driving: true }, isMirrored: false, truth: "ab" as const };
+  expect(beliefOf(ratiosOf({ verdict }, round), 10)).toBe("ab");
+  expect(beliefOf(ratiosOf({ verdict }, { ...round, isMirrored: true }), 10)).toBe("ba");
+  expect(beliefOf({ ab: 10, ba: 10 }, 10)).toBe("none");
+  expect(beliefOf({ ab: 1, ba: 1 }, 10)).toBe("both");
 });

@@ -1,52 +1,152 @@
 // Do we know, or do we believe? A riddle with a known truth: vote, let a model learn, and draw the curtain.
-import { html, nothing } from "lit";
-import { unsafeHTML } from "lit/directives/unsafe-html.js";
+import { html, nothing, svg } from "lit";
 import type { WholeWorkers } from "../../engine/whole-workers";
 import { ExperimentStore } from "../../experiment/experiment-store";
-import { EQUATIONS } from "../../method/equations";
 import type { Settings } from "../../settings/settings";
 import { SettingsStore } from "../../settings/settings-store";
-import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import { NO_ADDRESS } from "../../app/story-body";
 import type { Chapter } from "../chapter";
+import { GuessedChapter } from "../guessed-chapter";
 import { randomNumbers } from "../../ui/random-numbers";
 import { type Answer, type Belief, beliefOf, ratiosOf, type Round, threeRounds } from "./rounds";
-import { TO_RHYTHMIC_DMP, WITHOUT_COUPLINGS } from "./worth";
+import type { Ratio } from "../../words/en/belief";
+import type { App } from "../../app/app";
+import "./belief.css";
+import { frameOf, linePath } from "../../experiment/paths";
+import { eachFrame, prefersReducedMotion } from "../../ui/browser";
+import { partColour } from "../../ui/palette";
+import { partStyle } from "../../ui/styled";
+import { View } from "../../ui/view";
+
+const SIDE = 200;
+/** Frames a second. */
+const PACE = 20;
+/** The two points on the screen. */
+const POINTS = ["A", "B"] as const;
+/** The places of A and B in a row of arrows, and the radius of their circles. */
+const [LEFT, RIGHT, RADIUS] = [26, 134, 18];
+
+const arrow = (from: number, to: number, y: number) => {
+  const tip = to - Math.sign(to - from) * (RADIUS + 3);
+  const start = from + Math.sign(to - from) * (RADIUS + 3);
+  const back = tip - Math.sign(to - from) * 9;
+  return svg`<path class="belief-arrow" d="M${start} ${y}H${tip}M${back} ${y - 6}L${tip} ${y}L${back} ${y + 6}"></path>`;
+};
+
+class BeliefView extends View {
+  declare chapter: BeliefChapter;
+  #seconds = 0;
+
+  protected override stores() {
+    return [this.chapter];
+  }
+
+  protected override arrived(): void {
+    if (prefersReducedMotion()) return;
+    this.whenLeaving(
+      eachFrame((seconds) => {
+        this.#seconds += seconds;
+        this.#move();
+      }),
+    );
+  }
+
+  protected override updated(): void {
+    this.#move();
+  }
+
+  /** The true latents of A or B. */
+  #latents(point: number): readonly number[] {
+    const { experiment, round } = this.chapter;
+    return experiment.truth?.latents[round.isMirrored ? 1 - point : point] ?? [];
+  }
+
+  #move(): void {
+    this.querySelectorAll<SVGCircleElement>(".belief-point").forEach((circle, point) => {
+      const latents = this.#latents(point);
+      const frames = latents.length / 2;
+      if (frames === 0) return;
+      const { middle, scale } = frameOf(latents, SIDE);
+      const frame = Math.floor(this.#seconds * PACE) % frames;
+      const [x = 0, y = 0] = latents.slice(2 * frame, 2 * frame + 2);
+      circle.setAttribute("cx", String(SIDE / 2 + scale * (x - middle[0])));
+      circle.setAttribute("cy", String(SIDE / 2 - scale * (y - middle[1])));
+    });
+  }
+
+  /** The arrows between A and B; null: not known yet. */
+  #row(title: string, answer: Belief | null, isTruth: boolean) {
+    const [y, isOpen] = [26, answer !== null];
+    return html`
+      <div class="belief-row" data-testid=${isTruth ? "truth-row" : "belief-row"} data-answer=${answer ?? ""}>
+        <svg viewBox="0 0 160 52" aria-hidden="true">
+          ${answer === "ab" || answer === "both" ? arrow(LEFT, RIGHT, answer === "both" ? y - 8 : y) : nothing}
+          ${answer === "ba" || answer === "both" ? arrow(RIGHT, LEFT, answer === "both" ? y + 8 : y) : nothing}
+          ${[LEFT, RIGHT].map((x, point) => svg`<g style=${partStyle(partColour(point))}><circle class="belief-node" cx=${x} cy=${y} r=${RADIUS} /><text x=${x} y=${y + 5}>${POINTS[point]}</text></g>`)}
+          ${isOpen || isTruth ? nothing : svg`<text class="belief-unknown" x="80" y=${y + 6}>?</text>`}
+        </svg>
+        ${isTruth ? html`<span class="belief-curtain" ?data-open=${isOpen} aria-hidden="true"></span>` : nothing}
+        <p>${title}</p>
+      </div>`;
+  }
+
+  protected override render() {
+    const { belief, truth, words } = this.chapter;
+    const path = (point: number) => {
+      const latents = this.#latents(point);
+      return svg`<path class="belief-path" d=${linePath(latents, frameOf(latents, SIDE))} />`;
+    };
+    return html`
+      <div class="belief" role="group" aria-label=${words.figure}>
+        ${POINTS.map(
+          (name, point) => html`
+          <figure style=${partStyle(partColour(point))}>
+            <svg viewBox="0 0 ${SIDE} ${SIDE}" aria-hidden="true">${path(point)}<circle class="belief-point" r="7" cx="-20" cy="-20" /></svg>
+            <figcaption>${name}</figcaption>
+          </figure>`,
+        )}
+        <div class="belief-rows">
+          ${this.#row(words.modelRow, belief, false)}
+          ${this.#row(words.truthRow, truth, true)}
+        </div>
+      </div>`;
+  }
+}
+customElements.define("pg-belief", BeliefView);
+
+/** Without couplings : with them, on the training trials and on trials held out; means over six persons. */
+export const WITHOUT_COUPLINGS: { training: Ratio; heldOut: Ratio } = {
+  training: [1.99, 1.31, 3.04],
+  heldOut: [1.82, 1.19, 2.77],
+};
+
+/** vCGPDM : rhythmic DMP, on 23 trials held out. */
+export const TO_RHYTHMIC_DMP: Ratio = [1.07, 0.95, 1.28];
 
 /** The order of the rounds when a visitor comes for the first time. */
 const SEED = 1;
 
-export class BeliefChapter extends Store implements Chapter {
-  readonly #words: WordsStore;
-  readonly #random: () => number;
+export class BeliefChapter extends GuessedChapter<"belief"> {
   readonly #settings = new SettingsStore(NO_ADDRESS);
   readonly experiment: ExperimentStore;
   #rounds: Round[] = [];
-  #vote: Answer | null = null;
   #isCurtainOpen = false;
   #score = { you: 0, model: 0, rounds: 0 };
-  #stop = () => {};
 
-  constructor(words: WordsStore, whole: WholeWorkers, random = randomNumbers(SEED)) {
-    super();
-    this.#words = words;
-    this.#random = random;
+  constructor(
+    words: WordsStore,
+    whole: WholeWorkers,
+    private readonly random: () => number = randomNumbers(SEED),
+  ) {
+    super(words, "belief");
     this.experiment = new ExperimentStore(this.#settings, whole);
-  }
-
-  get #now() {
-    return this.#words.now.chapters.belief;
   }
 
   /** The round on screen. */
   get round(): Round {
-    if (this.#rounds.length === 0) this.#rounds = threeRounds(this.#random);
+    if (this.#rounds.length === 0) this.#rounds = threeRounds(this.random);
     return this.#rounds[0]!;
-  }
-
-  get words() {
-    return this.#now;
   }
 
   /** The truth; null behind the curtain. */
@@ -62,7 +162,7 @@ export class BeliefChapter extends Store implements Chapter {
 
   #found() {
     const { shown, truth } = this.experiment;
-    if (this.#vote === null || shown?.state !== "done" || !shown.findings || !truth) return null;
+    if (this.choice === null || shown?.state !== "done" || !shown.findings || !truth) return null;
     return { ratios: ratiosOf(shown.findings, this.round), much: truth.much };
   }
 
@@ -71,26 +171,25 @@ export class BeliefChapter extends Store implements Chapter {
   }
 
   guess() {
-    return this.#vote === null ? this.#now.guess : null;
+    return this.choice === null ? this.words.guess : null;
   }
 
-  guessed(choice: string): void {
-    this.#vote = choice as Answer;
-    void this.#train();
-    this.changed();
+  override guessed(choice: string): void {
+    super.guessed(choice);
+    void this.experiment.train([this.round.experiment]);
   }
 
   control() {
     if (this.belief === null) return null;
-    const { again, curtain } = this.#now;
+    const { again, curtain } = this.words;
     return this.#isCurtainOpen
       ? html`<button class="story-button" data-testid="another-pair" @click=${() => this.#next()}>${again}</button>`
       : html`<button class="story-button" data-testid="curtain" @click=${() => this.#openCurtain()}>${curtain}</button>`;
   }
 
   reveal() {
-    if (this.#vote === null) return null;
-    const { believes, drawing, failed, measured, score, training, truth } = this.#now;
+    if (this.choice === null) return null;
+    const { believes, drawing, failed, measured, score, training, truth } = this.words;
     const { problem, shown } = this.experiment;
     const why = problem || (shown?.state === "failed" ? shown.ending : "");
     if (why) return html`<p role="alert">${failed(why)}</p>`;
@@ -108,30 +207,25 @@ export class BeliefChapter extends Store implements Chapter {
 
   equation() {
     const { training, heldOut } = WITHOUT_COUPLINGS;
-    const worth = this.#now.closing(training, heldOut, TO_RHYTHMIC_DMP);
-    return html`${unsafeHTML(EQUATIONS.dynamics)}${unsafeHTML(EQUATIONS.weights)}<p data-testid="worth">${worth}</p>`;
+    const worth = this.words.closing(training, heldOut, TO_RHYTHMIC_DMP);
+    return html`${this.equations(["dynamics", "weights"], null)}<p data-testid="worth">${worth}</p>`;
   }
 
-  lab(): Partial<Settings> {
+  override lab(): Partial<Settings> {
     const { seed, driving } = this.round.experiment;
     // The Lab names the truth, so that a link with it would open the curtain.
     return { view: "synthetic", ...(this.#isCurtainOpen ? { drawn: seed, driving } : {}) };
   }
 
-  arrive(): void {
+  override arrive(): void {
     this.#show();
-    const stopDrawing = this.experiment.follow();
-    const stopListening = this.experiment.on(() => this.changed());
-    this.#stop = () => {
-      stopDrawing();
-      stopListening();
-    };
+    this.stops = [this.experiment.follow(), this.experiment.on(() => this.changed())];
   }
 
-  leave(): void {
-    this.#stop();
+  override leave(): void {
+    super.leave();
     this.experiment.cancel();
-    [this.#vote, this.#isCurtainOpen, this.#rounds] = [null, false, []];
+    [this.#isCurtainOpen, this.#rounds] = [false, []];
     this.#score = { you: 0, model: 0, rounds: 0 };
   }
 
@@ -141,17 +235,13 @@ export class BeliefChapter extends Store implements Chapter {
     this.#settings.change({ drawn: seed, driving });
   }
 
-  async #train(): Promise<void> {
-    await this.experiment.train([this.round.experiment]);
-  }
-
   #openCurtain(): void {
     if (this.#isCurtainOpen) return;
     this.#isCurtainOpen = true;
     const { truth } = this.round;
     const { you, model, rounds } = this.#score;
     this.#score = {
-      you: you + Number(this.#vote === truth),
+      you: you + Number(this.choice === truth),
       model: model + Number(this.belief === truth),
       rounds: rounds + 1,
     };
@@ -160,8 +250,12 @@ export class BeliefChapter extends Store implements Chapter {
 
   #next(): void {
     this.#rounds.shift();
-    [this.#vote, this.#isCurtainOpen] = [null, false];
+    [this.choice, this.#isCurtainOpen] = [null, false];
     this.#show();
     this.changed();
   }
+}
+
+export async function openChapter(app: App): Promise<Chapter> {
+  return new BeliefChapter(app.words, app.workers);
 }

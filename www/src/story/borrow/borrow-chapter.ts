@@ -1,15 +1,81 @@
 // Borrow arms: the legs of one recorded movement with the arms of another.
 import { html, nothing } from "lit";
-import { unsafeHTML } from "lit/directives/unsafe-html.js";
-import { EQUATIONS } from "../../method/equations";
 import { primitivesOf } from "../../primitives/combinations";
 import type { LibraryStore } from "../../primitives/library-store";
 import type { Settings } from "../../settings/settings";
 import type { SettingsStore } from "../../settings/settings-store";
-import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { Chapter } from "../chapter";
-import { type HandsAndFeet, measureHandsAndFeet } from "./hands-and-feet";
+import { GuessedChapter } from "../guessed-chapter";
+import { WalkView } from "../../primitives/walk-view";
+import type { LibraryInfo } from "../../engine/library-protocol";
+import type { Motion } from "../../engine/protocol";
+import { nodeOfJoint } from "../../scene/joints";
+import type { App } from "../../app/app";
+import "./borrow.css";
+
+interface HandsAndFeet {
+  /** The mean height of the hands above the hips, in metres. */
+  height: number;
+  /** The mean speed of the hands against the hips, in metres a second. */
+  speed: number;
+  /** How often a foot overtakes the other one, in steps a second; 0 for a body that stays in its place. */
+  steps: number;
+}
+
+/** Metres a second of a root that is slower than any walk. */
+const SLOWEST_WALK = 0.3;
+
+/** The node of the joint whose name ends like this; null: the body has no such joint. */
+function nodeOf({ joints, figure }: Pick<LibraryInfo, "joints" | "figure">, end: RegExp): number | null {
+  const joint = joints.findIndex(({ name }) => end.test(name));
+  const node = nodeOfJoint(figure, joint);
+  return joint < 0 || node < 0 ? null : node;
+}
+
+/** Null for a body without two hands and two feet whose names say so. */
+export function measureHandsAndFeet(
+  info: Pick<LibraryInfo, "joints" | "figure">,
+  { positions, frames, nodes, frameTime }: Motion,
+): HandsAndFeet | null {
+  const [left, right] = [nodeOf(info, /left_?hand$/i), nodeOf(info, /right_?hand$/i)];
+  const [leftFoot, rightFoot] = [nodeOf(info, /left_?foot$/i), nodeOf(info, /right_?foot$/i)];
+  if (left === null || right === null || leftFoot === null || rightFoot === null || frames < 2) return null;
+  const at = (frame: number, node: number, axis: number) => positions[3 * (frame * nodes + node) + axis] ?? 0;
+  /** The place of a node against the root of the body. */
+  const place = (frame: number, node: number) =>
+    [0, 1, 2].map((axis) => at(frame, node, axis) - at(frame, 0, axis));
+  const hands = [left, right];
+  let [height, path, steps, before] = [0, 0, 0, 0];
+  for (let frame = 0; frame < frames; frame++) {
+    for (const hand of hands) height += place(frame, hand)[1]! / (hands.length * frames);
+    if (frame === 0) continue;
+    for (const hand of hands) {
+      const [now, then] = [place(frame, hand), place(frame - 1, hand)];
+      path += Math.hypot(...now.map((x, axis) => x - then[axis]!)) / hands.length;
+    }
+    // The distance between the feet along the way of the root.
+    const [x, z] = [at(frame, 0, 0) - at(frame - 1, 0, 0), at(frame, 0, 2) - at(frame - 1, 0, 2)];
+    const apart = (axis: number) => at(frame, leftFoot, axis) - at(frame, rightFoot, axis);
+    const ahead = x * apart(0) + z * apart(2);
+    if (ahead * before < 0) steps += 1;
+    if (ahead !== 0) before = ahead;
+  }
+  const seconds = (frames - 1) * frameTime;
+  const way = [0, 2].map((axis) => at(frames - 1, 0, axis) - at(0, 0, axis));
+  if (Math.hypot(...way) < SLOWEST_WALK * seconds) steps = 0;
+  return { height, speed: path / seconds, steps: steps / seconds };
+}
+
+class BorrowFigure extends WalkView {
+  static override properties = { ...WalkView.properties, label: {} };
+  declare label: string;
+
+  protected override render() {
+    return html`<canvas class="stage-canvas" tabindex="0" role="img" data-testid="borrow-figure" aria-label=${this.label}></canvas>`;
+  }
+}
+customElements.define("pg-borrow", BorrowFigure);
 
 /** The parts of the library, in its order. */
 const [LEGS, ARMS] = [0, 1] as const;
@@ -24,23 +90,17 @@ export function outcomeOf(now: HandsAndFeet, own: HandsAndFeet, legs: HandsAndFe
   return Math.abs(now.height - own.height) < Math.abs(now.height - legs.height) ? "own" : "legs";
 }
 
-export class BorrowChapter extends Store implements Chapter {
-  readonly #words: WordsStore;
-  readonly #settings: SettingsStore;
-  readonly library: LibraryStore;
-  #hasGuessed = false;
+export class BorrowChapter extends GuessedChapter<"borrow"> {
   /** The combination that the visitor left in the Lab; null: the chapter is not on screen. */
   #before: readonly number[] | null = null;
   #isHere = false;
-  #stop = () => {};
 
-  constructor(words: WordsStore, settings: SettingsStore, library: LibraryStore) {
-    super();
-    [this.#words, this.#settings, this.library] = [words, settings, library];
-  }
-
-  get words() {
-    return this.#words.now.chapters.borrow;
+  constructor(
+    words: WordsStore,
+    private readonly settings: SettingsStore,
+    readonly library: LibraryStore,
+  ) {
+    super(words, "borrow");
   }
 
   get #recorded() {
@@ -52,11 +112,11 @@ export class BorrowChapter extends Store implements Chapter {
   }
 
   guess() {
-    return this.#hasGuessed ? null : this.words.guess;
+    return this.hasGuessed ? null : this.words.guess;
   }
 
-  guessed(): void {
-    this.#hasGuessed = true;
+  override guessed(choice: string): void {
+    this.choice = choice;
     this.#borrow();
     this.changed();
   }
@@ -69,7 +129,7 @@ export class BorrowChapter extends Store implements Chapter {
 
   control() {
     const info = this.library.current?.info;
-    if (!this.#hasGuessed || !info || info.parts.length !== 2) return null;
+    if (!this.hasGuessed || !info || info.parts.length !== 2) return null;
     const { parts } = this.words;
     const row = (part: number, label: string) => html`
       <span class="borrow-row"><span>${label}</span>
@@ -93,7 +153,7 @@ export class BorrowChapter extends Store implements Chapter {
   }
 
   reveal() {
-    if (!this.#hasGuessed) return null;
+    if (!this.hasGuessed) return null;
     const { compared, feet, hands, measuring, never, opening, outcome, recorded } = this.words;
     const { library } = this;
     if (!library.current) return html`<p>${library.problem || opening}</p>`;
@@ -114,16 +174,16 @@ export class BorrowChapter extends Store implements Chapter {
   }
 
   equation() {
-    return html`${unsafeHTML(EQUATIONS.dynamics)}${unsafeHTML(EQUATIONS.weights)}`;
+    return this.equations(["dynamics", "weights"], null);
   }
 
-  lab(): Partial<Settings> {
+  override lab(): Partial<Settings> {
     return { view: "primitives" };
   }
 
-  arrive(): void {
+  override arrive(): void {
     this.#isHere = true;
-    this.#stop = this.library.on(() => this.changed());
+    this.stops = [this.library.on(() => this.changed())];
     void this.#begin();
   }
 
@@ -132,17 +192,22 @@ export class BorrowChapter extends Store implements Chapter {
     if (!this.#isHere || !this.library.current) return;
     this.#before = this.library.uses;
     const [first] = this.#recorded;
-    if (this.#hasGuessed) this.#borrow();
+    if (this.hasGuessed) this.#borrow();
     else if (first) this.library.take(first.uses);
   }
 
-  leave(): void {
+  override leave(): void {
     this.#isHere = false;
-    this.#stop();
-    const { chapter, view } = this.#settings.values;
+    super.leave();
+    const { chapter, view } = this.settings.values;
     // The link to the Lab shows this combination there.
     const isInLab = chapter === 0 && view === "primitives";
     if (this.#before && !isInLab) this.library.take(this.#before);
-    [this.#before, this.#hasGuessed] = [null, false];
+    this.#before = null;
   }
+}
+
+export async function openChapter(app: App): Promise<Chapter> {
+  const { library } = await app.view("primitives").get();
+  return new BorrowChapter(app.words, app.settings, library);
 }

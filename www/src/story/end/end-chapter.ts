@@ -1,21 +1,21 @@
 // The last card: what the visitor knows now, what nobody knows, and what to make next.
 import { html } from "lit";
 import { Store } from "../../ui/store";
-import { repliesNow } from "../../words/sections";
+import { repliesNow, loadReplies } from "../../words/sections";
 import type { StoryBody } from "../../app/story-body";
 import type { Chapter } from "../chapter";
 import { EndlessWalk } from "../endless-walk";
+import type { App } from "../../app/app";
+import "../../stage/stage-view";
 
 /** Where the visitor can make something, by the names of the words. */
 const DOORS = { lab: "view=play", own: "view=play&tab=learn", primitives: "view=primitives" } as const;
 
 export class EndChapter extends Store implements Chapter {
-  readonly #body: StoryBody;
   readonly #walk: EndlessWalk;
 
-  constructor(body: StoryBody) {
+  constructor(private readonly body: StoryBody) {
     super();
-    this.#body = body;
     this.#walk = new EndlessWalk(body, () => this.changed());
   }
 
@@ -24,7 +24,7 @@ export class EndChapter extends Store implements Chapter {
   }
 
   stage() {
-    const { stage, playback } = this.#body;
+    const { stage, playback } = this.body;
     return html`<pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${this.#now.figure}></pg-stage>`;
   }
 
@@ -60,4 +60,9 @@ export class EndChapter extends Store implements Chapter {
   leave(): void {
     this.#walk.leave();
   }
+}
+
+export async function openChapter(app: App): Promise<Chapter> {
+  await loadReplies(app.words);
+  return new EndChapter(app.story);
 }

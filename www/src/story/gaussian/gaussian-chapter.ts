@@ -4,12 +4,13 @@ import type { Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
 import { fillDot } from "../../latents/shapes";
 import { partColourNow, theme } from "../../ui/palette";
-import { Store } from "../../ui/store";
 import type { WordsStore } from "../../words/words";
 import type { Chapter } from "../chapter";
-import { equation } from "../equation";
+import { GuessedChapter } from "../guessed-chapter";
 import type { Handle, LatentScene } from "../latent/latent-view";
+import "../latent/latent-view";
 import { type Point, type Prediction, Process } from "./process";
+import type { App } from "../../app/app";
 
 const KERNEL = { lambda: 0.5, variance: 1 };
 const NOISE = 0.01;
@@ -36,8 +37,7 @@ const MOST = 1;
 
 const within = (value: number, most: number) => Math.max(-most, Math.min(most, value));
 
-export class GaussianChapter extends Store implements Chapter, LatentScene {
-  readonly #words: WordsStore;
+export class GaussianChapter extends GuessedChapter<"gaussian"> implements LatentScene {
   #points: Point[] = [...START];
   #inducing = [...INDUCING];
   /** Whether the inducing points stand for all points. */
@@ -45,7 +45,6 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
   #input = -0.4;
   /** Standard deviation of the input. */
   #spread = 0;
-  #guessed = false;
   #process = this.#fit();
 
   readonly projection: Projection = {
@@ -58,12 +57,7 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
   readonly moves = false;
 
   constructor(words: WordsStore) {
-    super();
-    this.#words = words;
-  }
-
-  get #now() {
-    return this.#words.now.chapters.gaussian;
+    super(words, "gaussian");
   }
 
   /** The process about the place of the question. */
@@ -79,17 +73,17 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
     const points = this.#points.map(
       ([x, y], i): Handle => ({
         id: `point-${i}`,
-        label: this.#now.point(i + 1),
+        label: this.words.point(i + 1),
         place: place(x, y),
         drag: (plane, px, py) => this.#movePoint(i, ...this.#at(plane, px, py)),
         nudge: (right, down) => this.#movePoint(i, x + STEP * right, y - STEP * down),
       }),
     );
-    if (!this.#guessed) return points;
+    if (!this.hasGuessed) return points;
     const inducing = this.#inducing.map(
       (x, i): Handle => ({
         id: `inducing-${i}`,
-        label: this.#now.inducing(i + 1),
+        label: this.words.inducing(i + 1),
         place: place(x, INDUCING_AT),
         drag: (plane, px, py) => this.#moveInducing(i, this.#at(plane, px, py)[0]),
         nudge: (right) => this.#moveInducing(i, x + STEP * right),
@@ -97,7 +91,7 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
     );
     const input: Handle = {
       id: "input",
-      label: this.#now.input,
+      label: this.words.input,
       place: place(this.#input, INPUT_AT),
       drag: (plane, px, py) => this.#moveInput(this.#at(plane, px, py)[0]),
       nudge: (right) => this.#moveInput(this.#input + STEP * right),
@@ -153,7 +147,7 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
     const perPixel = plane.latentStep(1, 0)[0]!;
     const columns: [number, Prediction][] = [];
     // Before the guess, the curve ends where it would tell the answer.
-    const ends = this.#guessed ? [0, width] : [-0.9 * ASKED, 0.55 * ASKED].map((x) => pixels(x, 0)[0]);
+    const ends = this.hasGuessed ? [0, width] : [-0.9 * ASKED, 0.55 * ASKED].map((x) => pixels(x, 0)[0]);
     for (let px = ends[0]!; px < ends[1]! + 3; px += 3)
       columns.push([px, this.#process.at((px - zero) * perPixel)]);
     const y = (value: number) => base - value / perPixel;
@@ -172,7 +166,7 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
     draw.beginPath();
     for (const [px, { mean }] of columns) draw.lineTo(px, y(mean));
     draw.stroke();
-    if (!this.#guessed) {
+    if (!this.hasGuessed) {
       const [px] = pixels(ASKED, 0);
       draw.strokeStyle = quiet;
       draw.lineWidth = 2;
@@ -185,7 +179,7 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
     } else this.#paintInput(draw, pixels, perPixel);
     draw.fillStyle = ink;
     for (const point of this.#points) fillDot(draw, ...pixels(...point), 9);
-    if (!this.#sparse || !this.#guessed) return;
+    if (!this.#sparse || !this.hasGuessed) return;
     draw.fillStyle = "#d55e00";
     for (const x of this.#inducing) {
       const [px, py] = pixels(x, INDUCING_AT);
@@ -225,21 +219,16 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
   }
 
   stage() {
-    return html`<div class="story-single"><pg-latent-space .scene=${this} .label=${this.#now.plane}></pg-latent-space></div>`;
+    return html`<div class="story-single"><pg-latent-space .scene=${this} .label=${this.words.plane}></pg-latent-space></div>`;
   }
 
   guess() {
-    return this.#guessed ? null : this.#now.guess;
-  }
-
-  guessed(): void {
-    this.#guessed = true;
-    this.changed();
+    return this.hasGuessed ? null : this.words.guess;
   }
 
   control() {
-    const { hint, exact, sparse, spread } = this.#now;
-    if (!this.#guessed) return html`<p class="story-hint">${hint}</p>`;
+    const { hint, exact, sparse, spread } = this.words;
+    if (!this.hasGuessed) return html`<p class="story-hint">${hint}</p>`;
     const choose = (on: boolean) => () => {
       this.#sparse = on;
       this.#refit();
@@ -258,31 +247,34 @@ export class GaussianChapter extends Store implements Chapter, LatentScene {
   }
 
   reveal() {
-    if (!this.#guessed) return null;
+    if (!this.hasGuessed) return null;
     const number = (value: number) => (Math.abs(value) < 0.005 ? "0.00" : value.toFixed(2));
     const wide = ({ variance }: Prediction) => number(2 * Math.sqrt(variance));
     const far = this.asked;
     const near = this.#process.at(this.#points[0]![0]);
     const here = this.#process.at(this.#input, this.#spread ** 2);
-    const { answer, input } = this.#now.reveal;
+    const { answer, input } = this.words.reveal;
     return html`
       <p data-testid="far">${answer(number(far.mean), wide(far), wide(near))}</p>
       <p data-testid="input">${input(number(here.mean), wide(here))}</p>`;
   }
 
   equation() {
-    return equation(["kernel"], this.#now.equation);
+    return this.equations(["kernel"], this.words.equation);
   }
 
-  lab() {
+  override lab() {
     return { view: "series" as const };
   }
 
-  arrive(): void {}
-
-  leave(): void {
-    this.#guessed = this.#sparse = false;
+  override leave(): void {
+    super.leave();
+    this.#sparse = false;
     [this.#points, this.#inducing, this.#spread] = [[...START], [...INDUCING], 0];
     this.#process = this.#fit();
   }
+}
+
+export async function openChapter(app: App): Promise<Chapter> {
+  return new GaussianChapter(app.words);
 }

@@ -59,7 +59,6 @@ const inverse = (matrix: Matrix): Matrix => {
 };
 
 export class Process {
-  readonly #inducing: readonly number[];
   readonly #kernel: KernelOfOne;
   /** K^-1 E[u] = A^-1 b / n. */
   readonly #coefficients: number[];
@@ -67,8 +66,12 @@ export class Process {
   readonly #certainty: Matrix;
 
   /** `noise`: the variance of the noise of the data. */
-  constructor(data: readonly Point[], inducing: readonly number[], of: KernelOfOne, noise: number) {
-    this.#inducing = inducing;
+  constructor(
+    data: readonly Point[],
+    private readonly inducing: readonly number[],
+    of: KernelOfOne,
+    noise: number,
+  ) {
     this.#kernel = of;
     const k = inducing.map((a, i) =>
       inducing.map((b, j) => kernel(of, a, b) + (i === j ? JITTER * of.variance : 0)),
@@ -86,7 +89,7 @@ export class Process {
   /** The function at an input that is Gaussian with this mean and variance, by the psi statistics. */
   at(x: number, inputVariance = 0): Prediction {
     const { lambda, variance } = this.#kernel;
-    const z = this.#inducing;
+    const z = this.inducing;
     const wide = lambda + inputVariance;
     const psi1 = z.map((a) => variance * Math.sqrt(lambda / wide) * Math.exp((-0.5 * (x - a) ** 2) / wide));
     const wider = lambda + 2 * inputVariance;

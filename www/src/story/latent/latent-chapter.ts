@@ -1,28 +1,93 @@
 // A chapter about the latent space of one part: a large drawing of its loop next to the walking figure.
 import { html, nothing, type TemplateResult } from "lit";
 import type { Plane } from "../../latents/plane";
-import type { Projection } from "../../latents/projection";
-import { Store } from "../../ui/store";
+import { type Projection, principalAxes } from "../../latents/projection";
+import type { ChapterName } from "../../settings/chapters";
+import { GuessedChapter } from "../guessed-chapter";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../../app/story-body";
-import { attempt } from "./attempt";
 import type { Handle, LatentScene } from "./latent-view";
-import { PoseStage } from "./pose-stage";
-import { type WalkLoop, walkLoop } from "./walk-loop";
+import type { Motion } from "../../engine/protocol";
+import type { Fade } from "../../stage/stage-store";
+import { type Lap, lapOf, projectPath } from "./drawing";
+import { messageOf } from "../../ui/format";
 
-export abstract class LatentChapter extends Store implements LatentScene {
-  protected readonly words: WordsStore;
-  protected readonly body: StoryBody;
+/** Waits for work of a chapter; the frame shows the reason when it fails. */
+export function attempt(body: StoryBody, work: Promise<unknown>): void {
+  work.catch((problem: unknown) => body.notices.addError(messageOf(problem), ""));
+}
+
+interface WalkLoop {
+  lap: Lap;
+  /** The plane of the two widest directions of the loop. */
+  projection: Projection;
+  /** The lap on the axes of the plot [frames x 3]. */
+  seen: Float64Array;
+}
+
+/** The loop of a part of the body; `around`: the plot shows this many times its width. Null before the model. */
+function walkLoop({ model: { model, learned } }: StoryBody, part: number, around: number): WalkLoop | null {
+  const path = learned?.latents[part];
+  const dimensions = model?.info.parts[part]?.latent;
+  if (!path || !dimensions) return null;
+  const lap = lapOf(path, dimensions);
+  const { flat, ...axes } = principalAxes(lap.path, dimensions);
+  const [right, up] = flat;
+  const projection: Projection = { ...axes, flat: [around * right, around * up] };
+  return { lap, projection, seen: projectPath(projection, lap.path) };
+}
+
+class PoseStage {
+  #posed = false;
+
+  constructor(private readonly body: StoryBody) {}
+
+  /** Shows a pose [nodes x 3], one part of it faintly. */
+  show(positions: Float32Array, fade: Fade): void {
+    const { stage, model } = this.body;
+    const { content } = stage;
+    const motion = model.rollout?.motion;
+    if (!content || !motion) return;
+    this.#posed = true;
+    const { nodes, frameTime } = motion;
+    stage.showModel({ ...content, motion: { positions, frames: 1, nodes, frameTime } });
+    stage.setFade(fade);
+  }
+
+  /** Plays another motion of the same body. */
+  play(motion: Motion): void {
+    const { stage } = this.body;
+    if (!stage.content) return;
+    this.#posed = true;
+    stage.showModel({ ...stage.content, motion });
+  }
+
+  /** Shows the walk again. */
+  end(): void {
+    const { stage, model } = this.body;
+    stage.setFade(null);
+    if (!this.#posed || !stage.content || !model.rollout) return;
+    this.#posed = false;
+    stage.showModel({ ...stage.content, motion: model.rollout.motion });
+  }
+}
+
+export abstract class LatentChapter<Name extends ChapterName>
+  extends GuessedChapter<Name>
+  implements LatentScene
+{
   protected readonly pose: PoseStage;
   /** Null before the model has arrived. */
   protected loop: WalkLoop | null = null;
   /** Whether the chapter is on screen. */
   protected isHere = false;
 
-  constructor(words: WordsStore, body: StoryBody) {
-    super();
-    this.words = words;
-    this.body = body;
+  constructor(
+    words: WordsStore,
+    name: Name,
+    protected readonly body: StoryBody,
+  ) {
+    super(words, name);
     this.pose = new PoseStage(body);
   }
 
@@ -51,18 +116,19 @@ export abstract class LatentChapter extends Store implements LatentScene {
     return html`
       <div class="story-pair">
         <pg-latent-space .scene=${this} .label=${label}></pg-latent-space>
-        <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${this.words.now.chapters.arms.figure}></pg-stage>
+        <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${this.allWords.now.chapters.arms.figure}></pg-stage>
         ${notes}
       </div>`;
   }
 
-  arrive(): void {
+  override arrive(): void {
     this.isHere = true;
     this.body.open();
   }
 
-  leave(): void {
+  override leave(): void {
     this.isHere = false;
     this.pose.end();
+    super.leave();
   }
 }

@@ -3,8 +3,7 @@
 import { html, nothing } from "lit";
 import { Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
-import { clearCanvas } from "../../ui/canvas";
-import { eachFrame } from "../../ui/each-frame";
+import { clearCanvas, eachFrame } from "../../ui/browser";
 import { onThemeChange } from "../../ui/palette";
 import type { Observed } from "../../ui/store";
 import { View } from "../../ui/view";

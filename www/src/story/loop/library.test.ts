@@ -2,8 +2,7 @@
 import { expect, it } from "vitest";
 import { principalAxes } from "../../latents/projection";
 import { distances } from "../../scene/motion";
-import { lapOf } from "../latent/lap";
-import { lift, projectPath } from "../latent/lift";
+import { lapOf, lift, projectPath } from "../latent/drawing";
 import { startModel } from "../../engine/start-model.fake";
 import { columnsOf } from "./loop-chapter";
 

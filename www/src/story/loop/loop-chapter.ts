@@ -5,12 +5,11 @@ import type { Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
 import { fillDot } from "../../latents/shapes";
 import { partColourNow, theme } from "../../ui/palette";
-import { prefersReducedMotion } from "../../ui/reduced-motion";
+import { prefersReducedMotion } from "../../ui/browser";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../../app/story-body";
 import type { Chapter } from "../chapter";
-import { equation } from "../equation";
-import { attempt } from "../latent/attempt";
+import { attempt, LatentChapter } from "../latent/latent-chapter";
 import {
   type Cells,
   cellPoints,
@@ -20,11 +19,11 @@ import {
   drawCertainty,
   strengthOf,
 } from "../latent/certainty-map";
-import { strokeLoop } from "../latent/drawing";
-import { LatentChapter } from "../latent/latent-chapter";
+import { strokeLoop, axesAt, type Place, pixelsAt, lift, nearestRow } from "../latent/drawing";
 import type { Handle } from "../latent/latent-view";
-import { lift, nearestRow } from "../latent/lift";
-import { axesAt, type Place, pixelsAt } from "../latent/place";
+import "../latent/latent-view";
+import type { App } from "../../app/app";
+import "../../stage/stage-view";
 
 const LEGS = 0;
 const NOTHING = new Float64Array(0);
@@ -45,11 +44,10 @@ interface Known {
   onLoop: number;
 }
 
-export class LoopChapter extends LatentChapter implements Chapter {
+export class LoopChapter extends LatentChapter<"loop"> {
   #place: Place = [0, 0];
   #walks = true;
   #frame = 0;
-  #guessed = false;
   /** Seconds since the guess, while the dot leaves the loop by itself. */
   #leaving: number | null = null;
   #known: Known | null = null;
@@ -59,17 +57,13 @@ export class LoopChapter extends LatentChapter implements Chapter {
   readonly #poses: Latest<Place, { positions: Float32Array; share: number }>;
 
   constructor(words: WordsStore, body: StoryBody) {
-    super(words, body);
+    super(words, "loop", body);
     this.#poses = new Latest(
       (place) => this.#ask(place),
       ({ positions, share }) => this.#take(positions, share),
       (problem) => attempt(body, Promise.reject(problem)),
     );
     this.awaitLoop(LEGS, AROUND);
-  }
-
-  get #now() {
-    return this.words.now.chapters.loop;
   }
 
   get projection(): Projection | null {
@@ -100,7 +94,7 @@ export class LoopChapter extends LatentChapter implements Chapter {
     return [
       {
         id: "dot",
-        label: this.#now.dot,
+        label: this.words.dot,
         anywhere: true,
         place: (plane) => pixelsAt(plane, this.loop!.projection, this.#place),
         drag: (plane, x, y) => this.#drag(plane, x, y),
@@ -159,7 +153,7 @@ export class LoopChapter extends LatentChapter implements Chapter {
 
   /** The distance within which the dot stays on the loop. Before the guess it never leaves. */
   #snap(plane: Plane): number {
-    return this.#guessed ? Math.hypot(...plane.latentStep(SNAP, 0)) : Infinity;
+    return this.hasGuessed ? Math.hypot(...plane.latentStep(SNAP, 0)) : Infinity;
   }
 
   #moveTo(place: Place, snap: number): void {
@@ -177,7 +171,7 @@ export class LoopChapter extends LatentChapter implements Chapter {
     if (right !== 0) {
       this.#frame = (this.#frame + right + rows) % rows;
       this.#moveTo([this.#seen[3 * this.#frame]!, this.#seen[3 * this.#frame + 1]!], Infinity);
-    } else if (this.#guessed) {
+    } else if (this.hasGuessed) {
       // Up leads outwards.
       const [u, v] = this.#place;
       const radius = Math.hypot(u, v) || 1;
@@ -218,7 +212,7 @@ export class LoopChapter extends LatentChapter implements Chapter {
 
   paint(draw: CanvasRenderingContext2D, plane: Plane, { width, height }: { width: number; height: number }) {
     const colour = partColourNow(LEGS);
-    if (this.#guessed) {
+    if (this.hasGuessed) {
       attempt(this.body, this.#askMap(plane, width, height, colour));
       if (this.#map) drawCertainty(draw, this.#map.picture, this.#map.cells);
     }
@@ -255,21 +249,21 @@ export class LoopChapter extends LatentChapter implements Chapter {
 
   stage() {
     const info = this.body.model.model?.info;
-    if (!info) return this.pair(this.#now.plane);
+    if (!info) return this.pair(this.words.plane);
     const { joints, latent } = info.parts[LEGS]!;
     const columns = columnsOf(info.columns, info.joints, joints);
     return this.pair(
-      this.#now.plane,
-      html`<p class="story-pair-note" data-testid="sizes">${this.#now.sizes(columns, latent)}</p>`,
+      this.words.plane,
+      html`<p class="story-pair-note" data-testid="sizes">${this.words.sizes(columns, latent)}</p>`,
     );
   }
 
   guess() {
-    return this.#guessed ? null : this.#now.guess;
+    return this.hasGuessed ? null : this.words.guess;
   }
 
-  guessed(): void {
-    this.#guessed = true;
+  override guessed(choice: string): void {
+    this.choice = choice;
     this.#walks = false;
     this.#pause();
     this.#leaving = prefersReducedMotion() ? 0.999 : 0;
@@ -277,10 +271,10 @@ export class LoopChapter extends LatentChapter implements Chapter {
   }
 
   control() {
-    const { walk, hint, hintOff } = this.#now;
+    const { walk, hint, hintOff } = this.words;
     return html`<div class="story-row">
       ${this.#walks ? nothing : html`<button class="story-button" data-testid="walk-on" @click=${() => this.#walkOn()}>${walk}</button>`}
-      <p class="story-hint">${this.#guessed ? hintOff : hint}</p></div>`;
+      <p class="story-hint">${this.hasGuessed ? hintOff : hint}</p></div>`;
   }
 
   #pause(): void {
@@ -296,20 +290,18 @@ export class LoopChapter extends LatentChapter implements Chapter {
   }
 
   reveal() {
-    if (!this.#guessed || !this.#known || this.#leaving !== null) return null;
+    if (!this.hasGuessed || !this.#known || this.#leaving !== null) return null;
     const { share, onLoop } = this.#known;
     const percent = (value: number) => percentOf(Math.sqrt(value));
     return html`<p data-testid="certainty">${
-      this.#isOnLoop ? this.#now.onLoop(percent(onLoop)) : this.#now.offLoop(percent(share), percent(onLoop))
+      this.#isOnLoop
+        ? this.words.onLoop(percent(onLoop))
+        : this.words.offLoop(percent(share), percent(onLoop))
     }</p>`;
   }
 
   equation() {
-    return equation(["pose"], this.#now.equation);
-  }
-
-  lab() {
-    return {};
+    return this.equations(["pose"], this.words.equation);
   }
 
   override arrive(): void {
@@ -324,7 +316,7 @@ export class LoopChapter extends LatentChapter implements Chapter {
 
   override leave(): void {
     this.#stop();
-    [this.#guessed, this.#known] = [false, null];
+    this.#known = null;
     this.#poses.drop();
     super.leave();
   }
@@ -344,4 +336,8 @@ export function columnsOf(
 ): number {
   const names = new Set(part.map((joint) => joints[joint]!.name));
   return columns.filter((column) => names.has(column.slice(0, column.lastIndexOf(".")))).length;
+}
+
+export async function openChapter(app: App): Promise<Chapter> {
+  return new LoopChapter(app.words, app.story);
 }

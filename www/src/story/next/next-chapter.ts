@@ -5,18 +5,29 @@ import { ellipseOf, type Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
 import { arrowHead, fillDot, traceEllipse } from "../../latents/shapes";
 import { partColourNow, theme } from "../../ui/palette";
-import { prefersReducedMotion } from "../../ui/reduced-motion";
+import { prefersReducedMotion } from "../../ui/browser";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../../app/story-body";
 import type { Chapter } from "../chapter";
-import { equation } from "../equation";
-import { attempt } from "../latent/attempt";
-import { strokeLoop, strokePath, tracePath } from "../latent/drawing";
-import { LatentChapter } from "../latent/latent-chapter";
+import { attempt, LatentChapter } from "../latent/latent-chapter";
+import { strokeLoop, strokePath, tracePath, axesAt, type Place, pixelsAt, placeOf } from "../latent/drawing";
 import type { Handle } from "../latent/latent-view";
-import { axesAt, type Place, pixelsAt, placeOf } from "../latent/place";
-import { backFrom } from "./back";
+import "../latent/latent-view";
 import { type PinScore, scorePin, spreadOf } from "./pin";
+import type { App } from "../../app/app";
+import "../../stage/stage-view";
+
+/** A path is back on the loop within this distance, in radii of the loop. */
+const NEAR = 0.1;
+
+/**
+ * Seconds until a path stays near the loop; null: it does not. `distances`: in radii, one for each frame; the first
+ * is one frame after the start.
+ */
+export function backFrom(distances: Float64Array, frameTime: number): number | null {
+  const last = distances.findLastIndex((distance) => !(distance <= NEAR));
+  return last === distances.length - 1 ? null : (last + 2) * frameTime;
+}
 
 const LEGS = 0;
 /** The plot shows this many times the width of the loop. */
@@ -50,14 +61,13 @@ interface FreePath {
   back: number | null;
 }
 
-export class NextChapter extends LatentChapter implements Chapter {
+export class NextChapter extends LatentChapter<"next"> {
   #sequence = 0;
   #start: PredictionsReport | null = null;
   /** The latents of the legs at the start [p x Q]. */
   #history: Float64Array = new Float64Array(0);
   /** Along the first two axes. */
   #pin: Place | null = null;
-  #guessed = false;
   #futures: Futures | null = null;
   #free: FreePath | null = null;
   /** Earlier paths from anywhere. */
@@ -67,12 +77,8 @@ export class NextChapter extends LatentChapter implements Chapter {
   #asked = 0;
 
   constructor(words: WordsStore, body: StoryBody) {
-    super(words, body);
+    super(words, "next", body);
     this.awaitLoop(LEGS, AROUND);
-  }
-
-  get #now() {
-    return this.words.now.chapters.next;
   }
 
   get projection(): Projection | null {
@@ -99,7 +105,7 @@ export class NextChapter extends LatentChapter implements Chapter {
   get handles(): readonly Handle[] {
     const pin: Handle = {
       id: "pin",
-      label: this.#guessed ? this.#now.anywhere : this.#now.pin,
+      label: this.hasGuessed ? this.words.anywhere : this.words.pin,
       anywhere: true,
       place: (plane) => pixelsAt(plane, this.loop!.projection, this.#pin ?? [0, 0]),
       drag: (plane, x, y) => this.#take(axesAt(plane, this.loop!.projection, x, y)),
@@ -118,7 +124,7 @@ export class NextChapter extends LatentChapter implements Chapter {
     if (!engine || !this.loop || !this.isHere) return;
     this.#asked += 1;
     const asked = this.#asked;
-    [this.#guessed, this.#futures, this.#free, this.#past, this.#drawn] = [false, null, null, [], 0];
+    [this.choice, this.#futures, this.#free, this.#past, this.#drawn] = [null, null, null, [], 0];
     const request = this.#request(this.#frameNow + 2);
     const [start, rollout] = await Promise.all([engine.predictions(request), engine.rollout(request)]);
     if (asked !== this.#asked) return;
@@ -133,7 +139,7 @@ export class NextChapter extends LatentChapter implements Chapter {
   #take(place: Place): void {
     this.#pin = place;
     this.changed();
-    if (this.#guessed && this.#futures) attempt(this.body, this.#startFrom(place));
+    if (this.hasGuessed && this.#futures) attempt(this.body, this.#startFrom(place));
   }
 
   #nudge(right: number, down: number): void {
@@ -144,12 +150,11 @@ export class NextChapter extends LatentChapter implements Chapter {
   }
 
   guess() {
-    return this.#guessed || !this.#start ? null : this.#now.guess;
+    return this.hasGuessed || !this.#start ? null : this.words.guess;
   }
 
-  guessed(): void {
-    this.#guessed = true;
-    this.changed();
+  override guessed(choice: string): void {
+    super.guessed(choice);
     attempt(this.body, this.#fan());
   }
 
@@ -324,12 +329,12 @@ export class NextChapter extends LatentChapter implements Chapter {
   }
 
   stage() {
-    return this.pair(this.#now.plane);
+    return this.pair(this.words.plane);
   }
 
   control() {
-    const { hint, hintAnywhere, again } = this.#now;
-    if (!this.#guessed) return html`<p class="story-hint">${hint}</p>`;
+    const { hint, hintAnywhere, again } = this.words;
+    if (!this.hasGuessed) return html`<p class="story-hint">${hint}</p>`;
     if (!this.#futures) return null;
     return html`<div class="story-row">
       <button class="story-button" data-testid="next-start" @click=${() => this.#another()}>${again}</button>
@@ -347,7 +352,7 @@ export class NextChapter extends LatentChapter implements Chapter {
   reveal() {
     if (!this.#futures || (!this.#free && this.#drawn < AHEAD)) return null;
     const { deviations, beaten, futures } = this.#futures.score;
-    const { away, beat, back, lost } = this.#now;
+    const { away, beat, back, lost } = this.words;
     return html`
       <p data-testid="score">${away(deviations.toFixed(1))} ${beat(beaten, futures)}</p>
       ${
@@ -358,10 +363,10 @@ export class NextChapter extends LatentChapter implements Chapter {
   }
 
   equation() {
-    return equation(["dynamics"], this.#now.equation);
+    return this.equations(["dynamics"], this.words.equation);
   }
 
-  lab() {
+  override lab() {
     return { start: this.#sequence };
   }
 
@@ -372,10 +377,14 @@ export class NextChapter extends LatentChapter implements Chapter {
 
   override leave(): void {
     this.#asked += 1;
-    [this.#start, this.#guessed, this.#futures, this.#free] = [null, false, null, null];
+    [this.#start, this.#futures, this.#free] = [null, null, null];
     this.body.stage.setFutures([]);
     super.leave();
   }
 }
 
 const crosses = (before: number, after: number, at: number) => before < at && after >= at;
+
+export async function openChapter(app: App): Promise<Chapter> {
+  return new NextChapter(app.words, app.story);
+}

@@ -1,6 +1,17 @@
 // Which inducing points the walk needs: one after the other is taken away, always the one that costs least.
 import type { ModelInfo } from "../../engine/protocol";
-import type { KeptPoints } from "../../engine/whole-protocol";
+import type { KeptPoints, KeptReport } from "../../engine/whole-protocol";
+
+/** The walk with some of the points. */
+export interface Trial {
+  points: LegPoints;
+  count: number;
+  bound: number;
+  /** Mean distance of the joints from the walk with all points, in metres. */
+  error: number;
+  stumbles: boolean;
+  report: KeptReport;
+}
 
 /** The points of the legs: their poses, and the steps by which the legs predict themselves. */
 export interface LegPoints {

@@ -1,6 +1,6 @@
 // The choices of inducing points against the library.
 import { expect, it } from "vitest";
-import { lapOf } from "../latent/lap";
+import { lapOf } from "../latent/drawing";
 import { startModel } from "../../engine/start-model.fake";
 import { allPoints, bestChoice, choices, count, keptOf, LEGS, type LegPoints } from "./elimination";
 import { stumbles, walkError } from "./walk-error";

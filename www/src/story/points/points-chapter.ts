@@ -1,5 +1,5 @@
 // A few poses are enough: inducing points of the legs are taken away until the walk stumbles.
-import { html, nothing } from "lit";
+import { html, nothing, svg, type TemplateResult } from "lit";
 import { Latest } from "../../engine/latest";
 import { OpenDocument } from "../../engine/open-document";
 import type { Measures, RolloutRequest } from "../../engine/protocol";
@@ -11,11 +11,10 @@ import { partColourNow, theme } from "../../ui/palette";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../../app/story-body";
 import type { Chapter } from "../chapter";
-import { equation } from "../equation";
-import { attempt } from "../latent/attempt";
+import { attempt, LatentChapter } from "../latent/latent-chapter";
 import { strokeLoop, strokePath } from "../latent/drawing";
-import { LatentChapter } from "../latent/latent-chapter";
 import type { Handle } from "../latent/latent-view";
+import "../latent/latent-view";
 import {
   allPoints,
   bestChoice,
@@ -26,10 +25,50 @@ import {
   type LegPoints,
   type PointKind,
   toggled,
+  type Trial,
 } from "./elimination";
-import { pointsChart } from "./points-chart";
-import type { Trial } from "./trial";
 import { stumbles, walkError } from "./walk-error";
+import type { App } from "../../app/app";
+import "../../stage/stage-view";
+
+const WIDTH = 420;
+const HEIGHT = 84;
+const EDGE = 6;
+
+/** The labels of the two lines. */
+interface ChartWords {
+  bound: string;
+  error: string;
+  label: string;
+}
+
+function pointsChart(trials: readonly Trial[], now: Trial, words: ChartWords): TemplateResult {
+  const most = trials[0]?.count ?? now.count;
+  const finite = trials.filter(({ error }) => Number.isFinite(error));
+  const worst = Math.max(0.01, ...finite.map(({ error }) => error));
+  const bounds = trials.map(({ bound }) => bound);
+  const [low, high] = [Math.min(...bounds, now.bound), Math.max(...bounds, now.bound)];
+  const x = (count: number) => EDGE + ((most - count) / Math.max(1, most - 2)) * (WIDTH - 2 * EDGE);
+  const y = (share: number) => HEIGHT - EDGE - share * (HEIGHT - 2 * EDGE);
+  const error = (trial: Trial) =>
+    y(Math.min(1, (Number.isFinite(trial.error) ? trial.error : worst) / worst));
+  const bound = (trial: Trial) => y((trial.bound - low) / Math.max(1e-9, high - low));
+  const line = (height: (trial: Trial) => number) =>
+    trials.map((trial) => `${x(trial.count).toFixed(1)},${height(trial).toFixed(1)}`).join(" ");
+  const marks = trials
+    .filter((trial) => trial.stumbles)
+    .map((trial) => svg`<circle class="stumble" cx=${x(trial.count)} cy=${error(trial)} r="3.2" />`);
+  return html`
+    <figure class="points-chart">
+      <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label=${words.label}>
+        <polyline class="bound" points=${line(bound)} />
+        <polyline class="error" points=${line(error)} />
+        ${marks}
+        <line class="now" x1=${x(now.count)} x2=${x(now.count)} y1="0" y2=${HEIGHT} />
+      </svg>
+      <figcaption><span class="bound">${words.bound}</span> <span class="error">${words.error}</span></figcaption>
+    </figure>`;
+}
 
 /** The plot shows this many times the width of the loop. */
 const AROUND = 1.6;
@@ -39,7 +78,7 @@ const PAUSE = 250;
 /** The numbers of points that are shown side by side, as in the paper. */
 const PAIR = [10, 4] as const;
 
-export class PointsChapter extends LatentChapter implements Chapter {
+export class PointsChapter extends LatentChapter<"points"> {
   #points: LegPoints = { poses: [], steps: [] };
   /** The trial with all points. */
   #full: Trial | null = null;
@@ -48,14 +87,13 @@ export class PointsChapter extends LatentChapter implements Chapter {
   #trials: Trial[] = [];
   /** The fewest points with which the visitor's walk went on. */
   #fewest: number | null = null;
-  #guessed = false;
   #running = 0;
   readonly #asked: Latest<LegPoints, Trial>;
   readonly #document: OpenDocument<WholeCalls, void>;
   #modelText: Promise<string> | null = null;
 
   constructor(words: WordsStore, body: StoryBody, { desk }: Pick<WholeWorkers, "desk">) {
-    super(words, body);
+    super(words, "points", body);
     this.#document = new OpenDocument(desk, (worker, text) => worker.openOutlook(text));
     this.#asked = new Latest(
       (points) => this.#try(points),
@@ -63,10 +101,6 @@ export class PointsChapter extends LatentChapter implements Chapter {
       (problem) => attempt(body, Promise.reject(problem)),
     );
     this.awaitLoop(LEGS, AROUND);
-  }
-
-  get #text() {
-    return this.words.now.chapters.points;
   }
 
   get projection(): Projection | null {
@@ -89,11 +123,11 @@ export class PointsChapter extends LatentChapter implements Chapter {
 
   get handles(): readonly Handle[] {
     const { model } = this.body.model;
-    if (!model || !this.#guessed) return [];
+    if (!model || !this.hasGuessed) return [];
     const all = allPoints(model.info);
     const handle = (kind: PointKind, index: number): Handle => ({
       id: `${kind}-${index}`,
-      label: this.#text.point[kind](index + 1),
+      label: this.words.point[kind](index + 1),
       pressed: this.#points[kind].includes(index),
       place: (plane) => this.#place(plane, kind, index),
       press: () => this.#toggle(kind, index),
@@ -170,14 +204,14 @@ export class PointsChapter extends LatentChapter implements Chapter {
   }
 
   guess() {
-    if (this.#guessed || !this.#full) return null;
+    if (this.hasGuessed || !this.#full) return null;
     const { poses, steps } = this.#full.points;
-    const { question, choices } = this.#text.guess;
+    const { question, choices } = this.words.guess;
     return { question: question(poses.length, steps.length), choices };
   }
 
-  guessed(): void {
-    this.#guessed = true;
+  override guessed(choice: string): void {
+    super.guessed(choice);
     attempt(this.body, this.#eliminate());
   }
 
@@ -263,26 +297,26 @@ export class PointsChapter extends LatentChapter implements Chapter {
 
   stage() {
     return this.pair(
-      this.#text.plane,
-      html`<p class="story-pair-note">${this.#text.legend} ${this.#state()}</p>
-        ${this.#trials.length > 1 && this.#now ? pointsChart(this.#trials, this.#now, this.#text.chart) : ""}`,
+      this.words.plane,
+      html`<p class="story-pair-note">${this.words.legend} ${this.#state()}</p>
+        ${this.#trials.length > 1 && this.#now ? pointsChart(this.#trials, this.#now, this.words.chart) : ""}`,
     );
   }
 
   /** Bound and error of the walk with the points now. */
   #state() {
     const trial = this.#now;
-    if (!this.#guessed || !trial || !this.#full) return nothing;
-    const { found, walks, stumbled } = this.#text;
+    if (!this.hasGuessed || !trial || !this.#full) return nothing;
+    const { found, walks, stumbled } = this.words;
     const error = Number.isFinite(trial.error) ? (100 * trial.error).toFixed(1) : "∞";
     const sentence = found(trial.count, (this.#full.bound - trial.bound).toFixed(0), error);
     return html`<span data-testid="trial">${sentence} ${trial.stumbles ? stumbled : walks}</span>`;
   }
 
   control() {
-    const { all, pair, hint, waiting, removing } = this.#text;
+    const { all, pair, hint, waiting, removing } = this.words;
     if (!this.#full) return html`<p class="story-hint" role="status">${waiting}</p>`;
-    if (!this.#guessed) return null;
+    if (!this.hasGuessed) return null;
     if (this.isRunning) return html`<p class="story-hint" role="status">${removing}</p>`;
     return html`<div class="story-row">
       <button class="story-button" data-testid="all-points" @click=${() => this.#all()}>${all}</button>
@@ -299,32 +333,32 @@ export class PointsChapter extends LatentChapter implements Chapter {
     const trials = PAIR.map((points) => this.#trials.find((trial) => trial.count === points));
     this.body.stage.setColumns(
       trials.flatMap((trial) =>
-        trial ? [{ title: this.#text.column(trial.count), motion: trial.report.motion }] : [],
+        trial ? [{ title: this.words.column(trial.count), motion: trial.report.motion }] : [],
       ),
     );
   }
 
   reveal() {
     const enough = this.#enough;
-    if (!this.#guessed || this.isRunning || !enough || !this.#full) return null;
-    const { enough: sentence } = this.#text;
+    if (!this.hasGuessed || this.isRunning || !enough || !this.#full) return null;
+    const { enough: sentence } = this.words;
     return html`<p data-testid="enough">${sentence(enough.count, this.#full.count, (100 * enough.error).toFixed(1))}</p>`;
   }
 
   equation() {
-    return equation(["posterior"], this.#text.equation);
-  }
-
-  lab() {
-    return {};
+    return this.equations(["posterior"], this.words.equation);
   }
 
   override leave(): void {
     this.#running = 0;
     this.#asked.drop();
-    [this.#guessed, this.#trials, this.#fewest, this.#now] = [false, [], null, this.#full];
+    [this.#trials, this.#fewest, this.#now] = [[], null, this.#full];
     if (this.#full) this.#points = this.#full.points;
     this.body.stage.setColumns(null);
     super.leave();
   }
+}
+
+export async function openChapter(app: App): Promise<Chapter> {
+  return new PointsChapter(app.words, app.story, app.workers);
 }

@@ -3,7 +3,7 @@ import { expect, it } from "vitest";
 import type { PredictionsReport } from "../../engine/protocol";
 import { startModel } from "../../engine/start-model.fake";
 import { largestDistance } from "../../scene/motion";
-import { meansOf, productOf } from "./product";
+import { meansOf, productOf } from "./product-chapter";
 
 const ARMS = 1;
 const { model, info } = await startModel();

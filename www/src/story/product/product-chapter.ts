@@ -1,7 +1,7 @@
 // Two guesses, one step: the experts of the arms and of the legs about the arms, and their product.
 import { html, nothing } from "lit";
 import { Latest } from "../../engine/latest";
-import type { Couplings, RolloutRequest, RolloutResult } from "../../engine/protocol";
+import type { Couplings, RolloutRequest, RolloutResult, PredictionsReport } from "../../engine/protocol";
 import { ellipseOf, type Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
 import { fillDot, traceEllipse } from "../../latents/shapes";
@@ -12,12 +12,42 @@ import { partStyle } from "../../ui/styled";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../../app/story-body";
 import type { Chapter } from "../chapter";
-import { equation } from "../equation";
-import { attempt } from "../latent/attempt";
+import { attempt, LatentChapter } from "../latent/latent-chapter";
 import { strokeLoop } from "../latent/drawing";
-import { LatentChapter } from "../latent/latent-chapter";
 import type { Handle } from "../latent/latent-view";
-import { meansOf, type Product, productOf } from "./product";
+import "../latent/latent-view";
+import { weights } from "../../couplings/weights";
+import type { App } from "../../app/app";
+import "../../stage/stage-view";
+
+interface Product {
+  /** w of each source. */
+  weights: number[];
+  /** [Q] */
+  mean: Float64Array;
+  /** alpha^i: the variance of the product of two Gaussians with the variances alpha. */
+  variance: number;
+}
+
+/** The means of the experts about a part in row `row` of a report, one for each source [Q]. */
+export function meansOf(
+  report: PredictionsReport,
+  part: number,
+  row: number,
+  dimensions: number,
+): Float64Array[] {
+  const { experts } = report.parts[part]!;
+  return experts.map(({ means }) => means.slice(row * dimensions, (row + 1) * dimensions));
+}
+
+/** The product of the guesses `means` with the variances `alphas`. */
+export function productOf(means: readonly Float64Array[], alphas: readonly number[]): Product {
+  const shares = weights(alphas);
+  const mean = means[0]!.map((_, a) =>
+    means.reduce((sum, guess, source) => sum + shares[source]! * guess[a]!, 0),
+  );
+  return { weights: shares, mean, variance: shares[0]! * alphas[0]! };
+}
 
 const LEGS = 0;
 const ARMS = 1;
@@ -42,29 +72,24 @@ export interface Doubled {
   wider: number;
 }
 
-export class ProductChapter extends LatentChapter implements Chapter {
+export class ProductChapter extends LatentChapter<"product"> {
   /** The guesses of the experts: the mean of each source [Q]. */
   #means: Float64Array[] | null = null;
   /** The state before the step [Q]. */
   #before: Float64Array = new Float64Array(0);
   #learned: number[] = [];
   #alphas: number[] = [];
-  #guessed = false;
   #doubled: Doubled | null = null;
   readonly #rollouts: Latest<number[], RolloutResult>;
 
   constructor(words: WordsStore, body: StoryBody) {
-    super(words, body);
+    super(words, "product", body);
     this.#rollouts = new Latest(
       (alphas) => this.#roll(alphas),
       (rollout) => this.isHere && this.pose.play(rollout.motion),
       (problem) => attempt(body, Promise.reject(problem)),
     );
     this.awaitLoop(ARMS, AROUND);
-  }
-
-  get #now() {
-    return this.words.now.chapters.product;
   }
 
   get projection(): Projection | null {
@@ -84,7 +109,7 @@ export class ProductChapter extends LatentChapter implements Chapter {
     if (!this.#means) return [];
     return [LEGS, ARMS].map((source) => ({
       id: `alpha-${source}`,
-      label: this.#now.radius[source === LEGS ? "legs" : "arms"](this.#alphas[source]!.toPrecision(2)),
+      label: this.words.radius[source === LEGS ? "legs" : "arms"](this.#alphas[source]!.toPrecision(2)),
       place: (plane) => this.#edge(plane, source),
       drag: (plane, x, y) => this.#pull(plane, source, x, y),
       nudge: (right, down) => this.#set(source, this.#alphas[source]! * STEP ** (right - down)),
@@ -168,11 +193,11 @@ export class ProductChapter extends LatentChapter implements Chapter {
   }
 
   guess() {
-    return this.#guessed || !this.#means ? null : this.#now.guess;
+    return this.hasGuessed || !this.#means ? null : this.words.guess;
   }
 
-  guessed(): void {
-    this.#guessed = true;
+  override guessed(choice: string): void {
+    super.guessed(choice);
     this.#setAll(this.#learned.map((alpha) => 2 * alpha));
     attempt(this.body, this.#compare());
   }
@@ -238,12 +263,12 @@ export class ProductChapter extends LatentChapter implements Chapter {
   }
 
   stage() {
-    return this.pair(this.#now.plane, this.#weights());
+    return this.pair(this.words.plane, this.#weights());
   }
 
   control() {
-    if (!this.#guessed) return html`<p class="story-hint">${this.#now.hint}</p>`;
-    const { learned, twice } = this.#now;
+    if (!this.hasGuessed) return html`<p class="story-hint">${this.words.hint}</p>`;
+    const { learned, twice } = this.words;
     return html`<div class="story-row">
       <button class="story-button" data-testid="learned" @click=${() => this.#setAll(this.#learned)}>${learned}</button>
       <button class="story-button" data-testid="twice" @click=${() => this.#setAll(this.#alphas.map((alpha) => 2 * alpha))}>${twice}</button>
@@ -254,7 +279,7 @@ export class ProductChapter extends LatentChapter implements Chapter {
   #weights() {
     const { product } = this;
     if (!product) return nothing;
-    const { sources, row } = this.#now;
+    const { sources, row } = this.words;
     const line = (source: number, name: string) =>
       html`<li style=${partStyle(partColour(source))}><i class="swatch"></i>${row(
         name,
@@ -266,16 +291,16 @@ export class ProductChapter extends LatentChapter implements Chapter {
   }
 
   reveal() {
-    if (!this.#guessed || !this.#doubled) return null;
+    if (!this.hasGuessed || !this.#doubled) return null;
     const { apart, wider } = this.#doubled;
-    return html`<p data-testid="doubled">${this.#now.doubled(apart === 0 ? "0" : apart.toFixed(3), wider.toFixed(2))}</p>`;
+    return html`<p data-testid="doubled">${this.words.doubled(apart === 0 ? "0" : apart.toFixed(3), wider.toFixed(2))}</p>`;
   }
 
   equation() {
-    return equation(["weights"], this.#now.equation);
+    return this.equations(["weights"], this.words.equation);
   }
 
-  lab() {
+  override lab() {
     const altered = this.#alphas.some((alpha, source) => alpha !== this.#learned[source]);
     if (!altered) return {};
     const alpha = Object.fromEntries(this.#alphas.map((value, source) => [`${source}.${ARMS}`, value]));
@@ -285,7 +310,11 @@ export class ProductChapter extends LatentChapter implements Chapter {
   override leave(): void {
     this.#rollouts.drop();
     this.#alphas = [...this.#learned];
-    [this.#guessed, this.#doubled] = [false, null];
+    this.#doubled = null;
     super.leave();
   }
+}
+
+export async function openChapter(app: App): Promise<Chapter> {
+  return new ProductChapter(app.words, app.story);
 }

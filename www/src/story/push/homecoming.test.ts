@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import type { TracePoint } from "../../live/live-store";
-import { homecoming, homeLimit } from "./homecoming";
+import { homecoming, homeLimit } from "./push-chapter";
 
 const FRAME = 1 / 30;
 /** A walk that strays by 0.05, is pushed from frame 60 to 69, and then comes nearer by a tenth each frame. */

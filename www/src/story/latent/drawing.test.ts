@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { principalAxes, project } from "../../latents/projection";
-import { lift, nearestRow, projectPath } from "./lift";
+import { lift, nearestRow, projectPath, lapOf } from "./drawing";
 
 /** A tilted ellipse in three dimensions. */
 const path = Float64Array.from({ length: 3 * 60 }, (_, i) => {
@@ -23,4 +23,21 @@ it("lifts a place off the path to a point that the plot shows there", () => {
   const at = project(projection, lift(projection, seen, 5, -2), 0, new Float64Array(3));
   expect(at[0]).toBeCloseTo(5, 9);
   expect(at[1]).toBeCloseTo(-2, 9);
+});
+
+const circle = (frames: number, period: number) =>
+  Float64Array.from({ length: 2 * frames }, (_, i) => {
+    const angle = (2 * Math.PI * Math.floor(i / 2)) / period;
+    return i % 2 === 0 ? Math.cos(angle) : Math.sin(angle);
+  });
+
+it("finds the shortest time after which a path repeats itself", () => {
+  const { first, frames, path } = lapOf(circle(300, 34), 2);
+  expect([first, frames, path.length]).toEqual([150, 34, 68]);
+});
+
+it("forgets the start of the path", () => {
+  const path = circle(300, 41);
+  path.fill(7, 0, 200);
+  expect(lapOf(path, 2).frames).toBe(41);
 });
