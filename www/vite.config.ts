@@ -66,11 +66,6 @@ const isTeaching = (file: string) =>
     file,
   );
 
-/** A file of a view, and its words in www/src/words. */
-const isOf = (view: string, file: string) =>
-  [`/src/${view}/`, `/src/words/${view}.`, `/src/words/en/${view}.`, `/src/words/de/${view}.`].some((place) =>
-    file.includes(place),
-  );
 type Later = [folder: string, of: (file: string) => boolean];
 
 /**
@@ -80,7 +75,7 @@ const LATER: Later[] = [
   ["assets/teach", isTeaching],
   // The Lab names all views.
   ["assets/lab", (file) => file.includes("/src/views/")],
-  ...views.map(({ folder, name }): Later => [`assets/${name}`, (file) => isOf(folder, file)]),
+  ...views.map(({ folder, name }): Later => [`assets/${name}`, (file) => file.includes(`/src/${folder}/`)]),
   ["assets/glb", (file) => file.includes("/src/scene/glb.")],
   ["assets/on-demand", isOnDemand],
   ["assets/when-asked", isAsked],
