@@ -19,14 +19,8 @@ const addressOfExercise = (place: number) =>
   `exercise=${place + 1}${EXERCISE_NAMES[place] === "few" ? "&tab=learn&dynamics=6" : ""}`;
 
 export class TeachPage extends View {
-  static override properties = { length: { state: true } };
   declare app: App;
-  declare length: PlanLength;
-
-  constructor() {
-    super();
-    this.length = lengthOfPlan();
-  }
+  #length: PlanLength = lengthOfPlan();
 
   protected override stores() {
     return [this.app.settings, this.app.words];
@@ -38,7 +32,8 @@ export class TeachPage extends View {
   }
 
   #choose(length: PlanLength): void {
-    this.length = length;
+    this.#length = length;
+    this.requestUpdate();
     keepLength(length);
   }
 
@@ -75,12 +70,12 @@ export class TeachPage extends View {
         <div class="story-choice" role="group" aria-label=${plan.length}>
           ${LENGTHS.map(
             (length) =>
-              html`<button aria-pressed=${this.length === length ? "true" : "false"} data-testid="plan-${length}" @click=${() => this.#choose(length)}>${plan.minutes(length)}</button>`,
+              html`<button aria-pressed=${this.#length === length ? "true" : "false"} data-testid="plan-${length}" @click=${() => this.#choose(length)}>${plan.minutes(length)}</button>`,
           )}
         </div>
         <table class="teach-plan">
           <thead><tr><th scope="col">${minutes}</th>${others.map((column) => html`<th scope="col">${column}</th>`)}</tr></thead>
-          <tbody>${timesOf(this.length).map(
+          <tbody>${timesOf(this.#length).map(
             ({ step, from, to }) => html`
             <tr><td>${from}–${to}</td><th scope="row">${title(step)}</th><td>${steps[step].say}${this.#asked(steps[step])}</td><td>${steps[step].wrong}</td></tr>`,
           )}</tbody>
