@@ -63,8 +63,8 @@ ${body}}`;
   });
 }
 
-/** Mends what wasm-bindgen wrote for a target. */
-function mend(/** @type {string} */ folder, /** @type {boolean} */ reads) {
+/** Mends what wasm-bindgen wrote for a target, and adds the declarations of the types. */
+function mend(/** @type {string} */ folder, /** @type {boolean} */ reads, /** @type {string} */ declared) {
   const script = join(folder, "vcgpdm.js");
   change(
     script,
@@ -99,7 +99,7 @@ function mend(/** @type {string} */ folder, /** @type {boolean} */ reads) {
       change(types, read, `${read}\n    static read(name: string, file: Blob${rateType}): Promise<${name}>;`);
     }
   }
-  writeFileSync(types, readFileSync(types, "utf8") + DISPOSE);
+  writeFileSync(types, readFileSync(types, "utf8") + DISPOSE + declared);
   rmSync(join(folder, "vcgpdm_bg.wasm.d.ts"));
 }
 
@@ -216,10 +216,10 @@ export function writeNodeEntry(/** @type {string} */ place, text = NODE_WITH_FIL
 /** The declaration of `init` by wasm-bindgen, which demands an argument, with its comment. */
 const OLD_INIT = /\n\/\*\*(?:(?!\*\/)[\s\S])*\*\/\nexport default function [^\n]*\n/;
 
-/** Completes the package in \`place\`, which has the targets' folders web and player. */
-export function completePackage(/** @type {string} */ place) {
+/** Completes the package in `place`, which has the targets' folders web and player. */
+export function completePackage(/** @type {string} */ place, /** @type {string} */ declared) {
   const at = (/** @type {string[]} */ ...path) => join(place, ...path);
-  for (const folder of ["web", "player"]) mend(at(folder), folder === "web");
+  for (const folder of ["web", "player"]) mend(at(folder), folder === "web", declared);
 
   // An entry names the wasm by its address; the glue does not, because bundlers would look for the file.
   for (const folder of ["web", "player"]) {

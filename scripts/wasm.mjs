@@ -1,6 +1,7 @@
 // The npm package `vcgpdm` in crate/wasm/pkg: the whole wasm (web/), and a smaller one for a first visit to the
 // page (player/), which shows clips and models and trains none.
-import { copyFileSync, cpSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { copyFileSync, cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { packageNotice } from "./licences.mjs";
 import { completePackage, entries, writeNodeEntry } from "./package.mjs";
@@ -36,13 +37,20 @@ export const BINDGEN = ["--locked", "--profile", "tools", "--package", "bindgen"
 /** The folder for cargo's output. */
 const compiled = at(".tools", "wasm");
 
+/** The declarations of the types that Rust structs have. */
+const declarations = at(".tools", "types.d.ts");
+
+function rustSources() {
+  const sources = ["crate/vcgpdm", "crate/lab", "crate/wasm", "tools/bindgen", "Cargo.toml", "Cargo.lock"];
+  return filesUnder(
+    [...sources, ".cargo/config.toml", "scripts/wasm.mjs"].map((path) => at(path)),
+    ["pkg", "target", "tests", "benches", "js"],
+  );
+}
+
 /** The first half of `buildWasm`: cargo's. It needs nothing that npm installs. */
 export function compileWasm() {
-  const sources = ["crate/vcgpdm", "crate/lab", "crate/wasm", "tools/bindgen", "Cargo.toml", "Cargo.lock"];
-  const inputs = filesUnder(
-    [...sources, ".cargo/config.toml", "scripts/wasm.mjs"].map((path) => at(path)),
-    ["pkg", "target", "tests", "benches", "examples"],
-  );
+  const inputs = rustSources();
   const outputs = TARGETS.map(({ folder }) => at(".tools/wasm", folder, "package.json"));
   return whenChanged("wasm", { inputs, outputs, salt: output("rustc", "--version") ?? "" }, () =>
     compileTargets(compiled),
@@ -62,16 +70,29 @@ async function compileTargets(/** @type {string} */ place, /** @type {string[]} 
   }
 }
 
-/** Without `small`, wasm-opt is left out: the wasm is larger, and ready sooner. */
+/** Prints the declarations of the Rust structs with a program for this machine. */
+async function declareTypes() {
+  const program = ["--package", "vcgpdm-wasm", "--features", "types", "--example", "types"];
+  await whenChanged("types", { inputs: rustSources(), outputs: [declarations] }, async () => {
+    await run("cargo", "build", "--locked", "--profile", "tools", ...program);
+    const text = output("cargo", "run", "--quiet", "--locked", "--profile", "tools", ...program) ?? "";
+    const biome = at("node_modules/@biomejs/biome/bin/biome");
+    const input = text.replace(/\/\*\*\n *\* (.*)\n *\*\//g, "/** $1 */");
+    const formatted = execFileSync(biome, ["format", "--stdin-file-path=types.d.ts"], { input });
+    writeFileSync(declarations, formatted);
+  });
+}
+
+/** Without `small`, wasm-opt and types are left out: the wasm is larger, and ready sooner. */
 export async function buildWasm({ small = true } = {}) {
   await compileWasm();
+  if (small) await declareTypes();
   const pkg = at("crate/wasm/pkg");
+  const places = ["package-lock.json", "scripts/wasm.mjs", "scripts/package.mjs", "crate/wasm/js"];
   const inputs = filesUnder([
     compiled,
-    at("package-lock.json"),
-    at("scripts/wasm.mjs"),
-    at("scripts/package.mjs"),
-    at("crate/wasm/js"),
+    ...(existsSync(declarations) ? [declarations] : []),
+    ...places.map((path) => at(path)),
   ]);
   const outputs = TARGETS.map(({ folder }) => join(pkg, folder, "vcgpdm.js"));
   const state = (/** @type {boolean} */ small) => ({ inputs, outputs, salt: small ? "small" : "" });
@@ -80,7 +101,8 @@ export async function buildWasm({ small = true } = {}) {
     rmSync(pkg, { recursive: true, force: true });
     cpSync(compiled, pkg, { recursive: true });
     if (small) await optimise(pkg);
-    completePackage(pkg);
+    const types = [at("crate/wasm/js/types.d.ts"), ...(existsSync(declarations) ? [declarations] : [])];
+    completePackage(pkg, types.map((file) => readFileSync(file, "utf8")).join("\n"));
   });
   describe();
   return note;

@@ -230,6 +230,11 @@ export async function comparison(/** @type {string[]} */ ...words) {
   };
   // Recorded and made trials are never put together.
   const reports = recorded.length > 0 ? [(await report(recorded)).replace(TOGETHER, RECORDED)] : [];
+  const fromTwo = recorded.map(({ name }) => join(folder, `${name}-from-2-frames.json`));
+  if (recorded.length > 1) {
+    const [, all = ""] = (output(program, "report", ...fromTwo) ?? "").split(TOGETHER);
+    reports.push(`${RECORDED} from 2 frames${all}`);
+  }
   reports.push(...(await report(made)).split(TOGETHER).slice(0, 1));
   if (quick) return console.log(reports.join("\n"));
   if (first) {

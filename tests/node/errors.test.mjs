@@ -4,7 +4,6 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { readDeclarations } from "./declarations.mjs";
 import { installPackage } from "./package.mjs";
 
 /** @type {Awaited<ReturnType<typeof installPackage>>} */
@@ -345,11 +344,9 @@ it("errors have a name, a code of the declared ones, and words", () => {
     ],
   );
   assert.equal(set(clip, taller.withBonesOf(clip)).length, 2);
-  const declared = readDeclarations(readFileSync(at("crate/wasm/pkg/web/glue.d.ts"), "utf8")).types.get(
-    "ErrorCode",
-  );
-  assert.ok(declared?.kind === "union");
-  const codes = declared.options.map((option) => (option.kind === "literal" ? option.value : ""));
+  const types = readFileSync(at("crate/wasm/pkg/web/glue.d.ts"), "utf8");
+  const [declared = ""] = /type ErrorCode =[^;]*/.exec(types) ?? [];
+  const codes = [...declared.matchAll(/"([^"]+)"/g)].map(([, code = ""]) => code);
   for (const [code, call, words] of cases) {
     assert.ok(codes.includes(code), code);
     assert.throws(call, (/** @type {any} */ error) => {

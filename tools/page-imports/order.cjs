@@ -22,7 +22,8 @@ const ORDER = [
   ["training"],
   ["picture"], // loops and couplings next to the figure of the Lab
   ["views"], // what a view of the page is; the folders with a file entry.ts are the next line
-  [...views.map(({ folder }) => folder), "details"],
+  [...views.map(({ folder }) => folder).filter((folder) => folder !== "drawing"), "details"],
+  ["drawing"], // a drawing is a time series
   ["exercises"], // what a class does in the Lab, and when it is solved
   ["session"], // the copy of a visit in the browser's database
   ["app"], // creates the stores and connects them

@@ -2,43 +2,27 @@
 //! added one by one, so that a stopped evaluation can continue. Each program claims a job before it computes
 //! it, so that no other program computes the same job.
 //!
-//! `RESULTS.json.lock` is locked while a program reads or writes the results. It holds the claims. A program
-//! that has claims keeps a file `RESULTS.json.lock-N` locked. The system unlocks this file when the program
-//! ends in whatever way: a claim whose owner's file is not locked counts no more.
+//! `RESULTS.json.lock` is locked while a program reads or writes the results or claims a job. A program that
+//! computes a job keeps a file `RESULTS.json.lock-HASH` of the job locked. The system unlocks the file when the
+//! program ends in whatever way, and then the job is free.
 
 use crate::files;
 use crate::progress::say;
 use crate::results::read;
 use crate::usage::usage;
-use serde::{Deserialize, Serialize};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::error::Error;
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{Read, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, Instant};
-use vcgpdm_lab::evaluation::{Finished, Job, Results, Setting, job_in_files};
+use vcgpdm::internals::sha256;
+use vcgpdm_lab::evaluation::{Finished, Job, Results, Setting};
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
 /// After so long a program says that it waits for the lock.
 const PATIENCE: Duration = Duration::from_secs(2);
-
-/// A job that a program computes.
-#[derive(Serialize, Deserialize)]
-struct Claim {
-    owner: usize,
-    #[serde(with = "job_in_files")]
-    job: Job,
-}
-
-/// The number of this program among those with claims, and its locked file.
-struct Owner {
-    number: usize,
-    path: PathBuf,
-    _locked: File,
-}
 
 /// The job to compute next.
 pub enum Next {
@@ -55,7 +39,8 @@ pub struct Store {
     results: Results,
     /// Jobs that had failed when the file was opened. They are computed again.
     failed_before: HashSet<Job>,
-    owner: Option<Owner>,
+    /// The locked files of the jobs that this program computes.
+    claims: HashMap<Job, (PathBuf, File)>,
 }
 
 impl Store {
@@ -65,7 +50,7 @@ impl Store {
             return Err(usage("--out -: expected a file, to which finished jobs are added one by one"));
         }
         let (path, results) = (path.to_owned(), Results::new(setting));
-        let mut store = Self { path, results, failed_before: HashSet::new(), owner: None };
+        let mut store = Self { path, results, failed_before: HashSet::new(), claims: HashMap::new() };
         let lock = lock(&store.path)?;
         files::check_writable(&store.path, [])?;
         store.read()?;
@@ -86,47 +71,40 @@ impl Store {
     /// Claims the first of the jobs that is neither finished nor claimed by another program. Finished jobs
     /// are removed from the list, and so is the claimed one.
     pub fn claim(&mut self, jobs: &mut Vec<Job>) -> Result<Next> {
-        let mut lock = lock(&self.path)?;
+        let _lock = lock(&self.path)?;
         self.read()?;
         let finished: HashSet<&Job> =
             self.results.finished().iter().filter(|f| self.is_over(f)).map(|f| &f.job).collect();
         jobs.retain(|job| !finished.contains(job));
-        let mut claims = self.claims(&mut lock);
-        let claimed: HashSet<&Job> = claims.iter().map(|claim| &claim.job).collect();
-        let Some(place) = jobs.iter().position(|job| !claimed.contains(job)) else {
-            return Ok(if jobs.is_empty() { Next::Done } else { Next::Wait });
-        };
-        let owner = match &self.owner {
-            Some(owner) => owner.number,
-            None => {
-                let owner = self.new_owner()?;
-                claims.retain(|claim| claim.owner != owner.number);
-                self.owner.insert(owner).number
+        for place in 0..jobs.len() {
+            let path = self.path_of(&jobs[place]);
+            if let Some(file) = try_lock(&path)? {
+                let job = jobs.remove(place);
+                self.claims.insert(job.clone(), (path, file));
+                return Ok(Next::Job(job));
             }
-        };
-        let job = jobs.remove(place);
-        claims.push(Claim { owner, job: job.clone() });
-        self.write_claims(&mut lock, &claims)?;
-        Ok(Next::Job(job))
+        }
+        Ok(if jobs.is_empty() { Next::Done } else { Next::Wait })
     }
 
     /// Adds a finished job and gives up its claim. Jobs that other programs have added stay.
     pub fn add(&mut self, finished: Finished) -> Result<()> {
-        let mut lock = lock(&self.path)?;
+        let _lock = lock(&self.path)?;
         self.read()?;
-        let mut claims = self.claims(&mut lock);
-        claims.retain(|claim| claim.job != finished.job);
+        let claim = self.claims.remove(&finished.job);
         self.results.add(finished)?;
         self.write()?;
-        self.write_claims(&mut lock, &claims)
+        claim.iter().for_each(give_up);
+        Ok(())
     }
 
     fn is_over(&self, finished: &Finished) -> bool {
         finished.outcome.is_some() || !self.failed_before.contains(&finished.job)
     }
 
-    fn path_with(&self, ending: &str) -> PathBuf {
-        with_ending(&self.path, ending)
+    /// The file that is locked while a program computes the job.
+    fn path_of(&self, job: &Job) -> PathBuf {
+        with_ending(&self.path, &format!(".lock-{}", &sha256(job.to_string().as_bytes())[..16]))
     }
 
     fn read(&mut self) -> Result<()> {
@@ -138,51 +116,6 @@ impl Store {
 
     fn write(&self) -> Result<()> {
         files::write_text(&self.path, &(self.results.to_json()? + "\n"))
-    }
-
-    /// The claims of programs that still run, this one included.
-    fn claims(&self, lock: &mut File) -> Vec<Claim> {
-        let mut text = String::new();
-        // A program that ended while it wrote the claims left a part of them: the jobs are then free.
-        let read = lock.rewind().and_then(|()| lock.read_to_string(&mut text));
-        let mut claims: Vec<Claim> =
-            read.ok().and_then(|_| serde_json::from_str(&text).ok()).unwrap_or_default();
-        let own = self.owner.as_ref().map(|owner| owner.number);
-        let owners: HashSet<usize> = claims.iter().map(|claim| claim.owner).collect();
-        let running = owners.into_iter().filter(|owner| Some(*owner) == own || self.is_running(*owner));
-        let running: HashSet<usize> = running.collect();
-        claims.retain(|claim| running.contains(&claim.owner));
-        claims
-    }
-
-    fn write_claims(&self, lock: &mut File, claims: &[Claim]) -> Result<()> {
-        let text = if claims.is_empty() { String::new() } else { serde_json::to_string(claims)? };
-        let written =
-            lock.set_len(0).and_then(|()| lock.rewind()).and_then(|()| lock.write_all(text.as_bytes()));
-        written.map_err(|error| files::with_path(&self.path_with(".lock"), &error))
-    }
-
-    fn owner_path(&self, number: usize) -> PathBuf {
-        self.path_with(&format!(".lock-{number}"))
-    }
-
-    fn is_running(&self, owner: usize) -> bool {
-        let file = OpenOptions::new().write(true).open(self.owner_path(owner));
-        file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
-    }
-
-    /// The first number that no running program has. A file that a killed program left is used again.
-    fn new_owner(&self) -> Result<Owner> {
-        let mut number = 1;
-        loop {
-            let path = self.owner_path(number);
-            let file = open(&path).map_err(|error| files::with_path(&path, &error))?;
-            match file.try_lock() {
-                Ok(()) => return Ok(Owner { number, path, _locked: file }),
-                Err(TryLockError::WouldBlock) => number += 1,
-                Err(TryLockError::Error(error)) => return Err(files::with_path(&path, &error)),
-            }
-        }
     }
 }
 
@@ -197,42 +130,49 @@ fn with_ending(path: &Path, ending: &str) -> PathBuf {
 /// other.
 fn lock(results: &Path) -> Result<File> {
     let path = with_ending(results, ".lock");
-    let named = |error: &std::io::Error| files::with_path(&path, error);
-    let lock = open(&path).map_err(|error| named(&error))?;
     let begin = Instant::now();
-    loop {
-        match lock.try_lock() {
-            Ok(()) => return Ok(lock),
-            Err(TryLockError::WouldBlock) if begin.elapsed() < PATIENCE => {
-                thread::sleep(Duration::from_millis(20));
-            }
-            Err(TryLockError::WouldBlock) => break,
-            Err(TryLockError::Error(error)) => return Err(named(&error)),
+    while begin.elapsed() < PATIENCE {
+        if let Some(file) = try_lock(&path)? {
+            return Ok(file);
         }
+        thread::sleep(Duration::from_millis(20));
     }
     say(&format!("waiting for another program that writes {}", results.display()));
-    lock.lock().map_err(|error| named(&error))?;
-    Ok(lock)
+    let file = open(&path)?;
+    file.lock().map_err(|error| files::with_path(&path, &error))?;
+    Ok(file)
 }
 
-fn open(path: &Path) -> std::io::Result<File> {
-    OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path)
+/// The file, locked; `None` if another program has locked it.
+fn try_lock(path: &Path) -> Result<Option<File>> {
+    let file = open(path)?;
+    match file.try_lock() {
+        Ok(()) => Ok(Some(file)),
+        Err(TryLockError::WouldBlock) => Ok(None),
+        Err(TryLockError::Error(error)) => Err(files::with_path(path, &error)),
+    }
+}
+
+fn open(path: &Path) -> Result<File> {
+    let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path);
+    file.map_err(|error| files::with_path(path, &error))
+}
+
+/// Deletes the file of a claim, under the lock of the results: no program waits for it. An error leaves a file that
+/// is not locked and claims nothing.
+fn give_up((path, _): &(PathBuf, File)) {
+    let _ = fs::remove_file(path);
 }
 
 impl Drop for Store {
     /// Gives up the claims of jobs that were stopped.
     fn drop(&mut self) {
-        if self.owner.is_none() {
-            return;
-        }
-        if let Ok(mut lock) = lock(&self.path) {
-            let mut claims = self.claims(&mut lock);
-            if let Some(owner) = self.owner.take() {
-                claims.retain(|claim| claim.owner != owner.number);
-                // Both errors leave claims of a program that has ended, which count no more.
-                let _ = self.write_claims(&mut lock, &claims);
-                let _ = fs::remove_file(&owner.path);
-            }
+        if !self.claims.is_empty()
+            && let Ok(_lock) = lock(&self.path)
+        {
+            self.claims.values().for_each(give_up);
+            // Unlocked while the results are still locked.
+            self.claims.clear();
         }
     }
 }
@@ -335,15 +275,11 @@ mod tests {
         assert_eq!(claimed(&mut second, &mut of_second), Some(0));
         drop(second);
         assert_eq!(files_in(&folder), ["results.json", "results.json.lock"]);
-        // A killed one leaves a claim and a file that is not locked, maybe half of a claim.
-        let claims = serde_json::to_string(&[Claim { owner: 1, job: job(0) }]).unwrap();
-        assert!(claims.contains(r#""held_out":1"#), "as programs of earlier versions: {claims}");
-        for rest in [claims, "[{".to_owned()] {
-            fs::write(folder.join("results.json.lock"), rest).unwrap();
-            fs::write(folder.join("results.json.lock-1"), "").unwrap();
-            let (mut third, mut of_third) = open();
-            assert_eq!(claimed(&mut third, &mut of_third), Some(0));
-        }
+        // A killed one leaves a file that is not locked.
+        let (mut third, mut of_third) = open();
+        fs::write(third.path_of(&job(0)), "").unwrap();
+        assert_eq!(claimed(&mut third, &mut of_third), Some(0));
+        drop(third);
         assert_eq!(files_in(&folder), ["results.json", "results.json.lock"]);
         fs::remove_dir_all(&folder).unwrap();
     }

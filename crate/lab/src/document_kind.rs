@@ -5,9 +5,11 @@ use crate::perception::Study;
 use serde::Serialize;
 use vcgpdm::internals::json::{Value, outline};
 
-/// A kind of JSON document.
+/// A kind of JSON document: a model of a body or of tables, a library of primitives, results of a comparison,
+/// a study, a list (as the answers to a study are), or anything else.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum DocumentKind {
     /// A model of a body.
     Model,

@@ -1,63 +1,23 @@
 //! The npm package `vcgpdm`: the library for JavaScript.
 //!
-//! Types are the library's own; `convert.rs` carries them over in camelCase, `error.rs` carries its errors.
-//! The TypeScript of a function is declared next to it.
-#![cfg(target_arch = "wasm32")]
+//! Types are the library's own; `values` carries them and their errors over in camelCase. `types.rs` declares them
+//! in TypeScript.
 
-mod arguments;
-mod body;
-mod bvh;
-#[cfg(feature = "speed")]
-mod case;
-mod clip;
+mod data;
 #[cfg(feature = "training")]
-mod completion;
-mod convert;
-mod document_kind;
-mod error;
-#[cfg(feature = "training")]
-mod evaluation;
+mod lab;
 #[cfg(feature = "training")]
 mod library;
-#[cfg(feature = "training")]
-mod library_trainers;
-#[cfg(feature = "training")]
-mod library_walk;
-mod live;
-#[cfg(feature = "training")]
-mod maker;
-mod model;
-#[cfg(feature = "training")]
-mod origin;
-#[cfg(feature = "training")]
-mod perception;
-#[cfg(feature = "training")]
-mod plane;
-mod points;
-mod predictions;
-#[cfg(feature = "training")]
-mod primitives;
-mod read;
-#[cfg(feature = "training")]
-mod recognition;
+mod models;
 #[cfg(test)]
 mod refused_calls;
-#[cfg(feature = "training")]
-mod results;
-mod rollout;
-mod settings;
-#[cfg(feature = "training")]
-mod study;
-#[cfg(feature = "training")]
-mod synthetic;
-#[cfg(feature = "training")]
-mod tables;
-mod trained;
-#[cfg(feature = "training")]
-mod trainer;
-mod wording;
+#[cfg(feature = "types")]
+mod types;
+mod values;
 
-use error::{ErrorCode, VcgpdmError};
+#[cfg(feature = "types")]
+pub use types::declarations;
+use values::error::{ErrorCode, VcgpdmError};
 use wasm_bindgen::prelude::*;
 
 /// A fresh seed from the machine's own randomness.

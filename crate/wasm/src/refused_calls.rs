@@ -1,11 +1,11 @@
 //! Regression tests: invalid calls that once crashed, or half changed an object, now throw.
 
-use crate::arguments::{Text, Whole};
-use crate::convert::to_js;
-use crate::error::VcgpdmError;
-use crate::live::LiveRollout;
-use crate::model::Model;
-use crate::rollout::{Rollout, best_to_show};
+use crate::models::live::LiveRollout;
+use crate::models::model::Model;
+use crate::models::rollout::{Rollout, best_to_show};
+use crate::values::arguments::{Text, Whole};
+use crate::values::convert::to_js;
+use crate::values::error::VcgpdmError;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;

@@ -29,7 +29,7 @@ export const WORKS: readonly { words: string; doi?: string }[] = [
   },
   {
     words:
-      "Wang, J. M., Fleet, D. J., Hertzmann, A. (2008). Gaussian Process Dynamical Models for Human Motion. IEEE PAMI 30(2), 283–298.",
+      "Wang, J. M., Fleet, D. J., Hertzmann, A. (2008). Gaussian Process Dynamical Models for Human Motion. IEEE Transactions on Pattern Analysis and Machine Intelligence 30(2), 283–298.",
     doi: "10.1109/TPAMI.2007.1167",
   },
   {
@@ -43,7 +43,7 @@ export const WORKS: readonly { words: string; doi?: string }[] = [
   { words: "Hinton, G. E. (1999). Products of Experts. ICANN 1999, 1–6." },
   {
     words:
-      "Clever, D. et al. (2016). A Novel Approach for the Generation of Complex Humanoid Walking Sequences … Robotics and Autonomous Systems 83, 287–298.",
+      "Clever, D. et al. (2016). A Novel Approach for the Generation of Complex Humanoid Walking Sequences Based on a Combination of Optimal Control and Learning of Movement Primitives. Robotics and Autonomous Systems 83, 287–298.",
     doi: "10.1016/j.robot.2016.06.001",
   },
   {
@@ -53,6 +53,6 @@ export const WORKS: readonly { words: string; doi?: string }[] = [
   },
   {
     words:
-      "Sakoe, H., Chiba, S. (1978). Dynamic Programming Algorithm Optimization for Spoken Word Recognition. IEEE ASSP 26(1), 43–49.",
+      "Sakoe, H., Chiba, S. (1978). Dynamic Programming Algorithm Optimization for Spoken Word Recognition. IEEE Transactions on Acoustics, Speech and Signal Processing 26(1), 43–49.",
   },
 ];

@@ -72,12 +72,14 @@ export class MoreView extends View {
     const { loops, readings: words } = lab();
     if (!info) return nothing;
     const { bothShown } = readings;
+    const { loop } = settings.values;
     return html`
       <h2>${withTerms(loops.title)}</h2>
       <p class="hint">${withTerms(loops.about)}</p>
       <pg-layers .layers=${layers} .predictions=${predictions} .settings=${settings} .parts=${info.parts.length}></pg-layers>
       <h2>${lab().couplings.begins}</h2>
       <div class="starts">${this.#starts(info)}</div>
+      <button type="button" class="chip" aria-pressed=${loop ? "true" : "false"} @click=${() => settings.change({ loop: !loop })}>${lab().time.loop}</button>
       ${
         info.parts.length > 1
           ? html`

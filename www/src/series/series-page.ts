@@ -1,9 +1,8 @@
 // The view of time series without a body: the picture of the Lab, with curves in place of the figure.
 import { html, nothing } from "lit";
-import { readingChoice } from "../couplings/reading-choice";
 import type { Space } from "../latents/latent-plot";
 import { LayersStore } from "../latents/layers-store";
-import "../picture/loops-view";
+import { coupledPicture } from "../picture/coupled-picture";
 import type { SettingsStore } from "../settings/settings-store";
 import { progressRow } from "../training/progress-row";
 import { download } from "../ui/download";
@@ -130,35 +129,24 @@ export class SeriesPage extends View {
 
   #picture() {
     const { model } = this.series;
-    const { couplings } = model;
     const { panel } = this.settings.values;
-    const { lead } = lab().stage;
     this.#space ??= {
       layers: new LayersStore(async () => null),
       settings: this.settings,
       playback: model.clock,
     };
-    return html`
-      <div class="picture-area picture">
-        ${
-          model.model
-            ? html`
-          <div class="picture-head" role="group" aria-label=${lab().couplings.map}>
-            ${readingChoice(couplings)}
-            ${couplings.altered ? html`<button data-testid="series-reset" @click=${() => couplings.resetAll()}>${icon("reset")} ${lab().readings.resetAll}</button>` : nothing}
-          </div>
-          <p class="picture-lead" role="status">${model.problem ? html`<span class="bad" role="alert">${model.problem}</span>` : couplings.altered ? lead.own : lead.drag}</p>
-          <pg-loops .model=${model} .space=${this.#space}></pg-loops>`
-            : html`<p class="hint">${seriesWords().noCouplings}</p>`
-        }
-        <div class="picture-foot">
-          <div>${this.#train()}</div>
-          <div class="panel-buttons">
-            <button id="open-learn" aria-expanded=${panel === "learn" ? "true" : "false"} aria-controls="panel-learn"
-              @click=${() => this.settings.change({ panel: panel === "learn" ? "none" : "learn" })}>${lab().page.panels.learn}</button>
-          </div>
+    const foot = html`
+      <div class="picture-foot">
+        <div>${this.#train()}</div>
+        <div class="panel-buttons">
+          <button id="open-learn" aria-expanded=${panel === "learn" ? "true" : "false"} aria-controls="panel-learn"
+            @click=${() => this.settings.change({ panel: panel === "learn" ? "none" : "learn" })}>${lab().page.panels.learn}</button>
         </div>
       </div>`;
+    if (!model.model)
+      return html`<div class="picture-area picture"><p class="hint">${seriesWords().noCouplings}</p>${foot}</div>`;
+    const { problem } = model;
+    return coupledPicture({ model, space: this.#space, lead: lab().stage.lead.drag, problem, foot });
   }
 
   protected override render() {

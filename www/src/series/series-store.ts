@@ -28,11 +28,8 @@ class SeriesClock extends Clock {
   }
 }
 
-/**
- * The length of a rollout divided by the length of its table. It is above 1 to show also the time after the
- * recording.
- */
-const AS_LONG = 1.5;
+/** A rollout is longer than its table, to show also the time after the recording. */
+const longer = (rows: number) => Math.max(2, Math.round(1.5 * rows));
 
 interface OpenModel extends OpenedSeries {
   text: string;
@@ -62,8 +59,12 @@ export class SeriesStore extends Store implements Coupled {
   #rolled: Rolled | null = null;
   #problem = "";
 
-  constructor({ desk }: Pick<WholeWorkers, "desk">, tables: TablesStore) {
+  readonly #framesOf: (rows: number) => number;
+
+  /** `framesOf`: the frames of a rollout that starts from a table with these rows. */
+  constructor({ desk }: Pick<WholeWorkers, "desk">, tables: TablesStore, framesOf = longer) {
     super();
+    this.#framesOf = framesOf;
     this.#document = new OpenDocument(desk, (worker, text) => worker.openSeries(text));
     this.#tables = tables;
     // The visitor may have opened or removed the table that the rollout starts from.
@@ -150,7 +151,7 @@ export class SeriesStore extends Store implements Coupled {
   ): Promise<{ opened: OpenModel; rolled: Rolled }> {
     const model = await this.#document.open(text);
     const opened = { text, ...model, trainingLatents: training, unsaved: training !== null };
-    return { opened, rolled: await this.#roll(asLearned(model.info, 0), opened) };
+    return { opened, rolled: await this.#roll(this.#asLearned(model.info, 0), opened) };
   }
 
   #takeUp({ opened, rolled }: { opened: OpenModel; rolled: Rolled }): void {
@@ -201,11 +202,16 @@ export class SeriesStore extends Store implements Coupled {
     return this.#document.ask(opened.text, (worker) => worker.seriesCsv(rolled.asked));
   }
 
+  /** Rolls out again, when `framesOf` gives another length. */
+  again(): void {
+    this.#request();
+  }
+
   #request(): void {
     const { info } = this.#opened ?? {};
     this.changed();
     if (!info) return;
-    const learned = asLearned(info, this.#sequence);
+    const learned = this.#asLearned(info, this.#sequence);
     const observed = this.#given.observed(info, learned.frames, this.recorded);
     const asked = { ...learned, observed };
     const { alpha, altered, reading } = this.couplings;
@@ -217,8 +223,12 @@ export class SeriesStore extends Store implements Coupled {
     const { text, info } = opened;
     const ask = (asked: SeriesRequest) => this.#document.ask(text, (worker) => worker.rolloutSeries(asked));
     const before =
-      opened === this.#opened && this.#rolled?.asked.sequence === asked.sequence ? this.#rolled : null;
-    const learned = before?.learned ?? (await ask(asLearned(info, asked.sequence)));
+      opened === this.#opened &&
+      this.#rolled?.asked.sequence === asked.sequence &&
+      this.#rolled.asked.frames === asked.frames
+        ? this.#rolled
+        : null;
+    const learned = before?.learned ?? (await ask(this.#asLearned(info, asked.sequence)));
     return { asked, learned, rollout: asked.alpha || asked.observed ? await ask(asked) : learned };
   }
 
@@ -228,9 +238,9 @@ export class SeriesStore extends Store implements Coupled {
     this.clock.load(rolled.asked.frames, this.#opened?.info.frameTime ?? 1);
     this.changed();
   }
-}
 
-function asLearned({ sequences }: SeriesInfo, sequence: number): SeriesRequest {
-  const frames = Math.max(2, Math.round(AS_LONG * (sequences[sequence]?.frames ?? 0)));
-  return { frames, sequence, alpha: null, reading: "as-learned", observed: null };
+  #asLearned({ sequences }: SeriesInfo, sequence: number): SeriesRequest {
+    const frames = this.#framesOf(sequences[sequence]?.frames ?? 0);
+    return { frames, sequence, alpha: null, reading: "as-learned", observed: null };
+  }
 }

@@ -76,7 +76,7 @@ export class TimelineView extends View {
     const { playback, settings } = this;
     const { playing, lastFrame } = playback;
     const words = lab().time;
-    const { loop, speed: now } = settings.values;
+    const { speed: now } = settings.values;
     const frameTime = this.stage.content?.motion.frameTime ?? 1 / 30;
     const frame = Math.min(Math.floor(playback.frame + 1e-6), lastFrame);
     const seconds = (value: number) => fixed(value * frameTime, 1);
@@ -94,8 +94,6 @@ export class TimelineView extends View {
             @input=${(event: Event) => playback.scrub((event.target as HTMLInputElement).valueAsNumber)} />
         </div>
         <span class="clock"><output aria-hidden="true">${seconds(frame)}</output>${this.#length(frameTime, seconds(lastFrame))}</span>
-        <button class="round toggle" aria-label=${words.loop} title=${words.loop} aria-pressed=${loop ? "true" : "false"}
-          @click=${() => settings.change({ loop: !loop })}>${icon("loop")}</button>
         <label class="speed"><span class="hidden">${words.speed}</span>
           <select aria-label=${words.speed} @change=${(event: Event) => {
             const chosen = SETTINGS.speed.read((event.target as HTMLSelectElement).value);

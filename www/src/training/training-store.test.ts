@@ -234,10 +234,12 @@ describe("several trainings", () => {
     settings.change({ trainings: 1 });
     const over = training.start();
     await settled();
-    settings.change({ latent: 2 });
+    settings.change({ latent: 2, asInPapers: true });
     await training.start();
     await settled();
     expect([states(), training.asked.length]).toEqual(["running running", 2]);
+    expect(worker(0).job.settings).toMatchObject({ poseWeight: "balanced" });
+    expect(worker(1).job.settings).toMatchObject({ poseWeight: 1, ownRollouts: false });
     worker(0).end(done);
     await settled();
     const [first] = training.runs;

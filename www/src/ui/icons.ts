@@ -6,7 +6,6 @@ const SHAPES = {
   pause: svg`<rect x="3.5" y="2.5" width="3.2" height="11" rx="1" fill="currentColor"/><rect x="9.3" y="2.5" width="3.2" height="11" rx="1" fill="currentColor"/>`,
   back: svg`<path d="M10.5 3.5L6 8l4.5 4.5M3.6 3.5v9"/>`,
   forward: svg`<path d="M5.5 3.5L10 8l-4.5 4.5M12.4 3.5v9"/>`,
-  loop: svg`<path d="M3 8V7a3 3 0 0 1 3-3h6.4M10.4 1.8L12.6 4l-2.2 2.2M13 8v1a3 3 0 0 1-3 3H3.6M5.6 14.2L3.4 12l2.2-2.2"/>`,
   dice: svg`<rect x="2.5" y="2.5" width="11" height="11" rx="2.5"/><circle cx="5.7" cy="5.7" r=".9" fill="currentColor" stroke="none"/><circle cx="8" cy="8" r=".9" fill="currentColor" stroke="none"/><circle cx="10.3" cy="10.3" r=".9" fill="currentColor" stroke="none"/>`,
   close: svg`<path d="M4 4l8 8M12 4l-8 8"/>`,
   cut: svg`<circle cx="4.2" cy="4.4" r="1.9"/><circle cx="4.2" cy="11.6" r="1.9"/><path d="M5.8 5.5L13.5 11M5.8 10.5L13.5 5"/>`,

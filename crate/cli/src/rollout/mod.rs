@@ -16,7 +16,8 @@ use std::iter::once;
 use std::path::{Path, PathBuf};
 use vcgpdm::document::Document;
 use vcgpdm::models::{
-    Body, ColumnMapping, Coupled, MOST_FRAMES, MOST_SAMPLES, Model, Reading, Rollout, RolloutRequest,
+    Body, ColumnMapping, Coupled, FittedModel, MOST_FRAMES, MOST_SAMPLES, Model, ModelKind, Reading, Rollout,
+    RolloutRequest,
 };
 use vcgpdm::series;
 
@@ -155,7 +156,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 type WriteMotion<'a, S> = &'a dyn Fn(&Body<S>, &DMatrix<f64>, &Path) -> Result<(), Box<dyn Error>>;
 
 /// Writes what the options ask for. Returns the rollout of a model with couplings, and its request.
-fn roll_out<S: ColumnMapping>(
+fn roll_out<S: ColumnMapping + Clone>(
     arguments: &Arguments,
     model: &Model<S>,
     start: Option<Vec<DMatrix<f64>>>,
@@ -164,13 +165,14 @@ fn roll_out<S: ColumnMapping>(
     match model.coupled() {
         Some(model) => roll_out_coupled(arguments, model, start, motion).map(Some),
         None => {
-            if let Some(option) = arguments.coupling_option() {
+            let changed = arguments.with_alpha(model)?;
+            if let Some(option) = arguments.coupling_option(changed.is_some()) {
                 let kind = model.kind().id();
                 return Err(usage(format!(
                     "{option}: expected a vcgpdm or vgpdm model, found a {kind} model"
                 )));
             }
-            let y = model.rollout(arguments.sequence(), arguments.frames)?;
+            let y = changed.as_ref().unwrap_or(model).rollout(arguments.sequence(), arguments.frames)?;
             arguments.write(&model.body, &y, None, motion)?;
             Ok(None)
         }
@@ -186,12 +188,40 @@ impl Arguments {
         }
     }
 
-    /// The first option on the command line that only models with couplings have.
-    fn coupling_option(&self) -> Option<&'static str> {
+    /// A MAP CGPDM with the couplings of `--alpha`; `None` for all others.
+    fn with_alpha<S: ColumnMapping + Clone>(
+        &self,
+        model: &Model<S>,
+    ) -> Result<Option<Model<S>>, Box<dyn Error>> {
+        match &model.fitted {
+            FittedModel::Map(map) if !self.alpha.is_empty() && model.kind() == ModelKind::MapCgpdm => {
+                Ok(model.with_alpha(self.couplings(map.alpha(), &model.body)?).transpose()?)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The couplings of `--alpha`, the others as learned.
+    fn couplings<S: ColumnMapping>(
+        &self,
+        learned: &DMatrix<f64>,
+        body: &Body<S>,
+    ) -> Result<DMatrix<f64>, Usage> {
+        let (mut alpha, parts) = (learned.clone(), part_names(body));
+        for coupling in &self.alpha {
+            let (source, target, value) = parse::coupling(coupling, &parts).map_err(Usage)?;
+            alpha[(source, target)] = value;
+        }
+        Ok(alpha)
+    }
+
+    /// The first option on the command line that only models with couplings have. A model that `takes_alpha` has
+    /// `--alpha` too.
+    fn coupling_option(&self, takes_alpha: bool) -> Option<&'static str> {
         let options = [
             ("--from", matches!(self.from, Start::Clip { .. })),
             ("--frame", self.frame > 0),
-            ("--alpha", !self.alpha.is_empty()),
+            ("--alpha", !takes_alpha && !self.alpha.is_empty()),
             ("--latents", self.latents.is_some()),
             ("--reading", self.reading != ReadingOption::AsLearned),
             ("--cut", !self.cut.is_empty()),
@@ -237,11 +267,7 @@ impl Arguments {
         start: Option<Vec<DMatrix<f64>>>,
     ) -> Result<RolloutRequest, Usage> {
         let parts = &part_names(model.body);
-        let mut alpha = model.model.alpha.clone();
-        for coupling in &self.alpha {
-            let (source, target, value) = parse::coupling(coupling, parts).map_err(Usage)?;
-            alpha[(source, target)] = value;
-        }
+        let alpha = self.couplings(&model.model.alpha, model.body)?;
         Ok(RolloutRequest {
             frames: self.frames,
             sequence: self.sequence(),

@@ -129,6 +129,10 @@ fn rolls_out_every_kind_of_model_as_it_was_trained() {
             let arguments: Vec<&str> = arguments.into_iter().chain([option, value]).collect();
             if variational {
                 json_and_stderr(&arguments);
+            } else if option == "--alpha" && candidate.kind() == ModelKind::MapCgpdm {
+                let learned = fs::read_to_string(&motion).unwrap();
+                assert_eq!(prints(&arguments), "");
+                assert_ne!(fs::read_to_string(&motion).unwrap(), learned, "{id}");
             } else {
                 let found = fails(&arguments);
                 let expected = format!("{option}: expected a vcgpdm or vgpdm model, found a {id} model");

@@ -45,6 +45,7 @@ pub struct Details {
 /// A number of the prediction and of the trial held out.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Compared<T> {
     /// In the prediction.
     pub predicted: T,
@@ -56,6 +57,7 @@ pub struct Compared<T> {
 /// observation noise included.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Bands {
     /// The share of recorded numbers in the bands that should hold 50 %.
     pub within_50: f64,

@@ -9,15 +9,19 @@ use vcgpdm::models::{ENGINE, TrainingCost};
 use vcgpdm::motion::Clip;
 use vcgpdm::motion::parts::PartSpec;
 
-/// One candidate in one fold with one seed. Its text is different for different jobs.
+/// One candidate in one fold with one seed.
+///
+/// Its text is different for different jobs.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Job {
     /// The kind of model with its settings.
+    #[cfg_attr(feature = "types", ts(as = "vcgpdm::models::Settings"))]
     pub candidate: Candidate,
-    /// The trial held out, counted from 0.
+    /// The held-out trial, counted from 0.
     pub held_out: usize,
-    /// Number of the other trials that are trained on.
+    /// The number of other trials in the training set.
     pub training_trials: usize,
     /// The seed of everything random.
     pub seed: u32,
@@ -38,14 +42,16 @@ impl Display for Job {
     }
 }
 
-/// A finished job: its outcome, or the reason of its failure.
+/// A finished job, with its outcome or the reason why it failed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "FinishedJob"))]
 pub struct Finished {
-    /// The job.
+    /// In files of the terminal program, the candidate can also be a `Rival`.
     #[serde(with = "job_in_files")]
+    #[cfg_attr(feature = "types", ts(skip))]
     pub job: Job,
-    /// The program and its version that computed it.
+    /// The program that computed the outcome, and its version.
     pub engine: String,
     /// The outcome; absent after a failure.
     pub outcome: Option<Outcome>,

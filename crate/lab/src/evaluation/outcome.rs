@@ -7,15 +7,16 @@ use serde::{Deserialize, Serialize};
 use vcgpdm::models::variational::BoundTerms;
 use vcgpdm::models::{EndReason, Score};
 
-/// The outcome of one candidate in one fold.
+/// The outcome of one model in one fold.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Outcome {
     /// The error of the prediction.
     pub score: Score,
-    /// The bound on the log evidence, where the model has one. Weighted pose terms do not change it.
+    /// The bound on the log evidence, in nats, where the model has one.
     pub bound: Option<f64>,
-    /// The highest value of the training's objective.
+    /// What training maximised, at its best.
     pub objective: f64,
     /// Iterations of the training.
     pub iterations: usize,
@@ -23,27 +24,31 @@ pub struct Outcome {
     pub seconds: f64,
     /// Frames trained on.
     pub frames: usize,
-    /// Numbers that a rollout needs.
+    /// Numbers that must be kept to roll out.
     pub stored_numbers: usize,
-    /// Why training ended.
+    /// Why training ended, as a sentence.
     pub reason: Option<String>,
-    /// The terms of the bound, if the model has them; absent in results of earlier versions.
+    /// The terms of the bound, in nats, of each part where they have parts; absent without such a bound, or
+    /// in results of earlier programs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", ts(optional))]
     pub terms: Option<BoundTerms>,
-    /// The error of each part along the same warping path, in the order of the setting's parts; empty in
-    /// results of earlier versions.
+    /// The error of each part; absent in results of earlier programs.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub part_errors: Vec<f64>,
-    /// The mean error over the training trials, each rolled out from its own first frames and scored in the
-    /// same way; absent if one of them cannot be scored, and in results of earlier versions.
+    /// The mean error over the trials trained on; absent where one could not be scored, or in results of
+    /// earlier programs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", ts(optional))]
     pub training_mse: Option<f64>,
     /// More about the prediction; absent where a number is not finite, in results of the page, and of earlier
     /// versions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", ts(skip))]
     pub details: Option<Details>,
     /// Some results of earlier versions have a prediction from observed first frames; it is ignored.
     #[serde(default, skip_serializing, rename = "observed_start")]
+    #[cfg_attr(feature = "types", ts(skip))]
     pub(crate) ignored: IgnoredAny,
 }
 

@@ -10,7 +10,7 @@ use vcgpdm::models::{
     DmpSettings, MapSettings, ModelKind, PoseWeight, Settings, TmpSettings, VariationalSettings,
 };
 
-/// The jobs of a comparison: every candidate in every fold with every seed.
+/// The plan of a comparison: the trainings to run.
 ///
 /// ```
 /// use vcgpdm_lab::evaluation::Plan;
@@ -25,8 +25,10 @@ use vcgpdm::models::{
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(default, deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Plan {
-    /// The kinds of models.
+    /// The models to train. A body with one part has no coupled models.
+    #[cfg_attr(feature = "types", ts(as = "Vec<vcgpdm::models::ModelKind>"))]
     pub models: Vec<CandidateKind>,
     /// Latent dimensions Q of every part.
     pub latent: usize,
@@ -34,36 +36,41 @@ pub struct Plan {
     pub order: usize,
     /// Most iterations of the optimiser.
     pub max_iterations: usize,
-    /// Numbers of inducing points of every dynamics map of the variational models, and of every pose map if
-    /// `pose_ips` is empty.
+    /// Numbers of inducing points of each dynamics map of the variational models. Without `poseIps`, each
+    /// pose map has the same number.
     pub ips: Vec<usize>,
-    /// Numbers of inducing points of every pose map: each with each of `ips`.
+    /// Numbers of inducing points of each pose map. Each number is combined with each number in `ips`.
+    #[cfg_attr(feature = "types", ts(type = "number[]", optional))]
     pub pose_ips: Vec<usize>,
-    /// Numbers of primitives of the TMP; `None`: the bound chooses.
+    /// Numbers of primitives of the TMP; null: the bound chooses the number.
     pub primitives: Vec<Option<usize>>,
-    /// Whether the primitives of the TMP are functions of normalised time, with weights that all trials
-    /// share, as in the papers.
+    /// Whether the TMP is the model of the papers: it uses normalised time, and all trials share its weights.
+    #[cfg_attr(feature = "types", ts(type = "boolean", optional))]
     pub normalised_time: bool,
-    /// Numbers of basis functions of the DMPs and of the ProMP.
+    /// Numbers of basis functions of the DMPs.
     pub bases: Vec<usize>,
     /// Numbers of principal components of the autoregression.
+    #[cfg_attr(feature = "types", ts(skip))]
     pub components: Vec<usize>,
-    /// Whether the dynamics of the MAP models are balanced (Urtasun, Fleet & Fua 2006).
+    /// Whether the dynamics of the MAP models are balanced.
     pub balanced: bool,
-    /// The weight of the pose terms in the objective of the variational models.
+    /// The factor of the pose terms in the objective of the variational models; absent: 1.
+    #[cfg_attr(feature = "types", ts(type = "number | \"balanced\"", optional))]
     pub pose_weight: PoseWeight,
-    /// Whether the couplings between the parts of the vCGPDM are off.
+    /// Whether the couplings between the parts of the vCGPDM are off; absent: no.
+    #[cfg_attr(feature = "types", ts(type = "boolean", optional))]
     pub uncoupled: bool,
-    /// Whether the dynamics of the MAP models have a linear term (Wang et al. 2008).
+    /// Whether the kernels of the MAP models have a linear term.
+    #[cfg_attr(feature = "types", ts(type = "boolean", optional))]
     pub linear: bool,
-    /// The trials held out, counted from 0; empty: each in turn.
+    /// The held-out trials, counted from 0; empty: each trial in turn.
     pub held_out: Vec<usize>,
-    /// The seeds of models with a random start; the others get 0.
+    /// The seeds of the models with random starts. The other models get the seed 0.
     pub seeds: Vec<u32>,
-    /// Numbers of the other trials that are trained on; empty: all.
+    /// Numbers of other trials in the training set; empty: all other trials.
     pub training_trials: Vec<usize>,
-    /// Whether the coupled models are also trained on one trial, on two, and so on, to see how the time
-    /// grows: with the middle number of inducing points, in the first fold, with the first seed.
+    /// Whether the plan also trains the coupled models on 1, 2, ... trials. These trainings use the first
+    /// fold, the first seed and the middle number of inducing points.
     pub growth: bool,
 }
 

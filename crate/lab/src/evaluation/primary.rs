@@ -187,9 +187,10 @@ fn test(question: &Question, people: &[Range<usize>]) -> Option<Test> {
     let range = mean_interval(&medians).map_or(String::new(), |i| format!(" ({})", i.map(ratio)));
     let below = medians.iter().filter(|own| ratio(**own) < 1.0).count();
     let found = format!(
-        "{} times{range} in the mean of {} persons, of each the median trial; lower in {below}",
+        "{} times{range} in the mean of {} persons, of each the median trial; lower in {below}; trial by trial {}",
         fixed(ratio(mean(&medians)), 2),
-        medians.len()
+        medians.len(),
+        effect.text()
     );
     let p = student_test(&medians).unwrap_or(1.0);
     Some(Test { found, p, is_below: mean(&medians) < 0.0 })
@@ -256,7 +257,9 @@ mod tests {
         let two = test(&question, &[0..10, 10..20]).unwrap();
         assert!(two.p > LARGEST_P && two.is_below, "{}", two.p);
         assert!(two.found.starts_with("0.75 times ("), "{}", two.found);
-        assert!(two.found.ends_with("in the mean of 2 persons, of each the median trial; lower in 2"));
+        let words =
+            "in the mean of 2 persons, of each the median trial; lower in 2; trial by trial 0.75 times";
+        assert!(two.found.contains(words), "{}", two.found);
         // Without trials of the second person there is one person.
         assert!(test(&question, &[0..20, 20..30]).unwrap().p < 1e-5);
     }

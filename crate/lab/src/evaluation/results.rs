@@ -11,12 +11,14 @@ use crate::evaluation::setting::Setting;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 
-/// A job that a plan asks for.
+/// A job of a plan.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct PlannedJob {
     /// The job.
+    #[cfg_attr(feature = "types", ts(skip))]
     pub job: Job,
-    /// Whether the results hold an outcome of it.
+    /// Whether the results contain an outcome of the job.
     pub done: bool,
 }
 

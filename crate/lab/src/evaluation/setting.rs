@@ -5,16 +5,18 @@ use thiserror::Error;
 use vcgpdm::motion::Clip;
 use vcgpdm::motion::parts::PartSpec;
 
-/// A trial, identified by its content.
+/// A trial, identified by the hash of its file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "Trial"))]
 pub struct TrialClip {
     /// The clip's name.
     pub name: String,
     /// SHA-256 of the clip's file, hexadecimal.
     pub sha256: String,
-    /// The frames of the clip that were used, from the first up to but not including the end; absent: all.
+    /// The used frames of the clip, from the first up to but not including the end; null: all frames.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", ts(optional = false))]
     pub piece: Option<(usize, usize)>,
 }
 
@@ -54,9 +56,10 @@ pub enum SettingError {
     Rate(f64),
 }
 
-/// The setting of all results of a comparison.
+/// The setting that all results of a comparison share.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Setting {
     /// The trials; each is held out in turn.
     pub trials: Vec<TrialClip>,
@@ -64,7 +67,7 @@ pub struct Setting {
     pub parts: Vec<PartSpec>,
     /// The clips were resampled to about this rate.
     pub frames_per_second: f64,
-    /// Number of first frames of the trial held out from which it is predicted.
+    /// Number of frames of the held-out trial that a prediction starts from.
     pub start_frames: usize,
 }
 

@@ -67,8 +67,9 @@ pub fn exponent(pairs: &[(f64, f64)]) -> Option<f64> {
     (spread > 0.0).then(|| product / spread)
 }
 
-/// A confidence interval.
+/// An interval for a number, and the probability that such an interval covers the number.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Interval {
     /// The lower end.
     pub low: f64,

@@ -5,12 +5,13 @@ use crate::evaluation::details::{Bands, Compared};
 use crate::evaluation::stats::{Interval, mean, standard_error};
 use serde::Serialize;
 
-/// A mean over folds; seeds of the same fold are averaged first.
+/// A mean over folds. The seeds of a fold are averaged first.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Spread {
     /// The mean.
     pub mean: f64,
-    /// Its standard error; absent for a single fold.
+    /// Null for a single fold.
     pub standard_error: Option<f64>,
     /// Number of folds.
     pub count: usize,
@@ -26,48 +27,52 @@ impl Spread {
 
 /// One candidate: a row of figure 4 of Velychko et al. (2018).
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct ModelSummary {
     /// Its kind of model.
+    #[cfg_attr(feature = "types", ts(type = "ModelKind | \"promp\" | \"ar\""))]
     pub model: CandidateKind,
     /// The kind with its settings.
+    #[cfg_attr(feature = "types", ts(type = "Candidate | Rival"))]
     pub candidate: Candidate,
-    /// The settings that differ from other candidates, in a few words.
+    /// The settings that differ from those of other candidates, as a short text.
     pub label: String,
-    /// Mean squared error after dynamic time warping, in the squared units of the columns.
+    /// Mean squared error after dynamic time warping.
     pub mse: Spread,
-    /// The median error over the folds, which a single bad rollout does not move.
+    /// The median error over the folds. A single bad rollout hardly changes it.
     pub mse_median: f64,
-    /// The same error on the training trials, if the results have it.
+    /// The same error on the training trials; null if the results do not contain it.
     pub training_mse: Option<Spread>,
-    /// The error of a motionless prediction: the variance of the trial.
+    /// The error of a constant prediction.
     pub variance: f64,
-    /// The bound on the log evidence, in nats, if the model has one.
+    /// The bound on the log evidence, in nats; null for a model without a bound.
     pub bound: Option<Spread>,
     /// Seconds of a training.
     pub seconds: Spread,
-    /// Numbers that a rollout needs.
+    /// How many numbers a rollout needs from the model.
     pub stored_numbers: Spread,
-    /// The share of trainings that ended because their objective no longer changed, 0 to 1; absent for models
-    /// without iterations.
+    /// The share of trainings that ended because they converged; null if unknown.
     pub converged: Option<f64>,
-    /// The terms of the bound, means over folds, if the results have them.
+    /// Means of the terms of the bound, in nats; null if the results do not contain them.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub terms: Option<TermMeans>,
-    /// The mean error of each part, in the order of the setting's parts, after the same time warping; empty
-    /// if the results do not have it.
+    /// The mean error of each part; empty if the results do not contain it.
     pub part_errors: Vec<f64>,
-    /// More about its predictions, if results have it.
+    /// More about the predictions; null if the results do not contain it, as those computed here.
     pub details: Option<DetailMeans>,
-    /// Number of trials held out.
+    /// Number of held-out trials.
     pub folds: usize,
     /// Number of trainings.
     pub runs: usize,
-    /// Number of candidates that it represents: all that differ only in size, if claims choose it for most
-    /// trials; else 0.
+    /// Candidates that differ only in size form a group. For each held-out trial, the claims choose one
+    /// candidate of the group. For the candidate that they choose most often, this is the number of
+    /// candidates in its group; for the others it is 0.
     pub stands_for: usize,
 }
 
-/// Means of [`Details`](crate::evaluation::Details) over the folds that have them.
+/// Means over folds: more about predictions than their error.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "PredictionDetails"))]
 pub struct DetailMeans {
     /// Mean squared error of each part over the first half second, frame by frame.
     pub first_half_second: Vec<f64>,
@@ -75,11 +80,13 @@ pub struct DetailMeans {
     pub own_path: Vec<f64>,
     /// Speed of the prediction divided by that of the trial.
     pub speed: f64,
-    /// Foot slide of the prediction, and of the trial; absent if the body hardly walks.
+    /// Horizontal speed of the standing foot, in walking speeds; null if the body hardly walks.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub foot_slide: Option<Compared<f64>>,
-    /// The share of rollouts that stand still after 20 seconds, 0 to 1.
+    /// The share of rollouts that stand still after 20 seconds.
     pub still_at_20_s: f64,
-    /// Coverage and density of the predicted bands; absent for models without variances.
+    /// Shares of recorded numbers in the predicted bands, and their mean log density; null without variances.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub bands: Option<Bands>,
     /// Number of folds.
     pub folds: usize,
@@ -87,6 +94,7 @@ pub struct DetailMeans {
 
 /// Means of the terms of a bound, in nats.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct TermMeans {
     /// The kinematics terms of all parts: the pose maps.
     pub pose: f64,
@@ -96,6 +104,7 @@ pub struct TermMeans {
 
 /// One candidate in figure 1 of the supplement of Velychko et al. (2017).
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct BoundAndError {
     /// Its settings, in a few words.
     pub label: String,
@@ -105,29 +114,32 @@ pub struct BoundAndError {
     pub mse: f64,
 }
 
-/// Bound and error of one kind of model over its inducing points (primitives of the TMP), all other settings
-/// being the same: figure 1 of the supplement of Velychko et al. (2017).
+/// Bounds and errors of one kind of model in several sizes. All other settings are the same.
+///
+/// Figure 1 of the supplement of Velychko et al. (2017).
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Correlation {
     /// The kind of model.
+    #[cfg_attr(feature = "types", ts(as = "vcgpdm::models::ModelKind"))]
     pub model: CandidateKind,
-    /// The settings that the candidates share, in a few words, if the kind has several such groups; else
-    /// empty.
+    /// The settings that the candidates share; empty if the kind of model has only one group.
     pub label: String,
     /// Number of candidates.
     pub settings: usize,
-    /// Number of trials held out that all of these candidates have.
+    /// Number of held-out trials for which all candidates have results.
     pub folds: usize,
-    /// Spearman's rank correlation of bound and error within each trial; the mean over the trials.
+    /// Spearman's rank correlation within each trial; the mean over the trials.
     pub rank: f64,
-    /// Its 95 % interval by a bootstrap over the trials; absent for a single trial.
+    /// Its 95 % interval by a bootstrap over the trials; null for a single trial.
     pub interval: Option<Interval>,
     /// The candidates, with means over these trials.
     pub points: Vec<BoundAndError>,
 }
 
-/// Number of training frames, and time.
+/// Mean number of training frames, and mean seconds of an iteration.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct FramesAndTime {
     /// Mean number of training frames.
     pub frames: f64,
@@ -137,46 +149,46 @@ pub struct FramesAndTime {
     pub training_seconds: f64,
 }
 
-/// Training time of one candidate over the training frames: figure 2 of the supplement of Velychko et al.
-/// (2017).
+/// Training time of one candidate against the number of training frames.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Growth {
     /// The kind of model.
+    #[cfg_attr(feature = "types", ts(as = "vcgpdm::models::ModelKind"))]
     pub model: CandidateKind,
     /// Its settings, in a few words.
     pub label: String,
-    /// From few to many frames.
+    /// Sorted by the number of frames, the lowest first.
     pub points: Vec<FramesAndTime>,
-    /// The exponent k, if the time of an iteration grows as frames to the power k; absent with too few
-    /// points.
+    /// The exponent k if the time of an iteration grows as frames to the power k; null if it cannot be
+    /// estimated.
     pub exponent: Option<f64>,
-    /// The 95 % interval of k, by Student's t of the slope.
+    /// The 95 % interval of the exponent; null if it cannot be estimated.
     pub interval: Option<Interval>,
-    /// The exponent for a whole training, which may need more iterations of more frames; absent with too few
-    /// points.
+    /// The same exponent for a whole training; null if it cannot be estimated.
     pub training_exponent: Option<f64>,
-    /// The 95 % interval of this exponent.
+    /// The 95 % interval of `trainingExponent`.
     pub training_interval: Option<Interval>,
-    /// The share of these trainings that ended because their objective no longer changed, 0 to 1; absent for
-    /// models without iterations.
+    /// The share of these trainings that ended because they converged; null if unknown.
     pub converged: Option<f64>,
 }
 
-/// Bounds and errors of two splits of the body in one fold.
+/// Compares the bounds and errors of the models with one part and with several parts in one fold.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Evidence {
-    /// The name of the trial held out.
+    /// The held-out trial.
     pub trial: String,
-    /// The bound of the vCGPDM minus that of the vGPDM, in nats: the logarithm of a Bayes factor (2020,
-    /// equation 2.12), as far as both bounds are tight.
+    /// The bound of the vCGPDM minus the bound of the vGPDM, in nats.
     pub log_bayes_factor: f64,
-    /// The error of the vCGPDM divided by that of the vGPDM.
+    /// The error of the vCGPDM divided by the error of the vGPDM.
     pub error_ratio: f64,
 }
 
 /// Whether results agree with a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum ClaimAnswer {
     /// The whole interval agrees with it.
     Yes,
@@ -197,20 +209,22 @@ impl ClaimAnswer {
     }
 }
 
-/// A claim of the papers, and whether these results agree.
+/// A claim of the papers, and whether these results agree with it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Claim {
-    /// The sentence of the paper, or a question of ours.
+    /// The sentence of the paper, or a related question of ours.
     pub claim: String,
-    /// Year and section of the paper; "not in the papers" for a question of ours.
+    /// Where the claim is in the papers: year and section.
     pub place: String,
-    /// Our criterion of agreement.
+    /// Our criterion for the claim.
     pub criterion: String,
-    /// The effect that was found, with its interval.
+    /// The measured effect, with its interval.
     pub found: String,
-    /// Whether the effect meets the criterion.
+    /// Whether the results agree with the claim. It is "undecided" unless the whole interval is on one side.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub answer: ClaimAnswer,
-    /// Whether it is one of the claims that were named before any table was made. Their answers are corrected
-    /// for their number.
+    /// Whether it is one of the claims that were named beforehand. Their answers are corrected for their
+    /// number.
     pub primary: bool,
 }

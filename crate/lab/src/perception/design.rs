@@ -1,30 +1,42 @@
 //! The numbers of trials of a participant.
 
-use serde::Serialize;
+use crate::perception::record::{Written, record, whole};
+use vcgpdm::internals::json::{Field, FieldError, Value};
 
-/// The numbers of trials of a participant, by kind, and of blocks.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Design {
-    /// Number of blocks of about equal length, with pauses between them.
-    pub blocks: usize,
-    /// Trials of a generated and a natural movement, spread over the settings of the models as evenly as
-    /// possible.
-    pub comparisons: usize,
-    /// Trials of an obviously failed and a natural movement; none if the study has no failed movement.
-    pub attention_checks: usize,
-    /// Trials of two natural movements, of which only one was used for training, in the last quarter; none if
-    /// the study has no unseen movement.
-    pub catch_trials: usize,
-    /// The shortest pause between blocks, in seconds.
-    pub pause_seconds: usize,
-    /// Whether participants can answer during the movements, which ends the trial.
-    pub answer_during_movement: bool,
-    /// Together with the participant's seed, the seed of everything random.
-    pub seed: u32,
+/// Most trials of a kind.
+const MOST_TRIALS: usize = 10_000;
+
+record! {
+    /// The number of trials of each kind for a participant.
+    #[cfg_attr(feature = "types", ts(rename_all = "camelCase", rename = "StudyDesign"))]
+    pub struct Design {
+        /// Number of blocks of about equal length, with pauses between them.
+        blocks: usize = |field| whole(field, 1..=100),
+        /// Trials of a generated and a natural movement, spread over the settings of the models as evenly as
+        /// possible.
+        comparisons: usize = |field| whole(field, 1..=MOST_TRIALS),
+        /// A study without a failed movement has no attention checks.
+        attention_checks: usize = |field| whole(field, 0..=MOST_TRIALS),
+        /// A study without an unseen natural movement has no catch trials.
+        catch_trials: usize = |field| whole(field, 0..=MOST_TRIALS),
+        /// The shortest pause between blocks.
+        pause_seconds: usize = |field| whole(field, 0..=3600),
+        /// Whether a participant can answer while the figures move. The answer then ends the trial.
+        answer_during_movement: bool = |field: Field| field.boolean(),
+        /// Together with the participant's seed, the seed of everything random.
+        seed: u32 = |field: Field| {
+            u32::try_from(field.whole()?).map_err(|_| field.wrong("a whole number from 0 to 4294967295"))
+        },
+    }
 }
 
-/// Designs with a name.
+/// Names of designs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "types",
+    derive(ts_rs::TS),
+    ts(rename = "StudyPreset", type = "\"class\" | \"p3-part-1\" | \"p3-part-2\" | \"p2\"")
+)]
 pub enum Preset {
     /// 60 trials, about 5 minutes: for a class.
     Class,

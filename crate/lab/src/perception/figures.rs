@@ -1,11 +1,13 @@
 //! The data of the papers' figures, a table each, as CSV.
 
 use crate::perception::results::{Confusion, PerceptionResults, ScoreKind, SettingResult};
+use serde::Serialize;
 
-/// A table, and what its file is called.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// The data for a figure like one of the papers.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct FigureTable {
-    /// The file's name.
+    /// A name for the file of the figure.
     pub name: &'static str,
     /// What it holds: the figure of which paper.
     pub title: &'static str,

@@ -19,6 +19,7 @@ mod movement;
 mod ordering;
 mod paper;
 mod read;
+mod record;
 mod regression;
 mod results;
 mod staging;

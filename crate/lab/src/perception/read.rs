@@ -3,10 +3,10 @@
 use crate::perception::design::Design;
 use crate::perception::error::{StudyError, VERSION};
 use crate::perception::movement::FigureMovement;
+use crate::perception::record::{short, whole};
 use crate::perception::stimulus::{Generated, MovementSource, Scores, Stimulus};
 use crate::perception::study::{Figure, Look, Study, Texts};
 use std::collections::HashSet;
-use std::ops::RangeInclusive;
 use vcgpdm::internals::json::checks::{bounded, count, within};
 use vcgpdm::internals::json::{Field, FieldError, Object, Value, check_heading};
 use vcgpdm::internals::read_settings;
@@ -17,12 +17,10 @@ use vcgpdm::motion::landmarks::Landmarks;
 const MOST_STIMULI: usize = 5_000;
 const MOST_NODES: usize = 500;
 const MOST_FRAMES: usize = 2_400;
-const MOST_TRIALS: usize = 10_000;
 const MOST_PARTS: usize = 100;
-/// Most letters of a title or name, of an id, and of a text to read.
+/// Most letters of a title or name, and of an id.
 const TITLE: usize = 200;
 const ID: usize = 100;
-const TEXT: usize = 20_000;
 
 pub(super) fn study(value: &Value) -> Result<Study, StudyError> {
     let mut document = Field::root(value).object()?;
@@ -33,8 +31,8 @@ pub(super) fn study(value: &Value) -> Result<Study, StudyError> {
     let seconds_field = document.get("seconds")?;
     let seconds = within(seconds_field.clone(), Study::SECONDS, "seconds from 0.1 to 60")?;
     let cross_seconds = within(document.get("cross_seconds")?, 0.0..=60.0, "seconds from 0 to 60")?;
-    let texts = texts(document.get("texts")?)?;
-    let design = design(document.get("design")?)?;
+    let texts = Texts::read(document.get("texts")?)?;
+    let design = Design::read(document.get("design")?)?;
     let frames_per_second = whole(document.get("frames_per_second")?, 10..=240)?;
     let unit = within(document.get("metres_per_unit")?, 1e-5..=0.1, "metres from 0.00001 to 0.1")?;
     let (figure, height) = figure(document.get("figure")?)?;
@@ -73,36 +71,6 @@ pub(super) fn study(value: &Value) -> Result<Study, StudyError> {
         return Err(seconds_field.wrong(&expected).into());
     }
     Ok(study)
-}
-
-fn texts(field: Field) -> Result<Texts, FieldError> {
-    let mut object = field.object()?;
-    let mut read = |name: &str| short(&object.get(name)?, TEXT);
-    let texts = Texts {
-        consent: read("consent")?,
-        instructions: read("instructions")?,
-        question: read("question")?,
-        pause: read("pause")?,
-        end: read("end")?,
-    };
-    object.end()?;
-    Ok(texts)
-}
-
-fn design(field: Field) -> Result<Design, FieldError> {
-    let mut object = field.object()?;
-    let seed = object.get("seed")?;
-    let design = Design {
-        blocks: whole(object.get("blocks")?, 1..=100)?,
-        comparisons: whole(object.get("comparisons")?, 1..=MOST_TRIALS)?,
-        attention_checks: whole(object.get("attention_checks")?, 0..=MOST_TRIALS)?,
-        catch_trials: whole(object.get("catch_trials")?, 0..=MOST_TRIALS)?,
-        pause_seconds: whole(object.get("pause_seconds")?, 0..=3600)?,
-        answer_during_movement: object.get("answer_during_movement")?.boolean()?,
-        seed: u32::try_from(seed.whole()?).map_err(|_| seed.wrong("a whole number from 0 to 4294967295"))?,
-    };
-    object.end()?;
-    Ok(design)
 }
 
 fn figure(field: Field) -> Result<(Figure, f64), FieldError> {
@@ -208,17 +176,4 @@ fn nats(field: &Field) -> Result<f64, FieldError> {
     let number = field.number()?;
     bounded(field, &[number])?;
     Ok(number)
-}
-
-fn whole(field: Field, range: RangeInclusive<usize>) -> Result<usize, FieldError> {
-    count(&field, field.whole()?, range)
-}
-
-/// A text of at most `most` letters.
-fn short(field: &Field, most: usize) -> Result<String, FieldError> {
-    let text = field.text()?;
-    match text.chars().count() {
-        found if found > most => Err(field.error(format!("expected at most {most} letters, found {found}"))),
-        _ => Ok(text.to_owned()),
-    }
 }

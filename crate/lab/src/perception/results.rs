@@ -1,12 +1,14 @@
 //! The results of a study, as values for tables and figures.
 
 use crate::perception::beta::Rate;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 use vcgpdm::models::{ENGINE, ModelKind, Settings};
 
-/// Options of the analysis.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+/// The options that the analysis used.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "UsedOptions"))]
 pub struct AnalysisOptions {
     /// The ceiling c of the logistic regression, above 0 up to 1.
     pub ceiling: f64,
@@ -33,8 +35,10 @@ impl Default for AnalysisOptions {
     }
 }
 
-/// Hits of trials, and the posterior of their rate: beta(1 + hits, 1 + trials - hits).
+/// How often participants took a movement for the natural one, and the posterior of this rate: beta(1 + hits,
+/// 1 + trials - hits).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Confusion {
     /// How often the movement was taken for the natural one.
     pub hits: usize,
@@ -69,29 +73,31 @@ impl Confusion {
 
 /// A participant.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Participant {
     /// The name in the answers.
     pub name: String,
-    /// Answered comparisons.
+    /// The number of answered comparisons.
     pub comparisons: usize,
     /// Trials of any kind without an answer.
     pub unanswered: usize,
     /// Answered attention checks.
     pub attention_checks: usize,
-    /// Number of attention checks that the participant passed.
+    /// The number of attention checks that the participant passed.
     pub attention_hits: usize,
-    /// Whether the participant is left out, for too few passed checks.
+    /// Whether the participant is excluded for passing too few attention checks.
     pub excluded: bool,
-    /// The share of answers "left"; absent without answers.
+    /// The share of answers "left".
     pub left: Option<f64>,
-    /// The median time to an answer, in milliseconds, if known.
+    /// The median response time, in milliseconds.
     pub median_rt: Option<f64>,
-    /// The largest time between the starts of two movements, in milliseconds, if known.
+    /// The longest time between the starts of the two movements of a trial, in milliseconds.
     pub started_apart_ms: Option<f64>,
 }
 
 /// Mean scores of the movements of a setting.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct MeanScores {
     /// Mean squared error on the trial held out.
     pub mse: f64,
@@ -107,6 +113,7 @@ pub struct MeanScores {
 
 /// Size of a model; numbers that the kind does not have are absent.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Size {
     /// Inducing points of every dynamics map.
     pub dynamics_ips: Option<usize>,
@@ -120,28 +127,32 @@ pub struct Size {
 
 /// A model with all its settings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct SettingResult {
     /// The kind of model.
     pub model: ModelKind,
     /// The kind with its settings.
     pub candidate: Settings,
-    /// The settings that differ from other candidates, in a few words.
+    /// The settings that differ from those of other candidates, as a short text.
     pub label: String,
     /// The size.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub size: Size,
-    /// Number of its movements that have not failed.
+    /// The number of movements that are not marked as failures.
     pub movements: usize,
-    /// Number of its failed movements. If all failed, the setting is an attention check and has no rate.
+    /// The number of movements that are marked as failures. If all are, the setting is an attention check.
     pub failed: usize,
-    /// Means over the movements that have not failed; absent if all failed.
+    /// Means over the movements that are not marked as failures; null if all are.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub scores: Option<MeanScores>,
-    /// How often its movements were taken for the natural one; absent without an answer.
+    /// Null if there is no answer.
     pub confusion: Option<Confusion>,
 }
 
-/// A score that predicts the rate.
+/// The score that predicts the rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum ScoreKind {
     /// Mean squared error on the trial held out.
     Mse,
@@ -194,10 +205,11 @@ impl ScoreKind {
     }
 }
 
-/// Prediction of the rate from a score: p = ceiling / (1 + exp(w0 + w1 (score - centre) / scale)).
+/// How a score predicts the rate: p = ceiling / (1 + exp(w0 + w1 (score - centre) / scale)).
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Regression {
-    /// The kind of model; absent: all together.
+    /// Null for all kinds of models together.
     pub model: Option<ModelKind>,
     /// A score that predicts the rate.
     pub score: ScoreKind,
@@ -211,27 +223,28 @@ pub struct Regression {
     pub scale: f64,
     /// The ceiling c.
     pub ceiling: f64,
-    /// The weights w0 and w1.
+    /// w0 and w1.
     pub weights: [f64; 2],
-    /// Standard errors of the weights; absent if the answers do not determine both.
+    /// The standard errors of the weights; null if the answers do not determine both weights.
     pub errors: Option<[f64; 2]>,
-    /// The logarithm of the Bayes factor of the curve and a constant for one block: the mean over the blocks
-    /// left out; absent with fewer answers than blocks.
+    /// The log Bayes factor per block, compared with a constant rate: the mean over the blocks that were left
+    /// out of the fit. Null if there are fewer answers than blocks.
     pub log_bayes_factor: Option<f64>,
     /// Its standard error over the blocks.
     pub log_bayes_factor_error: Option<f64>,
     /// Number of blocks, left out in turn.
     pub folds: usize,
-    /// Scores and the rates that the curve predicts, from the lowest to the highest score.
+    /// Points of the curve: a score and the predicted rate.
     pub curve: Vec<(f64, f64)>,
 }
 
-/// The setting of a kind of model with the highest rate.
+/// For one kind of model, the setting with the highest rate.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "BestSetting"))]
 pub struct Best {
     /// The kind of model.
     pub model: ModelKind,
-    /// Its index among the settings.
+    /// The index of the setting in `settings`.
     pub setting: usize,
     /// Its settings, in a few words.
     pub label: String,
@@ -241,6 +254,7 @@ pub struct Best {
 
 /// An order of the kinds of models.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Order {
     /// The highest rate first.
     pub models: Vec<ModelKind>,
@@ -250,6 +264,7 @@ pub struct Order {
 
 /// Result of the catch trials.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Catch {
     /// How often the unseen movement was taken for the more natural one.
     pub confusion: Confusion,
@@ -260,6 +275,7 @@ pub struct Catch {
 
 /// Number of trials that a setting needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Needed {
     /// For the exact test to detect a rate that is 0.1 away from one half, with a power of 0.8, as Knopp et
     /// al. (2019).
@@ -268,14 +284,15 @@ pub struct Needed {
     pub for_precision: Option<usize>,
 }
 
-/// The results of all answers to a study.
+/// The results of the analysis of the answers to a study.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct PerceptionResults {
     /// "vcgpdm perception".
     pub format: &'static str,
     /// 1.
     pub version: usize,
-    /// The program and its version.
+    /// The program that made the analysis, and its version.
     pub engine: &'static str,
     /// The title of the study.
     pub title: String,
@@ -285,7 +302,7 @@ pub struct PerceptionResults {
     pub options: AnalysisOptions,
     /// All participants.
     pub participants: Vec<Participant>,
-    /// The rate of all comparisons that count.
+    /// The rate over all comparisons that count.
     pub all: Confusion,
     /// All settings, in the order of tables.
     pub settings: Vec<SettingResult>,
@@ -294,13 +311,16 @@ pub struct PerceptionResults {
     pub regressions: Vec<Regression>,
     /// The best setting of every kind of model with answers.
     pub best: Vec<Best>,
-    /// Orders of the best settings, the likeliest first, with a probability of at least 0.001.
+    /// Orders of the kinds of models, by falling rate. The most probable order comes first.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub orders: Vec<Order>,
     /// `pairs[a][b]`: the probability that best setting a has a higher rate than best setting b.
     pub pairs: Vec<Vec<f64>>,
-    /// The result of the catch trials, if there are any.
+    /// Null if there are no catch trials.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub catch: Option<Catch>,
-    /// Number of trials that a setting needs.
+    /// How many trials a setting needs to distinguish 0.6 from 0.5, and to estimate 0.5 within [0.45, 0.55].
+    #[cfg_attr(feature = "types", ts(inline))]
     pub needed: Needed,
 }
 

@@ -2,14 +2,17 @@
 
 use crate::perception::design::{Design, Preset};
 use crate::perception::error::{FORMAT, StudyError};
+use crate::perception::record::{Written, record, short};
 use crate::perception::stimulus::Stimulus;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::ops::RangeInclusive;
+use vcgpdm::internals::json::{Field, FieldError, Value};
 use vcgpdm::motion::landmarks::Landmarks;
 
-/// How a figure is drawn.
+/// How the figures of a study are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "StudyLook"))]
 pub enum Look {
     /// A grey figure.
     Figure,
@@ -32,20 +35,24 @@ impl Look {
     }
 }
 
-/// Texts for the participant: plain text, with an empty line between paragraphs.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Texts {
-    /// Consent to take part.
-    pub consent: String,
-    /// Instructions.
-    pub instructions: String,
-    /// The question of every trial.
-    pub question: String,
-    /// Text between two blocks.
-    pub pause: String,
-    /// Text after the last trial.
-    pub end: String,
+/// Most letters of a text to read.
+const TEXT: usize = 20_000;
+
+record! {
+    /// The texts for participants: plain text, with an empty line between paragraphs.
+    #[cfg_attr(feature = "types", ts(rename_all = "camelCase", rename = "StudyTexts"))]
+    pub struct Texts {
+        /// Consent to take part.
+        consent: String = |field| short(&field, TEXT),
+        /// Instructions.
+        instructions: String = |field| short(&field, TEXT),
+        /// The question of every trial.
+        question: String = |field| short(&field, TEXT),
+        /// Text between two blocks.
+        pause: String = |field| short(&field, TEXT),
+        /// Text after the last trial.
+        end: String = |field| short(&field, TEXT),
+    }
 }
 
 impl Default for Texts {

@@ -8,6 +8,7 @@ use vcgpdm::models::Settings;
 /// The kind of a trial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum TrialKind {
     /// A generated and a natural movement.
     Comparison,
@@ -38,6 +39,7 @@ impl TrialKind {
 /// The side of the natural movement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum NaturalSide {
     /// Left.
     Left,
@@ -58,20 +60,23 @@ impl NaturalSide {
     }
 }
 
-/// Two movements side by side.
+/// A trial of the test: two movements side by side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct StudyTrial {
-    /// The block, counted from 0.
+    /// Counted from 0.
     pub block: usize,
     /// The kind.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub kind: TrialKind,
     /// The index of the stimulus on the left.
     pub left: usize,
     /// The index of the stimulus on the right.
     pub right: usize,
-    /// The side of the natural movement.
+    /// The side of the natural movement; "none" if both are natural.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub natural_side: NaturalSide,
-    /// The direction of both figures in whole degrees: 0 is towards the observer, 90 to the observer's right.
+    /// The direction in which both figures walk: 0 is towards the observer, 90 to the observer's right.
     pub heading_degrees: usize,
 }
 

@@ -1,25 +1,14 @@
 //! Writes a study as a JSON tree.
 
-use crate::perception::design::Design;
 use crate::perception::error::VERSION;
 use crate::perception::stimulus::{Generated, MovementSource, Scores, Stimulus};
-use crate::perception::study::{Figure, Study, Texts};
+use crate::perception::study::{Figure, Study};
 use vcgpdm::internals::json::Value;
 use vcgpdm::internals::write_settings;
 use vcgpdm::models::variational::BoundTerms;
 
 /// The whole study.
 pub(super) fn document(study: &Study) -> Value {
-    let Texts { consent, instructions, question, pause, end } = &study.texts;
-    let Design {
-        blocks,
-        comparisons,
-        attention_checks,
-        catch_trials,
-        pause_seconds,
-        answer_during_movement,
-        seed,
-    } = &study.design;
     Value::object([
         ("format", Value::text(Study::FORMAT)),
         ("version", Value::whole(VERSION)),
@@ -27,28 +16,8 @@ pub(super) fn document(study: &Study) -> Value {
         ("look", Value::text(study.look.id())),
         ("seconds", Value::Number(study.seconds)),
         ("cross_seconds", Value::Number(study.cross_seconds)),
-        (
-            "texts",
-            Value::object([
-                ("consent", Value::text(consent)),
-                ("instructions", Value::text(instructions)),
-                ("question", Value::text(question)),
-                ("pause", Value::text(pause)),
-                ("end", Value::text(end)),
-            ]),
-        ),
-        (
-            "design",
-            Value::object([
-                ("blocks", Value::whole(*blocks)),
-                ("comparisons", Value::whole(*comparisons)),
-                ("attention_checks", Value::whole(*attention_checks)),
-                ("catch_trials", Value::whole(*catch_trials)),
-                ("pause_seconds", Value::whole(*pause_seconds)),
-                ("answer_during_movement", Value::Bool(*answer_during_movement)),
-                ("seed", Value::Number((*seed).into())),
-            ]),
-        ),
+        ("texts", study.texts.value()),
+        ("design", study.design.value()),
         ("frames_per_second", Value::whole(study.frames_per_second)),
         ("metres_per_unit", Value::Number(study.unit)),
         ("figure", figure(study)),

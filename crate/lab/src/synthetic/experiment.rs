@@ -8,12 +8,13 @@ use vcgpdm::gp::NumericsError;
 use vcgpdm::models::variational::{Params, VariationalTrainer};
 use vcgpdm::models::{Progress, VariationalSettings, coupling_weight_matrix};
 
-/// The fit of a model to the data.
+/// How well a model explains the data.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "SyntheticFit"))]
 pub struct Fit {
     /// The bound, in nats.
     pub bound: f64,
-    /// The error of the mean rollout: [`Synthetic::mse`].
+    /// The mean squared error of a rollout of all frames, after dynamic time warping of each part.
     pub mse: f64,
 }
 

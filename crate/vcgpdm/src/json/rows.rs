@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 use serde::de::Error;
-use serde::{Deserialize, Deserializer};
+use serde::{Deserialize, Deserializer, Serializer};
 
 /// The matrix of rows of equal width, or a message that names the wrong row.
 pub fn matrix_from_rows(rows: &[Vec<f64>]) -> Result<DMatrix<f64>, String> {
@@ -34,4 +34,9 @@ pub fn optional_matrices<'de, D: Deserializer<'de>>(
 pub fn optional_matrix<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<DMatrix<f64>>, D::Error> {
     let rows = Option::<Vec<Vec<f64>>>::deserialize(deserializer)?;
     rows.map(|rows| matrix_from_rows(&rows).map_err(D::Error::custom)).transpose()
+}
+
+/// For `#[serde(serialize_with = "rows::serialize")]`.
+pub fn serialize<S: Serializer>(matrix: &DMatrix<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(matrix.row_iter().map(|row| row.iter().copied().collect::<Vec<f64>>()))
 }

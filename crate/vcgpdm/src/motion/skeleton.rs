@@ -114,13 +114,14 @@ pub struct Skeleton {
     pub joints: Vec<Joint>,
 }
 
-/// One node of the drawn figure: a joint or an end site.
+/// A joint or an end site. A bone runs from each node to its parent node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[non_exhaustive]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct FigureNode {
-    /// The index of the joint; for an end site, of the joint whose bone ends there.
+    /// The joint, or, for an end site, the joint whose bone ends here.
     pub joint: usize,
-    /// The node where the bone to this node begins; `None` for the root.
+    /// The parent node; `None` for the root.
     pub parent: Option<usize>,
     /// Whether it is an end site.
     pub end_site: bool,

@@ -4,8 +4,13 @@ use crate::motion::rotation;
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The axis of the file's world that points away from the ground.
+/// The axis that points up in a file, away from the ground; "-z": z points down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "types",
+    derive(ts_rs::TS),
+    ts(type = "\"x\" | \"y\" | \"z\" | \"-x\" | \"-y\" | \"-z\"")
+)]
 pub enum UpAxis {
     /// x points up.
     X,

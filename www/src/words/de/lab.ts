@@ -272,7 +272,7 @@ export const words: LabWords = {
     frameOf: (frame, count) => `Bild ${frame} von ${count}`,
     length: "Länge der Bewegung in Sekunden",
     lengthMeaning: (least, most) => `Wie lange das Modell läuft, ${least} bis ${most} Sekunden`,
-    loop: "Schleife",
+    loop: "Bewegung wiederholen",
     speed: "Tempo",
   },
 };

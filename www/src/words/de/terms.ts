@@ -36,7 +36,7 @@ export const terms: TermsWords = {
     reading: {
       title: "wie gelernt, neu bestimmt",
       words:
-        "Wie gelernt: Ein Regler ändert nur die Gewichte, und jeder Experte sagt voraus wie zuvor. Neu bestimmt: Die Experten werden neu berechnet, so wie alles, woraus das Modell lernte, sie unter diesen Kopplungen gelehrt hätten; oft bleibt die Bewegung dann fast gleich.",
+        "Wie gelernt: Ein Regler ändert nur die Gewichte, und jeder Experte sagt voraus wie zuvor. Neu bestimmt: Die Experten werden neu berechnet, so wie alles, woraus das Modell lernte, sie unter diesen Kopplungen gelehrt hätten; oft bleibt die Bewegung dann fast gleich, weil andere Experten übernehmen.",
     },
     measured: {
       title: "Messwerte",

@@ -240,7 +240,7 @@ export const words = {
     frameOf: (frame: number, count: number) => `Frame ${frame} of ${count}`,
     length: "Length of the motion in seconds",
     lengthMeaning: (least: string, most: string) => `How long the model goes on, ${least} to ${most} seconds`,
-    loop: "Loop",
+    loop: "Repeat the motion",
     speed: "Speed",
   },
 };

@@ -35,7 +35,7 @@ export const terms = {
     reading: {
       title: "as learned, re-inferred",
       words:
-        "As learned: a slider changes the weights only, and every expert predicts as before. Re-inferred: the experts are computed again, as all that the model learned from would have taught them under these couplings; often the motion then stays nearly the same.",
+        "As learned: a slider changes the weights only, and every expert predicts as before. Re-inferred: the experts are computed again, as all that the model learned from would have taught them under these couplings; often the motion then stays nearly the same, because other experts take over.",
     },
     measured: {
       title: "measures",

@@ -14,21 +14,21 @@ use crate::evaluation::summary::{Claim, Correlation, Evidence, Growth, ModelSumm
 use serde::Serialize;
 use std::ops::Range;
 
-/// The tables of a comparison, and the answers to the claims of the papers.
+/// Tables and claims computed from the results of a comparison.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Comparison {
-    /// Names of the parts whose errors the models have; empty if the names differ between the results.
+    /// Names of the parts in `partErrors` of the models.
     pub parts: Vec<String>,
     /// Every candidate that was trained on all other trials.
     pub models: Vec<ModelSummary>,
-    /// For every kind of model with a bound and at least three candidates that differ only in size.
+    /// One entry for each kind of model with a bound and at least three candidates that differ only in size.
     pub correlations: Vec<Correlation>,
-    /// For every kind of model that was trained on at least three numbers of trials.
+    /// One entry for each kind of model that was trained on at least three different numbers of trials.
     pub growth: Vec<Growth>,
-    /// For every fold of both variational models: the Bayes factor of several parts and one, and the ratio of
-    /// the errors.
+    /// One entry for each fold with results of both variational models.
     pub evidence: Vec<Evidence>,
-    /// The claims for which there are results, the primary ones first.
+    /// The claims that these results can test.
     pub claims: Vec<Claim>,
 }
 

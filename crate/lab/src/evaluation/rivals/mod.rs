@@ -13,9 +13,10 @@ use promp::ProMp;
 use serde::Serialize;
 use vcgpdm::models::{MOST_BASES, MOST_DIMENSIONS, Movements, TrainingError};
 
-/// The settings of a rival.
+/// A model that only files of results of the terminal program contain. It cannot be trained here.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(tag = "model", rename_all = "kebab-case")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum Rival {
     /// Probabilistic movement primitives (Paraschos et al. 2013).
     #[serde(rename = "promp")]

@@ -211,8 +211,9 @@ impl Sequences {
     }
 }
 
-/// The clip or table that a sequence came from.
+/// A training sequence that a rollout can start from.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct SequenceInfo {
     /// The clip's name.
     pub name: String,
@@ -220,15 +221,15 @@ pub struct SequenceInfo {
     pub sha256: String,
     /// Frames of the sequence.
     pub frames: usize,
-    /// Seconds from its first frame until the body rests; `None`: it moves until its end, or this is not
+    /// Seconds from its first frame to where its body comes to rest; `None`: it moves to its end, or is not
     /// known.
     pub rests_from: Option<f64>,
-    /// The frames of the file that were used, as in [`Clip::piece`](crate::motion::Clip::piece); `None`: all,
-    /// or this is not known.
+    /// The frames of the file that were used, the first and the one after the last; `None`: all, or not
+    /// known.
     pub piece: Option<(usize, usize)>,
-    /// The name of the clip whose bones it was given; `None`: it has its own, or this is not known.
+    /// The name of the clip whose bones it was given; `None`: it kept its own, or not known.
     pub bones_of: Option<String>,
-    /// Whether it has all frames of the clip; false: only the first ones.
+    /// Whether all of the clip's frames are there; else only its first ones are.
     pub whole: bool,
 }
 

@@ -22,15 +22,17 @@ pub struct Completion {
     pub parts: Vec<(usize, PartCompletion)>,
 }
 
-/// The errors of a part that was not given.
+/// The errors of a part that was not given, while the others are observed.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct PartCompletion {
     /// While the other parts are observed.
     #[serde(flatten)]
     pub observed: CompletionScore,
     /// From the cut on.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", ts(optional))]
     pub after_cut: Option<CompletionScore>,
 }
 

@@ -48,6 +48,21 @@ impl<S: ColumnMapping> Model<S> {
         }
     }
 
+    /// A MAP CGPDM with other coupling variances [M x M], row the source, column the target; `None` for all
+    /// other kinds. A vCGPDM takes them in each [`RolloutRequest`](crate::models::RolloutRequest).
+    ///
+    /// # Errors
+    ///
+    /// When `alpha` is not [M x M] and positive, or a covariance cannot be factorised.
+    pub fn with_alpha(&self, alpha: DMatrix<f64>) -> Option<Result<Self, RolloutError>>
+    where
+        S: Clone,
+    {
+        let FittedModel::Map(model) = &self.fitted else { return None };
+        let with = |model| Self { fitted: FittedModel::Map(Box::new(model)), ..self.clone() };
+        (self.kind() == ModelKind::MapCgpdm).then(|| model.with_alpha(alpha).map(with))
+    }
+
     /// All columns, means included [frames x D], starting as the training sequence `sequence` starts, counted
     /// from 0.
     ///

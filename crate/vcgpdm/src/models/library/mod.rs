@@ -95,9 +95,11 @@ pub struct LearnedMovement {
     pub rollout_rounds: usize,
 }
 
-/// Origin of the couplings of a movement.
+/// The origin of a movement's couplings: learned with the primitives, fitted to clips, taken from another
+/// movement, chosen by the user, or all equal to 1.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "from", rename_all = "lowercase", deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum CouplingsFrom {
     /// They were learned together with the primitives.
     Training,

@@ -17,20 +17,24 @@ pub struct Origin {
     pub relearned: Option<Relearned>,
 }
 
-/// The primitive of another library from which a primitive was learned again.
+/// The source of a primitive that was learned again.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "RelearnedFrom"))]
 pub struct Relearned {
-    /// Its name in the other library.
+    /// The name of the primitive in the other library.
     pub primitive: String,
-    /// The sequences that it learned from in the other library.
+    /// The clips of its training in the other library.
     pub clips: Vec<SequenceInfo>,
     /// The frames that it was learned again from.
     pub frames: FramesFrom,
 }
 
-/// Source of the frames from which a primitive is learned again. A primitive holds no clips.
+/// The source of the frames when a primitive is learned again. "clips": clips given by the caller;
+/// "remembered": the poses of its training latents; "generated": rollouts of its movements in the other
+/// library.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "ImportFrames"))]
 pub enum FramesFrom {
     /// Clips.
     Clips,

@@ -11,19 +11,24 @@ const FRAMES: usize = 240;
 /// A part stands still when the variance of its latents is less than this share of that in training.
 const STILL: f64 = 0.05;
 
-/// How much a part of a combination moves in the long run, and which part drives it.
+/// The long-run motion of one part of a combination.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct PartMotion {
-    /// The variance of its latents as a share of that in the movements that its primitive learned from.
+    /// The variance of the part's latents, divided by their variance in the training movements of its
+    /// primitive.
     pub share: f64,
     /// Whether the part stands still.
     pub still: bool,
-    /// The other part whose predictions about this part weigh most; `None` for a single part.
+    /// The other part whose predictions of this part have the largest weight; `None` if there is only one
+    /// part. `met`: whether the primitives of the two parts learned from the same movement.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub leader: Option<Leader>,
 }
 
 /// The part that drives another part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Leader {
     /// The part, counted from 0.
     pub part: usize,

@@ -5,9 +5,9 @@
 
 use crate::gp::{Kernel, KernelSum, NumericsError};
 use crate::models::data::sequences::Sequences;
-use crate::models::map::density::LogDensity;
+use crate::models::map::density::{Dynamics, LogDensity};
 use crate::models::map::params::MapParams;
-use crate::models::rollout::couplings::coupling_weights;
+use crate::models::rollout::couplings::{check_couplings, coupling_weights};
 use crate::models::rollout::latent_dynamics::LatentDynamics;
 use crate::models::rollout::request::{RolloutError, check_frames};
 use crate::models::training::kind::ModelKind;
@@ -45,6 +45,7 @@ impl MapModel {
     /// When a covariance cannot be factorised.
     pub fn fit(density: &LogDensity, params: &MapParams) -> Result<Self, NumericsError> {
         let poses = density.pose_coefficients(params)?;
+        let latents: Vec<&DMatrix<f64>> = params.parts.iter().map(|part| &part.latents).collect();
         let parts = params.parts.iter().zip(poses).map(|(part, coefficients)| MapPoseMap {
             latents: part.latents.clone(),
             kernel: part.kernel.clone(),
@@ -54,7 +55,7 @@ impl MapModel {
             density.sequences().clone(),
             parts.collect(),
             params.dynamics.clone(),
-            density.dynamics_coefficients(params)?,
+            Dynamics::from(params).coefficients(density.sequences(), &latents)?,
             params.linear.clone(),
             params.alpha.clone(),
         ))
@@ -88,6 +89,21 @@ impl MapModel {
         let maps = parts.iter().map(|part| KernelSum::new(&part.latents, &part.kernel, &part.coefficients));
         let poses = maps.collect();
         Self { sequences, parts, dynamics, coefficients, linear, alpha, latent_dynamics, poses }
+    }
+
+    /// The model with other coupling variances [M x M]. The experts are integrated out, so that its predictions
+    /// are the exact means under `alpha`, given all training frames.
+    ///
+    /// # Errors
+    ///
+    /// When `alpha` is not [M x M] and positive, or a covariance cannot be factorised.
+    pub fn with_alpha(&self, alpha: DMatrix<f64>) -> Result<Self, RolloutError> {
+        check_couplings(&alpha, self.parts.len())?;
+        let dynamics = Dynamics { kernels: &self.dynamics, linear: &self.linear, alpha: &alpha };
+        let latents: Vec<&DMatrix<f64>> = self.parts.iter().map(|part| &part.latents).collect();
+        let coefficients = dynamics.coefficients(&self.sequences, &latents)?;
+        let (sequences, parts) = (self.sequences.clone(), self.parts.clone());
+        Ok(Self::new(sequences, parts, self.dynamics.clone(), coefficients, self.linear.clone(), alpha))
     }
 
     /// The training sequences in the rows of the latents.
@@ -184,8 +200,16 @@ mod tests {
     #[test]
     fn one_step_is_the_mean_of_the_joint_gaussian_given_the_training_frames() {
         for seed in 0..4 {
-            let (params, density) = random_map_case(seed);
-            let (model, sequences) = (MapModel::fit(&density, &params).unwrap(), density.sequences());
+            let (mut params, density) = random_map_case(seed);
+            let learned = MapModel::fit(&density, &params).unwrap();
+            assert_eq!(
+                learned.with_alpha(params.alpha.clone()).unwrap().coefficients(),
+                learned.coefficients()
+            );
+            params.alpha *= 3.0;
+            params.alpha[(0, 0)] *= 0.1;
+            let (model, sequences) = (learned.with_alpha(params.alpha.clone()).unwrap(), density.sequences());
+            assert!(model.with_alpha(-&params.alpha).is_err());
             let order = sequences.order();
             let path = model.latents(0, order + 1).unwrap();
             let y = model.rollout(0, order + 1).unwrap();

@@ -37,8 +37,10 @@ pub enum CouplingsError {
     },
 }
 
-/// Effect of changed couplings on the experts.
+/// The effect of changed couplings on the experts: they stay as learned, or they are inferred again from the
+/// same data.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum Reading {
     /// The experts stay as learned; only their weights change.
     #[default]

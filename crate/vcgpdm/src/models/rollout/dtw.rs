@@ -7,14 +7,15 @@ use thiserror::Error;
 /// Penalty for each column of a step that advances only one of the two motions (Sakoe and Chiba).
 const PENALTY_PER_COLUMN: f64 = 1e-4;
 
-/// The error of a prediction of a whole trial, in the squared units of the columns.
+/// How far a prediction is from the trial held out, in the squared units of the columns.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Score {
-    /// Mean squared difference along the warping path.
+    /// Mean squared error after dynamic time warping.
     pub dtw_mse: f64,
-    /// Mean squared difference, frame by frame over the common length.
+    /// Mean squared error frame by frame.
     pub mse: f64,
-    /// Mean of the columns' variances in the trial: the error of a motionless prediction.
+    /// The error of a prediction that does not move.
     pub variance: f64,
 }
 

@@ -40,6 +40,7 @@ const JUDGED_RATE: f64 = 30.0;
 /// How a rollout ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum Ending {
     /// It keeps moving, with every part in the range of its training.
     MovesOn,
@@ -65,16 +66,19 @@ pub enum Ending {
 /// heading 0, in metres for a body 1.7 m tall. For the pose of one part, the others keep their mean pose. The
 /// spread of poses is their distance from their mean.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Health {
-    /// How it ends.
+    /// It rests as recorded where the recording that it begins as comes to rest too, hardly later. It keeps
+    /// one pose where the body travels or turns in that pose. It shakes where the body or a part is more than
+    /// twice as fast as in its clips, or turns back in 30 per cent more of its steps: thresholds of this
+    /// project.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub state: Ending,
     /// Seconds from the first frame until it keeps one pose or leaves the training range.
     pub from: Option<f64>,
-    /// The part that leaves the training range, visits the smallest share of its poses, or shakes; counted from
-    /// 0. `None` also if the body shakes as a whole only.
+    /// The part that leaves the training range, visits the smallest share of its poses, or shakes.
     pub part: Option<usize>,
-    /// Rank for the choice among several models of one data set; higher is better. The bound decides between
-    /// models of the same rank.
+    /// How good it is to show: 3 where it moves on or rests as recorded, 0 where it shakes or is not finite.
     pub rank: u8,
     /// The pace of the body as a whole; `None` for numbers that are not finite.
     pub pace: Option<Pace>,
@@ -84,6 +88,7 @@ pub struct Health {
 
 /// The poses of one part in a rollout.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct PartPoses {
     /// The share of the clips' poses that the second half of the rollout visits: that has a pose nearer than
     /// half of the spread of the clips' poses, or than 2 cm. A pose counts as far as the part has moved since

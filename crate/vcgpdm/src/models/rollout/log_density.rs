@@ -5,15 +5,18 @@ use crate::models::fitted::coupled::Coupled;
 use crate::models::rollout::request::{Rollout, RolloutError, RolloutRequest};
 use serde::Serialize;
 
-/// The mean log density of the latents of a frame under the dynamics as learned, in nats a frame: a number of
-/// this project. The predictor of Knopp et al. (2019) is [`BoundTerms::dynamics_elbo`] of the trained model.
+/// How likely latents are under the dynamics as learned: the mean log density of those of a frame, in nats a frame.
+///
+/// A number of this project. The predictor of Knopp et al. (2019) is [`BoundTerms::dynamics_elbo`] of the trained
+/// model.
 ///
 /// [`BoundTerms::dynamics_elbo`]: crate::models::variational::BoundTerms::dynamics_elbo
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct LatentLogDensity {
-    /// Of the frames of a rollout; `None` where it has no frame after its start.
+    /// Of the frames of the rollout; `None` where there is none after its start.
     pub rollout: Option<f64>,
-    /// Of the frames of the training; `None` for a file of an earlier version, which has no latents of them.
+    /// Of the frames of the training; `None` for a file of an earlier version, which has not kept them.
     pub training: Option<f64>,
     /// That of the rollout minus that of the training.
     pub difference: Option<f64>,

@@ -18,6 +18,7 @@ const SEEN_SPEED: f64 = 0.05;
 /// How fast a body or a part moves, relative to the root and without its turns, and how smoothly: in that half of
 /// the rollout in which it is faster.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Pace {
     /// Mean speed of its nodes (root mean square), in metres a second for a body 1.7 m tall.
     pub speed: f64,

@@ -12,29 +12,35 @@ use thiserror::Error;
 /// The most sampled rollouts of one request.
 pub const MOST_SAMPLES: u32 = 1000;
 
-/// Request for a rollout of a model with couplings.
+/// The options of a rollout of a model with couplings.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "RolloutOptions"))]
 pub struct RolloutRequest {
-    /// Frames in all, the start included.
+    /// Frames in all, the start included; absent: 300.
     #[serde(default = "usual_frames")]
+    #[cfg_attr(feature = "types", ts(type = "number", optional))]
     pub frames: usize,
-    /// The training sequence that the rollout starts as, counted from 0.
+    /// The training sequence whose start begins it, counted from 0; absent: the first.
     #[serde(default)]
+    #[cfg_attr(feature = "types", ts(type = "number", optional))]
     pub sequence: usize,
-    /// The frame of the sequence that the rollout starts with, counted from 0. A model may store the latents
-    /// of its first frames alone.
+    /// The frame of that sequence that begins the rollout, counted from 0; absent: its first.
     #[serde(default)]
+    #[cfg_attr(feature = "types", ts(type = "number", optional))]
     pub frame: usize,
-    /// Latents [frames x Q_i] of each part, p frames or more, that the rollout starts with in place of a
-    /// training sequence: `sequence` and `frame` must then be 0. `frames` counts them too.
+    /// Latents that begin the rollout in place of a training sequence, `[part][frame][dimension]`: `order`
+    /// frames or more, such as those of a clip's first frames. Without `sequence` and `frame`.
     #[serde(default, deserialize_with = "rows::optional_matrices")]
+    #[cfg_attr(feature = "types", ts(type = "number[][][] | null", optional))]
     pub start: Option<Vec<DMatrix<f64>>>,
-    /// Coupling variances [M x M], row the source, column the target; absent: as learned.
+    /// Coupling variances `alpha[source][target]`, also of a MAP CGPDM; absent: as learned.
     #[serde(default, deserialize_with = "rows::optional_matrix")]
+    #[cfg_attr(feature = "types", ts(type = "number[][] | null", optional))]
     pub alpha: Option<DMatrix<f64>>,
-    /// Effect of changed couplings on the experts.
+    /// Effect of changed couplings on the experts; absent: as learned.
     #[serde(default)]
+    #[cfg_attr(feature = "types", ts(as = "Option<_>", optional))]
     pub reading: Reading,
     /// Couplings that are cut for a while. In JavaScript, live rollouts do this.
     #[serde(skip)]

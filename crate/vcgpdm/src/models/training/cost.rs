@@ -1,6 +1,7 @@
 //! Estimated time and memory of a training, to warn of a training that would take very long.
 
 use crate::models::training::settings::{MapSettings, Settings, VariationalSettings};
+use serde::Serialize;
 use std::iter::Sum;
 
 /// Seconds of one step of the sums over rows: a few multiplications, four at a time, natively on one core of
@@ -16,10 +17,12 @@ const EVALUATIONS: f64 = 1.06;
 const OPTIMISER_VECTORS: f64 = 60.0;
 
 /// Estimated cost of a training on one core, right to a factor of about two.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 #[non_exhaustive]
 pub struct TrainingCost {
     /// Seconds of one evaluation of the bound, or the density, with its gradient.
+    #[serde(skip)]
     pub evaluation_seconds: f64,
     /// Seconds for all iterations; a training whose bound settles ends sooner.
     pub seconds: f64,

@@ -2,9 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The kinds of models that can be compared.
+/// The kinds of models, in the order of tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum ModelKind {
     /// Variational coupled GPDM, two parts or more (Velychko et al. 2018).
     Vcgpdm,

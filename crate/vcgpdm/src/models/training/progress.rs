@@ -3,16 +3,17 @@
 use crate::gp::NumericsError;
 use crate::models::variational::BoundTerms;
 use crate::plural::counted;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use std::fmt;
 
-/// Numerical problems from which a training recovered.
+/// Numerical failures that a training survived.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[non_exhaustive]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Setbacks {
-    /// Factorisations of a covariance that failed and were repeated with jitter on the diagonal.
+    /// Factorisations of a covariance that failed, and were tried again with jitter on its diagonal.
     pub jittered: usize,
-    /// Points at which no finite number could be computed; the search turned back from them.
+    /// Evaluations that gave no finite number even so: the search turned back there.
     pub turned_back: usize,
 }
 
@@ -35,38 +36,44 @@ impl fmt::Display for Setbacks {
     }
 }
 
-/// How far a training is.
-#[derive(Clone, Debug, PartialEq)]
+/// The progress of a training.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "TrainingProgress"))]
 pub struct Progress {
     /// Iterations so far.
     pub iteration: usize,
     /// The most iterations.
     pub max_iterations: usize,
-    /// Evaluations of the variational bound with its gradient so far; 0 for models that have none.
+    /// Evaluations of the bound with its gradient; 0 for models that have none.
     pub evaluations: usize,
-    /// Numerical problems so far.
+    /// Numerical failures so far that the training survived.
     pub setbacks: Setbacks,
-    /// The current value of the objective: the bound, a bound with weighted pose terms, a log density, or
+    /// The current value of the objective, in nats: the bound, a bound with weighted pose terms, a log density, or
     /// the negative of an error.
+    #[serde(rename = "bound")]
     pub objective: f64,
     /// The best value so far.
     pub best: f64,
-    /// The terms of the bound at the best value; absent for models without such terms. Their sum is the
-    /// bound, also if the objective weights them.
+    /// The terms of the bound at the best value, without weights; absent for models without such terms.
+    #[cfg_attr(feature = "types", ts(as = "BoundTerms"))]
     pub terms: Option<BoundTerms>,
     /// The current phase; absent for models that are not trained in phases.
+    #[cfg_attr(feature = "types", ts(as = "TrainingPhase"))]
     pub phase: Option<TrainingPhase>,
     /// Whether training has ended.
     pub done: bool,
-    /// Why it ended; absent before the end.
+    /// Why it ended; `None` before the end.
+    #[cfg_attr(feature = "types", ts(type = "EndReason | null"))]
     pub reason: Option<EndReason>,
-    /// Share of the work that is done, 0 to 1. The time left is at most elapsed (1 - fraction) / fraction.
+    /// Share of the work that is done, 0 to 1. The time left is at most elapsed * (1 - fraction) / fraction.
     pub fraction: f64,
 }
 
-/// A phase of a variational training, displayed in plain message.
+/// The parameters that are optimised: first all but the latents, then everything. Then, if the settings say
+/// so, the model is watched, and its dynamics learn from its own rollouts where these do not move on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum TrainingPhase {
     /// Couplings, kernels and inducing points are free, the latents fixed.
     CouplingsKernelsInducingPoints,
@@ -118,6 +125,13 @@ pub enum EndReason {
         /// The error.
         error: NumericsError,
     },
+}
+
+/// Why the training of a variational model ended, in a word.
+impl Serialize for EndReason {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(if *self == EndReason::Iterations { "iterations" } else { "settled" })
+    }
 }
 
 impl fmt::Display for EndReason {

@@ -16,8 +16,10 @@ pub const MOST_PRIMITIVES: usize = 40;
 /// The most basis functions of a DMP.
 pub const MOST_BASES: usize = 200;
 
-/// Settings of the variational models, vCGPDM and vGPDM. Every setting has a default. Methods state those that
-/// differ, or a struct literal, as for all settings of this crate:
+/// The size of a variational model, and how long it is trained.
+///
+/// Every setting has a default. Methods state those that differ, or a struct literal, as for all settings of
+/// this crate:
 ///
 /// ```
 /// use vcgpdm::VariationalSettings;
@@ -27,6 +29,7 @@ pub const MOST_BASES: usize = 200;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct VariationalSettings {
     /// Latent dimensions Q of every part, 1 to 100.
     pub latent: usize,
@@ -38,16 +41,15 @@ pub struct VariationalSettings {
     pub pose_ips: usize,
     /// Most iterations of the optimiser, all phases together.
     pub max_iterations: usize,
-    /// The weight of the pose terms in the objective; by default 1, and then the objective is the bound.
+    /// The factor of the pose terms in the objective: a number from 0.001 to 1000, or "balanced" for Q_i /
+    /// D_i (Urtasun, Fleet & Fua 2006). Absent: 1, and the objective is the bound on the log evidence.
     #[serde(default, skip_serializing_if = "PoseWeight::is_plain")]
+    #[cfg_attr(feature = "types", ts(type = "number | \"balanced\""))]
     pub pose_weight: PoseWeight,
-    /// Whether the coupling variances between parts stay at their upper limit, so that each part hardly
-    /// listens to the others. Without effect on a model of one part.
+    /// Whether each part of a vCGPDM learns as if it were alone; absent: no.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub uncoupled: bool,
-    /// Whether the dynamics learn from rollouts of the model after the last iteration, where these do not move
-    /// on; see [`Model::learn_from_own_rollouts`](crate::models::Model::learn_from_own_rollouts). Tables have no
-    /// such rollouts.
+    /// Whether a model of a body whose rollouts do not move on learns from these at the end; absent: no.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub own_rollouts: bool,
 }
@@ -160,6 +162,7 @@ impl VariationalSettings {
 /// Settings of the models with point estimates of their latents, MAP GPDM and MAP CGPDM.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct MapSettings {
     /// Latent dimensions Q of every part, 1 to 100.
     pub latent: usize,
@@ -184,6 +187,7 @@ impl Default for MapSettings {
 /// Settings of temporal movement primitives.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct TmpSettings {
     /// Number of primitives Q, 1 to 40; absent: the number with the highest bound.
     pub primitives: Option<usize>,
@@ -196,6 +200,7 @@ pub struct TmpSettings {
 /// Settings of dynamic movement primitives, discrete or rhythmic.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct DmpSettings {
     /// Basis functions B of every column, 1 to 200.
     pub bases: usize,
@@ -207,8 +212,9 @@ impl Default for DmpSettings {
     }
 }
 
-/// A kind of model with its settings. In JSON, the field "model" names the kind, and the settings are fields
-/// of the same object.
+/// A model with all of its settings but the seed.
+///
+/// In JSON, the field "model" names the kind, and the settings are fields of the same object.
 ///
 /// ```
 /// use vcgpdm::models::{DmpSettings, ModelKind, Settings};
@@ -220,6 +226,7 @@ impl Default for DmpSettings {
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(tag = "model", rename_all = "kebab-case", deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "Candidate"))]
 pub enum Settings {
     /// The variational coupled GPDM.
     Vcgpdm(VariationalSettings),

@@ -2,13 +2,16 @@
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::Factor;
+use crate::json::rows;
 use crate::models::rollout::request::{RolloutError, RolloutRequest};
 use crate::models::variational::maps::PoseMap;
 use crate::models::variational::model::Vcgpdm;
 use nalgebra::DMatrix;
+use serde::Serialize;
 
-/// What a model knows at points of the latent space of one part.
-#[derive(Clone, Debug)]
+/// What a model knows at points of the latent space of a part.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct LatentField {
     /// The share of the prior variance of the pose map that is left at each point `[N]`: near 0 where the
     /// pose is certain, 1 far from all pose inducing points.
@@ -16,6 +19,8 @@ pub struct LatentField {
     /// The share of the prior variance of the dynamics that is left at each point `[N]`.
     pub dynamics_variance: Vec<f64>,
     /// The mean next latents minus the point [N x Q].
+    #[serde(serialize_with = "rows::serialize")]
+    #[cfg_attr(feature = "types", ts(type = "number[][]"))]
     pub steps: DMatrix<f64>,
 }
 

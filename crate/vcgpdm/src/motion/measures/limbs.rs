@@ -10,6 +10,7 @@ use serde::Serialize;
 
 /// A hand or a foot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum Limb {
     /// The left hand.
     #[serde(rename = "left-hand")]

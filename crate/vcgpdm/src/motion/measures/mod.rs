@@ -26,6 +26,7 @@ const LEAST_PERIODS: f64 = 3.0;
 
 /// Measures of a whole body over some frames.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Measures {
     /// The hands and feet that the body has: left hand, right hand, left foot, right foot.
     pub limbs: Vec<LimbMeasures>,
@@ -40,8 +41,10 @@ pub struct Measures {
 
 /// Measures of one hand or foot.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct LimbMeasures {
     /// Which limb it is.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub limb: Limb,
     /// The index of the joint at the end of the limb.
     pub joint: usize,
@@ -61,6 +64,7 @@ pub struct LimbMeasures {
 
 /// Measures of a part: the means over its hands and feet.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct PartMeasures {
     /// Mean of [`LimbMeasures::swing`], in metres; `None` if the part has no hand or foot.
     pub swing: Option<f64>,

@@ -6,9 +6,10 @@ use crate::motion::parts::spec::PartSpec;
 use crate::motion::skeleton::Skeleton;
 use serde::Serialize;
 
-/// A usual way to split a body.
+/// A way to split the body, found from the names of its joints.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[non_exhaustive]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct PartsPreset {
     /// "whole", "lower-upper", "body-arms" or "legs-trunk-arms".
     pub id: String,

@@ -6,9 +6,10 @@ use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// A part: joints that share a latent space.
+/// A part is a named group of joints that move together, by their place in the skeleton.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct PartSpec {
     /// Its name, e.g. "left arm".
     pub name: String,

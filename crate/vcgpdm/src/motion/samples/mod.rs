@@ -18,6 +18,7 @@ use walker::Arms;
 /// A clip that this project makes itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[non_exhaustive]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct SampleInfo {
     /// The id by which [`clip`] finds it.
     pub id: &'static str,

@@ -53,6 +53,54 @@ pub struct LogDensity {
     balanced: bool,
 }
 
+/// The dynamics of a model.
+pub(super) struct Dynamics<'a> {
+    /// Kernels `kernels[source][target]`.
+    pub kernels: &'a [Vec<Kernel>],
+    /// Variances of the linear terms [M x M], or [0 x 0].
+    pub linear: &'a DMatrix<f64>,
+    /// Coupling variances [M x M].
+    pub alpha: &'a DMatrix<f64>,
+}
+
+impl<'a> From<&'a MapParams> for Dynamics<'a> {
+    fn from(params: &'a MapParams) -> Self {
+        Self { kernels: &params.dynamics, linear: &params.linear, alpha: &params.alpha }
+    }
+}
+
+impl Dynamics<'_> {
+    /// C_i^-1 x^i of every part [R x Q_i], C_i the covariance of the dynamics into it.
+    pub fn coefficients(
+        &self,
+        sequences: &Sequences,
+        latents: &[&DMatrix<f64>],
+    ) -> Result<Vec<DMatrix<f64>>, NumericsError> {
+        let histories: Vec<DMatrix<f64>> = latents.iter().map(|x| sequences.windows(x)).collect();
+        let solve = |(i, x): (usize, &&DMatrix<f64>)| {
+            let covariance = self.covariance(&histories, i).covariance;
+            Ok(Factor::of_large(&covariance, DYNAMICS)?.solve(&sequences.lagged(x, 0)))
+        };
+        latents.iter().enumerate().map(solve).collect()
+    }
+
+    fn covariance(&self, histories: &[DMatrix<f64>], i: usize) -> DynamicsCovariance {
+        let (noise, weights) = coupling_weights(self.alpha.column(i).as_slice());
+        let rows = histories[0].nrows();
+        let mut covariance = DMatrix::zeros(rows, rows);
+        add_to_diagonal(&mut covariance, noise);
+        let kernels: Vec<DMatrix<f64>> =
+            histories.iter().zip(self.kernels).map(|(h, k)| k[i].inducing_covariance(h, 0.0)).collect();
+        for (j, (k, w)) in kernels.iter().zip(&weights).enumerate() {
+            covariance.zip_apply(k, |c, k| *c += w * w * k);
+            if let Some(theta) = self.linear.get((j, i)) {
+                covariance.gemm(w * w * theta, &histories[j], &histories[j].transpose(), 1.0);
+            }
+        }
+        DynamicsCovariance { weights, noise, kernels, covariance }
+    }
+}
+
 /// The covariance of the dynamics into one part.
 struct DynamicsCovariance {
     /// w_ji.
@@ -98,7 +146,7 @@ impl LogDensity {
         for (i, part) in params.parts.iter().enumerate() {
             kinematics.push(log_density(&self.poses(params, i), &self.y[i], POSES)?);
             let targets = self.sequences.lagged(&part.latents, 0);
-            let covariance = self.dynamics_covariance(params, &histories, i).covariance;
+            let covariance = Dynamics::from(params).covariance(&histories, i).covariance;
             dynamics.push(self.balance(params, i) * log_density(&covariance, &targets, DYNAMICS)?);
         }
         finite(MapTerms { kinematics, dynamics, initial: self.initial(params) })
@@ -129,20 +177,6 @@ impl LogDensity {
     /// (K^i + beta^i I)^-1 Y^i of every part [N x D_i]: the coefficients of the poses.
     pub(super) fn pose_coefficients(&self, params: &MapParams) -> Result<Vec<DMatrix<f64>>, NumericsError> {
         let solve = |i| Factor::of_large(&self.poses(params, i), POSES).map(|f| f.solve(&self.y[i]));
-        (0..params.part_count()).map(solve).collect()
-    }
-
-    /// C_i^-1 x^i of every part [R x Q_i], C_i the covariance of the dynamics into it.
-    pub(super) fn dynamics_coefficients(
-        &self,
-        params: &MapParams,
-    ) -> Result<Vec<DMatrix<f64>>, NumericsError> {
-        let histories = self.histories(params);
-        let solve = |i: usize| {
-            let targets = self.sequences.lagged(&params.parts[i].latents, 0);
-            let covariance = self.dynamics_covariance(params, &histories, i).covariance;
-            Ok(Factor::of_large(&covariance, DYNAMICS)?.solve(&targets))
-        };
         (0..params.part_count()).map(solve).collect()
     }
 
@@ -182,27 +216,6 @@ impl LogDensity {
         Ok(value)
     }
 
-    fn dynamics_covariance(
-        &self,
-        params: &MapParams,
-        histories: &[DMatrix<f64>],
-        i: usize,
-    ) -> DynamicsCovariance {
-        let (noise, weights) = coupling_weights(params.alpha.column(i).as_slice());
-        let rows = self.sequences.transitions();
-        let mut covariance = DMatrix::zeros(rows, rows);
-        add_to_diagonal(&mut covariance, noise);
-        let kernels: Vec<DMatrix<f64>> =
-            histories.iter().zip(&params.dynamics).map(|(h, k)| k[i].inducing_covariance(h, 0.0)).collect();
-        for (j, (k, w)) in kernels.iter().zip(&weights).enumerate() {
-            covariance.zip_apply(k, |c, k| *c += w * w * k);
-            if let Some(theta) = params.linear_term(j, i) {
-                covariance.gemm(w * w * theta, &histories[j], &histories[j].transpose(), 1.0);
-            }
-        }
-        DynamicsCovariance { weights, noise, kernels, covariance }
-    }
-
     fn dynamics_gradient(
         &self,
         params: &MapParams,
@@ -211,7 +224,7 @@ impl LogDensity {
         gradient: &mut MapParams,
     ) -> Result<f64, NumericsError> {
         let DynamicsCovariance { weights, noise, kernels, covariance } =
-            self.dynamics_covariance(params, histories, i);
+            Dynamics::from(params).covariance(histories, i);
         let targets = self.sequences.lagged(&params.parts[i].latents, 0);
         let (value, mut adjoint) = log_density_and_adjoint(&covariance, &targets, DYNAMICS)?;
         let balance = self.balance(params, i);

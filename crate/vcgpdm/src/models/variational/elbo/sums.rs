@@ -82,12 +82,13 @@ impl ExpertCovariance {
 /// The terms of the bound, in nats.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct BoundTerms {
-    /// The pose map of each part `[M]`.
+    /// The pose map of each part.
     pub kinematics: Vec<f64>,
-    /// The dynamics into each part `[M]`.
+    /// The dynamics into each part.
     pub dynamics: Vec<f64>,
-    /// The prior of the first p frames of every sequence.
+    /// The prior of the first frames.
     pub initial: f64,
     /// The entropy of q(x) over all frames.
     pub entropy: f64,

@@ -14,6 +14,7 @@ const CHANGES: f64 = 1e-9;
 
 /// How well predicted columns of a part fit the recorded ones.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct CompletionScore {
     /// Mean squared error over all frames and columns.
     pub mse: f64,

@@ -1,0 +1,5 @@
+//! Prints the TypeScript declarations of the npm package.
+
+fn main() {
+    print!("{}", vcgpdm_wasm::declarations());
+}

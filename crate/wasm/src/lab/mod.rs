@@ -1,0 +1,8 @@
+//! Comparisons, studies with people, experiments.
+
+pub mod evaluation;
+pub mod maker;
+pub mod perception;
+pub mod results;
+pub mod study;
+pub mod synthetic;

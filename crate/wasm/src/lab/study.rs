@@ -1,0 +1,274 @@
+//! The graphics Turing test: studies, and the trials of a participant.
+
+use crate::values::arguments::{Text, Whole};
+use crate::values::convert::{from_js, to_js};
+use crate::values::error::{ErrorCode, VcgpdmError};
+use serde::Serialize;
+use std::cell::OnceCell;
+use vcgpdm::models::{ModelKind, Settings};
+use vcgpdm_lab::perception::{
+    Design, Look, Preset, Stimulus as MovementStimulus, Study as MovementStudy, Texts,
+};
+use wasm_bindgen::prelude::*;
+
+/// The skeleton of the moving figure.
+#[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "StudySkeleton"))]
+struct Skeleton<'a> {
+    /// The name of each node: first the joints, then the ends of the last bones.
+    names: &'a [String],
+    /// The parent of each node; -1 for the root.
+    parents: Vec<i32>,
+    /// The number of nodes that are joints.
+    joints: usize,
+    /// Height of the figure, in metres.
+    height: f64,
+    /// The node on top of the head; null if unknown.
+    head: Option<usize>,
+    /// The tips of the left and the right foot; null if unknown.
+    feet: Option<[usize; 2]>,
+    /// The nodes that are drawn for a point-light walker.
+    dots: &'a [usize],
+}
+
+/// The errors of a model on the held-out trial, and its bound.
+#[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "StimulusScores"))]
+struct Scores {
+    /// Mean squared error on the held-out trial, frame by frame.
+    mse: f64,
+    /// Mean squared error after dynamic time warping.
+    dtw_mse: f64,
+    /// The bound on the log evidence, in nats; null for a model without a bound.
+    bound: Option<f64>,
+    /// The terms of the bound for the dynamics; null if unknown.
+    dynamics: Option<f64>,
+    /// The terms of the bound for the poses; null if unknown.
+    pose: Option<f64>,
+}
+
+/// A movement of a study, recorded or generated.
+#[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase", rename = "StudyStimulus"))]
+struct Stimulus<'a> {
+    /// The unique id by which answers refer to the movement.
+    id: &'a str,
+    #[cfg_attr(feature = "types", ts(type = "\"natural\" | \"generated\""))]
+    kind: &'static str,
+    /// The recorded trial, or the held-out trial that was predicted.
+    trial: &'a str,
+    /// For a natural movement: true if ordinary trials show it, false if only catch trials show it. Always
+    /// false for a generated movement.
+    seen: bool,
+    /// Whether the movement is marked as an obvious failure. Such movements check the participants'
+    /// attention.
+    failed: bool,
+    /// The speed of the figure before centring, in metres a second.
+    speed: f64,
+    /// The kind of model; null for a natural movement.
+    model: Option<ModelKind>,
+    /// The settings of the model; null for a natural movement.
+    settings: Option<&'a Settings>,
+    /// The scores of the model; null for a natural movement.
+    scores: Option<Scores>,
+}
+
+/// The design, texts and stimuli of a study.
+#[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct StudyInfo<'a> {
+    title: &'a str,
+    look: Look,
+    frames_per_second: usize,
+    /// How many seconds of each movement are shown.
+    seconds: f64,
+    /// How many frames of each movement are shown.
+    frames: usize,
+    /// How many seconds the cross is shown before a movement.
+    cross_seconds: f64,
+    answer_during_movement: bool,
+    pause_seconds: usize,
+    texts: &'a Texts,
+    skeleton: Skeleton<'a>,
+    stimuli: Vec<Stimulus<'a>>,
+    design: &'a Design,
+    /// SHA-256 of the figure and the movements, hexadecimal. It does not depend on the design, the texts or
+    /// the marks of failures. Answers refer to the study by this hash.
+    hash: String,
+}
+
+/// A study: movements, their sources, and how they are shown.
+#[wasm_bindgen]
+pub struct Study {
+    study: MovementStudy,
+    /// The stimuli never change, so the changed copies of a study share them.
+    hash: OnceCell<String>,
+}
+
+#[wasm_bindgen]
+impl Study {
+    /// Reads the document of a study. Throws the error with the path of the field.
+    #[wasm_bindgen(js_name = fromJson)]
+    pub fn from_json(text: &Text) -> Result<Study, VcgpdmError> {
+        Ok(Study::of(MovementStudy::from_json(&text.get(ErrorCode::Study, "the document")?)?))
+    }
+
+    /// The study as a JSON document.
+    #[wasm_bindgen(js_name = toJson)]
+    pub fn to_json(&self) -> Result<String, VcgpdmError> {
+        Ok(self.study.to_json()?)
+    }
+
+    /// The design, texts and stimuli of the study.
+    #[wasm_bindgen(getter, unchecked_return_type = "StudyInfo")]
+    pub fn info(&self) -> Result<JsValue, VcgpdmError> {
+        let study = &self.study;
+        let (texts, design, figure) = (&study.texts, &study.design, &study.figure);
+        to_js(&StudyInfo {
+            title: &study.title,
+            look: study.look,
+            frames_per_second: study.frames_per_second,
+            seconds: study.seconds,
+            frames: study.frames(),
+            cross_seconds: study.cross_seconds,
+            answer_during_movement: design.answer_during_movement,
+            pause_seconds: design.pause_seconds,
+            texts,
+            skeleton: Skeleton {
+                names: &figure.names,
+                parents: figure.parents.iter().map(|parent| parent.map_or(-1, |k| k as i32)).collect(),
+                joints: figure.joints,
+                height: study.height,
+                head: figure.landmarks.head,
+                feet: figure.landmarks.feet,
+                dots: &figure.landmarks.dots,
+            },
+            stimuli: self.stimuli(),
+            design,
+            hash: self.hash()?,
+        })
+    }
+
+    /// The trials of a participant, in order. The seed, a whole number from 0 to 4294967295, determines them.
+    #[wasm_bindgen(unchecked_return_type = "StudyTrial[]")]
+    pub fn trials(&self, seed: &Whole) -> Result<JsValue, VcgpdmError> {
+        let seed = seed.get(ErrorCode::Study, "the seed")?;
+        to_js(&self.study.trials(seed))
+    }
+
+    /// The positions of a movement's nodes [frames x nodes x 3], in metres. The y axis points up, the ground
+    /// is at y = 0, and the figure stays above the origin and faces along z.
+    pub fn positions(&self, stimulus: &Whole) -> Result<Vec<f32>, VcgpdmError> {
+        let stimulus = stimulus.count(ErrorCode::Study, "the movement")?;
+        self.study.positions(stimulus).ok_or_else(|| {
+            let most = self.study.stimuli.len().saturating_sub(1);
+            let message = format_args!("expected a movement from 0 to {most}, found {stimulus}");
+            VcgpdmError::new(ErrorCode::Study, &message)
+        })
+    }
+
+    /// The same movements with the trials and times of a preset. Movements that are shorter than the preset's
+    /// time are shown in full.
+    #[wasm_bindgen(js_name = withDesign)]
+    pub fn with_design(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "StudyPreset")] preset: &Text,
+    ) -> Result<Study, VcgpdmError> {
+        let preset = self::preset(preset)?;
+        Ok(self.changed(self.study.clone().with_preset(preset)))
+    }
+
+    /// The same study with figures drawn in this way.
+    #[wasm_bindgen(js_name = withLook)]
+    pub fn with_look(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "StudyLook")] look: &Text,
+    ) -> Result<Study, VcgpdmError> {
+        let look = self::look(look)?;
+        let mut study = self.study.clone();
+        study.look = look;
+        Ok(self.changed(study))
+    }
+
+    /// The same study with other texts to read.
+    #[wasm_bindgen(js_name = withTexts)]
+    pub fn with_texts(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "StudyTexts")] texts: JsValue,
+    ) -> Result<Study, VcgpdmError> {
+        let texts: Texts = from_js(ErrorCode::Study, "texts", &texts)?;
+        let mut study = self.study.clone();
+        study.texts = texts;
+        Ok(self.changed(study))
+    }
+
+    /// The same study, with only the movements of these ids marked as obvious failures.
+    #[wasm_bindgen(js_name = withFailed)]
+    pub fn with_failed(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "string[]")] ids: JsValue,
+    ) -> Result<Study, VcgpdmError> {
+        let ids: Vec<String> = from_js(ErrorCode::Study, "the ids", &ids)?;
+        Ok(self.changed(self.study.clone().with_failed(&ids)?))
+    }
+}
+
+/// The preset of that name.
+pub fn preset(name: &Text) -> Result<Preset, VcgpdmError> {
+    let id = name.get(ErrorCode::Study, "the design")?;
+    Preset::from_id(&id).ok_or_else(|| {
+        let known = Preset::ALL.map(Preset::id).join(", ");
+        VcgpdmError::new(ErrorCode::Study, &format_args!("expected one of {known}, found \"{id}\""))
+    })
+}
+
+/// The look of that name.
+pub fn look(name: &Text) -> Result<Look, VcgpdmError> {
+    let id = name.get(ErrorCode::Study, "the look")?;
+    Look::from_id(&id).ok_or_else(|| {
+        VcgpdmError::new(ErrorCode::Study, &format_args!("expected figure or points, found \"{id}\""))
+    })
+}
+
+impl Study {
+    /// A study of the library.
+    pub fn of(study: MovementStudy) -> Study {
+        Study { study, hash: OnceCell::new() }
+    }
+
+    /// Another study of the same movements.
+    fn changed(&self, study: MovementStudy) -> Study {
+        Study { study, hash: self.hash.clone() }
+    }
+
+    fn hash(&self) -> Result<String, VcgpdmError> {
+        if self.hash.get().is_none() {
+            let _ = self.hash.set(self.study.hash()?);
+        }
+        Ok(self.hash.get().cloned().unwrap_or_default())
+    }
+
+    fn stimuli(&self) -> Vec<Stimulus<'_>> {
+        fn known(stimulus: &MovementStimulus) -> Stimulus<'_> {
+            let generated = stimulus.generated();
+            Stimulus {
+                id: &stimulus.id,
+                kind: if generated.is_some() { "generated" } else { "natural" },
+                trial: &stimulus.trial,
+                seen: stimulus.natural() == Some(true),
+                failed: stimulus.failed(),
+                speed: stimulus.speed,
+                model: generated.map(|generated| generated.candidate.kind()),
+                settings: generated.map(|generated| &generated.candidate),
+                scores: generated.map(|generated| Scores {
+                    mse: generated.scores.mse,
+                    dtw_mse: generated.scores.dtw_mse,
+                    bound: generated.scores.bound,
+                    dynamics: generated.scores.dynamics(),
+                    pose: generated.scores.pose(),
+                }),
+            }
+        }
+        self.study.stimuli.iter().map(known).collect()
+    }
+}

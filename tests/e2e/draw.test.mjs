@@ -1,0 +1,91 @@
+// Drawings of one hand and of two, by keyboard and by pointer, and the model that goes on with them.
+import assert from "node:assert/strict";
+import { after, before, it } from "node:test";
+import { barriers, changes, keepsNobodyOut, openSite, ready, readyVisitor, saved, soon } from "./site.mjs";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+/** @type {Awaited<ReturnType<typeof openSite>>} */
+let site;
+before(async () => {
+  site = await openSite();
+});
+after(() => site?.close());
+
+/** Draws squares with the arrow keys, whose steps have a time of their own. */
+async function squares(/** @type {Page} */ page, /** @type {number} */ pad, /** @type {number} */ laps) {
+  await page.getByTestId(`pad-${pad}`).focus();
+  for (let side = 0; side < 4 * laps; side++)
+    for (let step = 0; step < 4; step++)
+      await page.keyboard.press(["ArrowUp", "ArrowRight", "ArrowDown", "ArrowLeft"][side % 4] ?? "");
+  await page.keyboard.press("Enter");
+}
+
+const learned = (/** @type {Page} */ page, /** @type {number} */ hands) =>
+  page.waitForFunction(
+    (hands) =>
+      document.querySelectorAll("pg-drawing pg-latent-plot").length === hands &&
+      /goes on|does not go on/.test(document.querySelector("[data-testid=draw-words]")?.textContent ?? ""),
+    hands,
+    { timeout: 60_000 },
+  );
+
+it("a model goes on with one hand, then with two, whose couplings can be changed", async () => {
+  const { page, problems, leave } = await site.visit({ settings: "view=draw", seen: true });
+  await ready(page);
+  await squares(page, 0, 3);
+  await learned(page, 1);
+  assert.equal(
+    await page.getByTestId("draw-words").textContent(),
+    "The model draws: it goes on in your hand.",
+  );
+  assert.ok(await changes(page.getByTestId("pad-0")), "the pen moves");
+
+  const box = (await page.getByTestId("pad-1").boundingBox()) ?? assert.fail();
+  const at = (/** @type {number} */ turn) =>
+    /** @type {const} */ ([
+      box.x + box.width * (0.5 + 0.3 * Math.cos(turn)),
+      box.y + box.height * (0.5 + 0.2 * Math.sin(turn)),
+    ]);
+  await page.mouse.move(...at(0));
+  await page.mouse.down();
+  for (let i = 0; i < 120; i++) await page.mouse.move(...at(i / 8));
+  await page.mouse.up();
+  await learned(page, 2);
+  const rolled = () =>
+    page.evaluate(() =>
+      Array.from(/** @type {any} */ (document.querySelector("pg-drawing")).store.model.rollout.values).join(),
+    );
+  const before = await rolled();
+  await page.locator("pg-drawing [data-testid=coupling-1-1]").fill("-3");
+  await soon(async () => assert.notEqual(await rolled(), before));
+  await page.getByTestId("series-reset").click();
+  await soon(async () => assert.equal(await rolled(), before));
+
+  const drawing = await saved(page, "save-drawing");
+  assert.match(drawing.text, /^time,left_x,left_y,right_x,right_y\n0\.000,/);
+  const model = await saved(page, "save-drawing-model");
+  assert.deepEqual(
+    JSON.parse(model.text).parts?.map((/** @type {{ name: string }} */ { name }) => name),
+    ["left", "right"],
+  );
+  assert.deepEqual(await barriers(page), []);
+
+  await page.getByTestId("draw-clear").click();
+  await page.getByTestId("draw-example").waitFor();
+  const pad = page.getByTestId("pad-0");
+  await pad.click();
+  await page.getByText("That was too little").waitFor();
+  assert.deepEqual(problems, []);
+  await leave();
+});
+
+keepsNobodyOut(
+  () => readyVisitor(site.visit({ settings: "view=draw" })),
+  async (page, fits) => {
+    await fits("empty");
+    await page.getByTestId("draw-example").click();
+    await learned(page, 2);
+    await fits("two hands");
+  },
+);

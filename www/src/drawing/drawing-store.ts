@@ -1,0 +1,243 @@
+// A drawing of one hand or of two, and the model that goes on with it.
+import type { TrainedSeries } from "../engine/series-protocol";
+import type { WholeWorkers } from "../engine/whole-workers";
+import { SeriesStore } from "../series/series-store";
+import { TablesStore } from "../series/tables-store";
+import { ProgressStore } from "../training/progress-store";
+import { drawingWords } from "../words/drawing";
+import { DRAWING_SETTINGS } from "./drawing-settings";
+import { goesOn } from "./goes-on";
+import {
+  type Drawing,
+  drawingOf,
+  HEIGHT,
+  onPad,
+  placeInLoop,
+  playedStrokes,
+  ROWS_A_SECOND,
+  type Sample,
+  WIDTH,
+} from "./hand";
+
+/** The names of the parts: the pads from left to right. */
+export const HANDS = ["left", "right"] as const;
+export type Pad = 0 | 1;
+
+/** After letting go, a hand has as many milliseconds for another stroke. */
+const NEXT_STROKE = 400;
+/** The longest drawing, in seconds. */
+const LONGEST = 20;
+/** The first rollout, and the longest one, which then begins again: seconds. */
+const FIRST_ROLLOUT = 20;
+const LONGEST_ROLLOUT = 320;
+
+/** The table of a drawing, as a file. */
+export function drawingFile({ rows }: Pick<Drawing, "rows">, pads: readonly Pad[]): File {
+  const names = pads.flatMap((pad) => [`${HANDS[pad]}_x`, `${HANDS[pad]}_y`]);
+  const lines = rows.map((row, i) => [i / ROWS_A_SECOND, ...row].map((value) => value.toFixed(3)).join(","));
+  return new File([["time", ...names].join(","), "\n", lines.join("\n"), "\n"], "drawing.csv");
+}
+
+export class DrawingStore extends ProgressStore<TrainedSeries> {
+  readonly model: SeriesStore;
+  readonly #tables: TablesStore;
+  readonly #workers: WholeWorkers;
+  /** The strokes of the pads that are drawn on now. */
+  readonly #strokes = new Map<Pad, Sample[][]>();
+  /** When the drawing began, in milliseconds, and the timer that ends it. */
+  #began = 0;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #seconds = FIRST_ROLLOUT;
+  /** The drawing that the model on show learned, and its pads; null before the first. */
+  #drawn: { drawing: Drawing; pads: readonly Pad[] } | null = null;
+  #tooLittle = false;
+  #lost: Pad | undefined;
+
+  constructor(workers: WholeWorkers) {
+    super();
+    this.#workers = workers;
+    this.#tables = new TablesStore(workers);
+    this.model = new SeriesStore(workers, this.#tables, () => this.#seconds * ROWS_A_SECOND);
+    this.model.on(() => this.changed());
+    this.model.clock.on(() => this.#lengthen());
+  }
+
+  get drawn(): { drawing: Drawing; pads: readonly Pad[] } | null {
+    return this.#drawn;
+  }
+
+  /** The strokes on a pad while it is drawn on; null: it is not. */
+  strokes(pad: Pad): readonly (readonly Sample[])[] | null {
+    return this.#strokes.get(pad) ?? null;
+  }
+
+  get isDrawing(): boolean {
+    return this.#strokes.size > 0;
+  }
+
+  /** Begins a stroke on a pad, at a time in milliseconds. The first stroke begins a drawing. */
+  begin(pad: Pad, x: number, y: number, now: number): void {
+    clearTimeout(this.#timer);
+    if (this.busy) this.cancel();
+    if (!this.isDrawing) this.#began = now;
+    this.#tooLittle = false;
+    const strokes = this.#strokes.get(pad) ?? [];
+    strokes.push([]);
+    this.#strokes.set(pad, strokes);
+    this.move(pad, x, y, now);
+  }
+
+  move(pad: Pad, x: number, y: number, now: number): void {
+    const stroke = this.#strokes.get(pad)?.at(-1);
+    const seconds = (now - this.#began) / 1000;
+    const inside = (value: number, most: number) => Math.min(most, Math.max(0, value));
+    if (!stroke || seconds > LONGEST) return;
+    stroke.push({ seconds, x: inside(x, WIDTH), y: inside(y, HEIGHT) });
+    this.changed();
+  }
+
+  /** Ends a stroke. Without another one soon, the model learns the drawing. */
+  end(): void {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => void this.finish(), NEXT_STROKE);
+  }
+
+  /** The model learns what was drawn. */
+  async finish(): Promise<void> {
+    clearTimeout(this.#timer);
+    const found = this.#joined();
+    this.#strokes.clear();
+    this.#tooLittle = found === null;
+    this.changed();
+    if (found) await this.learn(found.drawing, found.pads);
+  }
+
+  /** The drawing on both pads. A pad that was not drawn on plays what it has. */
+  #joined(): { drawing: Drawing; pads: readonly Pad[] } | null {
+    const before = this.#drawn;
+    const seconds = Math.max(
+      ...[...this.#strokes.values()].map((strokes) => strokes.at(-1)?.at(-1)?.seconds ?? 0),
+    );
+    const pads = ([0, 1] as const).filter((pad) => this.#strokes.has(pad) || before?.pads.includes(pad));
+    const all = pads.map((pad) => {
+      const own = this.#strokes.get(pad);
+      if (own || !before) return own ?? [];
+      return playedStrokes(before.drawing.loop, before.pads.indexOf(pad), seconds);
+    });
+    const drawing = drawingOf(all);
+    return drawing && { drawing, pads };
+  }
+
+  async learn(drawing: Drawing, pads: readonly Pad[]): Promise<void> {
+    const file = drawingFile(drawing, pads);
+    const parts = pads.map((pad) => ({ name: HANDS[pad], columns: [`${HANDS[pad]}_x`, `${HANDS[pad]}_y`] }));
+    const tables = [{ name: file.name, file, without: [] }];
+    const job = { tables, settings: { ...DRAWING_SETTINGS, parts } };
+    const found = await this.run((report, signal) =>
+      this.#workers.pool.run((worker) => worker.trainSeries(job, report, signal), signal),
+    );
+    // Another stroke has begun meanwhile.
+    if (!found || this.isDrawing) return;
+    this.#seconds = FIRST_ROLLOUT;
+    this.#drawn = { drawing, pads };
+    await this.model.takeTrained(found);
+    this.#lost = this.#findLost();
+    this.model.clock.seek(0);
+    this.model.clock.play();
+    this.changed();
+  }
+
+  /** The rollout grows before its end is reached. */
+  #lengthen(): void {
+    const { clock } = this.model;
+    if (this.#seconds >= LONGEST_ROLLOUT || clock.lastFrame + 1 < this.#seconds * ROWS_A_SECOND) return;
+    if (clock.frame < 0.7 * clock.lastFrame) return;
+    this.#seconds *= 2;
+    this.model.again();
+  }
+
+  /** Where the pen of a pad is: that of the model, or while the other pad is drawn on, that of the drawing. */
+  pen(pad: Pad, now: number): readonly number[] | null {
+    const place = this.#drawn?.pads.indexOf(pad) ?? -1;
+    if (!this.#drawn || place < 0) return null;
+    if (this.isDrawing)
+      return placeInLoop(this.#drawn.drawing.loop, place, Math.max(0, now - this.#began) / 1000);
+    const frame = this.model.clock.frame;
+    const [a, b] = [this.#at(place, Math.floor(frame)), this.#at(place, Math.ceil(frame))];
+    return a && b ? a.map((value, i) => value + (frame % 1) * ((b[i] ?? value) - value)) : a;
+  }
+
+  /** The last places of the model's pen on a pad, the oldest first. */
+  trail(pad: Pad, frames: number): (readonly number[])[] {
+    const place = this.#drawn?.pads.indexOf(pad) ?? -1;
+    if (place < 0 || this.isDrawing) return [];
+    const now = Math.floor(this.model.clock.frame);
+    return Array.from({ length: frames }, (_, i) => this.#at(place, now - frames + 1 + i)).filter(
+      (found) => found !== null,
+    );
+  }
+
+  #at(place: number, frame: number): number[] | null {
+    const values = this.model.rollout?.values;
+    const width = 2 * (this.#drawn?.pads.length ?? 1);
+    const at = frame * width + 2 * place;
+    return values && frame >= 0 && at + 1 < values.length ? [values[at] ?? 0, values[at + 1] ?? 0] : null;
+  }
+
+  /** What happened, in words; empty before the first drawing. */
+  get words(): string {
+    const words = drawingWords();
+    if (this.#tooLittle) return words.tooLittle;
+    if (this.busy) return words.learning;
+    if (this.ending.failed) return this.ending.words;
+    if (!this.#drawn) return "";
+    if (this.#lost !== undefined) return words.lost(words.hands[this.#lost] ?? "");
+    return this.#drawn.drawing.once ? words.once : words.goesOn;
+  }
+
+  /** The hand that does not go on as it was drawn; undefined: all do. */
+  #findLost(): Pad | undefined {
+    const values = this.model.learned?.values;
+    const { drawing, pads } = this.#drawn ?? {};
+    if (!values || !drawing || !pads) return undefined;
+    const width = 2 * pads.length;
+    const rows = Array.from({ length: values.length / width }, (_, i) =>
+      Array.from(values.subarray(i * width, (i + 1) * width)),
+    );
+    return pads.find(
+      (_, place) => !goesOn(onPad(drawing.rows, place), onPad(rows, place), drawing.lap).goesOn,
+    );
+  }
+
+  /** The reason why the rollout under the newest couplings failed. */
+  get problem(): string {
+    return this.model.problem;
+  }
+
+  /** Two hands by a formula, as if they were drawn now. */
+  async example(): Promise<void> {
+    const seconds = Array.from({ length: 60 * 5 }, (_, i) => i / 60);
+    const turn = (seconds: number, lap: number) => (2 * Math.PI * seconds) / lap;
+    const eight = seconds.map((t) => ({
+      seconds: t,
+      x: 50 + 30 * Math.sin(turn(t, 1.25)),
+      y: 66 + 22 * Math.sin(2 * turn(t, 1.25)),
+    }));
+    const circle = seconds.map((t) => ({
+      seconds: t,
+      x: 50 + 28 * Math.cos(turn(t, 1.25)),
+      y: 66 + 28 * Math.sin(turn(t, 1.25)),
+    }));
+    const drawing = drawingOf([[eight], [circle]]);
+    if (drawing) await this.learn(drawing, [0, 1]);
+  }
+
+  clear(): void {
+    clearTimeout(this.#timer);
+    if (this.busy) this.cancel();
+    this.#strokes.clear();
+    this.#drawn = null;
+    this.#tooLittle = false;
+    this.changed();
+  }
+}

@@ -1,0 +1,30 @@
+// The numbers in sentences of documents are those of their tables.
+import { expect, it } from "vitest";
+import comparison from "../../../../docs/comparison.md?raw";
+import completing from "../../../../docs/completing.md?raw";
+import modularity from "../../../../docs/modularity.md?raw";
+import uncertainty from "../../../../docs/uncertainty.md?raw";
+
+const tables = import.meta.glob<{ default: string }>("../../../../docs/comparison/*.md", {
+  query: "?raw",
+  eager: true,
+});
+const compared = Object.values(tables).map((table) => table.default);
+/** An example of a ratio, one of an earlier version of the training, and a quotient of two cells. */
+const ELSEWHERE = ["0.43 (0.39 to 0.71)", "0.77 (0.59 to 0.94)", "1.04"];
+
+it("documents have the ratios and decimals of their tables", () => {
+  for (const document of [comparison, modularity, completing, uncertainty]) {
+    const lines = document.split("\n");
+    const rows = lines.filter((line) => line.startsWith("|"));
+    const known = [...rows, ...(document === comparison ? compared : [])].join().replaceAll(" times (", " (");
+    const text = lines.filter((line) => !line.startsWith("|")).join(" ");
+    const ratios = text.matchAll(/(-?\d+\.\d\d)\D{1,40}?(-?\d+\.\d\d) to (-?\d+\.\d\d)/g);
+    const written = [...ratios].map(([, middle, low, high]) => `${middle} (${low} to ${high})`);
+    const decimals = (words: string) => words.match(/(?<![\d.])\d+\.\d{2,}/g) ?? [];
+    const cells = new Set([...ELSEWHERE, ...decimals(known)]);
+    const missing = written.filter((ratio) => !known.includes(ratio) && !cells.has(ratio));
+    expect(decimals(text).length).toBeGreaterThan(10);
+    expect([...missing, ...decimals(text).filter((decimal) => !cells.has(decimal))]).toEqual([]);
+  }
+});

@@ -1,0 +1,31 @@
+import type { DrawingWords } from "../en/drawing";
+
+export const words: DrawingWords = {
+  hands: ["links", "rechts"],
+  pad: (hand) =>
+    `Feld der Hand ${hand}: Zeichne hier. Mit der Tastatur: Pfeiltasten zeichnen, die Eingabetaste lässt los.`,
+  invite: [
+    "Zeichne eine Schleife, ein paar Mal herum. Lass los.",
+    "Eine zweite Hand? Zeichne hier, während die erste weitermacht.",
+  ],
+  title: "Deine Hand, für immer",
+  text: "Zeichne eine Schleife, eine Acht, einen Stern, einen Buchstaben. Ein kleines Modell lernt, wie dein Stift von Moment zu Moment weitergeht. Bei zwei Händen ist jede Hand ein Teil, und die Kopplungen sagen, wie stark jede die andere treibt.",
+  example: "Zeig es mir",
+  exampleMeaning: "Zeichnet eine Acht und einen Kreis nach einer Formel",
+  tooLittle: "Das war zu wenig: Zeichne eine Linie, die länger dauert als ein Moment, und keinen Punkt.",
+  learning: "Das Modell lernt deine Zeichnung …",
+  goesOn: "Das Modell zeichnet: Es macht in deiner Hand weiter.",
+  once: "Du hast es einmal gezeichnet, darum wurde es für das Modell wiederholt. Es macht in deiner Hand weiter.",
+  lost: (hand) =>
+    `Die Hand ${hand} macht nicht so weiter, wie du gezeichnet hast. Zeichne ein paar Mal herum, ohne Pause und etwas langsamer.`,
+  again: "Leeren",
+  lead: {
+    one: "Eine Hand, eine latente Schleife mit ihren Stützpunkten. Zeichne mit der zweiten Hand, und kopple beide.",
+    two: "Schwäche einen Pfeil zwischen den Händen: Laufen sie auseinander? Verstärke ihn: Zieht eine die andere mit?",
+  },
+  saveDrawing: "Zeichnung, CSV",
+  saveDrawingMeaning:
+    "Was du gezeichnet hast, so wie das Modell es lernte: öffnet sich in Zeitreihen und im Terminal",
+  saveModel: "Modell, JSON",
+  saveModelMeaning: "Öffnet sich in Zeitreihen und im Terminal",
+};

@@ -1,0 +1,28 @@
+/** The view Draw. */
+export const words = {
+  hands: ["left", "right"],
+  pad: (hand: string) =>
+    `Pad of the ${hand} hand: draw here. With the keyboard: arrow keys draw, Enter lets go.`,
+  invite: ["Draw a loop, a few times round. Let go.", "A second hand? Draw here while the first goes on."],
+  title: "Your hand, for ever",
+  text: "Draw a loop, an eight, a star, a letter. A small model learns how your pen goes on from moment to moment. With two hands each hand is a part, and the couplings say how strongly each drives the other.",
+  example: "Show me",
+  exampleMeaning: "Draws an eight and a circle by a formula",
+  tooLittle: "That was too little: draw a line that is longer than a moment, and not a dot.",
+  learning: "The model learns your drawing …",
+  goesOn: "The model draws: it goes on in your hand.",
+  once: "You drew it once, so it was repeated for the model. It goes on in your hand.",
+  lost: (hand: string) =>
+    `The ${hand} hand does not go on as you drew it. Draw it a few times round, without a rest, and a little slower.`,
+  again: "Clear",
+  lead: {
+    one: "One hand, one loop of latents with its inducing points. Draw with the second hand, and couple them.",
+    two: "Weaken an arrow between the hands: do they fall apart? Strengthen it: does one drag the other?",
+  },
+  saveDrawing: "Drawing, CSV",
+  saveDrawingMeaning: "What you drew, as the model learned it: opens in Time series and in the terminal",
+  saveModel: "Model, JSON",
+  saveModelMeaning: "Opens in Time series and in the terminal",
+};
+
+export type DrawingWords = typeof words;
