@@ -45,7 +45,9 @@ const WHEN_ASKED = [
 ];
 /** The chapters of the story after the first, and what only they share. */
 const isChapter = (file: string) =>
-  /\/src\/(story\/((?!computer\/)[a-z]+\/|endless-walk\.|equation\.)|words\/(en|de)\/replies\.)/.test(file);
+  /\/src\/(story\/((?!computer\/)[a-z]+\/|endless-walk\.|guessed-chapter\.)|words\/(en|de)\/replies\.)/.test(
+    file,
+  );
 const isAsked = (file: string) =>
   WHEN_ASKED.some((name) =>
     name.endsWith("/") ? file.includes(`/src/${name}`) : file.includes(`/src/${name}.`),
