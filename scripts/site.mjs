@@ -42,45 +42,34 @@ export function weigh() {
   const sum = (/** @type {typeof files} */ some) => some.reduce((total, { size }) => total + size, 0);
   const inFolders = (/** @type {string[]} */ ...folders) =>
     files.filter(({ name }) => folders.some((folder) => name.startsWith(folder)));
-  // The service worker is loaded when the page is idle, as what registers it.
-  const asked = inFolders("assets/when-asked/", "service.js");
-  const lab = inFolders("assets/lab/");
-  const story = inFolders("assets/story/");
-  const later = inFolders("assets/on-demand/", "licences.txt");
-  const study = inFolders("study/");
-  const ofViews = views.map(({ folder, name }) => inFolders(`assets/${name}/`, `${folder}/`));
-  const glb = inFolders("assets/glb/");
-  const teach = inFolders("assets/teach/");
-  // A visit loads one language; the largest counts.
-  const otherLanguages = inFolders("assets/de-", "assets/en-").slice(1);
-  const besides = [
-    ...otherLanguages,
-    ...lab,
-    ...story,
-    ...later,
-    ...asked,
-    ...study,
-    ...ofViews.flat(),
-    ...glb,
-    ...teach,
+  /** @type {[name: string, files: typeof files, budget: number][]} */
+  const later = [
+    ["the Lab, besides", inFolders("assets/lab/"), budget.lab],
+    ["later chapters of the story", inFolders("assets/story/"), budget.story],
+    // The service worker is loaded when the page is idle, as what registers it.
+    ["when asked for", inFolders("assets/when-asked/", "service.js"), budget.whenAsked],
+    ["on demand", inFolders("assets/on-demand/", "licences.txt"), budget.onDemand],
+    ["study", inFolders("study/"), budget.study],
+    ...views.map(
+      ({ folder, name, budget }) =>
+        /** @type {[string, typeof files, number]} */ ([
+          `the view ${name}`,
+          inFolders(`assets/${name}/`, `${folder}/`),
+          budget,
+        ]),
+    ),
+    ["motion as GLB", inFolders("assets/glb/"), budget.glb],
+    ["for teachers", inFolders("assets/teach/"), budget.teach],
   ];
+  // A visit loads one language; the largest counts.
+  const besides = [...inFolders("assets/de-", "assets/en-").slice(1), ...later.flatMap(([, some]) => some)];
   const first = files.filter((file) => !besides.includes(file));
   const wasm = first.filter(({ name }) => basename(name).endsWith(".wasm"));
   /** @type {[string, number, number][]} */
   const sums = [
     ["wasm of a first visit", sum(wasm), budget.wasm],
     ["first visit", sum(first), budget.firstVisit],
-    ["the Lab, besides", sum(lab), budget.lab],
-    ["later chapters of the story", sum(story), budget.story],
-    ["when asked for", sum(asked), budget.whenAsked],
-    ["on demand", sum(later), budget.onDemand],
-    ["study", sum(study), budget.study],
-    ...views.map(
-      ({ name, budget }, i) =>
-        /** @type {[string, number, number]} */ ([`the view ${name}`, sum(ofViews[i] ?? []), budget]),
-    ),
-    ["motion as GLB", sum(glb), budget.glb],
-    ["for teachers", sum(teach), budget.teach],
+    ...later.map(([name, some, limit]) => /** @type {[string, number, number]} */ ([name, sum(some), limit])),
     ["vcgpdm/figure", gzipSync(readFileSync(at("crate/wasm/pkg/figure/figure.js"))).length, budget.figure],
   ];
 

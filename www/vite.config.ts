@@ -45,7 +45,9 @@ const WHEN_ASKED = [
 ];
 /** The chapters of the story after the first, and what only they share. */
 const isChapter = (file: string) =>
-  /\/src\/(story\/((?!computer\/)[a-z]+\/|endless-walk\.|equation\.)|words\/(en|de)\/replies\.)/.test(file);
+  /\/src\/(story\/((?!computer\/)[a-z]+\/|endless-walk\.|guessed-chapter\.)|words\/(en|de)\/replies\.)/.test(
+    file,
+  );
 const isAsked = (file: string) =>
   WHEN_ASKED.some((name) =>
     name.endsWith("/") ? file.includes(`/src/${name}`) : file.includes(`/src/${name}.`),
@@ -66,11 +68,6 @@ const isTeaching = (file: string) =>
     file,
   );
 
-/** A file of a view, and its words in www/src/words. */
-const isOf = (view: string, file: string) =>
-  [`/src/${view}/`, `/src/words/${view}.`, `/src/words/en/${view}.`, `/src/words/de/${view}.`].some((place) =>
-    file.includes(place),
-  );
 type Later = [folder: string, of: (file: string) => boolean];
 
 /**
@@ -80,7 +77,7 @@ const LATER: Later[] = [
   ["assets/teach", isTeaching],
   // The Lab names all views.
   ["assets/lab", (file) => file.includes("/src/views/")],
-  ...views.map(({ folder, name }): Later => [`assets/${name}`, (file) => isOf(folder, file)]),
+  ...views.map(({ folder, name }): Later => [`assets/${name}`, (file) => file.includes(`/src/${folder}/`)]),
   ["assets/glb", (file) => file.includes("/src/scene/glb.")],
   ["assets/on-demand", isOnDemand],
   ["assets/when-asked", isAsked],

@@ -9,8 +9,7 @@ import { LinkError, type LinkProblem } from "../links/problem";
 import "../ui/dialog.css";
 import { messageOf } from "../ui/format";
 import { icon } from "../ui/icons";
-import { linkWords } from "../words/links";
-import { teachWords } from "../words/teach";
+import { linkWords, loadLinks, loadTeach, teachWords } from "../words/sections";
 import { addressOf, codeOf, frameLine, LONGEST_CODE } from "./code";
 import "./code.css";
 
@@ -41,11 +40,10 @@ const shortened = (address: string) => (address.length > SHOWN ? `${address.slic
 /** `fragment`: the state without a model in it. */
 export async function showCode(app: App, fragment: string): Promise<void> {
   if (document.querySelector(".code-dialog")) return;
-  const [teach, links] = [teachWords(app.words), linkWords(app.words)];
   const stage = app.isPlayView ? await import("./stage-model") : null;
-  await Promise.all([teach.load(), links.load()]);
-  const { code, exercises } = teach.now;
-  const words = links.now;
+  await Promise.all([loadTeach(app.words), loadLinks(app.words)]);
+  const { code, exercises } = teachWords();
+  const words = linkWords();
   const dialog = document.createElement("dialog");
   dialog.className = "code-dialog";
   dialog.setAttribute("aria-labelledby", "code-title");
@@ -106,7 +104,7 @@ export async function showCode(app: App, fragment: string): Promise<void> {
           <button class="small" data-testid="save-short" ?disabled=${wrong !== null} @click=${saveModel}>${icon("save")} ${short.save}</button></label>
         ${
           wrong
-            ? html`<p role="alert">${links.now.problems(wrong)}</p>`
+            ? html`<p role="alert">${linkWords().problems(wrong)}</p>`
             : html`${codePicture(address, exercises.code)} ${link(address, "short-address")}`
         }
       </section>`;

@@ -41,18 +41,12 @@ const PLACES = {
 } as const satisfies Record<string, { panel: Panel | null; focus: string }>;
 
 export class LabView extends View {
-  static override properties = { liveView: { state: true } };
   declare app: App;
   /** Draws the live motion; null before its first use. */
-  declare liveView: (() => TemplateResult) | null;
+  #liveView: (() => TemplateResult) | null = null;
   #keyHolds: { source: number; target: number } | null = null;
   /** In a frame of another page: the panels that an address or an explained term has opened. */
   readonly #opened = new Set<Panel>(["more"]);
-
-  constructor() {
-    super();
-    this.liveView = null;
-  }
 
   protected override stores() {
     const { engine, settings, model, stage, clips, words } = this.app;
@@ -102,8 +96,9 @@ export class LabView extends View {
         app.recordedParts.get(),
         import("../live/live-view"),
       ]);
-      this.liveView ??= () =>
+      this.#liveView ??= () =>
         html`<pg-live .live=${live} .model=${app.model} .playback=${app.playback} .recorded=${recorded}></pg-live>`;
+      this.requestUpdate();
       return live;
     } catch {
       this.#notLoaded("live");
@@ -147,7 +142,7 @@ export class LabView extends View {
         <pg-caption .app=${this.app}></pg-caption>
         <pg-phase-clock .phases=${phases} .playback=${playback} .words=${lab().clock}></pg-phase-clock>
         ${stage.clip === null ? nothing : html`<pg-trim .clips=${clips} .stage=${stage} .playback=${playback}></pg-trim>`}
-        <div>${this.liveView ? this.liveView() : nothing}</div>
+        <div>${this.#liveView?.() ?? nothing}</div>
         <pg-timeline @set-seconds=${({ detail }: CustomEvent<number>) => model.setSeconds(detail)} .stage=${stage} .playback=${playback} .settings=${settings}></pg-timeline>
       </section>`;
   }

@@ -13,7 +13,7 @@ import { messageOf, sentence } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { mayLose } from "../unsaved/unsaved";
 import { lab } from "../words/lab";
-import { linkWords } from "../words/links";
+import { linkWords, loadLinks } from "../words/sections";
 import type { WordsStore } from "../words/words";
 import type { WholeWorkers } from "../engine/whole-workers";
 import { hasNoCouplings } from "../couplings/model-document";
@@ -35,9 +35,8 @@ const documentOf = ({ modelFile, packedModel }: Brought) =>
   packedModel === "" ? textOfFile(modelFile) : unpacked(packedModel);
 
 async function say({ words, notices }: Stores, problem: unknown): Promise<void> {
-  const section = linkWords(words);
-  await section.load();
-  const { notOpened, problems } = section.now;
+  await loadLinks(words);
+  const { notOpened, problems } = linkWords();
   const why = problem instanceof LinkError ? problems(problem.problem) : sentence(messageOf(problem));
   notices.addError(notOpened, why);
 }

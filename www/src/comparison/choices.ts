@@ -20,16 +20,10 @@ type FieldName = Exclude<keyof CompareWords["fields"], "byHand" | "growthNeeds" 
 const isTicked = (event: Event): boolean => (event.target as HTMLInputElement).checked;
 
 export class ComparisonChoices extends View {
-  static override properties = { unfolded: { state: true } };
   declare comparison: ComparisonStore;
   declare settings: SettingsStore;
   declare clips: ClipsStore;
-  declare unfolded: boolean;
-
-  constructor() {
-    super();
-    this.unfolded = true;
-  }
+  #unfolded = true;
 
   protected override stores() {
     return [this.comparison, this.settings, this.clips];
@@ -37,7 +31,8 @@ export class ComparisonChoices extends View {
 
   /** Folds the choices, to show the results. */
   fold(): void {
-    this.unfolded = false;
+    this.#unfolded = false;
+    this.requestUpdate();
   }
 
   #field(name: SettingName & FieldName, term?: TermName, symbol = "?") {
@@ -157,10 +152,11 @@ export class ComparisonChoices extends View {
 
   protected override render() {
     const toggle = (event: Event) => {
-      this.unfolded = (event.target as HTMLDetailsElement).open;
+      this.#unfolded = (event.target as HTMLDetailsElement).open;
+      this.requestUpdate();
     };
     return html`
-      <details class="choices" ?open=${this.unfolded} @toggle=${toggle}>
+      <details class="choices" ?open=${this.#unfolded} @toggle=${toggle}>
         <summary>${compareWords().setup}</summary>
         ${this.#models()}
         ${this.#trials()}

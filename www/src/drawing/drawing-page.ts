@@ -10,7 +10,7 @@ import { icon } from "../ui/icons";
 import { View } from "../ui/view";
 import type { Draw } from "../views/define-view";
 import { lab } from "../words/lab";
-import { drawingWords } from "../words/drawing";
+import { drawingWords } from "./view-words";
 import "./drawing.css";
 import { drawingFile, type DrawingStore } from "./drawing-store";
 import "./pad-view";

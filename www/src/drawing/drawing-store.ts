@@ -4,7 +4,7 @@ import type { WholeWorkers } from "../engine/whole-workers";
 import { SeriesStore } from "../series/series-store";
 import { TablesStore } from "../series/tables-store";
 import { ProgressStore } from "../training/progress-store";
-import { drawingWords } from "../words/drawing";
+import { drawingWords } from "./view-words";
 import { DRAWING_SETTINGS } from "./drawing-settings";
 import { goesOn } from "./goes-on";
 import {

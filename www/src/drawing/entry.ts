@@ -1,5 +1,5 @@
 import { defineView } from "../views/define-view";
-import { words } from "../words/drawing";
+import { words } from "./view-words";
 import type { DrawingStore } from "./drawing-store";
 
 declare module "../settings/views" {

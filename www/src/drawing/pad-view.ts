@@ -5,7 +5,7 @@ import { clearCanvas } from "../ui/browser";
 import { onThemeChange, partColour, partColourNow } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
-import { drawingWords } from "../words/drawing";
+import { drawingWords } from "./view-words";
 import type { DrawingStore, Pad } from "./drawing-store";
 import { HEIGHT, onPad, ROWS_A_SECOND, WIDTH } from "./hand";
 

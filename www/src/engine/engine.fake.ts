@@ -31,13 +31,13 @@ import type {
 } from "./protocol";
 
 /** Two joints and two nodes that do not move. */
-const figure = {
+export const figure = {
   nodes: [
     { joint: 0, parent: null, endSite: false },
     { joint: 1, parent: 0, endSite: false },
   ],
 };
-const joints = ["hips", "chest"].map((name, joint) => ({
+export const joints = ["hips", "chest"].map((name, joint) => ({
   name,
   parent: joint === 0 ? null : 0,
   channels: [],

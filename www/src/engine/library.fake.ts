@@ -14,6 +14,7 @@ import type {
 } from "./library-protocol";
 import type { Couplings, Motion, Report, TrainingOutcome, TrainingReport } from "./protocol";
 import type { Calls } from "./calls";
+import { figure, joints } from "./engine.fake";
 
 /** A training that the test ends. */
 export interface PendingTraining<Job, Found> {
@@ -21,18 +22,6 @@ export interface PendingTraining<Job, Found> {
   report(report: TrainingReport<Found>): unknown;
   end(outcome: TrainingOutcome): void;
 }
-
-const joints = ["hips", "chest"].map((name, joint) => ({
-  name,
-  parent: joint === 0 ? null : 0,
-  channels: [],
-}));
-const figure = {
-  nodes: [
-    { joint: 0, parent: null, endSite: false },
-    { joint: 1, parent: 0, endSite: false },
-  ],
-};
 
 /**
  * The document of a library: its name, the movements added to the two recorded ones, and the primitives of

@@ -1,4 +1,5 @@
 // For tests: a whole program without wasm. The test controls its workers.
+export { settled } from "./engine.fake";
 import { FakeLibraries } from "./library.fake";
 import { type Hired, Pool } from "./pool";
 import type { RolloutRequest, TrainingClip, TrainingOutcome, TrainingReport } from "./protocol";
@@ -286,6 +287,3 @@ export class FakeProgram implements WholeWorkers {
     };
   }
 }
-
-/** Waits until all promises that are ready have been handled. */
-export const settled = () => new Promise<void>((resolve) => setTimeout(resolve, 0));

@@ -7,7 +7,7 @@ import type { SettingsStore } from "../settings/settings-store";
 import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";
 import { View } from "../ui/view";
-import { teachWords } from "../words/teach";
+import { loadTeach, teachIfLoaded } from "../words/sections";
 import type { WordsStore } from "../words/words";
 import { EXERCISE_NAMES, type Facts, type Finding, judge } from "./exercises";
 import "./exercise.css";
@@ -19,22 +19,16 @@ export class ExerciseView extends View {
   declare settings: SettingsStore;
   declare notices: NoticesStore;
   declare words: WordsStore;
-  #section: ReturnType<typeof teachWords> | null = null;
   /** The distance between two motions, computed once for each. */
   #apart: { rollout: unknown; millimetres: number } | null = null;
 
-  override connectedCallback(): void {
-    this.#section ??= teachWords(this.words);
-    super.connectedCallback();
-  }
-
   protected override stores() {
-    return [this.body, this.model, this.settings, this.#section!];
+    return [this.body, this.model, this.settings];
   }
 
   protected override arrived(): void {
     const { exercise, why } = lab().files.notLoaded;
-    this.#section?.load().catch(() => this.notices.addError(exercise, why));
+    loadTeach(this.words).catch(() => this.notices.addError(exercise, why));
   }
 
   /** What the page measures now; null while it measures. */
@@ -57,8 +51,8 @@ export class ExerciseView extends View {
   protected override render() {
     const number = this.settings.values.exercise;
     const name = EXERCISE_NAMES[number - 1];
-    if (!name || !this.#section?.loaded) return nothing;
-    const { exercises } = this.#section.now;
+    const { exercises } = teachIfLoaded() ?? {};
+    if (!name || !exercises) return nothing;
     const facts = this.#facts();
     const verdict = facts && judge(name, facts);
     const say = ({ name, values }: Finding) => {

@@ -2,7 +2,7 @@
 import type { BodyReports } from "../couplings/body-store";
 import { stepOf } from "../couplings/measures-text";
 import type { Couplings } from "../engine/protocol";
-import type { TeachWords } from "../words/teach";
+import type { TeachWords } from "../words/sections";
 
 export type ExerciseName = keyof TeachWords["exercises"]["tasks"];
 

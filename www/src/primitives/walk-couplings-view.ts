@@ -53,17 +53,11 @@ export function fitText({ busy, iteration, elapsed, ending, unexplained }: Fit):
 }
 
 export class WalkCouplingsView extends View {
-  static override properties = { clip: { state: true } };
   declare library: LibraryStore;
   declare fitting: FittingStore;
   declare clips: ClipsStore;
   /** The key of the clip to fit to; empty for the first clip. */
-  declare clip: string;
-
-  constructor() {
-    super();
-    this.clip = "";
-  }
+  #clip = "";
 
   protected override stores() {
     return [this.library, this.fitting, this.clips];
@@ -79,13 +73,14 @@ export class WalkCouplingsView extends View {
     const { fitting } = this;
     const clips = this.clips.ofBody(this.library.current?.info.joints ?? []);
     const { busy, status } = fitting;
-    const key = clips.some((clip) => clip.key === this.clip) ? this.clip : (clips[0]?.key ?? "");
+    const key = clips.some((clip) => clip.key === this.#clip) ? this.#clip : (clips[0]?.key ?? "");
     const { text, failed } = fitText(fitting);
     const words = primitivesWords().couplings;
     return html`
       <div class="fit-row">
         <label>${words.clip} <select data-testid="fit-clip" ?disabled=${busy} @change=${(event: Event) => {
-          this.clip = (event.target as HTMLSelectElement).value;
+          this.#clip = (event.target as HTMLSelectElement).value;
+          this.requestUpdate();
         }}>${clips.map((clip) => html`<option value=${clip.key} ?selected=${clip.key === key}>${clip.title}</option>`)}</select></label>
         <button class="small" data-testid=${busy ? "fit-cancel" : "fit"} ?disabled=${busy ? status === "cancelling" : key === ""}
           @click=${() => (busy ? fitting.cancel() : void fitting.fit(key))}>${busy ? lab().learn.training.cancel : words.fit}</button>

@@ -1,5 +1,5 @@
 import { defineView } from "../views/define-view";
-import { words } from "../words/series";
+import { words } from "./view-words";
 import type { Series } from "./series";
 
 declare module "../settings/views" {

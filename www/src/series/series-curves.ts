@@ -9,7 +9,7 @@ import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import type { SeriesStore } from "./series-store";
 import type { Giver } from "./given-columns";
-import { seriesWords } from "../words/series";
+import { seriesWords } from "./view-words";
 import type { SeriesInfo } from "../engine/series-protocol";
 import type { TableEntry } from "./tables-store";
 

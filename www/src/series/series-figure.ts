@@ -7,7 +7,7 @@ import { View } from "../ui/view";
 import { motionOf, type PointBody, pointBody } from "./point-body";
 import type { SeriesStore } from "./series-store";
 import type { SeriesRollout } from "../engine/series-protocol";
-import { seriesWords } from "../words/series";
+import { seriesWords } from "./view-words";
 
 export class SeriesFigure extends View {
   declare model: SeriesStore;

@@ -13,7 +13,7 @@ import type { NoticesStore } from "../ui/notices-store";
 import { View } from "../ui/view";
 import type { Draw } from "../views/define-view";
 import { lab } from "../words/lab";
-import { seriesWords } from "../words/series";
+import { seriesWords } from "./view-words";
 import { exampleFiles } from "./example";
 import type { Series } from "./series";
 import "./series.css";

@@ -6,7 +6,7 @@ import { fileButton } from "../ui/file-button";
 import type { NoticesStore } from "../ui/notices-store";
 import { noticeCard } from "../ui/notices-view";
 import { lab } from "../words/lab";
-import { seriesWords } from "../words/series";
+import { seriesWords } from "./view-words";
 import type { Series } from "./series";
 import "./tables-view";
 

@@ -17,7 +17,7 @@ import { Store } from "../ui/store";
 import { mayLose, type Work } from "../unsaved/unsaved";
 import { type Giver, GivenColumns } from "./given-columns";
 import type { TableEntry, TablesStore } from "./tables-store";
-import { seriesWords } from "../words/series";
+import { seriesWords } from "./view-words";
 import { Clock } from "../stage/clock";
 
 class SeriesClock extends Clock {

@@ -7,7 +7,7 @@ import type { TrainedSeries } from "../engine/series-protocol";
 import { pointsOf } from "../settings/settings";
 import { ProgressStore } from "../training/progress-store";
 import { mayLose } from "../unsaved/unsaved";
-import { seriesWords } from "../words/series";
+import { seriesWords } from "./view-words";
 
 class SeriesTrainingStore extends ProgressStore<TrainedSeries> {
   readonly #whole: WholeWorkers;

@@ -9,7 +9,7 @@ import { View } from "../ui/view";
 import { placeOf } from "./parts-of-columns";
 import type { TableEntry, TablesStore } from "./tables-store";
 import { lab } from "../words/lab";
-import { seriesWords } from "../words/series";
+import { seriesWords } from "./view-words";
 
 /** Columns of mediapipe that are no places. */
 const LEFT_OUT = "*.visibility, *.presence";

@@ -4,7 +4,8 @@ import type { App } from "../app/app";
 import { type ChapterName, ORDER } from "../settings/chapters";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
-import { teachWords } from "../words/teach";
+import { loadTeach, teachWords } from "../words/sections";
+import { languageChanges } from "../ui/language";
 import { lengthOfPlan, type Step, type StepWords, timesOf } from "./plans";
 import "./notes.css";
 
@@ -60,7 +61,6 @@ const WINDOW = "popup,width=520,height=720";
 
 export class Lecture extends Store {
   readonly #app: App;
-  readonly #words: ReturnType<typeof teachWords>;
   readonly #notices: NoticesStore;
   readonly #shown: Shown;
   readonly tally = new Tally();
@@ -69,15 +69,13 @@ export class Lecture extends Store {
   private constructor(app: App, notices: NoticesStore, shown: Shown) {
     super();
     [this.#app, this.#notices, this.#shown] = [app, notices, shown];
-    this.#words = teachWords(app.words);
-    for (const store of [this.tally, this.#words]) store.on(() => this.changed());
+    for (const store of [this.tally, languageChanges]) store.on(() => this.changed());
     this.on(() => this.showSlide());
   }
 
   static async open(app: App, notices: NoticesStore, shown: Shown): Promise<Lecture> {
-    const lecture = new Lecture(app, notices, shown);
-    await lecture.#words.load();
-    return lecture;
+    await loadTeach(app.words);
+    return new Lecture(app, notices, shown);
   }
 
   /** Does what a key asks for. */
@@ -90,7 +88,7 @@ export class Lecture extends Store {
   }
 
   #openNotes(): void {
-    const { notes } = this.#words.now;
+    const { notes } = teachWords();
     if (this.#window && !this.#window.closed) {
       this.#window.focus();
       return;
@@ -114,7 +112,7 @@ export class Lecture extends Store {
   showSlide(): void {
     if (!this.#window || this.#window.closed) return;
     const { document: page } = this.#window;
-    const { notes, steps } = this.#words.now;
+    const { notes, steps } = teachWords();
     const words = this.#app.words.now;
     const { chapter, choices } = this.#shown.slide();
     const titleOf = (name: string | undefined) => words.chapters[name as ChapterName]?.title;

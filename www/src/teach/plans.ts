@@ -1,6 +1,6 @@
 // The plans of a lecture: what is done for how many minutes. The words are in `words/*/teach`.
 import { keep, kept } from "../ui/browser";
-import type { TeachWords } from "../words/teach";
+import type { TeachWords } from "../words/sections";
 
 export type Step = keyof TeachWords["steps"];
 

@@ -5,7 +5,7 @@ import { siteHead } from "../app/site-head";
 import { EXERCISE_NAMES } from "../exercises/exercises";
 import { addressOf } from "../settings/chapters";
 import { View } from "../ui/view";
-import { teachWords } from "../words/teach";
+import { loadTeach, teachIfLoaded, teachWords } from "../words/sections";
 import { addressOf as linkOf } from "../app/code";
 import { codePicture, showCode } from "../app/code-dialog";
 import { keepLength, lengthOfPlan, type PlanLength, type Step, type StepWords, timesOf } from "./plans";
@@ -19,32 +19,21 @@ const addressOfExercise = (place: number) =>
   `exercise=${place + 1}${EXERCISE_NAMES[place] === "few" ? "&tab=learn&dynamics=6" : ""}`;
 
 export class TeachPage extends View {
-  static override properties = { length: { state: true } };
   declare app: App;
-  declare length: PlanLength;
-  #section!: ReturnType<typeof teachWords>;
-
-  constructor() {
-    super();
-    this.length = lengthOfPlan();
-  }
-
-  override connectedCallback(): void {
-    this.#section ??= teachWords(this.app.words);
-    super.connectedCallback();
-  }
+  #length: PlanLength = lengthOfPlan();
 
   protected override stores() {
-    return [this.app.settings, this.app.words, this.#section];
+    return [this.app.settings, this.app.words];
   }
 
   protected override arrived(): void {
     const { teach, notLoaded } = this.app.words.now.frame;
-    void this.#section.load().catch(() => this.app.notices.addError(teach, notLoaded));
+    void loadTeach(this.app.words).catch(() => this.app.notices.addError(teach, notLoaded));
   }
 
   #choose(length: PlanLength): void {
-    this.length = length;
+    this.#length = length;
+    this.requestUpdate();
     keepLength(length);
   }
 
@@ -58,7 +47,7 @@ export class TeachPage extends View {
 
   /** The answer of a chapter, and likely questions with theirs. */
   #asked({ answer, asked }: StepWords) {
-    const { notes } = this.#section.now;
+    const { notes } = teachWords();
     if (!asked) return nothing;
     return html`<details><summary>${notes.asked}</summary>
       ${answer ? html`<p><b>${notes.answer}:</b> ${answer}</p>` : nothing}
@@ -66,7 +55,7 @@ export class TeachPage extends View {
   }
 
   #plan() {
-    const { plan, steps } = this.#section.now;
+    const { plan, steps } = teachWords();
     const words = this.app.words.now;
     const title = (step: Step) => {
       const { title } = words.chapters[step as keyof typeof words.chapters] ?? {};
@@ -81,12 +70,12 @@ export class TeachPage extends View {
         <div class="story-choice" role="group" aria-label=${plan.length}>
           ${LENGTHS.map(
             (length) =>
-              html`<button aria-pressed=${this.length === length ? "true" : "false"} data-testid="plan-${length}" @click=${() => this.#choose(length)}>${plan.minutes(length)}</button>`,
+              html`<button aria-pressed=${this.#length === length ? "true" : "false"} data-testid="plan-${length}" @click=${() => this.#choose(length)}>${plan.minutes(length)}</button>`,
           )}
         </div>
         <table class="teach-plan">
           <thead><tr><th scope="col">${minutes}</th>${others.map((column) => html`<th scope="col">${column}</th>`)}</tr></thead>
-          <tbody>${timesOf(this.length).map(
+          <tbody>${timesOf(this.#length).map(
             ({ step, from, to }) => html`
             <tr><td>${from}–${to}</td><th scope="row">${title(step)}</th><td>${steps[step].say}${this.#asked(steps[step])}</td><td>${steps[step].wrong}</td></tr>`,
           )}</tbody>
@@ -95,7 +84,7 @@ export class TeachPage extends View {
   }
 
   #exercises() {
-    const { exercises, notes } = this.#section.now;
+    const { exercises, notes } = teachWords();
     return html`
       <section class="teach-sheet" aria-labelledby="teach-exercises">
         <h2 id="teach-exercises">${exercises.title}</h2>
@@ -121,7 +110,7 @@ export class TeachPage extends View {
   }
 
   #content() {
-    const { title, lead, slides, codes } = this.#section.now;
+    const { title, lead, slides, codes } = teachWords();
     return html`
       <main class="teach-main" tabindex="-1">
         <h1>${title}</h1>
@@ -145,14 +134,13 @@ export class TeachPage extends View {
   }
 
   protected override updated(): void {
-    if (this.#section.loaded)
-      document.title = `${this.#section.now.title} · ${this.app.words.now.frame.page}`;
+    if (teachIfLoaded()) document.title = `${teachWords().title} · ${this.app.words.now.frame.page}`;
   }
 
   protected override render() {
-    return html`<div class="teach" data-state=${this.#section.loaded ? "open" : "loading"}>
+    return html`<div class="teach" data-state=${teachIfLoaded() ? "open" : "loading"}>
       ${siteHead(this.app, "teach")}
-      ${this.#section.loaded ? this.#content() : nothing}
+      ${teachIfLoaded() ? this.#content() : nothing}
     </div>`;
   }
 }

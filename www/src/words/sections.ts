@@ -3,6 +3,7 @@
 import { viewWords } from "./section";
 
 export type { Replies } from "./en/replies";
+export type { TeachWords } from "./en/teach";
 
 const completing = viewWords({ en: () => import("./en/completing"), de: () => import("./de/completing") });
 /** A recording that gives one part. */
@@ -12,6 +13,11 @@ export const loadCompleting = completing.load;
 const help = viewWords({ en: () => import("./en/help"), de: () => import("./de/help") });
 export const helpWords = help.now;
 export const loadHelp = help.load;
+
+const links = viewWords({ en: () => import("./en/links"), de: () => import("./de/links") });
+/** Links that bring a model. */
+export const linkWords = links.now;
+export const loadLinks = links.load;
 
 const panel = viewWords({ en: () => import("./en/numbers"), de: () => import("./de/numbers") });
 /** The panel Numbers. */
@@ -27,3 +33,9 @@ const session = viewWords({ en: () => import("./en/session"), de: () => import("
 /** The words about earlier visits. */
 export const sessionWords = session.now;
 export const loadSession = session.load;
+
+const teach = viewWords({ en: () => import("./en/teach"), de: () => import("./de/teach") });
+/** The page for teachers, the slides and the exercises; null: the words have not loaded. */
+export const teachIfLoaded = teach.ifLoaded;
+export const teachWords = teach.now;
+export const loadTeach = teach.load;

@@ -1,4 +1,4 @@
-import type { DrawingWords } from "../en/drawing";
+import type { DrawingWords } from "./en";
 
 export const words: DrawingWords = {
   hands: ["links", "rechts"],

@@ -1,4 +1,4 @@
-import type { SeriesWords } from "../en/series";
+import type { SeriesWords } from "./en";
 
 export const words: SeriesWords = {
   setup: "Tabellen und Training",
