@@ -5,15 +5,20 @@ import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { Failure, root } from "./run.mjs";
 
-/** Replaces one place of a file. The place has to exist. */
-function change(/** @type {string} */ file, /** @type {string} */ from, /** @type {string} */ to) {
-  const text = readFileSync(file, "utf8");
-  if (!text.includes(from))
-    throw new Failure(`${file}: expected ${from}, found none: has wasm-bindgen changed?`);
-  writeFileSync(
-    file,
-    text.replace(from, () => to),
-  );
+/**
+ * Replaces places of a file. Each has to exist.
+ * @param {string} file
+ * @param {[from: string | RegExp, to: string][]} places
+ */
+function change(file, ...places) {
+  let text = readFileSync(file, "utf8");
+  for (const [from, to] of places) {
+    const changed = text.replace(from, typeof from === "string" ? () => to : to);
+    if (changed === text)
+      throw new Failure(`${file}: expected ${from}, found none: has wasm-bindgen changed?`);
+    text = changed;
+  }
+  writeFileSync(file, text);
 }
 
 // wasm-bindgen's own errors, for a freed object or an argument of another class, have neither name nor code.
@@ -65,40 +70,25 @@ ${body}}`;
 
 /** Mends what wasm-bindgen wrote for a target, and adds the declarations of the types. */
 function mend(/** @type {string} */ folder, /** @type {boolean} */ reads, /** @type {string} */ declared) {
-  const script = join(folder, "vcgpdm.js");
+  const [script, types] = [join(folder, "vcgpdm.js"), join(folder, "vcgpdm.d.ts")];
   change(
     script,
-    "throw new Error(getStringFromWasm0(arg0, arg1));",
-    "throw __thrown(getStringFromWasm0(arg0, arg1));",
+    ["throw new Error(getStringFromWasm0(arg0, arg1));", "throw __thrown(getStringFromWasm0(arg0, arg1));"],
+    [/throw new Error\(`expected instance of .*/, "throw __otherClass(klass.name, instance);"],
+    [/function passArrayF(32|64)ToWasm0\(arg, malloc\) \{\n/g, "$&    __checkNumbers(arg);\n"],
   );
-  change(
-    script,
-    ["throw new Error(`expected instance of $", "{klass.name}`);"].join(""),
-    "throw __otherClass(klass.name, instance);",
-  );
-  for (const kind of ["F32", "F64"]) {
-    const start = `function passArray${kind}ToWasm0(arg, malloc) {\n`;
-    if (readFileSync(script, "utf8").includes(start))
-      change(script, start, `${start}    __checkNumbers(arg);\n`);
-  }
-  const glue = reads ? withConstructors(readFileSync(script, "utf8")) : readFileSync(script, "utf8");
-  writeFileSync(script, glue + ERRORS);
-  const types = join(folder, "vcgpdm.d.ts");
-  // A Blob gives its bytes only later. The player reads no files.
   if (reads) {
-    for (const [name, rate, rateType] of [
-      ["Clip", ", framesPerSecond", ", framesPerSecond?: number | null"],
-      ["Table", "", ""],
-    ]) {
-      const begin = `static read(name, bytes${rate}) {\n`;
-      const later = `        if (typeof Blob === "function" && bytes instanceof Blob)
-            return bytes.arrayBuffer().then((bytes) => ${name}.read(name, bytes${rate}));
-`;
-      change(script, `${begin}        const`, `${begin}${later}        const`);
-      const read = `static read(name: string, bytes: string | ArrayBuffer | Uint8Array${rateType}): ${name};`;
-      change(types, read, `${read}\n    static read(name: string, file: Blob${rateType}): Promise<${name}>;`);
-    }
+    // A Blob gives its bytes only later. The player reads no files.
+    const later = `static read(name, bytes$1) {
+        if (typeof Blob === "function" && bytes instanceof Blob)
+            return bytes.arrayBuffer().then((bytes) => $3.read(name, bytes$1));
+$2`;
+    change(script, [/static read\(name, bytes(.*)\) \{\n([\s\S]*?return (\w+)\.__wrap)/g, later]);
+    const overload = "$&\n    static read(name: string, file: Blob$1): Promise<$2>;";
+    change(types, [/static read\(name: string, bytes: [^,)]*(.*)\): (\w+);/g, overload]);
   }
+  const glue = readFileSync(script, "utf8");
+  writeFileSync(script, (reads ? withConstructors(glue) : glue) + ERRORS);
   writeFileSync(types, readFileSync(types, "utf8") + DISPOSE + declared);
   rmSync(join(folder, "vcgpdm_bg.wasm.d.ts"));
 }
@@ -224,14 +214,11 @@ export function completePackage(/** @type {string} */ place, /** @type {string} 
   // An entry names the wasm by its address; the glue does not, because bundlers would look for the file.
   for (const folder of ["web", "player"]) {
     renameSync(at(folder, "vcgpdm.js"), at(folder, "glue.js"));
-    change(at(folder, "glue.js"), '/* @ts-self-types="./vcgpdm.d.ts" */\n', "");
+    change(at(folder, "glue.js"), ['/* @ts-self-types="./vcgpdm.d.ts" */\n', ""]);
     copyFileSync(join(root, "crate/wasm/js/load.js"), at(folder, "load.js"));
   }
   writeFileSync(at("player", "vcgpdm.js"), PLAYER);
-  const playerTypes = readFileSync(at("player", "vcgpdm.d.ts"), "utf8");
-  const [oldInit] = playerTypes.match(OLD_INIT) ?? [];
-  if (!oldInit) throw new Failure("player/vcgpdm.d.ts: expected a default export, found none");
-  change(at("player", "vcgpdm.d.ts"), oldInit, INIT_TYPES);
+  change(at("player", "vcgpdm.d.ts"), [OLD_INIT, INIT_TYPES]);
 
   renameSync(at("web", "vcgpdm.d.ts"), at("web", "glue.d.ts"));
   writeFileSync(at("web", "vcgpdm.js"), WEB);
