@@ -9,7 +9,12 @@ import type { App } from "../../app/app";
 import "../../stage/stage-view";
 
 /** Where the visitor can make something, by the names of the words. */
-const DOORS = { lab: "view=play", own: "view=play&tab=learn", primitives: "view=primitives" } as const;
+const DOORS = {
+  draw: "view=draw",
+  lab: "view=play",
+  own: "view=play&tab=learn",
+  primitives: "view=primitives",
+} as const;
 
 export class EndChapter extends Store implements Chapter {
   readonly #walk: EndlessWalk;

@@ -40,6 +40,7 @@ export const words: Replies = {
     unknown:
       "Das weiß niemand: wer in einem aufgenommenen Gang wirklich wen treibt, und wann Menschen eine neue Bewegung natürlich nennen.",
     doors: {
+      draw: "Zeichnen: Es macht in deiner Hand weiter",
       lab: "An den Kopplungen ziehen",
       own: "Eine eigene Bewegung lernen",
       primitives: "Bewegungen mischen",

@@ -12,7 +12,7 @@ export interface Replies extends Answers {
   /** The rest of the last card. */
   readonly end: {
     readonly unknown: string;
-    readonly doors: Readonly<Record<"lab" | "own" | "primitives", string>>;
+    readonly doors: Readonly<Record<"draw" | "lab" | "own" | "primitives", string>>;
     readonly figure: string;
   };
 }
@@ -56,7 +56,12 @@ export const words: Replies = {
   end: {
     unknown:
       "What nobody knows: who really drives whom in a recorded walk, and when people will call a new movement natural.",
-    doors: { lab: "Drag the couplings", own: "Train your own movement", primitives: "Mix movements" },
+    doors: {
+      draw: "Draw: it goes on in your hand",
+      lab: "Drag the couplings",
+      own: "Train your own movement",
+      primitives: "Mix movements",
+    },
     figure: "A walking figure. Drag to look from another side; keys: w, a, s, d.",
   },
 };
