@@ -2,13 +2,13 @@
 //! that no other struct here names needs a line in `declarations`.
 
 use crate::data::body::BodyInfo;
-use crate::data::bvh::BvhOptions;
+use crate::data::clip::BvhOptions;
 use crate::data::clip::{ClipInfo, ClipState};
 use crate::data::tables::{TableInfo, TablePart};
 use crate::lab::evaluation::{ComparisonSettings, EvaluationProgress, FoldOptions};
-use crate::lab::maker::MadeMovement;
 use crate::lab::perception::AnswersFile;
 use crate::lab::results::IdentifiedJob;
+use crate::lab::study::MadeMovement;
 use crate::lab::study::StudyInfo;
 use crate::lab::synthetic::{SyntheticFindings, SyntheticTruth};
 use crate::library::LibraryInfo;

@@ -13,12 +13,12 @@ export const words: MethodWords = {
   training: {
     title: "Training",
     bound:
-      "Die latenten Zustände sind nicht bekannt. Darum findet das Training für jeden eine Gaußverteilung, zusammen mit Kernen, Kopplungen und Stützpunkten. Es erhöht",
+      "Die latenten Zustände sind nicht bekannt. Darum findet das Training für jeden eine Gaußverteilung, zusammen mit Kernen, Kopplungen und Stützpunkten. Es erhöht die Summe",
     weights:
-      "Mit γ = 1, wie in den Artikeln, ist das eine untere Schranke der logarithmierten Evidenz. Sonst ist γ gleich Q/D (D Spalten): keine Schranke, aber latente Zustände, die leichter vorherzusagen sind (Urtasun et al. 2006). Ein Modell, dessen Bewegung zur Ruhe kommt, lernt dann aus eigenen Rollouts, die nur 𝐄(u) ändern.",
+      "Mit γ = 1, wie in den Artikeln, ist das eine untere Schranke der logarithmierten Evidenz. Sonst ist γ gleich Q/D, latente Dimensionen durch Spalten des Teils: keine Schranke, aber latente Zustände, die leichter vorherzusagen sind (Urtasun et al. 2006). Ein Modell, dessen Bewegung zur Ruhe kommt, lernt dann aus eigenen Rollouts, die nur 𝐄(u) ändern. „Wie in den Artikeln“, unter Lernen, trainiert mit γ = 1 und ohne eigene Rollouts.",
     terms:
       "Jeder Term F eines Gaußprozesses stützt sich auf wenige Stützpunkte statt auf alle Bilder (Titsias und Lawrence 2010). Für R Zeilen und C Spalten, mit der Varianz n des Beobachteten und der Kovarianz K der Stützpunkte:",
-    sums: "Ψ₂ und b sind Summen erwarteter Produkte über die Bilder: zweier Werte des Kerns, und eines Werts des Kerns mit dem Zielwert. c₂ ist die Summe der erwarteten Quadrate der Zielwerte, und Δ das, was die Stützpunkte nicht erklären.",
+    sums: "Ψ₂ und b sind Summen erwarteter Produkte über die Bilder: zweier Werte des Kerns, und eines Werts des Kerns mit dem Zielwert. c₂ ist die Summe der erwarteten Quadrate der Zielwerte, und Δ das, was die Stützpunkte nicht erklären. Die Zeit einer Iteration wächst linear mit der Zahl der Bilder.",
   },
   steps: {
     title: "Woher die Schranke kommt",
@@ -41,7 +41,7 @@ export const words: MethodWords = {
       "Ein Regler ändert α und damit die Gewichte, wie in den Artikeln. Was jeder Experte vorhersagt, bleibt: Was wäre, wenn dieser Teil weniger auf jenen hörte?",
     inferred: "Experten neu bestimmt.",
     inferredText:
-      "Unter anderen Kopplungen hätten dieselben Daten andere Experten gelehrt. Das Modell behält die Summen Ψ₂ und b über alles, woraus es lernte; damit lässt sich 𝐄(u) für jedes α neu berechnen. Oft lassen sich die Daten auch unter diesen Kopplungen erklären, und die Bewegung bleibt fast gleich.",
+      "Unter anderen Kopplungen hätten dieselben Daten andere Experten gelehrt. Das Modell behält die Summen Ψ₂ und b über alles, woraus es lernte, auch eigene Rollouts; damit lässt sich 𝐄(u) für jedes α neu berechnen. Oft lassen sich die Daten auch unter diesen Kopplungen erklären, und die Bewegung bleibt fast gleich.",
     choose: "Lesart wählen",
   },
   others: {

@@ -11,12 +11,12 @@ export const words = {
   training: {
     title: "Training",
     bound:
-      "The latents are not known, so training finds a Gaussian distribution for each, together with kernels, couplings and inducing points. It climbs",
+      "The latents are not known, so training finds a Gaussian distribution for each, together with kernels, couplings and inducing points. It climbs the sum",
     weights:
-      "With γ = 1, as in the papers, this is a lower bound on the log evidence. By default γ is Q/D (D columns): no bound, but latents that are easier to predict (Urtasun et al. 2006). A model whose motion comes to rest then learns from its own rollouts, which change 𝐄(u) alone.",
+      "With γ = 1, as in the papers, this is a lower bound on the log evidence. By default γ is Q/D, latent dimensions by columns of the part: no bound, but latents that are easier to predict (Urtasun et al. 2006). A model whose motion comes to rest then learns from its own rollouts, which change 𝐄(u) alone. “As in the papers”, under Learn, trains with γ = 1 and without own rollouts.",
     terms:
       "Each term F of a Gaussian process rests on a few inducing points in place of all frames (Titsias and Lawrence 2010). For R rows and C columns, with the variance n of what is observed and the covariance K of the inducing points:",
-    sums: "Ψ₂ and b are sums over the frames of expected products: of two kernel values, and of a kernel value and the target. c₂ is the expected square of the targets, and Δ what the inducing points leave unexplained.",
+    sums: "Ψ₂ and b are sums over the frames of expected products: of two kernel values, and of a kernel value and the target. c₂ is the expected square of the targets, and Δ what the inducing points leave unexplained. The time of an iteration grows linearly with the frames.",
   },
   steps: {
     title: "Where the bound comes from",
@@ -39,7 +39,7 @@ export const words = {
       "A slider changes α and so the weights, as in the papers. What each expert predicts stays: what if this part listened less to that one?",
     inferred: "Experts re-inferred.",
     inferredText:
-      "Under other couplings the same data would have taught other experts. The model keeps the sums Ψ₂ and b of all it learned from, so that 𝐄(u) can be computed again for any α. Often the data can be explained under these couplings too, and the motion stays nearly the same.",
+      "Under other couplings the same data would have taught other experts. The model keeps the sums Ψ₂ and b of all it learned from, own rollouts too, so that 𝐄(u) can be computed again for any α. Often the data can be explained under these couplings too, and the motion stays nearly the same.",
     choose: "Choose the reading",
   },
   others: {

@@ -4,10 +4,11 @@ use std::ops::RangeInclusive;
 use vcgpdm::internals::json::checks::count;
 use vcgpdm::internals::json::{Field, FieldError, Value};
 
-/// Declares a struct with a line for each field: its name, its type, and how a file's field is read and checked.
+/// Declares a struct with a line for each field: its name, its type, and how a file's field is read and checked. A
+/// field that old files lack states after `=>` what its absence means.
 macro_rules! record {
     ($(#[$attribute:meta])* pub struct $name:ident {
-        $($(#[$of_field:meta])* $field:ident: $type:ty = $read:expr,)+
+        $($(#[$of_field:meta])* $field:ident: $type:ty = $read:expr $(=> $absent:expr)?,)+
     }) => {
         #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
         #[serde(deny_unknown_fields)]
@@ -28,7 +29,12 @@ macro_rules! record {
             /// Reads the record of a file, and checks every field.
             pub(super) fn read(field: Field) -> Result<Self, FieldError> {
                 let mut object = field.object()?;
-                let record = Self { $($field: $read(object.get(stringify!($field))?)?,)+ };
+                let record = Self {
+                    $($field: {
+                        $(if !object.has(stringify!($field)) { $absent } else)?
+                        { $read(object.get(stringify!($field))?)? }
+                    },)+
+                };
                 object.end()?;
                 Ok(record)
             }

@@ -157,6 +157,11 @@ impl<'a> Field<'a> {
 }
 
 impl<'a> Object<'a> {
+    /// Whether there is a field of that name.
+    pub fn has(&self, name: &str) -> bool {
+        self.fields.iter().flatten().any(|(found, _)| found == name)
+    }
+
     /// The field of that name, or `None`.
     pub fn optional(&mut self, name: &str) -> Option<Field<'a>> {
         let field = self.fields.iter_mut().find(|field| field.is_some_and(|(found, _)| found == name))?;

@@ -1,19 +1,15 @@
 //! Clips and their descriptions.
 
 use crate::data::body::BodyInfo;
-#[cfg(feature = "training")]
-use crate::data::bvh::bvh_text;
 use crate::values::arguments::Text;
 #[cfg(feature = "training")]
 use crate::values::arguments::{Bytes, Whole};
-#[cfg(feature = "training")]
-use crate::values::convert::from_js;
-use crate::values::convert::{to_js, to_js_joined};
+use crate::values::convert::{from_js, to_js, to_js_joined, with_defaults};
 use crate::values::error::{ErrorCode, VcgpdmError};
-use serde::Serialize;
+use js_sys::Object;
+use serde::{Deserialize, Serialize};
 #[cfg(feature = "training")]
 use vcgpdm::models::{same_body, with_bones_of};
-#[cfg(feature = "training")]
 use vcgpdm::motion::bvh;
 use vcgpdm::motion::parts::PartsPreset;
 use vcgpdm::motion::stage::{Stage, UpAxis};
@@ -46,7 +42,7 @@ pub(crate) struct ClipInfo<'a> {
 
 /// A clip as plain data that `postMessage` can send to a worker.
 #[cfg(feature = "training")]
-#[derive(Serialize, serde::Deserialize)]
+#[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub(crate) struct ClipState {
@@ -318,4 +314,22 @@ impl TrainingSet {
     pub fn length(&self) -> usize {
         self.clips.len() + self.tables.len()
     }
+}
+
+/// How the text of a BVH file is written.
+#[derive(Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub(crate) struct BvhOptions {
+    /// Whether joints get names that every program reads: `mixamorig:Hips` becomes `Hips`. three.js does not
+    /// move joints whose names have a colon. Absent: the names stay.
+    #[cfg_attr(feature = "types", ts(type = "boolean", optional))]
+    plain_names: bool,
+}
+
+/// The text of a BVH file.
+pub fn bvh_text(clip: MotionClip, options: &JsValue) -> Result<String, VcgpdmError> {
+    let options = with_defaults(ErrorCode::Clip, "toBvh", options, Object::new().into())?;
+    let BvhOptions { plain_names } = from_js(ErrorCode::Clip, "toBvh", &options)?;
+    Ok(bvh::write(&if plain_names { clip.with_plain_names() } else { clip }))
 }

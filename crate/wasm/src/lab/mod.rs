@@ -1,7 +1,6 @@
 //! Comparisons, studies with people, experiments.
 
 pub mod evaluation;
-pub mod maker;
 pub mod perception;
 pub mod results;
 pub mod study;

@@ -1,14 +1,11 @@
 //! Libraries of primitives: their contents, and combinations of primitives.
 
-pub mod origin;
-pub mod primitives;
 pub mod recognition;
 pub mod trainers;
 pub mod walk;
 
 use crate::data::body::BodyInfo;
 use crate::data::clip::TrainingSet;
-use crate::library::origin::PrimitiveOrigin;
 use crate::models::model::{Model, ModelProvenance, PartInfo, part_infos};
 use crate::values::arguments::{Text, Whole};
 use crate::values::convert::{from_js, matrix, rows, to_js, to_js_joined};
@@ -17,7 +14,9 @@ use nalgebra::DMatrix;
 use serde::Serialize;
 use std::rc::Rc;
 use vcgpdm::models::SequenceInfo;
-use vcgpdm::models::library::{CouplingsFrom, EncodedClip, LearnedMovement, Primitive, TrainedLibrary};
+use vcgpdm::models::library::{
+    CouplingsFrom, EncodedClip, LearnedMovement, Origin, Primitive, Relearned, TrainedLibrary,
+};
 use wasm_bindgen::prelude::*;
 
 /// A primitive: the dynamics of one part.
@@ -192,5 +191,71 @@ impl Library {
         let given: Option<Vec<Vec<f64>>> = from_js(ErrorCode::Model, "the couplings", alpha)?;
         self.trained.library.check_uses(uses)?;
         Ok(given.map_or_else(|| self.trained.library.nearest_couplings(uses), |alpha| matrix(&alpha)))
+    }
+}
+
+/// The training that learned a primitive. For a primitive that was learned again, this is the later training.
+#[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub struct PrimitiveOrigin {
+    engine: String,
+    seed: u32,
+    /// The bound that the training reached, in nats.
+    bound: f64,
+    iterations: usize,
+    note: Option<String>,
+    /// The clips of the training.
+    clips: Vec<SequenceInfo>,
+    /// The primitive of another library from which this primitive was learned again. Null if this library
+    /// learned the primitive from clips.
+    relearned: Option<Relearned>,
+}
+
+impl From<Origin> for PrimitiveOrigin {
+    fn from(Origin { training, clips, relearned }: Origin) -> Self {
+        Self {
+            seed: training.seed,
+            bound: training.bound(),
+            engine: training.engine,
+            iterations: training.iterations,
+            note: training.note,
+            clips,
+            relearned,
+        }
+    }
+}
+
+#[wasm_bindgen]
+impl Library {
+    /// The long-run motion of each part of a combination: whether the part stands still, and which other part
+    /// drives it. The couplings are `alpha`, by default those of `nearestCouplings`.
+    #[wasm_bindgen(unchecked_return_type = "PartMotion[]")]
+    pub fn motion(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number[]")] uses: JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "number[][] | null")] alpha: JsValue,
+    ) -> Result<JsValue, VcgpdmError> {
+        let uses = uses_of(&uses)?;
+        let alpha = self.couplings(&uses, &alpha)?;
+        let motion = self.trained.library.motion(&uses, &alpha)?;
+        to_js(&motion)
+    }
+
+    /// A new library with only these primitives and the pose maps of their parts. It also contains each
+    /// movement whose primitives are all among them.
+    pub fn select(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number[]")] primitives: JsValue,
+    ) -> Result<Library, VcgpdmError> {
+        let chosen = uses_of(&primitives)?;
+        Ok(Library { trained: Rc::new(self.trained.select(&chosen)?) })
+    }
+
+    /// A new library that also has the primitives and movements of another library. Primitives and movements
+    /// that this library already has are not added again. Throws the reason if the primitives do not fit.
+    pub fn add(&self, other: &Library) -> Result<Library, VcgpdmError> {
+        let mut trained = TrainedLibrary::clone(&self.trained);
+        trained.merge(&other.trained)?;
+        Ok(Library { trained: Rc::new(trained) })
     }
 }

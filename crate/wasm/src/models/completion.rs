@@ -1,7 +1,7 @@
 //! Recordings of which a model observes some parts and infers the others.
 
-use crate::data::bvh::bvh_text;
 use crate::data::clip::Clip;
+use crate::data::clip::bvh_text;
 use crate::models::model::Model;
 use crate::models::rollout::Rollout;
 use crate::models::trained::{Trained, coupled};

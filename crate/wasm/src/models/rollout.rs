@@ -1,8 +1,8 @@
 //! Rollouts: motions, or columns of numbers.
 
-use crate::data::bvh::bvh_text;
 #[cfg(feature = "training")]
 use crate::data::clip::Clip;
+use crate::data::clip::bvh_text;
 use crate::models::predictions::Predictions;
 #[cfg(feature = "training")]
 use crate::models::trained::column_names;

@@ -121,15 +121,7 @@ pub fn settings_from_js<P: DeserializeOwned + Serialize>(
     let option = JsValue::from("asInPapers");
     let given = Reflect::get(&complete, &option).unwrap_or_default();
     let as_in_papers: Option<bool> = from_js(ErrorCode::Settings, "settings.asInPapers", &given)?;
-<<<<<<< HEAD
-<<<<<<< HEAD:crate/wasm/src/settings.rs
-    let _ = Reflect::delete_property(complete.unchecked_ref::<js_sys::Object>(), &option);
-=======
     let _ = Reflect::delete_property(complete.unchecked_ref::<Object>(), &option);
->>>>>>> records:crate/wasm/src/models/settings.rs
-=======
-    let _ = Reflect::delete_property(complete.unchecked_ref::<Object>(), &option);
->>>>>>> main
     let (task, settings) =
         from_js_split::<_, VariationalSettings>(ErrorCode::Settings, "settings", &complete)?;
     Ok((task, if as_in_papers == Some(true) { settings.as_in_papers() } else { settings }))
