@@ -96,7 +96,7 @@ function infoOf(text: string): ModelInfo {
     })),
     joints,
     figure,
-    dynamicsElbo: null,
+    dynamicsElbo: 0,
     provenance: {
       engine: "fake",
       settings: { ...settings, maxIterations: 100 },
