@@ -30,7 +30,7 @@ const PRINTS = /** @type {[string, RegExp][]} */ ([
   ["new-walk.bvh", /^(\d+ iterations, bound -?\d+ nats\n)+$/],
   ["trainer.notices()", /^(settled|iterations) after \d+ \[\]\n$/],
   ["Model, Results", /^(?=.*model)(?=.*results)VcgpdmError model .*\nVcgpdmError results .*\n$/s],
-  ["alpha[0][1] *= 10; // the first", /^vcgpdm frame,time,Hips\.yaw_rate,.*\n[a-z-]+\n-?\d+\.\d+\n$/],
+  ["alpha[0][1] *= 10; // the first", /^vcgpdm frame,time,Hips\.yaw_rate,.*\n[a-z-]+\n(-?\d+\.\d+\n){2}$/],
   ["addTable", /^frame,time,x,y,follower\n0,0,/],
   ["await init();\nconsole", /^252\n$/],
   ["clip.free()", /^freed expected an object in use, found one after its free\(\)\n$/],
