@@ -13,7 +13,7 @@ import { Failure, root } from "./run.mjs";
 function change(file, ...places) {
   let text = readFileSync(file, "utf8");
   for (const [from, to] of places) {
-    const changed = text.replace(from, typeof from === "string" ? () => to : to);
+    const changed = typeof from === "string" ? text.replace(from, () => to) : text.replace(from, to);
     if (changed === text)
       throw new Failure(`${file}: expected ${from}, found none: has wasm-bindgen changed?`);
     text = changed;
