@@ -44,6 +44,8 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   readonly #workers: WholeWorkers;
   /** The strokes of the pads that are drawn on now. */
   readonly #strokes = new Map<Pad, Sample[][]>();
+  /** The pads that a pen touches now. */
+  readonly #touched = new Set<Pad>();
   /** When the drawing began, in milliseconds, and the timer that ends it. */
   #began = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
@@ -52,6 +54,8 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   #drawn: { drawing: Drawing; pads: readonly Pad[] } | null = null;
   #tooLittle = false;
   #lost: Pad | undefined;
+  /** Counts the drawings: a training that ends after the next one began is of no use. */
+  #newest = 0;
 
   constructor(workers: WholeWorkers) {
     super();
@@ -77,10 +81,9 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
 
   /** Begins a stroke on a pad, at a time in milliseconds. The first stroke begins a drawing. */
   begin(pad: Pad, x: number, y: number, now: number): void {
-    clearTimeout(this.#timer);
-    if (this.busy) this.cancel();
+    this.#forgetTraining();
     if (!this.isDrawing) this.#began = now;
-    this.#tooLittle = false;
+    this.#touched.add(pad);
     const strokes = this.#strokes.get(pad) ?? [];
     strokes.push([]);
     this.#strokes.set(pad, strokes);
@@ -96,9 +99,18 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     this.changed();
   }
 
-  /** Ends a stroke. Without another one soon, the model learns the drawing. */
-  end(): void {
+  #forgetTraining(): void {
     clearTimeout(this.#timer);
+    this.#newest += 1;
+    this.cancel();
+    this.#tooLittle = false;
+  }
+
+  /** Ends a stroke. Without another one soon, on no pad, the model learns the drawing. */
+  end(pad: Pad): void {
+    clearTimeout(this.#timer);
+    this.#touched.delete(pad);
+    if (this.#touched.size > 0) return;
     this.#timer = setTimeout(() => void this.finish(), NEXT_STROKE);
   }
 
@@ -107,6 +119,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     clearTimeout(this.#timer);
     const found = this.#joined();
     this.#strokes.clear();
+    this.#touched.clear();
     this.#tooLittle = found === null;
     this.changed();
     if (found) await this.learn(found.drawing, found.pads);
@@ -133,14 +146,18 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     const parts = pads.map((pad) => ({ name: HANDS[pad], columns: [`${HANDS[pad]}_x`, `${HANDS[pad]}_y`] }));
     const tables = [{ name: file.name, file, without: [] }];
     const job = { tables, settings: { ...DRAWING_SETTINGS, parts } };
+    this.#newest += 1;
+    const now = this.#newest;
+    // An earlier training is about to stop.
+    while (this.busy) await new Promise((passed) => setTimeout(passed, 20));
+    if (now !== this.#newest) return;
     const found = await this.run((report, signal) =>
       this.#workers.pool.run((worker) => worker.trainSeries(job, report, signal), signal),
     );
-    // Another stroke has begun meanwhile.
-    if (!found || this.isDrawing) return;
+    if (!found || now !== this.#newest) return;
     this.#seconds = FIRST_ROLLOUT;
-    this.#drawn = { drawing, pads };
     await this.model.takeTrained(found);
+    this.#drawn = { drawing, pads };
     this.#lost = this.#findLost();
     this.model.clock.seek(0);
     this.model.clock.play();
@@ -179,7 +196,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
 
   #at(place: number, frame: number): number[] | null {
     const values = this.model.rollout?.values;
-    const width = 2 * (this.#drawn?.pads.length ?? 1);
+    const width = this.model.opened?.info.columns.length ?? 0;
     const at = frame * width + 2 * place;
     return values && frame >= 0 && at + 1 < values.length ? [values[at] ?? 0, values[at + 1] ?? 0] : null;
   }
@@ -233,11 +250,10 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   }
 
   clear(): void {
-    clearTimeout(this.#timer);
-    if (this.busy) this.cancel();
+    this.#forgetTraining();
     this.#strokes.clear();
+    this.#touched.clear();
     this.#drawn = null;
-    this.#tooLittle = false;
     this.changed();
   }
 }

@@ -65,7 +65,7 @@ export class PadView extends View {
   }
 
   #end(event: PointerEvent): void {
-    if ((event.currentTarget as Element).hasPointerCapture(event.pointerId)) this.store.end();
+    if ((event.currentTarget as Element).hasPointerCapture(event.pointerId)) this.store.end(this.pad);
   }
 
   #key(event: KeyboardEvent): void {

@@ -1,0 +1,65 @@
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { progress } from "../engine/engine.fake";
+import { seriesText } from "../engine/series.fake";
+import { FakeProgram, settled } from "../engine/whole-workers.fake";
+import { DrawingStore, type Pad } from "./drawing-store";
+
+let program: FakeProgram;
+let store: DrawingStore;
+beforeEach(() => {
+  vi.useFakeTimers();
+  program = new FakeProgram();
+  store = new DrawingStore(program);
+});
+afterEach(() => {
+  vi.useRealTimers();
+});
+
+/** Circles on pads within some milliseconds. */
+function draw(pads: readonly Pad[], from: number, to: number): void {
+  for (let now = from; now <= to; now += 16)
+    for (const pad of pads) {
+      const turn = (now / 1000) * 2 * Math.PI;
+      const [x, y] = [50 + 30 * Math.cos(turn), 66 + 30 * Math.sin(turn)];
+      if (now === from) store.begin(pad, x, y, now);
+      else store.move(pad, x, y, now);
+    }
+}
+const parts = () => program.series.trainings.map(({ job }) => job.settings.parts.map(({ name }) => name));
+const end = async (index: number) => {
+  const training = program.series.trainings[index];
+  const found = { text: seriesText(["drawing.csv"]), latents: [] };
+  training?.report({ progress: progress(1), elapsed: 1, steps: [], found });
+  training?.end({ cancelled: false, reason: null });
+  vi.useRealTimers();
+  await settled();
+};
+
+it("waits until both hands have let go", async () => {
+  draw([0, 1], 0, 3000);
+  store.end(0);
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(parts()).toEqual([]);
+  store.end(1);
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(parts()).toEqual([["left", "right"]]);
+  await end(0);
+  expect(store.drawn?.pads).toEqual([0, 1]);
+});
+
+it("forgets a training when the drawing is cleared", async () => {
+  draw([0], 0, 3000);
+  store.end(0);
+  await vi.advanceTimersByTimeAsync(1000);
+  store.clear();
+  await end(0);
+  expect([store.drawn, store.words]).toEqual([null, ""]);
+});
+
+it("says that a dot is too little", async () => {
+  store.begin(0, 50, 50, 0);
+  store.end(0);
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(parts()).toEqual([]);
+  expect(store.words).not.toBe("");
+});
