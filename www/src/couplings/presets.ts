@@ -28,9 +28,6 @@ const SILENT = 1000;
 /** The presets of the model that the page opens with. */
 export const START_PRESETS = startPresets as readonly Preset[];
 
-/** The preset that the Lab offers first. */
-export const INVITATION = { preset: "arms-go" };
-
 /** The name of a preset and the meaning of its couplings, not their effect. */
 export function presetWords({ id, part }: Preset): { name: string; meaning: string } {
   const { start, learned, alone, follows } = lab().presets;
