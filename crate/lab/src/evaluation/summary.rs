@@ -83,7 +83,7 @@ pub struct DetailMeans {
     /// Horizontal speed of the standing foot, in walking speeds; null if the body hardly walks.
     #[cfg_attr(feature = "types", ts(inline))]
     pub foot_slide: Option<Compared<f64>>,
-    /// The share of rollouts that stand still after 20 seconds.
+    /// How many of the rollouts no longer move after 20 seconds, divided by their number.
     pub still_at_20_s: f64,
     /// Shares of recorded numbers in the predicted bands, and their mean log density; null without variances.
     #[cfg_attr(feature = "types", ts(inline))]
