@@ -62,6 +62,10 @@ it("a model goes on with one hand, then with two, whose couplings can be changed
   await page.getByTestId("series-reset").click();
   await soon(async () => assert.equal(await rolled(), before));
 
+  const play = page.getByTestId("draw-play");
+  await play.click();
+  await soon(async () => assert.equal(await play.getAttribute("aria-label"), "Play"));
+
   const drawing = await saved(page, "save-drawing");
   assert.match(drawing.text, /^time,left_x,left_y,right_x,right_y\n0\.000,/);
   const model = await saved(page, "save-drawing-model");

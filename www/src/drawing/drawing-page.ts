@@ -1,13 +1,9 @@
 // The view Draw: the pads of two hands, and the picture of loops and couplings of the model that goes on.
 import { html, nothing } from "lit";
-import type { Space } from "../latents/latent-plot";
-import { LayersStore } from "../latents/layers-store";
 import { coupledPicture } from "../picture/coupled-picture";
-import type { SettingsStore } from "../settings/settings-store";
+import { SeriesView } from "../series/series-view";
 import { download } from "../ui/download";
-import { eachFrame } from "../ui/browser";
 import { icon } from "../ui/icons";
-import { View } from "../ui/view";
 import type { Draw } from "../views/define-view";
 import { lab } from "../words/lab";
 import { drawingWords } from "./view-words";
@@ -15,33 +11,40 @@ import "./drawing.css";
 import { drawingFile, type DrawingStore } from "./drawing-store";
 import "./pad-view";
 
-export class DrawingPage extends View {
+export class DrawingPage extends SeriesView {
+  static override properties = { playing: { state: true } };
   declare store: DrawingStore;
-  declare settings: SettingsStore;
-  #space: Space | null = null;
+  /** Whether the clock runs. */
+  declare playing: boolean;
+
+  constructor() {
+    super();
+    this.playing = false;
+  }
 
   protected override stores() {
     return [this.store];
   }
 
+  protected override get shown() {
+    return this.store.model;
+  }
+
   protected override arrived(): void {
-    this.whenLeaving(eachFrame((seconds) => this.store.model.clock.advance(seconds)));
-  }
-
-  /** The clock that the keys for play and step control. */
-  togglePlay(): void {
-    this.store.model.clock.togglePlay();
-  }
-
-  step(direction: 1 | -1): void {
-    this.store.model.clock.step(direction);
+    super.arrived();
+    const { clock } = this.shown;
+    const look = () => {
+      this.playing = clock.playing;
+    };
+    look();
+    this.whenLeaving(clock.on(look));
   }
 
   #controls() {
     const { store } = this;
     const { drawn, model } = store;
     const words = drawingWords();
-    const { playing } = model.clock;
+    const { playing } = this;
     const { time } = lab();
     const save = () => drawn && download("drawing.csv", drawingFile(drawn.drawing, drawn.pads));
     return html`
@@ -61,11 +64,6 @@ export class DrawingPage extends View {
   #picture() {
     const { store } = this;
     const words = drawingWords();
-    this.#space ??= {
-      layers: new LayersStore(async () => null),
-      settings: this.settings,
-      playback: store.model.clock,
-    };
     if (!store.drawn)
       return html`
         <div class="picture-area draw-begin">
@@ -75,9 +73,9 @@ export class DrawingPage extends View {
         </div>`;
     return coupledPicture({
       model: store.model,
-      space: this.#space,
+      space: this.space,
       lead: store.drawn.pads.length > 1 ? words.lead.two : words.lead.one,
-      problem: store.problem,
+      problem: store.model.problem,
       foot: nothing,
     });
   }

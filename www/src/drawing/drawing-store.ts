@@ -40,7 +40,6 @@ export function drawingFile({ rows }: Pick<Drawing, "rows">, pads: readonly Pad[
 
 export class DrawingStore extends ProgressStore<TrainedSeries> {
   readonly model: SeriesStore;
-  readonly #tables: TablesStore;
   readonly #workers: WholeWorkers;
   /** The strokes of the pads that are drawn on now. */
   readonly #strokes = new Map<Pad, Sample[][]>();
@@ -60,8 +59,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   constructor(workers: WholeWorkers) {
     super();
     this.#workers = workers;
-    this.#tables = new TablesStore(workers);
-    this.model = new SeriesStore(workers, this.#tables, () => this.#seconds * ROWS_A_SECOND);
+    this.model = new SeriesStore(workers, new TablesStore(workers), () => this.#seconds * ROWS_A_SECOND);
     this.model.on(() => this.changed());
     this.model.clock.on(() => this.#lengthen());
   }
@@ -175,7 +173,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
 
   /** Where the pen of a pad is: that of the model, or while the other pad is drawn on, that of the drawing. */
   pen(pad: Pad, now: number): readonly number[] | null {
-    const place = this.#drawn?.pads.indexOf(pad) ?? -1;
+    const place = this.#placeOf(pad);
     if (!this.#drawn || place < 0) return null;
     if (this.isDrawing)
       return placeInLoop(this.#drawn.drawing.loop, place, Math.max(0, now - this.#began) / 1000);
@@ -186,12 +184,23 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
 
   /** The last places of the model's pen on a pad, the oldest first. */
   trail(pad: Pad, frames: number): (readonly number[])[] {
-    const place = this.#drawn?.pads.indexOf(pad) ?? -1;
+    const place = this.#placeOf(pad);
     if (place < 0 || this.isDrawing) return [];
     const now = Math.floor(this.model.clock.frame);
     return Array.from({ length: frames }, (_, i) => this.#at(place, now - frames + 1 + i)).filter(
       (found) => found !== null,
     );
+  }
+
+  /** The rows that the model learned of a pad; empty: it was not drawn on. */
+  rows(pad: Pad): number[][] {
+    const place = this.#placeOf(pad);
+    return this.#drawn && place >= 0 ? onPad(this.#drawn.drawing.rows, place) : [];
+  }
+
+  /** The place of a pad among those that the model learned; -1: it is none of them. */
+  #placeOf(pad: Pad): number {
+    return this.#drawn?.pads.indexOf(pad) ?? -1;
   }
 
   #at(place: number, frame: number): number[] | null {
@@ -201,7 +210,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     return values && frame >= 0 && at + 1 < values.length ? [values[at] ?? 0, values[at + 1] ?? 0] : null;
   }
 
-  /** What happened, in words; empty before the first drawing. */
+  /** A sentence: whether the model learns, goes on as drawn, or cannot learn this. Empty before the first drawing. */
   get words(): string {
     const words = drawingWords();
     if (this.#tooLittle) return words.tooLittle;
@@ -226,25 +235,16 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     );
   }
 
-  /** The reason why the rollout under the newest couplings failed. */
-  get problem(): string {
-    return this.model.problem;
-  }
-
   /** Two hands by a formula, as if they were drawn now. */
   async example(): Promise<void> {
-    const seconds = Array.from({ length: 60 * 5 }, (_, i) => i / 60);
-    const turn = (seconds: number, lap: number) => (2 * Math.PI * seconds) / lap;
-    const eight = seconds.map((t) => ({
-      seconds: t,
-      x: 50 + 30 * Math.sin(turn(t, 1.25)),
-      y: 66 + 22 * Math.sin(2 * turn(t, 1.25)),
-    }));
-    const circle = seconds.map((t) => ({
-      seconds: t,
-      x: 50 + 28 * Math.cos(turn(t, 1.25)),
-      y: 66 + 28 * Math.sin(turn(t, 1.25)),
-    }));
+    const curve = (place: (turn: number) => [x: number, y: number]) =>
+      Array.from({ length: 300 }, (_, i) => {
+        const seconds = i / 60;
+        const [x, y] = place((2 * Math.PI * seconds) / 1.25);
+        return { seconds, x: 50 + x, y: 66 + y };
+      });
+    const eight = curve((turn) => [30 * Math.sin(turn), 22 * Math.sin(2 * turn)]);
+    const circle = curve((turn) => [28 * Math.cos(turn), 28 * Math.sin(turn)]);
     const drawing = drawingOf([[eight], [circle]]);
     if (drawing) await this.learn(drawing, [0, 1]);
   }

@@ -54,6 +54,9 @@ export interface Drawing {
 
 const distance = (a: readonly number[], b: readonly number[]) =>
   Math.hypot(...a.map((value, i) => value - (b[i] ?? 0)));
+/** The square of the distance of two places on one pad: a long drawing asks for it half a million times. */
+const squared = ([x = 0, y = 0]: readonly number[], [a = 0, b = 0]: readonly number[]) =>
+  (x - a) ** 2 + (y - b) ** 2;
 const between = (a: readonly number[], b: readonly number[], share: number) =>
   a.map((value, i) => value + share * ((b[i] ?? 0) - value));
 
@@ -93,29 +96,27 @@ function smoothed(rows: Rows, closed = false): number[][] {
 }
 
 /** Without rests at both ends, and with short ones within. */
-function withoutRests(rows: Rows): number[][] {
+function withoutRests(rows: number[][]): number[][] {
   const speeds = rows.map((row, i) => distance(row, rows[i + 1] ?? rows[i - 1] ?? row));
   const usual = [...speeds].sort((a, b) => a - b)[Math.floor(0.6 * speeds.length)] ?? 0;
   const moves = speeds.map((speed) => speed > REST * usual);
   const [first, last] = [moves.indexOf(true), moves.lastIndexOf(true)];
   let rested = 0;
-  return rows
-    .filter((_, i) => {
-      if (i < first || i > last) return false;
-      rested = moves[i] ? 0 : rested + 1;
-      return rested <= LONGEST_REST;
-    })
-    .map((row) => [...row]);
+  return rows.filter((_, i) => {
+    if (i < first || i > last) return false;
+    rested = moves[i] ? 0 : rested + 1;
+    return rested <= LONGEST_REST;
+  });
 }
 
-/** How many readings pass until a pen is again where it was; null: it does not return. */
+/** How many readings of one pad pass until the pen is again where it was; null: it does not return. */
 export function lapOf(rows: Rows): number | null {
   const mean = (rows[0] ?? []).map((_, i) => rows.reduce((sum, row) => sum + (row[i] ?? 0), 0) / rows.length);
-  const spread = rows.reduce((sum, row) => sum + distance(row, mean) ** 2, 0) / rows.length;
+  const spread = rows.reduce((sum, row) => sum + squared(row, mean), 0) / rows.length;
   const unlike = (lag: number) => {
     const pairs = rows.length - lag;
     let sum = 0;
-    for (let i = 0; i < pairs; i++) sum += distance(rows[i] ?? [], rows[i + lag] ?? []) ** 2;
+    for (let i = 0; i < pairs; i++) sum += squared(rows[i] ?? [], rows[i + lag] ?? []);
     return sum / pairs / (2 * spread);
   };
   const most = Math.floor(0.6 * rows.length);

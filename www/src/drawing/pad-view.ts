@@ -1,13 +1,12 @@
 // The pad of one hand: what was drawn, and the pen of the model with its trail.
 import { html } from "lit";
-import { eachFrame } from "../ui/browser";
-import { clearCanvas } from "../ui/browser";
+import { clearCanvas, eachFrame } from "../ui/browser";
 import { onThemeChange, partColour, partColourNow } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import { drawingWords } from "./view-words";
 import type { DrawingStore, Pad } from "./drawing-store";
-import { HEIGHT, onPad, ROWS_A_SECOND, WIDTH } from "./hand";
+import { HEIGHT, ROWS_A_SECOND, WIDTH } from "./hand";
 
 /** The trail of the pen, in rows. */
 const TRAIL = 1.5 * ROWS_A_SECOND;
@@ -34,7 +33,10 @@ export class PadView extends View {
   }
 
   protected override arrived(): void {
-    this.whenLeaving(eachFrame(() => this.#paint()));
+    const { store } = this;
+    this.whenLeaving(store.model.clock.on(() => this.#paint()));
+    // While one hand draws, the pen of the other goes on by itself.
+    this.whenLeaving(eachFrame(() => store.isDrawing && this.#paint()));
     this.whenLeaving(onThemeChange(() => this.#paint()));
   }
 
@@ -127,8 +129,7 @@ export class PadView extends View {
       draw.globalAlpha = 1;
       return;
     }
-    const place = store.drawn?.pads.indexOf(pad) ?? -1;
-    if (store.drawn && place >= 0) line(onPad(store.drawn.drawing.rows, place), 2, 0.25);
+    line(store.rows(pad), 2, 0.25);
     const trail = store.trail(pad, TRAIL);
     // Round ends would show twice where two pieces meet.
     draw.lineCap = "butt";

@@ -1,16 +1,11 @@
 // The view of time series without a body: the picture of the Lab, with curves in place of the figure.
 import { html, nothing } from "lit";
-import type { Space } from "../latents/latent-plot";
-import { LayersStore } from "../latents/layers-store";
 import { coupledPicture } from "../picture/coupled-picture";
-import type { SettingsStore } from "../settings/settings-store";
 import { progressRow } from "../training/progress-row";
 import { download } from "../ui/download";
-import { eachFrame } from "../ui/browser";
 import { messageOf } from "../ui/format";
 import { icon } from "../ui/icons";
 import type { NoticesStore } from "../ui/notices-store";
-import { View } from "../ui/view";
 import type { Draw } from "../views/define-view";
 import { lab } from "../words/lab";
 import { seriesWords } from "./view-words";
@@ -20,29 +15,19 @@ import "./series.css";
 import "./series-curves";
 import "./series-figure";
 import { seriesSetup } from "./series-setup";
+import { SeriesView } from "./series-view";
 
-export class SeriesPage extends View {
+export class SeriesPage extends SeriesView {
   declare series: Series;
-  declare settings: SettingsStore;
   declare notices: NoticesStore;
-  #space: Space | null = null;
+
+  protected override get shown() {
+    return this.series.model;
+  }
 
   protected override stores() {
     const { tables, model, training } = this.series;
     return [tables, model, model.clock, training, this.settings, this.notices];
-  }
-
-  protected override arrived(): void {
-    this.whenLeaving(eachFrame((seconds) => this.series.model.clock.advance(seconds)));
-  }
-
-  /** The clock that the keys for play and step control. */
-  togglePlay(): void {
-    this.series.model.clock.togglePlay();
-  }
-
-  step(direction: 1 | -1): void {
-    this.series.model.clock.step(direction);
   }
 
   #open(files: readonly File[]): void {
@@ -130,11 +115,6 @@ export class SeriesPage extends View {
   #picture() {
     const { model } = this.series;
     const { panel } = this.settings.values;
-    this.#space ??= {
-      layers: new LayersStore(async () => null),
-      settings: this.settings,
-      playback: model.clock,
-    };
     const foot = html`
       <div class="picture-foot">
         <div>${this.#train()}</div>
@@ -146,7 +126,7 @@ export class SeriesPage extends View {
     if (!model.model)
       return html`<div class="picture-area picture"><p class="hint">${seriesWords().noCouplings}</p>${foot}</div>`;
     const { problem } = model;
-    return coupledPicture({ model, space: this.#space, lead: lab().stage.lead.drag, problem, foot });
+    return coupledPicture({ model, space: this.space, lead: lab().stage.lead.drag, problem, foot });
   }
 
   protected override render() {
