@@ -7,6 +7,7 @@ import type { WholeCalls, WholeWorkers } from "../../engine/whole-workers";
 import type { Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
 import { arrowHead } from "../../latents/shapes";
+import { grouped } from "../../ui/format";
 import { partColourNow, theme } from "../../ui/palette";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../../app/story-body";
@@ -309,7 +310,7 @@ export class PointsChapter extends LatentChapter<"points"> {
     if (!this.hasGuessed || !trial || !this.#full) return nothing;
     const { found, walks, stumbled } = this.words;
     const error = Number.isFinite(trial.error) ? (100 * trial.error).toFixed(1) : "∞";
-    const sentence = found(trial.count, (this.#full.bound - trial.bound).toFixed(0), error);
+    const sentence = found(trial.count, grouped(this.#full.bound - trial.bound), error);
     return html`<span data-testid="trial">${sentence} ${trial.stumbles ? stumbled : walks}</span>`;
   }
 
