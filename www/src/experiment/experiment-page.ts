@@ -279,10 +279,8 @@ export class ExperimentPage extends View {
       latentPicture(part, truth, findings?.learned[part] ?? null, findings?.explained[part] ?? null);
     return html`
       <h2><span class="step">3</span> ${words.title}</h2>
-      <div class="findings">
-        <div>
-          ${isRiddle ? nothing : html`<div class="pictures">${PARTS.map(picture)}</div><p class="hint">${words.colours}</p>`}
-        </div>
+      <div class=${isRiddle ? "" : "findings"}>
+        ${isRiddle ? nothing : html`<div><div class="pictures">${PARTS.map(picture)}</div><p class="hint">${words.colours}</p></div>`}
         <div class="answers">
           ${alphaTable(findings)}
           <p class="hint">${words.alpha} ${truth ? words.largest(truth.largestAlpha) : ""}</p>
@@ -305,11 +303,11 @@ export class ExperimentPage extends View {
   }
 
   protected override render() {
-    const { problem } = this.experiment;
+    const { problem, isRiddle } = this.experiment;
     const words = experimentWords();
     return html`
       <section class="panel panels-setup experiment-setup" aria-label=${words.setup}>${this.#setup()}</section>
-      <div class="panels-found experiment">
+      <div class="panels-found experiment" ?data-riddle=${isRiddle}>
         ${
           problem
             ? html`<p class="panel bad" role="alert">${words.notMade(sentence(problem))}
@@ -318,8 +316,8 @@ export class ExperimentPage extends View {
         }
         <section class="panel made-panel" aria-label=${words.made.title}>${this.#made()}</section>
         <section class="panel" aria-label=${words.seen.title}>${this.#seen()}</section>
-        <section class="panel wide-panel" aria-label=${words.found.title}>${this.#found()}</section>
-        ${this.experiment.isRiddle ? nothing : html`<section class="panel wide-panel" aria-label=${words.others.title}>${this.#others()}</section>`}
+        ${isRiddle && this.vote === null ? nothing : html`<section class="panel wide-panel" aria-label=${words.found.title}>${this.#found()}</section>`}
+        ${isRiddle ? nothing : html`<section class="panel wide-panel" aria-label=${words.others.title}>${this.#others()}</section>`}
       </div>`;
   }
 }
