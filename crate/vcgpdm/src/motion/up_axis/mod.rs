@@ -1,6 +1,6 @@
 //! Finds the axis that points up from the motion, the rest pose, the way of the root and the floor.
 
-use crate::motion::anatomy::{Anatomy, standing_at_rest};
+use crate::motion::anatomy::Anatomy;
 use crate::motion::clip::Clip;
 use crate::motion::joint_names::Side;
 use crate::motion::limbs::{Limbs, extents, is_clear};
@@ -241,9 +241,7 @@ impl Clip {
         let floors = reach.floors(self.frames(), height, length);
         let is_near_origin = reach.is_near_origin(height);
         let floor_weight = if floors.iter().filter(|floor| **floor).count() == 1 { ONLY_FLOOR } else { 1.0 };
-        let rest = Anatomy::find(&self.skeleton)
-            .and_then(|anatomy| standing_at_rest(&self.skeleton, &anatomy))
-            .map(|upward| UpAxis::along(&upward));
+        let rest = self.skeleton.rest_axis();
         let limbs = reach.limbs.as_ref().map_or_else(Vector3::zeros, |sums| sums.upward / frames);
         let evidence = |(axis, is_floor): (UpAxis, bool)| {
             let is_rest = rest == Some(axis);
