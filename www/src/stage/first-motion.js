@@ -14,15 +14,8 @@
  * @property {import("vcgpdm").Figure} figure
  * @property {string[]} joints names, in the skeleton's order
  * @property {{ name: string, joints: number[] }[]} parts
+ * @property {readonly string[]} [shown] the motions after the first one, all as long as it
  * @property {Float32Array} positions world positions of the figure's nodes [frames x nodes x 3], y up, metres
- * @property {readonly MotionRange[]} [ranges] several motions of one body, one after the other
- */
-
-/**
- * @typedef {object} MotionRange
- * @property {string} name
- * @property {number} frames
- * @property {number} speed over the ground, along z, metres a second; the positions are on the spot
  */
 
 const FORMAT = "vcgpdm-first-motion/1";

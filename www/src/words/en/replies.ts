@@ -3,7 +3,7 @@ import type { Words } from "../en";
 type Chapters = Words["chapters"];
 /** A reply to each answer; chapters that keep a score, or ask for a pin, have none. */
 type Answers = {
-  readonly [Name in Exclude<keyof Chapters, "computer" | "next" | "belief" | "end">]: Readonly<
+  readonly [Name in Exclude<keyof Chapters, "hand" | "next" | "belief" | "end">]: Readonly<
     Record<keyof Chapters[Name]["guess"]["choices"], string>
   >;
 };
@@ -13,14 +13,13 @@ export interface Replies extends Answers {
   readonly end: {
     readonly unknown: string;
     readonly doors: Readonly<Record<"draw" | "lab" | "own" | "primitives", string>>;
-    readonly figure: string;
   };
 }
 
 export const words: Replies = {
   arms: {
-    stop: "Right for another question: press “Cut, as learned”.",
-    step: "No: without the thread nobody tells the arms when.",
+    stop: "Right if the arms keep what they learned. Press “Cut” for arms that learned alone.",
+    step: "No: without the thread nobody tells the arms when. Look at the clock: its hands drift apart.",
     pace: "Right.",
   },
   loop: {
@@ -29,19 +28,19 @@ export const words: Replies = {
     dissolve: "Right.",
   },
   gaussian: {
-    on: "No: that far away the points say nothing.",
+    on: "No: that far away the points say nothing. The dashed line is what you said.",
     prior: "Right.",
     nothing: "Nearly: it says how little it knows.",
   },
   points: {
     most: "No: between two points the model computes.",
-    half: "Fewer will do.",
-    few: "Right.",
+    half: "Right.",
+    few: "No: with so few the walk stands still.",
   },
   product: {
-    more: "No: both are less sure, and their shares stay.",
+    more: "No: both are less sure, and their shares stay. The outline is the walk before: both are one.",
     same: "Right.",
-    less: "No: both are less sure, and their shares stay.",
+    less: "No: both are less sure, and their shares stay. The outline is the walk before: both are one.",
   },
   push: {
     fall: "No: for falling one needs weight.",
@@ -55,13 +54,12 @@ export const words: Replies = {
   },
   end: {
     unknown:
-      "What nobody knows: who really drives whom in a recorded walk, and when people will call a new movement natural.",
+      "What nobody knows: who really drives whom in a recorded walk, and when people will call a new movement natural. And to foresee a walk alone, a far simpler model does as well.",
     doors: {
-      draw: "Draw: it goes on in your hand",
+      draw: "Couple your two hands",
       lab: "Drag the couplings",
       own: "Train your own movement",
       primitives: "Mix movements",
     },
-    figure: "A walking figure. Drag to look from another side; keys: w, a, s, d.",
   },
 };
