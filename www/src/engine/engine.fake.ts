@@ -297,7 +297,7 @@ export class FakeEngine implements Partial<Engine>, ClipCalls {
   }
 
   advanceLive(changes: LiveChange[], frames: number): Promise<LiveFrames> {
-    if (!this.live) return Promise.reject(new Error("There is no live rollout: start one."));
+    if (!this.live) return Promise.reject(new Error("The live motion ended: start it again."));
     this.live.changes.push(...changes);
     this.live.frames += frames - changes.filter(({ kind }) => kind === "take-back").length;
     const latents = [0, 1].map(() => new Float64Array(2 * frames));

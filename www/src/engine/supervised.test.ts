@@ -95,6 +95,16 @@ describe("a worker that dies", () => {
     await expect(engine.modelJson()).rejects.toThrow(/could not be started again.*\(offline\)/);
   });
 
+  it("is not replaced for ever when each replacement dies soon", async () => {
+    const { engine, workers, events } = supervised();
+    for (const { die } of workers) {
+      die("no memory");
+      await settle();
+    }
+    expect(events.restarted).toHaveBeenCalledTimes(3);
+    await expect(engine.modelJson()).rejects.toThrow(/3 workers in a row failed \(no memory\)/);
+  });
+
   // A replacement opens the model again, so it dies just then when memory is short.
   it("is replaced by a third when the second dies opening the model", async () => {
     const { engine, workers, events } = supervised();

@@ -19,6 +19,9 @@ export interface SupervisedEvents {
 /** How many workers in a row may die while they take over. */
 const TAKE_OVERS = 3;
 
+/** A worker that dies within as many milliseconds after it took over counts as well. */
+const SOON = 2_000;
+
 /** The worker died during a call. */
 class Died extends Error {}
 
@@ -27,6 +30,9 @@ export class SupervisedEngine {
   #worker: Promise<RunningWorkbench>;
   #model: { text: string; frames: number; revision: number } | null = null;
   #revision = 0;
+  /** When the last worker took over, and how many in a row died soon after that. */
+  #tookOver = Number.NEGATIVE_INFINITY;
+  #early = 0;
   /** The unfinished calls, which fail when the worker dies. */
   readonly #underWay = new Set<(problem: Died) => void>();
 
@@ -88,7 +94,8 @@ export class SupervisedEngine {
     if (this.#replaced.has(dead)) return;
     this.#replaced.add(dead);
     dead.dismiss();
-    this.#worker = this.#takeOver();
+    this.#early = performance.now() - this.#tookOver < SOON ? this.#early + 1 : 0;
+    this.#worker = this.#takeOver(why);
     this.#worker.then(
       () => this.events.restarted(why),
       (problem: unknown) => this.events.stopped(problem),
@@ -96,11 +103,13 @@ export class SupervisedEngine {
     for (const fail of [...this.#underWay]) fail(new Died(why));
   }
 
-  async #takeOver(): Promise<RunningWorkbench> {
-    let problem: unknown;
-    for (let attempt = 0; attempt < TAKE_OVERS; attempt += 1) {
+  async #takeOver(why: string): Promise<RunningWorkbench> {
+    let problem: unknown = new Error(why);
+    for (let attempt = this.#early; attempt < TAKE_OVERS; attempt += 1) {
       try {
-        return await this.#successor();
+        const worker = await this.#successor();
+        this.#tookOver = performance.now();
+        return worker;
       } catch (failure) {
         problem = failure;
       }

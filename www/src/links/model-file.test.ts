@@ -38,13 +38,19 @@ const answering = (answer: () => Promise<Response>) => {
 it("reads a file, and follows no redirect", async () => {
   const fetched = answering(async () => new Response("{}"));
   expect(await textOfFile("mine.json")).toBe("{}");
-  expect(fetched).toHaveBeenCalledWith("https://example.org/walk/mine.json", { redirect: "error" });
+  expect(fetched).toHaveBeenCalledWith("https://example.org/walk/mine.json", {
+    redirect: "error",
+    signal: expect.any(AbortSignal),
+  });
 });
 
 it("says that a file is missing or too large, and asks no other host", async () => {
   answering(async () => new Response("", { status: 404 }));
   await expect(textOfFile("mine.json")).rejects.toMatchObject({ problem: { what: "missing", found: "404" } });
   answering(() => Promise.reject(new TypeError("failed to fetch")));
+  await expect(textOfFile("mine.json")).rejects.toMatchObject({ problem: { what: "missing", found: "" } });
+  const broken = () => new ReadableStream({ pull: (body) => body.error(new Error("no end")) });
+  answering(async () => new Response(broken()));
   await expect(textOfFile("mine.json")).rejects.toMatchObject({ problem: { what: "missing", found: "" } });
   answering(async () => new Response(" ".repeat(LARGEST_DOCUMENT + 1)));
   await expect(textOfFile("mine.json")).rejects.toMatchObject({ problem: { what: "large" } });

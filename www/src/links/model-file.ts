@@ -2,6 +2,9 @@
 import { textWithin } from "./bytes";
 import { LinkError } from "./problem";
 
+/** Milliseconds: a host may answer and then never end. */
+const LONGEST = 120_000;
+
 /** The address of the file, relative to the page. */
 export function addressOf(name: string, page: string): string {
   const wrong = new LinkError({ what: "name", found: name.slice(0, 100) });
@@ -15,11 +18,14 @@ export function addressOf(name: string, page: string): string {
 
 /** The text of the file. Throws a `LinkError`. */
 export async function textOfFile(name: string): Promise<string> {
+  const missing = (found: string) => new LinkError({ what: "missing", file: name, found });
   // A redirect could lead to another host.
-  const answer = await fetch(addressOf(name, document.baseURI), { redirect: "error" }).catch(() => null);
-  if (!answer?.ok || !answer.body) {
-    const found = answer ? String(answer.status) : "";
-    throw new LinkError({ what: "missing", file: name, found });
-  }
-  return textWithin(answer.body);
+  const answer = await fetch(addressOf(name, document.baseURI), {
+    redirect: "error",
+    signal: AbortSignal.timeout(LONGEST),
+  }).catch(() => null);
+  if (!answer?.ok || !answer.body) throw missing(answer ? String(answer.status) : "");
+  return textWithin(answer.body).catch((problem: unknown) => {
+    throw problem instanceof LinkError ? problem : missing("");
+  });
 }

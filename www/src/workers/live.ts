@@ -19,7 +19,7 @@ export class Live {
   }
 
   advance(changes: LiveChange[], frames: number): LiveFrames {
-    if (!this.#live) throw new Error("There is no live rollout: start one.");
+    if (!this.#live) throw new Error("The live motion ended: start it again.");
     const { rollout, info } = this.#live;
     for (const change of changes) this.#change(rollout, change);
     return using(rollout.advance(frames), (next) => {

@@ -1,6 +1,8 @@
 //! Whether two clips show the same body, and if not, what differs.
 
+use crate::motion::anatomy::{Anatomy, standing_at_rest};
 use crate::motion::skeleton::{Joint, Skeleton};
+use crate::motion::stage_axes::UpAxis;
 use nalgebra::Vector3;
 use thiserror::Error;
 
@@ -72,6 +74,17 @@ pub enum BodyMismatch {
         /// The offset in the other.
         found: [f64; 3],
     },
+    /// The rest pose stands along another axis.
+    #[error(
+        "its rest pose stands along {}, not along {}; bring the clip onto the other body first (Clip::onto, vcgpdm \
+         clip --onto)", found.name(), expected.name()
+    )]
+    Axis {
+        /// The axis of the first body.
+        expected: UpAxis,
+        /// The axis of the other.
+        found: UpAxis,
+    },
     /// The same body in other units.
     #[error("all its bones are {factor} times as long: is it in other units?")]
     Units {
@@ -120,6 +133,11 @@ impl Skeleton {
         if let Some(factor) = self.unit_factor(other) {
             return Err(BodyMismatch::Units { factor });
         }
+        if let [Some(expected), Some(found)] = [self, other].map(Skeleton::rest_axis)
+            && expected != found
+        {
+            return Err(BodyMismatch::Axis { expected, found });
+        }
         if let Some((joint, difference)) = worst.filter(|(_, difference)| *difference > SAME_BODY_TOLERANCE) {
             return Err(BodyMismatch::Offset {
                 joint,
@@ -131,6 +149,13 @@ impl Skeleton {
             });
         }
         Ok(())
+    }
+
+    /// The axis along which the rest pose stands.
+    pub(crate) fn rest_axis(&self) -> Option<UpAxis> {
+        Anatomy::find(self)
+            .and_then(|anatomy| standing_at_rest(self, &anatomy))
+            .map(|upward| UpAxis::along(&upward))
     }
 
     /// The ratio of all bones of the other to those of this body, if it is one ratio and far from 1.
@@ -196,6 +221,7 @@ impl Skeleton {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::motion::samples;
     use crate::motion::skeleton::Channel;
 
     fn chain(names: &[&str]) -> Skeleton {
@@ -218,6 +244,16 @@ mod tests {
         // The root's offset does not belong to the body.
         second.joints[0].offset = [99.0, 0.0, 0.0];
         assert_eq!(first.same_body(&second), Ok(()));
+    }
+
+    #[test]
+    fn a_rest_pose_along_another_axis_is_named() {
+        let body = samples::clip("walk-1").unwrap().skeleton;
+        let mut turned = body.clone();
+        turned.joints.iter_mut().for_each(|joint| joint.offset.rotate_left(2));
+        let error = body.same_body(&turned).unwrap_err();
+        assert!(error.to_string().starts_with("its rest pose stands along z, not along y"), "{error}");
+        assert!(!error.only_bones_differ());
     }
 
     #[test]

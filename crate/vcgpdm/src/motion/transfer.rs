@@ -46,7 +46,7 @@ impl Clip {
         let (from, to) = (self.up_axis().to_y_up(), body.up_axis().to_y_up().inverse());
         let mut clip = self.clone();
         clip.skeleton.clone_from(&body.skeleton);
-        clip.up = body.up;
+        (clip.up, clip.found_up) = (body.up, Some(body.up_axis()));
         let poses: Vec<LocalPose> = (0..self.frames())
             .map(|frame| {
                 let own = self.world_pose(frame);
@@ -181,10 +181,11 @@ mod tests {
 
     #[test]
     fn another_axis_points_up_and_a_joint_without_a_counterpart_stays() {
-        let walk = samples::clip("walk-1").unwrap().cut(0, 60).unwrap();
+        let mut walk = samples::clip("walk-1").unwrap().cut(0, 60).unwrap();
+        walk.found_up = Some(UpAxis::Y);
         let mut body = walk.clone();
         turn_offsets(&mut body, rotation::about_axis(0, std::f64::consts::FRAC_PI_2), |_| true);
-        body.up = Some(UpAxis::Z);
+        body.found_up = Some(UpAxis::Z);
         let moved = walk.onto(&body).unwrap();
         assert_eq!(moved.up_axis(), UpAxis::Z);
         assert!(apart(&walk, &moved) < 1e-3, "{}", apart(&walk, &moved));

@@ -16,9 +16,9 @@ const FEWEST_ROWS: usize = 10;
 const TIMES: [&str; 10] =
     ["time", "times", "t", "timestamp", "timestamps", "stamp", "elapsed", "clock", "zeit", "zeitstempel"];
 /// Words beside those of [`TIMES`] that leave a name the name of a clock.
-const BESIDE: [&str; 14] = [
+const BESIDE: [&str; 16] = [
     "unix", "epoch", "utc", "ros", "system", "sim", "video", "frame", "sample", "sensor", "device", "since",
-    "start", "in",
+    "start", "in", "header", "field",
 ];
 /// Words for units, and their seconds.
 const UNITS: [(&[&str], f64); 4] = [

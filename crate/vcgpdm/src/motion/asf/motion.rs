@@ -81,6 +81,10 @@ pub(super) fn read(file: File, body: &AsfBody) -> Result<(DMatrix<f64>, Vec<Stri
     }));
     warnings.extend(jump(&frames));
     warnings.extend(fill(&mut frames, body));
+    if !frames.iter().any(|frame| frame.given[0]) {
+        warnings
+            .push("no frame has a line of root: the body stays at the origin and does not turn".to_owned());
+    }
     let values: Vec<f64> = frames.iter().flat_map(|frame| &frame.values).copied().collect();
     Ok((DMatrix::from_row_slice(frames.len(), channels, &values), warnings))
 }

@@ -153,6 +153,9 @@ fn bones_without_lines_in_some_frames_keep_their_pose() {
     // A bone of no frame is at rest, and a first frame without a line begins as the second.
     let never = recording(ASF, &AMC.replace("ltibia 40\n", "").replace("ltibia 41\n", "")).unwrap();
     assert!(never.warnings.is_empty());
+    let rootless: Vec<&str> = AMC.lines().filter(|line| !line.starts_with("root")).collect();
+    let rootless = recording(ASF, &rootless.join("\n")).unwrap();
+    assert!(rootless.warnings[0].starts_with("no frame has a line of root"), "{:?}", rootless.warnings);
     let later = recording(ASF, &AMC.replace("ltibia 40\n", "")).unwrap();
     assert_eq!(later.values.view((0, 12), (1, 3)), later.values.view((1, 12), (1, 3)));
 }

@@ -1,6 +1,6 @@
 //! Finds the axis that points up from the motion, the rest pose, the way of the root and the floor.
 
-use crate::motion::anatomy::{Anatomy, standing_at_rest};
+use crate::motion::anatomy::Anatomy;
 use crate::motion::clip::Clip;
 use crate::motion::joint_names::Side;
 use crate::motion::limbs::{Limbs, extents, is_clear};
@@ -21,10 +21,8 @@ const BELOW: f64 = 0.05;
 /// The lowest point of a body on a bench.
 const BENCH: [f64; 2] = [-0.1, 0.7];
 /// A root that comes as near to the origin, in body heights, may begin there: a thin body then touches a plane
-/// at zero by chance, ...
-const BEGINS_AT_ORIGIN: f64 = 0.1;
-/// ... and an upright body is certain without a floor.
-const NEAR_ORIGIN: f64 = 0.2;
+/// at zero by chance, and an upright body is certain without a floor.
+const NEAR_ORIGIN: f64 = 0.03;
 /// A root that moves farther, in body heights, travels, ...
 const TRAVELS: f64 = 0.5;
 /// ... and along one axis alone if it moves less along the others.
@@ -45,6 +43,8 @@ const REST: f64 = 0.8;
 const LIMBS: f64 = 0.4;
 const ONLY_FLOOR: f64 = 1.3;
 const LEAD: f64 = 0.3;
+/// The lead before an axis that has a floor as well.
+const FLOOR_LEAD: f64 = 1.0;
 
 /// Directions and extremes of a body over a whole clip, in file units.
 struct Reach {
@@ -111,9 +111,9 @@ impl Reach {
         (self.root[1] - self.root[0]) / height
     }
 
-    /// Whether the root comes as near to the origin, in body heights.
-    fn is_near_origin(&self, height: f64, limit: f64) -> bool {
-        self.root[0].sup(&Vector3::zeros()).inf(&self.root[1]).norm() < limit * height
+    /// Whether the root may begin at the origin.
+    fn is_near_origin(&self, height: f64) -> bool {
+        self.root[0].sup(&Vector3::zeros()).inf(&self.root[1]).norm() < NEAR_ORIGIN * height
     }
 
     /// For each of [`UpAxis::ALL`] whether there is a floor at zero for a body whose length is along `length`.
@@ -124,7 +124,7 @@ impl Reach {
         let walks = across.map(|axis| axis.height(&way)).fold(0.0, f64::max) > TRAVELS;
         let turns = self.turns.column_iter().any(|column| column.norm() < STRAIGHT * frames);
         let rolls = turns && way.iter().filter(|way| **way > ASIDE).count() == 1;
-        let lies = rolls || !walks && !self.is_near_origin(height, BEGINS_AT_ORIGIN);
+        let lies = rolls || !walks && !self.is_near_origin(height);
         let mut floors = self
             .touched
             .map(|[touched, below]| touched as f64 > TOUCHED * frames && (below as f64) < BELOW * frames);
@@ -239,11 +239,9 @@ impl Clip {
         let height = self.skeleton.height();
         let (length, way) = (UpAxis::along(&upward), reach.way(height));
         let floors = reach.floors(self.frames(), height, length);
-        let is_near_origin = reach.is_near_origin(height, NEAR_ORIGIN);
+        let is_near_origin = reach.is_near_origin(height);
         let floor_weight = if floors.iter().filter(|floor| **floor).count() == 1 { ONLY_FLOOR } else { 1.0 };
-        let rest = Anatomy::find(&self.skeleton)
-            .and_then(|anatomy| standing_at_rest(&self.skeleton, &anatomy))
-            .map(|upward| UpAxis::along(&upward));
+        let rest = self.skeleton.rest_axis();
         let limbs = reach.limbs.as_ref().map_or_else(Vector3::zeros, |sums| sums.upward / frames);
         let evidence = |(axis, is_floor): (UpAxis, bool)| {
             let is_rest = rest == Some(axis);
@@ -251,7 +249,7 @@ impl Clip {
                 UpAxis::ALL.into_iter().zip(floors).any(|(other, floor)| floor && other.is_opposite(axis));
             let stands = axis.height(&upward) / frames;
             // A handstand: the head is below the feet.
-            let on_hands = is_floor && !floor_behind && (is_rest || axis.name() == axis.letter());
+            let on_hands = is_floor && !floor_behind && (is_rest || [UpAxis::Y, UpAxis::Z].contains(&axis));
             let stands = if on_hands { stands.abs() } else { stands };
             let (limbs, way) = (axis.height(&limbs), axis.height(&way).abs());
             let floor = if is_floor { floor_weight } else { 0.0 };
@@ -270,15 +268,21 @@ impl Clip {
         all.sort_by(|a, b| b.score.total_cmp(&a.score));
         let (best, rivals) = (&all[0], &all[1..]);
         let is_across = |other: &Evidence| other.axis.letter() != best.axis.letter();
+        let is_on_limbs = |other: &Evidence| other.is_floor && other.limbs > CARRIED;
         let is_certain = if best.stands > STANDS {
-            // Without a floor, a body that travels along the ground stands, and so may one at the origin.
+            // A floor below hands and knees says more than one below the feet of a body that may lie. Without a
+            // floor, a body that travels along the ground stands, and so may one at the origin.
             let travels = way.amax() > best.way.max(TRAVELS);
-            best.is_floor
+            best.is_floor && (best.is_rest || !rivals.iter().any(is_on_limbs))
                 || is_near_origin
                 || travels && !rivals.iter().any(|other| is_across(other) && other.is_floor)
         } else {
-            let is_clear = best.is_floor && best.score - rivals[0].score >= LEAD;
-            (is_clear || is_near_origin) && (best.is_rest || best.limbs > CARRIED)
+            // A body that is cut by the plane at zero has a floor on both sides of the plane.
+            let loses = |other: &Evidence| {
+                let lead = if other.is_floor { FLOOR_LEAD } else { LEAD };
+                best.score - other.score >= lead && !(other.is_floor && other.axis.is_opposite(best.axis))
+            };
+            best.is_floor && rivals.iter().all(loses) && (best.is_rest || best.limbs > CARRIED)
         };
         if is_certain {
             return FoundAxis { axis: best.axis, others: Vec::new() };
@@ -288,10 +292,10 @@ impl Clip {
             let lowest = other.axis.lowest(&reach.low, &reach.high) / height;
             let above_ground =
                 (BENCH[0]..BENCH[1]).contains(&lowest) || climbs && other.axis.letter() != length.letter();
-            other.way < TRAVELS && above_ground
+            other.way < TRAVELS && above_ground || climbs && other.stands > STANDS
         };
         let mut others: Vec<UpAxis> = rivals.iter().filter(is_possible).map(|other| other.axis).collect();
-        if others.is_empty() {
+        if others.is_empty() && best.stands <= STANDS {
             others.push(rivals[0].axis);
         }
         FoundAxis { axis: best.axis, others }

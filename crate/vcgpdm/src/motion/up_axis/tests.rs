@@ -114,11 +114,11 @@ fn roll(start: Vector3<f64>) -> Clip {
     )
 }
 
-/// On the back, at some height, with moving arms.
-fn lie(height: f64) -> Clip {
+/// On the back, with moving arms.
+fn lie(place: Vector3<f64>) -> Clip {
     motion(
         -FRAC_PI_2,
-        |_| Vector3::new(150.0, height, 230.0),
+        |_| place,
         |_| 0.0,
         |name, t| match name {
             "LeftArm" | "RightArm" => about(1, side(name) * (20.0 * swing(t, 1.0) - 90.0)),
@@ -130,7 +130,11 @@ fn lie(height: f64) -> Clip {
 #[test]
 fn the_axis_is_found_in_every_world_or_named_as_possible() {
     let walk = samples::clip("walk-1").unwrap();
-    let mut clips = vec![("walk", walk), ("bench", lie(60.0)), ("floor", lie(10.0))];
+    let mut clips = vec![("walk", walk)];
+    for (height, name) in [(60.0, "bench"), (10.0, "floor")] {
+        // The second recording begins above the origin.
+        clips.extend([150.0, 0.0].map(|x| (name, lie(Vector3::new(x, height, 1.5 * x)))));
+    }
     for place in [Vector3::new(120.0, 0.0, 260.0), Vector3::new(-200.0, 0.0, -400.0)] {
         clips.extend([("crawl", crawl(place)), ("swim", swim(place)), ("roll", roll(place))]);
     }
