@@ -94,7 +94,7 @@ const output = {
   chunkFileNames: ({ moduleIds }: { moduleIds: string[] }) => `${folderOf(moduleIds)}/[name]-[hash].js`,
   // Styles that chapters share come without the files that they are made of.
   assetFileNames: ({ originalFileNames, names }: { originalFileNames: string[]; names: string[] }) =>
-    `${names.includes("latent-view.css") ? "assets/story" : folderOf(originalFileNames.map((file) => `/${file}`))}/[name]-[hash][extname]`,
+    `${names.some((name) => /(latent|wheel)-view.css/.test(name)) ? "assets/story" : folderOf(originalFileNames.map((file) => `/${file}`))}/[name]-[hash][extname]`,
 };
 
 /** Not for `vite dev`, whose style sheets are inline. */

@@ -147,7 +147,7 @@ describe("a library of primitives", () => {
     const after = walk.advance(40).positions();
     assert.ok(largestStep([before, after], width, legs) < 1.3 * largestStep([before], width, legs));
     walk.setTempo(1, 0.8);
-    walk.setAlpha(library.nearestCouplings([0, 3]));
+    walk.setCouplings(Float64Array.from(library.nearestCouplings([0, 3]).flat()), false);
     assert.ok([...walk.advance(40).positions()].every(Number.isFinite));
     assert.throws(() => walk.setTempo(1, 9), { code: "rollout", message: /a tempo from 0.25 to 2, found 9/ });
   });
@@ -172,7 +172,7 @@ describe("a library of primitives", () => {
     assert.throws(() => walk.use(1, 2, [[1]]), { message: /expected coupling variances for 2 x 2 parts/ });
     const expected = library.walk([0, 2]);
     expected.use(1, 3);
-    expected.setAlpha(library.nearestCouplings([0, 3]));
+    expected.setCouplings(Float64Array.from(library.nearestCouplings([0, 3]).flat()), false);
     assert.deepEqual([...walk.advance(5).positions()], [...expected.advance(5).positions()]);
   });
 

@@ -85,7 +85,7 @@ describe("uncertain rollouts", () => {
 });
 
 describe("a live rollout", () => {
-  const start = () => new installed.vcgpdm.LiveRollout(model.rollout({ frames: 100, sequence: 0 }), 89);
+  const start = () => new installed.vcgpdm.Endless(model.rollout({ frames: 100, sequence: 0 }), 89);
 
   it("goes on as the rollout does", () => {
     const rollout = model.rollout({ frames: 100, sequence: 0 });

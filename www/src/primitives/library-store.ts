@@ -2,15 +2,17 @@
 import { changedFrom, CouplingsStore } from "../couplings/couplings-store";
 import type { CouplingsFrom, Fitted, LibraryInfo, PartMotion } from "../engine/library-protocol";
 import { Latest } from "../engine/latest";
-import type { Couplings, Motion } from "../engine/protocol";
+import type { Couplings, LiveStep, Motion } from "../engine/protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
+import { LiveStore } from "../live/live-store";
 import type { Body } from "../scene/columns";
+import { Playback } from "../stage/playback";
+import { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import { combinationsOf, countOf, exampleOf, firstOf, isSame, recordedAs, titleOf } from "./combinations";
 import { LibraryWorker } from "./library-worker";
-import { WalkStore } from "./walk-store";
 import { primitivesWords } from "./view-words";
 import { shownPart } from "../words/lab";
 
@@ -41,7 +43,10 @@ function addedText({ parts }: LibraryInfo, fresh: LibraryInfo["primitives"]): st
 const isUnsaved = ({ unsaved }: OpenLibrary) => unsaved;
 
 export class LibraryStore extends Store {
-  readonly walk: WalkStore;
+  readonly playback = new Playback();
+  readonly stage = new StageStore(this.playback);
+  /** The motion without an end of the combination. */
+  readonly walk: LiveStore;
   /** Its learned values are those that the primitives were learned with. */
   readonly couplings = new CouplingsStore((change) => this.#walkUnder(change === "all"));
   readonly #worker: LibraryWorker;
@@ -49,6 +54,8 @@ export class LibraryStore extends Store {
   /** Libraries that can be brought back: the previous one as the last, and before it unsaved ones. */
   #earlier: readonly OpenLibrary[] = [];
   #opening: Promise<void> | null = null;
+  /** The number of libraries that were opened. */
+  #opened = 0;
   #problem = "";
   /** The document of the library that comes with the page. */
   #first: string | null = null;
@@ -76,7 +83,7 @@ export class LibraryStore extends Store {
   ) {
     super();
     this.#worker = new LibraryWorker(whole);
-    this.walk = new WalkStore(this.#worker, notices);
+    this.walk = new LiveStore(this.#source(), this.stage, this.playback, notices);
     this.#couplings = new Latest(
       (uses) => this.nearestTo(uses),
       (alpha, uses) => {
@@ -97,6 +104,29 @@ export class LibraryStore extends Store {
       // A failed rollout has a notice of its own.
       () => {},
     );
+  }
+
+  #source() {
+    const library = this;
+    const ask: LibraryWorker["ask"] = (question) => this.#worker.ask(question);
+    return {
+      get body() {
+        return library.#current?.info ?? null;
+      },
+      get revision() {
+        return library.#opened;
+      },
+      couplings: null,
+      on: (listener: () => void) => this.on(listener),
+      begin: () => ask((worker) => worker.startWalk([...this.#uses])),
+      advance: (step: LiveStep) => ask((worker) => worker.advanceWalk(step)),
+      end: () => {},
+    };
+  }
+
+  /** Changes with the open library. */
+  get revision(): number {
+    return this.#opened;
   }
 
   get current(): OpenLibrary | null {
@@ -222,10 +252,23 @@ export class LibraryStore extends Store {
     this.#addedText = "";
     this.#tempos = library.info.parts.map(() => 1);
     this.#uses = firstOf(library.info, this.combinations);
+    this.#opened += 1;
     this.#showNearest(await this.nearestTo(this.#uses));
-    await this.walk.start(library.info, this.#uses);
+    await this.#show(library.info);
     this.changed();
     void this.#rollOutSmall(library.info);
+  }
+
+  /** Shows the combination, which walks on if the figure before did. */
+  async #show({ figure, joints, parts }: LibraryInfo): Promise<void> {
+    const uses = this.#uses;
+    const motion = await this.#worker.ask((worker) => worker.combinationMotion([...uses], SMALL_FRAMES));
+    this.#motions.set(uses.join(), motion);
+    const { playing } = this.playback;
+    this.walk.stop();
+    this.stage.showModel({ kind: "model", figure, parts, motion, joints: joints.map(({ name }) => name) });
+    await this.walk.start();
+    if (!playing && this.playback.playing) this.playback.togglePlay();
   }
 
   /** Chooses another primitive for one part. */
@@ -335,7 +378,7 @@ export class LibraryStore extends Store {
   /** The figure continues under the couplings now. */
   #walkUnder(leaps: boolean): void {
     this.#touched = true;
-    this.walk.change({ kind: "couplings", alpha: this.couplings.alpha }, leaps);
+    this.walk.change({ kind: "couplings", alpha: this.couplings.alpha, reading: "as-learned" }, leaps);
     this.#couplingsChanged();
   }
 

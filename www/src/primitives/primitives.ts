@@ -7,7 +7,9 @@ import type { NoticesStore } from "../ui/notices-store";
 import { prefersReducedMotion } from "../ui/browser";
 import { FittingStore } from "./fitting-store";
 import { LearningStore } from "./learning-store";
+import { LibraryRecordings } from "./library-recordings";
 import { LibraryStore } from "./library-store";
+import { RecordedParts } from "../live/recorded-parts";
 import { RecordedStore } from "./recorded-store";
 import { RecognitionStore } from "./recognition-store";
 import { lab } from "../words/lab";
@@ -31,9 +33,10 @@ export function openPrimitives(
 ) {
   const library = new LibraryStore(whole, notices, fetchLibrary);
   // Later visits of the view continue as the visitor left it.
-  library.walk.player.playing = !prefersReducedMotion();
+  if (!prefersReducedMotion()) library.playback.play();
   return {
     library,
+    recordedParts: new RecordedParts(new LibraryRecordings(library, clips, whole), library.walk, notices),
     fitting: new FittingStore(whole, clips, library),
     learning: new LearningStore(whole, engine, settings, clips, library),
     recorded: new RecordedStore(whole, clips, fetchLibrary),
