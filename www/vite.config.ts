@@ -45,7 +45,7 @@ const WHEN_ASKED = [
 ];
 /** The chapters of the story after the first, and what only they share. */
 const isChapter = (file: string) =>
-  /\/src\/(story\/((?!computer\/)[a-z]+\/|endless-walk\.|guessed-chapter\.)|words\/(en|de)\/replies\.)/.test(
+  /\/src\/(story\/((?!hand\/)[a-z]+\/|endless-walk\.|guessed-chapter\.)|words\/(en|de)\/replies\.)/.test(
     file,
   );
 const isAsked = (file: string) =>

@@ -1,9 +1,9 @@
-// The answers of a class as codes: a participant gets one, and pasted codes give the same results.
+// The view Which is natural? for a class: its riddle, and answers as codes, which give the same results pasted.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { barriers, openSite } from "./site.mjs";
+import { barriers, changes, draws, openSite } from "./site.mjs";
 
 /** @type {Awaited<ReturnType<typeof openSite>>} */
 let site;
@@ -54,6 +54,32 @@ it("gives each participant a code, and analyses pasted codes as it does the answ
   await page.getByTestId("codes").fill(`${first}\n${second.slice(0, -3)}\n`);
   await page.getByTestId("add-codes").click();
   await page.getByText(/Line 2: expected a whole code/).waitFor();
+  assert.deepEqual(problems, []);
+  await leave();
+});
+
+it("begins with a riddle, which counts in no study", async () => {
+  const { page, problems, leave } = await site.visit({
+    settings: "view=perception",
+    moving: true,
+    seen: true,
+  });
+  await page.getByTestId("riddle-left").waitFor({ timeout: 30_000 });
+  await draws(page.locator(".riddle canvas"));
+  assert.ok(await changes(page.getByTestId("riddle")), "the walkers move");
+  await page.getByTestId("riddle-left").click();
+  assert.match(await page.getByTestId("riddle-answer").innerText(), /^(Yes|No).+ You found [01] of 1\./);
+  assert.match(await page.locator(".riddle .look-sides").innerText(), /Natural|Generated/);
+  await page.getByTestId("riddle-next").click();
+  await page.getByTestId("riddle").click({ position: { x: 10, y: 10 } });
+  assert.match(await page.getByTestId("riddle-answer").innerText(), /of 2\./);
+  assert.equal(await page.getByTestId("participant").count(), 0);
+  // Answers to a study of other walks are told to nobody.
+  const buffer = Buffer.from(shortStudy().replaceAll("(made by this project)", ""));
+  await page
+    .getByTestId("open-study")
+    .setInputFiles({ name: "s.json", mimeType: "application/json", buffer });
+  await page.locator(".riddle").waitFor({ state: "detached" });
   assert.deepEqual(problems, []);
   await leave();
 });

@@ -1,7 +1,17 @@
 // Drawings of one hand and of two, by keyboard and by pointer, and the model that goes on with them.
 import assert from "node:assert/strict";
 import { after, before, it } from "node:test";
-import { barriers, changes, keepsNobodyOut, openSite, ready, readyVisitor, saved, soon } from "./site.mjs";
+import {
+  barriers,
+  changes,
+  keepsNobodyOut,
+  openSite,
+  ready,
+  readyVisitor,
+  saved,
+  soon,
+  squares,
+} from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -11,15 +21,6 @@ before(async () => {
   site = await openSite();
 });
 after(() => site?.close());
-
-/** Draws squares with the arrow keys, whose steps have a time of their own. */
-async function squares(/** @type {Page} */ page, /** @type {number} */ pad, /** @type {number} */ laps) {
-  await page.getByTestId(`pad-${pad}`).focus();
-  for (let side = 0; side < 4 * laps; side++)
-    for (let step = 0; step < 4; step++)
-      await page.keyboard.press(["ArrowUp", "ArrowRight", "ArrowDown", "ArrowLeft"][side % 4] ?? "");
-  await page.keyboard.press("Enter");
-}
 
 const learned = (/** @type {Page} */ page, /** @type {number} */ hands) =>
   page.waitForFunction(
@@ -33,7 +34,8 @@ const learned = (/** @type {Page} */ page, /** @type {number} */ hands) =>
 it("a model goes on with one hand, then with two, whose couplings can be changed", async () => {
   const { page, problems, leave } = await site.visit({ settings: "view=draw", seen: true });
   await ready(page);
-  await squares(page, 0, 3);
+  await page.getByTestId("pad-0").focus();
+  await squares(page);
   await learned(page, 1);
   assert.equal(
     await page.getByTestId("draw-words").textContent(),

@@ -98,7 +98,7 @@ describe("a link with the model in it", () => {
     await page.waitForLoadState("networkidle");
     const asked = await page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => name));
     const ownFiles =
-      /\/some\/where\/(assets\/[\w/-]+\.(js|css|wasm)|first\/walkers\.bin|unserved\.js|favicon\.svg|manifest\.webmanifest)$/;
+      /\/some\/where\/(assets\/[\w/-]+\.(js|css|wasm)|unserved\.js|favicon\.svg|manifest\.webmanifest)$/;
     assert.deepEqual(
       asked.filter((address) => !ownFiles.test(address)),
       [],

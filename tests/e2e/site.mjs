@@ -356,3 +356,11 @@ const atRest = (/** @type {Page} */ page) =>
     const running = document.getAnimations().filter((animation) => animation instanceof CSSTransition);
     await Promise.allSettled(running.map(({ finished }) => finished));
   });
+
+/** Draws three squares on the pad with the focus, with the arrow keys, whose steps have a time of their own. */
+export async function squares(/** @type {Page} */ page) {
+  for (let side = 0; side < 12; side++)
+    for (let step = 0; step < 4; step++)
+      await page.keyboard.press(["ArrowUp", "ArrowRight", "ArrowDown", "ArrowLeft"][side % 4] ?? "");
+  await page.keyboard.press("Enter");
+}

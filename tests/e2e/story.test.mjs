@@ -5,10 +5,10 @@ import { createRequire } from "node:module";
 import { after, before, beforeEach, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { coupledInfo } from "../node/package.mjs";
-import { barriers, barriersNow, changes, draws, oneVisitor, openSite, ready, soon } from "./site.mjs";
+import { barriers, barriersNow, changes, oneVisitor, openSite, ready, soon, squares } from "./site.mjs";
 
 /** @type {typeof import("vcgpdm")} */
-const { Model, Study } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
+const { Model } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -93,7 +93,10 @@ for (const [name, size] of Object.entries({ laptop: LAPTOP, phone: PHONE }))
           await page.waitForFunction(
             (chapter) =>
               document.querySelector("#story-chapters [aria-current=step]")?.getAttribute("href") ===
-                `#story=${chapter}` && document.querySelector(".story[data-state=open] .story-guess button"),
+                `#story=${chapter}` &&
+              document.querySelector(
+                `.story[data-state=open] ${chapter === 1 ? ".pad" : ".story-guess button"}`,
+              ),
             chapter,
           );
           assert.deepEqual(await overflowing(page), [], `chapter ${chapter}`);
@@ -107,16 +110,17 @@ for (const [name, size] of Object.entries({ laptop: LAPTOP, phone: PHONE }))
         }
       });
 
-      it("has no barriers before and after the first guess", async () => {
+      it("has no barriers before and after the first drawing", async () => {
         const { page } = visitor;
         await page.evaluate(() => Object.assign(location, { hash: "story=1" }));
-        await page.getByTestId("choice-left").waitFor();
+        await page.getByTestId("hand-example").waitFor();
         await open(page);
         const problemsOf = locale === "en" ? barriers : barriersNow;
         assert.deepEqual(await problemsOf(page), []);
-        await page.getByTestId("choice-left").click();
-        await page.getByTestId("verdict").waitFor();
-        assert.deepEqual(await problemsOf(page), [], "after the guess");
+        await page.getByTestId("hand-example").click();
+        await page.getByTestId("latent-0").waitFor({ timeout: 60_000 });
+        assert.deepEqual(await problemsOf(page), [], "after the drawing");
+        assert.deepEqual(await overflowing(page), []);
       });
     });
 
@@ -129,43 +133,27 @@ function hold() {
   return () => release();
 }
 
-describe("the first guess, before the wasm has arrived", () => {
-  it("can be made by keyboard alone, and the answer takes the focus", async () => {
+describe("the first drawing, before the wasm has arrived", () => {
+  it("can be made by keyboard alone, goes on, and is there in the Lab", async () => {
     const release = hold();
     const { page, problems, leave } = await site.visit({ story: true, moving: true });
-    await page.getByTestId("choice-left").waitFor();
+    const pad = page.getByTestId("pad-0");
+    await pad.waitFor();
+    assert.ok(await changes(pad), "a pen shows how to draw");
     for (let i = 0; i < 8; i++) {
       await page.keyboard.press("Tab");
-      if (await page.getByTestId("choice-left").evaluate((button) => button === document.activeElement))
-        break;
+      if (await pad.evaluate((element) => element === document.activeElement)) break;
     }
-    await page.keyboard.press("Enter");
-    await page.getByTestId("verdict").waitFor();
-    assert.ok(await page.evaluate(() => document.activeElement?.classList.contains("story-answer")));
-    await page.keyboard.press("Tab");
-    await page.keyboard.press("Enter");
-    await page.getByTestId("choice-right").click();
-    assert.match(await page.getByTestId("score").innerText(), /^You found [012] of 2\./);
-    assert.deepEqual(problems, []);
+    await squares(page);
+    await page.getByText("The model learns your drawing").waitFor();
     release();
-    await leave();
-  });
-
-  it("can be made by touching a walker, and walkers move", async () => {
-    const release = hold();
-    const { page, problems, leave } = await site.visit({ story: true, moving: true, seen: true, ...PHONE });
-    const walkers = page.getByTestId("walkers");
-    await draws(walkers);
-    assert.ok(await changes(walkers), "the walkers move");
-    const box = await walkers.boundingBox();
-    assert.ok(box);
-    await page.touchscreen.tap(box.x + box.width * 0.75, box.y + box.height / 2);
-    assert.match(
-      await page.getByTestId("answer").innerText(),
-      /^Your guess: Right\s+(Yes|No), the (left|right) one/,
-    );
+    await page.getByTestId("hand-two").waitFor({ timeout: 60_000 });
+    assert.match(await page.getByTestId("reveal").innerText(), /^The model draws: .+ 16 marked points/s);
+    assert.ok(await changes(pad), "the pen moves");
+    await page.getByTestId("hand-two").click();
+    await page.locator("pg-drawing pg-latent-plot").waitFor();
+    assert.equal(await page.locator("pg-drawing pg-latent-plot").count(), 1);
     assert.deepEqual(problems, []);
-    release();
     await leave();
   });
 });
@@ -286,8 +274,8 @@ describe("the way through the story", () => {
     const { page, problems, leave } = await site.visit({ query: "?embed", settings: "story=1" });
     await open(page);
     assert.equal(await page.locator(".story-head, .story-place").count(), 0);
-    await page.getByTestId("choice-left").click();
-    await page.getByTestId("verdict").waitFor();
+    await page.getByTestId("hand-example").click();
+    await page.getByTestId("hand-two").waitFor({ timeout: 60_000 });
     assert.deepEqual(problems, []);
     await leave();
   });
@@ -295,9 +283,9 @@ describe("the way through the story", () => {
 
 describe("a chapter that cannot be loaded", () => {
   it("says so, and can be tried again", async () => {
-    const { page, leave } = await site.visit({ story: true, without: "**/walkers.bin" });
+    const { page, leave } = await site.visit({ story: true, without: "**/assets/draw/*" });
     await page.getByTestId("try-again").waitFor();
-    await page.unroute("**/walkers.bin");
+    await page.unroute("**/assets/draw/*");
     await page.getByTestId("try-again").click();
     await open(page);
     await leave();
@@ -305,33 +293,6 @@ describe("a chapter that cannot be loaded", () => {
 });
 
 describe("the numbers on the cards are those of the library", () => {
-  it("how far two walkers are apart", async () => {
-    const { page, leave } = await site.visit({ story: true });
-    await page.getByTestId("choice-left").click();
-    const [found] = (await page.getByTestId("verdict").innerText()).match(/[\d.]+(?= cm)/) ?? [];
-    const study = Study.fromJson(readFileSync(at("www/public/study/walks.study.json"), "utf8"));
-    const { stimuli, skeleton } = study.info;
-    const positions = (/** @type {string} */ id) =>
-      study.positions(stimuli.findIndex((stimulus) => stimulus.id === id));
-    const [program, model] = [positions("trial-1"), positions("vcgpdm-3-12-trial-1")];
-    const nodes = skeleton.parents.length;
-    const poses = (/** @type {ArrayLike<number>} */ motion) =>
-      Array.from({ length: motion.length / 3 / nodes }, (_, frame) =>
-        skeleton.dots.map((node) => [0, 1, 2].map((k) => motion[3 * (frame * nodes + node) + k] ?? NaN)),
-      );
-    const between = (/** @type {number[][]} */ a, /** @type {number[][]} */ b) =>
-      a.reduce((sum, dot, i) => sum + Math.hypot(...dot.map((x, k) => x - (b[i]?.[k] ?? NaN))), 0) / a.length;
-    // Each pose of the model beside the nearest one of the program.
-    const recorded = poses(program);
-    const nearest = poses(model).map((pose) => Math.min(...recorded.map((other) => between(pose, other))));
-    const mean = nearest.reduce((sum, distance) => sum + distance, 0) / nearest.length;
-    assert.ok(
-      Math.abs(Number(found) - 100 * mean) < 0.06,
-      `${found} cm on the card, ${100 * mean} cm computed`,
-    );
-    await leave();
-  });
-
   it("periods and swings of legs and arms, tied and cut", async () => {
     // A guess before the model once left the thread tied, and the card spoke of a cut one.
     const release = hold();

@@ -6,6 +6,7 @@ import { TablesStore } from "../series/tables-store";
 import { ProgressStore } from "../training/progress-store";
 import { drawingWords } from "./view-words";
 import { DRAWING_SETTINGS } from "./drawing-settings";
+import { circle, drawnBy, eight } from "./example";
 import { goesOn } from "./goes-on";
 import {
   type Drawing,
@@ -52,6 +53,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   /** The drawing that the model on show learned, and its pads; null before the first. */
   #drawn: { drawing: Drawing; pads: readonly Pad[] } | null = null;
   #tooLittle = false;
+  #woken = false;
   #lost: Pad | undefined;
   /** Counts the drawings: a training that ends after the next one began is of no use. */
   #newest = 0;
@@ -80,6 +82,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   /** Begins a stroke on a pad, at a time in milliseconds. The first stroke begins a drawing. */
   begin(pad: Pad, x: number, y: number, now: number): void {
     this.#forgetTraining();
+    this.#wake();
     if (!this.isDrawing) this.#began = now;
     this.#touched.add(pad);
     const strokes = this.#strokes.get(pad) ?? [];
@@ -95,6 +98,15 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     if (!stroke || seconds > LONGEST) return;
     stroke.push({ seconds, x: inside(x, WIDTH), y: inside(y, HEIGHT) });
     this.changed();
+  }
+
+  /** The program arrives while a hand draws. */
+  #wake(): void {
+    if (this.#woken) return;
+    this.#woken = true;
+    // The training itself says what went wrong.
+    this.#workers.pool.run(async () => {}).catch(() => {});
+    this.#workers.desk.run(async () => {}).catch(() => {});
   }
 
   #forgetTraining(): void {
@@ -235,18 +247,10 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     );
   }
 
-  /** Two hands by a formula, as if they were drawn now. */
-  async example(): Promise<void> {
-    const curve = (place: (turn: number) => [x: number, y: number]) =>
-      Array.from({ length: 300 }, (_, i) => {
-        const seconds = i / 60;
-        const [x, y] = place((2 * Math.PI * seconds) / 1.25);
-        return { seconds, x: 50 + x, y: 66 + y };
-      });
-    const eight = curve((turn) => [30 * Math.sin(turn), 22 * Math.sin(2 * turn)]);
-    const circle = curve((turn) => [28 * Math.cos(turn), 28 * Math.sin(turn)]);
-    const drawing = drawingOf([[eight], [circle]]);
-    if (drawing) await this.learn(drawing, [0, 1]);
+  /** An eight, and on the second pad a circle, by formulas, as if they were drawn now. */
+  async example(pads: readonly Pad[] = [0, 1]): Promise<void> {
+    const drawing = drawingOf(pads.map((pad) => [drawnBy(pad === 0 ? eight : circle)]));
+    if (drawing) await this.learn(drawing, pads);
   }
 
   clear(): void {

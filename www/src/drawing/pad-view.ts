@@ -1,15 +1,19 @@
 // The pad of one hand: what was drawn, and the pen of the model with its trail.
 import { html } from "lit";
-import { clearCanvas, eachFrame } from "../ui/browser";
+import { clearCanvas, eachFrame, prefersReducedMotion } from "../ui/browser";
 import { onThemeChange, partColour, partColourNow } from "../ui/palette";
 import { partStyle } from "../ui/styled";
 import { View } from "../ui/view";
 import { drawingWords } from "./view-words";
 import type { DrawingStore, Pad } from "./drawing-store";
+import { eight } from "./example";
 import { HEIGHT, ROWS_A_SECOND, WIDTH } from "./hand";
 
 /** The trail of the pen, in rows. */
 const TRAIL = 1.5 * ROWS_A_SECOND;
+/** An empty pad shows how to draw, faintly: the opacity, and the trail in seconds. */
+const HINT = 0.3;
+const HINT_TRAIL = 1;
 /** A key moves the pen by this part of a pad, and takes as many milliseconds. */
 const STEP = 5;
 const KEY_TIME = 70;
@@ -27,6 +31,8 @@ export class PadView extends View {
   declare pad: Pad;
   /** The pen of the keyboard, with its own time; null: no key has drawn. */
   #keyPen: { x: number; y: number; now: number } | null = null;
+  /** Seconds since an empty pad began to show how to draw. */
+  #hint = 0;
 
   protected override stores() {
     return [this.store];
@@ -36,12 +42,23 @@ export class PadView extends View {
     const { store } = this;
     this.whenLeaving(store.model.clock.on(() => this.#paint()));
     // While one hand draws, the pen of the other goes on by itself.
-    this.whenLeaving(eachFrame(() => store.isDrawing && this.#paint()));
+    this.whenLeaving(
+      eachFrame((seconds) => {
+        if (this.#hints) this.#hint += seconds;
+        if (store.isDrawing || this.#hints) this.#paint();
+      }),
+    );
     this.whenLeaving(onThemeChange(() => this.#paint()));
   }
 
   protected override updated(): void {
     this.#paint();
+  }
+
+  /** Whether a pen shows how to draw. */
+  get #hints(): boolean {
+    const { store, pad } = this;
+    return pad === 0 && !store.drawn && !store.isDrawing && !store.busy && !prefersReducedMotion();
   }
 
   /** The place of a pointer, in hundredths of the pad's width. */
@@ -126,6 +143,15 @@ export class PadView extends View {
           4,
           1,
         );
+      draw.globalAlpha = 1;
+      return;
+    }
+    if (this.#hints) {
+      const places = Array.from({ length: 40 }, (_, i) => eight(this.#hint - HINT_TRAIL * (1 - i / 39)));
+      line(places, 4, HINT);
+      draw.beginPath();
+      draw.arc(...at(places.at(-1) ?? []), 7, 0, 2 * Math.PI);
+      draw.fill();
       draw.globalAlpha = 1;
       return;
     }

@@ -67,6 +67,17 @@ export const words: PerceptionWords = {
       lookAt: (id) => `${id} ansehen`,
     },
   },
+  riddle: {
+    title: "Wer ist das Modell?",
+    about:
+      "Zwei Gänge als Lichtpunkte. In der Studie dieser Seite ist der natürliche ein Programm, das nach veröffentlichten Kurven des menschlichen Gangs geht; das Modell sah andere Gänge davon. Das zählt in keiner Studie.",
+    play: "Lass sie gehen",
+    question: "Deine Vermutung:",
+    right: "Ja.",
+    wrong: "Nein, der andere.",
+    score: (found, asked) => `Du hast ${found} von ${asked} gefunden. Wer nur rät, findet etwa die Hälfte.`,
+    next: "Nächstes Paar",
+  },
   look: {
     label: "Eine Bewegung",
     close: "Schließen",

@@ -69,6 +69,18 @@ export const words = {
       lookAt: (id: string) => `Look at ${id}`,
     },
   },
+  riddle: {
+    title: "Which one is the model?",
+    about:
+      "Two walks as points of light. In the study of this page the natural one is a program that walks by published curves of people’s gait; the model saw other walks of it. This counts in no study.",
+    play: "Let them walk",
+    question: "Your guess:",
+    right: "Yes.",
+    wrong: "No, the other one.",
+    score: (found: number, asked: number) =>
+      `You found ${found} of ${asked}. Guessing alone finds about half of them.`,
+    next: "Next pair",
+  },
   look: {
     label: "A movement",
     close: "Close",

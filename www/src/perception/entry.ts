@@ -15,7 +15,7 @@ const database = () =>
 
 export const view = defineView({
   name: "perception",
-  budget: 52_000,
+  budget: 54_000,
   place: 4,
   words: {
     en: {

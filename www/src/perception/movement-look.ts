@@ -1,28 +1,16 @@
 // Plays a generated movement next to the natural one of its trial, to see whether it has failed.
 import { html, nothing } from "lit";
-import type { StudyTrial, StudyView } from "../engine/whole-protocol";
+import type { StudyTrial } from "../engine/whole-protocol";
 import { eachFrame } from "../ui/browser";
 import { icon } from "../ui/icons";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { View } from "../ui/view";
-import { motionsOf } from "./motions";
+import { motionsOf, pairOf } from "./motions";
 import { CanvasPair } from "./pair-stage";
 import { perceptionWords } from "./view-words";
 import type { PerceptionStore } from "./perception-store";
 import "../ui/dialog.css";
-
-/** The heading of both: sideways and a little towards the observer. */
-const HEADING = 60;
-
-/** The movement and the natural one of its trial, or else the first natural one. */
-function pairOf({ info: { stimuli } }: StudyView, id: string): StudyTrial | null {
-  const right = stimuli.findIndex((stimulus) => stimulus.id === id);
-  const natural = stimuli.flatMap(({ kind, trial }, place) => (kind === "natural" ? [{ trial, place }] : []));
-  const left = (natural.find(({ trial }) => trial === stimuli[right]?.trial) ?? natural[0])?.place;
-  if (right < 0 || left === undefined) return null;
-  return { block: 0, kind: "comparison", left, right, naturalSide: "left", headingDegrees: HEADING };
-}
 
 export class MovementLook extends View {
   declare perception: PerceptionStore;
@@ -40,7 +28,7 @@ export class MovementLook extends View {
 
   async open(id: string): Promise<void> {
     const { study } = this.perception;
-    const pair = study && pairOf(study, id);
+    const pair = study && pairOf(study.info, id);
     if (!study || !pair) return;
     try {
       const motionOf = motionsOf(study.info, await this.perception.movements());

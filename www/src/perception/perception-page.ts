@@ -15,6 +15,7 @@ import "./movement-look";
 import type { MovementLook } from "./movement-look";
 import "./perception.css";
 import type { PerceptionStore } from "./perception-store";
+import "./riddle-view";
 import "./run-dialog";
 import { studyCard } from "./study-card";
 import { STUDY_OF_THE_PAGE } from "./study-of-the-page";
@@ -165,6 +166,7 @@ export class PerceptionPage extends View {
       <section class="card setup" aria-label=${words.setup}>${this.#setup()}</section>
       <section class="found" aria-label=${words.found}>
         ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice, lab().files.dismiss))}
+        <pg-perception-riddle .perception=${perception}></pg-perception-riddle>
         <div class="card"><h2>${words.here}</h2>${participants(perception)}</div>
         <div class="card"><h2>${words.answersSay}</h2>
           <pg-perception-analysis .analysis=${analysis} .perception=${perception} .notices=${notices}></pg-perception-analysis></div>

@@ -33,6 +33,11 @@ const person = body(
 describe("the shape of a figure", () => {
   const { capsules, balls } = shapeOf(person.figure, person.joints, person.pose);
 
+  it("has bones of the trunk that continue each other without an edge", () => {
+    const [hips, spine] = [5, 6].map((node) => capsules.find(({ to }) => to === node)!);
+    expect(hips!.r1).toBe(spine!.r0);
+  });
+
   it("gives a bone to the joint that turns it, and none to nodes in one place", () => {
     const shin = capsules.find(({ to }) => to === 2)!;
     expect([shin.from, shin.joint]).toEqual([1, 1]);

@@ -110,6 +110,9 @@ export function shapeOf(figure: Figure, joints: readonly string[], pose: Float32
       : null;
     capsules.push({ from: parent, to: node, length: long, r0, r1, joint, across });
   });
+  // Bones of the trunk continue each other without an edge.
+  const trunk = capsules.filter(({ across }) => across !== null);
+  for (const capsule of trunk) capsule.r1 = trunk.find(({ from }) => from === capsule.to)?.r0 ?? capsule.r1;
   // Bones from the trunk to hip and shoulder joints are thin enough to be covered by the trunk.
   for (const capsule of capsules) {
     const parent = figure.nodes[capsule.from]!.parent;

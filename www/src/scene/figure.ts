@@ -109,7 +109,7 @@ function taperedCapsule(length: number, r0: number, r1: number): LatheGeometry {
     const angle = ((0.5 * i) / rounds) * Math.PI;
     outline.push(new Vector2(Math.max(1e-5, r1 * Math.cos(angle)), length + r1 * Math.sin(angle)));
   }
-  return new LatheGeometry(outline, 16);
+  return new LatheGeometry(outline, 24);
 }
 
 export class FigureView {

@@ -2,7 +2,7 @@
 import { Scene, Vector3 } from "three";
 import type { Figure, Motion, PartSpec } from "../engine/protocol";
 import { type FigureStyle, FigureView } from "./figure";
-import { Framing } from "./framing";
+import { Follower, Framing } from "./framing";
 import { Ground } from "./ground";
 import { Lights } from "./lights";
 import { HERE, placeOnto, poseAt } from "./motion";
@@ -67,6 +67,7 @@ export class FollowedFigure {
   #floor = 0;
   readonly #focus = new Vector3(0, MIDDLE, 0);
   readonly #framing = new Framing(new Vector3());
+  readonly #follower = new Follower();
   /** Seconds since the last look at the reach of a live motion. */
   #sinceLook = 0;
   /** The place of the figure in the last picture. */
@@ -310,10 +311,9 @@ export class FollowedFigure {
     const { playing } = this.clock;
     const { x, z } = new Vector3().fromArray(pose);
     let [dx, dz] = [x - this.#focus.x, z - this.#focus.z];
-    if (Math.hypot(dx, dz) < 3) {
-      const part = 1 - Math.exp(-9 * Math.min(seconds, 0.1));
-      [dx, dz] = playing ? [part * dx, part * dz] : [x - this.#root.x, z - this.#root.z];
-    }
+    if (Math.hypot(dx, dz) > 3) this.#follower.stop();
+    else if (playing) [dx, dz] = this.#follower.next(dx, dz, seconds);
+    else [dx, dz] = [x - this.#root.x, z - this.#root.z];
     this.#root.set(x, 0, z);
     this.#focus.x += dx;
     this.#focus.z += dz;

@@ -1,7 +1,7 @@
 import { Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import type { Motion } from "../engine/protocol";
-import { Framing } from "./framing";
+import { Follower, Framing } from "./framing";
 import { Walk } from "./motion";
 
 const STEP = 1 / 30;
@@ -95,5 +95,27 @@ describe("the camera", () => {
     framing.approach();
     expect(framing.offset.length()).toBeCloseTo(5);
     expect(framing.middle).toBe(1.1);
+  });
+});
+
+describe("the way after a figure", () => {
+  it.each([1 / 60, 0.25])("is not behind a constant speed, with pictures of %f s", (seconds) => {
+    const follower = new Follower();
+    let [figure, camera] = [0, 0];
+    for (let now = 0; now < 6; now += seconds) {
+      figure += 1.3 * seconds;
+      camera += follower.next(figure - camera, 0, seconds)[0];
+    }
+    expect(Math.abs(figure - camera)).toBeLessThan(0.002);
+  });
+
+  it("sways less than the figure", () => {
+    const follower = new Follower();
+    let [camera, most] = [0, 0];
+    for (let now = 0; now < 6; now += 1 / 60) {
+      camera += follower.next(Math.sin(2 * Math.PI * 1.8 * now) - camera, 0, 1 / 60)[0];
+      if (now > 3) most = Math.max(most, Math.abs(camera));
+    }
+    expect(most).toBeLessThan(0.8);
   });
 });

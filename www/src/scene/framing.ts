@@ -46,6 +46,32 @@ class MeanHeading {
   }
 }
 
+/** Of a distance to the figure, exp(-CATCH_UP) is left after a second. */
+const CATCH_UP = 6;
+
+/** Follows a walk smoothly: an alpha-beta filter, which does not stay behind a constant speed. */
+export class Follower {
+  /** Metres a second. */
+  #x = 0;
+  #z = 0;
+
+  /** The way in these seconds towards a figure at this distance. */
+  next(dx: number, dz: number, seconds: number): [dx: number, dz: number] {
+    const part = 1 - Math.exp(-CATCH_UP * seconds);
+    const [x, z] = [this.#x * seconds, this.#z * seconds];
+    if (seconds > 0) {
+      const gain = part ** 2 / (2 - part) / seconds;
+      this.#x += gain * (dx - x);
+      this.#z += gain * (dz - z);
+    }
+    return [x + part * (dx - x), z + part * (dz - z)];
+  }
+
+  stop(): void {
+    [this.#x, this.#z] = [0, 0];
+  }
+}
+
 const UP = new Vector3(0, 1, 0);
 /** The slope of the first line of sight: the camera is a little above the centre of the picture. */
 const SLOPE = 0.1;

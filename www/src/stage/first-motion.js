@@ -15,14 +15,6 @@
  * @property {string[]} joints names, in the skeleton's order
  * @property {{ name: string, joints: number[] }[]} parts
  * @property {Float32Array} positions world positions of the figure's nodes [frames x nodes x 3], y up, metres
- * @property {readonly MotionRange[]} [ranges] several motions of one body, one after the other
- */
-
-/**
- * @typedef {object} MotionRange
- * @property {string} name
- * @property {number} frames
- * @property {number} speed over the ground, along z, metres a second; the positions are on the spot
  */
 
 const FORMAT = "vcgpdm-first-motion/1";

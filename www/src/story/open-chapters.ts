@@ -9,7 +9,7 @@ import { type ChapterName, ORDER } from "../settings/chapters";
 type Loading = Promise<{ openChapter(app: App): Promise<Chapter> }>;
 
 const LOAD: Readonly<Record<ChapterName, () => Loading>> = {
-  computer: () => import("./computer/computer-chapter"),
+  hand: () => import("./hand/hand-chapter"),
   arms: () => import("./arms/arms-chapter"),
   loop: () => import("./loop/loop-chapter"),
   next: () => import("./next/next-chapter"),

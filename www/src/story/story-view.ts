@@ -228,7 +228,9 @@ export class StoryView extends View {
     const { chapter } = this.#chapters;
     const guess = chapter?.guess();
     if (!chapter || !guess) return;
-    this.#guesses.set(this.#name, isSaid ? this.#said(guess, choice) : null);
+    // A pin is on the stage; its button alone says nothing.
+    const isChoice = Object.keys(guess.choices).length > 1;
+    this.#guesses.set(this.#name, isSaid && isChoice ? this.#said(guess, choice) : null);
     this.#loadReplies();
     chapter.guessed(choice);
     // The pressed button leaves; the focus stays in the card.

@@ -16,7 +16,7 @@ export interface StepWords {
 
 export const PLANS = {
   45: [
-    ["computer", 5],
+    ["hand", 5],
     ["arms", 10],
     ["loop", 6],
     ["gaussian", 5],
@@ -26,7 +26,7 @@ export const PLANS = {
     ["questions", 2],
   ],
   90: [
-    ["computer", 5],
+    ["hand", 5],
     ["arms", 10],
     ["loop", 7],
     ["gaussian", 6],

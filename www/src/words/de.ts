@@ -4,7 +4,7 @@ import { belief } from "./de/belief";
 import { borrow } from "./de/borrow";
 import { push } from "./de/push";
 import type { Words } from "./en";
-import { withComma, decimal } from "./decimal";
+import { withComma } from "./decimal";
 
 const frame: Words["frame"] = {
   page: "Gekoppelte Bewegungs\u00adprimitive",
@@ -30,22 +30,16 @@ const frame: Words["frame"] = {
   dismiss: "Schließen",
 };
 
-const computer: Words["chapters"]["computer"] = {
-  title: "Wer hat gehen gelernt?",
+const hand: Words["chapters"]["hand"] = {
+  title: "Zeichne. Es geht weiter.",
   text:
-    "Zwei Gänge, nur als Lichtpunkte. Der eine ist ein Programm: Es geht nach Kurven des menschlichen Gangs, die " +
-    "Forscher veröffentlicht haben. Der andere ist ein Modell: Es hat drei Gänge dieses Programms gesehen, nicht " +
-    "diesen, und macht nun jeden Schritt selbst.",
-  guess: { question: "Wer ist das Modell?", choices: { left: "Links", right: "Rechts" } },
-  names: { program: "das Programm", model: "das Modell" },
-  play: "Lass sie gehen",
-  next: "Nächstes Paar",
-  again: "Noch einmal",
-  right: { left: "Ja, links geht das Modell.", right: "Ja, rechts geht das Modell." },
-  wrong: { left: "Nein, das Modell geht links.", right: "Nein, das Modell geht rechts." },
-  apart: (metres) =>
-    `Pose für Pose sind seine Lichter im Mittel ${decimal("de", 100 * metres, 1)} cm von der nächsten Pose des Programms entfernt.`,
-  score: (found, asked) => `Du hast ${found} von ${asked} gefunden. Wer nur rät, findet etwa die Hälfte.`,
+    "Ein Bewegungsprimitiv ist ein kleines Modell einer Bewegung. Mach eines: Zeichne in das Feld. Das Modell lernt " +
+    "hier, in deinem Browser, wie dein Stift von Moment zu Moment weitergeht. Dann zeichnet es selbst.",
+  example: "Zeig es mir",
+  two: "Mit zwei Händen zeichnen",
+  again: "Leeren",
+  learned: (points) =>
+    `Daneben steht, was sich das Modell merkt: zwei Zahlen für jeden Moment, auf einer Schleife. ${points} markierte Punkte halten seine Regel für den nächsten Schritt.`,
 };
 
 const end: Words["chapters"]["end"] = {
@@ -221,5 +215,5 @@ const product: Words["chapters"]["product"] = {
 export const words: Words = {
   frame,
   /** The chapters of the story, in their order. */
-  chapters: { computer, arms, loop, next, points, product, push, borrow, belief, gaussian, end },
+  chapters: { hand, arms, loop, next, points, product, push, borrow, belief, gaussian, end },
 };

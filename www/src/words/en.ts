@@ -4,7 +4,6 @@ import { arms } from "./en/arms";
 import { belief } from "./en/belief";
 import { borrow } from "./en/borrow";
 import { push } from "./en/push";
-import { decimal } from "./decimal";
 
 /** The frame of the story: what all chapters share. */
 const frame = {
@@ -31,23 +30,16 @@ const frame = {
   dismiss: "Dismiss",
 };
 
-const computer = {
-  title: "Which one learned to walk?",
+const hand = {
+  title: "Draw it. It goes on.",
   text:
-    "Two walks, as points of light. One is a program: it walks by curves of people’s gait that scientists " +
-    "have published. The other is a model: it watched three walks of that program, not this one, and now makes " +
-    "each step by itself.",
-  guess: { question: "Which one is the model?", choices: { left: "Left", right: "Right" } },
-  names: { program: "the program", model: "the model" },
-  play: "Let them walk",
-  next: "Next pair",
-  again: "Once more",
-  right: { left: "Yes, the left one is the model.", right: "Yes, the right one is the model." },
-  wrong: { left: "No, the left one is the model.", right: "No, the right one is the model." },
-  apart: (metres: number) =>
-    `Pose by pose, its lights are ${decimal("en", 100 * metres, 1)} cm from the program’s nearest pose, on average.`,
-  score: (found: number, asked: number) =>
-    `You found ${found} of ${asked}. Guessing alone finds about half of them.`,
+    "A movement primitive is a small model of one movement. Make one: draw in the box. The model learns here, in " +
+    "your browser, how your pen goes on from moment to moment. Then it draws by itself.",
+  example: "Show me",
+  two: "Draw with two hands",
+  again: "Clear",
+  learned: (points: number) =>
+    `Beside it is what the model keeps in mind: two numbers for each moment, on a loop. ${points} marked points hold its rule for the next step.`,
 };
 
 const end = {
@@ -220,7 +212,7 @@ const product = {
 export const words = {
   frame,
   /** The chapters of the story, in their order. */
-  chapters: { computer, arms, loop, next, points, product, push, borrow, belief, gaussian, end },
+  chapters: { hand, arms, loop, next, points, product, push, borrow, belief, gaussian, end },
 };
 
 export type Words = typeof words;

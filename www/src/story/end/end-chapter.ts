@@ -1,12 +1,11 @@
-// The last card: what the visitor knows now, what nobody knows, and what to make next.
+// The last card: what the visitor knows now, what nobody knows, and what to make next: both pads, to begin with.
 import { html } from "lit";
+import type { App } from "../../app/app";
+import type { DrawingStore } from "../../drawing/drawing-store";
 import { Store } from "../../ui/store";
 import { repliesNow, loadReplies } from "../../words/sections";
-import type { StoryBody } from "../../app/story-body";
 import type { Chapter } from "../chapter";
-import { EndlessWalk } from "../endless-walk";
-import type { App } from "../../app/app";
-import "../../stage/stage-view";
+import { PadsOnStage } from "../hand/hand-chapter";
 
 /** Where the visitor can make something, by the names of the words. */
 const DOORS = {
@@ -17,11 +16,15 @@ const DOORS = {
 } as const;
 
 export class EndChapter extends Store implements Chapter {
-  readonly #walk: EndlessWalk;
+  readonly #pads: PadsOnStage;
 
-  constructor(private readonly body: StoryBody) {
+  constructor(
+    app: App,
+    private readonly store: DrawingStore,
+  ) {
     super();
-    this.#walk = new EndlessWalk(body, () => this.changed());
+    this.#pads = new PadsOnStage(app, store, [0, 1]);
+    this.#pads.on(() => this.changed());
   }
 
   get #now() {
@@ -29,8 +32,7 @@ export class EndChapter extends Store implements Chapter {
   }
 
   stage() {
-    const { stage, playback } = this.body;
-    return html`<pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${this.#now.figure}></pg-stage>`;
+    return this.#pads.stage();
   }
 
   guess() {
@@ -47,7 +49,7 @@ export class EndChapter extends Store implements Chapter {
   }
 
   reveal() {
-    return html`<p>${this.#now.unknown}</p>`;
+    return html`<p>${this.store.busy ? this.store.words : this.#now.unknown}</p>`;
   }
 
   equation() {
@@ -55,19 +57,17 @@ export class EndChapter extends Store implements Chapter {
   }
 
   lab() {
-    return {};
+    return { view: "draw" as const };
   }
 
   arrive(): void {
-    this.#walk.arrive();
+    this.#pads.arrive();
   }
 
-  leave(): void {
-    this.#walk.leave();
-  }
+  leave(): void {}
 }
 
 export async function openChapter(app: App): Promise<Chapter> {
-  await loadReplies(app.words);
-  return new EndChapter(app.story);
+  const [store] = await Promise.all([app.view("draw").get(), loadReplies(app.words)]);
+  return new EndChapter(app, store);
 }

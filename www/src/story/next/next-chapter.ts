@@ -130,8 +130,8 @@ export class NextChapter extends LatentChapter<"next"> {
     if (asked !== this.#asked) return;
     this.#start = start;
     this.#history = rollout.latents[LEGS]!;
-    // The pin waits where the point is now.
-    this.#pin = placeOf(this.loop!.projection, this.#history, this.#frameNow);
+    // The pin waits in the middle of the loop, where it covers nothing.
+    this.#pin = [0, 0];
     this.changed();
   }
 

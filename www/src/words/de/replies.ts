@@ -40,11 +40,10 @@ export const words: Replies = {
     unknown:
       "Das weiß niemand: wer in einem aufgenommenen Gang wirklich wen treibt, und wann Menschen eine neue Bewegung natürlich nennen.",
     doors: {
-      draw: "Zeichnen: Es macht in deiner Hand weiter",
+      draw: "Deine zwei Hände koppeln",
       lab: "An den Kopplungen ziehen",
       own: "Eine eigene Bewegung lernen",
       primitives: "Bewegungen mischen",
     },
-    figure: "Eine gehende Figur. Ziehen dreht den Blick; Tasten: w, a, s, d.",
   },
 };

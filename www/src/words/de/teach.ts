@@ -42,18 +42,17 @@ export const words: TeachWords = {
     hands: "Hände",
   },
   steps: {
-    computer: {
-      say: "Ein Gang folgt veröffentlichten Kurven, der andere wurde daraus gelernt. Die Artikel fragten Menschen dasselbe bei Aufnahmen.",
-      wrong: "Die Klasse sucht den Fehler in einem Licht: Frag nach dem ersten Eindruck.",
-      answer: "Die Karte sagt nach jeder Vermutung, wer das Modell ist. Raten trifft die Hälfte.",
+    hand: {
+      say: "Du hast gezeichnet, und etwas anderes macht weiter: eine Regel für den nächsten Moment, gelernt in wenigen Sekunden. Das ist ein Bewegungsprimitiv.",
+      wrong: "Nur ein Punkt oder eine halbe Runde: Zeichne drei Runden ohne Pause.",
       asked: [
         [
-          "Ist das Programm nicht auch ein Modell?",
-          "Das Programm hat jemand geschrieben. Das Modell sah nur Gänge und fand seine Regel.",
+          "Wiederholt es, was ich gezeichnet habe?",
+          "Nein: Es merkt sich wenige Punkte einer Regel und macht jeden Schritt aus den zwei davor. So kann es immer weitergehen, und irren.",
         ],
         [
-          "Warum sehen beide gleich aus?",
-          "Pose für Pose liegen sie einige Zentimeter auseinander; nur das Tempo läuft weg.",
+          "Warum eine Schleife?",
+          "Was zu sich zurückkehrt, ist eine Schleife. Das Modell merkt sich einen Moment davon in zwei Zahlen.",
         ],
       ],
     },

@@ -3,7 +3,7 @@ import type { Words } from "../en";
 type Chapters = Words["chapters"];
 /** A reply to each answer; chapters that keep a score, or ask for a pin, have none. */
 type Answers = {
-  readonly [Name in Exclude<keyof Chapters, "computer" | "next" | "belief" | "end">]: Readonly<
+  readonly [Name in Exclude<keyof Chapters, "hand" | "next" | "belief" | "end">]: Readonly<
     Record<keyof Chapters[Name]["guess"]["choices"], string>
   >;
 };
@@ -13,7 +13,6 @@ export interface Replies extends Answers {
   readonly end: {
     readonly unknown: string;
     readonly doors: Readonly<Record<"draw" | "lab" | "own" | "primitives", string>>;
-    readonly figure: string;
   };
 }
 
@@ -57,11 +56,10 @@ export const words: Replies = {
     unknown:
       "What nobody knows: who really drives whom in a recorded walk, and when people will call a new movement natural.",
     doors: {
-      draw: "Draw: it goes on in your hand",
+      draw: "Couple your two hands",
       lab: "Drag the couplings",
       own: "Train your own movement",
       primitives: "Mix movements",
     },
-    figure: "A walking figure. Drag to look from another side; keys: w, a, s, d.",
   },
 };

@@ -41,16 +41,15 @@ export const words = {
     hands: "Hands",
   },
   steps: {
-    computer: {
-      say: "One walk follows published curves, the other was learned from it. The papers asked people the same about recordings.",
-      wrong: "The class looks for a flaw in one light: ask for the first impression.",
-      answer: "The card says after each guess which one the model is. Guessing finds half.",
+    hand: {
+      say: "You drew it, and something else goes on: a rule for the next moment, learned from a few seconds. That is a movement primitive.",
+      wrong: "Only a dot, or half a round: draw three rounds without a rest.",
       asked: [
         [
-          "Is the program not a model, too?",
-          "Somebody wrote the program. The model was shown walks alone, and found its rule.",
+          "Does it repeat what I drew?",
+          "No: it keeps a few points of a rule and takes each step from the two before. So it can go on for ever, and err.",
         ],
-        ["Why do they look alike?", "Pose by pose they are some centimetres apart; only the tempo drifts."],
+        ["Why a loop?", "What returns to itself is a loop. The model keeps a moment of it in two numbers."],
       ],
     },
     arms: {
