@@ -25,7 +25,7 @@ const WHEN_ASKED = [
   "details/",
   "latents/push-handle",
   "completing/",
-  "live/",
+  ...["live-view", "strip", "recorded-parts"].map((name) => `live/${name}`),
   "offline/service-workers",
   "session/",
   "stage/columns-view",
@@ -43,9 +43,9 @@ const WHEN_ASKED = [
     `words/de/${name}`,
   ]),
 ];
-/** The chapters of the story after the first, and what only they share. */
+/** The chapters of the story after the first, what only they share, and live motions. */
 const isChapter = (file: string) =>
-  /\/src\/(story\/((?!hand\/)[a-z]+\/|endless-walk\.|guessed-chapter\.)|words\/(en|de)\/replies\.)/.test(
+  /\/src\/(story\/((?!hand\/)[a-z]+\/|endless-walk\.|guessed-chapter\.)|live\/|words\/(en|de)\/replies\.)/.test(
     file,
   );
 const isAsked = (file: string) =>

@@ -279,12 +279,12 @@ export class PrimitivesPage extends View {
         ${this.#head()}
         ${here.length > 0 ? html`<div class="library-notices">${here.map((notice) => noticeCard(this.notices, notice, lab().files.dismiss))}</div>` : nothing}
         <div class="walk-and-controls">
-          <section class="panel walk-panel" aria-label=${areas.figure}><pg-walk data-clock .library=${library}></pg-walk>
-            <pg-live .live=${library.walk} .playback=${library.playback} .recorded=${recordedParts}></pg-live></section>
+          <section class="panel walk-panel" aria-label=${areas.figure}><pg-walk data-clock .library=${library}></pg-walk></section>
           <div class="beside-figure">
             <section class="panel" aria-label=${words.drawer.title}><pg-drawer .library=${library} .playing=${playing} .notices=${this.notices}></pg-drawer></section>
             <section class="panel" aria-label=${words.gallery.title}><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
             <section class="panel" aria-label=${areas.chimera}><pg-chimera .library=${library}></pg-chimera></section>
+            <section class="panel live-panel" aria-label=${lab().live.movers}><pg-live .live=${library.walk} .playback=${library.playback} .recorded=${recordedParts}></pg-live></section>
             <section class="panel" aria-label=${areas.couplings}><pg-walk-couplings .library=${library} .fitting=${fitting} .clips=${clips}></pg-walk-couplings></section>
             <section class="panel" aria-label=${areas.imports}><pg-import .library=${library} .notices=${this.notices}></pg-import></section>
           </div>

@@ -2,6 +2,7 @@
 
 pub mod recognition;
 pub mod trainers;
+pub mod walk;
 
 use crate::data::body::BodyInfo;
 use crate::data::clip::TrainingSet;

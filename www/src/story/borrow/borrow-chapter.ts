@@ -94,7 +94,7 @@ export class BorrowChapter extends GuessedChapter<"borrow"> {
     super(words, "borrow");
   }
 
-  /** Whether the visitor may move the figure: not before the guess. */
+  /** Whether the visitor may drive the legs: not before the guess. */
   get isOpen(): boolean {
     return this.hasGuessed;
   }
