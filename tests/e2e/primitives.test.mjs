@@ -176,7 +176,9 @@ describe("a library of primitives", () => {
           ),
         kind,
       );
-    await page.getByTestId("walk").scrollIntoViewIfNeeded();
+    // The head stands still while it is looked for.
+    await page.getByTestId("walk-play").click();
+    await page.getByRole("button", { name: "Play", exact: true }).waitFor();
     const head = await page.getByTestId("walk").evaluate((canvas) => {
       const { scene } = /** @type {any} */ (canvas.closest("pg-stage"));
       const { left, top } = canvas.getBoundingClientRect();

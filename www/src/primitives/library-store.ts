@@ -84,6 +84,12 @@ export class LibraryStore extends Store {
     super();
     this.#worker = new LibraryWorker(whole);
     this.walk = new LiveStore(this.#source(), this.stage, this.playback, notices);
+    let { playing } = this.playback;
+    this.playback.on(() => {
+      if (playing === this.playback.playing) return;
+      playing = !playing;
+      this.changed();
+    });
     this.#couplings = new Latest(
       (uses) => this.nearestTo(uses),
       (alpha, uses) => {

@@ -194,7 +194,7 @@ export class PrimitivesPage extends View {
   }
 
   protected override stores() {
-    return [this.#library, this.#library.playback, this.notices];
+    return [this.#library, this.notices];
   }
 
   protected override arrived(): void {

@@ -28,7 +28,7 @@ export class WalkView extends View {
   }
 
   protected override stores(): Store[] {
-    return [this.library, this.library.walk];
+    return [this.library];
   }
 
   /** Called by the key for play. */
@@ -42,7 +42,8 @@ export class WalkView extends View {
 
   protected override arrived(): void {
     const stage = this.querySelector<StageView>("pg-stage");
-    if (stage) this.whenLeaving(letDragLimbs(stage, this.library.walk));
+    // The stage draws its canvas after this view.
+    void stage?.updateComplete.then(() => this.whenLeaving(letDragLimbs(stage, this.library.walk)));
   }
 
   /** The figure, whose limbs can be dragged. */

@@ -206,6 +206,10 @@ export class BorrowChapter extends GuessedChapter<"borrow"> {
 class BorrowFigure extends WalkView {
   declare chapter: BorrowChapter;
 
+  protected override stores() {
+    return [this.library, this.library.walk];
+  }
+
   protected override render() {
     const { walk, playback } = this.library;
     const { isOpen, words } = this.chapter;
