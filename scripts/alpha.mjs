@@ -1,6 +1,8 @@
 // `npm run alpha -- [SITE_FOLDER] [--learned]`: measures the time from a coupling's slider to the new motion,
-// in headless Chromium, with experts re-inferred or as learned. For each event it measures two times: in the
-// page, from the event to the new positions; in the worker, from the request to its answer. Then it measures
+// in headless Chromium, with experts re-inferred or as learned. For each event it measures three times: in the
+// page, from the event to the new positions, and until the page has drawn the figure and all loops anew (the work of
+// the graphics card is left out, because most machines without a display have none); in the worker, from the request
+// to its answer. Then it measures
 // the worker's time for the next frames of a live motion, and the time from a turn of the wheel, and from a move of
 // a dragged hand, to the arrival of the first frame that obeys it. The next picture of the display shows this frame.
 import { resolve } from "node:path";
@@ -44,7 +46,8 @@ function recordAnswers() {
 /**
  * In the page: moves a slider `events` times, each time after the previous motion has arrived.
  * @param {{ slider: string, events: number }} what
- * @returns {Promise<number[]>} milliseconds from each event to its motion
+ * @returns {Promise<Record<"motions" | "pictures", number[]>>} milliseconds from each event to its motion, and until all
+ * pictures show it
  */
 async function slide({ slider, events }) {
   const input = document.querySelector(slider);
@@ -63,29 +66,50 @@ async function slide({ slider, events }) {
       });
       observer.observe({ type: "measure" });
     });
-  const drawn = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+  /** When each canvas was cleared last, to be drawn anew. @type {Map<unknown, number>} */
+  const cleared = new Map();
+  for (const [context, clear] of /** @type {const} */ ([
+    [CanvasRenderingContext2D.prototype, "clearRect"],
+    [WebGL2RenderingContext.prototype, "clear"],
+  ])) {
+    const before = /** @type {any} */ (context)[clear];
+    /** @type {any} */ (context)[clear] = function (/** @type {any[]} */ ...words) {
+      cleared.set(this.canvas, performance.now());
+      return before.apply(this, words);
+    };
+  }
+  const canvases = [...document.querySelectorAll("pg-stage canvas, pg-latent-plot canvas")];
+  /** The time at which all pictures have been drawn since. */
+  const drawn = async (/** @type {number} */ since) => {
+    while (!canvases.every((canvas) => (cleared.get(canvas) ?? 0) >= since))
+      await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+    return performance.now();
+  };
 
-  const times = [];
+  /** @type {Record<"motions" | "pictures", number[]>} */
+  const times = { motions: [], pictures: [] };
   for (let i = 0; i < events; i++) {
     // Multiples of the golden ratio modulo 1 cover the slider evenly, and successive values differ.
     input.value = String(min + (max - min) * ((i * 0.618) % 1));
     const motion = redrawn();
     const start = performance.now();
     input.dispatchEvent(new Event("input", { bubbles: true }));
-    times.push((await motion) - start);
-    await drawn();
+    const arrived = /** @type {number} */ (await motion);
+    times.motions.push(arrived - start);
+    times.pictures.push((await drawn(arrived)) - start);
   }
   return times;
 }
 
-/**
- * In the page: collects the measures of the wheel and of drags from now on. Nothing is drawn any more: without a graphics
- * card a picture takes longer than a display frame.
- */
-function collectTurns() {
-  const scope = /** @type {any} */ (globalThis);
+/** In the page: the graphics card draws nothing any more. Without one, a picture takes longer than a display frame. */
+function leaveOutGraphics() {
   for (const draw of ["drawArrays", "drawArraysInstanced", "drawElements", "drawElementsInstanced"])
     Object.assign(WebGL2RenderingContext.prototype, { [draw]() {} });
+}
+
+/** In the page: collects the measures of the wheel and of drags from now on. */
+function collectTurns() {
+  const scope = /** @type {any} */ (globalThis);
   scope.turns = [];
   new PerformanceObserver((list) =>
     scope.turns.push(...list.getEntriesByName("hand-answer").map(({ duration }) => duration)),
@@ -139,14 +163,16 @@ await main(async () => {
     await page.getByTestId("train").and(page.locator(":enabled")).waitFor({ state: "attached" });
     // Drawing a walking figure would keep the processor busy.
     await page.getByRole("button", { name: "Pause", exact: true }).click();
-    await page.getByTestId(values.learned ? "reading-learned" : "reading-inferred").click();
+    await page.getByTestId("reading").selectOption(values.learned ? "as-learned" : "re-inferred");
     const slider = "[data-testid=coupling-0-1]";
     await page.waitForSelector(slider, { state: "attached" });
     const workers = page.workers();
     for (const worker of workers) await worker.evaluate(recordAnswers);
 
-    const inPage = await page.evaluate(slide, { slider, events: WARM_UP + EVENTS });
-    print("event to motion", inPage.slice(WARM_UP));
+    await page.evaluate(leaveOutGraphics);
+    const times = await page.evaluate(slide, { slider, events: WARM_UP + EVENTS });
+    print("event to motion", times.motions.slice(WARM_UP));
+    print("event to pictures", times.pictures.slice(WARM_UP));
     for (const worker of workers) {
       const times = await worker.evaluate(() => /** @type {any} */ (globalThis).answerTimes());
       if (times.length >= EVENTS) print("inside the worker", times.slice(-EVENTS));

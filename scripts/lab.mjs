@@ -1,5 +1,6 @@
 // `npm run lab -- NAME ...`: the measurements behind the documents. Their tables go into docs or to the terminal.
 import { comparison } from "./lab/comparison.mjs";
+import { motions } from "./lab/motions.mjs";
 import { study } from "./lab/study.mjs";
 import { measured, printTables, putTables } from "./lab/tables.mjs";
 import { at, Failure, main } from "./run.mjs";
@@ -9,6 +10,7 @@ const MEASUREMENTS = {
   comparison,
   /** A library that shares its walking primitive beside a model of each movement, on made trials. */
   modularity: () => putTables(at("docs/modularity.md"), measured("modularity", at("docs/modularity.svg"))),
+  motions,
   study,
   scaling: () => printTables("scaling"),
   seeds: (...words) => printTables("seeds", ...words),

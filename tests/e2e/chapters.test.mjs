@@ -84,9 +84,9 @@ for (const [locale, size, problemsOf] of /** @type {const} */ ([
 
 // Chapter 8 had the rules of its canvas from a file that only other chapters loaded: opened by its address, it
 // drew a figure of 300 x 150 pixels in the corner.
-it("draws each chapter over the width of its stage, opened by its address", async () => {
+it("draws each chapter after the first over the width of its stage, opened by its address", async () => {
   const { page, problems, leave } = await site.visit({ settings: "story=1" });
-  for (let number = 1; number <= 10; number++) {
+  for (let number = 2; number <= 10; number++) {
     await page.evaluate((hash) => Object.assign(location, { hash }), `story=${number}`);
     await page.reload();
     await page.locator(".story[data-state=open]").waitFor();

@@ -117,6 +117,8 @@ describe("a comparison of models", () => {
     const settings = "view=compare&models=dmp-rhythmic&bases=10&fps=15&heldout=1";
     const { page, problems, leave } = await site.visit({ settings, cores: 2 });
     await page.getByTestId("given").getByText("ten recorded walks").waitFor({ timeout: 30_000 });
+    assert.equal(await page.locator(".column-heads li").count(), 4, "four models walk");
+    assert.equal(await page.getByTestId("to-stage").count(), 0, "their models did not come along");
     const table = page.locator("comparison-figures table").first();
     await table.waitFor({ timeout: 30_000 });
     for (const name of [

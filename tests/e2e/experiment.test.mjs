@@ -16,6 +16,11 @@ after(() => site?.close());
 const over = (/** @type {Page} */ page) => page.getByTestId("experiment-train").waitFor({ timeout: 240_000 });
 const number = async (/** @type {Page} */ page, /** @type {string} */ id) =>
   Number((await page.getByTestId(id).innerText()).replaceAll(",", "").replace("\u2212", "-"));
+/** Leaves the riddle with which the view begins, and waits until the experiment is drawn. */
+async function chosen(/** @type {Page} */ page) {
+  await page.getByTestId("riddle-none").click();
+  await drawn(page);
+}
 /** Waits until the experiment is drawn. */
 async function drawn(/** @type {Page} */ page) {
   await page.locator(".true-path[d^=M]").first().waitFor({ timeout: 30_000 });
@@ -24,7 +29,7 @@ async function drawn(/** @type {Page} */ page) {
 describe("the synthetic experiment", () => {
   it("finds in the data of seed 0 that part 1 drives part 2, and not the other way round", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=synthetic", cores: 1 });
-    await drawn(page);
+    await chosen(page);
     assert.equal(await page.locator(".curves-picture path").count(), 20, "ten curves of each part");
     assert.equal(await page.locator(".learned-path").count(), 0, "no learned path yet");
     await page.getByTestId("experiment-train").click();
@@ -52,12 +57,10 @@ describe("the synthetic experiment", () => {
     await leave();
   });
 
-  it("hides the truth of a riddle until the visitor has voted and draws the curtain", async () => {
+  it("begins with a riddle, and hides its truth until the visitor has voted and draws the curtain", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=synthetic", cores: 1 });
-    await drawn(page);
-    await page.getByTestId("riddle").click();
-    await page.getByTestId("riddle-yes").waitFor();
-    await drawn(page);
+    await page.locator(".curves-picture path[d^=M]").first().waitFor({ timeout: 30_000 });
+    assert.equal(await page.locator(".true-path").count(), 0, "the paths would tell");
     assert.equal(await page.getByTestId("experiment-driving").count(), 0);
     assert.doesNotMatch(await page.locator("pg-synthetic").innerText(), /part 2 does not drive|control/);
     assert.match(page.url(), /#view=synthetic$/);
@@ -152,7 +155,7 @@ describe("the synthetic experiment", () => {
       hasTouch: true,
       isMobile: true,
     });
-    await drawn(page);
+    await chosen(page);
     await page.getByTestId("experiment-train").click();
     await page.locator("[data-testid=experiment-run] td:nth-child(6)").waitFor({ timeout: 30_000 });
     await page.getByTestId("experiment-cancel").click();

@@ -1,5 +1,7 @@
 // A comparison of this visit: its results, the progress of its trainings, and the predicted motions.
 import type { AddedResult, Evaluated, Job, ResultsView } from "../engine/whole-protocol";
+import type { Body } from "../scene/columns";
+import type { FirstMotion } from "../stage/first-motion.js";
 import { download } from "../ui/download";
 import type { Work } from "../unsaved/unsaved";
 import type { JobProgress } from "./jobs";
@@ -18,13 +20,15 @@ export interface Positions {
 
 /** A motion that a model predicts. */
 export interface PredictedMotion extends Positions {
-  /** The document of the model. A browser can move it from memory to disk. */
-  model: Blob;
+  /** The document of the model, which a browser can move from memory to disk; null: it was not kept. */
+  model: Blob | null;
 }
 
 export interface ComparisonEntry {
   /** Null: the results are from a file. */
   readonly request: ComparisonRequest | null;
+  /** The body of the motions; null: there are none. */
+  readonly body: Body | null;
   /** Whether the results come with the page; those of the visitor replace them. */
   readonly given: boolean;
   /** The names of the trials. */
@@ -55,6 +59,7 @@ export function newEntry(
   const titles = request?.titles ?? results.setting.trials.map(({ name }) => name);
   return {
     request,
+    body: request?.body ?? null,
     given: false,
     titles,
     results,
@@ -65,11 +70,21 @@ export function newEntry(
   };
 }
 
-/** The entry of the results that come with the page. */
-export const givenEntry = (results: ResultsView): ComparisonEntry => ({
-  ...newEntry(null, results, results.text),
-  given: true,
-});
+/** The entry of the results that come with the page. `motions`: those of a trial, and of models that predict it. */
+export function givenEntry(results: ResultsView, motions: FirstMotion | null): ComparisonEntry {
+  const entry = { ...newEntry(null, results, results.text), given: true };
+  if (!motions) return entry;
+  const { figure, joints, parts, positions, frameTime, shown = [] } = motions;
+  const length = positions.length / (1 + shown.length);
+  const piece = (place: number) => positions.slice(place * length, (place + 1) * length);
+  shown.forEach((id, i) => {
+    const heldOut = results.finished.find((finished) => finished.id === id)?.job.heldOut;
+    if (heldOut === undefined) return;
+    entry.predictions.set(id, { positions: piece(1 + i), frameTime, model: null });
+    entry.actual.set(heldOut, { positions: piece(0), frameTime });
+  });
+  return { ...entry, body: { figure, joints, parts } };
+}
 
 /** The results with one more. */
 export function withResult(results: ResultsView, added: AddedResult): ResultsView {

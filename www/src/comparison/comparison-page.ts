@@ -3,6 +3,7 @@ import { html, nothing } from "lit";
 import { type ClipsStore, LARGEST_FILE } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import type { SettingsStore } from "../settings/settings-store";
+import { decodeFirstMotion, type FirstMotion } from "../stage/first-motion.js";
 import { fileButton } from "../ui/file-button";
 import { messageOf, sentence } from "../ui/format";
 import { icon } from "../ui/icons";
@@ -116,6 +117,12 @@ async function recordedWalks(): Promise<string> {
   return answer.text();
 }
 
+/** What the best of four kinds of models predicted of one of these walks; null: the figures cannot be shown. */
+async function recordedMotions(): Promise<FirstMotion | null> {
+  const answer = await fetch(new URL("comparison/walks.motions.bin", document.baseURI)).catch(() => null);
+  return answer?.ok ? decodeFirstMotion(await answer.arrayBuffer()) : null;
+}
+
 async function chosenResults(file: File): Promise<string> {
   if (file.size > LARGEST_FILE) {
     throw new Error(compareWords().tooLarge);
@@ -139,7 +146,7 @@ export class ComparisonPage extends View {
   protected override arrived(): void {
     this.whenLeaving(this.comparison.follow());
     // The button remains when the results cannot be loaded.
-    void this.comparison.showGiven(recordedWalks).catch(() => {});
+    void this.comparison.showGiven(recordedWalks, recordedMotions).catch(() => {});
     this.listen(window, "online", () => {
       this.#problem = "";
       this.comparison.reconnected();
@@ -281,7 +288,7 @@ export class ComparisonPage extends View {
         <div class="card stage-card"><pg-side-by-side data-clock .comparison=${comparison}></pg-side-by-side></div>
         ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice, lab().files.dismiss))}
         ${this.#failures()}
-        ${comparison.shown?.given ? html`<p class="hint" data-testid="given">${words.given}</p>` : nothing}
+        ${comparison.shown?.given ? html`<p class="hint" data-testid="given">${words.given}</p><p>${words.lesson}</p>` : nothing}
         <div class="card"><comparison-figures .comparison=${comparison.shown?.results.comparison ?? null} @save-failed=${saveFailed}></comparison-figures></div>
       </section>`;
   }

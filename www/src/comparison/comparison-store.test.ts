@@ -76,7 +76,7 @@ describe("a comparison", () => {
     expect(comparison.shown?.predictions.size).toBe(6);
     expect([...(comparison.shown?.actual.keys() ?? [])]).toEqual([0, 1, 2]);
     const [predicted] = comparison.shown?.predictions.values() ?? [];
-    expect(await predicted?.model.text()).toBe(evaluated.model);
+    expect(await predicted?.model?.text()).toBe(evaluated.model);
     await compare();
     expect(comparison.ending.words).toBe("All of this was finished before.");
   });

@@ -7,6 +7,7 @@ import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
 import type { Evaluated, PlannedComparison, ResultsView } from "../engine/whole-protocol";
 import type { SettingsStore } from "../settings/settings-store";
 import type { CostWords } from "../training/cost";
+import type { FirstMotion } from "../stage/first-motion.js";
 import { messageOf } from "../ui/format";
 import { Job } from "../ui/job";
 import { mayLose } from "../unsaved/unsaved";
@@ -254,13 +255,16 @@ export class ComparisonStore extends Job {
   }
 
   /** Shows the results that come with the page, if there are no others yet. */
-  async showGiven(text: () => Promise<string>): Promise<void> {
+  async showGiven(
+    text: () => Promise<string>,
+    motions: () => Promise<FirstMotion | null> = async () => null,
+  ): Promise<void> {
     const isFree = () => this.#shown === null && !this.busy;
     if (!isFree()) return;
-    const given = await text();
+    const [given, moving] = await Promise.all([text(), motions()]);
     const results = await this.whole.desk.run((worker) => worker.openResults(given));
     if (!isFree()) return;
-    this.#shown = givenEntry(results);
+    this.#shown = givenEntry(results, moving);
     this.#askAnew();
   }
 

@@ -48,7 +48,9 @@ export const words: CompareWords = {
   about:
     "Jeder Versuch wird [einmal zurückgehalten|fold]. Jedes Modell lernt aus den anderen, sieht die ersten fünf Bilder des Versuchs und sagt den Rest voraus.",
   given:
-    "Alle Modelle mit zehn aufgenommenen Gängen einer Person (CMU, Person 35), früher gemessen. Was du vergleichst, tritt an diese Stelle.",
+    "Alle Modelle mit zehn aufgenommenen Gängen einer Person (CMU, Person 35), früher gemessen: oben vier davon, vom sechsten Bild eines Gangs an. Was du vergleichst, tritt an diese Stelle.",
+  lesson:
+    "Ein einfaches Modell sagt einen Gang ebenso gut voraus: Über 23 Gänge von vier Personen ist der Fehler des vCGPDM 1,02-mal (0,91 bis 1,14) so groß wie der des TMP und 1,07-mal (0,95 bis 1,28) so groß wie der des rhythmischen DMP. Ein Unterschied ist nicht zu sehen. Kopplungen sind dazu da, eine Bewegung zu verändern.",
   failure: (model, trial, why) => `${model}, Versuch ${trial} zurückgehalten: ${why}`,
   models: {
     title: "Modelle",

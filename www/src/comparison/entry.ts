@@ -10,7 +10,7 @@ declare module "../settings/views" {
 
 export const view = defineView({
   name: "compare",
-  budget: 65_000,
+  budget: 88_000,
   place: 1,
   words: {
     en: {

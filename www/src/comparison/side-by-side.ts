@@ -207,7 +207,7 @@ export class SideBySide extends View {
   #load(entry: ReadonlyEntry): void {
     const fold = this.#foldNow(foldsOf(entry));
     const actual = entry.actual.get(fold);
-    const body = entry.request?.body;
+    const body = entry.body;
     if (!body || !actual) return;
     const chosen = chosenOf(predictionsOf(entry, fold), this.comparison.look.picked);
     const words = JSON.stringify([fold, chosen.map(({ key, label }) => [key, label])]);
@@ -269,10 +269,19 @@ export class SideBySide extends View {
       </div>`;
   }
 
-  #putOnStage(prediction: Prediction, trial: string): void {
-    const text = prediction.predicted.model.text();
+  #putOnStage(prediction: Prediction, model: Blob, trial: string): void {
+    const text = model.text();
     const detail: StagedModel = { text, name: `${modelOf(prediction)} without ${trial}`, made: true };
     this.tell("stage-model", detail);
+  }
+
+  #toStage(prediction: Prediction, trial: string) {
+    const words = compareWords().beside;
+    const { model } = prediction.predicted;
+    return model
+      ? html`<button class="small" data-testid="to-stage" title=${words.toStageMeaning} aria-label="${words.toStage}: ${nameOf(prediction)}"
+          @click=${() => this.#putOnStage(prediction, model, trial)}>${words.toStage}</button>`
+      : nothing;
   }
 
   protected override render() {
@@ -299,8 +308,7 @@ export class SideBySide extends View {
               <strong>${modelStyle(modelOf(prediction)).name}</strong>
               <span>${prediction.label}</span>
               <span>MSE ${plain(prediction.finished.outcome?.score.dtwMse ?? NaN)}</span>
-              <button class="small" data-testid="to-stage" title=${words.toStageMeaning} aria-label="${words.toStage}: ${nameOf(prediction)}"
-                @click=${() => this.#putOnStage(prediction, shown.titles[fold] ?? "")}>${words.toStage}</button>
+              ${this.#toStage(prediction, shown.titles[fold] ?? "")}
             </li>`,
           )}
         </ol>

@@ -31,19 +31,20 @@ export const words: ExperimentWords = {
   riddle: {
     give: "Gib mir ein Rätsel",
     giveMeaning: "Ein Experiment, dessen Wahrheit hinter einem Vorhang bleibt",
-    question: "Treibt Teil 1 Teil 2? Sieh dir beide an, und stimme ab. Dann lernt ein Modell.",
+    question: "Treibt Teil 1 Teil 2? Sieh dir die Kurven beider an, und stimme ab. Dann lernt ein Modell.",
     yes: "Ja",
     no: "Nein",
     voted: (yes) => `Du sagst ${yes ? "ja" : "nein"}.`,
     read: "Was liest du aus den α in Schritt 3?",
     curtain: "Vorhang auf",
+    none: "Kein Rätsel: einen Startwert wählen",
     truth: (driving, right) =>
       `Die Wahrheit: ${driving ? "Teil 1 treibt Teil 2." : "Keiner treibt den anderen."} Du hattest ${right ? "recht" : "nicht recht"}.`,
   },
   made: {
     title: "Was gemacht wurde",
     hidden:
-      "Zwei Systeme, jedes ein Punkt, der sich in der Ebene bewegt. Ob Teil 1 Teil 2 treibt, liegt hinter einem Vorhang.",
+      "Zwei Systeme, jedes ein Punkt, der sich in der Ebene bewegt. Ob Teil 1 Teil 2 treibt, liegt hinter einem Vorhang, und die Punkte auch: Ihre Wege würden es verraten.",
     points: (frames) => `Zwei Systeme, jedes ein Punkt, der sich ${frames} Bilder lang in der Ebene bewegt.`,
     driven:
       "Teil 1 folgt einer eigenen Regel. Auch Teil 2 folgt einer eigenen Regel, aber ein Zehntel jedes Schritts kommt von Teil 1.",

@@ -27,19 +27,20 @@ export const words = {
   riddle: {
     give: "Give me a riddle",
     giveMeaning: "An experiment whose truth stays behind a curtain",
-    question: "Does part 1 drive part 2? Look at both, and vote. Then a model learns.",
+    question: "Does part 1 drive part 2? Look at the curves of both, and vote. Then a model learns.",
     yes: "Yes",
     no: "No",
     voted: (yes: boolean) => `You say ${yes ? "yes" : "no"}.`,
     read: "What do you read in the α of step 3?",
     curtain: "Draw the curtain",
+    none: "No riddle: choose a seed",
     truth: (driving: boolean, right: boolean) =>
       `The truth: ${driving ? "Part 1 drives part 2." : "Neither drives the other."} You were ${right ? "right" : "wrong"}.`,
   },
   made: {
     title: "What was made",
     hidden:
-      "Two systems, each a point that moves in the plane. Whether part 1 drives part 2 is behind a curtain.",
+      "Two systems, each a point that moves in the plane. Whether part 1 drives part 2 is behind a curtain, and so are the points: their paths would tell.",
     points: (frames: number) => `Two systems, each a point that moves in the plane for ${frames} frames.`,
     driven:
       "Part 1 follows a rule of its own. Part 2 follows its own rule too, but one tenth of each move comes from part 1.",

@@ -7,6 +7,7 @@ import { restOf, shareOf } from "../training/runs";
 import { localNumber, sentence } from "../ui/format";
 import { experimentWords } from "./view-words";
 import { progressBar } from "../ui/progress-bar";
+import { prefersReducedMotion } from "../ui/browser";
 import { randomNumbers } from "../ui/random-numbers";
 import "../ui/two-columns.css";
 import { View } from "../ui/view";
@@ -24,8 +25,17 @@ import { curvePaths, frameOf, linePath } from "./paths";
 import { partStyle } from "../ui/styled";
 
 const SIDE = 200;
-/** The most frames of the curves; more would blur. */
+/** The most frames of the curves; more would blur. In a riddle, more would show the answer. */
 const CURVE_FRAMES = 100;
+const RIDDLE_FRAMES = 40;
+/** Frames a second of the moving points. */
+const PACE = 15;
+
+/** A point that goes along a path in these seconds. */
+const movingPoint = (path: string, seconds: number) =>
+  path && seconds > 0 && !prefersReducedMotion()
+    ? svg`<circle class="moving-point" r="5"><animateMotion calcMode="linear" path=${path} dur="${seconds}s" repeatCount="indefinite" /></circle>`
+    : nothing;
 
 /** A part's true latents, and the learned ones above them. */
 function latentPicture(
@@ -42,6 +52,7 @@ function latentPicture(
     <figure class="latent-picture" style=${partStyle(partColour(part))}>
       <svg viewBox="0 0 ${SIDE} ${SIDE}" role="img" aria-label=${label}>
         <path class="true-path" d=${linePath(actual, frame)} />
+        ${movingPoint(linePath(learned ?? actual, frame), (truth?.frames ?? 0) / PACE)}
         ${learned ? svg`<path class="learned-path" d=${linePath(learned, frame)} />` : nothing}
       </svg>
       <figcaption><i class="swatch"></i>${name(part + 1)}${learned && explained !== null ? html` <small>${words.explained(percent(explained))}</small>` : nothing}</figcaption>
@@ -49,14 +60,14 @@ function latentPicture(
 }
 
 /** The observed curves of a part. */
-function curvesPicture(part: number, truth: SyntheticTruth | null) {
+function curvesPicture(part: number, truth: SyntheticTruth | null, frames: number) {
   const [width, height] = [300, 130];
   const { part: name, pictures: words } = experimentWords();
   const paths = truth
     ? curvePaths({
         values: truth.observed[part] ?? [],
         columns: truth.columns,
-        frames: CURVE_FRAMES,
+        frames,
         width,
         height,
       })
@@ -101,6 +112,9 @@ export class ExperimentPage extends View {
   protected override arrived(): void {
     this.whenLeaving(this.experiment.follow());
     this.whenLeaving(() => this.experiment.setRiddle(null));
+    // The view begins with a riddle, unless the address or an earlier training names an experiment.
+    const { drawn, driving } = this.settings.values;
+    if (drawn === 0 && driving && this.experiment.runs.length === 0) this.#beginRiddle();
   }
 
   #beginRiddle(): void {
@@ -140,12 +154,13 @@ export class ExperimentPage extends View {
     if (this.vote === null)
       return html`
         <fieldset class="riddle"><legend>${words.question}</legend>
-          <button data-testid="riddle-yes" ?disabled=${store.busy} @click=${() => vote(true)}>${words.yes}</button>
-          <button data-testid="riddle-no" ?disabled=${store.busy} @click=${() => vote(false)}>${words.no}</button>
-        </fieldset>`;
+          <button class="small" data-testid="riddle-yes" ?disabled=${store.busy} @click=${() => vote(true)}>${words.yes}</button>
+          <button class="small" data-testid="riddle-no" ?disabled=${store.busy} @click=${() => vote(false)}>${words.no}</button>
+        </fieldset>
+        <button class="small" data-testid="riddle-none" @click=${() => store.setRiddle(null)}>${words.none}</button>`;
     return html`
       <p>${words.voted(this.vote)} ${store.shown?.state === "done" ? words.read : ""}</p>
-      <button data-testid="riddle-curtain" ?disabled=${store.shown?.state !== "done"} @click=${() => this.#drawCurtain()}>${words.curtain}</button>`;
+      <button class="small" data-testid="riddle-curtain" ?disabled=${store.shown?.state !== "done"} @click=${() => this.#drawCurtain()}>${words.curtain}</button>`;
   }
 
   /** The status next to the button: the plan, the progress or the end. */
@@ -237,8 +252,7 @@ export class ExperimentPage extends View {
     if (isRiddle)
       return html`
         <h2><span class="step">1</span> ${words.title}</h2>
-        <p>${words.hidden}</p>
-        <div class="pictures">${PARTS.map((part) => latentPicture(part, truth, null, null))}</div>`;
+        <p>${words.hidden}</p>`;
     return html`
       <h2><span class="step">1</span> ${words.title}</h2>
       <p>${words.points(truth?.frames ?? 300)} ${driving ? words.driven : words.control} ${words.rules}</p>
@@ -248,27 +262,25 @@ export class ExperimentPage extends View {
   }
 
   #seen() {
-    const { truth } = this.experiment;
+    const { truth, isRiddle } = this.experiment;
     const words = experimentWords().seen;
+    const frames = isRiddle ? RIDDLE_FRAMES : CURVE_FRAMES;
     return html`
       <h2><span class="step">2</span> ${words.title}</h2>
-      <p>${words.text(CURVE_FRAMES)}</p>
-      <div class="curves">${PARTS.map((part) => curvesPicture(part, truth))}</div>`;
+      <p>${words.text(frames)}</p>
+      <div class="curves">${PARTS.map((part) => curvesPicture(part, truth, frames))}</div>`;
   }
 
   #found() {
-    const { truth, shown } = this.experiment;
+    const { truth, shown, isRiddle } = this.experiment;
     const findings = shown?.findings ?? null;
     const words = experimentWords().found;
+    const picture = (part: number) =>
+      latentPicture(part, truth, findings?.learned[part] ?? null, findings?.explained[part] ?? null);
     return html`
       <h2><span class="step">3</span> ${words.title}</h2>
-      <div class="findings">
-        <div>
-          <div class="pictures">${PARTS.map((part) =>
-            latentPicture(part, truth, findings?.learned[part] ?? null, findings?.explained[part] ?? null),
-          )}</div>
-          <p class="hint">${words.colours}</p>
-        </div>
+      <div class=${isRiddle ? "" : "findings"}>
+        ${isRiddle ? nothing : html`<div><div class="pictures">${PARTS.map(picture)}</div><p class="hint">${words.colours}</p></div>`}
         <div class="answers">
           ${alphaTable(findings)}
           <p class="hint">${words.alpha} ${truth ? words.largest(truth.largestAlpha) : ""}</p>
@@ -291,11 +303,11 @@ export class ExperimentPage extends View {
   }
 
   protected override render() {
-    const { problem } = this.experiment;
+    const { problem, isRiddle } = this.experiment;
     const words = experimentWords();
     return html`
       <section class="panel panels-setup experiment-setup" aria-label=${words.setup}>${this.#setup()}</section>
-      <div class="panels-found experiment">
+      <div class="panels-found experiment" ?data-riddle=${isRiddle}>
         ${
           problem
             ? html`<p class="panel bad" role="alert">${words.notMade(sentence(problem))}
@@ -304,8 +316,8 @@ export class ExperimentPage extends View {
         }
         <section class="panel made-panel" aria-label=${words.made.title}>${this.#made()}</section>
         <section class="panel" aria-label=${words.seen.title}>${this.#seen()}</section>
-        <section class="panel wide-panel" aria-label=${words.found.title}>${this.#found()}</section>
-        ${this.experiment.isRiddle ? nothing : html`<section class="panel wide-panel" aria-label=${words.others.title}>${this.#others()}</section>`}
+        ${isRiddle && this.vote === null ? nothing : html`<section class="panel wide-panel" aria-label=${words.found.title}>${this.#found()}</section>`}
+        ${isRiddle ? nothing : html`<section class="panel wide-panel" aria-label=${words.others.title}>${this.#others()}</section>`}
       </div>`;
   }
 }

@@ -14,6 +14,7 @@
  * @property {import("vcgpdm").Figure} figure
  * @property {string[]} joints names, in the skeleton's order
  * @property {{ name: string, joints: number[] }[]} parts
+ * @property {readonly string[]} [shown] the motions after the first one, all as long as it
  * @property {Float32Array} positions world positions of the figure's nodes [frames x nodes x 3], y up, metres
  */
 

@@ -175,6 +175,7 @@ const points: Words["chapters"]["points"] = {
   chart: {
     bound: "Schranke",
     error: "Fehler des Gangs",
+    guess: "deine Vermutung",
     label: "Schranke und Fehler des Gangs, von allen Punkten links bis zu zweien rechts",
   },
   equation: "Die Verteilung der Stützwerte u, neu gelöst für die Punkte, die übrig sind.",

@@ -173,6 +173,7 @@ const points = {
   chart: {
     bound: "bound",
     error: "error of the walk",
+    guess: "your guess",
     label: "Bound and error of the walk, from all points on the left to two on the right",
   },
   equation: "The posterior of the inducing outputs u, solved anew for the points that are left.",

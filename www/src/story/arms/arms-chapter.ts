@@ -117,7 +117,8 @@ export class ArmsChapter extends GuessedChapter<"arms"> {
 
   override guessed(choice: string): void {
     this.choice = choice;
-    this.#pull("relearned");
+    // Who says "stop" is right to another question, and sees that one first.
+    this.#pull(choice === "stop" ? "kept" : "relearned");
   }
 
   control() {

@@ -2,6 +2,8 @@
 import { expect, it } from "vitest";
 import comparison from "../../../../docs/comparison.md?raw";
 import completing from "../../../../docs/completing.md?raw";
+import { words as german } from "../../comparison/de";
+import { words as english } from "../../comparison/en";
 import modularity from "../../../../docs/modularity.md?raw";
 import uncertainty from "../../../../docs/uncertainty.md?raw";
 
@@ -12,6 +14,17 @@ const tables = import.meta.glob<{ default: string }>("../../../../docs/compariso
 const compared = Object.values(tables).map((table) => table.default);
 /** An example of a ratio, one of an earlier version of the training, and a quotient of two cells. */
 const ELSEWHERE = ["0.43 (0.39 to 0.71)", "0.77 (0.59 to 0.94)", "1.04"];
+
+const ratiosOf = (text: string) => text.replaceAll(",", ".").match(/\d+\.\d\d/g) ?? [];
+
+it("the page has the ratios of the document about the comparison", () => {
+  expect(ratiosOf(english.lesson)).toHaveLength(6);
+  expect(ratiosOf(german.lesson)).toEqual(ratiosOf(english.lesson));
+  for (const [of, ratio] of english.lesson.matchAll(/(\d\.\d\d) times \([^)]*\) that of the \w+/g)) {
+    expect(ratio).toBeDefined();
+    expect(comparison.replace(/\s+/g, " ")).toContain(of);
+  }
+});
 
 it("documents have the ratios and decimals of their tables", () => {
   for (const document of [comparison, modularity, completing, uncertainty]) {

@@ -177,6 +177,7 @@ export class GaussianChapter extends GuessedChapter<"gaussian"> implements Laten
       draw.stroke();
       draw.setLineDash([]);
     } else this.#paintInput(draw, pixels, perPixel);
+    if (this.choice === "on") this.#paintGuess(draw, pixels, quiet);
     draw.fillStyle = ink;
     for (const point of this.#points) fillDot(draw, ...pixels(...point), 9);
     if (!this.#sparse || !this.hasGuessed) return;
@@ -189,6 +190,24 @@ export class GaussianChapter extends GuessedChapter<"gaussian"> implements Laten
       draw.lineTo(px - 10, py + 8);
       draw.fill();
     }
+  }
+
+  /** The curve as it would go on behind its last point. */
+  #paintGuess(
+    draw: CanvasRenderingContext2D,
+    pixels: (x: number, y: number) => [number, number],
+    colour: string,
+  ): void {
+    const last = Math.max(...this.#points.map(([x]) => x));
+    const [{ mean: a }, { mean: b }] = [this.#process.at(last), this.#process.at(last + STEP)];
+    draw.strokeStyle = colour;
+    draw.lineWidth = 2;
+    draw.setLineDash([6, 6]);
+    draw.beginPath();
+    draw.moveTo(...pixels(last, a));
+    draw.lineTo(...pixels(WIDTH, a + ((b - a) * (WIDTH - last)) / STEP));
+    draw.stroke();
+    draw.setLineDash([]);
   }
 
   /** The uncertain input below, and the prediction there: a bar of two standard deviations to each side. */

@@ -7,6 +7,7 @@ import type { WholeCalls, WholeWorkers } from "../../engine/whole-workers";
 import type { Plane } from "../../latents/plane";
 import type { Projection } from "../../latents/projection";
 import { arrowHead } from "../../latents/shapes";
+import { grouped } from "../../ui/format";
 import { partColourNow, theme } from "../../ui/palette";
 import type { WordsStore } from "../../words/words";
 import type { StoryBody } from "../../app/story-body";
@@ -40,9 +41,16 @@ interface ChartWords {
   bound: string;
   error: string;
   label: string;
+  guess: string;
 }
 
-function pointsChart(trials: readonly Trial[], now: Trial, words: ChartWords): TemplateResult {
+/** `guessed`: the number of points that the visitor has said. */
+function pointsChart(
+  trials: readonly Trial[],
+  now: Trial,
+  guessed: number,
+  words: ChartWords,
+): TemplateResult {
   const most = trials[0]?.count ?? now.count;
   const finite = trials.filter(({ error }) => Number.isFinite(error));
   const worst = Math.max(0.01, ...finite.map(({ error }) => error));
@@ -64,19 +72,22 @@ function pointsChart(trials: readonly Trial[], now: Trial, words: ChartWords): T
         <polyline class="bound" points=${line(bound)} />
         <polyline class="error" points=${line(error)} />
         ${marks}
+        <path class="guess" d="M${x(guessed)} ${HEIGHT}l-5 -9h10z" data-testid="guessed-points" />
         <line class="now" x1=${x(now.count)} x2=${x(now.count)} y1="0" y2=${HEIGHT} />
       </svg>
-      <figcaption><span class="bound">${words.bound}</span> <span class="error">${words.error}</span></figcaption>
+      <figcaption><span class="bound">${words.bound}</span> <span class="error">${words.error}</span> <span>▴ ${words.guess}</span></figcaption>
     </figure>`;
 }
 
 /** The plot shows this many times the width of the loop. */
 const AROUND = 1.6;
 const FRAMES = 240;
+/** "Ten or fewer" */
+const FEW = 10;
 /** Milliseconds between two points that the program takes away. */
 const PAUSE = 250;
-/** The numbers of points that are shown side by side, as in the paper. */
-const PAIR = [10, 4] as const;
+/** The numbers of points that are shown side by side: the fewest that walk, and fewer. */
+const PAIR = [12, 10] as const;
 
 export class PointsChapter extends LatentChapter<"points"> {
   #points: LegPoints = { poses: [], steps: [] };
@@ -299,8 +310,14 @@ export class PointsChapter extends LatentChapter<"points"> {
     return this.pair(
       this.words.plane,
       html`<p class="story-pair-note">${this.words.legend} ${this.#state()}</p>
-        ${this.#trials.length > 1 && this.#now ? pointsChart(this.#trials, this.#now, this.words.chart) : ""}`,
+        ${this.#trials.length > 1 && this.#now ? pointsChart(this.#trials, this.#now, this.#guessed, this.words.chart) : ""}`,
     );
+  }
+
+  /** The number of points that the visitor has said. */
+  get #guessed(): number {
+    const all = this.#trials[0]?.count ?? 0;
+    return { most: 0.9 * all, half: 0.5 * all }[this.choice ?? ""] ?? FEW;
   }
 
   /** Bound and error of the walk with the points now. */
@@ -309,7 +326,7 @@ export class PointsChapter extends LatentChapter<"points"> {
     if (!this.hasGuessed || !trial || !this.#full) return nothing;
     const { found, walks, stumbled } = this.words;
     const error = Number.isFinite(trial.error) ? (100 * trial.error).toFixed(1) : "∞";
-    const sentence = found(trial.count, (this.#full.bound - trial.bound).toFixed(0), error);
+    const sentence = found(trial.count, grouped(this.#full.bound - trial.bound), error);
     return html`<span data-testid="trial">${sentence} ${trial.stumbles ? stumbled : walks}</span>`;
   }
 

@@ -209,6 +209,7 @@ export class ProductChapter extends LatentChapter<"product"> {
     const wider = Math.sqrt(
       productOf(this.#means, twice).variance / productOf(this.#means, this.#learned).variance,
     );
+    if (this.isHere) this.body.stage.setGhost(before.motion);
     this.#doubled = { apart: 1000 * largestDistance(before.motion, after.motion), wider };
     this.changed();
   }
@@ -309,6 +310,7 @@ export class ProductChapter extends LatentChapter<"product"> {
 
   override leave(): void {
     this.#rollouts.drop();
+    this.body.stage.setGhost(null);
     this.#alphas = [...this.#learned];
     this.#doubled = null;
     super.leave();

@@ -2,8 +2,8 @@ import type { Replies } from "../en/replies";
 
 export const words: Replies = {
   arms: {
-    stop: "Richtig für eine andere Frage: Drück „Getrennt wie gelernt“.",
-    step: "Nein: Ohne den Faden sagt den Armen niemand, wann.",
+    stop: "Richtig, wenn die Arme behalten, was sie gelernt haben. Drück „Getrennt“ für Arme, die allein gelernt haben.",
+    step: "Nein: Ohne den Faden sagt den Armen niemand, wann. Sieh auf die Uhr: Ihre Zeiger laufen auseinander.",
     pace: "Richtig.",
   },
   loop: {
@@ -12,19 +12,19 @@ export const words: Replies = {
     dissolve: "Richtig.",
   },
   gaussian: {
-    on: "Nein: So weit weg sagen die Punkte nichts.",
+    on: "Nein: So weit weg sagen die Punkte nichts. Gestrichelt: deine Vermutung.",
     prior: "Richtig.",
     nothing: "Fast: Er sagt, wie wenig er weiß.",
   },
   points: {
     most: "Nein: Zwischen zwei Punkten rechnet das Modell.",
-    half: "Es geht mit weniger.",
-    few: "Richtig.",
+    half: "Richtig.",
+    few: "Nein: Mit so wenigen bleibt der Gang stehen.",
   },
   product: {
-    more: "Nein: Beide sind unsicherer, und ihre Anteile bleiben.",
+    more: "Nein: Beide sind unsicherer, und ihre Anteile bleiben. Der Umriss ist der Gang davor: Er deckt sich.",
     same: "Richtig.",
-    less: "Nein: Beide sind unsicherer, und ihre Anteile bleiben.",
+    less: "Nein: Beide sind unsicherer, und ihre Anteile bleiben. Der Umriss ist der Gang davor: Er deckt sich.",
   },
   push: {
     fall: "Nein: Zum Umfallen braucht man Gewicht.",
@@ -38,7 +38,7 @@ export const words: Replies = {
   },
   end: {
     unknown:
-      "Das weiß niemand: wer in einem aufgenommenen Gang wirklich wen treibt, und wann Menschen eine neue Bewegung natürlich nennen.",
+      "Das weiß niemand: wer in einem aufgenommenen Gang wirklich wen treibt, und wann Menschen eine neue Bewegung natürlich nennen. Und nur um einen Gang vorherzusagen, genügt ein viel einfacheres Modell.",
     doors: {
       draw: "Deine zwei Hände koppeln",
       lab: "An den Kopplungen ziehen",

@@ -105,7 +105,8 @@ export const words: TeachWords = {
     points: {
       say: "Das Modell behält wenige Posen statt aller Bilder. Die Schranke sagt, was das kostet.",
       wrong: "Wer am wenigsten braucht, gewinnt, aber der Gang muss weitergehen: Lass die Klasse urteilen.",
-      answer: "Die Karte sagt, wie viele: zehn oder weniger.",
+      answer:
+        "Die Karte sagt, wie viele: etwa die Hälfte, 12 von 24. Mit einem weniger bleibt der Gang stehen.",
       asked: [
         [
           "Warum nicht alle Bilder behalten?",

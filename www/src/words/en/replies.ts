@@ -18,8 +18,8 @@ export interface Replies extends Answers {
 
 export const words: Replies = {
   arms: {
-    stop: "Right for another question: press “Cut, as learned”.",
-    step: "No: without the thread nobody tells the arms when.",
+    stop: "Right if the arms keep what they learned. Press “Cut” for arms that learned alone.",
+    step: "No: without the thread nobody tells the arms when. Look at the clock: its hands drift apart.",
     pace: "Right.",
   },
   loop: {
@@ -28,19 +28,19 @@ export const words: Replies = {
     dissolve: "Right.",
   },
   gaussian: {
-    on: "No: that far away the points say nothing.",
+    on: "No: that far away the points say nothing. The dashed line is what you said.",
     prior: "Right.",
     nothing: "Nearly: it says how little it knows.",
   },
   points: {
     most: "No: between two points the model computes.",
-    half: "Fewer will do.",
-    few: "Right.",
+    half: "Right.",
+    few: "No: with so few the walk stands still.",
   },
   product: {
-    more: "No: both are less sure, and their shares stay.",
+    more: "No: both are less sure, and their shares stay. The outline is the walk before: both are one.",
     same: "Right.",
-    less: "No: both are less sure, and their shares stay.",
+    less: "No: both are less sure, and their shares stay. The outline is the walk before: both are one.",
   },
   push: {
     fall: "No: for falling one needs weight.",
@@ -54,7 +54,7 @@ export const words: Replies = {
   },
   end: {
     unknown:
-      "What nobody knows: who really drives whom in a recorded walk, and when people will call a new movement natural.",
+      "What nobody knows: who really drives whom in a recorded walk, and when people will call a new movement natural. And to foresee a walk alone, a far simpler model does as well.",
     doors: {
       draw: "Couple your two hands",
       lab: "Drag the couplings",

@@ -98,7 +98,7 @@ export const words = {
     points: {
       say: "The model keeps a few poses instead of all frames. The bound says what they cost.",
       wrong: "Fewest wins, but the walk on the stage must go on: let the class judge.",
-      answer: "The card says how many: ten or fewer.",
+      answer: "The card says how many: about half, 12 of 24. With one less the walk stands still.",
       asked: [
         [
           "Why not keep all frames?",
