@@ -21,7 +21,6 @@ const WHEN_ASKED = [
   "latents/outlook",
   "latents/outlook-drawing",
   "latents/outlook-store",
-  "latents/outlook-view",
   "details/",
   "latents/push-handle",
   "completing/",

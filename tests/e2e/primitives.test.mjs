@@ -197,10 +197,10 @@ describe("a library of primitives", () => {
     await legs.selectOption({ label: "Jumping jacks 1, by a model of CMU" });
     await marks("record");
     await legs.selectOption("model");
-    const cut = page.locator("pg-walk-couplings .cut").first();
+    const cut = page.locator("pg-walk-couplings .cut-button").first();
     await cut.focus();
     await page.keyboard.down("Enter");
-    await page.locator("pg-walk-couplings .cut[aria-pressed=true]").waitFor();
+    await page.locator("pg-walk-couplings .cut-button[aria-pressed=true]").waitFor();
     await page.keyboard.up("Enter");
     await marks("cut");
     await goOn(page, 20);

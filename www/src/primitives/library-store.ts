@@ -3,7 +3,8 @@ import { changedFrom, CouplingsStore } from "../couplings/couplings-store";
 import type { CouplingsFrom, Fitted, LibraryInfo, PartMotion } from "../engine/library-protocol";
 import { Latest } from "../engine/latest";
 import type { Couplings, LiveStep, Motion } from "../engine/protocol";
-import type { WholeWorkers } from "../engine/whole-workers";
+import { OpenDocument } from "../engine/open-document";
+import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
 import { LiveStore } from "../live/live-store";
 import type { Body } from "../scene/columns";
 import { Playback } from "../stage/playback";
@@ -12,7 +13,6 @@ import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import { combinationsOf, countOf, exampleOf, firstOf, isSame, recordedAs, titleOf } from "./combinations";
-import { LibraryWorker } from "./library-worker";
 import { primitivesWords } from "./view-words";
 import { shownPart } from "../words/lab";
 
@@ -33,6 +33,8 @@ export interface OpenLibrary {
   unsaved: boolean;
 }
 
+type ChangedLibrary = Pick<OpenLibrary, "text" | "info">;
+
 /** "Added lower: walk." */
 function addedText({ parts }: LibraryInfo, fresh: LibraryInfo["primitives"]): string {
   const { known, added } = primitivesWords().imports;
@@ -49,7 +51,9 @@ export class LibraryStore extends Store {
   readonly walk: LiveStore;
   /** Its learned values are those that the primitives were learned with. */
   readonly couplings = new CouplingsStore((change) => this.#walkUnder(change === "all"));
-  readonly #worker: LibraryWorker;
+  readonly #document: OpenDocument<WholeCalls, LibraryInfo>;
+  /** The document that the worker has open. */
+  #text = "";
   #current: OpenLibrary | null = null;
   /** Libraries that can be brought back: the previous one as the last, and before it unsaved ones. */
   #earlier: readonly OpenLibrary[] = [];
@@ -82,7 +86,7 @@ export class LibraryStore extends Store {
     private readonly fetchStartFile: () => Promise<string>,
   ) {
     super();
-    this.#worker = new LibraryWorker(whole);
+    this.#document = new OpenDocument(whole.library, (worker, text) => worker.openLibrary(text));
     this.walk = new LiveStore(this.#source(), this.stage, this.playback, notices);
     let { playing } = this.playback;
     this.playback.on(() => {
@@ -101,7 +105,7 @@ export class LibraryStore extends Store {
       (problem) => this.notices.addError(primitivesWords().notPutTogether, messageOf(problem)),
     );
     this.#partMotions = new Latest(
-      ({ uses, alpha }) => this.#worker.ask((worker) => worker.combinationMoves([...uses], alpha)),
+      ({ uses, alpha }) => this.#ask((worker) => worker.combinationMoves([...uses], alpha)),
       (moves, { uses }) => {
         if (!isSame(uses, this.#uses)) return;
         this.#moves = moves;
@@ -114,7 +118,6 @@ export class LibraryStore extends Store {
 
   #source() {
     const library = this;
-    const ask: LibraryWorker["ask"] = (question) => this.#worker.ask(question);
     return {
       get body() {
         return library.#current?.info ?? null;
@@ -124,10 +127,28 @@ export class LibraryStore extends Store {
       },
       couplings: null,
       on: (listener: () => void) => this.on(listener),
-      begin: () => ask((worker) => worker.startWalk([...this.#uses])),
-      advance: (step: LiveStep) => ask((worker) => worker.advanceWalk(step)),
+      begin: () => this.#ask((worker) => worker.startWalk([...this.#uses])),
+      advance: (step: LiveStep) => this.#ask((worker) => worker.advanceWalk(step)),
       end: () => {},
     };
+  }
+
+  #ask<Answer>(call: (worker: WholeCalls) => Promise<Answer>): Promise<Answer> {
+    return this.#document.ask(this.#text, call);
+  }
+
+  async #open(text: string): Promise<LibraryInfo> {
+    const info = await this.#document.open(text);
+    this.#text = text;
+    return info;
+  }
+
+  /** A call in which the worker changes the library. */
+  async #change(call: (worker: WholeCalls) => Promise<ChangedLibrary>): Promise<ChangedLibrary> {
+    const changed = await this.#ask(call);
+    this.#document.replace(changed.text);
+    this.#text = changed.text;
+    return changed;
   }
 
   /** Changes with the open library. */
@@ -234,7 +255,7 @@ export class LibraryStore extends Store {
 
   /** Opens a library from its document. The previous library and all unsaved ones can be brought back. */
   async open(text: string, title: string, unsaved = false): Promise<void> {
-    const info = await this.#worker.open(text);
+    const info = await this.#open(text);
     const before = this.#current ? [this.#current] : [];
     await this.#takeUp({ text, info, title, unsaved }, [...this.#earlier.filter(isUnsaved), ...before]);
   }
@@ -243,7 +264,7 @@ export class LibraryStore extends Store {
   async undo(): Promise<void> {
     const { before } = this;
     if (!before) return;
-    await this.#worker.open(before.text);
+    await this.#open(before.text);
     const last = this.#current ? [this.#current].filter(isUnsaved) : [];
     await this.#takeUp(before, [...last, ...this.#earlier.slice(0, -1)]);
   }
@@ -268,7 +289,7 @@ export class LibraryStore extends Store {
   /** Shows the combination, which walks on if the figure before did. */
   async #show({ figure, joints, parts }: LibraryInfo): Promise<void> {
     const uses = this.#uses;
-    const motion = await this.#worker.ask((worker) => worker.combinationMotion([...uses], SMALL_FRAMES));
+    const motion = await this.#ask((worker) => worker.combinationMotion([...uses], SMALL_FRAMES));
     this.#motions.set(uses.join(), motion);
     const { playing } = this.playback;
     this.walk.stop();
@@ -318,39 +339,41 @@ export class LibraryStore extends Store {
 
   /** The couplings that the primitives of a combination were learned with. */
   nearestTo(uses: readonly number[]): Promise<Couplings> {
-    return this.#worker.ask((worker) => worker.nearestCouplings([...uses]));
+    return this.#ask((worker) => worker.nearestCouplings([...uses]));
   }
 
   /** The document of the combination as a model. */
   combinationText(): Promise<string> {
-    return this.#worker.ask((worker) => worker.combinationText([...this.#uses], this.couplings.alpha));
+    return this.#ask((worker) => worker.combinationText([...this.#uses], this.couplings.alpha));
   }
 
   /** Adds the combination with its couplings to the library, as a movement of this name. */
   async keep(name: string): Promise<void> {
     const current = this.#current;
     if (!current) return;
-    const { text, info } = await this.#worker.add(name, this.#uses, this.couplings.alpha, this.#from);
+    const { text, info } = await this.#change((worker) =>
+      worker.addCombination(name, [...this.#uses], this.couplings.alpha, this.#from),
+    );
     this.#current = { ...current, text, info, unsaved: true };
     this.changed();
   }
 
   /** The document of one primitive. */
   primitiveText(primitive: number): Promise<string> {
-    return this.#worker.ask((worker) => worker.primitivesText([primitive]));
+    return this.#ask((worker) => worker.primitivesText([primitive]));
   }
 
   /** Opens a file as a library, or adds its primitives if it has not those of a whole body. */
   async openFile(text: string, title: string): Promise<void> {
     await this.openFirst();
-    if (await this.#worker.ask((worker) => worker.isWholeLibrary(text))) await this.open(text, title);
+    if (await this.#ask((worker) => worker.isWholeLibrary(text))) await this.open(text, title);
     else await this.add(text);
   }
 
   /** Adds the primitives of another file. Throws the reason if they do not fit. */
   async add(text: string): Promise<void> {
     this.#addedText = "";
-    const { text: added, info } = await this.#worker.take(text);
+    const { text: added, info } = await this.#change((worker) => worker.addPrimitives(text));
     const current = this.#current;
     if (!current) return;
     const fresh = info.primitives.slice(current.info.primitives.length);
@@ -422,7 +445,7 @@ export class LibraryStore extends Store {
       if (this.#motions !== motions) return;
       if (motions.has(uses.join())) continue;
       try {
-        const motion = await this.#worker.ask((worker) => worker.combinationMotion([...uses], SMALL_FRAMES));
+        const motion = await this.#ask((worker) => worker.combinationMotion([...uses], SMALL_FRAMES));
         motions.set(uses.join(), motion);
       } catch (problem) {
         this.notices.addError(primitivesWords().doesNotMove(titleOf(info, uses)), messageOf(problem));

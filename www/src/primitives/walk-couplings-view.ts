@@ -44,7 +44,7 @@ function cutButton({ names, held, hold }: CutButton) {
     hold(true);
   };
   const release = () => hold(false);
-  return html`<button class="small cut" aria-pressed=${held ? "true" : "false"} title=${words.cutMeaning}
+  return html`<button class="small cut-button" aria-pressed=${held ? "true" : "false"} title=${words.cutMeaning}
     aria-label=${words.cutOf(...names)} @pointerdown=${press} @pointerup=${release} @pointercancel=${release}
     @keydown=${key} @keyup=${key} @blur=${release}>${words.cut}</button>`;
 }
