@@ -1,11 +1,10 @@
 // A library of primitives from JavaScript: trained, combined, coupled to a clip, and walked through while
 // primitives change.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
-import { coupledInfo, installPackage } from "./package.mjs";
+import { before, describe, it } from "node:test";
+import { coupledInfo, installedPackage } from "./package.mjs";
 
-/** @type {Awaited<ReturnType<typeof installPackage>>} */
-let installed;
+const installed = installedPackage();
 /** @type {typeof import("vcgpdm")} */
 let vcgpdm;
 /** @type {import("vcgpdm").Library} */
@@ -19,7 +18,6 @@ const set = (/** @type {string[]} */ ids) => {
 };
 
 before(async () => {
-  installed = await installPackage();
   vcgpdm = installed.vcgpdm;
   const preset = sample("walk-1")
     .info()
@@ -53,7 +51,6 @@ before(async () => {
   while (!progress.done) progress = trainer.step();
   library = trainer.library();
 });
-after(() => installed?.remove());
 
 /** The largest step of some nodes between two frames, in metres. */
 function largestStep(
