@@ -5,7 +5,7 @@ import { AnimationMixer, Vector3 } from "three";
 import { BVHLoader } from "three/addons/loaders/BVHLoader.js";
 import { installedPackage } from "./package.mjs";
 
-const installed = installedPackage();
+const installed = await installedPackage();
 
 it("the figure stands on the ground", () => {
   const clip = installed.vcgpdm.Clip.sample("walk-1");

@@ -4,7 +4,7 @@ import { existsSync } from "node:fs";
 import { describe, it } from "node:test";
 import { installedPackage } from "./package.mjs";
 
-const installed = installedPackage();
+const installed = await installedPackage();
 
 /** Three short walks and how they are compared. */
 function trials() {

@@ -5,7 +5,7 @@ import { runnerImport } from "vite";
 import { at } from "../../scripts/run.mjs";
 import { installedPackage } from "./package.mjs";
 
-const installed = installedPackage();
+const installed = await installedPackage();
 
 const load = async (/** @type {string} */ name) =>
   /** @type {any} */ ((await runnerImport(at(`www/src/drawing/${name}.ts`), { configFile: false })).module);

@@ -6,7 +6,7 @@ import { it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { installedPackage } from "./package.mjs";
 
-const installed = installedPackage();
+const installed = await installedPackage();
 
 it("errors have a name, a code of the declared ones, and words", () => {
   const {

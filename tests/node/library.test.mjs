@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { before, describe, it } from "node:test";
 import { coupledInfo, installedPackage } from "./package.mjs";
 
-const installed = installedPackage();
+const installed = await installedPackage();
 /** @type {typeof import("vcgpdm")} */
 let vcgpdm;
 /** @type {import("vcgpdm").Library} */

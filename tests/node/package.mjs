@@ -4,7 +4,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before } from "node:test";
+import { after } from "node:test";
 import { pathToFileURL } from "node:url";
 import { at } from "../../scripts/run.mjs";
 
@@ -30,11 +30,10 @@ export async function installPackage() {
   return { folder, require, vcgpdm, remove: () => rmSync(folder, { recursive: true, force: true }) };
 }
 
-/** The package for the tests of a file: it is installed before them, and removed after them. */
-export function installedPackage() {
-  const installed = /** @type {Awaited<ReturnType<typeof installPackage>>} */ ({});
-  before(async () => void Object.assign(installed, await installPackage()));
-  after(() => installed.remove?.());
+/** The package for the tests of a file, which is removed after them. */
+export async function installedPackage() {
+  const installed = await installPackage();
+  after(installed.remove);
   return installed;
 }
 

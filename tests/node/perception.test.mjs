@@ -7,7 +7,7 @@ import { at } from "../../scripts/run.mjs";
 import { simulatedAnswers } from "../perception/simulated.mjs";
 import { installedPackage } from "./package.mjs";
 
-const installed = installedPackage();
+const installed = await installedPackage();
 
 const text = readFileSync(at("www/public/study/walks.study.json"), "utf8");
 const opened = () => installed.vcgpdm.Study.fromJson(text);

@@ -47,7 +47,7 @@ const presets = JSON.parse(readFileSync(at("www/first/presets.json"), "utf8"));
 // As it is sent, with fewer digits.
 const text = readFileSync(at("www/public/first/model.json"), "utf8");
 
-const installed = installedPackage();
+const installed = await installedPackage();
 /** @type {import("vcgpdm").Model} */
 let model;
 /** @type {import("vcgpdm").CoupledModelInfo} */

@@ -8,7 +8,7 @@ import { before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { installedPackage } from "./package.mjs";
 
-const installed = installedPackage();
+const installed = await installedPackage();
 before(async () => {
   const { Clip } = installed.vcgpdm;
   writeFileSync(join(installed.folder, "walk.bvh"), Clip.sample("walk-1").toBvh());

@@ -6,7 +6,7 @@ import { at } from "../../scripts/run.mjs";
 import { addresses, missing, withAddresses, zenodo } from "../../scripts/release.mjs";
 import { installedPackage } from "./package.mjs";
 
-const installed = installedPackage();
+const installed = await installedPackage();
 
 const SHORT = { latent: 2, dynamicsIps: 4, poseIps: 4, framesPerSecond: 15, maxIterations: 8 };
 

@@ -6,7 +6,7 @@ import { describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { installedPackage } from "./package.mjs";
 
-const installed = installedPackage();
+const installed = await installedPackage();
 
 /** The names of the fields of a declared type, sorted. */
 function declared(/** @type {string} */ name) {

@@ -6,7 +6,7 @@ import { before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { coupledInfo, installedPackage } from "./package.mjs";
 
-const installed = installedPackage();
+const installed = await installedPackage();
 /** @type {import("vcgpdm").Model} */
 let model;
 before(async () => {
