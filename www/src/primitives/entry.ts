@@ -11,7 +11,7 @@ declare module "../settings/views" {
 
 export const view = defineView({
   name: "primitives",
-  budget: 128_000,
+  budget: 113_000,
   place: 2,
   words: {
     en: {
