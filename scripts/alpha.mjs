@@ -120,8 +120,8 @@ function collectTurns() {
 function dragNode(/** @type {{ moves: number, between: number }} */ { moves, between }) {
   const scope = /** @type {any} */ (globalThis);
   scope.turns.length = 0;
-  const { live, model } = /** @type {any} */ (document.querySelector("pg-live"));
-  const { figure, joints } = model.model.info;
+  const { live } = /** @type {any} */ (document.querySelector("pg-live"));
+  const { figure, joints } = live.body;
   const hand = figure.nodes.findIndex((/** @type {any} */ { joint }) =>
     /right.*hand/i.test(joints[joint].name),
   );

@@ -11,7 +11,7 @@ export const budget = {
   /** The chapters of the story after the first. */
   story: 60_000,
   /** Help, details of the Lab and its recordings that move parts, with their words in two languages. */
-  whenAsked: 63_000,
+  whenAsked: 61_000,
   /**
    * The whole program, with the filter that completes and recognises recordings, ten kinds of models to compare
    * and the samples that do not walk; charts.

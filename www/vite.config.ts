@@ -21,11 +21,10 @@ const WHEN_ASKED = [
   "latents/outlook",
   "latents/outlook-drawing",
   "latents/outlook-store",
-  "latents/outlook-view",
   "details/",
   "latents/push-handle",
   "completing/",
-  "live/",
+  ...["live-view", "strip", "recorded-parts"].map((name) => `live/${name}`),
   "offline/service-workers",
   "session/",
   "stage/columns-view",
@@ -43,9 +42,9 @@ const WHEN_ASKED = [
     `words/de/${name}`,
   ]),
 ];
-/** The chapters of the story after the first, and what only they share. */
+/** The chapters of the story after the first, what only they share, and live motions. */
 const isChapter = (file: string) =>
-  /\/src\/(story\/((?!hand\/)[a-z]+\/|endless-walk\.|guessed-chapter\.)|words\/(en|de)\/replies\.)/.test(
+  /\/src\/(story\/((?!hand\/)[a-z]+\/|endless-walk\.|guessed-chapter\.)|live\/|words\/(en|de)\/replies\.)/.test(
     file,
   );
 const isAsked = (file: string) =>
@@ -94,7 +93,7 @@ const output = {
   chunkFileNames: ({ moduleIds }: { moduleIds: string[] }) => `${folderOf(moduleIds)}/[name]-[hash].js`,
   // Styles that chapters share come without the files that they are made of.
   assetFileNames: ({ originalFileNames, names }: { originalFileNames: string[]; names: string[] }) =>
-    `${names.includes("latent-view.css") ? "assets/story" : folderOf(originalFileNames.map((file) => `/${file}`))}/[name]-[hash][extname]`,
+    `${names.some((name) => /(latent|wheel)-view.css/.test(name)) ? "assets/story" : folderOf(originalFileNames.map((file) => `/${file}`))}/[name]-[hash][extname]`,
 };
 
 /** Not for `vite dev`, whose style sheets are inline. */

@@ -191,6 +191,10 @@ it("puts the arms of the jumping jack on the legs of the walk after the guess, a
   await page.getByText("The arms do their own movement.").waitFor();
   await page.getByTestId("borrow-1-6").click();
   await page.getByText("Learned as a whole: run.").waitFor();
+  await page.locator("pg-borrow [data-testid=wheel]").press("ArrowRight");
+  await page.waitForFunction(
+    () => /** @type {any} */ (document.querySelector("pg-borrow")).library.walk.driven === 0,
+  );
   assert.deepEqual(problems, []);
   await leave();
 });

@@ -1,16 +1,11 @@
 // A motion that we write, as three's BVHLoader shows it: on the ground, where the recording has it.
 import assert from "node:assert/strict";
-import { after, before, it } from "node:test";
+import { it } from "node:test";
 import { AnimationMixer, Vector3 } from "three";
 import { BVHLoader } from "three/addons/loaders/BVHLoader.js";
-import { installPackage } from "./package.mjs";
+import { installedPackage } from "./package.mjs";
 
-/** @type {Awaited<ReturnType<typeof installPackage>>} */
-let installed;
-before(async () => {
-  installed = await installPackage();
-});
-after(() => installed?.remove());
+const installed = await installedPackage();
 
 it("the figure stands on the ground", () => {
   const clip = installed.vcgpdm.Clip.sample("walk-1");

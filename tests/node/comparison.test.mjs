@@ -1,15 +1,10 @@
 // Models compared with the npm package, as a developer would from Node.
 import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
-import { after, before, describe, it } from "node:test";
-import { installPackage } from "./package.mjs";
+import { describe, it } from "node:test";
+import { installedPackage } from "./package.mjs";
 
-/** @type {Awaited<ReturnType<typeof installPackage>>} */
-let installed;
-before(async () => {
-  installed = await installPackage();
-});
-after(() => installed?.remove());
+const installed = await installedPackage();
 
 /** Three short walks and how they are compared. */
 function trials() {

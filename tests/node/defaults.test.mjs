@@ -1,14 +1,9 @@
 // Every option has a default, and parts are taken by preset or by names wherever parts are taken.
 import assert from "node:assert/strict";
-import { after, before, it } from "node:test";
-import { installPackage } from "./package.mjs";
+import { it } from "node:test";
+import { installedPackage } from "./package.mjs";
 
-/** @type {Awaited<ReturnType<typeof installPackage>>} */
-let installed;
-before(async () => {
-  installed = await installPackage();
-});
-after(() => installed?.remove());
+const installed = await installedPackage();
 
 /** Two short walks. */
 function walks() {

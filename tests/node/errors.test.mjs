@@ -2,16 +2,11 @@
 // person understands.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, it } from "node:test";
+import { it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { installPackage } from "./package.mjs";
+import { installedPackage } from "./package.mjs";
 
-/** @type {Awaited<ReturnType<typeof installPackage>>} */
-let installed;
-before(async () => {
-  installed = await installPackage();
-});
-after(() => installed?.remove());
+const installed = await installedPackage();
 
 it("errors have a name, a code of the declared ones, and words", () => {
   const {

@@ -4,6 +4,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { after } from "node:test";
 import { pathToFileURL } from "node:url";
 import { at } from "../../scripts/run.mjs";
 
@@ -27,6 +28,13 @@ export async function installPackage() {
   /** @type {typeof import("vcgpdm")} */
   const vcgpdm = await import(pathToFileURL(entry).href);
   return { folder, require, vcgpdm, remove: () => rmSync(folder, { recursive: true, force: true }) };
+}
+
+/** The package for the tests of a file, which is removed after them. */
+export async function installedPackage() {
+  const installed = await installPackage();
+  after(installed.remove);
+  return installed;
 }
 
 /** The description of a vCGPDM or vGPDM of a body. */

@@ -1,20 +1,17 @@
 // What a Node user does with the package: read a BVH, train, roll out, save the model, load it again.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, describe, it } from "node:test";
+import { before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { coupledInfo, installPackage } from "./package.mjs";
+import { coupledInfo, installedPackage } from "./package.mjs";
 
-/** @type {Awaited<ReturnType<typeof installPackage>>} */
-let installed;
+const installed = await installedPackage();
 /** @type {typeof import("vcgpdm")} */
 let vcgpdm;
 
 before(async () => {
-  installed = await installPackage();
   vcgpdm = installed.vcgpdm;
 });
-after(() => installed?.remove());
 
 /** The bundled walk as the text of a BVH file. */
 const walkBvh = () => {

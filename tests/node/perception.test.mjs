@@ -2,17 +2,12 @@
 // what answers say.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, describe, it } from "node:test";
+import { describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { simulatedAnswers } from "../perception/simulated.mjs";
-import { installPackage } from "./package.mjs";
+import { installedPackage } from "./package.mjs";
 
-/** @type {Awaited<ReturnType<typeof installPackage>>} */
-let installed;
-before(async () => {
-  installed = await installPackage();
-});
-after(() => installed?.remove());
+const installed = await installedPackage();
 
 const text = readFileSync(at("www/public/study/walks.study.json"), "utf8");
 const opened = () => installed.vcgpdm.Study.fromJson(text);

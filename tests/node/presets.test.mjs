@@ -1,9 +1,9 @@
 // What docs/couplings.md says about the presets of the model that the page opens with, measured on that model.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, describe, it } from "node:test";
+import { before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { coupledInfo, installPackage } from "./package.mjs";
+import { coupledInfo, installedPackage } from "./package.mjs";
 
 /**
  * @typedef {"swing" | "period" | "locking"} Measure
@@ -47,8 +47,7 @@ const presets = JSON.parse(readFileSync(at("www/first/presets.json"), "utf8"));
 // As it is sent, with fewer digits.
 const text = readFileSync(at("www/public/first/model.json"), "utf8");
 
-/** @type {Awaited<ReturnType<typeof installPackage>>} */
-let installed;
+const installed = await installedPackage();
 /** @type {import("vcgpdm").Model} */
 let model;
 /** @type {import("vcgpdm").CoupledModelInfo} */
@@ -56,12 +55,10 @@ let info;
 /** @type {import("vcgpdm").Measures} */
 let learned;
 before(async () => {
-  installed = await installPackage();
   model = installed.vcgpdm.Model.fromJson(text);
   info = coupledInfo(model);
   learned = roll(model, "as-learned", null).measures(frames(SETTLED));
 });
-after(() => installed?.remove());
 
 const frames = (/** @type {number} */ seconds) => Math.round(seconds / info.frameTime);
 

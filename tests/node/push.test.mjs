@@ -27,7 +27,7 @@ it("a pulled hand or foot takes a part off its loop, and four seconds later the 
         [METRES, 0, 0],
         [0, 0, -METRES],
       ]) {
-        const live = new vcgpdm.LiveRollout(rollout, start);
+        const live = new vcgpdm.Endless(rollout, start);
         const [x = 0, y = 0, z = 0] = direction;
         let farthest = 0;
         for (let frame = 0; frame < PULL; frame++) {
@@ -51,7 +51,7 @@ it("arms follow driven legs at half to twice the learned pace, forward and back,
   const wrapped = (/** @type {number} */ turns) => turns - Math.round(turns);
   // The learned step takes 34 frames.
   for (const perTurn of [68, 45, 34, 25, 17, -68, -34, Number.POSITIVE_INFINITY]) {
-    const live = new vcgpdm.LiveRollout(rollout, 250);
+    const live = new vcgpdm.Endless(rollout, 250);
     let [arms, before] = [0, live.advance(1).phases()[1] ?? Number.NaN];
     for (let frame = 0; frame < 300; frame++) {
       live.drive(0, 1 / perTurn);
@@ -65,7 +65,7 @@ it("arms follow driven legs at half to twice the learned pace, forward and back,
     test.diagnostic(words);
     assert.ok(Math.abs(arms - legs) < 1.2, words);
   }
-  const live = new vcgpdm.LiveRollout(rollout, 250);
+  const live = new vcgpdm.Endless(rollout, 250);
   assert.throws(() => live.drive(2, 0), /expected a part from 0 to 1, found 2/);
   assert.throws(() => live.drive(0, 99), /expected from -10 to 10 turns, found 99/);
   live.release(1);
@@ -81,7 +81,7 @@ it("a recording moves the legs, the arms follow, and a hand follows a place unti
   const { name = "" } = info.parts[0] ?? {};
   const latents = model.complete(walk, { given: [name] }).latents(0);
 
-  const live = new vcgpdm.LiveRollout(rollout, 150);
+  const live = new vcgpdm.Endless(rollout, 150);
   assert.ok(
     live
       .advance(3)

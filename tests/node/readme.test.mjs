@@ -4,18 +4,15 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, describe, it } from "node:test";
+import { before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { installPackage } from "./package.mjs";
+import { installedPackage } from "./package.mjs";
 
-/** @type {Awaited<ReturnType<typeof installPackage>>} */
-let installed;
+const installed = await installedPackage();
 before(async () => {
-  installed = await installPackage();
   const { Clip } = installed.vcgpdm;
   writeFileSync(join(installed.folder, "walk.bvh"), Clip.sample("walk-1").toBvh());
 });
-after(() => installed?.remove());
 
 const readme = readFileSync(at("crate/wasm/README.md"), "utf8");
 const snippets = [...readme.matchAll(/^```(js|ts)\r?\n([\s\S]*?)^```/gm)].map(

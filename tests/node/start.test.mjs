@@ -5,7 +5,7 @@ import { coupledInfo, installPackage } from "./package.mjs";
 
 it("a rollout starts with the first frames of a clip that was not trained on", async () => {
   const { vcgpdm, remove } = await installPackage();
-  const { Clip, LiveRollout, Table, TrainingSet, Trainer, train } = vcgpdm;
+  const { Clip, Endless, Table, TrainingSet, Trainer, train } = vcgpdm;
   const clips = [Clip.sample("walk-1"), Clip.sample("walk-2")];
   const model = await train(clips, { parts: "lower,upper", framesPerSecond: 15, maxIterations: 60 });
   const { parts, alpha, figure } = coupledInfo(model);
@@ -52,7 +52,7 @@ it("a rollout starts with the first frames of a clip that was not trained on", a
   assert.deepEqual([...moments.means(0)].slice(0, path(rollout).length), path(rollout));
   assert.ok((moments.covariances(0).at(-1) ?? 0) > 0);
   assert.ok(rollout.predictions().means(0).every(Number.isFinite));
-  const live = new LiveRollout(rollout, 59).advance(5);
+  const live = new Endless(rollout, 59).advance(5);
   assert.equal(live.positions().length, 5 * nodes * 3);
   assert.ok(live.latents(0).every(Number.isFinite));
   assert.equal(typeof rollout.health().state, "string");

@@ -1,18 +1,15 @@
 // The synthetic experiment from Node: made, trained step by step, and what it found at any time.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
-import { installPackage } from "./package.mjs";
+import { before, describe, it } from "node:test";
+import { installedPackage } from "./package.mjs";
 
-/** @type {Awaited<ReturnType<typeof installPackage>>} */
-let installed;
+const installed = await installedPackage();
 /** @type {typeof import("vcgpdm")} */
 let vcgpdm;
 
 before(async () => {
-  installed = await installPackage();
   vcgpdm = installed.vcgpdm;
 });
-after(() => installed?.remove());
 
 /** Trains until the training ends, or for `iterations` iterations. */
 function train(/** @type {import("vcgpdm").SyntheticExperiment} */ experiment, iterations = Infinity) {

@@ -1,14 +1,9 @@
 // Models of tables: their couplings, weights and latents.
 import assert from "node:assert/strict";
-import { after, before, it } from "node:test";
-import { installPackage } from "./package.mjs";
+import { it } from "node:test";
+import { installedPackage } from "./package.mjs";
 
-/** @type {Awaited<ReturnType<typeof installPackage>>} */
-let installed;
-before(async () => {
-  installed = await installPackage();
-});
-after(() => installed?.remove());
+const installed = await installedPackage();
 
 const settings = {
   latent: 2,

@@ -1,17 +1,12 @@
 // What a JavaScript programmer tries first: any form of a file, one call for a training, no setting at all.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, describe, it } from "node:test";
+import { describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { addresses, missing, withAddresses, zenodo } from "../../scripts/release.mjs";
-import { installPackage } from "./package.mjs";
+import { installedPackage } from "./package.mjs";
 
-/** @type {Awaited<ReturnType<typeof installPackage>>} */
-let installed;
-before(async () => {
-  installed = await installPackage();
-});
-after(() => installed?.remove());
+const installed = await installedPackage();
 
 const SHORT = { latent: 2, dynamicsIps: 4, poseIps: 4, framesPerSecond: 15, maxIterations: 8 };
 

@@ -2,16 +2,11 @@
 // own. All other types are those of the Rust structs.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, describe, it } from "node:test";
+import { describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { installPackage } from "./package.mjs";
+import { installedPackage } from "./package.mjs";
 
-/** @type {Awaited<ReturnType<typeof installPackage>>} */
-let installed;
-before(async () => {
-  installed = await installPackage();
-});
-after(() => installed?.remove());
+const installed = await installedPackage();
 
 /** The names of the fields of a declared type, sorted. */
 function declared(/** @type {string} */ name) {

@@ -2,19 +2,16 @@
 // the page.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, describe, it } from "node:test";
+import { before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { coupledInfo, installPackage } from "./package.mjs";
+import { coupledInfo, installedPackage } from "./package.mjs";
 
-/** @type {Awaited<ReturnType<typeof installPackage>>} */
-let installed;
+const installed = await installedPackage();
 /** @type {import("vcgpdm").Model} */
 let model;
 before(async () => {
-  installed = await installPackage();
   model = installed.vcgpdm.Model.fromJson(readFileSync(at("www/first/model.json"), "utf8"));
 });
-after(() => installed?.remove());
 
 const close = (/** @type {number | undefined} */ a, /** @type {number | undefined} */ b, tolerance = 1e-9) =>
   assert.ok(Math.abs((a ?? Number.NaN) - (b ?? Number.NaN)) <= tolerance, `${a} and ${b}`);
@@ -85,7 +82,7 @@ describe("uncertain rollouts", () => {
 });
 
 describe("a live rollout", () => {
-  const start = () => new installed.vcgpdm.LiveRollout(model.rollout({ frames: 100, sequence: 0 }), 89);
+  const start = () => new installed.vcgpdm.Endless(model.rollout({ frames: 100, sequence: 0 }), 89);
 
   it("goes on as the rollout does", () => {
     const rollout = model.rollout({ frames: 100, sequence: 0 });

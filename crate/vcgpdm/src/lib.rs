@@ -91,16 +91,15 @@ pub use gp::NumericsError;
 pub use json::JsonError;
 pub use models::library::{
     CombinationError, CouplingTrainer, CouplingsFrom, EncodedClip, Leader, LearnedMovement, Library,
-    LibraryError, LibraryPlan, LibraryTrainer, LibraryWalk, MergeError, Misfit, PartMotion, PlanError,
-    PlannedMovement, Primitive, Recogniser, Recognition, RecognitionError, Segment, TrainedLibrary,
-    WalkError, WalkFrames,
+    LibraryError, LibraryPlan, LibraryTrainer, MergeError, Misfit, PartMotion, PlanError, PlannedMovement,
+    Primitive, Recogniser, Recognition, RecognitionError, Segment, TrainedLibrary, WalkError,
 };
 pub use models::variational::{
     BoundTerms, LatentMoments, PartPredictions, Prediction, PredictiveDynamics, VariationalTrainer, Vcgpdm,
 };
 pub use models::{
     Body, ColumnMapping, Coupled, CouplingsError, Cut, Dataset, DatasetError, DmpSettings, EndReason, Ending,
-    Health, LiveFrames, LiveRollout, MapSettings, Model, ModelKind, Pace, PartPoses, PoseWeight, Progress,
+    Endless, EndlessFrames, Health, MapSettings, Model, ModelKind, Pace, PartPoses, PoseWeight, Progress,
     Provenance, Push, Reading, Rollout, RolloutError, RolloutRequest, SequenceInfo, SequencesError,
     SeriesModel, Setbacks, Settings, Source, TmpSettings, Trainer, TrainingCost, TrainingError,
     TrainingPhase, VariationalSettings, coupling_weight_matrix,

@@ -1,6 +1,6 @@
 //! Regression tests: invalid calls that once crashed, or half changed an object, now throw.
 
-use crate::models::live::LiveRollout;
+use crate::models::endless::Endless;
 use crate::models::model::Model;
 use crate::models::rollout::{Rollout, best_to_show};
 use crate::values::arguments::{Text, Whole};
@@ -39,7 +39,7 @@ fn message_of<T>(done: Result<T, VcgpdmError>) -> String {
 #[wasm_bindgen_test]
 fn a_live_rollout_stays_usable_after_invalid_calls() {
     let (_, rollout) = walk();
-    let mut live = LiveRollout::new(&rollout, &whole(30)).ok().unwrap();
+    let mut live = Endless::new(&rollout, &whole(30)).ok().unwrap();
     let message = message_of(live.advance(&whole(1_000_000_000)));
     assert!(
         message.starts_with("expected from 1 to ") && message.ends_with(" frames, found 1000000000"),

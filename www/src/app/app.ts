@@ -77,8 +77,8 @@ export class App {
   readonly #views = new Map<ViewName, Lazy<unknown>>();
 
   readonly live = new Lazy(async () => {
-    const { LiveStore } = await import("../live/live-store");
-    return new LiveStore(this.engine, this.settings, this.model, this.stage, this.playback, this.notices);
+    const { modelLive } = await import("../live/model-live");
+    return modelLive(this);
   });
 
   /** The recordings that can give a part of the model, with their words. */
@@ -97,7 +97,7 @@ export class App {
       this.live.get(),
       import("../live/recorded-parts"),
     ]);
-    return new RecordedParts(recordings, this.model, live, this.notices);
+    return new RecordedParts(recordings, live, this.notices);
   });
 
   /** A recording that moves one part, with its view. */

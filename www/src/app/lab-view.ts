@@ -97,7 +97,7 @@ export class LabView extends View {
         import("../live/live-view"),
       ]);
       this.#liveView ??= () =>
-        html`<pg-live .live=${live} .model=${app.model} .playback=${app.playback} .recorded=${recorded}></pg-live>`;
+        html`<pg-live .live=${live} .playback=${app.playback} .recorded=${recorded}></pg-live>`;
       this.requestUpdate();
       return live;
     } catch {

@@ -31,8 +31,8 @@ export class StoryBody {
   readonly measures = new BodyStore(this.engine, this.model);
   readonly phases = new PhasesStore(this.model, this.measures, this.stage, this.playback);
   readonly live = new Lazy(async () => {
-    const { LiveStore } = await import("../live/live-store");
-    return new LiveStore(this.engine, this.settings, this.model, this.stage, this.playback, this.notices);
+    const { modelLive } = await import("../live/model-live");
+    return modelLive(this);
   });
   #started: Promise<void> | null = null;
 

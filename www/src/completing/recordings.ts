@@ -3,7 +3,7 @@ import type { ClipsStore } from "../clips/clips-store";
 import { ModelDocument } from "../couplings/model-document";
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
-import type { ClipSource, ModelView } from "../engine/protocol";
+import type { ClipSource, LiveBody, ModelView } from "../engine/protocol";
 import type { CompletedClip, CompletionRequest } from "../engine/whole-protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
 import { Store } from "../ui/store";
@@ -20,6 +20,24 @@ export interface Recording {
   /** Seconds between frames. */
   frameTime: number;
 }
+
+/** The request in which a part is given throughout, under the learned couplings. */
+export const observed = (
+  { parts }: Pick<LiveBody, "parts">,
+  part: number,
+): Omit<CompletionRequest, "clip"> => ({
+  given: parts[part]?.name ?? "",
+  until: null,
+  alpha: null,
+  reading: "as-learned",
+});
+
+/** The open clips of a body, as recordings. */
+export const recordingsOf = (clips: ClipsStore, joints: LiveBody["joints"]): Recording[] =>
+  clips.ofBody(joints).map(({ key, title, source, first, end, loaded }) => ({
+    ...{ key, title, source, first, end },
+    frameTime: loaded.info.frameTime,
+  }));
 
 /** It changes with the model and the open clips. */
 export class Recordings extends Store {
@@ -44,17 +62,19 @@ export class Recordings extends Store {
     const { frames, frameTime } = learned.motion;
     const title = completingWords().ownWalk;
     const own = { key: "own-motion", title, source: null, first: 0, end: frames, frameTime };
-    const fitting = this.clips
-      .ofBody(model.info.joints)
-      .map(({ key, title, source, first, end, loaded }) => ({
-        key,
-        title,
-        source,
-        first,
-        end,
-        frameTime: loaded.info.frameTime,
-      }));
-    return [...fitting, own];
+    return [...recordingsOf(this.clips, model.info.joints), own];
+  }
+
+  /** Changes with the model. */
+  get revision(): number {
+    return this.model.model?.revision ?? 0;
+  }
+
+  /** Lets the model observe one part of a recording, under its learned couplings. */
+  async infer(part: number, recording: Recording): Promise<CompletedClip> {
+    const { model } = this.model;
+    if (!model) throw new Error(completingWords().notReady);
+    return this.complete(model, recording, observed(model.info, part));
   }
 
   /** Lets the model observe one part of a recording and infer the others. */

@@ -12,6 +12,7 @@ import type {
   Engine,
   Health,
   LiveChange,
+  LiveStep,
   LiveFrames,
   ModelInfo,
   ModelView,
@@ -160,7 +161,7 @@ export class FakeEngine implements Partial<Engine>, ClipCalls {
   /** The health of all rollouts. */
   health: Health = MOVES_ON;
   /** The live rollout, if there is one: its changes and the number of its frames. */
-  live: { changes: LiveChange[]; frames: number } | null = null;
+  live: FakeLive | null = null;
   /** The document of the open model. */
   text = "";
   #revision = 0;
@@ -292,34 +293,14 @@ export class FakeEngine implements Partial<Engine>, ClipCalls {
   }
 
   startLive(request: RolloutRequest, frame: number): Promise<void> {
-    this.live = { changes: [], frames: 0 };
+    this.live = new FakeLive();
     return this.#answer("startLive", [request, frame], undefined);
   }
 
-  advanceLive(changes: LiveChange[], frames: number): Promise<LiveFrames> {
+  advanceLive(step: LiveStep): Promise<LiveFrames> {
     if (!this.live) return Promise.reject(new Error("The live motion ended: start it again."));
-    this.live.changes.push(...changes);
-    this.live.frames += frames - changes.filter(({ kind }) => kind === "take-back").length;
-    const latents = [0, 1].map(() => new Float64Array(2 * frames));
-    const places = () => new Float64Array(2 * frames);
-    const next = {
-      motion: still(frames),
-      latents,
-      phases: places(),
-      distances: places(),
-      recorded: this.#recorded(frames),
-    };
-    return this.#answer("advanceLive", [changes, frames], next);
-  }
-
-  /** Recordings begin at their frame 5 at once. */
-  #recorded(frames: number): Int32Array {
-    const recorded = new Int32Array(2 * frames).fill(-1);
-    for (const part of [0, 1]) {
-      const last = this.live?.changes.findLast((change) => "part" in change && change.part === part);
-      if (last?.kind === "record") for (let k = 0; k < frames; k++) recorded[2 * k + part] = 5 + k;
-    }
-    return recorded;
+    this.live.take(step);
+    return this.#answer("advanceLive", [step], liveFrames(still(step.frames), this.live.changes));
   }
 
   endLive(): Promise<void> {
@@ -330,6 +311,44 @@ export class FakeEngine implements Partial<Engine>, ClipCalls {
   clipBvh({ id, first, end }: TrainingClip): Promise<string> {
     return this.#answer("clipBvh", [id, first, end], `HIERARCHY of clip ${id}, ${first} to ${end}`);
   }
+}
+
+/** A live motion that computes nothing. */
+export class FakeLive {
+  #made: { after: number; change: LiveChange }[] = [];
+  #frames = 0;
+  readonly steps: LiveStep[] = [];
+
+  /** The changes in the frames that were not taken back. */
+  get changes(): LiveChange[] {
+    return this.#made.map(({ change }) => change);
+  }
+
+  take(step: LiveStep): void {
+    const { back, changes, frames } = step;
+    if (back > this.#frames) throw new Error(`expected frames to take back from 0 to ${this.#frames}`);
+    this.steps.push(step);
+    this.#frames -= back;
+    if (back > 0) this.#made = this.#made.filter(({ after }) => after < this.#frames);
+    this.#made.push(...changes.map((change) => ({ after: this.#frames, change })));
+    this.#frames += frames;
+  }
+}
+
+/** Frames of two parts; recordings begin at their frame 5 at once. */
+export function liveFrames(motion: Motion, changes: readonly LiveChange[]): LiveFrames {
+  const count = 2 * motion.frames;
+  const recorded = new Int32Array(count).fill(-1);
+  for (const part of [0, 1]) {
+    const last = changes.findLast((change) => "part" in change && change.part === part);
+    if (last?.kind === "record") for (let k = 0; k < motion.frames; k++) recorded[2 * k + part] = 5 + k;
+  }
+  const [latents, phases, distances] = [
+    [0, 1].map(() => new Float64Array(count)),
+    new Float64Array(count),
+    new Float64Array(count),
+  ];
+  return { motion, latents, phases, distances, recorded };
 }
 
 /** A training that a worker was asked to start or to continue. */

@@ -1,6 +1,15 @@
 // The messages about libraries of primitives. Types only.
 import type { CouplingsFrom, LibraryInfo, LibraryPlan, PartMotion, RecognisedSegment } from "vcgpdm";
-import type { Couplings, Motion, Report, TrainingClip, TrainingOutcome, TrainingSettings } from "./protocol";
+import type {
+  Couplings,
+  LiveFrames,
+  LiveStep,
+  Motion,
+  Report,
+  TrainingClip,
+  TrainingOutcome,
+  TrainingSettings,
+} from "./protocol";
 
 export type {
   CouplingsFrom,
@@ -9,16 +18,6 @@ export type {
   PrimitiveOrigin,
   RecognisedSegment,
 } from "vcgpdm";
-
-/** A change of an endless walk before its next frames. */
-export type WalkChange =
-  /** Switches the part to another of its primitives. */
-  | { kind: "use"; part: number; primitive: number }
-  | { kind: "couplings"; alpha: Couplings }
-  /** Sets the couplings to the nearest couplings of the combination. */
-  | { kind: "nearest"; uses: readonly number[] }
-  /** 1 is the learned tempo. */
-  | { kind: "tempo"; part: number; tempo: number };
 
 /** A training of a library. The clips are in the order of the movements. */
 export interface LearningJob extends Pick<LibraryPlan, "movements"> {
@@ -103,11 +102,8 @@ export interface LibraryWorker {
   addPrimitives(text: string): { text: string; info: LibraryInfo };
   /** Starts an endless walk. An earlier walk ends. */
   startWalk(uses: number[]): void;
-  /**
-   * Removes the last `back` frames and undoes all changes made since, makes the new changes, then computes
-   * the next frames. Throws if there is no walk.
-   */
-  advanceWalk(back: number, changes: WalkChange[], frames: number): Motion;
+  /** Throws if there is no walk. */
+  advanceWalk(step: LiveStep): LiveFrames;
   learnLibrary(job: LearningJob, report: Report<string>, signal: AbortSignal): Promise<TrainingOutcome>;
   fitCouplings(job: FittingJob, report: Report<Fitted>, signal: AbortSignal): Promise<TrainingOutcome>;
   /** Reports the share that is done. Answers null if it was cancelled. */

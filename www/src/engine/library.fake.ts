@@ -10,11 +10,10 @@ import type {
   PrimitiveOrigin,
   RecognisedSegment,
   RecognitionJob,
-  WalkChange,
 } from "./library-protocol";
 import type { Couplings, Motion, Report, TrainingOutcome, TrainingReport } from "./protocol";
 import type { Calls } from "./calls";
-import { figure, joints } from "./engine.fake";
+import { FakeLive, figure, joints, liveFrames } from "./engine.fake";
 
 /** A training that the test ends. */
 export interface PendingTraining<Job, Found> {
@@ -83,11 +82,9 @@ const COUPLINGS: Couplings = [
 export class FakeLibraries {
   /** The documents that the worker opened, in order. */
   readonly opened: string[] = [];
-  /** All changes of walks, and the primitives with which walks began. */
-  readonly changes: WalkChange[] = [];
+  /** The walk now, and the primitives with which walks began. */
+  live = new FakeLive();
   readonly walks: number[][] = [];
-  /** The requests to walks: how many frames to take back, and how many to compute. */
-  readonly advances: { back: number; frames: number }[] = [];
   readonly learnings: PendingTraining<LearningJob, string>[] = [];
   readonly fittings: PendingTraining<FittingJob, Fitted>[] = [];
   /** The origins of the couplings of added combinations. */
@@ -108,8 +105,6 @@ export class FakeLibraries {
   worker(): Calls<LibraryWorker> {
     let held: string | null = null;
     let uses: readonly number[] | null = null;
-    /** The primitives at the start of the walk and in each frame. */
-    let states: (readonly number[])[] = [];
     const text = () => {
       if (held === null) throw new Error("There is no library yet: open one.");
       return held;
@@ -161,24 +156,17 @@ export class FakeLibraries {
       startWalk: async (asked) => {
         text();
         uses = asked;
-        states = [asked];
+        this.live = new FakeLive();
         this.walks.push(asked);
       },
-      advanceWalk: async (back, changes, frames) => {
+      advanceWalk: async (step) => {
         if (this.broken) throw new Error(this.broken);
         if (!uses) throw new Error("There is no walk: start one.");
-        this.changes.push(...changes);
-        this.advances.push({ back, frames });
-        if (back >= states.length)
-          throw new Error(`expected frames to take back from 0 to ${states.length - 1}`);
-        if (back > 0) states = states.slice(0, -back);
-        let now = back > 0 ? (states.at(-1) ?? uses) : uses;
-        for (const change of changes)
-          if (change.kind === "use")
-            now = now.map((one, part) => (part === change.part ? change.primitive : one));
-        uses = now;
-        states.push(...Array.from({ length: frames }, () => now));
-        return motion(uses, frames);
+        this.live.take(step);
+        const { changes } = this.live;
+        const now = [...uses];
+        for (const change of changes) if (change.kind === "use") now[change.part] = change.primitive;
+        return liveFrames(motion(now, step.frames), changes);
       },
       learnLibrary: (job, report, signal) => pending(this.learnings, job, report, signal),
       fitCouplings: (job, report, signal) => pending(this.fittings, job, report, signal),

@@ -26,6 +26,11 @@ export class OpenDocument<Worker, Info> {
     });
   }
 
+  /** The worker has changed the open document itself, into this one. */
+  replace(text: string): void {
+    this.#text = text;
+  }
+
   async #openIn(worker: Worker, text: string): Promise<Info> {
     this.#holder = null;
     const info = await this.#open(worker, text);

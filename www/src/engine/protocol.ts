@@ -141,7 +141,7 @@ export interface PredictionsReport {
   parts: { experts: Predictions[]; product: Predictions }[];
 }
 
-/** The next frames of a live rollout. */
+/** The next frames of a live motion. */
 export interface LiveFrames {
   motion: Motion;
   /** Latent path of each part [frames x Q]. */
@@ -157,11 +157,18 @@ export interface LiveFrames {
   recorded: Int32Array;
 }
 
-/** A change of a live rollout before its next frames. */
+/** The body of a live motion. */
+export type LiveBody = Pick<ModelInfo, "figure" | "frameTime" | "joints" | "parts">;
+
+/** A change of a live motion before its next frames. */
 export type LiveChange =
-  /** Takes the newest frame back: the next frame replaces it. */
-  | { kind: "take-back" }
   | { kind: "couplings"; alpha: Couplings; reading: Reading }
+  /** Sets the couplings to the nearest couplings of a combination of primitives. */
+  | { kind: "nearest"; uses: readonly number[] }
+  /** Switches the part to another of its primitives. */
+  | { kind: "use"; part: number; primitive: number }
+  /** 1 is the learned tempo. */
+  | { kind: "tempo"; part: number; tempo: number }
   | { kind: "cut"; source: number; target: number; cut: boolean }
   /** Moves a part in its latent space. */
   | { kind: "push"; part: number; by: number[] }
@@ -174,6 +181,15 @@ export type LiveChange =
   /** Lets the part of a node follow a place, in metres relative to the root, until it is released. */
   | { kind: "reach"; node: number; place: [number, number, number] }
   | { kind: "release"; part: number };
+
+/** What a live motion is asked for. */
+export interface LiveStep {
+  /** Takes the last frames back, with all changes made since. */
+  back: number;
+  changes: LiveChange[];
+  /** How many frames to compute after the changes. */
+  frames: number;
+}
 
 /** A model with its rollout under the learned couplings. */
 export interface OpenedModel {
@@ -328,8 +344,8 @@ export interface Workbench {
   futures(request: RolloutRequest, count: number, seed: number): RolloutResult[];
   /** Starts a live rollout after a frame of a rollout of the open model. An earlier live rollout ends. */
   startLive(request: RolloutRequest, frame: number): void;
-  /** Makes the changes, then computes the next frames. Throws if there is no live rollout. */
-  advanceLive(changes: LiveChange[], frames: number): LiveFrames;
+  /** Throws if there is no live rollout. */
+  advanceLive(step: LiveStep): LiveFrames;
   endLive(): void;
 }
 

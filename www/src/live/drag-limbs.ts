@@ -9,7 +9,9 @@ const REACH = 26;
  * A node near the pointer follows it while the pointer is held, as far as the poses of the model allow; anywhere
  * else a drag turns the camera. Returns a function that ends this.
  */
-export function letDragLimbs(stage: StageView, picture: HTMLCanvasElement, live: LiveStore): () => void {
+export function letDragLimbs(stage: StageView, live: LiveStore): () => void {
+  const picture = stage.querySelector("canvas");
+  if (!picture) return () => {};
   /** The node, and where the pointer is relative to it, in pixels. */
   let grabbed: { node: number; x: number; y: number } | null = null;
   const place = (event: PointerEvent) => {

@@ -1,10 +1,7 @@
-// The live rollout: the model continues from the figure's state, while couplings are cut, and parts are pushed
-// or moved by a hand or a recording.
-import type { ModelStore } from "../couplings/model-store";
-import type { EngineStore } from "../engine/engine-store";
-import type { Engine, LiveChange, LiveFrames, ModelInfo, Motion } from "../engine/protocol";
+// A motion without an end, of a model or of a combination of primitives: it continues from the figure's state,
+// while couplings, primitives and tempos change, and parts are pushed or moved by a hand or a recording.
+import type { LiveBody, LiveChange, LiveFrames, LiveStep, Motion } from "../engine/protocol";
 import { LiveTrack } from "../scene/live-track";
-import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
 import { LONGEST_PICTURE } from "../ui/browser";
@@ -12,12 +9,14 @@ import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import { withLab } from "../words/lab";
+import { type Made, newest } from "./changes";
+import { expectedAfter, Transition, TRANSITION_FRAMES } from "./transition";
 
 /** Seconds that are stored, and shown in the strip chart. */
 export const SHOWN_SECONDS = 12;
-/** Frames computed ahead of the clock. Actions of the visitor are visible this much later. */
+/** Frames computed ahead of the clock. After an action of the visitor they are computed again. */
 const LEAD = 3;
-/** The same while the visitor moves a part: at most one frame is ahead, which a change replaces. */
+/** The same while the visitor moves a part: a turn of the wheel is visible in the next frame as a whole. */
 const DRIVEN_LEAD = 0;
 /**
  * The measure from a turn of the wheel, or a move of a dragged node, to the arrival of the first frame that obeys
@@ -59,6 +58,21 @@ export interface TracePoint {
   distances: readonly number[];
 }
 
+/** Who computes a live motion. */
+export interface LiveSource {
+  /** Null: nothing can move yet. */
+  readonly body: LiveBody | null;
+  /** Changes with the model: its live motion ends then. */
+  readonly revision: number;
+  /** The couplings that the motion follows; null: changes of them are told. */
+  readonly couplings: LiveChange | null;
+  on(listener: () => void): () => void;
+  /** Begins at the state of the figure. */
+  begin(): Promise<void>;
+  advance(step: LiveStep): Promise<LiveFrames>;
+  end(): void;
+}
+
 export class LiveStore extends Store {
   #track: LiveTrack | null = null;
   #starting = false;
@@ -71,6 +85,13 @@ export class LiveStore extends Store {
   readonly #recordings = new Map<number, Motion>();
   /** Changes for the next frames. */
   #changes: LiveChange[] = [];
+  /** Changes in frames that may be computed again. */
+  #made: Made[] = [];
+  /** The last frame that the clock has reached. */
+  #seen = 0;
+  /** Whether a change would make the figure jump. */
+  #leaps = false;
+  #transition = new Transition();
   #busy = false;
   /** The time of the last request for frames. */
   #askedAt = 0;
@@ -78,23 +99,25 @@ export class LiveStore extends Store {
   #movedAt: number | null = null;
   /** The couplings and the model of the worker. */
   #sent: LiveChange | null = null;
-  #revision = 0;
+  #revision = -1;
 
   constructor(
-    private readonly engine: EngineStore,
-    private readonly settings: SettingsStore,
-    private readonly model: ModelStore,
+    private readonly source: LiveSource,
     private readonly stage: StageStore,
     private readonly playback: Playback,
     private readonly notices: NoticesStore,
   ) {
     super();
-    playback.on(() => void this.#fill());
-    model.on(() => this.#followCouplings());
+    playback.on(() => this.#follow());
+    source.on(() => this.#followSource());
     stage.on(() => {
       // A clip or both readings are in front.
       if (!stage.content?.live) this.stop();
     });
+  }
+
+  get body(): LiveBody | null {
+    return this.source.body;
   }
 
   get running(): boolean {
@@ -109,6 +132,11 @@ export class LiveStore extends Store {
     return this.#trace;
   }
 
+  /** Whether the parts have phases on a learned cycle. */
+  get isCyclic(): boolean {
+    return (this.#trace.at(-1)?.phases.length ?? 0) > 0;
+  }
+
   get marks(): readonly Mark[] {
     return this.#marks;
   }
@@ -119,18 +147,17 @@ export class LiveStore extends Store {
 
   /** Starts at the state of the figure. */
   async start(): Promise<void> {
-    const { engine } = this.engine;
-    if (!engine || this.#track || this.#starting) return;
+    if (!this.source.body || this.#track || this.#starting) return;
     this.#starting = true;
     try {
       let track: LiveTrack;
-      // A new model from training may have replaced the model: then the new one goes live.
+      // Another model may have replaced the model: then the new one goes live.
       do {
-        const { model } = this.model;
-        if (!model) return;
-        this.#revision = model.revision;
-        track = await this.#begin(engine, model.info);
-      } while (this.model.model?.revision !== this.#revision);
+        const { body, revision } = this.source;
+        if (!body) return;
+        this.#revision = revision;
+        track = await this.#begin(body);
+      } while (this.source.revision !== this.#revision);
       this.#track = track;
       this.stage.showLive(track);
       this.playback.play();
@@ -142,20 +169,20 @@ export class LiveStore extends Store {
     this.changed();
   }
 
-  /** The first frames of this model. */
-  async #begin(engine: Engine, { frameTime, figure, parts }: ModelInfo): Promise<LiveTrack> {
+  /** The first frames. */
+  async #begin({ frameTime, figure, parts }: LiveBody): Promise<LiveTrack> {
     this.stage.endClip();
-    const request = this.model.rolloutRequest();
-    const frame = Math.min(Math.floor(this.playback.frame), request.frames - 1);
-    await engine.startLive(request, frame);
-    this.#sent = this.#couplings();
-    [this.#trace, this.#marks, this.#changes] = [[], [], []];
+    await this.source.begin();
+    this.#sent = this.source.couplings;
+    [this.#trace, this.#marks, this.#changes, this.#made] = [[], [], [], []];
+    [this.#seen, this.#leaps, this.#transition] = [0, false, new Transition()];
     this.#forget();
     const stored = Math.round(SHOWN_SECONDS / frameTime);
     const widths = parts.map(({ latent }) => latent);
     const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, stored, widths);
     // A rollout under the learned couplings is "as-learned"; a cut obeys the visitor's reading.
-    this.#take(track, await engine.advanceLive([this.#sent], LEAD));
+    const changes = this.#sent ? [this.#sent] : [];
+    this.#append(track, await this.source.advance({ back: 0, changes, frames: LEAD }));
     return track;
   }
 
@@ -165,7 +192,7 @@ export class LiveStore extends Store {
     this.#track = null;
     this.#forget();
     this.stage.endLive();
-    void this.engine.engine?.endLive();
+    this.source.end();
     this.changed();
   }
 
@@ -182,7 +209,7 @@ export class LiveStore extends Store {
     if (!this.#track) return;
     const from = this.#next;
     if (held) {
-      const others = this.model.model?.info.parts.some(
+      const others = this.source.body?.parts.some(
         (_, other) => other !== source && !this.isCut(other, target),
       );
       if (!others) {
@@ -197,14 +224,22 @@ export class LiveStore extends Store {
       if (mark) mark.to = from;
       this.#cuts.delete(key);
     }
-    this.#changes.push({ kind: "cut", source, target, cut: held });
+    this.change({ kind: "cut", source, target, cut: held });
     this.changed();
+  }
+
+  /** Acts from the next frame on that was not shown. `leaps`: the change is large, not a step of a slider. */
+  change(change: LiveChange, leaps = change.kind === "use"): void {
+    if (!this.#track) return;
+    this.#leaps ||= leaps;
+    this.#changes.push(change);
+    this.#fillSoon();
   }
 
   /** Pushes the part of a node by metres, in the axes of the stage. */
   pull(node: number, by: readonly [number, number, number]): void {
     if (!this.#track) return;
-    this.#changes.push({ kind: "pull", node, by: this.#track.turnedBack(by) });
+    this.change({ kind: "pull", node, by: this.#track.turnedBack(by) });
     this.#markPush(this.#partOf(node));
   }
 
@@ -218,8 +253,6 @@ export class LiveStore extends Store {
       this.#move({ kind: "push", part, began: this.#next, from: this.#next, held: true });
     const fromRoot = (axis: 0 | 1 | 2) => (pose[3 * node + axis] ?? 0) - (pose[axis] ?? 0) + by[axis];
     const place = this.#track.turnedBack([fromRoot(0), fromRoot(1), fromRoot(2)]);
-    // Only the newest place matters.
-    if (this.#changes.at(-1)?.kind === "reach") this.#changes.pop();
     this.#changes.push({ kind: "reach", node, place });
     this.#movedAt ??= performance.now();
     void this.#fill();
@@ -229,7 +262,7 @@ export class LiveStore extends Store {
   /** Shifts a part in each latent dimension. */
   push(part: number, by: number[]): void {
     if (!this.#track) return;
-    this.#changes.push({ kind: "push", part, by });
+    this.change({ kind: "push", part, by });
     this.#markPush(part);
   }
 
@@ -263,7 +296,7 @@ export class LiveStore extends Store {
   record(part: number, { key, title, latents, motion }: RecordedPart): void {
     if (!this.#track) return;
     this.#move({ kind: "record", part, key, title, from: this.#next, to: null });
-    this.#changes.push({ kind: "record", part, latents });
+    this.change({ kind: "record", part, latents });
     this.#recordings.set(part, motion);
     this.#showRecording();
     this.changed();
@@ -274,7 +307,7 @@ export class LiveStore extends Store {
     const mover = this.#movers.get(part);
     if (!mover || !this.#track) return;
     this.#end(mover);
-    this.#changes.push({ kind: "release", part });
+    this.change({ kind: "release", part });
     this.changed();
   }
 
@@ -284,9 +317,15 @@ export class LiveStore extends Store {
     if (this.#movers.get(part)?.kind === "push") this.release(part);
   }
 
-  /** The next frame. */
+  /** The last frame that does not change. A paused figure is between two frames, which both stay. */
+  get #lastUnchanged(): number {
+    const seen = this.playback.playing ? Math.floor(this.#seen) : Math.ceil(this.#seen);
+    return Math.min(seen, this.#track?.last ?? 0);
+  }
+
+  /** The first frame that an action changes. */
   get #next(): number {
-    return (this.#track?.last ?? 0) + 1;
+    return this.#lastUnchanged + 1;
   }
 
   /** Replaces what moves a part. */
@@ -310,9 +349,9 @@ export class LiveStore extends Store {
   }
 
   #partOf(node: number): number {
-    const { model } = this.model;
-    const joint = model?.info.figure.nodes[node]?.joint ?? -1;
-    return model?.info.parts.findIndex(({ joints }) => joints.includes(joint)) ?? -1;
+    const { body } = this.source;
+    const joint = body?.figure.nodes[node]?.joint ?? -1;
+    return body?.parts.findIndex(({ joints }) => joints.includes(joint)) ?? -1;
   }
 
   #markPush(part: number): void {
@@ -324,55 +363,60 @@ export class LiveStore extends Store {
     this.changed();
   }
 
-  #couplings(): Extract<LiveChange, { kind: "couplings" }> {
-    const { alpha, reading } = this.model.couplings;
-    return { kind: "couplings", alpha, reading };
-  }
-
   /** Called when the couplings or the model may have changed. */
-  #followCouplings(): void {
+  #followSource(): void {
     if (!this.#track) return;
-    if (this.model.model?.revision !== this.#revision) {
+    if (this.source.revision !== this.#revision) {
       this.stop();
       return;
     }
-    const now = this.#couplings();
-    if (JSON.stringify(now) === JSON.stringify(this.#sent)) return;
+    const now = this.source.couplings;
+    if (!now || JSON.stringify(now) === JSON.stringify(this.#sent)) return;
     this.#sent = now;
-    // Only the newest couplings matter.
-    this.#changes = this.#changes.filter(({ kind }) => kind !== "couplings");
-    this.#changes.push(now);
+    this.change(now);
   }
 
-  /** Asks for frames before the clock needs them. */
+  /** Called when the clock has moved. */
+  #follow(): void {
+    if (!this.#track) return;
+    this.#seen = Math.max(this.#seen, this.playback.frame);
+    void this.#fill();
+  }
+
+  /** Asks for frames after all changes of this moment. */
+  #fillSoon(): void {
+    queueMicrotask(() => void this.#fill());
+  }
+
+  /** Asks for frames before the clock needs them, and after a change again for those that were not shown. */
   async #fill(): Promise<void> {
     const track = this.#track;
-    const { engine } = this.engine;
-    if (!track || !engine || this.#busy) return;
+    if (!track || this.#busy) return;
+    const { frame, playing, speed } = this.playback;
     // A slow machine, or double speed, needs more frames at once.
     const now = performance.now();
     const seconds = Math.min(LONGEST_PICTURE, (now - this.#askedAt) / 1000);
     this.#askedAt = now;
     const isHeld = [...this.#movers.values()].some(({ kind }) => kind !== "record");
     const lead = isHeld ? DRIVEN_LEAD : LEAD;
-    const ahead = lead + (seconds * this.settings.values.speed) / track.motion.frameTime;
-    const movedAt = this.#movedAt;
-    // A frame that the figure has not reached is computed again, so that the next picture obeys the hand.
-    const replaced = movedAt !== null && track.last > this.playback.frame ? 1 : 0;
-    const last = track.last - replaced;
-    if (movedAt === null && last - this.playback.frame >= ahead) return;
-    this.#busy = true;
-    const changes: LiveChange[] = replaced > 0 ? [{ kind: "take-back" }, ...this.#changes] : this.#changes;
-    [this.#changes, this.#movedAt] = [[], null];
+    // A paused figure moves on to the end of the transition, so that the change is visible.
+    const onward = this.#leaps && !playing ? TRANSITION_FRAMES : 0;
+    const ahead = lead + onward + (seconds * speed) / track.motion.frameTime;
+    const isChanged = this.#changes.length > 0;
+    const from = isChanged ? this.#lastUnchanged : track.last;
+    if (!isChanged && from - frame >= ahead) return;
+    const back = track.last - from;
+    // A hand that holds a part gives its turns to the next frames alone.
+    const frames = Math.max(1, isHeld ? 0 : back, Math.ceil(ahead + frame - from));
+    const [movedAt, leaps] = [this.#movedAt, this.#leaps];
+    [this.#busy, this.#movedAt, this.#leaps] = [true, null, false];
     try {
-      const frames = Math.max(1, Math.ceil(ahead + this.playback.frame - last));
-      const next = await engine.advanceLive(changes, frames);
-      if (this.#track === track) {
-        this.#dropAfter(track, last);
-        this.#take(track, next);
-        this.playback.follow(track);
-        if (movedAt !== null) performance.measure(HAND_MEASURE, { start: movedAt });
-      }
+      const next = await this.source.advance({ back, changes: this.#changesAfter(from), frames });
+      if (this.#track !== track) return;
+      this.#take(track, next, from, leaps);
+      this.playback.follow(track);
+      if (movedAt !== null) performance.measure(HAND_MEASURE, { start: movedAt });
+      if (onward > 0 && !this.playback.playing) this.playback.seek(from + onward);
     } catch (problem) {
       if (this.#track === track) {
         withLab(({ live }) => this.notices.addError(live.ended, messageOf(problem)));
@@ -380,17 +424,33 @@ export class LiveStore extends Store {
       }
     } finally {
       this.#busy = false;
+      if (this.#changes.length > 0) this.#fillSoon();
     }
     this.changedSoon();
   }
 
-  /** Drops the frames after this one. */
-  #dropAfter(track: LiveTrack, last: number): void {
-    track.cutAfter(last);
-    while ((this.#trace.at(-1)?.frame ?? last) > last) this.#trace.pop();
+  /** The changes after a frame: those of the frames computed again, and the new ones. */
+  #changesAfter(frame: number): LiveChange[] {
+    const again = this.#made.filter(({ after }) => after >= frame).flatMap(({ changes }) => changes);
+    const changes = newest([...again, ...this.#changes]);
+    this.#changes = [];
+    const before = this.#made.filter(({ after }) => after >= Math.floor(this.#seen) && after < frame);
+    this.#made = [...before, { after: frame, changes }];
+    return changes;
   }
 
-  #take(track: LiveTrack, { motion, latents, phases, distances, recorded }: LiveFrames): void {
+  /** Replaces the frames after `from`. */
+  #take(track: LiveTrack, next: LiveFrames, from: number, leaps: boolean): void {
+    const { positions, frames, nodes } = next.motion;
+    const expected = leaps ? expectedAfter(track, from) : null;
+    if (expected) this.#transition.start(from + 1, positions.subarray(0, 3 * nodes), expected);
+    this.#transition.apply(positions, frames, from + 1);
+    track.cutAfter(from);
+    while ((this.#trace.at(-1)?.frame ?? from) > from) this.#trace.pop();
+    this.#append(track, next);
+  }
+
+  #append(track: LiveTrack, { motion, latents, phases, distances, recorded }: LiveFrames): void {
     const before = track.last;
     const parts = latents.length;
     const outlined = [...this.#recordings.keys()].at(-1) ?? 0;

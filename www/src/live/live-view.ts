@@ -1,7 +1,6 @@
 // The live view over the stage: the cuts, who moves each part, and a strip chart of phases and distances. Limbs
 // can be dragged.
 import { html, nothing } from "lit";
-import type { ModelStore } from "../couplings/model-store";
 import type { PushPart } from "../latents/push-handle";
 import "../latents/push-handle";
 import type { Playback } from "../stage/playback";
@@ -23,14 +22,13 @@ const FARTHEST = 1.5;
 
 export class LiveView extends View {
   declare live: LiveStore;
-  declare model: ModelStore;
   declare playback: Playback;
   declare recorded: RecordedParts;
   /** The part of the wheel. */
   #wheel = 0;
 
   protected override stores() {
-    return [this.live, this.model, this.recorded];
+    return [this.live, this.recorded];
   }
 
   protected override arrived(): void {
@@ -38,20 +36,19 @@ export class LiveView extends View {
     const canvas = this.querySelector("canvas");
     if (canvas) this.watchSize(canvas, () => this.requestUpdate());
     const stage = this.closest(".stage-area")?.querySelector<StageView>("pg-stage");
-    const picture = stage?.querySelector("canvas");
-    if (stage && picture) this.whenLeaving(letDragLimbs(stage, picture, this.live));
+    if (stage) this.whenLeaving(letDragLimbs(stage, this.live));
     const page = this.closest("main");
     const push = ({ part, by }: PushPart) => this.live.push(part, by);
     if (page) this.listen(page, "push-part", (event) => push((event as CustomEvent<PushPart>).detail));
   }
 
   get #names(): string[] {
-    return this.model.model?.info.parts.map(({ name }) => shownPart(name)) ?? [];
+    return this.live.body?.parts.map(({ name }) => shownPart(name)) ?? [];
   }
 
   override updated(): void {
     const canvas = this.querySelector("canvas");
-    if (canvas) drawStrip(canvas, this.live, this.model.model?.info.frameTime ?? 1 / 30);
+    if (canvas) drawStrip(canvas, this.live, this.live.body?.frameTime ?? 1 / 30);
   }
 
   /** The choice of who moves a part: "model", "you", or the key of a recording after a dot. */
@@ -89,7 +86,7 @@ export class LiveView extends View {
     if (!live.running) return nothing;
     if (live.driven !== null) this.#wheel = live.driven;
     if (this.#wheel >= names.length) this.#wheel = 0;
-    const isCyclic = (live.trace.at(-1)?.phases.length ?? 0) > 0;
+    const { isCyclic } = live;
     const text = actionText(live.marks, names) ?? words.hint;
     return html`
       <div class="live-strip" data-testid="live">

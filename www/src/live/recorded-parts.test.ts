@@ -12,7 +12,8 @@ import { StageStore } from "../stage/stage-store";
 import { NoticesStore } from "../ui/notices-store";
 import { loadCompleting } from "../words/sections";
 import { WordsStore } from "../words/words";
-import { LiveStore } from "./live-store";
+import type { LiveStore } from "./live-store";
+import { modelLive } from "./model-live";
 import { RecordedParts } from "./recorded-parts";
 
 let model: ModelStore;
@@ -29,9 +30,9 @@ beforeEach(async () => {
   const playback = new Playback(settings);
   const stage = new StageStore(playback);
   model = new ModelStore(store, settings, stage, notices);
-  live = new LiveStore(store, settings, model, stage, playback, notices);
+  live = modelLive({ engine: store, model, stage, playback, notices });
   const recordings = new Recordings(store, model, new ClipsStore(store, settings, stage), whole);
-  recorded = new RecordedParts(recordings, model, live, notices);
+  recorded = new RecordedParts(recordings, live, notices);
   await store.start(
     () => Promise.resolve(started(new FakeEngine())),
     () => model.open(modelText(1)),

@@ -1,8 +1,6 @@
 // Recordings that move parts of the live motion. The latents of the part come from the model's filter, once.
-import type { Recording, Recordings } from "../completing/recordings";
-import type { ModelStore } from "../couplings/model-store";
+import type { Recording } from "../completing/recordings";
 import { Latest } from "../engine/latest";
-import type { ModelView } from "../engine/protocol";
 import type { CompletedClip } from "../engine/whole-protocol";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
@@ -10,8 +8,18 @@ import { Store } from "../ui/store";
 import { completingWords } from "../words/sections";
 import type { LiveStore } from "./live-store";
 
+/** The recordings of a body, and what a model infers of them. */
+export interface BodyRecordings {
+  readonly all: readonly Recording[];
+  /** Changes with the model. */
+  readonly revision: number;
+  on(listener: () => void): () => void;
+  /** The model observes one part of a recording. */
+  infer(part: number, recording: Recording): Promise<CompletedClip>;
+}
+
 interface Asked {
-  model: ModelView;
+  revision: number;
   part: number;
   recording: Recording;
 }
@@ -23,8 +31,7 @@ export class RecordedParts extends Store {
   readonly #waiting = new Map<number, string>();
 
   constructor(
-    private readonly recordings: Recordings,
-    private readonly model: ModelStore,
+    private readonly recordings: BodyRecordings,
     private readonly live: LiveStore,
     private readonly notices: NoticesStore,
   ) {
@@ -37,11 +44,7 @@ export class RecordedParts extends Store {
     const known = this.#asked.get(part);
     if (known) return known;
     const requests = new Latest<Asked, CompletedClip>(
-      ({ model, recording }) => {
-        const given = model.info.parts[part]?.name ?? "";
-        const request = { given, until: null, alpha: null, reading: "as-learned" as const };
-        return this.recordings.complete(model, recording, request);
-      },
+      ({ recording }) => this.recordings.infer(part, recording),
       (completed, asked) => this.#take(completed, asked),
       (problem) => {
         this.#waiting.delete(part);
@@ -55,7 +58,7 @@ export class RecordedParts extends Store {
 
   /** The recordings to choose from; the model needs another part, which it infers. */
   get all(): readonly Recording[] {
-    return (this.model.model?.info.parts.length ?? 0) > 1 ? this.recordings.all : [];
+    return (this.live.body?.parts.length ?? 0) > 1 ? this.recordings.all : [];
   }
 
   /** The recording that a part waits for or has. */
@@ -66,21 +69,21 @@ export class RecordedParts extends Store {
 
   /** Lets a recording move a part as soon as its latents are there; null: not any more. */
   choose(part: number, key: string | null): void {
-    const { model } = this.model;
+    const { revision } = this.recordings;
     const recording = this.all.find((recording) => recording.key === key);
     this.#waiting.delete(part);
-    if (model && recording) {
+    if (recording) {
       this.#waiting.set(part, recording.key);
-      this.#requests(part).request({ model, part, recording });
+      this.#requests(part).request({ revision, part, recording });
     }
     this.changed();
   }
 
-  #take({ recorded, latents }: CompletedClip, { model, part, recording }: Asked): void {
+  #take({ recorded, latents }: CompletedClip, { revision, part, recording }: Asked): void {
     const { key, title } = recording;
     if (this.#waiting.get(part) !== key) return;
     this.#waiting.delete(part);
-    if (model.revision === this.model.model?.revision)
+    if (revision === this.recordings.revision)
       this.live.record(part, { key, title, latents, motion: recorded });
     this.changed();
   }

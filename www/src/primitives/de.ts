@@ -23,7 +23,6 @@ export const words: PrimitivesWords = {
   notOpened: (why) => `Die Bibliothek konnte nicht geöffnet werden: ${why}`,
   notPutTogether: "Diese Primitive ließen sich nicht zusammensetzen",
   doesNotMove: (title) => `${title} bewegt sich nicht`,
-  stopped: "Die Figur ist stehen geblieben",
   areas: {
     library: "Die Bibliothek",
     figure: "Die Figur",
@@ -98,6 +97,9 @@ export const words: PrimitivesWords = {
     keepMeaning: "Als Bewegung der Bibliothek, mit diesen Kopplungen",
     stage: "Auf die Bühne",
     stageMeaning: "Als Modell, mit diesen Kopplungen, im Labor",
+    cut: "kappen",
+    cutOf: (source, target) => `${source} → ${target} kappen, solange gehalten`,
+    cutMeaning: "Solange gehalten, ist diese Kopplung gekappt",
     fitAbout: "Lernt nur die Kopplungen; die Primitive bleiben.",
     fitted: (how, seconds) => `${how} ${number(seconds, 1)} s.`,
     unexplained: (parts, limit, seconds) => {

@@ -23,7 +23,6 @@ export const words = {
   notOpened: (why: string) => `The library could not be opened: ${why}`,
   notPutTogether: "These primitives could not be put together",
   doesNotMove: (title: string) => `${title} does not move`,
-  stopped: "The figure has stopped",
   areas: {
     library: "The library",
     figure: "The figure",
@@ -96,6 +95,9 @@ export const words = {
     keepMeaning: "As a movement of the library, with these couplings",
     stage: "Put on the stage",
     stageMeaning: "As a model, with these couplings, in the Lab",
+    cut: "cut",
+    cutOf: (source: string, target: string) => `Cut ${source} → ${target} while held`,
+    cutMeaning: "While held, this coupling is cut",
     fitAbout: "Learns the couplings alone; the primitives stay.",
     fitted: (how: string, seconds: number) => `${how} ${number(seconds, 1)} s.`,
     unexplained: (parts: readonly string[], limit: number, seconds: number) => {

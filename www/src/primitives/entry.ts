@@ -1,6 +1,7 @@
 import { defineView } from "../views/define-view";
 import type { Primitives } from "./primitives";
 import { words } from "./view-words";
+import { loadCompleting } from "../words/sections";
 
 declare module "../settings/views" {
   interface ViewStores {
@@ -10,7 +11,7 @@ declare module "../settings/views" {
 
 export const view = defineView({
   name: "primitives",
-  budget: 128_000,
+  budget: 113_000,
   place: 2,
   words: {
     en: {
@@ -23,7 +24,11 @@ export const view = defineView({
     },
   },
   async stores(page) {
-    const [{ openPrimitives }] = await Promise.all([import("./primitives"), words.load(page.words)]);
+    const [{ openPrimitives }] = await Promise.all([
+      import("./primitives"),
+      words.load(page.words),
+      loadCompleting(page.words),
+    ]);
     const primitives = openPrimitives(page.workers, page.engine, page.settings, page.clips, page.notices);
     primitives.library.on(page.touched);
     return primitives;

@@ -3,7 +3,7 @@ import { armsText, libraryText } from "../engine/library.fake";
 import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import { NoticesStore } from "../ui/notices-store";
 import { LibraryStore } from "./library-store";
-import { TRANSITION_FRAMES } from "./walk-store";
+import { TRANSITION_FRAMES } from "../live/transition";
 
 let program: FakeProgram;
 let notices: NoticesStore;
@@ -18,7 +18,7 @@ beforeEach(() => {
 /** Lets seconds of the visitor's time pass. */
 async function pass(seconds: number): Promise<void> {
   for (let k = 0; k < seconds * 60; k++) {
-    library.walk.advance(1 / 60);
+    library.playback.advance(1 / 60);
     await settled();
   }
 }
@@ -27,7 +27,7 @@ async function pass(seconds: number): Promise<void> {
 async function opened(): Promise<void> {
   await library.openFirst();
   await settled();
-  library.walk.player.play();
+  library.playback.play();
 }
 
 describe("a library", () => {
@@ -104,7 +104,7 @@ describe("the combination that walks", () => {
     expect(library.uses).toEqual([0, 2]);
     expect(library.recorded).toBe("walk");
     expect(library.couplings.altered).toBe(false);
-    expect(program.libraries.changes.slice(-2)).toMatchObject([
+    expect(program.libraries.live.changes.slice(-2)).toMatchObject([
       { kind: "use", part: 1, primitive: 2 },
       { kind: "nearest", uses: [0, 2] },
     ]);
@@ -134,7 +134,7 @@ describe("the combination that walks", () => {
     await opened();
     await pass(0.5);
     const { walk } = library;
-    const seen = Math.floor(walk.player.frame);
+    const seen = Math.floor(library.playback.frame);
     const before = [...(walk.track?.frame(seen) ?? [])];
     const ahead = [...(walk.track?.frame(seen + 1) ?? [])];
     expect(walk.track?.last).toBeGreaterThanOrEqual(seen + 3);
@@ -142,20 +142,20 @@ describe("the combination that walks", () => {
     await settled();
     expect([...(walk.track?.frame(seen) ?? [])]).toEqual(before);
     expect([...(walk.track?.frame(seen + 1) ?? [])]).not.toEqual(ahead);
-    const { back, frames } = program.libraries.advances.at(-1) ?? { back: 0, frames: 0 };
+    const { back, frames } = program.libraries.live.steps.at(-1) ?? { back: 0, frames: 0 };
     expect(back).toBeGreaterThanOrEqual(2);
     expect(frames).toBeGreaterThanOrEqual(back);
     // A second change computes the frames of the first change again.
     library.setTempo(0, 1.5);
     await settled();
-    expect(program.libraries.changes.slice(-3)).toMatchObject([
+    expect(program.libraries.live.changes.slice(-3)).toMatchObject([
       { kind: "use", part: 1, primitive: 2 },
       { kind: "nearest" },
       { kind: "tempo", part: 0 },
     ]);
     library.choose(1, 3);
     await settled();
-    expect(program.libraries.changes.slice(-3)).toMatchObject([
+    expect(program.libraries.live.changes.slice(-3)).toMatchObject([
       { kind: "tempo", part: 0 },
       { kind: "use", part: 1, primitive: 3 },
       { kind: "nearest" },
@@ -168,20 +168,20 @@ describe("the combination that walks", () => {
     await opened();
     await pass(0.52);
     const { walk } = library;
-    walk.player.pause();
-    const { frame } = walk.player;
-    const now = () => walk.track?.frame(walk.player.frame)?.[0];
+    library.playback.togglePlay();
+    const { frame } = library.playback;
+    const now = () => walk.track?.frame(library.playback.frame)?.[0];
     const before = now();
     library.choose(1, 2);
     await settled();
-    expect(walk.player.frame).toBe(Math.ceil(frame) + TRANSITION_FRAMES);
-    expect(walk.track?.last).toBeGreaterThanOrEqual(walk.player.frame + 1);
+    expect(library.playback.frame).toBe(Math.ceil(frame) + TRANSITION_FRAMES);
+    expect(walk.track?.last).toBeGreaterThanOrEqual(library.playback.frame + 1);
     expect([before, now()]).toEqual([3, 2]);
     // A coupling does not move a paused figure.
     library.couplings.set(0, 1, 5);
     await settled();
-    expect(walk.player.frame).toBe(Math.ceil(frame) + TRANSITION_FRAMES);
-    walk.player.play();
+    expect(library.playback.frame).toBe(Math.ceil(frame) + TRANSITION_FRAMES);
+    library.playback.play();
     await pass(1);
     expect(now()).toBe(2);
   });
@@ -198,8 +198,8 @@ describe("the combination that walks", () => {
       [1, 7],
       [3, 4],
     ];
-    expect(program.libraries.changes).toEqual([
-      { kind: "couplings", alpha: couplings },
+    expect(program.libraries.live.changes).toEqual([
+      { kind: "couplings", alpha: couplings, reading: "as-learned" },
       { kind: "tempo", part: 1, tempo: 1.3 },
       { kind: "tempo", part: 0, tempo: 0.9 },
     ]);
@@ -241,6 +241,6 @@ describe("the combination that walks", () => {
     program.libraries.broken = "no longer finite";
     await pass(0.3);
     expect(library.walk.track).toBeNull();
-    expect(notices.all.at(-1)?.title).toBe("The figure has stopped");
+    expect(notices.all.at(-1)?.title).toBe("The live motion has ended");
   });
 });

@@ -2,15 +2,17 @@
 import { changedFrom, CouplingsStore } from "../couplings/couplings-store";
 import type { CouplingsFrom, Fitted, LibraryInfo, PartMotion } from "../engine/library-protocol";
 import { Latest } from "../engine/latest";
-import type { Couplings, Motion } from "../engine/protocol";
-import type { WholeWorkers } from "../engine/whole-workers";
+import type { Couplings, LiveStep, Motion } from "../engine/protocol";
+import { OpenDocument } from "../engine/open-document";
+import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
+import { LiveStore } from "../live/live-store";
 import type { Body } from "../scene/columns";
+import { Playback } from "../stage/playback";
+import { StageStore } from "../stage/stage-store";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
 import { Store } from "../ui/store";
 import { combinationsOf, countOf, exampleOf, firstOf, isSame, recordedAs, titleOf } from "./combinations";
-import { LibraryWorker } from "./library-worker";
-import { WalkStore } from "./walk-store";
 import { primitivesWords } from "./view-words";
 import { shownPart } from "../words/lab";
 
@@ -31,6 +33,8 @@ export interface OpenLibrary {
   unsaved: boolean;
 }
 
+type ChangedLibrary = Pick<OpenLibrary, "text" | "info">;
+
 /** "Added lower: walk." */
 function addedText({ parts }: LibraryInfo, fresh: LibraryInfo["primitives"]): string {
   const { known, added } = primitivesWords().imports;
@@ -41,14 +45,21 @@ function addedText({ parts }: LibraryInfo, fresh: LibraryInfo["primitives"]): st
 const isUnsaved = ({ unsaved }: OpenLibrary) => unsaved;
 
 export class LibraryStore extends Store {
-  readonly walk: WalkStore;
+  readonly playback = new Playback();
+  readonly stage = new StageStore(this.playback);
+  /** The motion without an end of the combination. */
+  readonly walk: LiveStore;
   /** Its learned values are those that the primitives were learned with. */
   readonly couplings = new CouplingsStore((change) => this.#walkUnder(change === "all"));
-  readonly #worker: LibraryWorker;
+  readonly #document: OpenDocument<WholeCalls, LibraryInfo>;
+  /** The document that the worker has open. */
+  #text = "";
   #current: OpenLibrary | null = null;
   /** Libraries that can be brought back: the previous one as the last, and before it unsaved ones. */
   #earlier: readonly OpenLibrary[] = [];
   #opening: Promise<void> | null = null;
+  /** The number of libraries that were opened. */
+  #opened = 0;
   #problem = "";
   /** The document of the library that comes with the page. */
   #first: string | null = null;
@@ -75,8 +86,14 @@ export class LibraryStore extends Store {
     private readonly fetchStartFile: () => Promise<string>,
   ) {
     super();
-    this.#worker = new LibraryWorker(whole);
-    this.walk = new WalkStore(this.#worker, notices);
+    this.#document = new OpenDocument(whole.library, (worker, text) => worker.openLibrary(text));
+    this.walk = new LiveStore(this.#source(), this.stage, this.playback, notices);
+    let { playing } = this.playback;
+    this.playback.on(() => {
+      if (playing === this.playback.playing) return;
+      playing = !playing;
+      this.changed();
+    });
     this.#couplings = new Latest(
       (uses) => this.nearestTo(uses),
       (alpha, uses) => {
@@ -88,7 +105,7 @@ export class LibraryStore extends Store {
       (problem) => this.notices.addError(primitivesWords().notPutTogether, messageOf(problem)),
     );
     this.#partMotions = new Latest(
-      ({ uses, alpha }) => this.#worker.ask((worker) => worker.combinationMoves([...uses], alpha)),
+      ({ uses, alpha }) => this.#ask((worker) => worker.combinationMoves([...uses], alpha)),
       (moves, { uses }) => {
         if (!isSame(uses, this.#uses)) return;
         this.#moves = moves;
@@ -97,6 +114,46 @@ export class LibraryStore extends Store {
       // A failed rollout has a notice of its own.
       () => {},
     );
+  }
+
+  #source() {
+    const library = this;
+    return {
+      get body() {
+        return library.#current?.info ?? null;
+      },
+      get revision() {
+        return library.#opened;
+      },
+      couplings: null,
+      on: (listener: () => void) => this.on(listener),
+      begin: () => this.#ask((worker) => worker.startWalk([...this.#uses])),
+      advance: (step: LiveStep) => this.#ask((worker) => worker.advanceWalk(step)),
+      end: () => {},
+    };
+  }
+
+  #ask<Answer>(call: (worker: WholeCalls) => Promise<Answer>): Promise<Answer> {
+    return this.#document.ask(this.#text, call);
+  }
+
+  async #open(text: string): Promise<LibraryInfo> {
+    const info = await this.#document.open(text);
+    this.#text = text;
+    return info;
+  }
+
+  /** A call in which the worker changes the library. */
+  async #change(call: (worker: WholeCalls) => Promise<ChangedLibrary>): Promise<ChangedLibrary> {
+    const changed = await this.#ask(call);
+    this.#document.replace(changed.text);
+    this.#text = changed.text;
+    return changed;
+  }
+
+  /** Changes with the open library. */
+  get revision(): number {
+    return this.#opened;
   }
 
   get current(): OpenLibrary | null {
@@ -198,7 +255,7 @@ export class LibraryStore extends Store {
 
   /** Opens a library from its document. The previous library and all unsaved ones can be brought back. */
   async open(text: string, title: string, unsaved = false): Promise<void> {
-    const info = await this.#worker.open(text);
+    const info = await this.#open(text);
     const before = this.#current ? [this.#current] : [];
     await this.#takeUp({ text, info, title, unsaved }, [...this.#earlier.filter(isUnsaved), ...before]);
   }
@@ -207,7 +264,7 @@ export class LibraryStore extends Store {
   async undo(): Promise<void> {
     const { before } = this;
     if (!before) return;
-    await this.#worker.open(before.text);
+    await this.#open(before.text);
     const last = this.#current ? [this.#current].filter(isUnsaved) : [];
     await this.#takeUp(before, [...last, ...this.#earlier.slice(0, -1)]);
   }
@@ -222,10 +279,23 @@ export class LibraryStore extends Store {
     this.#addedText = "";
     this.#tempos = library.info.parts.map(() => 1);
     this.#uses = firstOf(library.info, this.combinations);
+    this.#opened += 1;
     this.#showNearest(await this.nearestTo(this.#uses));
-    await this.walk.start(library.info, this.#uses);
+    await this.#show(library.info);
     this.changed();
     void this.#rollOutSmall(library.info);
+  }
+
+  /** Shows the combination, which walks on if the figure before did. */
+  async #show({ figure, joints, parts }: LibraryInfo): Promise<void> {
+    const uses = this.#uses;
+    const motion = await this.#ask((worker) => worker.combinationMotion([...uses], SMALL_FRAMES));
+    this.#motions.set(uses.join(), motion);
+    const { playing } = this.playback;
+    this.walk.stop();
+    this.stage.showModel({ kind: "model", figure, parts, motion, joints: joints.map(({ name }) => name) });
+    await this.walk.start();
+    if (!playing && this.playback.playing) this.playback.togglePlay();
   }
 
   /** Chooses another primitive for one part. */
@@ -269,39 +339,41 @@ export class LibraryStore extends Store {
 
   /** The couplings that the primitives of a combination were learned with. */
   nearestTo(uses: readonly number[]): Promise<Couplings> {
-    return this.#worker.ask((worker) => worker.nearestCouplings([...uses]));
+    return this.#ask((worker) => worker.nearestCouplings([...uses]));
   }
 
   /** The document of the combination as a model. */
   combinationText(): Promise<string> {
-    return this.#worker.ask((worker) => worker.combinationText([...this.#uses], this.couplings.alpha));
+    return this.#ask((worker) => worker.combinationText([...this.#uses], this.couplings.alpha));
   }
 
   /** Adds the combination with its couplings to the library, as a movement of this name. */
   async keep(name: string): Promise<void> {
     const current = this.#current;
     if (!current) return;
-    const { text, info } = await this.#worker.add(name, this.#uses, this.couplings.alpha, this.#from);
+    const { text, info } = await this.#change((worker) =>
+      worker.addCombination(name, [...this.#uses], this.couplings.alpha, this.#from),
+    );
     this.#current = { ...current, text, info, unsaved: true };
     this.changed();
   }
 
   /** The document of one primitive. */
   primitiveText(primitive: number): Promise<string> {
-    return this.#worker.ask((worker) => worker.primitivesText([primitive]));
+    return this.#ask((worker) => worker.primitivesText([primitive]));
   }
 
   /** Opens a file as a library, or adds its primitives if it has not those of a whole body. */
   async openFile(text: string, title: string): Promise<void> {
     await this.openFirst();
-    if (await this.#worker.ask((worker) => worker.isWholeLibrary(text))) await this.open(text, title);
+    if (await this.#ask((worker) => worker.isWholeLibrary(text))) await this.open(text, title);
     else await this.add(text);
   }
 
   /** Adds the primitives of another file. Throws the reason if they do not fit. */
   async add(text: string): Promise<void> {
     this.#addedText = "";
-    const { text: added, info } = await this.#worker.take(text);
+    const { text: added, info } = await this.#change((worker) => worker.addPrimitives(text));
     const current = this.#current;
     if (!current) return;
     const fresh = info.primitives.slice(current.info.primitives.length);
@@ -335,7 +407,7 @@ export class LibraryStore extends Store {
   /** The figure continues under the couplings now. */
   #walkUnder(leaps: boolean): void {
     this.#touched = true;
-    this.walk.change({ kind: "couplings", alpha: this.couplings.alpha }, leaps);
+    this.walk.change({ kind: "couplings", alpha: this.couplings.alpha, reading: "as-learned" }, leaps);
     this.#couplingsChanged();
   }
 
@@ -373,7 +445,7 @@ export class LibraryStore extends Store {
       if (this.#motions !== motions) return;
       if (motions.has(uses.join())) continue;
       try {
-        const motion = await this.#worker.ask((worker) => worker.combinationMotion([...uses], SMALL_FRAMES));
+        const motion = await this.#ask((worker) => worker.combinationMotion([...uses], SMALL_FRAMES));
         motions.set(uses.join(), motion);
       } catch (problem) {
         this.notices.addError(primitivesWords().doesNotMove(titleOf(info, uses)), messageOf(problem));

@@ -15,6 +15,7 @@ import type { StagedModel } from "../stage/stage-store";
 import "./primitives.css";
 import "./recognition-view";
 import "./walk-view";
+import "../live/live-view";
 import { lab, shownPart } from "../words/lab";
 import { DATA_SOURCE } from "../words/data-source";
 import { primitivesWords } from "./view-words";
@@ -193,7 +194,7 @@ export class PrimitivesPage extends View {
   }
 
   protected override stores() {
-    return [this.#library, this.#library.walk, this.notices];
+    return [this.#library, this.notices];
   }
 
   protected override arrived(): void {
@@ -262,8 +263,8 @@ export class PrimitivesPage extends View {
 
   protected override render() {
     const { clips } = this;
-    const { library, fitting, learning, recognition } = this.primitives;
-    const { playing } = library.walk.player;
+    const { library, fitting, learning, recognition, recordedParts } = this.primitives;
+    const { playing } = library.playback;
     const words = primitivesWords();
     const { areas } = words;
     const here = this.notices.all.filter(({ at }) => at === null);
@@ -283,6 +284,7 @@ export class PrimitivesPage extends View {
             <section class="panel" aria-label=${words.drawer.title}><pg-drawer .library=${library} .playing=${playing} .notices=${this.notices}></pg-drawer></section>
             <section class="panel" aria-label=${words.gallery.title}><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
             <section class="panel" aria-label=${areas.chimera}><pg-chimera .library=${library}></pg-chimera></section>
+            <section class="panel live-panel" aria-label=${lab().live.movers}><pg-live .live=${library.walk} .playback=${library.playback} .recorded=${recordedParts}></pg-live></section>
             <section class="panel" aria-label=${areas.couplings}><pg-walk-couplings .library=${library} .fitting=${fitting} .clips=${clips}></pg-walk-couplings></section>
             <section class="panel" aria-label=${areas.imports}><pg-import .library=${library} .notices=${this.notices}></pg-import></section>
           </div>

@@ -1,7 +1,10 @@
 // The couplings of the walking combination, set by hand or fitted, and the buttons that keep the combination.
 import { html, nothing } from "lit";
 import type { ClipsStore } from "../clips/clips-store";
-import { couplingsTable } from "../couplings/couplings-table";
+import { type CouplingSlider, couplingSlider } from "../couplings/coupling-slider";
+import type { CouplingsStore } from "../couplings/couplings-store";
+import { partColour } from "../ui/palette";
+import { partStyle } from "../ui/styled";
 import { progressBar } from "../ui/progress-bar";
 import { View } from "../ui/view";
 import { withTerms } from "../terms/term";
@@ -12,6 +15,74 @@ import { primitivesWords } from "./view-words";
 import { LARGEST_COUPLING } from "../engine/limits";
 import { sentence } from "../ui/format";
 import type { LibraryInfo, PartMotion } from "../engine/library-protocol";
+
+interface CutButton {
+  names: readonly [source: string, target: string];
+  held: boolean;
+  hold(held: boolean): void;
+}
+
+interface CouplingsTable extends Pick<CouplingSlider, "trained" | "prefix"> {
+  couplings: CouplingsStore;
+  /** The names of the parts. */
+  parts: readonly string[];
+  /** Cuts a coupling, or restores it: a button of each coupling does while it is held. */
+  hold(source: number, target: number, held: boolean): void;
+  isCut(source: number, target: number): boolean;
+}
+
+/** A button that cuts a coupling while it is held, by pointer or by key. */
+function cutButton({ names, held, hold }: CutButton) {
+  const words = primitivesWords().couplings;
+  const key = (event: KeyboardEvent) => {
+    if (event.repeat || (event.key !== " " && event.key !== "Enter")) return;
+    event.preventDefault();
+    hold(event.type === "keydown");
+  };
+  const press = (event: PointerEvent) => {
+    (event.currentTarget as Element).setPointerCapture(event.pointerId);
+    hold(true);
+  };
+  const release = () => hold(false);
+  return html`<button class="small cut-button" aria-pressed=${held ? "true" : "false"} title=${words.cutMeaning}
+    aria-label=${words.cutOf(...names)} @pointerdown=${press} @pointerup=${release} @pointercancel=${release}
+    @keydown=${key} @keyup=${key} @blur=${release}>${words.cut}</button>`;
+}
+
+function couplingsTable({ couplings, parts, hold, isCut, ...how }: CouplingsTable) {
+  const words = lab().couplings;
+  const head = (part: number) =>
+    html`<span class="part-name" style=${partStyle(partColour(part))}><i class="swatch"></i>${parts[part] ?? ""}</span>`;
+  const cell = (source: number, target: number) => {
+    const names = [parts[source] ?? "", parts[target] ?? ""] as const;
+    const button = {
+      names,
+      held: isCut(source, target),
+      hold: (held: boolean) => hold(source, target, held),
+    };
+    return html`<td>${couplingSlider({ couplings, source, target, names, ...how })}${cutButton(button)}</td>`;
+  };
+  return html`
+    <div class="table-box">
+      <table class="couplings" data-parts=${parts.length}>
+        <thead>
+          <tr>
+            <td><small>${words.decides}</small></td>
+            ${parts.map((_, target) => html`<th scope="col"><small>${words.about}</small> ${head(target)}</th>`)}
+          </tr>
+        </thead>
+        <tbody>
+          ${parts.map(
+            (_, source) => html`
+            <tr>
+              <th scope="row">${head(source)}</th>
+              ${parts.map((__, target) => cell(source, target))}
+            </tr>`,
+          )}
+        </tbody>
+      </table>
+    </div>`;
+}
 
 /** Names the parts that rest under these couplings, with the reason; empty if all parts move. */
 export function restingPartsText(
@@ -60,7 +131,7 @@ export class WalkCouplingsView extends View {
   #clip = "";
 
   protected override stores() {
-    return [this.library, this.fitting, this.clips];
+    return [this.library, this.library.walk, this.fitting, this.clips];
   }
 
   /** The text about parts that rest. */
@@ -103,6 +174,8 @@ export class WalkCouplingsView extends View {
         parts: parts.map(({ name }) => shownPart(name)),
         trained: false,
         prefix: "walk-",
+        hold: (source, target, held) => void library.walk.hold(source, target, held),
+        isCut: (source, target) => library.walk.isCut(source, target),
       })}
       ${this.#still(library)}
       ${this.#fit()}

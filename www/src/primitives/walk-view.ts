@@ -2,28 +2,24 @@
 import { html, nothing, svg } from "lit";
 import { bodyOf, type Body as MapBody, HEIGHT, NODE, WIDTH } from "./body-layout";
 import type { Motion } from "../engine/protocol";
-import { Columns } from "../scene/columns";
-import type { LiveTrack } from "../scene/live-track";
-import { eachFrame } from "../ui/browser";
+import { letDragLimbs } from "../live/drag-limbs";
+import type { StageView } from "../stage/stage-view";
+import "../stage/stage-view";
 import { icon } from "../ui/icons";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
+import type { Store } from "../ui/store";
 import { View } from "../ui/view";
 import { exampleOf, DRAG_TYPE } from "./combinations";
 import type { LibraryStore } from "./library-store";
 import { lab, shownPart } from "../words/lab";
 import { primitivesWords } from "./view-words";
-import "../stage/stage-canvas.css";
 
 export class WalkView extends View {
   static override properties = { over: { state: true } };
   declare library: LibraryStore;
   /** The part below a dragged primitive. */
   declare over: number | null;
-  #columns: Columns | null = null;
-  #hasGraphics = true;
-  #drawnTrack: LiveTrack | null = null;
-  #drawnAt = -1;
   #map: { key: unknown; body: MapBody } | null = null;
 
   constructor() {
@@ -31,52 +27,29 @@ export class WalkView extends View {
     this.over = null;
   }
 
-  protected override stores() {
-    return [this.library, this.library.walk];
+  protected override stores(): Store[] {
+    return [this.library];
   }
 
   /** Called by the key for play. */
   togglePlay(): void {
-    this.library.walk.togglePlay();
+    this.library.playback.togglePlay();
   }
 
   step(direction: 1 | -1): void {
-    this.library.walk.step(direction);
+    this.library.playback.step(direction);
   }
 
   protected override arrived(): void {
-    const canvas = this.querySelector("canvas");
-    try {
-      if (canvas) this.#columns = new Columns(canvas);
-    } catch {
-      this.#hasGraphics = false;
-      this.requestUpdate();
-    }
-    this.whenLeaving(eachFrame((seconds) => this.#tick(seconds)));
-    this.whenLeaving(() => {
-      this.#columns?.dispose();
-      this.#columns = null;
-      this.#drawnTrack = null;
-    });
+    const stage = this.querySelector<StageView>("pg-stage");
+    // The stage draws its canvas after this view.
+    void stage?.updateComplete.then(() => this.whenLeaving(letDragLimbs(stage, this.library.walk)));
   }
 
-  #tick(seconds: number): void {
-    const { walk, current } = this.library;
-    const { track, player } = walk;
-    walk.advance(seconds);
-    if (!track || !current || !this.#columns) return;
-    if (track !== this.#drawnTrack) this.#show(track);
-    const changed = player.frame !== this.#drawnAt;
-    this.#drawnAt = player.frame;
-    this.#columns.draw(player.frame - track.first, changed, seconds, player.playing);
-  }
-
-  #show(track: LiveTrack): void {
-    const { body } = this.library;
-    const ground = this.#example();
-    if (!body || !ground) return;
-    this.#drawnTrack = track;
-    this.#columns?.show(body, [{ motion: track.motion, ghost: null, ground }]);
+  /** The figure, whose limbs can be dragged. */
+  protected figure(testId: string, label: string) {
+    const { stage, playback } = this.library;
+    return html`<pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${label} .testId=${testId}></pg-stage>`;
   }
 
   /** A motion of this body from its start, which defines the height of the ground. */
@@ -129,15 +102,13 @@ export class WalkView extends View {
 
   protected override render() {
     const { library } = this;
-    const { playing } = library.walk.player;
+    const { playing } = library.playback;
     const { recorded } = library;
     const words = primitivesWords().walk;
     const { time } = lab();
     return html`
       <div class="walk-box">
-        <canvas class="stage-canvas" tabindex="0" role="img" data-testid="walk"
-          aria-label=${words.figure(library.title)}></canvas>
-        ${this.#hasGraphics ? nothing : html`<p class="stage-problem" role="alert">${words.noGraphics}</p>`}
+        ${this.figure("walk", words.figure(library.title))}
         ${this.#slots()}
         <p class="walk-words"><strong data-testid="combination-title">${library.title}</strong>
           <span data-testid="recorded">${recorded === null ? words.never : words.recordedAs(recorded)}</span></p>

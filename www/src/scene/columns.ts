@@ -56,8 +56,6 @@ export interface ColumnMotion {
    * Speed of the camera along the ground, metres a second, from the origin. Absent: it follows the figure.
    */
   camera?: { x: number; z: number };
-  /** For a motion without an end: another motion of the body, from the same start, with the same ground. */
-  ground?: Motion;
 }
 
 /** Half height and half width of the visible space around a figure, at least: with swinging arms; metres. */
@@ -65,8 +63,6 @@ const HALF_HEIGHT = 1.12;
 const HALF_WIDTH = 0.85;
 /** The angle between heading and camera, radians. */
 const SIDE = 1.15;
-/** Seconds between two looks at the reach of a motion without an end. */
-const BETWEEN = 0.5;
 /** Pixels of a column's shadow, each way. */
 const SHADOW = 512;
 
@@ -108,7 +104,7 @@ class Column {
   /** Shows another motion of the same body. A ghost needs a ghost before. */
   take(current: ColumnMotion): void {
     this.#current = current;
-    const ground = current.ghost ?? current.ground ?? current.motion;
+    const ground = current.ghost ?? current.motion;
     this.#floor = floorOf(ground) - SOLE;
     this.#feet = feetOf(ground, this.#floor + SOLE);
     this.#ground.group.position.y = this.#floor;
@@ -116,8 +112,8 @@ class Column {
 
   /** The view of all motions of this column. */
   view(slope: number, aspect: number): View {
-    const { motion, ghost, ground } = this.#current;
-    const motions = [motion, ghost, ground].filter((motion) => motion !== null && motion !== undefined);
+    const { motion, ghost } = this.#current;
+    const motions = ghost ? [motion, ghost] : [motion];
     return widest(motions.map((motion) => viewOf(motion, this.#floor, { slope, aspect })));
   }
 
@@ -184,8 +180,6 @@ export class Columns {
   readonly #middle = new Vector3();
   readonly #from: number | null;
   readonly #framing: Framing;
-  /** Seconds since the last look at the reach of a motion without an end. */
-  #sinceLook = 0;
 
   /** Throws where the browser has no WebGL. */
   constructor(
@@ -208,8 +202,7 @@ export class Columns {
     const [first] = motions;
     const isFirst = this.#columns.length === 0;
     const isOther = isFirst || first?.motion.nodes !== this.#columns[0]?.current.motion.nodes;
-    if (this.#from === null && first && isOther)
-      this.#framing.start(first.ghost ?? first.ground ?? first.motion);
+    if (this.#from === null && first && isOther) this.#framing.start(first.ghost ?? first.motion);
     if (isFirst) this.#framing.aim(this.#from ?? SIDE);
     const fit = (column: Column, i: number) => !column.current.ghost === !motions[i]?.ghost;
     if (body === this.#body && motions.length === this.#columns.length && this.#columns.every(fit)) {
@@ -242,19 +235,6 @@ export class Columns {
     const least = { middle: MIDDLE, distance: Math.max(HALF_HEIGHT, HALF_WIDTH / aspect) / slope };
     if (this.#from !== null) return least;
     return widest([least, ...this.#columns.map((column) => column.view(slope, aspect))]);
-  }
-
-  /** Keeps the camera's angle to a walk without an end, and its whole reach in the picture. */
-  #follow(seconds: number): void {
-    const [column] = this.#columns;
-    if (!column?.current.ground) return;
-    this.#sinceLook += seconds;
-    if (this.#sinceLook > BETWEEN) {
-      this.#framing.wanted = this.#view();
-      this.#sinceLook = 0;
-    }
-    this.#framing.follow(column.pose, seconds);
-    this.#framing.approach(seconds);
   }
 
   /**
@@ -290,7 +270,6 @@ export class Columns {
       drawn(i);
     });
     camera.position.copy(this.#offset);
-    if (playing) this.#follow(seconds);
     camera.updateMatrixWorld();
     viewport.finish();
   }

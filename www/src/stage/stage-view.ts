@@ -18,6 +18,8 @@ export class StageView extends View {
   declare running: boolean;
   /** The name of the picture. */
   declare label: string;
+  /** Its name in tests; absent: "stage". */
+  declare testId: string | undefined;
   /** The name of the list of parts, and that of each part as it is shown; absent: no list. */
   declare legend: { label: string; nameOf: (part: string) => string } | undefined;
   /** Null where there is no WebGL. */
@@ -96,7 +98,7 @@ export class StageView extends View {
   protected override render() {
     return html`
       <canvas ?hidden=${this.stage.columns !== null}
-        class="stage-canvas" tabindex="0" role="img" data-testid="stage"
+        class="stage-canvas" tabindex="0" role="img" data-testid=${this.testId ?? "stage"}
         aria-label=${this.label}
       ></canvas>
       ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}

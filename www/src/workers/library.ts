@@ -1,22 +1,17 @@
 // Libraries of primitives: keeps one open with its endless walk, learns libraries, fits couplings. No DOM.
-import { CouplingTrainer, Library, type LibraryInfo, LibraryTrainer, type LibraryWalk } from "vcgpdm";
+import { CouplingTrainer, type Endless, Library, type LibraryInfo, LibraryTrainer } from "vcgpdm";
 import { MAX_PARTS } from "../engine/limits";
-import type {
-  FittingJob,
-  LearningJob,
-  LibraryWorker,
-  RecordedMovement,
-  WalkChange,
-} from "../engine/library-protocol";
-import type { Motion } from "../engine/protocol";
+import type { FittingJob, LearningJob, LibraryWorker, RecordedMovement } from "../engine/library-protocol";
+import type { LiveBody, Motion } from "../engine/protocol";
 import { clipSet } from "./clips";
+import { advance, type PrimitivesChange } from "./endless";
 import { follow } from "./follow";
 import { inSlices } from "./slices";
 import { transfer, using } from "./using";
 
 /** The library that the page shows. */
-let open: { library: Library; nodes: number; frameTime: number } | null = null;
-let walk: LibraryWalk | null = null;
+let open: { library: Library; body: LiveBody } | null = null;
+let walk: Endless | null = null;
 
 function current(): NonNullable<typeof open> {
   if (!open) throw new Error("There is no library yet: open one.");
@@ -30,25 +25,21 @@ function endWalk(): void {
 
 /** Frames on their way to the page. */
 function motionOf(positions: Float32Array, frames: number): Motion {
-  const { nodes, frameTime } = current();
-  return transfer({ positions, frames, nodes, frameTime }, positions);
+  const { figure, frameTime } = current().body;
+  return transfer({ positions, frames, nodes: figure.nodes.length, frameTime }, positions);
 }
 
-function change(walk: LibraryWalk, change: WalkChange): void {
-  switch (change.kind) {
-    case "use":
-      walk.use(change.part, change.primitive);
-      break;
-    case "couplings":
-      walk.setAlpha(change.alpha);
-      break;
-    case "nearest":
-      walk.setAlpha(current().library.nearestCouplings([...change.uses]));
-      break;
-    case "tempo":
-      walk.setTempo(change.part, change.tempo);
-      break;
-  }
+function exchangePrimitives(walk: Endless, change: PrimitivesChange): void {
+  if (change.kind === "use") walk.use(change.part, change.primitive);
+  else
+    walk.setCouplings(
+      Float64Array.from(
+        current()
+          .library.nearestCouplings([...change.uses])
+          .flat(),
+      ),
+      false,
+    );
 }
 
 async function learner({ clips: chosen, settings, movements, shared }: LearningJob): Promise<LibraryTrainer> {
@@ -109,7 +100,7 @@ export const libraryWorker: LibraryWorker = {
     }
     endWalk();
     open?.library.free();
-    open = { library, nodes: info.figure.nodes.length, frameTime: info.frameTime };
+    open = { library, body: info };
     return info;
   },
   nearestCouplings: (uses) => current().library.nearestCouplings(uses),
@@ -129,11 +120,10 @@ export const libraryWorker: LibraryWorker = {
     endWalk();
     walk = next;
   },
-  advanceWalk(back, changes, frames) {
-    if (!walk) throw new Error("There is no walk: start one.");
-    if (back > 0) walk.rewind(back);
-    for (const one of changes) change(walk, one);
-    return using(walk.advance(frames), (next) => motionOf(next.positions(), frames));
+  advanceWalk(step) {
+    const endless = walk;
+    if (!endless) throw new Error("There is no walk: start one.");
+    return advance(endless, current().body, step, (change) => exchangePrimitives(endless, change));
   },
   learnLibrary: async (job, report, signal) =>
     using(await learner(job), (trainer) => {

@@ -3,20 +3,26 @@ import init, {
   bestToShow,
   Clip,
   documentKind,
+  Endless,
   freshSeed,
   trainingCost,
   usualSettings,
   version,
 } from "vcgpdm/player";
-import type { Workbench } from "../engine/protocol";
-import { Live } from "./live";
+import type { LiveBody, Workbench } from "../engine/protocol";
+import { advance } from "./endless";
 import { serve, start } from "./serve";
 import { shownClip } from "./shown-clip";
 import { ShownModel } from "./shown-model";
 import { using } from "./using";
 
 const model = new ShownModel();
-const live = new Live(model);
+let live: { endless: Endless; body: LiveBody } | null = null;
+
+function endLive(): void {
+  live?.endless.free();
+  live = null;
+}
 
 const workbench: Workbench = {
   async start(wasm) {
@@ -43,9 +49,19 @@ const workbench: Workbench = {
   bodyReport: (request, first) => model.bodyReport(request, first),
   predictions: (request) => model.predictions(request),
   futures: (request, count, seed) => model.futures(request, count, seed),
-  startLive: (request, frame) => live.start(request, frame),
-  advanceLive: (changes, frames) => live.advance(changes, frames),
-  endLive: () => live.end(),
+  startLive(request, frame) {
+    const next = model.withRollout(request, (rollout, body) => ({
+      endless: new Endless(rollout, frame),
+      body,
+    }));
+    endLive();
+    live = next;
+  },
+  advanceLive(step) {
+    if (!live) throw new Error("The live motion ended: start it again.");
+    return advance(live.endless, live.body, step);
+  },
+  endLive,
 };
 
 serve(workbench);

@@ -194,11 +194,7 @@ pub(super) fn three_part_claims(rows: &[Row], labels: &Labels) -> Vec<Claim> {
     let criterion =
         "the errors differ by less than a tenth: the interval of the ratio is from 1 / 1.1 to 1.1";
     add(&THREE_PARTS_EQUAL_TMP, criterion, contender(Tmp), |effect| {
-        match (not(effect.is_below(1.0 / NEARLY)), effect.is_below(NEARLY)) {
-            (ClaimAnswer::Yes, ClaimAnswer::Yes) => ClaimAnswer::Yes,
-            (ClaimAnswer::No, _) | (_, ClaimAnswer::No) => ClaimAnswer::No,
-            _ => ClaimAnswer::Undecided,
-        }
+        all(&[not(effect.is_below(1.0 / NEARLY)), effect.is_below(NEARLY)])
     });
     claims.0
 }
@@ -218,6 +214,16 @@ fn not(answer: ClaimAnswer) -> ClaimAnswer {
         ClaimAnswer::Yes => ClaimAnswer::No,
         ClaimAnswer::No => ClaimAnswer::Yes,
         ClaimAnswer::Undecided => ClaimAnswer::Undecided,
+    }
+}
+
+/// Yes if all are, no if one is.
+fn all(answers: &[ClaimAnswer]) -> ClaimAnswer {
+    let has = |answer| answers.contains(&answer);
+    match (has(ClaimAnswer::No), has(ClaimAnswer::Undecided)) {
+        (true, _) => ClaimAnswer::No,
+        (_, true) => ClaimAnswer::Undecided,
+        _ => ClaimAnswer::Yes,
     }
 }
 
@@ -274,14 +280,8 @@ fn against_all(claims: &mut Claims, sentence: &Sentence, parts: &Contender, rows
     if answers.is_empty() {
         return;
     }
-    let answer = if answers.contains(&ClaimAnswer::No) {
-        ClaimAnswer::No
-    } else if answers.contains(&ClaimAnswer::Undecided) {
-        ClaimAnswer::Undecided
-    } else {
-        ClaimAnswer::Yes
-    };
-    claims.add(sentence, "its error is lower than that of every other model", found.join("; "), answer);
+    let criterion = "its error is lower than that of every other model";
+    claims.add(sentence, criterion, found.join("; "), all(&answers));
 }
 
 /// The relation of bound and error, over the sizes of a kind.
@@ -377,11 +377,7 @@ fn bases(claims: &mut Claims, rows: &[&Row]) {
         fewer.text(),
         more.text()
     );
-    let answer = match (not(fewer.is_below(1.0)), not(more.is_below(1.0))) {
-        (ClaimAnswer::Yes, ClaimAnswer::Yes) => ClaimAnswer::Yes,
-        (ClaimAnswer::No, _) | (_, ClaimAnswer::No) => ClaimAnswer::No,
-        _ => ClaimAnswer::Undecided,
-    };
+    let answer = all(&[not(fewer.is_below(1.0)), not(more.is_below(1.0))]);
     let criterion =
         "of the numbers tried, the fewest and the most have a higher error than the one nearest to 25";
     claims.add(&DMP_OPTIMUM, criterion, found, answer);

@@ -40,9 +40,10 @@ pub use rollout::couplings::{
 };
 #[doc(hidden)]
 pub use rollout::dtw::{Score, ScoreError, dtw_mse, score_and_columns};
+pub use rollout::endless::{Endless, EndlessFrames, REWINDS};
 pub use rollout::health::{Ending, Health, PartPoses, best_to_show};
 pub use rollout::latent_dynamics::LatentDynamics;
-pub use rollout::live::{LiveFrames, LiveRollout};
+pub use rollout::latent_paths::TEMPOS;
 pub use rollout::log_density::LatentLogDensity;
 pub use rollout::pace::Pace;
 pub use rollout::request::{Cut, MOST_SAMPLES, Push, Rollout, RolloutError, RolloutRequest};

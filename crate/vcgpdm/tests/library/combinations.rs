@@ -1,10 +1,8 @@
 //! A library of sample walks, and combinations that were never recorded.
 
 use nalgebra::DMatrix;
-use vcgpdm::models::library::{
-    LibraryPlan, LibraryTrainer, LibraryWalk, PlannedMovement, REWINDS, TrainedLibrary,
-};
-use vcgpdm::models::{Dataset, Reading, Source, VariationalSettings};
+use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement, TrainedLibrary};
+use vcgpdm::models::{Dataset, Endless, Push, REWINDS, Reading, Source, VariationalSettings};
 use vcgpdm::motion::{Clip, parts, samples};
 
 const FRAMES: usize = 600;
@@ -59,39 +57,73 @@ fn legs_of_the_walk_and_arms_of_the_wave_keep_moving_together() {
     }
 }
 
-/// `rewind` removes the last frames of a walk, with the changes among them.
+/// `rewind` removes the last frames of a motion, with the changes among them.
 #[test]
-fn a_rewound_walk_continues_as_if_the_removed_frames_had_never_existed() {
+fn a_rewound_motion_continues_as_if_the_removed_frames_had_never_existed() {
     let trained = trained(10);
-    let mut walk = LibraryWalk::new(&trained, &[0, 2]).unwrap();
-    let whole = walk.clone().advance(&trained, 50).unwrap();
-    walk.advance(&trained, 30).unwrap();
+    let mut walk = trained.endless(&[0, 2]).unwrap();
+    let whole = walk.clone().advance(50).unwrap();
+    walk.advance(30).unwrap();
     let mut expected = walk.clone();
     // Frames in pieces with changes among them, all of which are removed.
-    walk.advance(&trained, 3).unwrap();
-    walk.latents.use_primitive(&trained.library, 1, 3).unwrap();
-    walk.advance(&trained, 4).unwrap();
-    walk.latents.set_tempo(0, 0.5).unwrap();
+    walk.advance(3).unwrap();
+    trained.use_primitive(&mut walk, 1, 3, None).unwrap();
+    walk.advance(4).unwrap();
+    walk.set_tempo(0, 0.5).unwrap();
     walk.rewind(7).unwrap();
-    assert_eq!(walk.latents.uses(), [0, 2]);
-    let again = walk.advance(&trained, 20).unwrap();
+    assert_eq!(walk.uses(), [0, 2]);
+    let again = walk.advance(20).unwrap();
     assert_eq!(again.positions, whole.positions[30 * whole.positions.len() / 50..]);
     // A later change acts from this frame on.
     walk.rewind(20).unwrap();
     for walk in [&mut walk, &mut expected] {
-        walk.latents.use_primitive(&trained.library, 1, 3).unwrap();
+        trained.use_primitive(walk, 1, 3, None).unwrap();
     }
-    let (found, expected) = (walk.advance(&trained, 9), expected.advance(&trained, 9));
+    let (found, expected) = (walk.advance(9), expected.advance(9));
     assert_eq!(found.unwrap().positions, expected.unwrap().positions);
     // Rewinding by no frame removes the changes since the last frame.
-    walk.latents.use_primitive(&trained.library, 0, 1).unwrap();
+    trained.use_primitive(&mut walk, 0, 1, None).unwrap();
     walk.rewind(0).unwrap();
-    assert_eq!(walk.latents.uses(), [0, 3]);
-    // A walk cannot be rewound before its start, nor to frames that are no longer stored.
-    let refusal = |walk: &mut LibraryWalk, frames| walk.rewind(frames).unwrap_err().to_string();
+    assert_eq!(walk.uses(), [0, 3]);
+    // A motion cannot be rewound before its start, nor to frames that are no longer stored.
+    let refusal = |walk: &mut Endless, frames| walk.rewind(frames).unwrap_err().to_string();
     assert_eq!(refusal(&mut walk, 40), "expected frames to take back from 0 to 39, found 40");
-    walk.advance(&trained, 100).unwrap();
+    walk.advance(100).unwrap();
     assert_eq!(refusal(&mut walk, 65), "expected frames to take back from 0 to 64, found 65");
     walk.rewind(REWINDS).unwrap();
     assert!(walk.rewind(1).is_err());
+    assert_eq!(walk.set_tempo(0, 3.0).unwrap_err().to_string(), "expected a tempo from 0.25 to 2, found 3");
+}
+
+#[test]
+fn a_motion_of_primitives_begins_at_any_frame_and_its_parts_are_pushed_and_driven() {
+    let trained = trained(60);
+    let mut walk = trained.endless_from(&[0, 2], (0, 1, 12)).unwrap();
+    let model = trained.movement(0).unwrap();
+    let model = model.coupled().unwrap().model;
+    let start: Vec<_> = model.starts[1].iter().map(|x| x.rows(12, 2).into_owned()).collect();
+    let path = model.dynamics(&model.alpha, Reading::AsLearned).unwrap().path(&start, 42).unwrap();
+    let walked = walk.advance(40).unwrap();
+    for (found, path) in walked.latents.iter().zip(&path) {
+        assert!((found - path.rows(2, 40)).amax() < 1e-9);
+    }
+    // The arms become those of the waving movement.
+    trained.use_primitive(&mut walk, 1, 3, None).unwrap();
+    assert_eq!(walk.uses(), [0, 3]);
+    walk.advance(1).unwrap();
+    let mut pushed = walk.clone();
+    pushed.push(&Push { part: 1, by: vec![0.5; 3], ..Push::default() }).unwrap();
+    pushed.cut(1, 0, true).unwrap();
+    let (free, pushed) = (walk.advance(1).unwrap(), pushed.advance(1).unwrap());
+    assert!((&free.latents[1] - &pushed.latents[1]).amax() > 0.05);
+    if !free.places.is_empty() {
+        walk.drive(0, 0.0).unwrap();
+        let still = walk.advance(60).unwrap();
+        assert!((still.latents[0].row(59) - still.latents[0].row(40)).amax() < 1e-3);
+    }
+    let message = |place| trained.endless_from(&[0, 2], place).unwrap_err().to_string();
+    assert_eq!(message((2, 0, 0)), "expected a movement from 0 to 1, found 2");
+    assert_eq!(message((1, 2, 0)), "expected a sequence of the movement from 0 to 1, found 2");
+    let message = message((1, 1, 100_000));
+    assert!(message.starts_with("expected a frame of the sequence with a whole history from 0 to "));
 }

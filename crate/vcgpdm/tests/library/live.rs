@@ -3,28 +3,28 @@
 use crate::start_model;
 use nalgebra::DMatrix;
 use start_model::start_model;
-use vcgpdm::models::{LiveRollout, Push, Reading, RolloutRequest};
+use std::sync::Arc;
+use vcgpdm::models::{Endless, Push, RolloutRequest};
 
 #[test]
 fn an_undisturbed_live_rollout_equals_the_rollout() {
-    let model = start_model();
-    let model = model.coupled().unwrap();
+    let owner = Arc::new(start_model());
+    let model = owner.coupled().unwrap();
     let request = RolloutRequest { frames: 60, ..RolloutRequest::default() };
     let rollout = model.rollout(&request).unwrap();
     let expected = model.positions(&rollout).unwrap();
-    let mut live = LiveRollout::after(model, &rollout, 19, 0).unwrap();
-    let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
+    let mut live = Endless::after(owner.clone(), &rollout, 19, 0).unwrap();
     let mut positions = Vec::new();
     let mut last = DMatrix::zeros(0, 0);
     for frames in [1, 4, 20, 15] {
-        let next = live.advance(model, &dynamics, frames).unwrap();
+        let next = live.advance(frames).unwrap();
         positions.extend(next.positions);
         last = next.latents[0].clone();
     }
     let begin = 20 * expected.len() / 60;
     assert_eq!(positions.len(), expected.len() - begin);
     // Too many frames are refused before memory is allocated.
-    let error = live.clone().advance(model, &dynamics, 1_000_000_000).unwrap_err().to_string();
+    let error = live.clone().advance(1_000_000_000).unwrap_err().to_string();
     assert!(error.starts_with("expected from 1 to ") && error.ends_with("found 1000000000"), "{error}");
     for (a, b) in positions.iter().zip(&expected[begin..]) {
         assert!((a - b).abs() < 1e-4, "{a} {b}");
@@ -34,74 +34,71 @@ fn an_undisturbed_live_rollout_equals_the_rollout() {
 
 #[test]
 fn a_pulled_node_moves_in_the_direction_of_the_pull() {
-    let model = start_model();
-    let model = model.coupled().unwrap();
+    let owner = Arc::new(start_model());
+    let model = owner.coupled().unwrap();
     let rollout = model.rollout(&RolloutRequest { frames: 40, ..RolloutRequest::default() }).unwrap();
-    let live = LiveRollout::after(model, &rollout, 30, 0).unwrap();
+    let live = Endless::after(owner.clone(), &rollout, 30, 0).unwrap();
     let figure = model.body.mapping.skeleton().figure();
     let joints = &model.body.mapping.skeleton().joints;
     let hand = figure.iter().position(|node| joints[node.joint].name.contains("Hand")).unwrap();
-    let push = live.pull(model, hand, [0.0, 0.0, 0.05]).unwrap();
+    let push = live.pull(hand, [0.0, 0.0, 0.05]).unwrap();
     let part = &model.body.layout.parts()[push.part];
     assert!(part.joints.contains(&figure[hand].joint));
-    let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
-    let place = |mut live: LiveRollout| live.advance(model, &dynamics, 1).unwrap().positions[3 * hand + 2];
+    let place = |mut live: Endless| live.advance(1).unwrap().positions[3 * hand + 2];
     let (free, mut pulled) = (place(live.clone()), live);
     pulled.push(&push).unwrap();
     let moved = place(pulled) - free;
     assert!(moved > 0.005 && moved < 0.1, "{moved}");
-    let error = LiveRollout::after(model, &rollout, 30, 0).unwrap().pull(model, 999, [0.0; 3]).unwrap_err();
+    let error = Endless::after(owner.clone(), &rollout, 30, 0).unwrap().pull(999, [0.0; 3]).unwrap_err();
     assert!(error.to_string().starts_with("expected a node of the figure from 0 to "));
 }
 
 #[test]
 fn parts_on_the_cycle_are_in_phase_and_a_push_moves_a_part_off_it() {
-    let model = start_model();
-    let model = model.coupled().unwrap();
+    let owner = Arc::new(start_model());
+    let model = owner.coupled().unwrap();
     let rollout = model.rollout(&RolloutRequest { frames: 250, ..RolloutRequest::default() }).unwrap();
-    let mut live = LiveRollout::after(model, &rollout, 240, 0).unwrap();
-    let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
-    let settled = live.advance(model, &dynamics, 10).unwrap().places;
+    let mut live = Endless::after(owner.clone(), &rollout, 240, 0).unwrap();
+    let settled = live.advance(10).unwrap().places;
     assert_eq!(settled.len(), 10 * 2);
     for both in settled.chunks_exact(2) {
         let apart = (both[0].phase - both[1].phase + 0.5).rem_euclid(1.0) - 0.5;
         assert!(apart.abs() < 0.05 && both[0].distance < 0.2 && both[1].distance < 0.2, "{both:?}");
     }
     live.push(&Push { part: 1, by: vec![1.0, 1.0, 0.0], ..Push::default() }).unwrap();
-    let pushed = live.advance(model, &dynamics, 1).unwrap().places;
+    let pushed = live.advance(1).unwrap().places;
     assert!(pushed[1].distance > 0.3, "{pushed:?}");
 }
 
 #[test]
 fn a_driven_part_has_the_phase_that_it_is_given_and_the_other_follows() {
-    let model = start_model();
-    let model = model.coupled().unwrap();
+    let owner = Arc::new(start_model());
+    let model = owner.coupled().unwrap();
     let rollout = model.rollout(&RolloutRequest { frames: 250, ..RolloutRequest::default() }).unwrap();
-    let mut live = LiveRollout::after(model, &rollout, 240, 0).unwrap();
-    let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
-    let begin = live.clone().advance(model, &dynamics, 1).unwrap().places;
+    let mut live = Endless::after(owner.clone(), &rollout, 240, 0).unwrap();
+    let begin = live.clone().advance(1).unwrap().places;
     let apart = |a: f64, b: f64| (a - b + 0.5).rem_euclid(1.0) - 0.5;
     // Held still, the lower body stays, and the arms cannot go on for long without it.
     let mut held = live.clone();
     held.drive(0, 0.0).unwrap();
-    let still = held.advance(model, &dynamics, 90).unwrap();
+    let still = held.advance(90).unwrap();
     let lower = &still.latents[0];
     assert!((lower.row(89) - lower.row(60)).amax() < 1e-6);
     // Half a turn in 20 frames, in one request or in several.
     live.drive(0, 0.5).unwrap();
-    let driven = live.clone().advance(model, &dynamics, 20).unwrap();
+    let driven = live.clone().advance(20).unwrap();
     let places: Vec<_> = driven.places.chunks_exact(2).map(|both| (both[0].phase, both[1].phase)).collect();
     let turned = apart(places[19].0, begin[0].phase);
     assert!((turned.abs() - 0.5).abs() < 0.06, "{turned}");
     assert!(places.windows(2).all(|pair| (apart(pair[1].0, pair[0].0) - 0.025).abs() < 0.02), "{places:?}");
     // Back again: the arms are drawn along, so they are not where they would be by themselves.
     let mut back = live.clone();
-    back.advance(model, &dynamics, 20).unwrap();
+    back.advance(20).unwrap();
     back.drive(0, -0.5).unwrap();
-    let returned = back.advance(model, &dynamics, 20).unwrap();
+    let returned = back.advance(20).unwrap();
     assert!((returned.latents[0].row(19) - lower.row(89)).amax() < 0.2);
     back.release(0);
-    let free = back.advance(model, &dynamics, 120).unwrap().places;
+    let free = back.advance(120).unwrap().places;
     let last = &free[free.len() - 2..];
     assert!(apart(last[0].phase, last[1].phase).abs() < 0.1 && last[0].distance < 0.5, "{last:?}");
 
@@ -113,15 +110,14 @@ fn a_driven_part_has_the_phase_that_it_is_given_and_the_other_follows() {
 
 #[test]
 fn a_recording_moves_a_part_round_and_round_and_the_model_goes_on_when_it_is_released() {
-    let model = start_model();
-    let model = model.coupled().unwrap();
+    let owner = Arc::new(start_model());
+    let model = owner.coupled().unwrap();
     let rollout = model.rollout(&RolloutRequest { frames: 300, ..RolloutRequest::default() }).unwrap();
     // The model's own walk as a recording: its legs, 90 frames of it.
     let recorded = rollout.latents[0].rows(200, 90).into_owned();
-    let mut live = LiveRollout::after(model, &rollout, 150, 0).unwrap();
-    let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
+    let mut live = Endless::after(owner.clone(), &rollout, 150, 0).unwrap();
     live.record(0, recorded.clone()).unwrap();
-    let moved = live.advance(model, &dynamics, 200).unwrap();
+    let moved = live.advance(200).unwrap();
     let frames: Vec<usize> = moved.recorded.chunks_exact(2).map(|both| both[0].unwrap()).collect();
     assert!(moved.recorded.chunks_exact(2).all(|both| both[1].is_none()));
     assert!(frames.windows(2).filter(|pair| pair[1] != pair[0] + 1).count() >= 2, "{frames:?}");
@@ -134,7 +130,7 @@ fn a_recording_moves_a_part_round_and_round_and_the_model_goes_on_when_it_is_rel
         assert!(apart(both[0].phase, both[1].phase).abs() < 0.1, "{both:?}");
     }
     live.release(0);
-    let free = live.advance(model, &dynamics, 60).unwrap();
+    let free = live.advance(60).unwrap();
     assert!(free.recorded.iter().all(Option::is_none));
     let jump = (free.latents[0].row(0) - moved.latents[0].row(199)).amax();
     // The legs' loop has a radius of about 2, so a step is about 0.4.
@@ -176,25 +172,24 @@ fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 
 #[test]
 fn a_dragged_node_reaches_its_place_and_distant_places_leave_the_pose_plausible() {
-    let model = start_model();
-    let model = model.coupled().unwrap();
+    let owner = Arc::new(start_model());
+    let model = owner.coupled().unwrap();
     let rollout = model.rollout(&RolloutRequest { frames: 300, ..RolloutRequest::default() }).unwrap();
-    let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
     let skeleton = model.body.mapping.skeleton();
     let figure = skeleton.figure();
     let of = |name: &str| {
         figure.iter().position(|node| !node.end_site && skeleton.joints[node.joint].name == name).unwrap()
     };
-    let mut free = LiveRollout::after(model, &rollout, 150, 0).unwrap();
-    let free = free.advance(model, &dynamics, 40).unwrap().positions;
+    let mut free = Endless::after(owner.clone(), &rollout, 150, 0).unwrap();
+    let free = free.advance(40).unwrap().positions;
     let hips = [of("LeftUpLeg"), of("RightUpLeg")];
     let all = model.positions(&rollout).unwrap();
     let seen = |positions: &[f32], node| places(positions, figure.len(), node, hips);
     let (now, _) = seen(&all, 0)[150];
     let held = |node: usize, place: [f64; 3], frames: usize| {
-        let mut live = LiveRollout::after(model, &rollout, 150, 0).unwrap();
-        live.reach(model, node, place).unwrap();
-        let next = live.advance(model, &dynamics, frames).unwrap();
+        let mut live = Endless::after(owner.clone(), &rollout, 150, 0).unwrap();
+        live.reach(node, place).unwrap();
+        let next = live.advance(frames).unwrap();
         assert!(next.latents.iter().flat_map(|x| x.iter()).all(|x| x.is_finite()));
         (live, next)
     };
@@ -218,7 +213,7 @@ fn a_dragged_node_reaches_its_place_and_distant_places_leave_the_pose_plausible(
             // The model takes over and walks on.
             live.release(0);
             live.release(1);
-            let home = live.advance(model, &dynamics, 150).unwrap().places;
+            let home = live.advance(150).unwrap().places;
             assert!(
                 home[298..].iter().all(|place| place.distance < 0.1),
                 "{name} {far:?} {:?}",
@@ -230,46 +225,41 @@ fn a_dragged_node_reaches_its_place_and_distant_places_leave_the_pose_plausible(
     assert!(reached >= 30, "{reached}");
     assert!(strange > 0.95, "{strange}");
 
-    let mut live = LiveRollout::after(model, &rollout, 150, 0).unwrap();
-    let error = live.reach(model, 0, [0.0, f64::NAN, 0.0]).unwrap_err().to_string();
+    let mut live = Endless::after(owner.clone(), &rollout, 150, 0).unwrap();
+    let error = live.reach(0, [0.0, f64::NAN, 0.0]).unwrap_err().to_string();
     assert_eq!(error, "expected a place of three finite numbers, found NaN");
-    assert!(live.reach(model, 999, [0.0; 3]).unwrap_err().to_string().starts_with("expected a node"));
+    assert!(live.reach(999, [0.0; 3]).unwrap_err().to_string().starts_with("expected a node"));
 }
 
 #[test]
-fn a_frame_that_is_taken_back_obeys_a_later_turn_and_no_turn_is_lost() {
-    let model = start_model();
-    let model = model.coupled().unwrap();
+fn frames_that_are_taken_back_obey_later_changes_and_keep_earlier_turns() {
+    let owner = Arc::new(start_model());
+    let model = owner.coupled().unwrap();
     let rollout = model.rollout(&RolloutRequest { frames: 60, ..RolloutRequest::default() }).unwrap();
-    let dynamics = model.model.dynamics(&model.model.alpha, Reading::AsLearned).unwrap();
-    let mut live = LiveRollout::after(model, &rollout, 40, 0).unwrap();
-    assert!(!live.take_back(), "no frame was computed");
-    // Both turns before the frame, or the second after the frame was shown.
-    let mut at_once = live.clone();
-    at_once.advance(model, &dynamics, 2).unwrap();
-    at_once.drive(0, 0.25).unwrap();
-    let expected = at_once.advance(model, &dynamics, 1).unwrap();
-    live.advance(model, &dynamics, 2).unwrap();
-    live.drive(0, 0.125).unwrap();
-    let before = live.advance(model, &dynamics, 1).unwrap();
-    assert!(live.take_back());
-    assert!(!live.take_back(), "two frames in a row");
-    live.drive(0, 0.125).unwrap();
-    let found = live.advance(model, &dynamics, 1).unwrap();
-    let apart = |a: &[f32], b: &[f32]| a.iter().zip(b).fold(0.0, |most: f32, (a, b)| most.max((a - b).abs()));
-    assert!((&found.latents[0] - &expected.latents[0]).amax() < 1e-12);
-    assert!(apart(&found.positions, &expected.positions) < 1e-5);
-    assert!(apart(&found.positions, &before.positions) > 1e-3);
-    // Unchanged, the same frame comes again; so does that of a recording.
-    assert!(live.take_back());
-    let again = live.advance(model, &dynamics, 1).unwrap();
-    assert!(apart(&again.positions, &found.positions) < 1e-5);
+    let mut live = Endless::after(owner.clone(), &rollout, 40, 0).unwrap();
+    assert!(live.rewind(1).is_err(), "no frame was computed");
+    live.advance(2).unwrap();
+    let begin = live.clone();
+    live.drive(0, 0.25).unwrap();
+    let whole = live.clone().advance(2).unwrap();
+    // The second half of the turn is left when the second frame is taken back.
+    live.advance(2).unwrap();
+    live.rewind(1).unwrap();
+    let again = live.advance(1).unwrap();
+    assert!((again.latents[0].row(0) - whole.latents[0].row(1)).amax() < 1e-12);
+    // The turn itself is taken back with both frames, and so is a recording.
+    live.rewind(2).unwrap();
+    let free = live.advance(1).unwrap();
+    assert_eq!(free.latents, begin.clone().advance(1).unwrap().latents);
     live.record(0, rollout.latents[0].clone()).unwrap();
-    let recorded = live.advance(model, &dynamics, 3).unwrap();
-    assert!(live.take_back());
-    let again = live.advance(model, &dynamics, 1).unwrap();
+    let recorded = live.advance(3).unwrap();
+    live.rewind(1).unwrap();
+    let again = live.advance(1).unwrap();
     assert_eq!(again.recorded[..], recorded.recorded[4..]);
     assert!((again.latents[0].row(0) - recorded.latents[0].row(2)).amax() < 1e-12);
+    live.rewind(1).unwrap();
+    live.rewind(2).unwrap();
+    assert_eq!(live.advance(1).unwrap().recorded, [None, None]);
 }
 
 #[test]

@@ -2,10 +2,11 @@
 //! documents.
 
 use nalgebra::DMatrix;
+use std::sync::Arc;
 use vcgpdm::internals::sha256;
 use vcgpdm::models::library::{LibraryPlan, LibraryTrainer, PlannedMovement};
 use vcgpdm::models::{
-    ColumnMapping, Dataset, DmpSettings, LiveRollout, MapSettings, Model, RolloutRequest, Settings, Source,
+    ColumnMapping, Dataset, DmpSettings, Endless, MapSettings, Model, RolloutRequest, Settings, Source,
     TmpSettings, Trainer, VariationalSettings,
 };
 use vcgpdm::motion::{bvh, parts, samples};
@@ -177,7 +178,7 @@ pub fn alpha_live_rollouts_and_completing_give_the_same_numbers() {
         let dataset = walks(&["walk-1", "walk-2"], split);
         let mut trainer = Trainer::new(&dataset, &settings, 1).unwrap();
         trainer.run();
-        let model = trainer.finish().unwrap();
+        let model = Arc::new(trainer.finish().unwrap());
         let coupled = model.coupled().unwrap();
         let alpha = coupled
             .model
@@ -185,9 +186,9 @@ pub fn alpha_live_rollouts_and_completing_give_the_same_numbers() {
             .map_with_location(|source, target, alpha| if source == target { alpha } else { 100.0 * alpha });
         let request = RolloutRequest { frames: 20, alpha: Some(alpha.clone()), ..RolloutRequest::default() };
         let rollout = coupled.rollout(&request).unwrap();
-        let dynamics = coupled.model.dynamics(&alpha, request.reading).unwrap();
-        let mut live = LiveRollout::after(coupled, &rollout, 9, 0).unwrap();
-        let next = live.advance(coupled, &dynamics, 10).unwrap();
+        let mut live = Endless::after(Arc::clone(&model), &rollout, 9, 0).unwrap();
+        live.set_couplings(alpha, request.reading).unwrap();
+        let next = live.advance(10).unwrap();
         assert_eq!(next.latents[0], rollout.latents[0].rows(10, 10).into_owned(), "the live rollout");
         let completed = match split {
             "whole" => 0.0,

@@ -8,7 +8,7 @@ use crate::values::convert::{from_js, to_js, with_defaults};
 use crate::values::error::{ErrorCode, VcgpdmError};
 use js_sys::{Object, Reflect};
 use serde::{Deserialize, Serialize};
-use std::rc::Rc;
+use std::sync::Arc;
 use vcgpdm::models::{DatasetError, FittedModel, Learner, ModelKind, Progress, Settings};
 use vcgpdm::motion::parts::PartSpec;
 use vcgpdm_lab::evaluation::{CandidateKind, Fold as HeldOut, Job, START_FRAMES};
@@ -79,7 +79,7 @@ pub(crate) struct EvaluationProgress {
 /// One trial held out, the others trained on.
 #[wasm_bindgen]
 pub struct Fold {
-    fold: Rc<HeldOut>,
+    fold: Arc<HeldOut>,
     /// The kind of model that is trained if the caller names none.
     usual: ModelKind,
 }
@@ -102,7 +102,7 @@ impl Fold {
         let fold =
             HeldOut::new(&clips.clips, held_out, training_trials, &parts, frames_per_second, START_FRAMES)?;
         let usual = if parts.len() > 1 { ModelKind::Vcgpdm } else { ModelKind::Vgpdm };
-        Ok(Fold { fold: Rc::new(fold), usual })
+        Ok(Fold { fold: Arc::new(fold), usual })
     }
 
     /// Frames of the trial held out.
@@ -126,7 +126,7 @@ impl Fold {
 /// The training of one model in one fold, and its score.
 #[wasm_bindgen]
 pub struct Evaluation {
-    fold: Rc<HeldOut>,
+    fold: Arc<HeldOut>,
     candidate: Settings,
     seed: u32,
     learner: Box<dyn Learner>,
@@ -145,7 +145,7 @@ impl Evaluation {
         let seed = seed.map_or(Ok(0), |seed| seed.get(ErrorCode::Comparison, "the seed"))?;
         let candidate = candidate_from_js(ErrorCode::Settings, "candidate", &candidate, fold.usual)?;
         let learner = fold.fold.learner(&candidate, seed)?;
-        Ok(Evaluation { fold: Rc::clone(&fold.fold), candidate, seed, learner })
+        Ok(Evaluation { fold: Arc::clone(&fold.fold), candidate, seed, learner })
     }
 
     /// One iteration of the training.
@@ -158,7 +158,7 @@ impl Evaluation {
     /// The prediction of the best model so far.
     pub fn prediction(&self) -> Result<Prediction, VcgpdmError> {
         let model = self.learner.model()?;
-        Ok(Prediction { fold: Rc::clone(&self.fold), training: self.learner.progress(), model })
+        Ok(Prediction { fold: Arc::clone(&self.fold), training: self.learner.progress(), model })
     }
 
     /// The best model so far, as in a file: its last sequence is the beginning of the trial held out.
@@ -171,7 +171,7 @@ impl Evaluation {
 /// The prediction of a model for the trial held out.
 #[wasm_bindgen]
 pub struct Prediction {
-    fold: Rc<HeldOut>,
+    fold: Arc<HeldOut>,
     training: Progress,
     model: FittedModel,
 }

@@ -12,7 +12,7 @@ use crate::values::convert::{from_js, matrix, rows, to_js, to_js_joined};
 use crate::values::error::{ErrorCode, VcgpdmError};
 use nalgebra::DMatrix;
 use serde::Serialize;
-use std::rc::Rc;
+use std::sync::Arc;
 use vcgpdm::models::SequenceInfo;
 use vcgpdm::models::library::{
     CouplingsFrom, EncodedClip, LearnedMovement, Origin, Primitive, Relearned, TrainedLibrary,
@@ -67,7 +67,7 @@ pub(crate) fn uses_of(uses: &JsValue) -> Result<Vec<usize>, VcgpdmError> {
 /// A library of primitives.
 #[wasm_bindgen]
 pub struct Library {
-    pub(crate) trained: Rc<TrainedLibrary>,
+    pub(crate) trained: Arc<TrainedLibrary>,
 }
 
 #[wasm_bindgen]
@@ -77,7 +77,7 @@ impl Library {
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &Text) -> Result<Library, VcgpdmError> {
         let text = text.get(ErrorCode::Model, "the document")?;
-        Ok(Library { trained: Rc::new(TrainedLibrary::from_json(&text)?) })
+        Ok(Library { trained: Arc::new(TrainedLibrary::from_json(&text)?) })
     }
 
     /// The library as a JSON document.
@@ -176,7 +176,7 @@ impl Library {
             from_js(ErrorCode::Model, "where the couplings come from", &couplings)?;
         let mut trained = TrainedLibrary::clone(&self.trained);
         trained.add_combination(&name, &uses, &matrix(&alpha), from)?;
-        Ok(Library { trained: Rc::new(trained) })
+        Ok(Library { trained: Arc::new(trained) })
     }
 }
 
@@ -248,7 +248,7 @@ impl Library {
         #[wasm_bindgen(unchecked_param_type = "number[]")] primitives: JsValue,
     ) -> Result<Library, VcgpdmError> {
         let chosen = uses_of(&primitives)?;
-        Ok(Library { trained: Rc::new(self.trained.select(&chosen)?) })
+        Ok(Library { trained: Arc::new(self.trained.select(&chosen)?) })
     }
 
     /// A new library that also has the primitives and movements of another library. Primitives and movements
@@ -256,6 +256,6 @@ impl Library {
     pub fn add(&self, other: &Library) -> Result<Library, VcgpdmError> {
         let mut trained = TrainedLibrary::clone(&self.trained);
         trained.merge(&other.trained)?;
-        Ok(Library { trained: Rc::new(trained) })
+        Ok(Library { trained: Arc::new(trained) })
     }
 }

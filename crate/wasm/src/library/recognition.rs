@@ -6,7 +6,7 @@ use crate::values::arguments::Whole;
 use crate::values::convert::{flat, to_js};
 use crate::values::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
-use std::rc::Rc;
+use std::sync::Arc;
 use vcgpdm::models::library::TrainedLibrary;
 use wasm_bindgen::prelude::*;
 
@@ -29,14 +29,14 @@ pub(crate) struct Segment {
 #[wasm_bindgen]
 pub struct Recogniser {
     under_way: Option<vcgpdm::models::library::Recogniser>,
-    trained: Rc<TrainedLibrary>,
+    trained: Arc<TrainedLibrary>,
 }
 
 /// The primitives of a library in clips.
 #[wasm_bindgen]
 pub struct Recognition {
     found: vcgpdm::models::library::Recognition,
-    trained: Rc<TrainedLibrary>,
+    trained: Arc<TrainedLibrary>,
 }
 
 #[wasm_bindgen]
@@ -45,13 +45,13 @@ impl Library {
     /// begins where the one before ends, in the same direction. The library need not be trained on the clips.
     pub fn recognise(&self, clips: &TrainingSet) -> Result<Recognition, VcgpdmError> {
         let found = self.trained.recognise(&clips.clips.iter().collect::<Vec<_>>())?;
-        Ok(Recognition { found, trained: Rc::clone(&self.trained) })
+        Ok(Recognition { found, trained: Arc::clone(&self.trained) })
     }
 
     /// The same step by step.
     pub fn recogniser(&self, clips: &TrainingSet) -> Result<Recogniser, VcgpdmError> {
         let under_way = self.trained.recogniser(&clips.clips.iter().collect::<Vec<_>>())?;
-        Ok(Recogniser { under_way: Some(under_way), trained: Rc::clone(&self.trained) })
+        Ok(Recogniser { under_way: Some(under_way), trained: Arc::clone(&self.trained) })
     }
 }
 
@@ -67,7 +67,7 @@ impl Recogniser {
         let expected = || VcgpdmError::new(ErrorCode::Clips, &"expected steps until 1, and finish once");
         let mut under_way = self.under_way.take().ok_or_else(expected)?;
         while under_way.step() < 1.0 {}
-        Ok(Recognition { found: under_way.finish(), trained: Rc::clone(&self.trained) })
+        Ok(Recognition { found: under_way.finish(), trained: Arc::clone(&self.trained) })
     }
 }
 

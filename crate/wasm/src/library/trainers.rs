@@ -11,7 +11,7 @@ use crate::values::wording::quoted;
 use serde::de::Visitor;
 use serde::{Deserialize, Deserializer};
 use std::fmt::{self, Formatter};
-use std::rc::Rc;
+use std::sync::Arc;
 use vcgpdm::models::library::{
     CouplingTrainer as Fit, LibraryPlan, LibraryTrainer as Training, PlannedMovement,
 };
@@ -152,7 +152,7 @@ impl LibraryTrainer {
 
     /// The best library so far. It can be read at any time.
     pub fn library(&self) -> Result<Library, VcgpdmError> {
-        Ok(Library { trained: Rc::new(self.training.finish()?) })
+        Ok(Library { trained: Arc::new(self.training.finish()?) })
     }
 }
 
@@ -197,7 +197,7 @@ impl CouplingTrainer {
     /// It replaces a combination of the same name, but not a learned movement.
     pub fn library(&self, name: &Text) -> Result<Library, VcgpdmError> {
         let name = name.get(ErrorCode::Model, "the name")?;
-        Ok(Library { trained: Rc::new(self.fit.finish(&name)?) })
+        Ok(Library { trained: Arc::new(self.fit.finish(&name)?) })
     }
 
     /// The model of the combination with the best couplings so far.

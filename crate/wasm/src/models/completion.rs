@@ -10,7 +10,7 @@ use crate::values::convert::{flat, from_js, matrix, rows, to_js};
 use crate::values::error::{ErrorCode, VcgpdmError};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
-use std::rc::Rc;
+use std::sync::Arc;
 use vcgpdm::models::variational::ObservationError;
 use vcgpdm::models::{
     ColumnMapping, Model as TrainedModel, PartCompletion, Reading, Rollout as Rolled, RolloutRequest,
@@ -50,7 +50,7 @@ pub(crate) struct PartScores<'a> {
 pub struct Completion {
     found: vcgpdm::models::Completion,
     recorded: DMatrix<f64>,
-    model: Rc<TrainedModel>,
+    model: Arc<TrainedModel>,
 }
 
 #[wasm_bindgen]
@@ -90,7 +90,7 @@ impl Model {
             );
             VcgpdmError::new(ErrorCode::Rollout, &words)
         })?;
-        Ok(Completion { found, recorded, model: Rc::clone(model) })
+        Ok(Completion { found, recorded, model: Arc::clone(model) })
     }
 
     /// Infers the latents in the first frames of a clip, `[part][frame][dimension]`: the `start` of rollouts that

@@ -4,7 +4,7 @@
 pub mod case;
 #[cfg(feature = "training")]
 pub mod completion;
-pub mod live;
+pub mod endless;
 pub mod model;
 #[cfg(feature = "training")]
 pub mod plane;

@@ -10,7 +10,7 @@ use crate::values::arguments::{Text, Whole};
 use crate::values::convert::{flat, from_js, rows, to_js, to_js_joined, with_defaults};
 use crate::values::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
-use std::rc::Rc;
+use std::sync::Arc;
 #[cfg(feature = "training")]
 use vcgpdm::document::Document;
 use vcgpdm::models::variational::{BoundTerms, PoseMap, Vcgpdm};
@@ -171,7 +171,7 @@ pub struct Model {
 
 impl From<TrainedModel> for Model {
     fn from(model: TrainedModel) -> Self {
-        Model { model: Trained::Body(Rc::new(model)) }
+        Model { model: Trained::Body(Arc::new(model)) }
     }
 }
 
@@ -183,11 +183,11 @@ impl Model {
         let text = text.get(ErrorCode::Model, "the document")?;
         #[cfg(feature = "training")]
         let model = match Document::from_json(&text)? {
-            Document::Body(model) => Trained::Body(Rc::new(*model)),
-            Document::Series(model) => Trained::Table(Rc::new(*model)),
+            Document::Body(model) => Trained::Body(Arc::new(*model)),
+            Document::Series(model) => Trained::Table(Arc::new(*model)),
         };
         #[cfg(not(feature = "training"))]
-        let model = Trained::Body(Rc::new(TrainedModel::coupled_from_json(&text)?));
+        let model = Trained::Body(Arc::new(TrainedModel::coupled_from_json(&text)?));
         Ok(Model { model })
     }
 

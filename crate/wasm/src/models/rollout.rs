@@ -11,7 +11,7 @@ use crate::values::arguments::Whole;
 use crate::values::convert::{flat, rows, to_js, to_js_joined};
 use crate::values::error::{ErrorCode, VcgpdmError};
 use serde::Serialize;
-use std::rc::Rc;
+use std::sync::Arc;
 #[cfg(feature = "training")]
 use vcgpdm::models::SeriesModel;
 use vcgpdm::models::{ColumnMapping, Model, Rollout as Columns, RolloutRequest};
@@ -74,18 +74,18 @@ impl Rollout {
 
     /// A rollout of a model of tables.
     #[cfg(feature = "training")]
-    pub(crate) fn of_table(model: &Rc<SeriesModel>, rollout: Columns, request: RolloutRequest) -> Self {
-        Self { rollout, positions: Vec::new(), model: Trained::Table(Rc::clone(model)), request }
+    pub(crate) fn of_table(model: &Arc<SeriesModel>, rollout: Columns, request: RolloutRequest) -> Self {
+        Self { rollout, positions: Vec::new(), model: Trained::Table(Arc::clone(model)), request }
     }
 
     /// A rollout of a model of a body.
     pub(crate) fn new(
-        model: &Rc<Model>,
+        model: &Arc<Model>,
         rollout: Columns,
         request: &RolloutRequest,
     ) -> Result<Self, VcgpdmError> {
         let positions = model.body.positions(&rollout.y)?;
-        Ok(Self { rollout, positions, model: Trained::Body(Rc::clone(model)), request: request.clone() })
+        Ok(Self { rollout, positions, model: Trained::Body(Arc::clone(model)), request: request.clone() })
     }
 }
 

@@ -1,7 +1,7 @@
 //! A trained model of any kind, of a body or of tables.
 
 use crate::values::error::{ErrorCode, VcgpdmError};
-use std::rc::Rc;
+use std::sync::Arc;
 #[cfg(feature = "training")]
 use vcgpdm::models::SeriesModel;
 use vcgpdm::models::variational::Vcgpdm;
@@ -18,14 +18,14 @@ pub(crate) fn coupled<S: ColumnMapping>(model: &TrainedModel<S>) -> Result<Coupl
 /// A model of a body or of tables.
 #[derive(Clone)]
 pub(crate) enum Trained {
-    Body(Rc<TrainedModel>),
+    Body(Arc<TrainedModel>),
     #[cfg(feature = "training")]
-    Table(Rc<SeriesModel>),
+    Table(Arc<SeriesModel>),
 }
 
 impl Trained {
     /// The model of a body; an error for a model of tables.
-    pub fn body(&self) -> Result<&Rc<TrainedModel>, VcgpdmError> {
+    pub fn body(&self) -> Result<&Arc<TrainedModel>, VcgpdmError> {
         match self {
             Trained::Body(model) => Ok(model),
             #[cfg(feature = "training")]

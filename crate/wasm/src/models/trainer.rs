@@ -8,7 +8,7 @@ use crate::models::trained::Trained;
 use crate::values::arguments::Whole;
 use crate::values::convert::{flat, from_js, to_js};
 use crate::values::error::{ErrorCode, VcgpdmError};
-use std::rc::Rc;
+use std::sync::Arc;
 use vcgpdm::Trainer as BodyTrainer;
 use vcgpdm::models::{Dataset, DatasetError, Source, VariationalSettings};
 use vcgpdm::series::Columns;
@@ -98,8 +98,8 @@ impl Trainer {
     /// The best model so far, at any time.
     pub fn model(&self) -> Result<Model, VcgpdmError> {
         let model = match &self.training {
-            Training::Body(trainer, _) => Trained::Body(Rc::new(trainer.finish()?)),
-            Training::Tables(trainer, _) => Trained::Table(Rc::new(trainer.finish()?)),
+            Training::Body(trainer, _) => Trained::Body(Arc::new(trainer.finish()?)),
+            Training::Tables(trainer, _) => Trained::Table(Arc::new(trainer.finish()?)),
         };
         Ok(Model { model })
     }

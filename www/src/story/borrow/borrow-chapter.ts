@@ -12,6 +12,7 @@ import type { LibraryInfo } from "../../engine/library-protocol";
 import type { Motion } from "../../engine/protocol";
 import { nodeOfJoint } from "../../scene/joints";
 import type { App } from "../../app/app";
+import "../../live/wheel-view";
 import "./borrow.css";
 
 interface HandsAndFeet {
@@ -67,16 +68,6 @@ export function measureHandsAndFeet(
   return { height, speed: path / seconds, steps: steps / seconds };
 }
 
-class BorrowFigure extends WalkView {
-  static override properties = { ...WalkView.properties, label: {} };
-  declare label: string;
-
-  protected override render() {
-    return html`<canvas class="stage-canvas" tabindex="0" role="img" data-testid="borrow-figure" aria-label=${this.label}></canvas>`;
-  }
-}
-customElements.define("pg-borrow", BorrowFigure);
-
 /** The parts of the library, in its order. */
 const [LEGS, ARMS] = [0, 1] as const;
 /** Arms whose hands are slower than this share of both recorded movements hardly move. */
@@ -103,12 +94,17 @@ export class BorrowChapter extends GuessedChapter<"borrow"> {
     super(words, "borrow");
   }
 
+  /** Whether the visitor may drive the legs: not before the guess. */
+  get isOpen(): boolean {
+    return this.hasGuessed;
+  }
+
   get #recorded() {
     return this.library.current?.info.movements.filter(({ learned }) => learned) ?? [];
   }
 
   stage() {
-    return html`<pg-borrow .library=${this.library} .label=${this.words.figure}></pg-borrow>`;
+    return html`<pg-borrow .library=${this.library} .chapter=${this}></pg-borrow>`;
   }
 
   guess() {
@@ -206,6 +202,26 @@ export class BorrowChapter extends GuessedChapter<"borrow"> {
     this.#before = null;
   }
 }
+
+class BorrowFigure extends WalkView {
+  declare chapter: BorrowChapter;
+
+  protected override stores() {
+    return [this.library, this.library.walk];
+  }
+
+  protected override render() {
+    const { walk, playback } = this.library;
+    const { isOpen, words } = this.chapter;
+    return html`${this.figure("borrow-figure", words.figure)}
+      ${
+        isOpen && walk.isCyclic
+          ? html`<pg-wheel .live=${walk} .playback=${playback} .index=${LEGS} .name=${words.parts.legs} .words=${words}></pg-wheel>`
+          : nothing
+      }`;
+  }
+}
+customElements.define("pg-borrow", BorrowFigure);
 
 export async function openChapter(app: App): Promise<Chapter> {
   const { library } = await app.view("primitives").get();

@@ -197,7 +197,11 @@ export class NextChapter extends LatentChapter<"next"> {
     const [right, up] = [place[0] - fromRight, place[1] - fromUp];
     const by = Array.from({ length: q }, (_, a) => right * axes[a]! + up * axes[q + a]!);
     await engine.startLive(model.learned.request, first);
-    const { latents, distances, motion } = await engine.advanceLive([{ kind: "push", part: LEGS, by }], PATH);
+    const { latents, distances, motion } = await engine.advanceLive({
+      back: 0,
+      changes: [{ kind: "push", part: LEGS, by }],
+      frames: PATH,
+    });
     await engine.endLive();
     if (asked !== this.#asked || !this.isHere) return;
     const parts = latents.length;

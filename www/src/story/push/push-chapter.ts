@@ -132,9 +132,8 @@ class PushHands extends View {
 
   protected override updated(): void {
     const { live, isOpen } = this.chapter;
-    const picture = this.#stage?.querySelector("canvas");
-    if (!isOpen || !live || !picture || !this.#stage || this.#stopDrag) return;
-    this.#stopDrag = letDragLimbs(this.#stage, picture, live);
+    if (!isOpen || !live || !this.#stage || this.#stopDrag) return;
+    this.#stopDrag = letDragLimbs(this.#stage, live);
   }
 
   /** Moves the rings onto the hands. */

@@ -31,5 +31,8 @@ export const borrow: Words["chapters"]["borrow"] = {
     legs: "Die Arme schwingen wie zuvor.",
     still: "Die Arme bewegen sich kaum.",
   },
-  figure: "Eine Figur, die sich ohne Ende bewegt. Ziehen dreht die Ansicht; Tasten: w, a, s, d.",
+  wheel: (part) => `Rad: bewegt die ${part} durch ihren Schritt. Pfeiltasten drehen es, Escape lässt los.`,
+  wheelMeaning: "Zieh am Rand: Eine Umdrehung ist ein Schrittzyklus. Lass los, und das Modell geht weiter.",
+  figure:
+    "Eine Figur, die sich ohne Ende bewegt. Zieh an einer Hand oder einem Fuß, sonst dreht Ziehen die Ansicht; Tasten: w, a, s, d.",
 };

@@ -32,5 +32,8 @@ export const borrow = {
     legs: "The arms swing as before.",
     still: "The arms hardly move.",
   },
-  figure: "A figure that moves on without an end. Drag to look from another side; keys: w, a, s, d.",
+  wheel: (part: string) => `Wheel: moves the ${part} through their step. Arrow keys turn it, Escape lets go.`,
+  wheelMeaning: "Drag the rim: one turn is one step cycle. Let go, and the model moves on.",
+  figure:
+    "A figure that moves on without an end. Drag a hand or a foot to pull it, drag elsewhere to look from another side; keys: w, a, s, d.",
 };

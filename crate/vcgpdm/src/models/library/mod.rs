@@ -12,9 +12,7 @@ mod combination;
 mod combination_error;
 mod coupling_trainer;
 mod information;
-mod latent_walk;
 mod library_trainer;
-mod library_walk;
 mod merge;
 mod movement_chain;
 mod new_combination;
@@ -26,6 +24,7 @@ mod recognition;
 mod selection;
 mod trained_library;
 mod training_start;
+mod walk;
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::symmetric;
@@ -38,15 +37,14 @@ use serde::{Deserialize, Serialize};
 
 pub use combination_error::CombinationError;
 pub use coupling_trainer::{CouplingTrainer, MOST_ITERATIONS};
-pub use latent_walk::{LatentWalk, TEMPOS, WalkError};
 pub use library_trainer::LibraryTrainer;
-pub use library_walk::{LibraryWalk, REWINDS, WalkFrames};
 pub use merge::{MergeError, Misfit};
 pub use origin::{Excerpt, FramesFrom, Origin, Relearned};
 pub use part_motion::{Leader, PartMotion};
 pub use plan::{LibraryPlan, PlanError, PlannedMovement};
 pub use recognition::{Recogniser, Recognition, RecognitionError, Segment};
 pub use trained_library::{EncodedClip, LibraryError, TrainedLibrary};
+pub use walk::WalkError;
 
 /// The predictions of a primitive about one part.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,6 +2,7 @@ use super::coupling_trainer::{fit_of, fitted_movement};
 use super::library_trainer::{library_of, trainer_of};
 use super::*;
 use crate::models::rollout::couplings::Reading;
+use crate::models::rollout::latent_paths::LatentPaths;
 use crate::models::training::pose_weight::PoseWeight;
 use crate::models::training::settings::VariationalSettings;
 use approx::assert_relative_eq;
@@ -173,39 +174,18 @@ fn a_fit_learns_couplings_and_keeps_the_primitives() {
     assert_eq!(message(&[0, 1], narrow), "part 1 has 2 columns, expected 3");
 }
 
-#[test]
-fn a_walk_at_tempo_one_is_the_rollout_and_continues_when_a_part_changes() {
-    let library = trained([true, false]);
-    let model = library.movement(0).unwrap();
-    let dynamics = model.dynamics(&model.alpha, Reading::AsLearned).unwrap();
-    let path = dynamics.path(&model.start(0, 0).unwrap(), 42).unwrap();
-    let mut walk = LatentWalk::new(&library, &[0, 1]).unwrap();
-    let walked = walk.advance(&library, 40);
-    for (a, b) in walked.iter().zip(&path) {
-        assert_relative_eq!(*a, b.rows(2, 40).into_owned(), epsilon = 1e-9);
-    }
-    // The history of the legs stays; the arms begin at a state of the waving movement.
-    let legs = walk.history(0);
-    walk.use_primitive(&library, 1, 2).unwrap();
-    assert_eq!((walk.uses(), walk.history(0)), (vec![0, 2], legs));
-    let arms = DMatrix::from_row_slice(2, 2, &walk.history(1));
-    let waving = &library.movements[1].starts[0][1];
-    assert!((0..44).any(|t| waving.rows(t, 2) == arms));
-    let message = |result: Result<(), WalkError>| result.unwrap_err().to_string();
-    assert_eq!(message(walk.set_tempo(0, 3.0)), "expected a tempo from 0.25 to 2, found 3");
-}
-
 /// At half the tempo, a turn of an uncoupled part takes twice as many frames.
 #[test]
 fn a_tempo_changes_the_speed_of_a_part() {
-    let library = trained([true, false]);
+    let model = trained([true, false]).movement(0).unwrap();
     let alone = DMatrix::from_fn(2, 2, |j, i| if i == j { 0.1 } else { 1e6 });
+    let dynamics = model.dynamics(&alone, Reading::AsLearned).unwrap();
     let turns = |tempo: f64| {
-        let mut walk = LatentWalk::new(&library, &[0, 1]).unwrap();
-        walk.set_alpha(alone.clone()).unwrap();
-        walk.set_tempo(0, tempo).unwrap();
-        walk.advance(&library, 200);
-        let path = &walk.advance(&library, 600)[0];
+        let start = model.start(0, 0).unwrap();
+        let mut paths = LatentPaths::new(&start, model.order, &model.latent_dimensions()).unwrap();
+        paths.set_tempo(0, tempo);
+        dynamics.extend(&mut paths, 800);
+        let path = &paths.matrices(200..800)[0];
         let mean = path.column(0).mean();
         (1..600).filter(|t| path[(t - 1, 0)] < mean && path[(*t, 0)] >= mean).count()
     };
@@ -263,28 +243,6 @@ fn an_excerpt_gives_couplings_and_starts() {
     let window: Vec<_> = library.movements[0].starts[0].iter().map(|x| x.rows(7, 2).into_owned()).collect();
     assert_eq!(some.nearest_state(1, &window, &[]).unwrap(), window[1]);
     assert!(some.combination(&uses, &some.nearest_couplings(&uses)).unwrap().rollout(0, 30).is_ok());
-}
-
-#[test]
-fn a_walk_begins_at_any_frame_of_any_sequence() {
-    let library = trained([true, false]);
-    let walk = LatentWalk::from_sequence(&library, &[0, 1], (0, 1, 12)).unwrap();
-    for part in 0..2 {
-        let start = library.movements[0].starts[1][part].rows(12, 2).into_owned();
-        assert_eq!(DMatrix::from_row_slice(2, 2, &walk.history(part)), start);
-    }
-    // From the waving movement with the arms of the walk: the legs as recorded, the arms at the nearest
-    // state.
-    let walk = LatentWalk::from_sequence(&library, &[0, 1], (1, 0, 5)).unwrap();
-    let legs = library.movements[1].starts[0][0].rows(5, 2).into_owned();
-    assert_eq!(DMatrix::from_row_slice(2, 2, &walk.history(0)), legs);
-    let message = |place| LatentWalk::from_sequence(&library, &[0, 1], place).unwrap_err().to_string();
-    assert_eq!(message((2, 0, 0)), "expected a movement from 0 to 1, found 2");
-    assert_eq!(message((1, 1, 0)), "expected a sequence of the movement from 0 to 0, found 1");
-    assert_eq!(
-        message((1, 0, 44)),
-        "expected a frame of the sequence with a whole history from 0 to 43, found 44"
-    );
 }
 
 #[test]

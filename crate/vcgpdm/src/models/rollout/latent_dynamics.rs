@@ -44,7 +44,7 @@ impl LatentDynamics {
             for (next, experts) in next.iter_mut().zip(&self.experts) {
                 next.fill(0.0);
                 for (j, expert) in experts.iter().enumerate() {
-                    expert.add_to(paths.history(j), &mut scratch, next);
+                    expert.add_to(&paths.history(j), &mut scratch, next);
                 }
             }
             paths.append(&next);

@@ -2,15 +2,28 @@
 
 use crate::models::rollout::request::{Push, RolloutError};
 use nalgebra::DMatrix;
-use std::ops::Range;
+use std::borrow::Cow;
+use std::ops::{Range, RangeInclusive};
+
+/// Tempos of a part; 1 is as learned.
+pub const TEMPOS: RangeInclusive<f64> = 0.25..=2.0;
 
 /// The latent paths of all parts so far. There are always at least p frames: the start of the rollout.
+///
+/// A part at tempo s moves s times as fast. Its history is read at whole frames of its own time, with
+/// straight lines between frames, and each frame makes the share s of the predicted step:
+///
+/// x^i <- x^i + s_i ( sum_j w_{ji} f^{ji}(history of j) - x^i ).
+///
+/// At tempo 1 these are the dynamics as learned. The papers have no tempo.
 #[derive(Clone, Debug)]
 pub(crate) struct LatentPaths {
     order: usize,
     latent: Vec<usize>,
     /// The paths [frames x Q_i], one frame after the other, so that a history is a slice.
     paths: Vec<Vec<f64>>,
+    /// Frames of each part's own time in a frame.
+    tempos: Vec<f64>,
 }
 
 impl LatentPaths {
@@ -26,7 +39,7 @@ impl LatentPaths {
         }
         let rows = |start: &DMatrix<f64>| start.transpose().as_slice().to_vec();
         let paths = start.iter().take(latent.len()).map(rows).collect();
-        Ok(Self { order, latent: latent.to_vec(), paths })
+        Ok(Self { order, latent: latent.to_vec(), paths, tempos: vec![1.0; latent.len()] })
     }
 
     /// The order p: frames of a history.
@@ -47,21 +60,51 @@ impl LatentPaths {
         }
     }
 
-    /// The last p frames of a part, oldest first [p Q_i].
-    pub(crate) fn history(&self, part: usize) -> &[f64] {
+    /// Sets the tempo of a part, one of [`TEMPOS`].
+    pub(crate) fn set_tempo(&mut self, part: usize, tempo: f64) {
+        self.tempos[part] = tempo;
+    }
+
+    /// Lets a part continue from a state [p x Q].
+    pub(crate) fn set_history(&mut self, part: usize, state: &DMatrix<f64>) {
+        let (q, frames) = (self.latent[part], self.frames());
+        let last = frames.saturating_sub(state.nrows());
+        for frame in 0..frames {
+            let row = state.row(frame.saturating_sub(last));
+            self.paths[part][frame * q..][..q].iter_mut().zip(row.iter()).for_each(|(x, to)| *x = *to);
+        }
+    }
+
+    /// The last p frames of a part in its own time, oldest first [p Q_i].
+    pub(crate) fn history(&self, part: usize) -> Cow<'_, [f64]> {
         self.history_until(part, self.frames())
     }
 
-    /// The last p of the first `end` frames of a part, oldest first [p Q_i].
-    pub(crate) fn history_until(&self, part: usize, end: usize) -> &[f64] {
-        let q = self.latent[part];
-        &self.paths[part][(end - self.order) * q..end * q]
+    /// The last p of the first `end` frames of a part in its own time, oldest first [p Q_i].
+    pub(crate) fn history_until(&self, part: usize, end: usize) -> Cow<'_, [f64]> {
+        let (q, tempo, path) = (self.latent[part], self.tempos[part], &self.paths[part]);
+        if tempo == 1.0 {
+            return Cow::Borrowed(&path[(end - self.order) * q..end * q]);
+        }
+        let frame = |back: usize| &path[(end - 1 - back.min(end - 1)) * q..][..q];
+        let state = |k: usize| {
+            let back = k as f64 / tempo;
+            let (later, earlier) = (frame(back as usize), frame(back as usize + 1));
+            later.iter().zip(earlier).map(move |(a, b)| a + back.fract() * (b - a))
+        };
+        (0..self.order).rev().flat_map(state).collect()
     }
 
-    /// Appends a frame: the latents `[Q_i]` of each part.
+    /// Appends a frame: the latents `[Q_i]` that are predicted for each part.
     pub(crate) fn append(&mut self, next: &[Vec<f64>]) {
-        for (path, next) in self.paths.iter_mut().zip(next) {
+        for ((path, next), tempo) in self.paths.iter_mut().zip(next).zip(&self.tempos) {
+            let newest = path.len() - next.len();
             path.extend_from_slice(next);
+            if *tempo != 1.0 {
+                for k in newest..newest + next.len() {
+                    path[k + next.len()] = path[k] + tempo * (path[k + next.len()] - path[k]);
+                }
+            }
         }
     }
 
@@ -72,7 +115,7 @@ impl LatentPaths {
         }
     }
 
-    /// Pushes a part: its last p frames move together. The push must fit the part.
+    /// Pushes a part: the frames of its history move together. The push must fit the part.
     pub(crate) fn push(&mut self, push: &Push) {
         let (path, q) = (&mut self.paths[push.part], self.latent[push.part]);
         let newest = path.len() - q;
@@ -80,7 +123,8 @@ impl LatentPaths {
             |k: usize| path[newest + k] - newest.checked_sub(q).map_or(path[k], |before| path[before + k]);
         let displacement = |k: usize| push.by.get(k).unwrap_or(&0.0) + push.ahead * step(k);
         let by: Vec<f64> = (0..q).map(displacement).collect();
-        for frame in path[newest + q - self.order * q..].chunks_exact_mut(q) {
+        let history = ((self.order - 1) as f64 / self.tempos[push.part]).ceil() as usize + 1;
+        for frame in path[(newest + q).saturating_sub(history.max(self.order) * q)..].chunks_exact_mut(q) {
             frame.iter_mut().zip(&by).for_each(|(x, by)| *x += by);
         }
     }
@@ -98,17 +142,11 @@ impl LatentPaths {
         path[newest..].copy_from_slice(latents);
     }
 
-    /// Drops the newest frame.
-    pub(crate) fn drop_newest(&mut self) {
-        for (path, q) in self.paths.iter_mut().zip(&self.latent) {
-            path.truncate(path.len() - q);
-        }
-    }
-
-    /// Drops all but the last frames that a prediction, a push or a drive needs.
+    /// Drops all but the last frames that a prediction, a push or a drive needs at any tempo.
     pub(crate) fn forget(&mut self) {
+        let most = (self.order as f64 / TEMPOS.start()) as usize + 1;
         for (path, q) in self.paths.iter_mut().zip(&self.latent) {
-            path.drain(..path.len().saturating_sub(self.order.max(2) * q));
+            path.drain(..path.len().saturating_sub(most * q));
         }
     }
 
@@ -137,21 +175,20 @@ mod tests {
     #[test]
     fn histories_are_the_last_frames_oldest_first() {
         let mut paths = paths();
-        assert_eq!(
-            (paths.frames(), paths.history(0), paths.history(1)),
-            (3, &[2.0, 3.0][..], &[3., 4., 5., 6.][..])
-        );
+        assert_eq!((paths.frames(), &paths.history(0)[..]), (3, &[2.0, 3.0][..]));
+        assert_eq!(paths.history(1)[..], [3., 4., 5., 6.]);
         assert_eq!(paths.matrices(1..3)[1], DMatrix::from_row_slice(2, 2, &[3., 4., 5., 6.]));
+        (0..12).for_each(|k| paths.append(&[vec![k as f64], vec![0.0; 2]]));
         paths.forget();
-        assert_eq!((paths.frames(), paths.history(0)), (2, &[2.0, 3.0][..]));
+        assert_eq!((paths.frames(), &paths.history(0)[..]), (9, &[10.0, 11.0][..]));
     }
 
     #[test]
     fn a_pushed_part_keeps_its_speed_and_the_others_their_place() {
         let mut paths = paths();
         paths.push(&Push { part: 1, by: vec![0.5, -1.0], ..Push::default() });
-        assert_eq!(paths.history(1), &[3.5, 3.0, 5.5, 5.0]);
-        assert_eq!(paths.history(0), &[2.0, 3.0]);
+        assert_eq!(paths.history(1)[..], [3.5, 3.0, 5.5, 5.0]);
+        assert_eq!(paths.history(0)[..], [2.0, 3.0]);
         // Earlier frames do not change.
         assert_eq!(paths.matrices(0..1)[1], DMatrix::from_row_slice(1, 2, &[1.0, 2.0]));
     }
@@ -160,7 +197,7 @@ mod tests {
     fn a_push_ahead_moves_by_steps_of_the_part() {
         let mut paths = paths();
         paths.push(&Push { part: 0, ahead: 1.5, ..Push::default() });
-        assert_eq!(paths.history(0), &[3.5, 4.5]);
+        assert_eq!(paths.history(0)[..], [3.5, 4.5]);
     }
 
     #[test]

@@ -1,12 +1,12 @@
-//! Rollouts: requests, latent dynamics under given couplings, live rollouts, the health of a rollout, and its
+//! Rollouts: requests, latent dynamics under given couplings, motions without an end, the health of a rollout, and its
 //! error after dynamic time warping.
 
 pub(crate) mod couplings;
 pub(crate) mod dtw;
+pub(crate) mod endless;
 pub(crate) mod health;
 pub(crate) mod latent_dynamics;
 pub(crate) mod latent_paths;
-pub(crate) mod live;
 pub(crate) mod log_density;
 mod movers;
 pub(crate) mod pace;

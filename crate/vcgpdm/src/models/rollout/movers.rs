@@ -5,6 +5,7 @@ use crate::models::rollout::latent_paths::LatentPaths;
 use crate::models::rollout::reach::Reach;
 use crate::models::variational::Cycle;
 use nalgebra::DMatrix;
+use std::sync::Arc;
 
 /// A part that was elsewhere when its mover began keeps this share of the distance from one frame to the next.
 const APPROACH: f64 = 0.8;
@@ -18,13 +19,11 @@ pub(super) enum Mover {
         phase: f64,
         /// Turns that are left for the next frames.
         ahead: f64,
-        /// The turns of the newest frame.
-        step: f64,
     },
     /// A recording, again and again.
     Recording {
         /// The latents of the part in all frames of the recording [frames x Q_i].
-        latents: DMatrix<f64>,
+        latents: Arc<DMatrix<f64>>,
         /// The frame of the recording in the newest frame.
         frame: usize,
     },
@@ -39,26 +38,24 @@ pub(super) struct Moved {
     pub(super) by: Mover,
     /// The rest of the distance from the place that the mover wants, which fades `[Q_i]`.
     beside: Vec<f64>,
-    /// Whether the mover has set the newest frame.
-    has_moved: bool,
 }
 
 impl Moved {
     pub(super) fn by_wheel(part: usize, paths: &LatentPaths, cycle: &Cycle, turns: f64) -> Self {
-        let phase = cycle.place(part, paths.history(part)).map_or(0.0, |place| place.phase);
+        let phase = cycle.place(part, &paths.history(part)).map_or(0.0, |place| place.phase);
         let on_cycle = cycle.latents(part, phase).unwrap_or_default();
         let beside = difference(paths.newest(part), &on_cycle);
-        Self { part, by: Mover::Wheel { phase, ahead: turns, step: 0.0 }, beside, has_moved: false }
+        Self { part, by: Mover::Wheel { phase, ahead: turns }, beside }
     }
 
     /// The recording begins after its frame that is nearest to the part's last frames.
     pub(super) fn by_recording(part: usize, paths: &LatentPaths, latents: DMatrix<f64>) -> Self {
-        let (frame, beside) = nearest(&latents, paths.history(part));
-        Self { part, by: Mover::Recording { latents, frame }, beside, has_moved: false }
+        let (frame, beside) = nearest(&latents, &paths.history(part));
+        Self { part, by: Mover::Recording { latents: Arc::new(latents), frame }, beside }
     }
 
     pub(super) fn by_hand(part: usize, reach: Reach) -> Self {
-        Self { part, by: Mover::Hand(reach), beside: Vec::new(), has_moved: false }
+        Self { part, by: Mover::Hand(reach), beside: Vec::new() }
     }
 
     /// Sets the newest latents of the part; `frames` frames are left for the turns of a wheel, this one included.
@@ -78,42 +75,25 @@ impl Moved {
         paths.set_newest(self.part, &latents);
     }
 
-    /// The newest frame is taken back: the next frame has its place in the mover's movement, and its turns.
-    pub(super) fn take_back(&mut self) {
-        if !std::mem::take(&mut self.has_moved) {
-            return;
-        }
-        match &mut self.by {
-            Mover::Wheel { phase, ahead, step } => {
-                *phase -= *step;
-                *ahead += *step;
-            }
-            Mover::Recording { frame, .. } => *frame -= 1,
-            Mover::Hand(_) => {}
-        }
-        self.beside.iter_mut().for_each(|x| *x /= APPROACH);
-    }
-
     /// The same for a wheel or a recording.
     fn follow(&mut self, paths: &mut LatentPaths, cycle: Option<&Cycle>, frames: usize) {
         let wanted = match &mut self.by {
-            Mover::Wheel { phase, ahead, step } => {
-                *step = *ahead / frames as f64;
-                *ahead -= *step;
-                *phase += *step;
+            Mover::Wheel { phase, ahead } => {
+                let step = *ahead / frames as f64;
+                *ahead -= step;
+                *phase += step;
                 cycle.and_then(|cycle| cycle.latents(self.part, *phase)).unwrap_or_default()
             }
             Mover::Recording { latents, frame } => {
                 if *frame + 1 == latents.nrows() {
                     let before = paths.history_until(self.part, paths.frames() - 1);
-                    (*frame, self.beside) = nearest(latents, before);
+                    (*frame, self.beside) = nearest(latents, &before);
                 }
                 *frame += 1;
                 latents.row(*frame).iter().copied().collect()
             }
             Mover::Hand(_) => return,
         };
-        self.has_moved = true;
         self.beside.iter_mut().for_each(|x| *x *= APPROACH);
         let latents: Vec<f64> = wanted.iter().zip(&self.beside).map(|(on, beside)| on + beside).collect();
         paths.set_newest(self.part, &latents);

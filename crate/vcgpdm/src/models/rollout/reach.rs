@@ -12,6 +12,7 @@
 use crate::models::fitted::coupled::Coupled;
 use crate::models::variational::Familiarity;
 use nalgebra::{DMatrix, DVector, Vector3};
+use std::sync::Arc;
 
 /// s: metres.
 const NEAR: f64 = 0.01;
@@ -33,12 +34,12 @@ pub(super) struct Reach {
     pub(super) node: usize,
     /// Relative to the root, in metres, y up; z is the heading.
     pub(super) place: Vector3<f64>,
-    familiarity: Familiarity,
+    familiarity: Arc<Familiarity>,
 }
 
 impl Reach {
     pub(super) fn new(node: usize, place: Vector3<f64>, familiarity: Familiarity) -> Self {
-        Self { node, place, familiarity }
+        Self { node, place, familiarity: Arc::new(familiarity) }
     }
 
     /// The latents of `part` in the newest frame, where the model predicts `latents` [1 x Q_i] of all parts;

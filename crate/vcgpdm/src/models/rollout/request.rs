@@ -160,6 +160,24 @@ pub enum RolloutError {
         /// The number asked for.
         found: usize,
     },
+    /// A kind of model without couplings.
+    #[error("expected a vcgpdm or vgpdm model, found a {found} model")]
+    Kind {
+        /// The kind of the model.
+        found: &'static str,
+    },
+    /// A number is out of its range.
+    #[error("expected {what} from {lowest} to {highest}, found {found}")]
+    Range {
+        /// What the number is.
+        what: &'static str,
+        /// Smallest value.
+        lowest: f64,
+        /// Largest value.
+        highest: f64,
+        /// The value asked for.
+        found: f64,
+    },
     /// A part cannot be driven round a cycle that does not exist.
     #[error("expected a model whose learned rollout repeats itself, found one that does not")]
     NoCycle,

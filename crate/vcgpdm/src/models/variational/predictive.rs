@@ -197,7 +197,8 @@ impl PredictiveDynamics {
 
     /// Predictions about each part in the frame after the last one of `paths`.
     pub(super) fn next(&self, paths: &LatentPaths) -> Vec<PartPredictions> {
-        let history = |part: usize| paths.history(part);
+        let histories: Vec<_> = (0..self.latent.len()).map(|part| paths.history(part)).collect();
+        let history = |part: usize| &*histories[part];
         self.targets.iter().map(|target| target.predict(&history)).collect()
     }
 }

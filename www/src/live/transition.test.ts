@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { extrapolated, TRANSITION_FRAMES, Transition } from "./walk-store";
+import { extrapolated, TRANSITION_FRAMES, Transition } from "./transition";
 
 /** One node that starts at `from` and moves by `step` in each frame. */
 const line = (from: number, step: number, frames: number) =>
