@@ -39,7 +39,7 @@ it("a model goes on with one hand, then with two, whose couplings can be changed
   await learned(page, 1);
   assert.equal(
     await page.getByTestId("draw-words").textContent(),
-    "The model draws: it goes on in your hand.",
+    "The model draws: it goes on as your hand did.",
   );
   assert.ok(await changes(page.getByTestId("pad-0")), "the pen moves");
 
@@ -77,7 +77,21 @@ it("a model goes on with one hand, then with two, whose couplings can be changed
   );
   assert.deepEqual(await barriers(page), []);
 
+  // A link sends the drawing with a line, and another visitor's page learns it again.
+  await page.getByTestId("says").fill("Can you stop <b>my</b> left hand?");
+  await page.getByTestId("send").click();
+  await page.getByTestId("code").waitFor();
+  const link = new URL((await page.getByTestId("code-address").getAttribute("href")) ?? "");
+  await page.keyboard.press("Escape");
+  const other = await site.visit({ settings: link.hash.slice(1) });
+  await learned(other.page, 2);
+  assert.equal(await other.page.getByTestId("said").innerText(), "“Can you stop <b>my</b> left hand?”");
+  assert.equal(new URL(other.page.url()).hash, link.hash, "the link stays as it was sent");
+  assert.deepEqual(other.problems, []);
+  await other.leave();
+
   await page.getByTestId("draw-clear").click();
+  assert.doesNotMatch(page.url(), /hand=/);
   await page.getByTestId("draw-example").waitFor();
   const pad = page.getByTestId("pad-0");
   await pad.click();

@@ -13,9 +13,15 @@ export const words: DrawingWords = {
   example: "Zeig es mir",
   exampleMeaning: "Zeichnet eine Acht und einen Kreis nach einer Formel",
   tooLittle: "Das war zu wenig: Zeichne eine Linie, die länger dauert als ein Moment, und keinen Punkt.",
+  badLink:
+    "Im Link ist keine Zeichnung, die sich lesen lässt: Vielleicht ist er abgeschnitten. Zeichne, oder bitte noch einmal um den Link.",
+  says: "Eine Zeile zum Mitschicken",
+  send: "Senden",
+  sendMeaning:
+    "Ein Link und sein Code, mit dieser Zeichnung und deiner Zeile. Nichts wird gesendet, bevor du es sendest.",
   learning: "Das Modell lernt deine Zeichnung …",
-  goesOn: "Das Modell zeichnet: Es macht in deiner Hand weiter.",
-  once: "Du hast es einmal gezeichnet, darum wurde es für das Modell wiederholt. Es macht in deiner Hand weiter.",
+  goesOn: "Das Modell zeichnet: Es macht weiter wie deine Hand.",
+  once: "Du hast es einmal gezeichnet, darum wurde es für das Modell wiederholt. Es macht weiter wie deine Hand.",
   lost: (hand) =>
     `Die Hand ${hand} macht nicht so weiter, wie du gezeichnet hast. Zeichne ein paar Mal herum, ohne Pause und etwas langsamer.`,
   again: "Leeren",

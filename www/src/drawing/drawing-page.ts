@@ -23,7 +23,7 @@ export class DrawingPage extends SeriesView {
   }
 
   protected override stores() {
-    return [this.store];
+    return [this.store, this.settings];
   }
 
   protected override get shown() {
@@ -54,6 +54,10 @@ export class DrawingPage extends SeriesView {
             ? html`
           <button class="round primary" data-testid="draw-play" aria-label=${playing ? time.pause : time.play} @click=${() => this.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
           <button class="small" data-testid="draw-clear" @click=${() => store.clear()}>${words.again}</button>
+          <label class="says"><span class="visually-hidden">${words.says}</span>
+            <input data-testid="says" maxlength="80" placeholder=${words.says} .value=${this.settings.values.says}
+              @input=${({ target }: Event) => this.settings.change({ says: (target as HTMLInputElement).value })} /></label>
+          <button class="small" data-testid="send" title=${words.sendMeaning} @click=${() => this.tell("share")}>${words.send}</button>
           <button class="small" data-testid="save-drawing" title=${words.saveDrawingMeaning} @click=${save}>${icon("save")} ${words.saveDrawing}</button>
           <button class="small" data-testid="save-drawing-model" title=${words.saveModelMeaning} @click=${() => model.save()}>${icon("save")} ${words.saveModel}</button>`
             : nothing
@@ -81,9 +85,11 @@ export class DrawingPage extends SeriesView {
   }
 
   protected override render() {
+    const { says } = this.settings.values;
     return html`
       <div class="lab" data-panel="none">
         <section class="stage-area draw-area" aria-label=${drawingWords().title}>
+          ${says ? html`<p class="draw-says" data-testid="said">“${says}”</p>` : nothing}
           <div class="pads">
             <pg-pad .store=${this.store} .pad=${0}></pg-pad>
             <pg-pad .store=${this.store} .pad=${1}></pg-pad>

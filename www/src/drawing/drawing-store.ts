@@ -53,6 +53,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   /** The drawing that the model on show learned, and its pads; null before the first. */
   #drawn: { drawing: Drawing; pads: readonly Pad[] } | null = null;
   #tooLittle = false;
+  #badLink = false;
   #woken = false;
   #lost: Pad | undefined;
   /** Counts the drawings: a training that ends after the next one began is of no use. */
@@ -113,7 +114,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     clearTimeout(this.#timer);
     this.#newest += 1;
     this.cancel();
-    this.#tooLittle = false;
+    [this.#tooLittle, this.#badLink] = [false, false];
   }
 
   /** Ends a stroke. Without another one soon, on no pad, the model learns the drawing. */
@@ -157,6 +158,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     const tables = [{ name: file.name, file, without: [] }];
     const job = { tables, settings: { ...DRAWING_SETTINGS, parts } };
     this.#newest += 1;
+    this.#badLink = false;
     const now = this.#newest;
     // An earlier training is about to stop.
     while (this.busy) await new Promise((passed) => setTimeout(passed, 20));
@@ -226,6 +228,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   get words(): string {
     const words = drawingWords();
     if (this.#tooLittle) return words.tooLittle;
+    if (this.#badLink) return words.badLink;
     if (this.busy) return words.learning;
     if (this.ending.failed) return this.ending.words;
     if (!this.#drawn) return "";
@@ -251,6 +254,12 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   async example(pads: readonly Pad[] = [0, 1]): Promise<void> {
     const drawing = drawingOf(pads.map((pad) => [drawnBy(pad === 0 ? eight : circle)]));
     if (drawing) await this.learn(drawing, pads);
+  }
+
+  /** The drawing of a link cannot be read. */
+  refuse(): void {
+    this.#badLink = true;
+    this.changed();
   }
 
   clear(): void {

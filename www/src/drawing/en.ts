@@ -9,9 +9,14 @@ export const words = {
   example: "Show me",
   exampleMeaning: "Draws an eight and a circle by a formula",
   tooLittle: "That was too little: draw a line that is longer than a moment, and not a dot.",
+  badLink: "The link has no drawing that can be read: it may have been cut. Draw, or ask for the link again.",
+  says: "A line to send along",
+  send: "Send",
+  sendMeaning:
+    "A link and its code, with this drawing and your line in them. Nothing is sent before you send it.",
   learning: "The model learns your drawing …",
-  goesOn: "The model draws: it goes on in your hand.",
-  once: "You drew it once, so it was repeated for the model. It goes on in your hand.",
+  goesOn: "The model draws: it goes on as your hand did.",
+  once: "You drew it once, so it was repeated for the model. It goes on as your hand did.",
   lost: (hand: string) =>
     `The ${hand} hand does not go on as you drew it. Draw it a few times round, without a rest, and a little slower.`,
   again: "Clear",

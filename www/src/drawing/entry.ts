@@ -13,14 +13,20 @@ export const view = defineView({
   budget: 15_000,
   place: 0,
   words: {
-    en: { name: "Draw", lead: "Draw with one hand or with two: a model goes on in your hand." },
+    en: { name: "Draw", lead: "Draw with one hand or with two: a model goes on as your hand did." },
     de: {
       name: "Zeichnen",
-      lead: "Zeichne mit einer Hand oder mit zweien: Ein Modell macht in deiner Hand weiter.",
+      lead: "Zeichne mit einer Hand oder mit zweien: Ein Modell macht weiter wie deine Hand.",
     },
   },
-  async stores({ workers, words: language }) {
-    const [{ DrawingStore }] = await Promise.all([import("./drawing-store"), words.load(language)]);
-    return new DrawingStore(workers);
+  async stores({ workers, settings, words: language }) {
+    const [{ DrawingStore }, { keepInAddress }] = await Promise.all([
+      import("./drawing-store"),
+      import("./link"),
+      words.load(language),
+    ]);
+    const store = new DrawingStore(workers);
+    keepInAddress(store, settings);
+    return store;
   },
 });

@@ -32,7 +32,7 @@ export const words = {
     no: "No",
     voted: (yes: boolean) => `You say ${yes ? "yes" : "no"}.`,
     read: "What do you read in the α of step 3?",
-    curtain: "Draw the curtain",
+    curtain: "Show the truth",
     none: "No riddle: choose a seed",
     truth: (driving: boolean, right: boolean) =>
       `The truth: ${driving ? "Part 1 drives part 2." : "Neither drives the other."} You were ${right ? "right" : "wrong"}.`,

@@ -79,6 +79,8 @@ describe("settings in the URL", () => {
       growth: true,
       drawn: 7,
       driving: false,
+      says: "für dich",
+      drawing: "01.Ab-_",
       packedModel: "1.4.Ab-_",
     };
     const untouched = Object.entries(settings).filter(

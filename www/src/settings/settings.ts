@@ -204,34 +204,22 @@ const preset: Setting<string> = {
   limit: (value) => (/^[a-z0-9-]{1,40}$/.test(value) ? value : null),
 };
 
-/**
- * The first digits of the SHA-256 of the model's document that the couplings and the start belong to; empty:
- * the link names no model.
- */
-const model: Setting<string> = {
-  key: "model",
+/** Text that has a form; empty: the link has none. */
+const text = (key: string, form: RegExp): Setting<string> => ({
+  key,
   initial: "",
   read: (text) => text,
   write: (value) => value,
-  limit: (value) => (/^([0-9a-f]{8})?$/.test(value) ? value : null),
-};
+  limit: (value) => (form.test(value) ? value : null),
+});
 
-/** A model file on the page's host; empty: the link names no file. */
+/** The first digits of the SHA-256 of the model's document that the couplings and the start belong to. */
+const model = text("model", /^([0-9a-f]{8})?$/);
+
+/** A model file on the page's host. */
 const modelFile: Setting<string> = {
-  key: model.key,
-  initial: "",
+  ...text(model.key, /^/),
   read: (text) => (model.limit(text) === null ? text : null),
-  write: (value) => value,
-  limit: (value) => value,
-};
-
-/** A model in the link itself (links/packed-model.ts); empty: there is none. */
-const packedModel: Setting<string> = {
-  key: "packed",
-  initial: "",
-  read: (text) => text,
-  write: (value) => value,
-  limit: (value) => value,
 };
 
 const reading: Setting<Reading> = {
@@ -390,8 +378,13 @@ export const SETTINGS = {
   drawn: whole("draw", 0, 0, 4294967295),
   /** Whether the first part drives the second. */
   driving: flag("driving", true),
-  // The last and longest part of an address.
-  packedModel,
+  // The last and longest parts of an address.
+  /** A line of who sends a drawing. */
+  says: text("says", /^.{0,80}$/u),
+  /** A drawing (drawing/link.ts). */
+  drawing: text("hand", /^.{0,9000}$/),
+  /** A model in the link itself (links/packed-model.ts). */
+  packedModel: text("packed", /^/),
 };
 
 export type Settings = {

@@ -36,8 +36,8 @@ const ANSWERS: readonly [ChapterName[], string[], string[]][] = [
   ],
   [
     ["arms", "product"],
-    ["α is how unsure a source is", "size is its variance, alpha"],
-    ["α sagt", "Größe ihre Varianz ist, Alpha"],
+    ["α is how unsure a source is", "area is its variance, alpha"],
+    ["α sagt", "Fläche ihre Varianz ist, Alpha"],
   ],
   [
     ["arms"],

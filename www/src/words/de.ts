@@ -157,12 +157,12 @@ const points: Words["chapters"]["points"] = {
     steps: (number: number) => `Schritt ${number}`,
   },
   found: (count: number, nats: string, centimetres: string) =>
-    `${count} Punkte: Gelenke ${withComma(centimetres)} cm daneben, die Schranke ${nats} Nats weniger.`,
+    `${count} Punkte: Gelenke ${withComma(centimetres)} cm daneben, ${nats} Nats weniger Übereinstimmung mit den Aufnahmen.`,
   walks: "Der Gang geht weiter.",
   stumbled: "Der Gang stolpert.",
   enough: (enough: number, all: number, centimetres: string) =>
     `${enough} von ${all} Punkten genügen: Die Gelenke sind im Mittel ${withComma(centimetres)} cm daneben. Mit einem weniger ` +
-    "stolpert der Gang. Die Seite nahm jedes Mal den Punkt weg, ohne den die Schranke am wenigsten fällt.",
+    "stolpert der Gang. Die Seite nahm jedes Mal den Punkt weg, dessen Verlust am wenigsten kostet.",
   hint: (fewest: number | null) =>
     fewest === null
       ? "Drück auf Punkte: weg oder zurück. Die wenigsten gewinnen."
@@ -173,7 +173,7 @@ const points: Words["chapters"]["points"] = {
   pair: (many: number, few: number) => `${many} neben ${few} Punkten`,
   column: (count: number) => `${count} Punkte`,
   chart: {
-    bound: "Schranke",
+    bound: "Übereinstimmung (Schranke)",
     error: "Fehler des Gangs",
     guess: "deine Vermutung",
     label: "Schranke und Fehler des Gangs, von allen Punkten links bis zu zweien rechts",
@@ -185,8 +185,8 @@ const product: Words["chapters"]["product"] = {
   title: "Zwei Vermutungen, ein Schritt",
   text:
     "Zwei Experten vermuten den nächsten Schritt der Arme: die Arme und die Beine. Eine Vermutung ist eine Glocke: " +
-    "eine Mitte und ein Kreis, dessen Größe ihre Varianz ist, Alpha. Beide Glocken werden multipliziert: Der Schritt " +
-    "liegt dazwischen, näher beim kleineren Kreis. Die der Beine liegt weit daneben: Sie haben als Team gelernt. " +
+    "eine Mitte und ein Kreis, dessen Fläche ihre Varianz ist, Alpha. Beide Glocken werden multipliziert: Der Schritt " +
+    "liegt dazwischen, näher beim kleineren Kreis. Die der Beine allein wäre falsch: Nur das Produkt muss stimmen. " +
     "Zieh an einem Kreis.",
   guess: {
     question: "Wir verdoppeln beide Alphas. Wie bewegen sich die Arme?",

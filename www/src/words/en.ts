@@ -155,12 +155,12 @@ const points = {
     steps: (number: number) => `Step ${number}`,
   },
   found: (count: number, nats: string, centimetres: string) =>
-    `${count} points: joints ${centimetres} cm off, the bound ${nats} nats less.`,
+    `${count} points: joints ${centimetres} cm off, fit to the recordings ${nats} nats lower.`,
   walks: "The walk goes on.",
   stumbled: "The walk stumbles.",
   enough: (enough: number, all: number, centimetres: string) =>
     `${enough} of ${all} points are enough: on average the joints are ${centimetres} cm off. With one less the walk ` +
-    "stumbles. Each time the page took away the point without which the bound falls least.",
+    "stumbles. Each time the page took away the point whose loss costs least.",
   hint: (fewest: number | null) =>
     fewest === null
       ? "Press points to take them away or back. Fewest wins."
@@ -171,7 +171,7 @@ const points = {
   pair: (many: number, few: number) => `${many} beside ${few} points`,
   column: (count: number) => `${count} points`,
   chart: {
-    bound: "bound",
+    bound: "fit (bound)",
     error: "error of the walk",
     guess: "your guess",
     label: "Bound and error of the walk, from all points on the left to two on the right",
@@ -183,8 +183,8 @@ const product = {
   title: "Two guesses, one step",
   text:
     "Two experts guess the arms’ next step: the arms and the legs. A guess is a bell: its middle, and a circle whose " +
-    "size is its variance, alpha. The two bells are multiplied: the step lies between, nearer to the smaller circle. " +
-    "The legs’ guess lies far off because both learned as a team: it only has to pull the step the right way. " +
+    "area is its variance, alpha. The two bells are multiplied: the step lies between, nearer to the smaller circle. " +
+    "The legs’ guess alone would be wrong: both learned together, and only their product has to be right. " +
     "Pull at a circle.",
   guess: {
     question: "We double both alphas. How will the arms move?",

@@ -199,13 +199,14 @@ export class GaussianChapter extends GuessedChapter<"gaussian"> implements Laten
     colour: string,
   ): void {
     const last = Math.max(...this.#points.map(([x]) => x));
-    const [{ mean: a }, { mean: b }] = [this.#process.at(last), this.#process.at(last + STEP)];
+    // The curve before, turned about its last point: a wave that goes on.
+    const [end, steps] = [this.#process.at(last).mean, Math.ceil((WIDTH - last) / STEP)];
     draw.strokeStyle = colour;
     draw.lineWidth = 2;
     draw.setLineDash([6, 6]);
     draw.beginPath();
-    draw.moveTo(...pixels(last, a));
-    draw.lineTo(...pixels(WIDTH, a + ((b - a) * (WIDTH - last)) / STEP));
+    for (let k = 0; k <= steps; k++)
+      draw.lineTo(...pixels(last + k * STEP, 2 * end - this.#process.at(last - k * STEP).mean));
     draw.stroke();
     draw.setLineDash([]);
   }

@@ -72,7 +72,7 @@ function pointsChart(
         <polyline class="bound" points=${line(bound)} />
         <polyline class="error" points=${line(error)} />
         ${marks}
-        <path class="guess" d="M${x(guessed)} ${HEIGHT}l-5 -9h10z" data-testid="guessed-points" />
+        <path class="guess" d="M${x(guessed)} ${HEIGHT - 9}l-5 9h10z" data-testid="guessed-points" />
         <line class="now" x1=${x(now.count)} x2=${x(now.count)} y1="0" y2=${HEIGHT} />
       </svg>
       <figcaption><span class="bound">${words.bound}</span> <span class="error">${words.error}</span> <span>▴ ${words.guess}</span></figcaption>

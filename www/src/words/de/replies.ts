@@ -7,8 +7,8 @@ export const words: Replies = {
     pace: "Richtig.",
   },
   loop: {
-    walk: "Nein: Nichts sagt hier, welche Schritte das wären.",
-    stop: "Nein: Dazu müsste das Modell hier eine Pose kennen.",
+    walk: "Nein: Niemand kennt hier die Pose. Wohin der nächste Schritt führt, ist eine andere Regel, auf Karte 5.",
+    stop: "Nein: Niemand kennt hier die Pose. Wohin der nächste Schritt führt, ist eine andere Regel, auf Karte 5.",
     dissolve: "Richtig.",
   },
   gaussian: {

@@ -26,7 +26,7 @@ export const arms = {
     step: "The arms go on in step.",
     pace: "The arms find a pace of their own.",
   },
-  relearned: "Their expert has read its three walks again, now without the legs.",
+  relearned: "Their rule has read its three walks again, now without the legs.",
   kept: "Who said “stop” is right too: here the arms keep what they learned next to the legs, and alone that is no swing.",
   equation: (tied: number, cut: number) =>
     `α is how unsure a source is about a part; w is its share in the step. The legs’ share in the arms: ` +

@@ -32,7 +32,7 @@ export const belief = {
   measured: (ab: number, ba: number, limit: number) =>
     `Its α from A to B is ${times(ab)} times that of B itself, from B to A ${times(ba)} times that of A ` +
     `itself. From ${decimal("en", limit, 0)} times on, it counts as no say.`,
-  curtain: "Draw the curtain",
+  curtain: "Show the truth",
   truth: {
     ab: "The truth: one tenth of each move of B comes from A.",
     ba: "The truth: one tenth of each move of A comes from B.",

@@ -23,8 +23,8 @@ export const words: Replies = {
     pace: "Right.",
   },
   loop: {
-    walk: "No: nothing here says which steps those would be.",
-    stop: "No: for that, the model would have to know a pose here.",
+    walk: "No: nobody knows the pose here. Where the next step leads is another rule, on card 5.",
+    stop: "No: nobody knows the pose here. Where the next step leads is another rule, on card 5.",
     dissolve: "Right.",
   },
   gaussian: {

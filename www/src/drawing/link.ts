@@ -1,0 +1,66 @@
+// A drawing in the address of the page, so that a link sends it: each place of the pen is two letters an axis.
+import type { SettingsStore } from "../settings/settings-store";
+import type { DrawingStore, Pad } from "./drawing-store";
+import { type Drawing, drawingOf, HEIGHT, type Rows, ROWS_A_SECOND, WIDTH } from "./hand";
+
+const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+/** Values of a coordinate. */
+const VALUES = LETTERS.length ** 2;
+
+/** The numbers of the pads, and the letters of the rows. */
+export function textOf(rows: Rows, pads: readonly Pad[]): string {
+  const letters = (value: number, axis: number) => {
+    const whole = Math.round((value / (axis % 2 === 0 ? WIDTH : HEIGHT)) * (VALUES - 1));
+    const within = Math.min(VALUES - 1, Math.max(0, whole));
+    return `${LETTERS[Math.floor(within / LETTERS.length)]}${LETTERS[within % LETTERS.length]}`;
+  };
+  return `${pads.join("")}.${rows.map((row) => row.map(letters).join("")).join("")}`;
+}
+
+/** The drawing of a link and its pads; null: there is none in it. */
+export function drawingIn(text: string): { drawing: Drawing; pads: readonly Pad[] } | null {
+  const [, numbers = "", letters = ""] = /^(0|1|01)\.([\w-]+)$/.exec(text) ?? [];
+  const pads = [...numbers].map((number): Pad => (number === "0" ? 0 : 1));
+  const width = 4 * pads.length;
+  if (width === 0 || letters.length % width !== 0) return null;
+  const value = (at: number, most: number) => {
+    const [high, low] = [LETTERS.indexOf(letters[at] ?? ""), LETTERS.indexOf(letters[at + 1] ?? "")];
+    return ((high * LETTERS.length + low) / (VALUES - 1)) * most;
+  };
+  const strokes = pads.map((_, place) => [
+    Array.from({ length: letters.length / width }, (_, row) => {
+      const at = row * width + 4 * place;
+      return { seconds: row / ROWS_A_SECOND, x: value(at, WIDTH), y: value(at + 2, HEIGHT) };
+    }),
+  ]);
+  const drawing = drawingOf(strokes);
+  return drawing && { drawing, pads };
+}
+
+/** Keeps the drawing in the address, and learns that of a link. */
+export function keepInAddress(store: DrawingStore, settings: SettingsStore): void {
+  /** What the address said last, and the drawing on show then. */
+  let text = "";
+  let shown = store.drawn;
+  const follow = () => {
+    const { drawing } = settings.values;
+    if (drawing === text) return;
+    // A way to the view that names no drawing loses none.
+    if (drawing === "") return void settings.change({ drawing: text });
+    text = drawing;
+    const found = drawingIn(drawing);
+    if (found) void store.learn(found.drawing, found.pads);
+    else store.refuse();
+  };
+  store.on(() => {
+    const { drawn } = store;
+    if (drawn === shown) return;
+    shown = drawn;
+    // The link that brought a drawing stays as it was sent.
+    if (drawn && drawingIn(text)?.drawing.rows.join() === drawn.drawing.rows.join()) return;
+    text = drawn ? textOf(drawn.drawing.rows, drawn.pads) : "";
+    settings.change({ drawing: text, says: "" });
+  });
+  settings.on(follow);
+  follow();
+}
