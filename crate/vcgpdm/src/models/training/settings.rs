@@ -104,7 +104,7 @@ impl VariationalSettings {
     }
 
     /// The settings for a library of several movements: those of the papers, and each movement learns from its
-    /// own rollouts. Another weight and other numbers of points were not measured.
+    /// own rollouts. Balanced, fewer movements move on (docs/training.md, "Libraries").
     pub fn for_library() -> Self {
         Self::default().with_own_rollouts(true)
     }

@@ -247,11 +247,12 @@ impl Clip {
             let is_rest = rest == Some(axis);
             let floor_behind =
                 UpAxis::ALL.into_iter().zip(floors).any(|(other, floor)| floor && other.is_opposite(axis));
-            let stands = axis.height(&upward) / frames;
-            // A handstand: the head is below the feet.
-            let on_hands = is_floor && !floor_behind && (is_rest || [UpAxis::Y, UpAxis::Z].contains(&axis));
+            let (stands, limbs) = (axis.height(&upward) / frames, axis.height(&limbs));
+            // A handstand: the head is below the feet, and arms carry the body.
+            let is_usual = is_rest || [UpAxis::Y, UpAxis::Z].contains(&axis);
+            let on_hands = is_floor && !floor_behind && is_usual && limbs > -CARRIED;
             let stands = if on_hands { stands.abs() } else { stands };
-            let (limbs, way) = (axis.height(&limbs), axis.height(&way).abs());
+            let way = axis.height(&way).abs();
             let floor = if is_floor { floor_weight } else { 0.0 };
             let rest = if is_rest { REST } else { 0.0 };
             Evidence {
