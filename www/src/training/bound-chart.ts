@@ -45,7 +45,8 @@ export class BoundChart extends View {
     const parts = charted?.settings.parts.map(({ name }) => shownPart(name)) ?? [];
     const words = lab().learn.bound;
     // With weighted poses it is no bound on the evidence.
-    const name = (charted?.settings.poseWeight ?? 1) === 1 ? words.name : words.weighted;
+    const weight = charted ? (charted.settings.poseWeight ?? 1) : this.training.poseWeight;
+    const name = weight === 1 ? words.name : words.weighted;
     // The line is too short for both.
     const phase = learning && last ? `, ${lab().learn.phases[last.phase]}` : "";
     const which = runs.length > 1 ? `, ${words.seed(charted?.settings.seed ?? 0)}` : phase;

@@ -3,7 +3,7 @@ import type { ClipsStore } from "../clips/clips-store";
 import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import type { TrainedModel, TrainingOutcome, Report, TrainingSettings } from "../engine/protocol";
-import { pointsOf } from "../settings/settings";
+import { pointsOf, type Settings } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
 import { messageOf, sentence } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
@@ -102,6 +102,12 @@ export class TrainingStore extends Job {
   /** The number of trainings that a press of Train begins. */
   get count(): number {
     return this.settings.values.trainings || Math.min(MOST_UNASKED, this.workers);
+  }
+
+  /** How poses count in the next training. */
+  get poseWeight(): Settings["poseWeight"] {
+    const { asInPapers, poseWeight } = this.settings.values;
+    return asInPapers ? 1 : poseWeight;
   }
 
   /** The cost of a press of Train; empty for short trainings. */
@@ -265,8 +271,8 @@ export class TrainingStore extends Job {
   }
 
   #newRuns(): Run[] {
-    const { latent, order, framesPerSecond, maxIterations, seed, poseWeight, asInPapers } =
-      this.settings.values;
+    const { latent, order, framesPerSecond, maxIterations, seed, asInPapers } = this.settings.values;
+    const { poseWeight } = this;
     const { dynamicsIps, poseIps } = pointsOf(this.settings.values, this.usual);
     const { parts, toTrainOn: clips } = this.clips;
     return seedsFrom(seed, this.count).map((seed): Run => {
@@ -279,7 +285,8 @@ export class TrainingStore extends Job {
         framesPerSecond,
         seed,
         maxIterations,
-        ...(asInPapers ? { poseWeight: 1, ownRollouts: false } : { poseWeight }),
+        poseWeight,
+        ...(asInPapers ? { ownRollouts: false } : {}),
       };
       this.#lastId += 1;
       const course = {

@@ -83,7 +83,7 @@ export class TrainingView extends View {
 
   protected override render() {
     const { training, settings } = this;
-    const { asInPapers, poseWeight } = settings.values;
+    const { asInPapers } = settings.values;
     const { field, settings: names, training: words } = lab().learn;
     return html`
       <h2>${words.title}</h2>
@@ -113,7 +113,7 @@ export class TrainingView extends View {
           <label class="field"><span>${names.poseWeight.label}</span>
             <select data-testid="setting-poseWeight" title=${names.poseWeight.hint} ?disabled=${asInPapers}
               @change=${(event: Event) => settings.change({ poseWeight: POSE_WEIGHTS[(event.target as HTMLSelectElement).selectedIndex] ?? "balanced" })}>
-              ${POSE_WEIGHTS.map((weight) => html`<option ?selected=${weight === (asInPapers ? 1 : poseWeight)}>${names.poseWeight.value(weight)}</option>`)}
+              ${POSE_WEIGHTS.map((weight) => html`<option ?selected=${weight === training.poseWeight}>${names.poseWeight.value(weight)}</option>`)}
             </select></label>
         </div>
       </details>
