@@ -102,7 +102,7 @@ const OF_LIBRARY = [
   /^\w+ [XYZ]rotation/,
   /mocap\.cs\.cmu\.edu/,
   /^MAP C?GPDM$/,
-  /^\d+ \+ \d+ inducing points(, (Q = \d+|uncoupled))?$/,
+  /^(v?C?GPDM, )*\d+ \+ \d+ inducing points(, (Q = \d+|uncoupled|[Ss]\w+ \d+))*$/,
   /^(\d+ iterations, )?not balanced/,
   /^primitives by the bound/,
   /^arg max$/,

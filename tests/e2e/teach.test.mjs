@@ -64,11 +64,15 @@ describe("slides", () => {
     await chapter(page);
     assert.equal(await page.locator(".story-head").count(), 0);
     // A clicker has one key: it shows the answer, and then the next chapter.
-    await page.getByTestId("choice-left").waitFor();
+    await page.getByTestId("hand-example").waitFor();
     await page.keyboard.press("ArrowRight");
-    await page.getByTestId("verdict").waitFor();
+    await page.getByTestId("choice-stop").waitFor();
+    await page.keyboard.press("ArrowRight");
+    await page.locator("[data-testid=measured]").waitFor();
     assert.equal(await page.locator(".story-said").count(), 0, "nobody has said anything");
     await page.keyboard.press("ArrowRight");
+    await page.getByTestId("choice-walk").waitFor();
+    await page.keyboard.press("ArrowLeft");
     await page.getByTestId("choice-stop").waitFor();
     for (const key of ["1", "3", "1", "2", "Backspace"]) await page.keyboard.press(key);
     await soon(async () => assert.equal(await page.getByTestId("hands-stop").innerText(), "2"));
@@ -76,7 +80,7 @@ describe("slides", () => {
     assert.equal(await page.getByTestId("hands-step").innerText(), "0");
     assert.deepEqual(await barriers(page), []);
     await page.keyboard.press("Enter");
-    await page.getByText("2 of 3 said “Stop”. Right for another question").waitFor();
+    await page.getByText("2 of 3 said “Stop”. Right if the arms keep").waitFor();
     await page.evaluate(() => document.exitFullscreen().catch(() => {}));
     await page.keyboard.press("Escape");
     await open(page);

@@ -54,13 +54,13 @@ let model;
 let info;
 /** @type {import("vcgpdm").Measures} */
 let learned;
+const frames = (/** @type {number} */ seconds) => Math.round(seconds / info.frameTime);
+
 before(async () => {
   model = installed.vcgpdm.Model.fromJson(text);
   info = coupledInfo(model);
   learned = roll(model, "as-learned", null).measures(frames(SETTLED));
 });
-
-const frames = (/** @type {number} */ seconds) => Math.round(seconds / info.frameTime);
 
 function roll(
   /** @type {import("vcgpdm").Model} */ model,

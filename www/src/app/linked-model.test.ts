@@ -82,7 +82,7 @@ describe("the address of the first visit", () => {
     const fetched = vi.fn(async () => new Response(modelText(7)));
     vi.stubGlobal("fetch", fetched);
     await open("model=models/seven.json&alpha=0.1:50");
-    expect(fetched.mock.calls).toEqual([["https://a.org/p/models/seven.json", { redirect: "error" }]]);
+    expect(fetched.mock.calls).toMatchObject([["https://a.org/p/models/seven.json", { redirect: "error" }]]);
     expect([app.model.openedText, app.model.couplings.alpha[0]?.[1]]).toEqual([modelText(7), 50]);
   });
 

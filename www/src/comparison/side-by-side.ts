@@ -45,7 +45,7 @@ function labelOf(
   const label = models.find((summary) => textOf(summary.candidate) === textOf(candidate))?.label ?? "";
   const alike = finished.filter(({ job }) => job.candidate.model === candidate.model);
   const severalSeeds = new Set(alike.map(({ job }) => job.seed)).size > 1;
-  return [label, severalSeeds ? `seed ${seed}` : ""].filter(Boolean).join(", ");
+  return [label, severalSeeds ? lab().learn.bound.seed(seed) : ""].filter(Boolean).join(", ");
 }
 
 /** The trials with predictions. */

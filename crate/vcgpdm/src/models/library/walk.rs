@@ -48,7 +48,7 @@ impl TrainedLibrary {
 
     /// As [`endless`](Self::endless), from a frame of a sequence of a movement: `place` is (movement, sequence,
     /// frame), counted from 0. A part with another primitive than in the movement starts at its
-    /// [`nearest_state`](Library::nearest_state).
+    /// [`nearest_state`](crate::models::library::Library::nearest_state).
     ///
     /// # Errors
     ///
@@ -80,7 +80,7 @@ impl TrainedLibrary {
         Ok(Endless::of_primitives(Arc::new(model), uses, &start)?)
     }
 
-    /// Gives a part of a motion another of its primitives, at its [`nearest_state`](Library::nearest_state);
+    /// Gives a part of a motion another of its primitives, at its [`nearest_state`](crate::models::library::Library::nearest_state);
     /// where there is none, the part continues from its own state. The other parts do not change. With `alpha`
     /// [M x M], also sets the couplings.
     ///
