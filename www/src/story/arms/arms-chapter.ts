@@ -27,8 +27,9 @@ const TIED = [
 /** Seconds in which the thread snaps, and the share of it that stays at each end. */
 const SNAP = 0.3;
 const LOOSE = 0.1;
-/** Pixels by which a thread hangs down. */
+/** Pixels by which a thread hangs down, and by which it bends away from the body, where it can be seen. */
 const SLACK = 14;
+const BEND = 60;
 
 class ThreadView extends View {
   declare chapter: ArmsChapter;
@@ -56,6 +57,8 @@ class ThreadView extends View {
     const { content } = this.chapter.body.stage;
     const paths = this.querySelectorAll<SVGPathElement>("path");
     const half = 0.5 - this.#cut * (0.5 - LOOSE);
+    const middle = scene?.placeOf(0)?.x ?? 0;
+    const label = this.querySelector("text");
     TIED.forEach((ends, i) => {
       const path = paths[i];
       const [from, to] = ends.map((name) => {
@@ -63,14 +66,19 @@ class ThreadView extends View {
         return node < 0 ? null : (scene?.placeOf(node) ?? null);
       });
       if (!path || !from || !to) return;
-      const [x, y] = [(from.x + to.x) / 2, (from.y + to.y) / 2 + SLACK];
+      // From one side to the other it goes smoothly.
+      const side = Math.max(-1, Math.min(1, ((from.x + to.x) / 2 - middle) / BEND));
+      const [x, y] = [(from.x + to.x) / 2 + side * BEND, (from.y + to.y) / 2 + SLACK];
       path.setAttribute("d", `M${from.x} ${from.y}Q${x} ${y} ${to.x} ${to.y}`);
       path.setAttribute("stroke-dasharray", this.#cut === 0 ? "none" : `${half} ${1 - 2 * half} ${half} 1`);
+      if (i > 0 || !label) return;
+      label.setAttribute("x", String(middle - 1.4 * BEND));
+      label.setAttribute("y", String(y));
     });
   }
 
   protected override render() {
-    return html`<svg aria-hidden="true" data-cut=${this.chapter.isCut ? "yes" : "no"}>${TIED.map(() => svg`<path pathLength="1"></path>`)}</svg>`;
+    return html`<svg aria-hidden="true" data-cut=${this.chapter.isCut ? "yes" : "no"}>${TIED.map(() => svg`<path pathLength="1"></path>`)}${this.chapter.isCut ? nothing : svg`<text>${this.chapter.words.thread.label}</text>`}</svg>`;
   }
 }
 customElements.define("pg-thread", ThreadView);
