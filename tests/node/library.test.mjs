@@ -1,7 +1,9 @@
 // A library of primitives from JavaScript: trained, combined, coupled to a clip, and walked through while
 // primitives change.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { before, describe, it } from "node:test";
+import { at } from "../../scripts/run.mjs";
 import { coupledInfo, installedPackage } from "./package.mjs";
 
 const installed = await installedPackage();
@@ -147,6 +149,19 @@ describe("a library of primitives", () => {
     walk.setCouplings(Float64Array.from(library.nearestCouplings([0, 3]).flat()), false);
     assert.ok([...walk.advance(40).positions()].every(Number.isFinite));
     assert.throws(() => walk.setTempo(1, 9), { code: "rollout", message: /a tempo from 0.25 to 2, found 9/ });
+  });
+
+  it("lets a driven part go where its new primitive goes round no cycle", () => {
+    const first = installed.vcgpdm.Library.fromJson(readFileSync(at("www/first/library.json"), "utf8"));
+    const of = (/** @type {number} */ part) =>
+      first.info().primitives.flatMap((primitive, i) => (primitive.part === part ? [i] : []));
+    const walk = first.walk([of(0)[0] ?? 0, of(1)[0] ?? 0]);
+    for (const legs of of(0)) {
+      walk.drive(0, 0.1);
+      walk.use(0, legs);
+      assert.ok([...walk.advance(3).positions()].every(Number.isFinite));
+      walk.use(0, of(0)[0] ?? 0);
+    }
   });
 
   it("says where a combination stands still, and to whom its parts listen", () => {

@@ -119,8 +119,12 @@ async function recordedWalks(): Promise<string> {
 
 /** What the best of four kinds of models predicted of one of these walks; null: the figures cannot be shown. */
 async function recordedMotions(): Promise<FirstMotion | null> {
-  const answer = await fetch(new URL("comparison/walks.motions.bin", document.baseURI)).catch(() => null);
-  return answer?.ok ? decodeFirstMotion(await answer.arrayBuffer()) : null;
+  try {
+    const answer = await fetch(new URL("comparison/walks.motions.bin", document.baseURI));
+    return answer.ok ? decodeFirstMotion(await answer.arrayBuffer()) : null;
+  } catch {
+    return null;
+  }
 }
 
 async function chosenResults(file: File): Promise<string> {

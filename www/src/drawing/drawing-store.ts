@@ -157,8 +157,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     const parts = pads.map((pad) => ({ name: HANDS[pad], columns: [`${HANDS[pad]}_x`, `${HANDS[pad]}_y`] }));
     const tables = [{ name: file.name, file, without: [] }];
     const job = { tables, settings: { ...DRAWING_SETTINGS, parts } };
-    this.#newest += 1;
-    this.#badLink = false;
+    this.#forgetTraining();
     const now = this.#newest;
     // An earlier training is about to stop.
     while (this.busy) await new Promise((passed) => setTimeout(passed, 20));
@@ -170,6 +169,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     this.#seconds = FIRST_ROLLOUT;
     await this.model.takeTrained(found);
     this.#drawn = { drawing, pads };
+    this.#badLink = false;
     this.#lost = this.#findLost();
     this.model.clock.seek(0);
     this.model.clock.play();

@@ -1,12 +1,15 @@
-import { expect, it } from "vitest";
+import { assert, expect, it } from "vitest";
+import { FakeProgram } from "../engine/whole-workers.fake";
+import { SettingsStore } from "../settings/settings-store";
+import { DrawingStore } from "./drawing-store";
 import { circle, drawnBy, eight } from "./example";
 import { drawingOf, HEIGHT, WIDTH } from "./hand";
-import { drawingIn, textOf } from "./link";
+import { drawingIn, keepInAddress, textOf } from "./link";
 
 const drawing = drawingOf([[drawnBy(eight)], [drawnBy(circle)]]);
 
 it("brings a drawing back, within a thousandth of the pad where it was smoothed once more", () => {
-  const text = textOf(drawing?.rows ?? [], [0, 1]);
+  const text = textOf(drawing ?? assert.fail(), [0, 1]);
   expect(text).toMatch(/^01\.[\w-]+$/);
   expect(text.length).toBeLessThan(1000);
   const found = drawingIn(text);
@@ -23,4 +26,29 @@ it("brings a drawing back, within a thousandth of the pad where it was smoothed 
 it("finds no drawing in a damaged link", () => {
   for (const text of ["", "0.", "2.AAAA", "0.AAA", "01.AAAA", "0.AA!A", "0.AAAABBBB"])
     expect(drawingIn(text), text).toBe(null);
+});
+
+it("has room for the longest drawing of two hands, also of one that does not return", () => {
+  const scribble = (phase: number) =>
+    Array.from({ length: 1200 }, (_, i) => {
+      const t = i / 60;
+      return {
+        seconds: t,
+        x: 50 + 40 * Math.sin(t * t * 0.3 + phase),
+        y: 66 + 50 * Math.sin(t * 0.23 + phase),
+      };
+    });
+  const long = drawingOf([[scribble(0)], [scribble(1)]]) ?? assert.fail();
+  const text = textOf(long, [0, 1]);
+  expect(text.length).toBeLessThan(8000);
+  expect(drawingIn(text)).not.toBe(null);
+});
+
+it("refuses a bad link in words, and keeps address and drawing", () => {
+  const store = new DrawingStore(new FakeProgram());
+  const settings = new SettingsStore({ read: () => "", write() {}, push() {} });
+  settings.change({ view: "draw", drawing: "0.AAA" });
+  keepInAddress(store, settings);
+  expect(store.words).toMatch(/no drawing that can be read/);
+  expect(settings.values.drawing).toBe("");
 });

@@ -1,14 +1,18 @@
 // A drawing in the address of the page, so that a link sends it: each place of the pen is two letters an axis.
 import type { SettingsStore } from "../settings/settings-store";
 import type { DrawingStore, Pad } from "./drawing-store";
-import { type Drawing, drawingOf, HEIGHT, type Rows, ROWS_A_SECOND, WIDTH } from "./hand";
+import { type Drawing, drawingOf, HEIGHT, ROWS_A_SECOND, WIDTH } from "./hand";
 
 const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 /** Values of a coordinate. */
 const VALUES = LETTERS.length ** 2;
 
-/** The numbers of the pads, and the letters of the rows. */
-export function textOf(rows: Rows, pads: readonly Pad[]): string {
+/** More rows than a hand can draw in the time that it has, with the way back to its beginning. */
+const MOST_ROWS = 800;
+
+/** The numbers of the pads, and the letters of the rows; of a shape that is repeated, of one lap. */
+export function textOf({ rows: all, lap, once }: Drawing, pads: readonly Pad[]): string {
+  const rows = once ? all.slice(0, lap) : all;
   const letters = (value: number, axis: number) => {
     const whole = Math.round((value / (axis % 2 === 0 ? WIDTH : HEIGHT)) * (VALUES - 1));
     const within = Math.min(VALUES - 1, Math.max(0, whole));
@@ -22,7 +26,7 @@ export function drawingIn(text: string): { drawing: Drawing; pads: readonly Pad[
   const [, numbers = "", letters = ""] = /^(0|1|01)\.([\w-]+)$/.exec(text) ?? [];
   const pads = [...numbers].map((number): Pad => (number === "0" ? 0 : 1));
   const width = 4 * pads.length;
-  if (width === 0 || letters.length % width !== 0) return null;
+  if (width === 0 || letters.length % width !== 0 || letters.length > MOST_ROWS * width) return null;
   const value = (at: number, most: number) => {
     const [high, low] = [LETTERS.indexOf(letters[at] ?? ""), LETTERS.indexOf(letters[at + 1] ?? "")];
     return ((high * LETTERS.length + low) / (VALUES - 1)) * most;
@@ -39,27 +43,37 @@ export function drawingIn(text: string): { drawing: Drawing; pads: readonly Pad[
 
 /** Keeps the drawing in the address, and learns that of a link. */
 export function keepInAddress(store: DrawingStore, settings: SettingsStore): void {
-  /** What the address said last, and the drawing on show then. */
-  let text = "";
-  let shown = store.drawn;
+  /** What the address says of the drawing on show, or of that which is learned, with the line of its sender. */
+  let [said, line] = ["", ""];
+  let [shown, comes] = [store.drawn, false];
+  const restore = () => settings.change({ drawing: said, says: line });
   const follow = () => {
-    const { drawing } = settings.values;
-    if (drawing === text) return;
+    const { drawing, says } = settings.values;
+    if (drawing === said) {
+      line = says;
+      return;
+    }
     // A way to the view that names no drawing loses none.
-    if (drawing === "") return void settings.change({ drawing: text });
-    text = drawing;
+    if (drawing === "") return restore();
     const found = drawingIn(drawing);
-    if (found) void store.learn(found.drawing, found.pads);
-    else store.refuse();
+    if (!found) {
+      store.refuse();
+      return restore();
+    }
+    [said, line, comes] = [drawing, says, true];
+    void store.learn(found.drawing, found.pads);
   };
   store.on(() => {
     const { drawn } = store;
     if (drawn === shown) return;
     shown = drawn;
+    const isSent = comes && drawn !== null;
+    comes = false;
     // The link that brought a drawing stays as it was sent.
-    if (drawn && drawingIn(text)?.drawing.rows.join() === drawn.drawing.rows.join()) return;
-    text = drawn ? textOf(drawn.drawing.rows, drawn.pads) : "";
-    settings.change({ drawing: text, says: "" });
+    if (isSent) return;
+    const text = drawn ? textOf(drawn.drawing, drawn.pads) : "";
+    [said, line] = [drawingIn(text) ? text : "", ""];
+    restore();
   });
   settings.on(follow);
   follow();

@@ -115,6 +115,14 @@ export class ExperimentPage extends View {
     // The view begins with a riddle, unless the address or an earlier training names an experiment.
     const { drawn, driving } = this.settings.values;
     if (drawn === 0 && driving && this.experiment.runs.length === 0) this.#beginRiddle();
+    // A link or Back to another experiment ends the riddle.
+    const named = () => JSON.stringify([this.settings.values.drawn, this.settings.values.driving]);
+    const before = named();
+    this.whenLeaving(
+      this.settings.on(
+        () => this.experiment.isRiddle && named() !== before && this.experiment.setRiddle(null),
+      ),
+    );
   }
 
   #beginRiddle(): void {
@@ -147,6 +155,7 @@ export class ExperimentPage extends View {
   #riddle() {
     const store = this.experiment;
     const words = experimentWords().riddle;
+    const none = html`<button class="small" data-testid="riddle-none" @click=${() => store.setRiddle(null)}>${words.none}</button>`;
     const vote = (answer: boolean) => {
       this.vote = answer;
       void store.train([store.experiment]);
@@ -157,8 +166,9 @@ export class ExperimentPage extends View {
           <button class="small" data-testid="riddle-yes" ?disabled=${store.busy} @click=${() => vote(true)}>${words.yes}</button>
           <button class="small" data-testid="riddle-no" ?disabled=${store.busy} @click=${() => vote(false)}>${words.no}</button>
         </fieldset>
-        <button class="small" data-testid="riddle-none" @click=${() => store.setRiddle(null)}>${words.none}</button>`;
+        ${none}`;
     return html`
+      ${store.shown?.state === "done" ? nothing : none}
       <p>${words.voted(this.vote)} ${store.shown?.state === "done" ? words.read : ""}</p>
       <button class="small" data-testid="riddle-curtain" ?disabled=${store.shown?.state !== "done"} @click=${() => this.#drawCurtain()}>${words.curtain}</button>`;
   }

@@ -90,6 +90,8 @@ export class RiddleView extends View {
       box.replaceChildren(this.#stage.element);
       this.#show();
     } catch {
+      [this.#riddles, this.choice] = [[], null];
+      this.requestUpdate();
       // Without WebGL, or without the study, there is no riddle; the view says what is wrong when one begins.
     }
   }
@@ -115,7 +117,7 @@ export class RiddleView extends View {
   }
 
   #guess(side: Side): void {
-    if (this.choice || !this.#riddle) return;
+    if (this.choice || !this.#riddle || !this.#stage || !this.playing) return;
     this.choice = side;
     if (side !== this.#riddle.naturalSide) this.#found += 1;
   }

@@ -68,7 +68,7 @@ describe("settings in the URL", () => {
       speed: 0.25 as const,
       loop: false,
       large: true,
-      view: "compare" as const,
+      view: "draw" as const,
       models: ["vgpdm", "tmp"] as const,
       ips: [4, 20],
       bases: [5],

@@ -406,6 +406,9 @@ const ROWS = Object.entries(SETTINGS) as unknown as [SettingName, Row][];
 /** What the address of a chapter has. */
 const OF_CHAPTERS: ReadonlySet<SettingName> = new Set(["chapter", "camera", "time", "cut"]);
 
+/** What only the address of the view Draw has: nobody sends a drawing with something else. */
+const OF_DRAW: ReadonlySet<SettingName> = new Set(["drawing", "says"]);
+
 export function initialSettings(): Settings {
   return Object.fromEntries(ROWS.map(([name, row]) => [name, row.initial])) as unknown as Settings;
 }
@@ -431,6 +434,7 @@ export function writeSettings(settings: Settings): string {
   const given = new URLSearchParams();
   for (const [name, row] of ROWS) {
     if (settings.chapter > 0 && !OF_CHAPTERS.has(name)) continue;
+    if (OF_DRAW.has(name) && SETTINGS.view.write(settings.view) !== "draw") continue;
     const text = row.write(settings[name]);
     if (text !== row.write(row.initial)) given.set(row.key, text);
   }

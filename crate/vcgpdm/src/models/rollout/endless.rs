@@ -295,6 +295,13 @@ impl Endless {
         if let Some(state) = state {
             now.paths.set_history(part, state);
         }
+        // A wheel turns a part round the cycle of these primitives; without one it lets the part go.
+        let (wheels, others): (Vec<Moved>, _) =
+            now.moved.drain(..).partition(|moved| matches!(moved.by, Mover::Wheel { .. }));
+        now.moved = others;
+        if let Some(cycle) = &course.cycle {
+            now.moved.extend(wheels.iter().map(|wheel| Moved::by_wheel(wheel.part, &now.paths, cycle, 0.0)));
+        }
         now.course = Arc::new(course);
         Ok(())
     }
