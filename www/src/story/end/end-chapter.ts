@@ -1,11 +1,9 @@
 // The last card: what the visitor knows now, what nobody knows, and what to make next: both pads, to begin with.
 import { html } from "lit";
 import type { App } from "../../app/app";
-import type { DrawingStore } from "../../drawing/drawing-store";
-import { Store } from "../../ui/store";
 import { repliesNow, loadReplies } from "../../words/sections";
 import type { Chapter } from "../chapter";
-import { PadsOnStage } from "../hand/hand-chapter";
+import { PadsChapter } from "../hand/pads-chapter";
 
 /** Where the visitor can make something, by the names of the words. */
 const DOORS = {
@@ -15,31 +13,10 @@ const DOORS = {
   primitives: "view=primitives",
 } as const;
 
-export class EndChapter extends Store implements Chapter {
-  readonly #pads: PadsOnStage;
-
-  constructor(
-    app: App,
-    private readonly store: DrawingStore,
-  ) {
-    super();
-    this.#pads = new PadsOnStage(app, store, [0, 1]);
-    this.#pads.on(() => this.changed());
-  }
-
+class EndChapter extends PadsChapter {
   get #now() {
     return repliesNow()!.end;
   }
-
-  stage() {
-    return this.#pads.stage();
-  }
-
-  guess() {
-    return null;
-  }
-
-  guessed(): void {}
 
   control() {
     return html`<div class="story-row">${Object.entries(DOORS).map(
@@ -51,23 +28,9 @@ export class EndChapter extends Store implements Chapter {
   reveal() {
     return html`<p>${this.store.busy ? this.store.words : this.#now.unknown}</p>`;
   }
-
-  equation() {
-    return null;
-  }
-
-  lab() {
-    return { view: "draw" as const };
-  }
-
-  arrive(): void {
-    this.#pads.arrive();
-  }
-
-  leave(): void {}
 }
 
 export async function openChapter(app: App): Promise<Chapter> {
   const [store] = await Promise.all([app.view("draw").get(), loadReplies(app.words)]);
-  return new EndChapter(app, store);
+  return new EndChapter(app, store, [0, 1]);
 }
