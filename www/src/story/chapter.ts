@@ -11,10 +11,7 @@ export interface Guess {
 }
 
 export interface Chapter extends Observed {
-  /**
-   * The content of the stage; it fills the stage's box. A guess on the stage, such as a tap on a figure, is a
-   * bubbling event "story-guess" whose detail is the choice (`tellGuess`).
-   */
+  /** The content of the stage; it fills the stage's box. */
   stage(): TemplateResult;
   /** The question that the visitor has not answered yet; null: there is none. The frame shows a button for each choice. */
   guess(): Guess | null;
@@ -36,9 +33,4 @@ export interface Chapter extends Observed {
   arrive(): void;
   /** The chapter leaves the screen: everything stops, and shared stores are as before. The chapter may arrive again. */
   leave(): void;
-}
-
-/** Tells the frame of a guess that was made on the stage. */
-export function tellGuess(element: EventTarget, choice: string): void {
-  element.dispatchEvent(new CustomEvent("story-guess", { detail: choice, bubbles: true }));
 }

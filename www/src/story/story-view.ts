@@ -120,7 +120,6 @@ export class StoryView extends View {
     this.listen(document, "keydown", (event) => this.#obey(event as KeyboardEvent));
     const card = this.querySelector<HTMLElement>(".story-card");
     if (card) this.whenLeaving(swipes(card, (direction) => this.#step(direction)));
-    this.listen(this, "story-guess", (event) => this.#guess((event as CustomEvent<string>).detail));
     this.listen(document, "fullscreenchange", () => !document.fullscreenElement && this.#slides.end());
     // A failed download may work now.
     this.listen(window, "online", () => this.#chapters.state === "failed" && location.reload());
