@@ -28,7 +28,7 @@ it("finds no drawing in a damaged link", () => {
     expect(drawingIn(text), text).toBe(null);
 });
 
-it("has room for the longest drawing of two hands, also of one that does not return", () => {
+it("takes 20 seconds of two hands, though the drawing never repeats itself", () => {
   const scribble = (phase: number) =>
     Array.from({ length: 1200 }, (_, i) => {
       const t = i / 60;
@@ -44,7 +44,7 @@ it("has room for the longest drawing of two hands, also of one that does not ret
   expect(drawingIn(text)).not.toBe(null);
 });
 
-it("refuses a bad link in words, and keeps address and drawing", () => {
+it("says that a damaged link has no drawing, and removes it from the address", () => {
   const store = new DrawingStore(new FakeProgram());
   const settings = new SettingsStore({ read: () => "", write() {}, push() {} });
   settings.change({ view: "draw", drawing: "0.AAA" });

@@ -10,9 +10,10 @@ const VALUES = LETTERS.length ** 2;
 /** More rows than a hand can draw in the time that it has, with the way back to its beginning. */
 const MOST_ROWS = 800;
 
-/** The numbers of the pads, and the letters of the rows; of a shape that is repeated, of one lap. */
+/** The numbers of the pads, and the letters of the rows; of a shape that is repeated, of one lap. Empty: too long. */
 export function textOf({ rows: all, lap, once }: Drawing, pads: readonly Pad[]): string {
   const rows = once ? all.slice(0, lap) : all;
+  if (rows.length > MOST_ROWS) return "";
   const letters = (value: number, axis: number) => {
     const whole = Math.round((value / (axis % 2 === 0 ? WIDTH : HEIGHT)) * (VALUES - 1));
     const within = Math.min(VALUES - 1, Math.max(0, whole));
@@ -71,8 +72,7 @@ export function keepInAddress(store: DrawingStore, settings: SettingsStore): voi
     comes = false;
     // The link that brought a drawing stays as it was sent.
     if (isSent) return;
-    const text = drawn ? textOf(drawn.drawing, drawn.pads) : "";
-    [said, line] = [drawingIn(text) ? text : "", ""];
+    [said, line] = [drawn ? textOf(drawn.drawing, drawn.pads) : "", ""];
     restore();
   });
   settings.on(follow);

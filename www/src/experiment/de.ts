@@ -36,7 +36,7 @@ export const words: ExperimentWords = {
     no: "Nein",
     voted: (yes) => `Du sagst ${yes ? "ja" : "nein"}.`,
     read: "Was liest du aus den α in Schritt 3?",
-    curtain: "Vorhang auf",
+    curtain: "Zeig die Wahrheit",
     none: "Kein Rätsel: einen Startwert wählen",
     truth: (driving, right) =>
       `Die Wahrheit: ${driving ? "Teil 1 treibt Teil 2." : "Keiner treibt den anderen."} Du hattest ${right ? "recht" : "nicht recht"}.`,

@@ -32,7 +32,7 @@ export const belief: Words["chapters"]["belief"] = {
   measured: (ab, ba, limit) =>
     `Sein α von A nach B ist ${times(ab)}-mal so groß wie das von B selbst, von B nach A ${times(ba)}-mal ` +
     `so groß wie das von A selbst. Ab ${decimal("de", limit, 0)}-mal zählt es als kein Einfluss.`,
-  curtain: "Vorhang auf",
+  curtain: "Zeig die Wahrheit",
   truth: {
     ab: "Die Wahrheit: Ein Zehntel jeder Bewegung von B kommt von A.",
     ba: "Die Wahrheit: Ein Zehntel jeder Bewegung von A kommt von B.",
