@@ -29,7 +29,7 @@ import { WordsStore } from "../words/words";
 import { Lazy } from "../ui/lazy";
 import { OTHER_MODEL } from "../couplings/model-document";
 import { lab } from "../words/lab";
-import { loadCompleting, loadSession } from "../words/sections";
+import { loadCompleting, loadPerforming, loadSession } from "../words/sections";
 import { StoryBody } from "./story-body";
 import { Store } from "../ui/store";
 
@@ -98,6 +98,17 @@ export class App {
       import("../live/recorded-parts"),
     ]);
     return new RecordedParts(recordings, live, this.notices);
+  });
+
+  /** Recordings of what the visitor does live, with their view. */
+  readonly performance = new Lazy(async () => {
+    const [live, { Performance }] = await Promise.all([
+      this.live.get(),
+      import("../live/performance"),
+      loadPerforming(this.words),
+      import("../live/perform-view"),
+    ]);
+    return new Performance(live, this);
   });
 
   /** A recording that moves one part, with its view. */

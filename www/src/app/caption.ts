@@ -1,6 +1,6 @@
 // The caption over the figure: a title and a text about the stage.
 import { html, nothing } from "lit";
-import type { ClipEntry } from "../clips/clips-store";
+import { type ClipEntry, noteOf } from "../clips/clips-store";
 import type { PointingStore } from "../latents/pointing-store";
 import { presetWords } from "../couplings/presets";
 import { View } from "../ui/view";
@@ -46,7 +46,7 @@ export function wordsNow(app: App): StageWords {
   const several = training.asked.length > 1;
   return stageWords({
     kind: stage.content?.kind ?? null,
-    clip,
+    clip: clip && { ...clip, note: noteOf(clip) },
     learnedFrom: model.model?.info.sequences.map(({ name }) => name) ?? null,
     point: pointing.report ? pointWords(pointing, parts) : null,
     altered: model.couplings.altered,

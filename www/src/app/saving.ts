@@ -1,5 +1,5 @@
 // Saves files to the visitor's disk. Loaded at the first use.
-import type { ClipEntry } from "../clips/clips-store";
+import { type ClipEntry, noteOf } from "../clips/clips-store";
 import { plain, modelName } from "../couplings/model-file";
 import type { Figure, JointInfo, Motion, PartSpec, ModelInfo, Reading } from "../engine/protocol";
 import type { App } from "./app";
@@ -164,7 +164,10 @@ function rolledOutName(app: App): string | null {
   return motionName({ info: model.info, id, alpha, reading, sequence, frame, frames, clip });
 }
 
-function clipName({ title, first, end, loaded }: ClipEntry): string {
+/** The name of a clip that was made live says so. */
+function clipName(clip: ClipEntry): string {
+  const { first, end, loaded, source } = clip;
+  const title = noteOf(clip) && "name" in source ? source.name : clip.title;
   const whole = first === 0 && end === loaded.info.frames;
   return `${plain(title) || "clip"}${whole ? "" : `-${first + 1}-${end}`}`;
 }

@@ -7,7 +7,7 @@ import { lab } from "../words/lab";
 export interface OnStage {
   /** Null: the stage is empty. */
   kind: StageContent["kind"] | null;
-  clip: { title: string; origin: "made" | "model" | "own" } | null;
+  clip: { title: string; origin: "made" | "model" | "own"; note?: string } | null;
   /** The names of the model's training sequences; null without a model. */
   learnedFrom: readonly string[] | null;
   /** The description of the inducing point under the pointer. */
@@ -43,7 +43,7 @@ function clipWords(clip: OnStage["clip"]): StageWords {
   const words = lab().stage;
   return {
     title: clip?.title ?? words.clip,
-    text: clip ? words.clipFrom[clip.origin] : words.clipFrom.own,
+    text: clip?.note || words.clipFrom[clip?.origin ?? "own"],
   };
 }
 

@@ -50,6 +50,10 @@ export interface ClipEntry {
   end: number;
 }
 
+/** How a clip was made live; empty: it was not. */
+export const noteOf = ({ source }: Pick<ClipEntry, "source">): string =>
+  ("file" in source && source.note) || "";
+
 /** A clip for a later visit. */
 export type StoredClip = Pick<ClipEntry, "key" | "title" | "origin" | "source" | "ticked" | "first" | "end">;
 
@@ -157,6 +161,22 @@ export class ClipsStore extends Store {
     const source = { name: title, file: new Blob([bvh]) };
     const loaded = await this.#read(source);
     this.#add({ key: `model-${loaded.id}`, title, origin: "model", source, loaded, ticked: false });
+  }
+
+  /** Adds a clip that the visitor made live, as BVH, and returns its key. `name`: that of a file. It is not ticked. */
+  async addPerformed(clip: { title: string; name: string; note: string; bvh: string }): Promise<string> {
+    const { title, name, note } = clip;
+    const source = { name, note, file: new Blob([clip.bvh]) };
+    const loaded = await this.#read(source);
+    const key = `own-${loaded.id}`;
+    this.#add({ key, title, origin: "own", source, loaded, ticked: false });
+    return key;
+  }
+
+  /** Ticks this clip alone. */
+  async tickOnly(key: string): Promise<void> {
+    this.#clips = this.#clips.map((clip) => ({ ...clip, ticked: clip.key === key }));
+    await this.checkClash();
   }
 
   /** Opens a clip of the visitor. The first of several goes on the stage. */

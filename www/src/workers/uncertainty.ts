@@ -87,6 +87,8 @@ export const uncertaintyWorker: UncertaintyWorker = {
   },
   inferStart: async (text, clip, frames) =>
     using(await pieceOf(clip), (piece) => using(Model.fromJson(text), (model) => model.infer(piece, frames))),
+  columnsBvh: (columns, frames) =>
+    using(current().fill(columns, { frames }), (rollout) => rollout.toBvh({ plainNames: true })),
   latentLogDensity: (text, request) =>
     using(Model.fromJson(text), (model) =>
       using(model.rollout(request), (rollout) => rollout.latentLogDensity()),
