@@ -54,7 +54,7 @@ it("walks by two keys, and what was done becomes a clip and a model", async (tes
   test.diagnostic(`from the button to a model of the own walk: ${seconds.toFixed(0)} s`);
   assert.ok(seconds < 30);
   assert.match(
-    await page.getByTestId("clip-note").innerText(),
+    await page.locator(".clip .hint").innerText(),
     /^Made by you, live .* two fingers as the feet/,
   );
   await page.getByRole("button", { name: "Show performed 1" }).click();

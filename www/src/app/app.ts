@@ -101,7 +101,7 @@ export class App {
   });
 
   /** Recordings of what the visitor does live, with their view. */
-  readonly performance = new Lazy(async () => {
+  readonly performed = new Lazy(async () => {
     const [live, { Performance }] = await Promise.all([
       this.live.get(),
       import("../live/performance"),
@@ -196,6 +196,12 @@ export class App {
     this.stage = new StageStore(this.playback);
     this.clips = new ClipsStore(this.engine, this.settings, this.stage);
     this.model = new ModelStore(this.engine, this.settings, this.stage, this.notices);
+    let laps = 0;
+    this.playback.on(() => {
+      if (this.playback.laps === laps) return;
+      laps = this.playback.laps;
+      this.model.nextSample();
+    });
     this.body = new BodyStore(this.engine, this.model);
     this.phases = new PhasesStore(this.model, this.body, this.stage, this.playback);
     this.readings = new ReadingsStore(this.engine, this.model, this.stage);

@@ -52,6 +52,7 @@ export function wordsNow(app: App): StageWords {
     altered: model.couplings.altered,
     preset: model.preset && presetWords(model.preset),
     live: stage.content?.live === true,
+    sample: model.rollout?.request.sample,
     twoReadings: stage.columns !== null,
     learning: run && {
       iteration: run.steps.at(-1)?.iteration ?? null,
@@ -85,7 +86,8 @@ export class CaptionView extends View {
     if (content?.kind !== "model" || training.learning || pointing.report || !body.reports || !body.isCurrent)
       return nothing;
     const seconds = content.motion.frames * content.motion.frameTime;
-    const words = healthWords(body.reports.now.health, {
+    const { health } = body.reports.now;
+    const words = healthWords(health, {
       seconds,
       parts: content.parts,
       altered: model.couplings.altered,
@@ -105,7 +107,11 @@ export class CaptionView extends View {
           <button class="small" data-testid="other-seeds" title=${lab().stage.otherSeedsMeaning}
             @click=${() => void training.trainOtherSeeds()}>${lab().stage.otherSeeds}</button>`
         : nothing;
-    return html`<div class="stage-health" role="status" data-testid="health"><p>${words}</p>${buttons}</div>`;
+    const samples =
+      /pose|still/.test(health.state) && !model.rollout?.request.sample
+        ? html`<button class="small" @click=${() => model.playSamples(true)}>${lab().stage.playSamples}</button>`
+        : nothing;
+    return html`<div class="stage-health" role="status" data-testid="health"><p>${words}</p>${buttons}${samples}</div>`;
   }
 
   protected override render() {

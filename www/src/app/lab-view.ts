@@ -91,29 +91,18 @@ export class LabView extends View {
   async #liveStore(): Promise<LiveStore | null> {
     try {
       const { app } = this;
-      const [live, recorded, performance] = await Promise.all([
-        app.live.get(),
+      const [performed, recorded] = await Promise.all([
+        app.performed.get(),
         app.recordedParts.get(),
-        app.performance.get(),
         import("../live/live-view"),
       ]);
-      this.#liveView ??= () =>
-        html`<pg-live .live=${live} .playback=${app.playback} .recorded=${recorded}></pg-live>
-          <pg-perform .live=${live} .playback=${app.playback} .performance=${performance}></pg-perform>`;
+      this.#liveView ??= () => html`<pg-live .performed=${performed} .recorded=${recorded}></pg-live>`;
       this.requestUpdate();
-      return live;
+      return performed.live;
     } catch {
       this.#notLoaded("live");
       return null;
     }
-  }
-
-  /** Trains on a clip alone, with the settings of the panel. */
-  async #trainOn(key: string): Promise<void> {
-    const { clips, training, settings } = this.app;
-    await clips.tickOnly(key);
-    settings.change({ panel: "learn" });
-    await training.start();
   }
 
   /** Opens the panel of a place, and gives its element the focus. */
@@ -229,8 +218,6 @@ export class LabView extends View {
     return html`
       <main class="lab" ?hidden=${!app.isPlayView} data-panel=${panel}
         @hold-coupling=${({ detail }: CustomEvent<HoldCoupling>) => void this.#holdCoupling(detail)}
-        @train-on=${({ detail }: CustomEvent<string>) => void this.#trainOn(detail)}
-        @show-clip=${({ detail }: CustomEvent<string>) => app.clips.show(detail)}
         @switch-live=${({ detail }: CustomEvent<boolean>) => void this.#switchLive(detail)}>
         ${this.#stageArea()}
         <div class="picture-area">

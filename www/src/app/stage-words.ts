@@ -18,6 +18,8 @@ export interface OnStage {
   preset: { name: string } | null;
   /** Whether the motion is live. */
   live: boolean;
+  /** The seed of the sampled motion; absent: the mean. */
+  sample?: number | undefined;
   /** Whether both readings of the couplings are side by side. */
   twoReadings: boolean;
   /** The running training whose model is on the stage; `iteration` is null before the first. */
@@ -48,9 +50,10 @@ function clipWords(clip: OnStage["clip"]): StageWords {
 }
 
 function modelWords(now: OnStage): StageWords {
-  const { point, altered, preset, twoReadings, live, learning, learnedFrom } = now;
+  const { point, altered, preset, twoReadings, live, learning, learnedFrom, sample } = now;
   const words = lab().stage;
   if (point !== null) return { title: words.point, text: point };
+  if (sample && !live) return words.sampled(sample);
   if (altered) {
     const title = preset?.name ?? words.changed;
     if (live) return { title, text: words.live };

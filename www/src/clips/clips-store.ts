@@ -156,27 +156,17 @@ export class ClipsStore extends Store {
     this.changed();
   }
 
-  /** Adds a clip that a model made, as BVH. It is not ticked. */
-  async addModelled(title: string, bvh: string): Promise<void> {
-    const source = { name: title, file: new Blob([bvh]) };
+  /**
+   * Adds a clip that a model made, as BVH, and returns its key. It is not ticked. `performed`: the visitor made it
+   * live; the name of its file, and how it was made.
+   */
+  async addModelled(title: string, bvh: string, performed?: { name: string; note: string }): Promise<string> {
+    const source = { name: title, ...performed, file: new Blob([bvh]) };
     const loaded = await this.#read(source);
-    this.#add({ key: `model-${loaded.id}`, title, origin: "model", source, loaded, ticked: false });
-  }
-
-  /** Adds a clip that the visitor made live, as BVH, and returns its key. `name`: that of a file. It is not ticked. */
-  async addPerformed(clip: { title: string; name: string; note: string; bvh: string }): Promise<string> {
-    const { title, name, note } = clip;
-    const source = { name, note, file: new Blob([clip.bvh]) };
-    const loaded = await this.#read(source);
-    const key = `own-${loaded.id}`;
-    this.#add({ key, title, origin: "own", source, loaded, ticked: false });
+    const origin = performed ? "own" : "model";
+    const key = `${origin}-${loaded.id}`;
+    this.#add({ key, title, origin, source, loaded, ticked: false });
     return key;
-  }
-
-  /** Ticks this clip alone. */
-  async tickOnly(key: string): Promise<void> {
-    this.#clips = this.#clips.map((clip) => ({ ...clip, ticked: clip.key === key }));
-    await this.checkClash();
   }
 
   /** Opens a clip of the visitor. The first of several goes on the stage. */

@@ -116,7 +116,7 @@ export class ClipsView extends View {
         }
         ${this.#cutting.has(key) || loaded.assumed ? this.#cutFields(clip) : nothing}
         ${loaded.assumed ? html`<p class="hint bad" data-testid="assumed-rate">${words.assumed(loaded.assumed.why, loaded.assumed.fps)}</p>` : nothing}
-        ${noteOf(clip) ? html`<p class="hint" data-testid="clip-note">${noteOf(clip)}</p>` : nothing}
+        ${noteOf(clip) && html`<p class="hint">${noteOf(clip)}</p>`}
         ${fileNotices(warnings)}
       </li>`;
   }

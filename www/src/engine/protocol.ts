@@ -103,6 +103,8 @@ export interface RolloutRequest {
   /** Absent: the learned couplings. */
   alpha: Couplings | null;
   reading: Reading;
+  /** The seed of a sampled rollout; absent: the mean rollout. */
+  sample?: number;
 }
 
 export interface RolloutResult {

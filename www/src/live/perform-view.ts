@@ -14,9 +14,7 @@ const KEYS: Record<string, Foot> = { f: 0, j: 1 };
 
 export class PerformView extends View {
   static override properties = { said: { state: true }, feet: { state: true }, waits: { state: true } };
-  declare live: LiveStore;
-  declare playback: Playback;
-  declare performance: Performance;
+  declare performed: Performance;
   /** What the last press asked for. */
   declare said: Asked | null;
   /** Whether two fingers are the feet. */
@@ -32,7 +30,15 @@ export class PerformView extends View {
   }
 
   protected override stores() {
-    return [this.live, this.performance];
+    return [this.live, this.performed];
+  }
+
+  get live(): LiveStore {
+    return this.performed.live;
+  }
+
+  get playback(): Playback {
+    return this.performed.app.playback;
   }
 
   protected override arrived(): void {
@@ -86,13 +92,13 @@ export class PerformView extends View {
 
   #state(): string {
     const words = performingWords();
-    if (this.performance.busy) return words.making;
+    if (this.performed.busy) return words.making;
     if (!this.feet) return "";
     return this.waits ? words.waits : words.says[this.said ?? "step"];
   }
 
   protected override render() {
-    const { live, performance: own } = this;
+    const { live, performed: own } = this;
     if (!live.running) return nothing;
     const words = performingWords();
     const { clip } = own;
@@ -106,8 +112,8 @@ export class PerformView extends View {
             @click=${() => this.#walk(!this.feet)}>${words.feet}</button>
           ${
             clip
-              ? html`<button class="small" data-testid="play-performed" @click=${() => this.tell("show-clip", clip.key)}>${words.play(clip.title)}</button>
-              <button class="small" data-testid="train-performed" title=${words.trainMeaning} @click=${() => this.tell("train-on", clip.key)}>${words.train}</button>`
+              ? html`<button class="small" data-testid="play-performed" @click=${() => own.show()}>${words.play(clip.title)}</button>
+              <button class="small" data-testid="train-performed" title=${words.trainMeaning} @click=${() => void own.train()}>${words.train}</button>`
               : nothing
           }
         </div>

@@ -6,6 +6,7 @@ import type { ModelStore } from "../couplings/model-store";
 import type { EngineStore } from "../engine/engine-store";
 import type { WholeWorkers } from "../engine/whole-workers";
 import type { LiveTrack } from "../scene/live-track";
+import type { SettingsStore } from "../settings/settings-store";
 import type { Playback } from "../stage/playback";
 import { messageOf } from "../ui/format";
 import type { NoticesStore } from "../ui/notices-store";
@@ -26,6 +27,8 @@ interface Stores {
   playback: Playback;
   notices: NoticesStore;
   workers: WholeWorkers;
+  settings: SettingsStore;
+  training: { start(): Promise<void> };
 }
 
 export class Performance extends Store {
@@ -38,8 +41,8 @@ export class Performance extends Store {
   readonly #document: ModelDocument;
 
   constructor(
-    private readonly live: LiveStore,
-    private readonly app: Stores,
+    readonly live: LiveStore,
+    readonly app: Stores,
   ) {
     super();
     this.#document = new ModelDocument(app.engine, app.workers);
@@ -112,13 +115,29 @@ export class Performance extends Store {
       let number = 1;
       while (clips.all.some(({ title }) => title === words.title(number))) number += 1;
       const title = words.title(number);
-      const key = await clips.addPerformed({ title, name: `${title}, ${words.live(name)}`, note, bvh });
+      const key = await clips.addModelled(title, bvh, { name: `${title}, ${words.live(name)}`, note });
       this.#clip = { key, title };
     } catch (problem) {
       notices.addError(words.notRecorded, messageOf(problem));
     }
     this.#busy = false;
     this.changed();
+  }
+
+  /** Trains on the newest clip alone, with the settings of the panel. */
+  async train(): Promise<void> {
+    const { clips, settings, training } = this.app;
+    const { clip } = this;
+    if (!clip) return;
+    for (const { key } of clips.ticked) await clips.tick(key, false);
+    await clips.tick(clip.key, true);
+    settings.change({ panel: "learn" });
+    await training.start();
+  }
+
+  /** Plays the newest clip. */
+  show(): void {
+    if (this.clip) this.app.clips.show(this.clip.key);
   }
 
   /** What the visitor did in these frames, each thing once. */

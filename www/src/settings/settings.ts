@@ -354,6 +354,8 @@ export const SETTINGS = {
   start: whole("start", 0, 0, 99),
   /** The frame of that sequence where the motion begins. */
   startFrame: whole("frame", 0, 0, 99_999),
+  /** Whether the stage plays sampled rollouts, another one in each loop, in place of the mean. */
+  samples: flag("samples", false),
   model,
   // After `model`: the address then names the file.
   modelFile,
