@@ -42,9 +42,9 @@ const WHEN_ASKED = [
     `words/de/${name}`,
   ]),
 ];
-/** The chapters of the story after the first, what only they share, and live motions. */
+/** The chapters of the story after the first, what only they share, live motions and what visitors make of them. */
 const isChapter = (file: string) =>
-  /\/src\/(story\/((?!hand\/)[a-z]+\/|endless-walk\.|guessed-chapter\.)|live\/|words\/(en|de)\/replies\.)/.test(
+  /\/src\/(story\/((?!hand\/)[a-z]+\/|endless-walk\.|guessed-chapter\.)|live\/|app\/film\.|words\/(en|de)\/(replies|performing)\.)/.test(
     file,
   );
 const isAsked = (file: string) =>

@@ -100,15 +100,17 @@ export class App {
     return new RecordedParts(recordings, live, this.notices);
   });
 
-  /** Recordings of what the visitor does live, with their view. */
+  /** Recordings of what the visitor does live, with the view of the live motion. */
   readonly performed = new Lazy(async () => {
-    const [live, { Performance }] = await Promise.all([
+    const [live, recorded, { Performance }] = await Promise.all([
       this.live.get(),
+      this.recordedParts.get(),
       import("../live/performance"),
       loadPerforming(this.words),
+      import("../live/live-view"),
       import("../live/perform-view"),
     ]);
-    return new Performance(live, this);
+    return new Performance(live, recorded, this);
   });
 
   /** A recording that moves one part, with its view. */

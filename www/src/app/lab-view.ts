@@ -91,12 +91,8 @@ export class LabView extends View {
   async #liveStore(): Promise<LiveStore | null> {
     try {
       const { app } = this;
-      const [performed, recorded] = await Promise.all([
-        app.performed.get(),
-        app.recordedParts.get(),
-        import("../live/live-view"),
-      ]);
-      this.#liveView ??= () => html`<pg-live .performed=${performed} .recorded=${recorded}></pg-live>`;
+      const performed = await app.performed.get();
+      this.#liveView ??= () => html`<pg-live .performed=${performed}></pg-live>`;
       this.requestUpdate();
       return performed.live;
     } catch {

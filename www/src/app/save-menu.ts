@@ -24,6 +24,8 @@ export class SaveMenu extends View {
   #place({ currentTarget, newState }: ToggleEvent & { currentTarget: HTMLElement }): void {
     const button = this.querySelector("button");
     if (newState !== "open" || !button) return;
+    // Its item is there when it has loaded.
+    import("./film").catch(() => {});
     const { left, bottom } = button.getBoundingClientRect();
     const width = WIDTH * Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
     const { clientWidth } = document.documentElement;
@@ -54,6 +56,7 @@ export class SaveMenu extends View {
     const { engine, model } = this.app;
     const clip = clipOnStage(this.app);
     const hasModel = engine.engine !== null && model.rollout !== null;
+    const hasMotion = hasModel || clip !== null;
     const words = lab().files;
     // A clip, or the motion of a model of another kind.
     const isBehind = this.app.stage.clip !== null;
@@ -63,11 +66,12 @@ export class SaveMenu extends View {
     const { isPlayView } = this.app;
     return html`
       <button class="small" data-testid="save" popovertarget="save-menu" title=${isPlayView ? nothing : words.saveElsewhere}
-        ?disabled=${!isPlayView || (!hasModel && !clip)}>${icon("save")} ${words.save}</button>
+        ?disabled=${!isPlayView || !hasMotion}>${icon("save")} ${words.save}</button>
       <div id="save-menu" class="menu" popover role="group" aria-label=${words.save} @beforetoggle=${this.#place}>
-        ${this.#item("motion", "BVH", hasModel || clip !== null, clip ? words.motion.ofClip(clip.title) : undefined)}
-        ${this.#item("glb", "GLB", hasModel || clip !== null)}
-        ${this.#item("positions", "CSV", hasModel || clip !== null)}
+        ${this.#item("motion", "BVH", hasMotion, clip ? words.motion.ofClip(clip.title) : undefined)}
+        ${this.#item("glb", "GLB", hasMotion)}
+        ${this.#item("positions", "CSV", hasMotion)}
+        <pg-film .app=${this.app}></pg-film>
         ${this.#item("latents", "CSV", hasModel && !isBehind, noRollout)}
         ${this.#item("account", "JSON", hasModel && !isBehind, noRollout)}
         ${this.#item("model", "JSON", hasModel || isOtherKind)}

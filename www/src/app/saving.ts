@@ -81,6 +81,10 @@ export async function save(app: App, what: Saved): Promise<void> {
   if (file) await saveFile(app, file);
 }
 
+/** The name of the files of the motion on the stage, without extension. */
+export const fileNameOf = (app: App): string =>
+  (movedClip(app) ?? movedOther(app) ?? movedModel(app))?.name ?? "motion";
+
 /** Null: there is nothing of this kind now. */
 function fileOf(app: App, what: Saved): SavedFile | null {
   if (what === "motion" || what === "glb" || what === "positions") {

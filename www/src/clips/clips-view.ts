@@ -103,7 +103,7 @@ export class ClipsView extends View {
         <label class="tick-label">
           <input type="checkbox" aria-label=${words.tick(title)} .checked=${ticked} ?disabled=${clips.locked}
             @change=${(event: Event) => void clips.tick(key, (event.target as HTMLInputElement).checked)} />
-          <span class="clip-title" title=${title}>${title}</span>
+          <span class="clip-title" title=${noteOf(clip) || title}>${title}</span>
         </label>
         <span class="clip-length">${words.seconds((end - first) * frameTime)}</span>
         <button class="round" aria-label=${words.cutOf(title)} title=${words.cut} aria-expanded=${this.#cutting.has(key) ? "true" : "false"} @click=${() => this.#toggleCut(key)}>${icon("cut")}</button>
@@ -116,7 +116,6 @@ export class ClipsView extends View {
         }
         ${this.#cutting.has(key) || loaded.assumed ? this.#cutFields(clip) : nothing}
         ${loaded.assumed ? html`<p class="hint bad" data-testid="assumed-rate">${words.assumed(loaded.assumed.why, loaded.assumed.fps)}</p>` : nothing}
-        ${noteOf(clip) && html`<p class="hint">${noteOf(clip)}</p>`}
         ${fileNotices(warnings)}
       </li>`;
   }

@@ -23,7 +23,6 @@ const FARTHEST = 1.5;
 
 export class LiveView extends View {
   declare performed: Performance;
-  declare recorded: RecordedParts;
   /** The part of the wheel. */
   #wheel = 0;
 
@@ -33,6 +32,10 @@ export class LiveView extends View {
 
   get live(): LiveStore {
     return this.performed.live;
+  }
+
+  get recorded(): RecordedParts {
+    return this.performed.recorded;
   }
 
   get playback(): Playback {

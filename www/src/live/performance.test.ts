@@ -14,6 +14,7 @@ import { WordsStore } from "../words/words";
 import type { LiveStore } from "./live-store";
 import { modelLive } from "./model-live";
 import { Performance } from "./performance";
+import type { RecordedParts } from "./recorded-parts";
 
 let clips: ClipsStore;
 let playback: Playback;
@@ -35,7 +36,7 @@ beforeEach(async () => {
   );
   await loadPerforming(new WordsStore());
   live = modelLive({ engine, model, stage, playback, notices });
-  performed = new Performance(live, {
+  performed = new Performance(live, {} as RecordedParts, {
     engine,
     model,
     clips,

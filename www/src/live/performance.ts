@@ -14,6 +14,7 @@ import { Store } from "../ui/store";
 import { shownPart } from "../words/lab";
 import { performingWords } from "../words/sections";
 import type { LiveStore, Mark } from "./live-store";
+import type { RecordedParts } from "./recorded-parts";
 
 /** A recording ends by itself after these seconds, of which the live motion stores all. */
 export const LONGEST = 10;
@@ -42,6 +43,7 @@ export class Performance extends Store {
 
   constructor(
     readonly live: LiveStore,
+    readonly recorded: RecordedParts,
     readonly app: Stores,
   ) {
     super();

@@ -79,14 +79,14 @@ export class MoreView extends View {
       <pg-layers .layers=${layers} .predictions=${predictions} .settings=${settings} .parts=${info.parts.length}></pg-layers>
       <h2>${lab().couplings.begins}</h2>
       <div class="starts">${this.#starts(info)}</div>
-      <button type="button" class="chip" aria-pressed=${samples ? "true" : "false"} title=${stage.samplesMeaning} @click=${() => model.playSamples(!samples)}>${stage.playSamples}</button>
-      <button type="button" class="chip" aria-pressed=${loop ? "true" : "false"} @click=${() => settings.change({ loop: !loop })}>${lab().time.loop}</button>
+      <button class="chip" aria-pressed=${samples ? "true" : "false"} title=${stage.samplesMeaning} @click=${() => model.playSamples(!samples)}>${stage.playSamples}</button>
+      <button class="chip" aria-pressed=${loop ? "true" : "false"} @click=${() => settings.change({ loop: !loop })}>${lab().time.loop}</button>
       ${
         info.parts.length > 1
           ? html`
           <h2>${withTerms(words.title)} <pg-term of="reading" text="?" about=${words.about}></pg-term></h2>
           <p class="hint">${withTerms(words.meaning[settings.values.reading])}</p>
-          <button type="button" class="small" aria-pressed=${bothShown ? "true" : "false"} data-testid="readings-beside"
+          <button class="small" aria-pressed=${bothShown ? "true" : "false"} data-testid="readings-beside"
             @click=${() => readings.show(!bothShown)}>${words.bothButton}</button>`
           : nothing
       }`;

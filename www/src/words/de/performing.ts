@@ -23,6 +23,13 @@ export const words: PerformingWords = {
   play: (title) => `${title} abspielen`,
   train: "Mit meiner Bewegung trainieren",
   trainMeaning: "Trainiert ein Modell mit diesem Clip allein, mit den Einstellungen unter Lernen",
+  notFilmed: "Kein bewegtes Bild wurde gespeichert",
+  film: {
+    title: "Bewegtes Bild",
+    about: "Ein paar Sekunden der Bühne, zum Zeigen und Schicken",
+    left: (seconds) => `Aufnahme läuft, noch ${seconds} s`,
+    noEncoder: "Dieser Browser kann keine Videos schreiben; Chrome, Firefox und Safari können es.",
+  },
   feet: "Zwei Finger als Füße",
   feetMeaning: "Jeder Druck ist ein Schritt: Die Beine folgen deinem Rhythmus, deinem Hinken, deiner Pause",
   foot: ["Linker Fuß", "Rechter Fuß"],

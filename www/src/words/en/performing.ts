@@ -21,6 +21,13 @@ export const words = {
   play: (title: string) => `Play ${title}`,
   train: "Train on what I did",
   trainMeaning: "Trains a model on this clip alone, with the settings of the panel Learn",
+  notFilmed: "No moving picture was saved",
+  film: {
+    title: "Moving picture",
+    about: "Some seconds of the stage, to show and to send",
+    left: (seconds: number) => `Recording, ${seconds} s left`,
+    noEncoder: "This browser cannot write videos; Chrome, Firefox and Safari can.",
+  },
   feet: "Two fingers as the feet",
   feetMeaning: "Each press is a step: the legs follow your rhythm, your limp and your pause",
   foot: ["Left foot", "Right foot"],

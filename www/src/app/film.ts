@@ -1,0 +1,98 @@
+// The item Moving picture of the menu Save: some seconds of the stage as a video, by the browser's own encoder.
+import { html } from "lit";
+import { download } from "../ui/download";
+import { View } from "../ui/view";
+import { messageOf } from "../ui/format";
+import { loadPerforming, performingWords } from "../words/sections";
+import type { App } from "./app";
+
+/** About as long, in seconds: whole turns of the walk. */
+const SECONDS = 4;
+const BITS_A_SECOND = 6_000_000;
+const KINDS = { mp4: "video/mp4;codecs=avc1", webm: "video/webm;codecs=vp9", "webm ": "video/webm" };
+
+/** The first kind of video that this browser writes; undefined: none. */
+const kindHere = () =>
+  Object.entries(KINDS).find(([, type]) => "MediaRecorder" in window && MediaRecorder.isTypeSupported(type));
+
+export class Film extends View {
+  static override properties = { left: { state: true }, ready: { state: true } };
+  declare app: App;
+  /** Seconds that are left of the recording; 0: none runs. */
+  declare left: number;
+  declare ready: boolean;
+
+  constructor() {
+    super();
+    [this.left, this.ready] = [0, false];
+  }
+
+  protected override stores() {
+    return [this.app.stage];
+  }
+
+  protected override arrived(): void {
+    void loadPerforming(this.app.words).then(() => {
+      this.ready = true;
+    });
+  }
+
+  get #canvas(): HTMLCanvasElement | null {
+    return document.querySelector<HTMLCanvasElement>("pg-lab canvas.stage-canvas:not([hidden])");
+  }
+
+  /** Whole turns of the first part that has a pace, so that the last pose goes over into the first. */
+  get #seconds(): number {
+    const { phases, playback } = this.app;
+    const period = phases.parts
+      .map((_, part) => phases.period(part))
+      .find((found) => typeof found === "number");
+    const motion = typeof period === "number" ? Math.max(1, Math.round(SECONDS / period)) * period : SECONDS;
+    return motion / (playback.speed || 1);
+  }
+
+  async #record(): Promise<void> {
+    const [canvas, kind] = [this.#canvas, kindHere()];
+    if (!canvas || !kind || this.left > 0) return;
+    const { playback, notices } = this.app;
+    playback.play();
+    try {
+      const pieces: Blob[] = [];
+      const recorder = new MediaRecorder(canvas.captureStream(30), {
+        mimeType: kind[1],
+        videoBitsPerSecond: BITS_A_SECOND,
+      });
+      recorder.ondataavailable = ({ data }) => pieces.push(data);
+      const ended = new Promise((stopped, failed) => {
+        recorder.onstop = stopped;
+        recorder.onerror = failed;
+      });
+      recorder.start();
+      const seconds = this.#seconds;
+      const end = performance.now() + 1000 * seconds;
+      while (performance.now() < end) {
+        this.left = Math.ceil((end - performance.now()) / 1000);
+        await new Promise((passed) => setTimeout(passed, Math.min(250, end - performance.now())));
+      }
+      recorder.stop();
+      await ended;
+      for (const track of recorder.stream.getTracks()) track.stop();
+      const { fileNameOf } = await import("./saving");
+      download(`${fileNameOf(this.app)}.${kind[0].trim()}`, new Blob(pieces, { type: kind[1] }));
+    } catch (problem) {
+      notices.addError(performingWords().notFilmed, messageOf(problem));
+    }
+    this.left = 0;
+  }
+
+  protected override render() {
+    if (!this.ready) return html``;
+    const { film } = performingWords();
+    const kind = kindHere();
+    const about = this.left > 0 ? film.left(this.left) : kind ? film.about : film.noEncoder;
+    return html`
+      <button data-testid="save-film" ?disabled=${!kind || !this.#canvas || this.left > 0} @click=${() => void this.#record()}>
+        <span>${film.title}<small role="status">${about}</small></span><small>${kind?.[0].trim().toUpperCase() ?? ""}</small></button>`;
+  }
+}
+customElements.define("pg-film", Film);
