@@ -1,17 +1,22 @@
 // Accessibility: keyboard alone, screen readers, dark colours, phones.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
-import { keepsNobodyOut, LONG, openSite, openPanel, ready, readyVisitor, recolour, soon } from "./site.mjs";
+import { describe, it } from "node:test";
+import {
+  LONG,
+  keepsNobodyOut,
+  openPanel,
+  openedSite,
+  ready,
+  readyVisitor,
+  recolour,
+  seldom,
+  soon,
+} from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("./site.mjs").Visitor} Visitor */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 describe("accessibility", () => {
   keepsNobodyOut(
@@ -96,7 +101,7 @@ describe("a system that switches to dark while the page is open", () => {
     ["view=synthetic", ".curves-picture path"],
   ]);
   for (const [settings, last] of VIEWS) {
-    it(`changes all colours: ${settings}`, async () => {
+    seldom.it(`changes all colours: ${settings}`, async () => {
       const visits = /** @type {const} */ (["light", "dark"]).map(async (colorScheme) => {
         const visitor = await site.visit({ settings, colorScheme });
         await visitor.page.locator(last).first().waitFor({ state: "attached" });

@@ -1,16 +1,11 @@
 // The view Which is natural? for a class: its riddle, and answers as codes, which give the same results pasted.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, it } from "node:test";
+import { it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { barriers, changes, draws, openSite } from "./site.mjs";
+import { barriers, changes, draws, openedSite, seldom } from "./site.mjs";
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 /** A study so short that a test can wait for it. */
 function shortStudy() {
@@ -19,7 +14,7 @@ function shortStudy() {
   return JSON.stringify({ ...study, seconds: 0.2, cross_seconds: 0.02, design });
 }
 
-it("gives each participant a code, and analyses pasted codes as it does the answers", async () => {
+seldom.it("gives each participant a code, and analyses pasted codes as it does the answers", async () => {
   const { page, problems, leave } = await site.visit({ settings: "view=perception" });
   const begin = page.getByTestId("begin").and(page.locator(":enabled"));
   await begin.waitFor({ timeout: 30_000 });

@@ -1,18 +1,13 @@
 // Combinations of primitives: their couplings, the stage, and the figure next to the controls.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
-import { openSite, ready, resize } from "./site.mjs";
+import { describe, it } from "node:test";
+import { openedSite, ready, resize, seldom } from "./site.mjs";
 import { opened } from "./library.mjs";
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 describe("a combination of primitives", () => {
-  it("fits arms of a jumping jack beside legs of a walk to a walk, which the legs explain, and undoes it", async () => {
+  seldom.it("fits arms of a jumping jack beside legs of a walk to a walk, and undoes it", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=primitives" });
     await ready(page);
     await page.getByTestId("combination").first().waitFor({ timeout: 30_000 });
@@ -30,7 +25,7 @@ describe("a combination of primitives", () => {
     await leave();
   });
 
-  it("asks for saving only before a combination is lost that no file has", async () => {
+  seldom.it("asks for saving only before a combination is lost that no file has", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=primitives" });
     await ready(page);
     await page.getByTestId("combination").first().waitFor({ timeout: 30_000 });
@@ -98,7 +93,7 @@ describe("clips on the view of primitives", () => {
     await leave();
   });
 
-  it("says which movement three joined clips show, moment by moment", async () => {
+  seldom.it("says which movement three joined clips show, moment by moment", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=primitives", seen: true });
     await ready(page);
     await opened(page);

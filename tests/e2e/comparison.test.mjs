@@ -1,24 +1,19 @@
 // A comparison of models on the page: carried out, cancelled, shown, saved and opened again.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, describe, it } from "node:test";
-import { barriers, draws, openSite, pictures, ready, saved } from "./site.mjs";
+import { describe, it } from "node:test";
+import { barriers, draws, openedSite, pictures, ready, saved, seldom } from "./site.mjs";
 
 /** Small enough for a test: three trials at 15 frames a second, few iterations. */
 const SMALL = "view=compare&models=vcgpdm,vgpdm,dmp-discrete,dmp-rhythmic&ips=6&fps=15&latent=2&steps=15";
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
 /** @type {string[]} */
 let sent = [];
-before(async () => {
-  site = await openSite({
-    onSend: (path) => {
-      sent.push(path);
-    },
-  });
+const site = openedSite({
+  onSend: (path) => {
+    sent.push(path);
+  },
 });
-after(() => site?.close());
 
 /** Waits for the end of a comparison and returns its last sentence. */
 async function over(/** @type {import("playwright-core").Page} */ page) {
@@ -184,7 +179,7 @@ describe("a comparison of models", () => {
     await leave();
   });
 
-  it("plays up to four models side by side under one clock", async () => {
+  seldom.it("plays up to four models side by side under one clock", async () => {
     const { page, problems, leave } = await site.visit({
       settings: `${SMALL}&heldout=2`,
       cores: 2,
@@ -219,7 +214,7 @@ describe("a comparison of models", () => {
     await leave();
   });
 
-  it("puts the models of a trial on the stage, where they are saved", async () => {
+  seldom.it("puts the models of a trial on the stage, where they are saved", async () => {
     const settings = "view=compare&models=vcgpdm,vgpdm,tmp&ips=5&fps=15&latent=2&steps=8&heldout=2";
     const { page, problems, leave } = await site.visit({ settings, cores: 2 });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
@@ -260,7 +255,7 @@ describe("a comparison of models", () => {
     await leave();
   });
 
-  it("keeps results under other settings, and the stage moves after each comparison", async () => {
+  seldom.it("keeps results under other settings, and the stage moves after each comparison", async () => {
     const settings = "view=compare&models=vgpdm,dmp-rhythmic&ips=5&fps=15&latent=2&steps=5&heldout=1";
     const { page, problems, leave } = await site.visit({ settings, cores: 2, moving: true });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
@@ -287,7 +282,7 @@ describe("a comparison of models", () => {
     await leave();
   });
 
-  it("saves every figure as numbers and as a picture", async () => {
+  seldom.it("saves every figure as numbers and as a picture", async () => {
     const settings =
       "view=compare&models=vcgpdm,vgpdm,map-cgpdm&ips=4,5,6&growth=1&heldout=1&steps=4&fps=10&latent=2";
     const { page, problems, leave } = await site.visit({ settings, cores: 2 });
@@ -330,7 +325,7 @@ describe("a comparison of models", () => {
     await leave();
   });
 
-  it("can be cancelled, keeps finished trainings, and continues from there", async () => {
+  seldom.it("can be cancelled, keeps finished trainings, and continues from there", async () => {
     const settings = "view=compare&models=dmp-rhythmic,map-cgpdm&fps=15&steps=5000";
     const { page, problems, leave } = await site.visit({ settings, cores: 1 });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });

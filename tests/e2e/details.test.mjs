@@ -4,21 +4,16 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { after, before, describe, it } from "node:test";
+import { describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { dist } from "../../scripts/site.mjs";
-import { barriers, openSite, openPanel, ready } from "./site.mjs";
+import { barriers, openPanel, openedSite, ready } from "./site.mjs";
 import { coupledInfo } from "../node/package.mjs";
 
 /** @type {typeof import("vcgpdm")} */
 const { Model } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 describe("the tab Numbers", () => {
   it("shows the kernels, with explained terms", async () => {

@@ -1,16 +1,11 @@
 // The synthetic experiment: training in the browser, cancelling, several seeds.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
-import { barriers, openSite } from "./site.mjs";
+import { describe, it } from "node:test";
+import { barriers, openedSite, seldom } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 /** Waits until the trainings have ended. */
 const over = (/** @type {Page} */ page) => page.getByTestId("experiment-train").waitFor({ timeout: 240_000 });
@@ -27,7 +22,7 @@ async function drawn(/** @type {Page} */ page) {
 }
 
 describe("the synthetic experiment", () => {
-  it("finds in the data of seed 0 that part 1 drives part 2, and not the other way round", async () => {
+  seldom.it("finds in the data of seed 0 that part 1 drives part 2, not the other way", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=synthetic", cores: 1 });
     await chosen(page);
     assert.equal(await page.locator(".curves-picture path").count(), 20, "ten curves of each part");
@@ -83,7 +78,7 @@ describe("the synthetic experiment", () => {
     await leave();
   });
 
-  it("keeps the best so far when it is cancelled, and does not count it", async () => {
+  seldom.it("keeps the best so far when it is cancelled, and does not count it", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "view=synthetic&draw=9&driving=0",
       cores: 1,
@@ -110,7 +105,7 @@ describe("the synthetic experiment", () => {
     await leave();
   });
 
-  it("limits the seed, and works by keyboard alone", async () => {
+  seldom.it("limits the seed, and works by keyboard alone", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "view=synthetic&draw=99999999999&driving=perhaps",
     });

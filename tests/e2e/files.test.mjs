@@ -3,20 +3,25 @@ import assert from "node:assert/strict";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before, describe, it } from "node:test";
+import { describe, it } from "node:test";
 import { AnimationMixer, PropertyBinding, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { at } from "../../scripts/run.mjs";
 import { dist } from "../../scripts/site.mjs";
 import { bvh } from "./clips.mjs";
-import { drop, oneVisitor, openSite, openPanel, ready, readyVisitor, saved, soon } from "./site.mjs";
+import {
+  drop,
+  oneVisitor,
+  openPanel,
+  openedSite,
+  ready,
+  readyVisitor,
+  saved,
+  seldom,
+  soon,
+} from "./site.mjs";
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 /** The largest distance in metres between joints in three's loader and in the table, in some frames. */
 async function farthest(
@@ -83,7 +88,7 @@ describe("the first model", () => {
     assert.deepEqual(await saved(page, "save-motion"), model);
   });
 
-  it("has files with different names for variants, and an account and a table that match", async () => {
+  seldom.it("has files with different names for variants, and an account that matches", async () => {
     const { page } = visitor;
     const learned = await saved(page, "save-motion");
     const document = await saved(page, "save-model");
@@ -144,7 +149,7 @@ describe("the first model", () => {
 });
 
 describe("a folder from the visitor's disk", () => {
-  it("gives the clips in it and in the folders below", async () => {
+  seldom.it("gives the clips in it and in the folders below", async () => {
     const folder = mkdtempSync(join(tmpdir(), "vcgpdm-folder-"));
     mkdirSync(join(folder, "inner"));
     writeFileSync(join(folder, "first.bvh"), bvh());
@@ -183,7 +188,7 @@ describe("a JSON file whose keys are sorted", () => {
     ["results of a comparison", "comparison/walks.results.json", "compare"],
     ["a study", "study/walks.study.json", "perception"],
   ]))
-    it(`is opened as ${what}`, async () => {
+    seldom.it(`is opened as ${what}`, async () => {
       const { page } = visitor;
       await drop(page, { "sorted.json": sorted(path) });
       await page.waitForURL(new RegExp(`view=${view}`));
@@ -192,7 +197,7 @@ describe("a JSON file whose keys are sorted", () => {
 });
 
 describe("a link", () => {
-  it("to another model's couplings leaves this model as it is, with a notice", async () => {
+  seldom.it("to another model's couplings leaves this model as it is, with a notice", async () => {
     const { page, leave } = await site.visit({ settings: "model=00000000&alpha=0.1:50" });
     await ready(page);
     assert.match(await page.getByTestId("foreign-link").innerText(), /another model \(00000000\)/);
@@ -224,7 +229,7 @@ describe("a link", () => {
 });
 
 describe("without a network", () => {
-  it("Train says why it cannot, and Compare works when the network is back", async () => {
+  seldom.it("Train says why it cannot, and Compare works when the network is back", async () => {
     const { page, leave } = await site.visit({ settings: "tab=learn" });
     await ready(page);
     await page.context().setOffline(true);
@@ -245,7 +250,7 @@ describe("without a network", () => {
   });
 });
 
-it("a saved motion has names of joints that three.js moves", async () => {
+seldom.it("a saved motion has names of joints that three.js moves", async () => {
   const { page, problems, leave } = await site.visit();
   await ready(page);
   const model = JSON.parse(readFileSync(at("www/first/model.json"), "utf8"));
@@ -272,7 +277,7 @@ it("a saved motion has names of joints that three.js moves", async () => {
   await leave();
 });
 
-it("a model of a kind without couplings moves on the stage, says so, and its motion is saved", async () => {
+seldom.it("a model of a kind without couplings moves, says so, and its motion is saved", async () => {
   const { page, problems, leave } = await site.visit();
   await ready(page);
   const documents = at("crate/vcgpdm/tests/library/documents");

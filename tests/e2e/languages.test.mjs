@@ -2,28 +2,25 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { after, before, describe, it } from "node:test";
+import { it } from "node:test";
 import { at } from "../../scripts/run.mjs";
+import { answersOf } from "./answers.mjs";
 import {
-  choosePreset,
   barriersNow,
+  choosePreset,
   drop,
   oneVisitor,
-  openSite,
   openPanel,
+  openedSite,
   readyVisitor,
   resize,
   saved,
+  seldom,
 } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 const PANELS = /** @type {const} */ (["none", "learn", "more", "numbers"]);
 const SIZES = /** @type {const} */ ([
@@ -82,17 +79,7 @@ function answers() {
     createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"))
   );
   const study = Study.fromJson(readFileSync(at("www/dist/study/walks.study.json"), "utf8"));
-  const { stimuli, hash } = study.info;
-  const id = (/** @type {number} */ place) => stimuli[place]?.id;
-  const rows = [1, 2].flatMap((seed) =>
-    study.trials(seed).map(({ kind, left, right, naturalSide }, i) => {
-      const sides = { left: id(left), right: id(right) };
-      const taken = kind === "comparison" && i % 2 === 0;
-      const response = (naturalSide === "left") === taken ? "right" : "left";
-      return { participant: `p${seed}`, study: hash, trial_index: i, kind, ...sides, response };
-    }),
-  );
-  return JSON.stringify(rows);
+  return JSON.stringify(answersOf(study, [1, 2]));
 }
 
 /** Texts of the library, which are English everywhere, such as titles and settings; the credit of the recordings; a function; clips, which keep their names. */
@@ -211,7 +198,7 @@ async function wordsOfTabs(/** @type {Page} */ page, /** @type {(tab: string) =>
   return words;
 }
 
-describe("the Lab in German", () => {
+seldom.describe("the Lab in German", () => {
   const visitor = oneVisitor(() => readyVisitor(site.visit(GERMAN)));
 
   for (const viewport of SIZES)
@@ -245,7 +232,7 @@ describe("the Lab in German", () => {
   });
 });
 
-describe("each view in German", () => {
+seldom.describe("each view in German", () => {
   for (const { view, ready: isReady } of VIEWS)
     it(`fits and says nothing English in the view ${view}`, async () => {
       const { page, problems, leave } = await site.visit({ ...GERMAN, settings: `view=${view}` });

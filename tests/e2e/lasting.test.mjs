@@ -1,17 +1,12 @@
 // Workers that die.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
+import { it } from "node:test";
 import { bvh } from "./clips.mjs";
-import { drop, openSite, openPanel, ready, saved } from "./site.mjs";
+import { drop, openPanel, openedSite, ready, saved, seldom } from "./site.mjs";
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
-describe("the worker that shows the model", () => {
+seldom.describe("the worker that shows the model", () => {
   it("is started again when it dies silently, with the same model", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
@@ -43,7 +38,7 @@ describe("the worker that shows the model", () => {
   });
 });
 
-describe("a worker that takes over", () => {
+seldom.describe("a worker that takes over", () => {
   /** A visit whose replacements die when they open the model again: the first of them, this many. */
   const visitWith = async (/** @type {number} */ deaths) => {
     const { page, ...rest } = await site.visit();
@@ -97,7 +92,7 @@ describe("a worker that takes over", () => {
   });
 });
 
-describe("a worker that trains", () => {
+seldom.describe("a worker that trains", () => {
   it("fails its training when it dies silently, and the other trainings finish", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "tab=learn&trainings=2&iterations=150&fps=60",

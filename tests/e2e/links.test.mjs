@@ -1,18 +1,13 @@
 // Links that bring a model: in themselves, or in a file of the page's host.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, describe, it } from "node:test";
+import { describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { barriers, openSite, ready, saved, soon } from "./site.mjs";
+import { barriers, openedSite, ready, saved, seldom, soon } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 /** A model that is not the page's own: it has all its digits. */
 const model = {
@@ -113,7 +108,7 @@ describe("a link with the model in it", () => {
     await leave();
   });
 
-  it("moves in a sandboxed frame of another page", async () => {
+  seldom.it("moves in a sandboxed frame of another page", async () => {
     assert.match(
       frame,
       /^<iframe src="[^"]+\?embed#[^"]+" title="[^"]+" [^>]*sandbox="allow-scripts allow-same-origin">/,
@@ -144,7 +139,7 @@ describe("a link with the model in it", () => {
     await leave();
   });
 
-  it("of a newer version gets the words of the reader of models, and the page opens its own model", async () => {
+  seldom.it("of a newer version gets the words of the reader of models", async () => {
     const document = JSON.parse(readFileSync(at("www/first/model.json"), "utf8"));
     const newer = await packedText(JSON.stringify({ ...document, version: 99 }));
     const { page, problems, leave } = await site.visit({ settings: `packed=${newer}` });
@@ -170,7 +165,7 @@ describe("a model without couplings on the stage", () => {
       .getByText(`Made by a ${name}`, { exact: true })
       .waitFor({ timeout: 30_000 });
 
-  it("is what Save and Share carry, to another visitor too", async () => {
+  seldom.it("is what Save and Share carry, to another visitor too", async () => {
     const mine = await site.visit({ settings: "alpha=0.1:3" });
     await ready(mine.page);
     /** @type {{ name: string, link: string, moved: number[] }[]} */
@@ -231,7 +226,7 @@ describe("a link to a file", () => {
     await leave();
   });
 
-  it("opens the model of the page's own host", async () => {
+  seldom.it("opens the model of the page's own host", async () => {
     const { page, problems, leave } = await site.visit({ settings: "model=first/model.json&alpha=0.1:0.05" });
     await ready(page);
     assert.ok((await positions(page)).length > 1000);
@@ -244,7 +239,7 @@ describe("a link to a file", () => {
     await leave();
   });
 
-  it("shows the motion of a model without couplings, also after a reload", async () => {
+  seldom.it("shows the motion of a model without couplings, also after a reload", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
     const path = at("crate/vcgpdm/tests/library/documents/tmp.json");
@@ -259,7 +254,7 @@ describe("a link to a file", () => {
     await leave();
   });
 
-  it("asks no other host, and says what was expected", async () => {
+  seldom.it("asks no other host, and says what was expected", async () => {
     const { page, problems, leave } = await site.visit({ settings: "model=https://example.org/x.json" });
     await ready(page);
     await page

@@ -1,16 +1,11 @@
 // Parts by hand: the joints of each part, and the names of the parts.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
-import { barriers, openSite, ready } from "./site.mjs";
+import { describe, it } from "node:test";
+import { barriers, openedSite, ready, seldom } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 const names = (/** @type {Page} */ page) => page.locator("pg-parts-editor .part-names input");
 const message = (/** @type {Page} */ page) => page.locator("pg-parts-editor").getByRole("status");
@@ -47,7 +42,7 @@ describe("parts by hand", () => {
     await leave();
   });
 
-  it("have one colour each; a part without joints has no colour and is left out", async () => {
+  seldom.it("have one colour each; a part without joints has no colour and is left out", async () => {
     const { page, problems, leave } = await site.visit({ settings: "tab=learn" });
     await ready(page);
     await page.getByTestId("setting-parts").selectOption("hand");
@@ -71,7 +66,7 @@ describe("parts by hand", () => {
     await leave();
   });
 
-  it("get the names of the page when a link gives two parts the same name", async () => {
+  seldom.it("get the names of the page when a link gives two parts the same name", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "tab=learn&parts=hand&split=a:0-4;a:5-99",
     });

@@ -1,14 +1,9 @@
 // The clock, and couplings with their motion.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
-import { draws, oneVisitor, openSite, ready, readyVisitor, recolour, saved } from "./site.mjs";
+import { describe, it } from "node:test";
+import { draws, oneVisitor, openedSite, ready, readyVisitor, recolour, saved, seldom } from "./site.mjs";
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 describe("the clock", () => {
   it("plays, pauses, steps and scrubs", async () => {
@@ -39,7 +34,7 @@ describe("the clock", () => {
 
 describe("the stage", () => {
   // The list of media whose `matches` every picture read got no event: the stage stayed light on a dark page.
-  it("turns dark with the system while the figure moves", async () => {
+  seldom.it("turns dark with the system while the figure moves", async () => {
     const { page, problems, leave } = await site.visit({ seen: true, moving: true });
     await ready(page);
     const background = () =>
@@ -56,7 +51,7 @@ describe("the stage", () => {
     await leave();
   });
 
-  it("keeps the camera at the same side of the walker for two minutes", async () => {
+  seldom.it("keeps the camera at the same side of the walker for two minutes", async () => {
     const { page, problems, leave } = await site.visit();
     await ready(page);
     // Degrees between the camera and the hips in 2-minute play, the mean of each 5 seconds.
@@ -92,7 +87,7 @@ describe("the stage", () => {
     await leave();
   });
 
-  it("reports lost graphics, and draws again when the browser restores them", async () => {
+  seldom.it("reports lost graphics, and draws again when the browser restores them", async () => {
     const { page, leave } = await site.visit({ moving: true });
     await ready(page);
     await page.evaluate(() => {

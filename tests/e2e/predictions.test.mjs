@@ -2,10 +2,10 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { after, before, describe, it } from "node:test";
+import { describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { dist } from "../../scripts/site.mjs";
-import { oneVisitor, openSite, ready, readyVisitor, rests } from "./site.mjs";
+import { oneVisitor, openedSite, ready, readyVisitor, rests } from "./site.mjs";
 import { coupledInfo } from "../node/package.mjs";
 
 /** @typedef {{ x: number, y: number, major: number, minor: number }} Ellipse */
@@ -19,12 +19,7 @@ const ALPHA = [
 ];
 const FRAME = 40;
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 /** @param {number | undefined} a @param {number | undefined} b @param {number} tolerance */
 const close = (a, b, tolerance) =>

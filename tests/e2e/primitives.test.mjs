@@ -1,17 +1,12 @@
 // A library of primitives: new combinations while the figure moves on, new couplings, learning from clips.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
+import { describe, it } from "node:test";
 import { opened } from "./library.mjs";
-import { draws, keepsNobodyOut, openSite, ready, readyVisitor, saved } from "./site.mjs";
+import { draws, keepsNobodyOut, openedSite, ready, readyVisitor, saved, seldom } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 /**
  * The largest step of a node from one frame to the next, in metres. A hand of a jumping jack moves 0.2 m, and 0.5 m
@@ -208,7 +203,7 @@ describe("a library of primitives", () => {
     await leave();
   });
 
-  it("fits couplings to a clip, saves and opens the library, and shows the model on the stage", async () => {
+  seldom.it("fits couplings to a clip, saves the library, and shows the model on the stage", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=primitives" });
     await ready(page);
     await opened(page);
@@ -270,7 +265,7 @@ describe("a library of primitives", () => {
     await leave();
   });
 
-  it("learns a library from clips in groups, which can be taken back", async () => {
+  seldom.it("learns a library from clips in groups, which can be taken back", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "view=primitives&fps=15&iterations=20&dynamics=6&poses=8",
     });
@@ -294,7 +289,7 @@ describe("a library of primitives", () => {
     await leave();
   });
 
-  it("saves a primitive, adds it where it fits, and says why it does not fit", async () => {
+  seldom.it("saves a primitive, adds it where it fits, and says why it does not fit", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=primitives", moving: true });
     await ready(page);
     await opened(page);
@@ -320,7 +315,7 @@ describe("a library of primitives", () => {
     await leave();
   });
 
-  it("works by keyboard alone", async () => {
+  seldom.it("works by keyboard alone", async () => {
     const { page, problems, leave } = await site.visit({ settings: "view=primitives", moving: true });
     await opened(page);
     const tabTo = async (/** @type {string} */ id) => {

@@ -1,14 +1,9 @@
 // Movements of real people: their models on the stage, and clips that the models made, to train on.
 import assert from "node:assert/strict";
-import { after, before, it } from "node:test";
-import { barriers, openSite, openPanel, ready } from "./site.mjs";
+import { it } from "node:test";
+import { barriers, openPanel, openedSite, ready, seldom } from "./site.mjs";
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 it("opens a model of a recorded run, and trains on clips that the model of the walk made", async () => {
   const { page, problems, leave } = await site.visit({
@@ -75,7 +70,7 @@ const numbersOf = async (/** @type {Page} */ page, /** @type {number} */ part) =
   return (text.match(/\d+\.\d+/g) ?? []).map(Number);
 };
 
-it("a recording gives the legs, the model infers the arms, and goes on by itself afterwards", async () => {
+seldom.it("a recording gives the legs, the model infers the arms, and goes on by itself", async () => {
   const { page, problems, leave } = await site.visit({ settings: "tab=more" });
   await ready(page);
   const panel = page.getByTestId("completing");

@@ -1,17 +1,12 @@
 // Several trainings at once: a worker for each, their table, the best on the stage, a cancel and a crash.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
+import { describe, it } from "node:test";
 import { Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
-import { barriers, LONG, openSite, openPanel, ready, saved } from "./site.mjs";
+import { LONG, barriers, openPanel, openedSite, ready, saved, seldom } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 /** A visit on a machine with this number of cores, as the page sees it. */
 async function visit(/** @type {number} */ cores, /** @type {string} */ settings, options = {}) {
@@ -130,7 +125,7 @@ describe("several trainings", () => {
     await leave();
   });
 
-  it("wait for their turn on a machine with one core", async () => {
+  seldom.it("wait for their turn on a machine with one core", async () => {
     const { page, problems, leave } = await visit(1, "trainings=3&iterations=10&fps=15");
     const most = await watchRunning(page);
     await page.getByTestId("train").click();
@@ -144,7 +139,7 @@ describe("several trainings", () => {
     await leave();
   });
 
-  it("keep finished and best models when they are cancelled", async () => {
+  seldom.it("keep finished and best models when they are cancelled", async () => {
     const { page, problems, leave } = await visit(2, "trainings=4&iterations=150&fps=30");
     await page.getByTestId("train").click();
     await page.locator("[data-testid=run][data-state=done]").first().waitFor({ timeout: 90_000 });
@@ -170,7 +165,7 @@ describe("several trainings", () => {
     await leave();
   });
 
-  it("continue when the worker of one of them dies", async () => {
+  seldom.it("continue when the worker of one of them dies", async () => {
     const { page, leave } = await visit(2, "trainings=3&iterations=150&fps=30");
     /** @type {import("playwright-core").Worker[]} */
     const workers = [];
@@ -195,7 +190,7 @@ describe("several trainings", () => {
     await leave();
   });
 
-  it("run side by side with different settings", async () => {
+  seldom.it("run side by side with different settings", async () => {
     const { page, problems, leave } = await visit(2, "trainings=1&iterations=4000&fps=60");
     const most = await watchRunning(page);
     await page.getByTestId("train").click();
@@ -229,7 +224,7 @@ describe("several trainings", () => {
     await leave();
   });
 
-  it("do not block the sliders", async () => {
+  seldom.it("do not block the sliders", async () => {
     const { page, problems, leave } = await visit(2, `trainings=2&${LONG}`);
     await page.getByTestId("train").click();
     await page.waitForFunction(
@@ -285,7 +280,7 @@ describe("the table of trainings", () => {
     await leave();
   });
 
-  it("has no serious barrier, and fits a phone", async () => {
+  seldom.it("has no serious barrier, and fits a phone", async () => {
     const { page, leave } = await visit(2, "trainings=2&iterations=10&fps=15", {
       viewport: { width: 390, height: 844 },
     });

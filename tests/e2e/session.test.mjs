@@ -1,18 +1,12 @@
 // A page that is closed during a training: the next visit can bring back its work.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
+import { describe, it } from "node:test";
 import { bvh } from "./clips.mjs";
-import { drop, openSite, ready, revisit } from "./site.mjs";
+import { drop, openedSite, ready, revisit, seldom } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 /** The trainings of the page. */
 const runs = (/** @type {Page} */ page) =>
@@ -52,7 +46,7 @@ describe("a tab that is reloaded", () => {
   });
 });
 
-describe("a page that is closed in the middle of a training", () => {
+seldom.describe("a page that is closed in the middle of a training", () => {
   it("has its clips and training again at a press, and ends in the same model as one that was never closed", async () => {
     const { page, problems, leave } = await site.visit({ settings: SETTINGS });
     await ready(page);

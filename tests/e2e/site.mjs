@@ -2,13 +2,19 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
-import { after, before, it } from "node:test";
+import { after, before, describe, it } from "node:test";
 import { launchChromium } from "../../scripts/chromium.mjs";
 import { at } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import { dist } from "../../scripts/site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
+
+/**
+ * `it` and `describe` of what a change seldom breaks: `npm test` leaves these tests out, `npm test -- --all` and a
+ * run by hand do not.
+ */
+export const seldom = process.env.PAGE_TESTS === "often" ? { it() {}, describe() {} } : { it, describe };
 
 const DESK = { width: 1280, height: 800 };
 const PHONE = { width: 390, height: 844 };
@@ -155,6 +161,14 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
       await server.close();
     },
   };
+}
+
+/** The site, open while the tests of a file run. */
+export function openedSite(/** @type {Parameters<typeof openSite>[0]} */ options = {}) {
+  const site = /** @type {Awaited<ReturnType<typeof openSite>>} */ ({});
+  before(async () => void Object.assign(site, await openSite(options)));
+  after(() => site.close?.());
+  return site;
 }
 
 /** Settings of a training that lasts longer than any test. */

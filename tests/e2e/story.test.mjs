@@ -2,10 +2,20 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { after, before, beforeEach, describe, it } from "node:test";
+import { beforeEach, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { coupledInfo } from "../node/package.mjs";
-import { barriers, barriersNow, changes, oneVisitor, openSite, ready, soon, squares } from "./site.mjs";
+import {
+  barriers,
+  barriersNow,
+  changes,
+  oneVisitor,
+  openedSite,
+  ready,
+  seldom,
+  soon,
+  squares,
+} from "./site.mjs";
 
 /** @type {typeof import("vcgpdm")} */
 const { Model } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
@@ -14,15 +24,10 @@ const { Model } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.
 
 /** Holds the wasm back until it is released. */
 let wasm = Promise.resolve();
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite({ before: (path) => (path.endsWith(".wasm") ? wasm : undefined) });
-});
+const site = openedSite({ before: (path) => (path.endsWith(".wasm") ? wasm : undefined) });
 beforeEach(() => {
   wasm = Promise.resolve();
 });
-after(() => site?.close());
 
 const LAPTOP = { viewport: { width: 1280, height: 720 } };
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
@@ -204,7 +209,7 @@ describe("the way through the story", () => {
     await leave();
   });
 
-  it("measures the time from chapter to chapter", async (test) => {
+  seldom.it("measures the time from chapter to chapter", async (test) => {
     const { page, problems, leave } = await site.visit({ story: true, ...LAPTOP });
     await page.locator(".story[data-state=open][data-engine=ready]").waitFor();
     for (const chapter of [2, 3, 10, 4, 5, 6, 7, 8, 9, 11]) {
@@ -229,7 +234,7 @@ describe("the way through the story", () => {
     await leave();
   });
 
-  it("goes by swipes on a phone", async () => {
+  seldom.it("goes by swipes on a phone", async () => {
     const { page, leave } = await site.visit({ story: true, ...PHONE });
     await open(page);
     const swipe = (/** @type {number} */ from, /** @type {number} */ to) =>
@@ -270,7 +275,7 @@ describe("the way through the story", () => {
     await leave();
   });
 
-  it("shows one chapter alone in a frame of another page", async () => {
+  seldom.it("shows one chapter alone in a frame of another page", async () => {
     const { page, problems, leave } = await site.visit({ query: "?embed", settings: "story=1" });
     await open(page);
     assert.equal(await page.locator(".story-head, .story-place").count(), 0);

@@ -1,16 +1,11 @@
 // The page for teachers: plans, slides with hands and notes, links of a state, and exercises that are measured.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
-import { barriers, barriersNow, openSite, ready, resize, soon } from "./site.mjs";
+import { describe, it } from "node:test";
+import { barriers, barriersNow, openedSite, ready, resize, seldom, soon } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 const LAPTOP = { viewport: { width: 1280, height: 720 } };
 const PHONE = { width: 390, height: 844 };
@@ -62,7 +57,7 @@ describe("the page for teachers", () => {
 });
 
 describe("slides", () => {
-  it("count hands by keys, take one back, and say what most hands said", async () => {
+  seldom.it("count hands by keys, take one back, and say what most hands said", async () => {
     const { page, problems, leave } = await site.visit({ settings: "teach", locale: "en", ...LAPTOP });
     await open(page);
     await page.getByTestId("start-slides").click();
@@ -93,7 +88,7 @@ describe("slides", () => {
     await leave();
   });
 
-  it("show the notes of the chapter in a second window, which turns the chapters too", async () => {
+  seldom.it("show the notes of the chapter in a second window, which turns the chapters too", async () => {
     const { page, problems, leave } = await site.visit({ settings: "story=2", locale: "en", ...LAPTOP });
     await chapter(page);
     const [notes] = await Promise.all([page.waitForEvent("popup"), page.keyboard.press("n")]);
@@ -127,7 +122,7 @@ describe("the link of a state", () => {
     await leave();
   });
 
-  it("opens the Lab with the camera and the time of the chapter", async () => {
+  seldom.it("opens the Lab with the camera and the time of the chapter", async () => {
     const { page, problems, leave } = await site.visit({ settings: "story=2&camera=0.5,0.3,1.2", ...LAPTOP });
     await page.locator(".story[data-engine=ready]").waitFor();
     await page.getByTestId("choice-stop").click();
@@ -177,7 +172,7 @@ describe("exercises", () => {
     await leave();
   });
 
-  it("take a trained model of few points that walks on", async () => {
+  seldom.it("take a trained model of few points that walks on", async () => {
     const settings = "exercise=6&tab=learn&dynamics=6";
     const { page, problems, leave } = await site.visit({ settings, locale: "en", ...LAPTOP });
     await ready(page);

@@ -1,16 +1,10 @@
 // The wheel of the live motion under a finger: a turn moves the part and does not scroll the page.
 import assert from "node:assert/strict";
-import { after, before, it } from "node:test";
-import { openSite, ready, soon } from "./site.mjs";
+import { openedSite, ready, seldom, soon } from "./site.mjs";
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
-it("turns under a finger: the part follows, stands while the finger rests, and goes on without the finger", async () => {
+seldom.it("turns under a finger: the part follows, stands, and goes on without it", async () => {
   const { page, problems, leave } = await site.visit({
     ...{ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
     moving: true,

@@ -1,20 +1,15 @@
 // Train, cancel, open own files, save and open models.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, describe, it } from "node:test";
+import { describe, it } from "node:test";
 import { Clip, Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
 import { at } from "../../scripts/run.mjs";
 import { bvh } from "./clips.mjs";
-import { draws, drop, LONG, openSite, ready, saved } from "./site.mjs";
+import { LONG, draws, drop, openedSite, ready, saved, seldom } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 const trainIsBack = (/** @type {Page} */ page) => page.getByTestId("train").waitFor({ timeout: 90_000 });
 const trained = async (/** @type {Page} */ page) =>
@@ -81,7 +76,7 @@ describe("training", () => {
     await leave();
   });
 
-  it("does not block the page, and keeps its best model when it is cancelled", async () => {
+  seldom.it("does not block the page, and keeps its best model when it is cancelled", async () => {
     const { page, problems, leave } = await site.visit({
       moving: true,
       settings: `tab=learn&trainings=1&fps=15&${LONG}`,
@@ -109,7 +104,7 @@ describe("training", () => {
 describe("after training", () => {
   const POOR = "tab=learn&trainings=1&seed=1&iterations=10&fps=15&latent=1&dynamics=2&poses=2";
 
-  it("says that a model keeps one pose, and trains again with more points", async () => {
+  seldom.it("says that a model keeps one pose, and trains again with more points", async () => {
     const { page, problems, leave } = await site.visit({ settings: POOR });
     await ready(page);
     const health = page.getByTestId("health");
@@ -132,7 +127,7 @@ describe("after training", () => {
     await leave();
   });
 
-  it("continues where it stopped, for as many iterations again", async () => {
+  seldom.it("continues where it stopped, for as many iterations again", async () => {
     const { page, problems, leave } = await site.visit({ settings: POOR });
     await ready(page);
     await page.getByTestId("train").click();
@@ -153,7 +148,7 @@ describe("after training", () => {
     await leave();
   });
 
-  it("trains clips of other bones together, with the bones of the first", async () => {
+  seldom.it("trains clips of other bones together, with the bones of the first", async () => {
     const { page, problems, leave } = await site.visit({
       settings: "tab=learn&trainings=1&iterations=10&fps=15",
     });
@@ -205,7 +200,7 @@ describe("own files", () => {
     await leave();
   });
 
-  it("keeps open rows with their clips, and the numbers of a cut", async () => {
+  seldom.it("keeps open rows with their clips, and the numbers of a cut", async () => {
     const { page, problems, leave } = await site.visit({ settings: "tab=learn" });
     await ready(page);
     // A notice for each clip with a missing row.
@@ -266,7 +261,7 @@ describe("own files", () => {
     await leave();
   });
 
-  it("reads a file whose frame time is no time, says so, and takes the rate that is stated", async () => {
+  seldom.it("reads a file whose frame time is none, and takes the rate that is stated", async () => {
     const { page, problems, leave } = await site.visit({ settings: "tab=learn" });
     await ready(page);
     await drop(page, { "rate.bvh": bvh().replace(/Frame Time:.*/, "Frame Time: 30") });

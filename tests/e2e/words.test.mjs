@@ -1,16 +1,11 @@
 // The texts of the page: the first screen, explanations of terms, and the method.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
-import { barriers, oneVisitor, openSite, openPanel, ready, readyVisitor } from "./site.mjs";
+import { describe, it } from "node:test";
+import { barriers, oneVisitor, openPanel, openedSite, ready, readyVisitor } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
