@@ -33,7 +33,7 @@ describe("accessibility", () => {
   );
 
   it("lets the keyboard alone reach and use the main controls", async () => {
-    const { page, problems, leave } = await site.visit({
+    const { page } = await site.visit({
       moving: true,
       settings: `trainings=1&${LONG}`,
     });
@@ -70,8 +70,6 @@ describe("accessibility", () => {
     await tabTo("cancel");
     await page.keyboard.press("Enter");
     await page.getByTestId("train").waitFor();
-    assert.deepEqual(problems, []);
-    await leave();
   });
 });
 
@@ -128,7 +126,7 @@ describe("a system that switches to dark while the page is open", () => {
 
 describe("a phone", () => {
   it("shows all panels without scrolling sideways", async () => {
-    const { page, problems, leave } = await site.visit({
+    const { page } = await site.visit({
       viewport: { width: 390, height: 844 },
       hasTouch: true,
       isMobile: true,
@@ -153,7 +151,5 @@ describe("a phone", () => {
     assert.equal(await length.inputValue(), "10", "the length of the motion");
     const box = await length.boundingBox();
     assert.ok(box && box.x + box.width <= 390);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 });

@@ -15,7 +15,7 @@ function shortStudy() {
 }
 
 seldom.it("gives each participant a code, and analyses pasted codes as it does the answers", async () => {
-  const { page, problems, leave } = await site.visit({ settings: "view=perception" });
+  const { page } = await site.visit({ settings: "view=perception" });
   const begin = page.getByTestId("begin").and(page.locator(":enabled"));
   await begin.waitFor({ timeout: 30_000 });
   const study = { name: "s.json", mimeType: "application/json", buffer: Buffer.from(shortStudy()) };
@@ -49,12 +49,10 @@ seldom.it("gives each participant a code, and analyses pasted codes as it does t
   await page.getByTestId("codes").fill(`${first}\n${second.slice(0, -3)}\n`);
   await page.getByTestId("add-codes").click();
   await page.getByText(/Line 2: expected a whole code/).waitFor();
-  assert.deepEqual(problems, []);
-  await leave();
 });
 
 it("begins with a riddle, which counts in no study", async () => {
-  const { page, problems, leave } = await site.visit({
+  const { page } = await site.visit({
     settings: "view=perception",
     moving: true,
     seen: true,
@@ -75,6 +73,4 @@ it("begins with a riddle, which counts in no study", async () => {
     .getByTestId("open-study")
     .setInputFiles({ name: "s.json", mimeType: "application/json", buffer });
   await page.locator(".riddle").waitFor({ state: "detached" });
-  assert.deepEqual(problems, []);
-  await leave();
 });

@@ -8,7 +8,7 @@ const site = openedSite();
 
 describe("a combination of primitives", () => {
   seldom.it("fits arms of a jumping jack beside legs of a walk to a walk, and undoes it", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "view=primitives" });
+    const { page } = await site.visit({ settings: "view=primitives" });
     await ready(page);
     await page.getByTestId("combination").first().waitFor({ timeout: 30_000 });
     const [legs, arms] = [page.getByTestId("walk-alpha-0-1"), page.getByTestId("walk-alpha-1-1")];
@@ -21,12 +21,10 @@ describe("a combination of primitives", () => {
     assert.ok(Number(fitted[0]) < 0.01 && Number(fitted[1]) > 0.5, fitted.join());
     await page.locator("pg-walk-couplings").getByRole("button", { name: "Reset", exact: true }).click();
     assert.deepEqual([await legs.innerText(), await arms.innerText()], ["10.0", before]);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
   seldom.it("asks for saving only before a combination is lost that no file has", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "view=primitives" });
+    const { page } = await site.visit({ settings: "view=primitives" });
     await ready(page);
     await page.getByTestId("combination").first().waitFor({ timeout: 30_000 });
     const stage = () => page.getByTestId("put-on-stage").click();
@@ -47,8 +45,6 @@ describe("a combination of primitives", () => {
     // Couplings set by hand are in no file.
     await stage();
     await page.getByTestId("unsaved-keep").click();
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
   it("keeps the figure in view next to the tempos and the combinations", async () => {
@@ -94,7 +90,7 @@ describe("clips on the view of primitives", () => {
   });
 
   seldom.it("says which movement three joined clips show, moment by moment", async () => {
-    const { page, problems, leave } = await site.visit({ settings: "view=primitives", seen: true });
+    const { page } = await site.visit({ settings: "view=primitives", seen: true });
     await ready(page);
     await opened(page);
     const chosen = (/** @type {number} */ place) =>
@@ -133,7 +129,5 @@ describe("clips on the view of primitives", () => {
     );
     await page.getByTestId("recognise-1").selectOption("");
     assert.equal(await words.count(), 0);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 });

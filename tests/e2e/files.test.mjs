@@ -155,7 +155,7 @@ describe("a folder from the visitor's disk", () => {
     writeFileSync(join(folder, "first.bvh"), bvh());
     writeFileSync(join(folder, "inner", "second.bvh"), bvh());
     writeFileSync(join(folder, "notes.txt"), "no clip");
-    const { page, problems, leave } = await site.visit();
+    const { page } = await site.visit();
     await ready(page);
     // Only the browser's own protocol drops a real folder.
     const session = await page.context().newCDPSession(page);
@@ -165,8 +165,6 @@ describe("a folder from the visitor's disk", () => {
     for (const name of ["first", "second"])
       await page.getByTestId("own-clips").getByText(name, { exact: true }).waitFor();
     assert.equal(await page.getByTestId("notice").count(), 0);
-    assert.deepEqual(problems, []);
-    await leave();
     rmSync(folder, { recursive: true });
   });
 });
@@ -251,7 +249,7 @@ describe("without a network", () => {
 });
 
 seldom.it("a saved motion has names of joints that three.js moves", async () => {
-  const { page, problems, leave } = await site.visit();
+  const { page } = await site.visit();
   await ready(page);
   const model = JSON.parse(readFileSync(at("www/first/model.json"), "utf8"));
   for (const joint of model.pose.skeleton.joints) joint.name = `mixamorig:${joint.name}`;
@@ -273,12 +271,10 @@ seldom.it("a saved motion has names of joints that three.js moves", async () => 
     names.every((name) => PropertyBinding.sanitizeNodeName(name ?? "") === name),
     names.join(" "),
   );
-  assert.deepEqual(problems, []);
-  await leave();
 });
 
 seldom.it("a model of a kind without couplings moves, says so, and its motion is saved", async () => {
-  const { page, problems, leave } = await site.visit();
+  const { page } = await site.visit();
   await ready(page);
   const documents = at("crate/vcgpdm/tests/library/documents");
   for (const [file, name] of [
@@ -299,6 +295,4 @@ seldom.it("a model of a kind without couplings moves, says so, and its motion is
   }
   await page.getByRole("button", { name: "Back to the model" }).click();
   await page.getByText("Made by the model").waitFor();
-  assert.deepEqual(problems, []);
-  await leave();
 });

@@ -209,7 +209,7 @@ seldom.describe("a study", () => {
 describe("the graphics Turing test", () => {
   it("is loaded at its first use, from the page's own folder", async () => {
     sent = [];
-    const { page, problems, leave } = await site.visit();
+    const { page } = await site.visit();
     await page.waitForSelector("html[data-engine=ready]", { timeout: 30_000 });
     const ofIt = () => sent.filter((path) => path.includes("/perception/") || path.includes("/study/"));
     assert.deepEqual(ofIt(), []);
@@ -217,12 +217,10 @@ describe("the graphics Turing test", () => {
     await page.getByTestId("begin").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
     assert.ok(ofIt().length > 0);
     assert.match(page.url(), /view=perception/);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
   it("draws every figure of the papers, and saves each as numbers and as a picture", async () => {
-    const { page, problems, leave } = await visit();
+    const { page } = await visit();
     const rows = answersOf(Study.fromJson(bundled), [1, 2, 3, 4]);
     await drop(page, { "all.json": JSON.stringify(rows) });
     await page.getByTestId("analysed").nth(3).waitFor({ timeout: 60_000, state: "attached" });
@@ -247,8 +245,6 @@ describe("the graphics Turing test", () => {
       assert.ok(picture.length > 5_000, `${heading}: ${picture.length} bytes`);
     }
     assert.deepEqual(await barriers(page), []);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
   keepsNobodyOut(
@@ -369,7 +365,7 @@ seldom.describe("answers and studies of the graphics Turing test", () => {
   });
 
   it("shows both movements for 3.5 seconds, with the measured times in the data", async (test) => {
-    const { page, problems, leave } = await visit({ seen: true });
+    const { page } = await visit({ seen: true });
     await page.getByTestId("begin").click();
     await goOn(page, "consent", "instructions");
     for (const key of ["ArrowLeft", "ArrowRight"]) {
@@ -404,13 +400,11 @@ seldom.describe("answers and studies of the graphics Turing test", () => {
     const middle = (/** @type {number[]} */ values) => values.sort((a, b) => a - b)[1] ?? NaN;
     assert.ok(middle(off.map(({ apart }) => apart)) <= 1, "they start within a frame of each other");
     assert.ok(middle(off.map(({ late }) => late)) <= 2, "they last 3.5 s within two frames");
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
   it("makes a study of a comparison that ran on the page", async () => {
     const settings = "view=compare&models=dmp-rhythmic,dmp-discrete&bases=10&fps=15&steps=5";
-    const { page, problems, leave } = await site.visit({ settings, cores: 2 });
+    const { page } = await site.visit({ settings, cores: 2 });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
     assert.ok(await page.getByTestId("make-study").isDisabled(), "there are no movements yet");
     await page.locator(".trials summary").click();
@@ -426,8 +420,6 @@ seldom.describe("answers and studies of the graphics Turing test", () => {
     await page.getByTestId("begin").click();
     await goOn(page, "consent", "instructions");
     await phase(page, "movement");
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
   it("forgets one participant, or everything, when the visitor says so", async () => {

@@ -56,7 +56,7 @@ async function savedLatents(/** @type {import("playwright-core").Page} */ page) 
 }
 
 it("starts from any frame of any sequence, and a link contains the frame", async () => {
-  const { page, problems, leave } = await site.visit();
+  const { page } = await site.visit();
   await ready(page);
   await openPanel(page, "more");
   // The file of the page's first model has only the first frames.
@@ -81,12 +81,10 @@ it("starts from any frame of any sequence, and a link contains the frame", async
     await frame.getAttribute("aria-valuetext"),
     `Frame 32 of ${coupledInfo(model).startFrames[1]}`,
   );
-  assert.deepEqual(problems, []);
-  await leave();
 });
 
 seldom.it("starts with a clip that was not trained on, under any couplings", async () => {
-  const { page, problems, leave } = await site.visit();
+  const { page } = await site.visit();
   await ready(page);
   const model = Model.fromJson(await openDocument(page));
   const select = page.getByRole("combobox", { name: "Start as in" });
@@ -131,6 +129,4 @@ seldom.it("starts with a clip that was not trained on, under any couplings", asy
   await page.getByTestId("clip-start").waitFor({ state: "detached" });
   await page.waitForFunction(() => /start=1/.test(location.hash));
   await shown({ sequence: 1, alpha, reading });
-  assert.deepEqual(problems, []);
-  await leave();
 });

@@ -5,7 +5,7 @@ import { openedSite, ready, seldom, soon } from "./site.mjs";
 const site = openedSite();
 
 seldom.it("turns under a finger: the part follows, stands, and goes on without it", async () => {
-  const { page, problems, leave } = await site.visit({
+  const { page } = await site.visit({
     ...{ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
     moving: true,
   });
@@ -56,6 +56,4 @@ seldom.it("turns under a finger: the part follows, stands, and goes on without i
   const { legs } = await newest();
   await frames(8);
   assert.ok(Math.abs(apart((await newest()).legs, legs)) > 0.05, "the legs go on");
-  assert.deepEqual(problems, []);
-  await leave();
 });

@@ -155,7 +155,7 @@ seldom.describe("Forget everything", () => {
 
 seldom.describe("damaged records", () => {
   it("are skipped with a sentence, and the other visits offered", async () => {
-    const { page, problems, leave } = await site.visit();
+    const { page } = await site.visit();
     await ready(page);
     await stores(page);
     await openClips(page, "mine");
@@ -187,13 +187,11 @@ seldom.describe("damaged records", () => {
     await page.getByTestId("notice").filter({ hasText: "Not all of the earlier visit" }).waitFor();
     await page.getByTestId("unreadable-visit").getByRole("button").click();
     await page.getByTestId("unreadable-visit").waitFor({ state: "detached" });
-    assert.deepEqual(problems, []);
 
     await page.getByTestId("forget").click();
     await page.getByTestId("confirm-yes").click();
     await page.getByTestId("undo-forget").waitFor();
     assert.deepEqual(await records(page), []);
-    await leave();
   });
 });
 
@@ -243,7 +241,7 @@ seldom.describe("a browser that stores nothing", () => {
     ],
   ])) {
     it(`and ${what} still opens clips and studies`, async () => {
-      const { page, problems, leave } = await site.visit();
+      const { page } = await site.visit();
       await page.context().addInitScript(hide);
       await page.reload();
       await ready(page);
@@ -252,8 +250,6 @@ seldom.describe("a browser that stores nothing", () => {
       await page.getByTestId("study-title").waitFor();
       await page.getByTestId("view-play").click();
       assert.equal(await page.getByTestId("forget").count(), 0);
-      assert.deepEqual(problems, []);
-      await leave();
     });
   }
 

@@ -88,7 +88,7 @@ describe("a term", () => {
 
 describe("the method", () => {
   it("has equations, links each symbol to its control, and lists references", async () => {
-    const { page, problems, leave } = await site.visit();
+    const { page } = await site.visit();
     await ready(page);
     await page.getByTestId("help").click();
     await page.getByRole("button", { name: /^The method/ }).click();
@@ -108,8 +108,6 @@ describe("the method", () => {
       await page.goBack();
       await page.locator("pg-method math").first().waitFor();
     }
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
   it("fits a phone", async () => {
