@@ -5,7 +5,7 @@ import { describe, it } from "node:test";
 import { Clip, Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
 import { at } from "../../scripts/run.mjs";
 import { bvh } from "./clips.mjs";
-import { LONG, draws, drop, openedSite, ready, saved, seldom } from "./site.mjs";
+import { LONG, draws, drop, openPanel, openedSite, ready, saved, seldom } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -67,7 +67,7 @@ describe("training", () => {
     assert.deepEqual([settings.seed, settings.poseWeight, settings.ownRollouts], [0, "balanced", true]);
     assert.equal(await page.getByTestId("setting-dynamicsIps").inputValue(), "12");
     assert.match(
-      await page.getByTestId("why-points").textContent(),
+      (await page.getByTestId("why-points").textContent()) ?? "",
       /^12 points, because the longest clip has [1-7]\.\d seconds\.$/,
     );
   });
@@ -107,6 +107,18 @@ describe("after training", () => {
     await trainIsBack(page);
     await health.getByText(/^The model (stands still|keeps one pose) from \d/).waitFor();
     assert.equal(await health.getByTestId("other-seeds").count(), 1);
+    // Samples are a way out: the stage plays another motion of the model.
+    await health.getByRole("button", { name: "Play samples" }).click();
+    await page
+      .getByTestId("stage-title")
+      .getByText(/^Made by the model: sample \d+$/)
+      .waitFor();
+    await openPanel(page, "more");
+    const samples = page.getByRole("button", { name: "Play samples" });
+    assert.equal(await samples.last().getAttribute("aria-pressed"), "true");
+    await samples.last().click();
+    await page.getByTestId("stage-title").getByText("Made by the model", { exact: true }).waitFor();
+    await openPanel(page, "learn");
     await health.getByTestId("more-points").click();
     await page.getByTestId("run").nth(1).waitFor();
     await trainIsBack(page);
