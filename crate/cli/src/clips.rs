@@ -22,7 +22,11 @@ pub fn read(path: &Path, up: &Up) -> Result<Clip> {
 /// Reads a clip for a model, and says if another axis points up in it than in the body of the model.
 pub fn read_for(path: &Path, up: &Up, mapping: &PoseMapping) -> Result<Clip> {
     let clip = read(path, up)?;
-    mapping.axis_warning(&clip).iter().for_each(|warning| say(&format!("{}: {warning}", clip.name)));
+    mapping
+        .axis_warning(&clip)
+        .into_iter()
+        .chain(mapping.order_warning(&clip))
+        .for_each(|warning| say(&format!("{}: {warning}", clip.name)));
     Ok(clip)
 }
 

@@ -223,7 +223,7 @@ export class FakeEngine implements Partial<Engine>, ClipCalls {
     const seconds = (frames * settings.maxIterations) / 1000;
     const points = longest >= 8 ? 30 : 12;
     const usual = { latent: 3, dynamicsIps: points, poseIps: points, order: 2, maxIterations: 250 };
-    return this.#answer("trainingCost", [frames], { seconds, bytes: 1e6, usual });
+    return this.#answer("trainingCost", [frames], { seconds, bytes: 1e6, usual, longest });
   }
 
   openModel(text: string, frames: number): Promise<OpenedModel> {

@@ -293,6 +293,8 @@ export interface CostQuestion {
 /** The cost of a training, and the settings that the library gives these clips. */
 export interface PlannedTraining extends TrainingCost {
   usual: VariationalSettings;
+  /** As in the question. */
+  longest: number;
 }
 
 export interface TrainingJob {

@@ -115,9 +115,10 @@ export class TrainingStore extends Job {
     return costWords(this.#cost.now, this.count, this.workers);
   }
 
-  /** The numbers of inducing points that the library gives the ticked clips; undefined before its answer. */
-  get usual(): { dynamicsIps: number; poseIps: number } | undefined {
-    return this.#cost.now?.usual;
+  /** The inducing points that the library gives the ticked clips, and the seconds of the longest; undefined before the answer. */
+  get usual(): { dynamicsIps: number; poseIps: number; longest: number } | undefined {
+    const { now } = this.#cost;
+    return now ? { ...now.usual, longest: now.longest } : undefined;
   }
 
   /** Why Train cannot be pressed now; empty when it can. */

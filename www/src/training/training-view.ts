@@ -3,8 +3,9 @@ import { html, nothing } from "lit";
 import type { ClipsStore } from "../clips/clips-store";
 import type { EngineStore } from "../engine/engine-store";
 import { type NumberName, settingField, settingInput } from "../settings/setting-field";
-import { BY_HAND, POSE_WEIGHTS, SETTINGS } from "../settings/settings";
+import { BY_HAND, POSE_WEIGHTS } from "../settings/settings";
 import type { SettingsStore } from "../settings/settings-store";
+import { fixed } from "../ui/format";
 import { icon } from "../ui/icons";
 import { partColour } from "../ui/palette";
 import { View } from "../ui/view";
@@ -43,10 +44,7 @@ export class TrainingView extends View {
     const { usual } = this.training;
     const { dynamicsIps, poseIps } = this.settings.values;
     if (!usual || (dynamicsIps > 0 && poseIps > 0)) return nothing;
-    const words = lab().learn.settings.whyPoints(
-      usual.dynamicsIps,
-      usual.dynamicsIps > SETTINGS.dynamicsIps.usual,
-    );
+    const words = lab().learn.settings.whyPoints(usual.dynamicsIps, fixed(usual.longest, 1));
     return html`<p class="hint" data-testid="why-points">${words}</p>`;
   }
 

@@ -36,7 +36,7 @@ const workbench: Workbench = {
     const usual = usualSettings(longest);
     const dynamicsIps = settings.dynamicsIps || usual.dynamicsIps;
     const poseIps = settings.poseIps || usual.poseIps;
-    return { ...trainingCost({ ...settings, dynamicsIps, poseIps }, frames, columns), usual };
+    return { ...trainingCost({ ...settings, dynamicsIps, poseIps }, frames, columns), usual, longest };
   },
   bestToShow: (ranks, errors) => bestToShow(Uint8Array.from(ranks), Float64Array.from(errors)),
   openModel: (text, frames, revision) => model.open(text, frames, revision),

@@ -1,10 +1,10 @@
 //! Which joints are legs, arms and trunk: from the joints' names, or else from the shape of the tree.
 
-use crate::motion::joint_names::{Limb, Side, limb_of, looks_like_head};
+use crate::motion::joint_names::{Limb, Side, is_sided, limb_of, looks_like_head};
 use crate::motion::limbs::{
     Limbs, Pair, extents, is_clear, is_within, long_pairs, mirrored_pairs, path_between, path_lengths,
 };
-use crate::motion::skeleton::Skeleton;
+use crate::motion::skeleton::{Joint, Skeleton};
 use nalgebra::Vector3;
 
 /// A region of the body.
@@ -23,18 +23,67 @@ pub(crate) enum Region {
 pub(crate) struct Anatomy {
     /// The region of each joint.
     pub(crate) regions: Vec<Region>,
+    /// The same body from its trunk on, if the tree begins within a limb.
+    pub(crate) from_trunk: Option<Box<FromTrunk>>,
+}
+
+/// The rest pose of a body as a tree that begins at the trunk.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct FromTrunk {
+    pub(crate) body: Skeleton,
+    anatomy: Anatomy,
+    /// For each node of its figure the node of the original figure; the joints come first.
+    pub(crate) nodes: Vec<usize>,
+}
+
+impl FromTrunk {
+    /// `None` if neither names nor shape show legs in this tree.
+    fn new(skeleton: &Skeleton, trunk: usize) -> Option<FromTrunk> {
+        let (body, nodes) = rooted_at(skeleton, trunk);
+        Some(FromTrunk { anatomy: Anatomy::in_tree(&body)?, body, nodes })
+    }
+
+    /// The values of the joints, in the order of the original joints.
+    fn by_joint<T: Copy>(&self, values: &[T]) -> Vec<T> {
+        let mut sorted = values.to_vec();
+        values.iter().zip(&self.nodes).for_each(|(value, &joint)| sorted[joint] = *value);
+        sorted
+    }
 }
 
 impl Anatomy {
     /// Finds two legs, and arms if there are any; `None` where neither names nor shape show them.
     pub(crate) fn find(skeleton: &Skeleton) -> Option<Anatomy> {
-        for legs_below_head in [false, true] {
-            let named = Anatomy { regions: by_names(skeleton, legs_below_head) };
-            if named.has_both_legs() {
-                return Some(named);
-            }
-        }
-        by_shape(skeleton).map(|regions| Anatomy { regions }).filter(Anatomy::has_both_legs)
+        let in_tree = Anatomy::in_tree(skeleton);
+        let from = |trunk| FromTrunk::new(skeleton, trunk);
+        let from_trunk = if let Some(trunk) = trunk_beyond_limb(skeleton) {
+            from(trunk)
+        } else if in_tree.as_ref().is_some_and(Anatomy::has_both_arms) {
+            None
+        } else {
+            // The tree may begin within a limb whose joints have no names.
+            let forks = (0..skeleton.joints.len()).filter(|&joint| skeleton.children(joint).nth(1).is_some());
+            forks.filter_map(from).find(|from_trunk| {
+                let FromTrunk { body, anatomy, .. } = from_trunk;
+                let regions = from_trunk.by_joint(&anatomy.regions);
+                anatomy.has_both_arms() && anatomy.hips(body) == 0 && regions[0] != Region::Trunk
+            })
+        };
+        let Some(from_trunk) = from_trunk else { return in_tree };
+        let regions = from_trunk.by_joint(&from_trunk.anatomy.regions);
+        Some(Anatomy { regions, from_trunk: Some(Box::new(from_trunk)) })
+    }
+
+    /// As [`find`](Self::find), for a tree that begins at the trunk.
+    fn in_tree(skeleton: &Skeleton) -> Option<Anatomy> {
+        let shaped = || by_shape(skeleton).map(|regions| Anatomy { regions, from_trunk: None });
+        Anatomy::named(skeleton).or_else(|| shaped().filter(Anatomy::has_both_legs))
+    }
+
+    /// As [`find`](Self::find), by the names alone.
+    pub(crate) fn named(skeleton: &Skeleton) -> Option<Anatomy> {
+        let named = [false, true].into_iter().map(|legs_below_head| by_names(skeleton, legs_below_head));
+        named.map(|regions| Anatomy { regions, from_trunk: None }).find(Anatomy::has_both_legs)
     }
 
     fn has(&self, region: Region) -> bool {
@@ -65,6 +114,9 @@ impl Anatomy {
 
     /// The farthest node of a limb, measured along the bones: the tip of the toes or fingers.
     pub(crate) fn tip(&self, skeleton: &Skeleton, limb: Region) -> Option<usize> {
+        if let Some(FromTrunk { body, anatomy, nodes }) = self.from_trunk.as_deref() {
+            return anatomy.tip(body, limb).map(|node| nodes[node]);
+        }
         let nodes = skeleton.figure();
         farthest(&path_lengths(skeleton), |node| self.regions[nodes[node].joint] == limb)
     }
@@ -76,12 +128,18 @@ impl Anatomy {
 
     /// The joint where the legs meet: the last one with both legs below it.
     pub(crate) fn hips(&self, skeleton: &Skeleton) -> usize {
+        if let Some(FromTrunk { body, anatomy, nodes }) = self.from_trunk.as_deref() {
+            return nodes[anatomy.hips(body)];
+        }
         let [left, right] = [Side::Left, Side::Right].map(|side| self.bearing(skeleton, Region::Leg(side)));
         (0..self.regions.len()).rev().find(|&joint| left[joint] && right[joint]).unwrap_or(0)
     }
 
     /// For each joint whether it belongs to the trunk and a joint of the limb hangs below it.
     pub(crate) fn bearing(&self, skeleton: &Skeleton, limb: Region) -> Vec<bool> {
+        if let Some(from_trunk) = self.from_trunk.as_deref() {
+            return from_trunk.by_joint(&from_trunk.anatomy.bearing(&from_trunk.body, limb));
+        }
         let mut bearing = vec![false; self.regions.len()];
         for (place, joint) in skeleton.joints.iter().enumerate().rev() {
             if let Some(parent) = joint.parent.filter(|&parent| self.regions[parent] == Region::Trunk)
@@ -96,6 +154,9 @@ impl Anatomy {
     /// The top of the head: the node farthest from the hips at or below a trunk joint whose name contains
     /// "head", or above it where the tree begins at the head; else the farthest node of the trunk.
     pub(crate) fn head(&self, skeleton: &Skeleton) -> Option<usize> {
+        if let Some(FromTrunk { body, anatomy, nodes }) = self.from_trunk.as_deref() {
+            return anatomy.head(body).map(|node| nodes[node]);
+        }
         let hips = self.hips(skeleton);
         let is_above_hips: Vec<bool> =
             (0..self.regions.len()).map(|joint| is_within(skeleton, hips, joint)).collect();
@@ -120,6 +181,41 @@ impl Anatomy {
             .or_else(|| farthest(&lengths, |node| is_trunk(node) && is_beyond_hips(node)))
             .or_else(|| farthest(&lengths, is_trunk))
     }
+}
+
+/// The rest pose as a tree from another root, and for each node of its figure the node of the original figure.
+fn rooted_at(skeleton: &Skeleton, root: usize) -> (Skeleton, Vec<usize>) {
+    let rest = skeleton.rest_pose().positions;
+    let mut order = vec![(root, None)];
+    for at in 0..skeleton.joints.len() {
+        let place = order[at].0;
+        for next in skeleton.joints[place].parent.into_iter().chain(skeleton.children(place)) {
+            if order.iter().all(|&(known, _)| known != next) {
+                order.push((next, Some(at)));
+            }
+        }
+    }
+    let joint = |&(place, parent): &(usize, Option<usize>)| {
+        let above = parent.map_or_else(Vector3::zeros, |parent: usize| rest[order[parent].0]);
+        Joint { parent, offset: (rest[place] - above).into(), ..skeleton.joints[place].clone() }
+    };
+    let body = Skeleton { joints: order.iter().map(joint).collect() };
+    let figure = &skeleton.figure();
+    let joints = order.len();
+    let ends = |place: usize| (joints..figure.len()).filter(move |&end| figure[end].joint == place);
+    let places = order.iter().map(|(place, _)| *place);
+    let nodes = places.clone().chain(places.flat_map(ends)).collect();
+    (body, nodes)
+}
+
+/// Where a tree that begins within a limb reaches the trunk, by the names: of the joints without a side the one with
+/// the most joints below it.
+fn trunk_beyond_limb(skeleton: &Skeleton) -> Option<usize> {
+    let joints = &skeleton.joints;
+    joints.first().and_then(|root| limb_of(&root.name))?;
+    let size =
+        |top: &usize| joints.iter().enumerate().filter(|(at, _)| is_within(skeleton, *at, *top)).count();
+    (0..joints.len()).rev().filter(|&joint| !is_sided(&joints[joint].name)).max_by_key(size)
 }
 
 /// Of the wanted nodes the one with the longest path.
@@ -266,5 +362,38 @@ impl Skeleton {
             }
         });
         height.unwrap_or_else(|| extents(&rest)[up_of_rest(self)])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::{landmarks::Landmarks, parts, samples};
+
+    #[test]
+    fn a_tree_may_begin_within_a_limb() {
+        let body = samples::clip("walk-1").unwrap().skeleton;
+        for named in [true, false] {
+            for root in ["LeftToeBase", "RightLeg", "LeftUpLeg", "RightHand", "LeftForeArm"] {
+                let place = body.joints.iter().position(|joint| joint.name == root).unwrap();
+                let (mut other, nodes) = rooted_at(&body, place);
+                if !named {
+                    other.joints.iter_mut().for_each(|joint| joint.name = "joint".to_owned());
+                }
+                for (own, others) in parts::presets(&body).iter().zip(parts::presets(&other)).skip(1) {
+                    for (own, others) in own.parts.iter().zip(&others.parts) {
+                        let mut joints: Vec<usize> =
+                            others.joints.iter().map(|&joint| nodes[joint]).collect();
+                        joints.sort_unstable();
+                        assert_eq!(joints, own.joints, "{root} {named} {}", own.name);
+                    }
+                }
+                assert!((other.height() / body.height() - 1.0).abs() < 1e-9, "{root} {named}");
+                let (own, others) = (Landmarks::new(&body), Landmarks::new(&other));
+                assert_eq!(others.head.map(|head| nodes[head]), own.head, "{root} {named}");
+                assert_eq!(others.feet.map(|feet| feet.map(|foot| nodes[foot])), own.feet, "{root} {named}");
+                assert_eq!(others.dots.len(), own.dots.len(), "{root} {named}");
+            }
+        }
     }
 }

@@ -17,11 +17,12 @@ impl Clip {
     ///
     /// A [`BodyMismatch`] that names the first joint that differs in its name or its place in the tree.
     pub fn with_bones_of(&self, other: &Clip) -> Result<Clip, BodyMismatch> {
-        other.skeleton.same_joints(&self.skeleton)?;
-        if other.skeleton.same_body(&self.skeleton).is_ok() {
+        let own = &*self.in_order_of(&other.skeleton);
+        other.skeleton.same_joints(&own.skeleton)?;
+        if other.skeleton.same_body(&own.skeleton).is_ok() {
             return Ok(self.clone());
         }
-        let mut clip = self.clone();
+        let mut clip = own.clone();
         for (joint, model) in clip.skeleton.joints.iter_mut().zip(&other.skeleton.joints) {
             joint.end_sites.clone_from(&model.end_sites);
             // The root's offset is a place in the world, not a bone.
@@ -29,9 +30,9 @@ impl Clip {
                 joint.offset = model.offset;
             }
         }
-        let scale = clip.root_scale(self);
+        let scale = clip.root_scale(own);
         let mut column = 0;
-        for (joint, own) in clip.skeleton.joints.iter_mut().zip(&self.skeleton.joints) {
+        for (joint, own) in clip.skeleton.joints.iter_mut().zip(&own.skeleton.joints) {
             if joint.parent.is_none() {
                 joint.offset = own.offset.map(|place| scale * place);
             }

@@ -169,23 +169,33 @@ fn below(skeleton: &Skeleton, top: usize) -> Vec<usize> {
     (0..within.len()).filter(|&place| within[place]).collect()
 }
 
-/// The joint that carries several bodies, each with legs, arms and position channels of its own, and the roots of
-/// these bodies.
+/// The joint that carries several bodies, each with legs and arms, and the roots of these bodies.
 fn bodies(skeleton: &Skeleton) -> Option<(usize, Vec<usize>)> {
     let mut carrier = 0;
     while let [only] = skeleton.children(carrier).collect::<Vec<_>>()[..] {
         carrier = only;
     }
+    // A body may have a still root of its own.
+    let own_root = |child: usize| {
+        let only = |&joint: &usize| match skeleton.children(joint).collect::<Vec<_>>()[..] {
+            [only] => Some(only),
+            _ => None,
+        };
+        let mut chain = std::iter::successors(Some(child), only);
+        chain.find(|&joint| skeleton.joints[joint].has_positions()).unwrap_or(child)
+    };
     let anatomy = |child: usize| {
         let kept = below(skeleton, child);
         let parent = |joint: usize| {
             skeleton.joints[joint].parent.and_then(|parent| kept.iter().position(|&other| other == parent))
         };
         let joint = |&place: &usize| Joint { parent: parent(place), ..skeleton.joints[place].clone() };
-        Anatomy::find(&Skeleton { joints: kept.iter().map(joint).collect() })
+        let body = Skeleton { joints: kept.iter().map(joint).collect() };
+        // Without a path of its own, only names show a body: the fingers of a hand come in pairs too.
+        if skeleton.joints[child].has_positions() { Anatomy::find(&body) } else { Anatomy::named(&body) }
     };
-    let placed = skeleton.children(carrier).filter(|&child| skeleton.joints[child].has_positions());
-    let found: Vec<(usize, Anatomy)> = placed.filter_map(|child| Some((child, anatomy(child)?))).collect();
+    let roots = skeleton.children(carrier).map(own_root);
+    let found: Vec<(usize, Anatomy)> = roots.filter_map(|child| Some((child, anatomy(child)?))).collect();
     // The chest of a body alone has two limbs, and its hips have the other two.
     let whole = found.iter().filter(|(_, anatomy)| anatomy.has_both_arms());
     let bodies: Vec<usize> = whole.map(|(child, _)| *child).collect();
@@ -360,6 +370,21 @@ mod tests {
             assert_eq!(second.skeleton.joints[0].name, "B:Hips");
             assert!((second.values[(5, 0)] - walk.values[(5, 0)] - 100.0).abs() < 1e-9);
             assert!(second.warnings.is_empty());
+            // Each body may have a still root of its own, or no path.
+            let mut nested = all.clone();
+            let hips = nested.skeleton.joints.iter().position(|joint| joint.name == "B:Hips").unwrap();
+            nested.skeleton.joints.iter_mut().skip(hips + 1).for_each(|joint| {
+                joint.parent = joint.parent.map(|parent| if parent >= hips { parent + 1 } else { parent });
+            });
+            nested.skeleton.joints[hips].parent = Some(hips);
+            nested.skeleton.joints.insert(hips, joint("B:Reference", Some(0), [0.0; 3], &[]));
+            assert_eq!(nested.into_clip().bodies, first.bodies);
+            let mut still = all.clone();
+            for hips in still.skeleton.joints.iter_mut().filter(|joint| joint.name.ends_with("Hips")) {
+                hips.channels.clear();
+            }
+            still.values = DMatrix::zeros(walk.frames(), still.skeleton.channel_count());
+            assert_eq!(still.into_clip().bodies, first.bodies);
             let unknown = all.of_root(Some("D:Hips")).unwrap_err().to_string();
             assert!(unknown.contains("expected the name of a joint, found \"D:Hips\""), "{unknown}");
         }

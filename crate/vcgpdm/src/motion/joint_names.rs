@@ -41,6 +41,11 @@ pub(crate) fn limb_of(name: &str) -> Option<(Limb, Side)> {
     }
 }
 
+/// Whether the name tells a side.
+pub(crate) fn is_sided(name: &str) -> bool {
+    side_of(&split_words(name)).is_some()
+}
+
 /// Whether the name contains "head". Callers also check the joint's region, because a hand may hold a
 /// "headlight".
 pub(crate) fn looks_like_head(name: &str) -> bool {

@@ -25,6 +25,12 @@ impl Landmarks {
         let Some(anatomy) = Anatomy::find(skeleton) else {
             return Self { head: None, feet: None, dots: (0..nodes.len()).collect() };
         };
+        if let Some(from_trunk) = anatomy.from_trunk.as_deref() {
+            let found = Landmarks::new(&from_trunk.body);
+            let own = |node: usize| from_trunk.nodes[node];
+            let dots = found.dots.into_iter().map(own).collect();
+            return Self { head: found.head.map(own), feet: found.feet.map(|feet| feet.map(own)), dots };
+        }
         let sides = [Side::Left, Side::Right];
         let head = anatomy.head(skeleton);
         let feet = sides.map(|side| anatomy.foot(skeleton, side));

@@ -15,8 +15,8 @@ const FACTORS: [f64; 2] = [100.0, 1000.0];
 const FLOOR_FACTORS: [f64; 6] = [10.0, 100.0, 1000.0, 0.1, 0.01, 0.001];
 /// A root that moves by a smaller share of the body's height does not move.
 const STILL: f64 = 1e-3;
-/// Hips that walk rise and fall by more than this share of the body's height.
-const LEVEL: f64 = 0.005;
+/// A root that rises or falls by a larger share of its way only bounces.
+const STEEP: f64 = 0.7;
 /// The unit of the root explains the steps when the factor is within this ratio of such a factor.
 const NEAR: f64 = 3.0;
 /// A walk is straight when the distance from its start to its end has this share of its length.
@@ -35,16 +35,21 @@ impl Clip {
             );
             return self;
         }
-        let on_floor = self.factor_to_floor();
+        let fits = || self.walk().is_some_and(|walk| walk.fits());
+        let on_floor = self.factor_to_floor().filter(|(_, is_upright)| !(*is_upright && fits()));
         self = match on_floor {
-            Some(factor) => {
+            Some((factor, true)) => {
                 self.found_up = Some(self.with_scaled_root(factor).search_up_axis().axis);
                 self
             }
-            None => self.with_checked_axis(),
+            _ => self.with_checked_axis(),
         };
-        if let Some(factor) = on_floor.or_else(|| self.factor_of_walk()) {
-            self = self.without_axis_warning();
+        // The axis that was found tells which way is up.
+        let of_walk = || self.walk().and_then(|walk| walk.factor());
+        if let Some((factor, is_upright)) = on_floor.or_else(|| Some((of_walk()?, true))) {
+            if is_upright {
+                self = self.without_axis_warning();
+            }
             let (how, mend, rounded) =
                 if factor > 1.0 { ("short", "multiply", factor) } else { ("long", "divide", 1.0 / factor) };
             let units = match rounded {
@@ -74,28 +79,30 @@ impl Clip {
         scaled
     }
 
-    /// The factor that puts a standing body on a floor at zero; `None` if it is on this floor already, or if its
-    /// root does not move: then there is no path.
-    fn factor_to_floor(&self) -> Option<f64> {
+    /// The factor that puts a body on a floor at zero, and whether the body is upright; `None` if it is on this floor
+    /// already, or if its root does not move: then there is no path.
+    fn factor_to_floor(&self) -> Option<(f64, bool)> {
         let step = self.frames().div_ceil(MOST_FRAMES).max(1);
         let rows: Vec<usize> = (0..self.frames()).step_by(step).collect();
         let some = self.with_values(self.values.select_rows(&rows), self.frame_time);
         let moves = |column: usize| some.values.column(column).max() - some.values.column(column).min();
         let way = self.root_columns().map(moves).fold(0.0, f64::max);
-        if some.stands_on_floor() != Some(false) {
-            return None;
-        }
-        let least = STILL * self.skeleton.height();
-        let fits = |factor: &f64| {
-            factor * way > least && some.with_scaled_root(*factor).stands_on_floor() == Some(true)
+        let (is_upright, on_floor) = match some.stands_on_floor() {
+            Some(true) => return None,
+            Some(false) => (true, Clip::stands_on_floor as fn(&Clip) -> Option<bool>),
+            None if some.is_carried() == Some(false) => {
+                (false, Clip::is_carried as fn(&Clip) -> Option<bool>)
+            }
+            None => return None,
         };
-        FLOOR_FACTORS.into_iter().find(fits)
+        let least = STILL * self.skeleton.height();
+        let fits =
+            |factor: &f64| factor * way > least && on_floor(&some.with_scaled_root(*factor)) == Some(true);
+        FLOOR_FACTORS.into_iter().find(fits).map(|factor| (factor, is_upright))
     }
 
-    /// The number by which the root's path must be multiplied to fit the bones; `None` if it fits, or if
-    /// nothing shows it: the feet of a body that walks move to and fro below the root about as fast as the root
-    /// moves.
-    fn factor_of_walk(&self) -> Option<f64> {
+    /// The ways of root and feet; `None` without feet.
+    fn walk(&self) -> Option<Walk> {
         let anatomy = Anatomy::find(&self.skeleton)?;
         let feet = [Side::Left, Side::Right].map(|side| anatomy.foot(&self.skeleton, side));
         let [Some(left), Some(right)] = feet else { return None };
@@ -111,15 +118,37 @@ impl Clip {
         });
         let distance = (poses.last()?[0] - poses[0][0]).norm();
         let seconds = self.frame_time * poses.len().saturating_sub(1) as f64;
-        let factor = 0.5 * (left + right) / way;
+        Some(Walk {
+            ratio: 0.5 * (left + right) / way,
+            is_straight: distance >= STRAIGHT * way && rise < STEEP * distance,
+            is_too_fast: way > TOO_FAST * height * seconds,
+        })
+    }
+}
+
+/// The ways of root and feet over a clip. The feet of a body that walks move to and fro below the root about as fast
+/// as the root moves.
+struct Walk {
+    /// The way of the feet as seen from the root, divided by that of the root.
+    ratio: f64,
+    /// Whether the root goes along a straight line. A body on a treadmill keeps its place, but its hips rise and fall.
+    is_straight: bool,
+    is_too_fast: bool,
+}
+
+impl Walk {
+    /// Whether the paths of feet and root are in one unit.
+    fn fits(&self) -> bool {
+        self.is_straight && (1.0 / NEAR..NEAR).contains(&self.ratio)
+    }
+
+    /// The number by which the root's path must be multiplied to fit the bones; `None` if it fits, or if nothing
+    /// shows it.
+    fn factor(&self) -> Option<f64> {
         let known =
             |size: f64| FACTORS.into_iter().find(|known| (1.0 / NEAR..NEAR).contains(&(size / known)));
-        // A body on a treadmill keeps its place too, but its hips rise and fall and go nowhere.
-        if distance >= STRAIGHT * way && rise < LEVEL * height {
-            return known(factor);
-        }
-        let is_too_fast = way > TOO_FAST * height * seconds;
-        known(1.0 / factor).filter(|_| is_too_fast).map(|known| 1.0 / known)
+        let too_long = known(1.0 / self.ratio).filter(|_| self.is_too_fast).map(|known| 1.0 / known);
+        known(self.ratio).filter(|_| self.is_straight).or(too_long)
     }
 }
 

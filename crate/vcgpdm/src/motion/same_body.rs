@@ -1,9 +1,11 @@
 //! Whether two clips show the same body, and if not, what differs.
 
 use crate::motion::anatomy::{Anatomy, standing_at_rest};
+use crate::motion::clip::Clip;
 use crate::motion::skeleton::{Joint, Skeleton};
 use crate::motion::stage_axes::UpAxis;
 use nalgebra::Vector3;
+use std::borrow::Cow;
 use thiserror::Error;
 
 /// Why two joint trees are not the same body.
@@ -30,7 +32,7 @@ pub enum BodyMismatch {
         /// Its name in the other.
         found: String,
     },
-    /// The joints are the same in another order.
+    /// The joints have the same names in another order, and the names do not say which joint is which.
     #[error(
         "the same joints in another order: joint {joint} is {found:?} instead of {expected:?}; bring the clip onto \
          the other body first (Clip::onto, vcgpdm clip --onto)"
@@ -204,6 +206,23 @@ impl Skeleton {
         Ok(())
     }
 
+    /// For each joint its place in the other body, whose joints are the same in another order; `None` if the order
+    /// is the same, a name repeats, or the trees differ.
+    fn places_in(&self, other: &Skeleton) -> Option<Vec<usize>> {
+        let names = |body: &Skeleton| body.joints.iter().map(|joint| joint.name.clone()).collect::<Vec<_>>();
+        let (own, others) = (names(self), names(other));
+        if own == others || !self.has_names_of(other) {
+            return None;
+        }
+        let place = |name: &String| others.iter().position(|other| other == name);
+        let places = own.iter().map(place).collect::<Option<Vec<usize>>>()?;
+        let has_same_parent = |(joint, &place): (&Joint, &usize)| {
+            other.joints[place].parent == joint.parent.map(|parent| places[parent])
+        };
+        let repeats = (0..places.len()).any(|joint| places[..joint].contains(&places[joint]));
+        (!repeats && self.joints.iter().zip(&places).all(has_same_parent)).then_some(places)
+    }
+
     fn has_names_of(&self, other: &Skeleton) -> bool {
         let names = |skeleton: &Skeleton| {
             let mut names: Vec<String> = skeleton.joints.iter().map(|joint| joint.name.clone()).collect();
@@ -218,9 +237,34 @@ impl Skeleton {
     }
 }
 
+impl Clip {
+    /// The clip with its joints in the order of `body`, if they have the same names and parents there.
+    pub(crate) fn in_order_of(&self, body: &Skeleton) -> Cow<'_, Clip> {
+        let Some(places) = body.places_in(&self.skeleton) else { return Cow::Borrowed(self) };
+        let starts = self.skeleton.channel_starts();
+        let own = |place: usize| &self.skeleton.joints[place];
+        let columns: Vec<usize> =
+            places.iter().flat_map(|&place| (starts[place]..).take(own(place).channels.len())).collect();
+        let joints = body.joints.iter().zip(&places);
+        let joints =
+            joints.map(|(joint, &place)| Joint { parent: joint.parent, ..own(place).clone() }).collect();
+        let values = self.values.select_columns(&columns);
+        Cow::Owned(Clip { skeleton: Skeleton { joints }, ..self.with_values(values, self.frame_time) })
+    }
+
+    /// A sentence if the joints of the body are those of this clip in another order.
+    pub(crate) fn order_warning(&self, body: &Skeleton) -> Option<String> {
+        body.places_in(&self.skeleton).map(|_| {
+            "the joints are in another order than in the body it is compared with: they were matched by their names"
+                .to_owned()
+        })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::motion::pose::PoseMapping;
     use crate::motion::samples;
     use crate::motion::skeleton::Channel;
 
@@ -285,5 +329,30 @@ mod tests {
                 wanted.contains("offset") || wanted.contains("units")
             );
         }
+    }
+
+    #[test]
+    fn joints_in_another_order_are_matched_by_their_names() {
+        let walk = samples::clip("walk-1").unwrap().resample(30.0).unwrap();
+        let mut body = walk.skeleton.clone();
+        let right = body.joints.iter().position(|joint| joint.name == "RightUpLeg").unwrap();
+        let legs = ["RightUpLeg", "RightLeg", "RightFoot", "RightToeBase"];
+        body.joints.sort_by_key(|joint| (joint.parent.is_some(), !legs.contains(&joint.name.as_str())));
+        let places = body.clone();
+        let place = |name: &str| places.joints.iter().position(|joint| joint.name == name).unwrap();
+        let parents: Vec<Option<usize>> = (body.joints.iter())
+            .map(|joint| joint.parent.map(|parent| place(&walk.skeleton.joints[parent].name)))
+            .collect();
+        body.joints.iter_mut().zip(parents).for_each(|(joint, parent)| joint.parent = parent);
+        let other = walk.in_order_of(&body).into_owned();
+        assert!(other.skeleton == body && place("RightUpLeg") < right);
+        let mapping = PoseMapping::new(&walk);
+        let (own, others) = (mapping.encode(&walk).unwrap(), mapping.encode(&other).unwrap());
+        assert_eq!(others.y, own.y);
+        let [warning] = &others.warnings[..] else { panic!("{:?}", others.warnings) };
+        assert!(warning.contains("matched by their names"), "{warning}");
+        assert_eq!(crate::models::same_body(&walk, &other).map_err(|error| error.to_string()), Ok(()));
+        body.joints[right].name = "tail".to_owned();
+        assert!(walk.order_warning(&body).is_none());
     }
 }

@@ -13,12 +13,24 @@ const STEADY: f64 = 0.01;
 /// Fewer rows can grow steadily by chance.
 const FEWEST_ROWS: usize = 10;
 
-const TIMES: [&str; 10] =
-    ["time", "times", "t", "timestamp", "timestamps", "stamp", "elapsed", "clock", "zeit", "zeitstempel"];
+const TIMES: [&str; 12] = [
+    "time",
+    "times",
+    "t",
+    "timestamp",
+    "timestamps",
+    "stamp",
+    "elapsed",
+    "clock",
+    "epoch",
+    "uptime",
+    "zeit",
+    "zeitstempel",
+];
 /// Words beside those of [`TIMES`] that leave a name the name of a clock.
-const BESIDE: [&str; 16] = [
-    "unix", "epoch", "utc", "ros", "system", "sim", "video", "frame", "sample", "sensor", "device", "since",
-    "start", "in", "header", "field",
+const BESIDE: [&str; 15] = [
+    "unix", "utc", "ros", "system", "sim", "video", "frame", "sample", "sensor", "device", "since", "start",
+    "in", "header", "field",
 ];
 /// Words for units, and their seconds.
 const UNITS: [(&[&str], f64); 4] = [
@@ -93,6 +105,13 @@ pub(super) fn timing(names: &[String], rows: &[Vec<f64>], lines: &[usize]) -> Re
             }
             continue;
         }
+        if clock.is_none() && is_clock(name) {
+            warnings.push(format!(
+                "the column {name:?} has the name of a clock, but does not grow from row to row, so it is taken for \
+                 data: state the rate (--fps; 30 rows a second without it), or join seconds and their fraction to \
+                 one column"
+            ));
+        }
         let is_steady = |step: f64| (step - first).abs() <= STEADY * first;
         if rows.len() >= FEWEST_ROWS && first > 0.0 && steps(column).all(is_steady) {
             warnings.push(format!(
@@ -146,9 +165,17 @@ fn time_step(
     let rounding = [1.0, 0.1, 0.01, 0.001].into_iter().find(|digit| is_multiple(*digit));
     let rounding = rounding.filter(|digit| *digit <= COARSEST * mean).unwrap_or(0.0);
     let allowed = rounding.max(UNEVEN * mean);
-    let uneven = |row: &usize| (times[*row] - times[row - 1] - mean).abs() > allowed;
-    if let Some(row) = (1..times.len()).find(uneven) {
-        return wrong(row, "seconds that grow by as much from row to row (resample before)");
+    let steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    if steps.iter().any(|step| (step - mean).abs() > allowed) {
+        // A gap changes the mean step; the median tells where the gap is.
+        let mut sorted = steps.clone();
+        sorted.sort_unstable_by(f64::total_cmp);
+        let beside = |step: &f64| (step - sorted[sorted.len() / 2]).abs();
+        let row = steps.iter().enumerate().max_by(|a, b| beside(a.1).total_cmp(&beside(b.1)));
+        return wrong(
+            row.map_or(0, |(at, _)| at + 1),
+            "seconds that grow by as much from row to row (resample before)",
+        );
     }
     let unit = match seconds {
         1.0 => "seconds",

@@ -110,6 +110,8 @@ fn doubtful_times_are_named() {
     assert_eq!((unknown.columns.len(), unknown.frame_time), (2, None));
     assert!(unknown.warnings[0].starts_with("the column \"Bildzeit\" grows by 0.04 in each row"));
     assert!(with_first("x0", 0.0, -1.0).warnings.is_empty());
+    let seconds = read("trial.csv", b"sec,nanosec,y\n7,500,1\n7,900,2\n8,300,3\n").unwrap();
+    assert!(seconds.warnings[0].starts_with("the column \"sec\" has the name of a clock, but does not grow"));
 }
 
 #[test]
@@ -151,11 +153,11 @@ fn errors_name_file_line_and_column() {
             "line 4, column 1 (t): expected seconds that grow by 0.00001 to 10 a row, not by 33",
         ),
         ("x,y\n1,inf\n3,4\n", "line 2, column 2 (y): expected a number from -1e9 to 1e9, found \"inf\""),
-        ("time,y\n0,1\n1,2\n3,3\n4,4\n", "line 3, column 1 (time): expected seconds that grow by as much"),
+        ("time,y\n0,1\n1,2\n3,3\n4,4\n", "line 4, column 1 (time): expected seconds that grow by as much"),
         ("time,y\n3,1\n2,2\n1,3\n", "line 4, column 1 (time): expected seconds that grow by"),
         (
             "time,y\n\n0,1\n1,2\n\n3,3\n4,4\n",
-            "line 4, column 1 (time): expected seconds that grow by as much",
+            "line 6, column 1 (time): expected seconds that grow by as much",
         ),
         ("time\n0\n1\n", "line 1: expected a column of numbers other than times"),
         ("x,\"y\n1,2\n", "line 1: expected a closing quote"),

@@ -85,10 +85,7 @@ export const learn: LearnWords = {
     latent: { label: "Latente Dimensionen", hint: "Die Dimensionen des latenten Raums jedes Teils" },
     dynamicsIps: { label: "Punkte der Dynamik", hint: "Stützpunkte der Dynamik jeder Kopplung" },
     poseIps: { label: "Punkte der Posen", hint: "Stützpunkte der Posenabbildung jedes Teils" },
-    whyPoints: (points, long) =>
-      long
-        ? `${points} Punkte, weil ein Clip 8 Sekunden oder länger ist.`
-        : `${points} Punkte, weil kein Clip 8 Sekunden lang ist.`,
+    whyPoints: (points, seconds) => `${points} Punkte, weil der längste Clip ${seconds} Sekunden hat.`,
     framesPerSecond: {
       label: "Bilder je Sekunde",
       hint: "Mit so vielen Bildern werden die Clips neu abgetastet",

@@ -82,10 +82,8 @@ export const learn = {
     latent: { label: "Latent dimensions", hint: "The dimensions of each part’s latent space" },
     dynamicsIps: { label: "Dynamics points", hint: "Inducing points of each coupling’s dynamics" },
     poseIps: { label: "Pose points", hint: "Inducing points of each part’s pose map" },
-    whyPoints: (points: number, long: boolean) =>
-      long
-        ? `${points} points, because a clip has 8 seconds or more.`
-        : `${points} points, because no clip has 8 seconds.`,
+    whyPoints: (points: number, seconds: string) =>
+      `${points} points, because the longest clip has ${seconds} seconds.`,
     framesPerSecond: { label: "Frames a second", hint: "Clips are resampled to this rate" },
     advanced: "Advanced",
     seed: "Seed",

@@ -132,13 +132,15 @@ pub struct Dataset<S = PoseMapping> {
     pub warnings: Vec<String>,
 }
 
-/// Checks that clips have the same body, so that they can be trained on together.
+/// Checks that clips have the same body, so that they can be trained on together. The order of the joints may
+/// differ where names say which joint is which.
 ///
 /// # Errors
 ///
 /// The bodies differ; the error names both clips and says how.
 pub fn same_body(first: &Clip, clip: &Clip) -> Result<(), DatasetError> {
-    first.skeleton.same_body(&clip.skeleton).map_err(|reason| body_error(first, clip, reason))
+    let ordered = clip.in_order_of(&first.skeleton);
+    first.skeleton.same_body(&ordered.skeleton).map_err(|reason| body_error(first, clip, reason))
 }
 
 /// The clip with the bones of `first`; see [`Clip::with_bones_of`].

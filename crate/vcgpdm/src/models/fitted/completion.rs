@@ -43,7 +43,8 @@ impl Body {
     ///
     /// When the clip has another body, or cannot be brought to the frame rate.
     pub fn encode(&self, clip: &Clip) -> Result<DMatrix<f64>, DatasetError> {
-        self.mapping.skeleton().same_body(&clip.skeleton).map_err(|reason| DatasetError::OtherBody {
+        let body = self.mapping.skeleton();
+        body.same_body(&clip.in_order_of(body).skeleton).map_err(|reason| DatasetError::OtherBody {
             clip: clip.name.clone(),
             reason: Box::new(reason),
         })?;

@@ -38,6 +38,14 @@ pub fn presets(skeleton: &Skeleton) -> Vec<PartsPreset> {
     let every_joint: Vec<usize> = (0..skeleton.joints.len()).collect();
     let mut presets = vec![preset("whole", "Whole body", vec![("body", every_joint)])];
     let Some(anatomy) = Anatomy::find(skeleton) else { return presets };
+    if let Some(from_trunk) = anatomy.from_trunk.as_deref() {
+        let mut presets = self::presets(&from_trunk.body);
+        for part in presets.iter_mut().flat_map(|preset| &mut preset.parts) {
+            part.joints.iter_mut().for_each(|joint| *joint = from_trunk.nodes[*joint]);
+            part.joints.sort_unstable();
+        }
+        return presets;
+    }
     let leg = |region: Region| matches!(region, Region::Leg(_));
     let hips = hips(skeleton, &anatomy);
     let joints = |wanted: &dyn Fn(usize) -> bool| -> Vec<usize> {

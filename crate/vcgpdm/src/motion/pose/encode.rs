@@ -33,7 +33,7 @@ const STILL: f64 = 1e-3;
 
 impl PoseMapping {
     /// Turns a clip of the same body into rows of Y [frames x columns]. The clip may have other channels than
-    /// the mapping's body. If the clip states the axis that points up ([`Clip::up`]), or the body clearly stands
+    /// the mapping's body, and its joints in another order. If the clip states the axis that points up ([`Clip::up`]), or the body clearly stands
     /// along another axis than in the mapping, this axis counts for its rows.
     ///
     /// # Errors
@@ -41,6 +41,8 @@ impl PoseMapping {
     /// [`PoseError::Body`] for a clip of another body, [`PoseError::Spike`] when its root is absurdly far
     /// away.
     pub fn encode(&self, clip: &Clip) -> Result<Encoded, PoseError> {
+        let order = clip.order_warning(&self.skeleton);
+        let clip = &*clip.in_order_of(&self.skeleton);
         let body = self.skeleton.same_body(&clip.skeleton);
         body.map_err(|reason| PoseError::Body { clip: clip.name.clone(), reason })?;
         let poses: Vec<LocalPose> = (0..clip.frames()).map(|frame| clip.local_pose(frame)).collect();
@@ -82,7 +84,7 @@ impl PoseMapping {
             _ => RootStart::default(),
         };
         let mut warnings = self.moving_joints(clip);
-        warnings.extend(self.turn_warning(clip, up));
+        warnings.extend(self.turn_warning(clip, up).into_iter().chain(order));
         Ok(Encoded { y, start, warnings })
     }
 
@@ -112,6 +114,12 @@ impl PoseMapping {
         let turned =
             || format!("the up axis is {own} here and {up} in the body it is compared with: it was turned");
         (own != up && clip.up.is_none()).then(turned)
+    }
+
+    /// A sentence if the joints of the clip are in another order than in the body of this mapping.
+    #[doc(hidden)]
+    pub fn order_warning(&self, clip: &Clip) -> Option<String> {
+        clip.order_warning(&self.skeleton)
     }
 
     fn moving_joints(&self, clip: &Clip) -> Vec<String> {

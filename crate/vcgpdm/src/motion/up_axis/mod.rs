@@ -79,6 +79,8 @@ pub(super) struct FoundAxis {
     pub(super) axis: UpAxis,
     /// Axes that may point up instead.
     others: Vec<UpAxis>,
+    /// Whether limbs carry the body on a floor at zero.
+    is_carried: bool,
 }
 
 /// What speaks for one axis.
@@ -131,6 +133,8 @@ impl Reach {
         for (floor, axis) in floors.iter_mut().zip(UpAxis::ALL) {
             // A body that moves far along an axis passes zero by chance.
             *floor &= (is_along(axis) || lies) && !is_farthest(&way, axis, FAR);
+            // The hips of a lying body are above the floor; a plane through the hips is no floor.
+            *floor &= is_along(axis) || axis.lowest(&self.root[0], &self.root[1]) > NEAR_ORIGIN * height;
         }
         floors
     }
@@ -158,7 +162,7 @@ impl Clip {
 
     /// The clip with the axis found in it, and with a warning if other axes may point up.
     pub(super) fn with_checked_axis(mut self) -> Clip {
-        let FoundAxis { axis, others } = self.search_up_axis();
+        let FoundAxis { axis, others, .. } = self.search_up_axis();
         self.found_up = Some(axis);
         if !others.is_empty() {
             let axis = axis.name();
@@ -172,14 +176,22 @@ impl Clip {
         self
     }
 
-    /// Whether an upright body has a floor at height zero below its feet; `None` if it is not clearly upright.
+    /// Whether an upright body has a floor at height zero below its feet; `None` if it is not clearly upright, or
+    /// another axis points up.
     pub(super) fn stands_on_floor(&self) -> Option<bool> {
         let reach = self.reach();
         let upward = reach.upward? / self.frames().max(1) as f64;
         let axis = UpAxis::along(&upward);
         let floors = reach.floors(self.frames(), self.skeleton.height(), axis);
         let is_floor = UpAxis::ALL.into_iter().zip(floors).any(|(other, floor)| floor && other == axis);
-        (axis.height(&upward) > STANDS).then_some(is_floor)
+        let is_this = is_floor || self.search_up_axis().axis == axis;
+        (axis.height(&upward) > STANDS && is_this).then_some(is_floor)
+    }
+
+    /// Whether limbs carry the body on a floor at zero; `None` if the up axis is certain for another reason.
+    pub(super) fn is_carried(&self) -> Option<bool> {
+        let FoundAxis { others, is_carried, .. } = self.search_up_axis();
+        if others.is_empty() && !is_carried { None } else { Some(is_carried) }
     }
 
     /// Computes the reach frame by frame, without the positions of all frames in memory.
@@ -233,7 +245,7 @@ impl Clip {
     pub(super) fn search_up_axis(&self) -> FoundAxis {
         let reach = self.reach();
         let Some(upward) = reach.upward else {
-            return FoundAxis { axis: self.axis_without_head(&reach), others: Vec::new() };
+            return FoundAxis { axis: self.axis_without_head(&reach), others: Vec::new(), is_carried: false };
         };
         let frames = self.frames().max(1) as f64;
         let height = self.skeleton.height();
@@ -270,6 +282,8 @@ impl Clip {
         let (best, rivals) = (&all[0], &all[1..]);
         let is_across = |other: &Evidence| other.axis.letter() != best.axis.letter();
         let is_on_limbs = |other: &Evidence| other.is_floor && other.limbs > CARRIED;
+        let is_carried = best.is_floor && best.limbs > CARRIED;
+        let found = |others| FoundAxis { axis: best.axis, others, is_carried };
         let is_certain = if best.stands > STANDS {
             // A floor below hands and knees says more than one below the feet of a body that may lie. Without a
             // floor, a body that travels along the ground stands, and so may one at the origin.
@@ -286,7 +300,7 @@ impl Clip {
             best.is_floor && rivals.iter().all(loses) && (best.is_rest || best.limbs > CARRIED)
         };
         if is_certain {
-            return FoundAxis { axis: best.axis, others: Vec::new() };
+            return found(Vec::new());
         }
         let climbs = is_farthest(&way, length, TRAVELS);
         let is_possible = |other: &&Evidence| {
@@ -299,7 +313,7 @@ impl Clip {
         if others.is_empty() && best.stands <= STANDS {
             others.push(rivals[0].axis);
         }
-        FoundAxis { axis: best.axis, others }
+        found(others)
     }
 
     /// The axis of a body without a head or without feet: the longest side of the rest pose's box along which

@@ -1,5 +1,5 @@
 use super::*;
-use crate::motion::{rotation, samples};
+use crate::motion::{Recording, rotation, samples};
 use nalgebra::{DMatrix, UnitQuaternion};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -142,7 +142,7 @@ fn the_axis_is_found_in_every_world_or_named_as_possible() {
         for up in UpAxis::ALL {
             for with_rest in [false, true] {
                 let turned = in_world(clip, up.to_y_up().inverse(), with_rest);
-                let FoundAxis { axis, others } = turned.search_up_axis();
+                let FoundAxis { axis, others, .. } = turned.search_up_axis();
                 let is_right = match *name {
                     "walk" => axis == up && others.is_empty(),
                     "crawl" => axis == up,
@@ -166,7 +166,7 @@ fn a_path_that_begins_at_the_origin_hides_no_axis() {
         for up in UpAxis::ALL {
             for with_rest in [false, true] {
                 let turned = in_world(&clip, up.to_y_up().inverse(), with_rest);
-                let FoundAxis { axis, others } = turned.search_up_axis();
+                let FoundAxis { axis, others, .. } = turned.search_up_axis();
                 assert!(axis == up && others.is_empty(), "{id}, {up:?}, {with_rest}: {axis:?} {others:?}");
             }
         }
@@ -181,4 +181,30 @@ fn an_axis_that_is_not_certain_is_said_until_it_is_stated() {
     let stated = clip.with_up(UpAxis::Z);
     assert_eq!((stated.up_axis(), stated.warnings.len()), (UpAxis::Z, 0));
     assert!(samples::clip("walk-1").unwrap().with_checked_axis().warnings.is_empty());
+}
+
+/// A plane through the hips is no floor: the body is not taken for one that lies there.
+#[test]
+fn a_body_above_no_floor_stands_or_its_axis_is_named() {
+    let mut clip = samples::clip("stand-wave-1").unwrap();
+    for (column, start) in [0.0, 120.0, 0.0].into_iter().enumerate() {
+        let first = clip.values[(0, column)];
+        clip.values.column_mut(column).add_scalar_mut(start - first);
+    }
+    for up in UpAxis::ALL {
+        let turned = in_world(&clip, up.to_y_up().inverse(), false);
+        let FoundAxis { axis, others, .. } = turned.search_up_axis();
+        assert!(axis == up || others.contains(&up), "{up:?}: {axis:?} {others:?}");
+    }
+}
+
+#[test]
+fn a_crawl_whose_path_is_in_another_unit_is_named() {
+    for (factor, text) in [(0.1, "10 times too short"), (1.0, ""), (10.0, "10 times too long")] {
+        let mut clip = crawl(Vector3::new(120.0, 0.0, 260.0));
+        (0..3).for_each(|axis| clip.values.column_mut(axis).apply(|x| *x *= factor));
+        let read = Recording::new("crawl.bvh", clip.skeleton, clip.frame_time, clip.values).into_clip();
+        let units = read.warnings.iter().find(|warning| warning.contains("times too"));
+        assert!(units.map_or(text.is_empty(), |units| units.contains(text)), "{factor}: {:?}", read.warnings);
+    }
 }
