@@ -56,7 +56,11 @@ export function compileWasm({ small = true } = {}) {
   const inputs = rustSources();
   const outputs = TARGETS.map(({ folder }) => at(".tools/wasm", folder, "package.json"));
   const rustc = output("rustc", "--version") ?? "";
-  const state = (/** @type {boolean} */ small) => ({ inputs, outputs, salt: small ? rustc : `${rustc}, one` });
+  const state = (/** @type {boolean} */ small) => ({
+    inputs,
+    outputs,
+    salt: small ? rustc : `${rustc}, one`,
+  });
   const isSmall = small || isUpToDate("wasm", state(true));
   return whenChanged("wasm", state(isSmall), () => compileTargets(compiled, { small }));
 }
