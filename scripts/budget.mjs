@@ -2,7 +2,7 @@
 // in its folder (www/src/*/entry.ts). And the largest size of the project: lower it when the project becomes smaller.
 export const budget = {
   /** Lines of product and of tests, and files; `npm test` counts them. */
-  lines: { product: 107_870, tests: 45_920, files: 1_228 },
+  lines: { product: 108_710, tests: 46_330, files: 1_239 },
   firstVisit: 500_000,
   /** The wasm of a first visit. */
   wasm: 250_000,

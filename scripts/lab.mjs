@@ -1,6 +1,7 @@
 // `npm run lab -- NAME ...`: the measurements behind the documents. Their tables go into docs or to the terminal.
 import { comparison } from "./lab/comparison.mjs";
 import { motions } from "./lab/motions.mjs";
+import { samples } from "./lab/samples.mjs";
 import { study } from "./lab/study.mjs";
 import { measured, printTables, putTables } from "./lab/tables.mjs";
 import { at, Failure, main } from "./run.mjs";
@@ -11,6 +12,7 @@ const MEASUREMENTS = {
   /** A library that shares its walking primitive beside a model of each movement, on made trials. */
   modularity: () => putTables(at("docs/modularity.md"), measured("modularity", at("docs/modularity.svg"))),
   motions,
+  samples,
   study,
   scaling: () => printTables("scaling"),
   seeds: (...words) => printTables("seeds", ...words),

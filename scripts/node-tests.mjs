@@ -6,16 +6,19 @@ import { at, env, Failure, filesUnder, root } from "./run.mjs";
 
 const TEN_MINUTES = 600_000;
 
+/** So many files may run again; more are no accident. */
+const MOST_AGAIN = 4;
+
 /**
  * Runs the test files of a folder, `concurrency` files at a time: tests in a browser mostly wait. With
  * `again`, a file that failed runs once more, alone: a browser beside a compiler can be too slow for a test.
- * The note that is returned names these files, so that nobody takes them for sound.
+ * The note that is returned names these files, so that nobody takes them for sound, and few may do so.
  */
 export async function nodeTests(/** @type {string} */ folder, concurrency = 1, again = false) {
   const all = filesUnder([at("tests", folder)]).filter((file) => file.endsWith(".test.mjs"));
   const failed = await failedOf(all, concurrency);
   if (failed.length === 0) return;
-  if (!again) throw new Failure(`failed: ${namesOf(failed)}`);
+  if (!again || failed.length > MOST_AGAIN) throw new Failure(`failed: ${namesOf(failed)}`);
   console.log(`\nOnce more, alone: ${namesOf(failed)}\n`);
   const twice = await failedOf(failed, 1);
   if (twice.length > 0) throw new Failure(`failed twice: ${namesOf(twice)}`);

@@ -1,5 +1,5 @@
-// `npm test`: all tests, in two lanes, then a table. `npm test -- --all` adds the steps that a change seldom breaks,
-// `npm test -- --only NAME,NAME` runs these steps.
+// `npm test`: the tests, in two lanes, then a table. `npm test -- --all` adds the steps, and the tests of the page,
+// that a change seldom breaks; `npm test -- --only NAME,NAME` runs these steps, each with all of its tests.
 import { fork } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 import { setPriority } from "node:os";
@@ -61,7 +61,12 @@ const RUST_STEPS = [
     what: "clippy, native",
     work: () => clippy(...NATIVE, "--all-targets", "--all-features"),
   },
-  { name: "clippy-wasm", what: "clippy, wasm32", work: () => clippy(...WASM, "--features", "speed") },
+  {
+    name: "clippy-wasm",
+    what: "clippy, wasm32",
+    seldom: true,
+    work: () => clippy(...WASM, "--features", "speed"),
+  },
   { name: "features", what: "each feature alone", seldom: true, work: features },
   { name: "docs", what: "the documentation", seldom: true, work: docs },
   { name: "msrv", what: `Rust ${oldestRust()}, the oldest`, seldom: true, work: msrv },
@@ -76,7 +81,7 @@ const RUST_STEPS = [
   { name: "recordings", what: "Rust tests on recordings", work: recordings },
   { name: "files", what: "model files read with numpy", work: files },
   { name: "golden", what: "golden numbers, computed again", work: checkGolden },
-  { name: "rust-wasm", what: "Rust tests in wasm, in Node", work: rustInWasm },
+  { name: "rust-wasm", what: "Rust tests in wasm, in Node", seldom: true, work: rustInWasm },
 ];
 
 /**
@@ -262,6 +267,8 @@ async function runLane(
 async function runAll() {
   const steps = chosen();
   await installTools({ forTests: true });
+  // tests/e2e/site.mjs says which tests these are.
+  if (!process.argv.includes("--all") && !process.argv.includes("--only")) env.PAGE_TESTS = "often";
   env.CARGO_TERM_COLOR ??= process.stdout.isTTY ? "always" : "never";
   const begin = performance.now();
 

@@ -48,23 +48,33 @@ function rustSources() {
   );
 }
 
-/** The first half of `buildWasm`: cargo's. It needs nothing that npm installs. */
-export function compileWasm() {
+/**
+ * The first half of `buildWasm`: cargo's. It needs nothing that npm installs. Without `small`, the whole wasm also
+ * stands for that of a first visit, which takes as long to compile.
+ */
+export function compileWasm({ small = true } = {}) {
   const inputs = rustSources();
   const outputs = TARGETS.map(({ folder }) => at(".tools/wasm", folder, "package.json"));
-  return whenChanged("wasm", { inputs, outputs, salt: output("rustc", "--version") ?? "" }, () =>
-    compileTargets(compiled),
-  );
+  const rustc = output("rustc", "--version") ?? "";
+  const state = (/** @type {boolean} */ small) => ({ inputs, outputs, salt: small ? rustc : `${rustc}, one` });
+  const isSmall = small || isUpToDate("wasm", state(true));
+  return whenChanged("wasm", state(isSmall), () => compileTargets(compiled, { small }));
 }
 
-/** The wasm with its JavaScript for each target in a folder below `place`; `more` features for all. */
-async function compileTargets(/** @type {string} */ place, /** @type {string[]} */ more = []) {
+/**
+ * The wasm with its JavaScript for each target in a folder below `place`; `more` features for all. Without `small`
+ * the first target is the only one that is compiled.
+ */
+async function compileTargets(
+  /** @type {string} */ place,
+  { more = /** @type {string[]} */ ([]), small = true } = {},
+) {
   const wasm = join(metadata().target_directory, "wasm32-unknown-unknown/release/vcgpdm_wasm.wasm");
   // Neither of the two keeps all processors busy, so both run at once.
   const first = [...(TARGETS[0]?.features ?? []), ...more];
   await Promise.all([run("cargo", ...compile(first)), run("cargo", "build", ...BINDGEN)]);
-  for (const { folder, features } of TARGETS) {
-    await run("cargo", ...compile([...features, ...more]));
+  for (const [i, { folder, features }] of TARGETS.entries()) {
+    if (i === 0 || small) await run("cargo", ...compile(i === 0 ? first : [...features, ...more]));
     await run("cargo", "run", "--quiet", ...BINDGEN, "--", wasm, join(place, folder));
     writeFileSync(join(place, folder, "package.json"), '{"type":"module"}\n');
   }
@@ -85,7 +95,7 @@ async function declareTypes() {
 
 /** Without `small`, wasm-opt and types are left out: the wasm is larger, and ready sooner. */
 export async function buildWasm({ small = true } = {}) {
-  await compileWasm();
+  await compileWasm({ small });
   if (small) await declareTypes();
   const pkg = at("crate/wasm/pkg");
   const places = ["package-lock.json", "scripts/wasm.mjs", "scripts/package.mjs", "crate/wasm/js"];
@@ -110,7 +120,7 @@ export async function buildWasm({ small = true } = {}) {
 
 /** The wasm of the package with `more` features, in folders below `place`. */
 export async function buildVariant(/** @type {string} */ place, /** @type {string[]} */ more) {
-  await compileTargets(place, more);
+  await compileTargets(place, { more });
   await optimise(place);
   writeNodeEntry(place);
 }

@@ -1,24 +1,19 @@
 // A comparison of models on the page: carried out, cancelled, shown, saved and opened again.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { after, before, describe, it } from "node:test";
-import { barriers, draws, openSite, pictures, ready, saved } from "./site.mjs";
+import { describe, it } from "node:test";
+import { barriers, draws, openedSite, pictures, ready, saved, seldom } from "./site.mjs";
 
 /** Small enough for a test: three trials at 15 frames a second, few iterations. */
 const SMALL = "view=compare&models=vcgpdm,vgpdm,dmp-discrete,dmp-rhythmic&ips=6&fps=15&latent=2&steps=15";
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
 /** @type {string[]} */
 let sent = [];
-before(async () => {
-  site = await openSite({
-    onSend: (path) => {
-      sent.push(path);
-    },
-  });
+const site = openedSite({
+  onSend: (path) => {
+    sent.push(path);
+  },
 });
-after(() => site?.close());
 
 /** Waits for the end of a comparison and returns its last sentence. */
 async function over(/** @type {import("playwright-core").Page} */ page) {
@@ -41,7 +36,7 @@ async function tick(/** @type {import("playwright-core").Page} */ page, /** @typ
 describe("a comparison of models", () => {
   it("is loaded at its first use", async () => {
     sent = [];
-    const { page, problems, leave } = await site.visit({ moving: true });
+    const { page } = await site.visit({ moving: true });
     await ready(page);
     const later = () => sent.filter((path) => path.includes("on-demand"));
     assert.ok(sent.some((path) => path.endsWith(".wasm")));
@@ -53,8 +48,6 @@ describe("a comparison of models", () => {
     await page.getByTestId("view-play").click();
     // The figure walks on.
     await draws(page.getByTestId("stage"));
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
   it("holds out each trial in turn and shows tables and figures, which files repeat", async () => {
@@ -115,7 +108,7 @@ describe("a comparison of models", () => {
 
   it("opens with the results of all models on ten recorded walks, until there are others", async () => {
     const settings = "view=compare&models=dmp-rhythmic&bases=10&fps=15&heldout=1";
-    const { page, problems, leave } = await site.visit({ settings, cores: 2 });
+    const { page } = await site.visit({ settings, cores: 2 });
     await page.getByTestId("given").getByText("ten recorded walks").waitFor({ timeout: 30_000 });
     assert.equal(await page.locator(".column-heads li").count(), 4, "four models walk");
     assert.equal(await page.getByTestId("to-stage").count(), 0, "their models did not come along");
@@ -180,12 +173,10 @@ describe("a comparison of models", () => {
     await page.getByTestId("open-walks").click();
     await page.getByTestId("unsaved-discard").click();
     await table.getByText("vCGPDM", { exact: true }).first().waitFor();
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
-  it("plays up to four models side by side under one clock", async () => {
-    const { page, problems, leave } = await site.visit({
+  seldom.it("plays up to four models side by side under one clock", async () => {
+    const { page } = await site.visit({
       settings: `${SMALL}&heldout=2`,
       cores: 2,
       moving: true,
@@ -215,13 +206,11 @@ describe("a comparison of models", () => {
     await page.locator(".picks .chip[aria-pressed=true]").last().click();
     assert.equal(await page.locator(".column-heads li").count(), 3);
     assert.deepEqual(await barriers(page), []);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
-  it("puts the models of a trial on the stage, where they are saved", async () => {
+  seldom.it("puts the models of a trial on the stage, where they are saved", async () => {
     const settings = "view=compare&models=vcgpdm,vgpdm,tmp&ips=5&fps=15&latent=2&steps=8&heldout=2";
-    const { page, problems, leave } = await site.visit({ settings, cores: 2 });
+    const { page } = await site.visit({ settings, cores: 2 });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
     await tick(page, 2);
     await page.getByTestId("compare").click();
@@ -256,13 +245,11 @@ describe("a comparison of models", () => {
     await toStage("vGPDM");
     await page.getByTestId("stage").waitFor();
     assert.equal((await onStage()).parts.length, 1);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
-  it("keeps results under other settings, and the stage moves after each comparison", async () => {
+  seldom.it("keeps results under other settings, and the stage moves after each comparison", async () => {
     const settings = "view=compare&models=vgpdm,dmp-rhythmic&ips=5&fps=15&latent=2&steps=5&heldout=1";
-    const { page, problems, leave } = await site.visit({ settings, cores: 2, moving: true });
+    const { page } = await site.visit({ settings, cores: 2, moving: true });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
     await tick(page, 2);
     const compare = async () => {
@@ -283,14 +270,12 @@ describe("a comparison of models", () => {
     await compare();
     assert.match(await page.getByTestId("compare-progress").innerText(), /finished before/);
     await draws(page.locator(".columns canvas"));
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
-  it("saves every figure as numbers and as a picture", async () => {
+  seldom.it("saves every figure as numbers and as a picture", async () => {
     const settings =
       "view=compare&models=vcgpdm,vgpdm,map-cgpdm&ips=4,5,6&growth=1&heldout=1&steps=4&fps=10&latent=2";
-    const { page, problems, leave } = await site.visit({ settings, cores: 2 });
+    const { page } = await site.visit({ settings, cores: 2 });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
     await tick(page, 4);
     await page.getByTestId("compare").click();
@@ -326,13 +311,11 @@ describe("a comparison of models", () => {
         }
       }
     }
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
-  it("can be cancelled, keeps finished trainings, and continues from there", async () => {
+  seldom.it("can be cancelled, keeps finished trainings, and continues from there", async () => {
     const settings = "view=compare&models=dmp-rhythmic,map-cgpdm&fps=15&steps=5000";
-    const { page, problems, leave } = await site.visit({ settings, cores: 1 });
+    const { page } = await site.visit({ settings, cores: 1 });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
     await tick(page, 2);
     // Only the quick model first.
@@ -355,7 +338,5 @@ describe("a comparison of models", () => {
     await says(page, /2 trainings, 2 finished before/);
     await page.getByTestId("compare").click();
     assert.match(await over(page), /2 of 2 trainings done/);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 });

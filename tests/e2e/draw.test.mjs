@@ -1,11 +1,11 @@
 // Drawings of one hand and of two, by keyboard and by pointer, and the model that goes on with them.
 import assert from "node:assert/strict";
-import { after, before, it } from "node:test";
+import { it } from "node:test";
 import {
   barriers,
   changes,
   keepsNobodyOut,
-  openSite,
+  openedSite,
   ready,
   readyVisitor,
   saved,
@@ -15,12 +15,7 @@ import {
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 const learned = (/** @type {Page} */ page, /** @type {number} */ hands) =>
   page.waitForFunction(

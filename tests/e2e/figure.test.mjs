@@ -7,7 +7,7 @@ import { after, before, describe, it } from "node:test";
 import { launchChromium } from "../../scripts/chromium.mjs";
 import { at } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
-import { soon } from "./site.mjs";
+import { soon, seldom } from "./site.mjs";
 
 const [show = "", change = ""] = [
   ...readFileSync(at("crate/wasm/README.md"), "utf8").matchAll(/^```js\n([\s\S]*?)^```/gm),
@@ -141,7 +141,7 @@ describe("vcgpdm/figure on a bare page", () => {
     await page.close();
   });
 
-  it("keeps the size of a canvas without a style, on a fine screen", async () => {
+  seldom.it("keeps the size of a canvas without a style, on a fine screen", async () => {
     const { page, problems, picture } = await open("", { deviceScaleFactor: 2 });
     const first = await picture();
     await soon(async () => assert.ok(!(await picture()).equals(first)));
@@ -151,7 +151,7 @@ describe("vcgpdm/figure on a bare page", () => {
     await page.close();
   });
 
-  it("shows every kind of model that has a body, and says what it expects of others", async () => {
+  seldom.it("shows every kind of model that has a body, and says what it expects of others", async () => {
     const { page, problems } = await open("whole.html");
     const found = await page.evaluate(async (kinds) => {
       const { Figure, Model } = /** @type {any} */ (window);
@@ -197,7 +197,7 @@ describe("vcgpdm/figure on a bare page", () => {
     await page.close();
   });
 
-  it("follows its canvas and its options", async () => {
+  seldom.it("follows its canvas and its options", async () => {
     const { page, problems, atRest } = await open("whole.html");
     const kept = await page.evaluate(async () => {
       const { Figure, Model } = /** @type {any} */ (window);

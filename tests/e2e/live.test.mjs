@@ -1,17 +1,12 @@
 // The live rollout: the visitor cuts a coupling while holding its arrow and drags a limb, and the figure
 // moves on without a pause.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
-import { choosePreset, barriers, openSite, ready } from "./site.mjs";
+import { describe, it } from "node:test";
+import { barriers, choosePreset, openedSite, ready, seldom } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 /** The newest frame, how far the second part is ahead of the first (turns), and the number of cuts. */
 async function now(/** @type {Page} */ page) {
@@ -53,7 +48,7 @@ const middle = (/** @type {Page} */ page, /** @type {string} */ arrow) =>
 
 describe("a live rollout", () => {
   it("lets the arms fall out of step while the legs' arrow is held, then back in step", async () => {
-    const { page, problems, leave } = await site.visit({ moving: true });
+    const { page } = await site.visit({ moving: true });
     await ready(page);
     const arrow = await middle(page, "arrow-0-1");
     await page.mouse.move(arrow.x, arrow.y);
@@ -76,12 +71,10 @@ describe("a live rollout", () => {
     await page.getByTestId("live-on").click();
     await page.getByTestId("live").waitFor({ state: "detached" });
     assert.equal(await page.getByTestId("scrub").isEnabled(), true);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
   it("can be cut by a key, follows sliders, and a limb can be dragged", async () => {
-    const { page, problems, leave } = await site.visit({ moving: true });
+    const { page } = await site.visit({ moving: true });
     await ready(page);
     await page.getByTestId("live-on").click();
     await page.getByTestId("live").waitFor();
@@ -119,12 +112,10 @@ describe("a live rollout", () => {
     assert.ok(after > before, "the push is marked");
     const { frame } = await now(page);
     await until(page, (state) => state.frame > frame + 10);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
-  it("cuts in the chosen reading: re-inferred arms swing on, arms as learned stop at once", async () => {
-    const { page, problems, leave } = await site.visit({ moving: true });
+  seldom.it("cuts in the chosen reading: re-inferred arms swing on, arms as learned stop", async () => {
+    const { page } = await site.visit({ moving: true });
     await ready(page);
     // Seconds of the arms' period as the library measures them in the rollout of the same couplings.
     await choosePreset(page, "arms-go");
@@ -146,12 +137,10 @@ describe("a live rollout", () => {
       .waitFor({ timeout: 6000 });
     await page.keyboard.up("c");
     await page.locator("[data-step='in step']").waitFor();
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
   it("lets the visitor move a part by a wheel: it stands, turns and goes on when it is let go", async (test) => {
-    const { page, problems, leave } = await site.visit({ moving: true, hasTouch: true });
+    const { page } = await site.visit({ moving: true, hasTouch: true });
     await ready(page);
     await page.getByTestId("live-on").click();
     const wheel = page.getByTestId("wheel");
@@ -255,12 +244,10 @@ describe("a live rollout", () => {
       () => /** @type {any} */ (document.querySelector("[data-testid=mover-1]")).value === "model",
     );
     assert.deepEqual(await barriers(page), []);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
-  it("lets a recording move the legs, with its outline, while the sense is cut, and gives them back", async () => {
-    const { page, problems, leave } = await site.visit({ moving: true });
+  seldom.it("lets a recording move the legs while the sense is cut, and gives them back", async () => {
+    const { page } = await site.visit({ moving: true });
     await ready(page);
     await page.getByTestId("live-on").click();
     const legs = page.getByTestId("mover-0");
@@ -304,12 +291,10 @@ describe("a live rollout", () => {
       .evaluate((view) => /** @type {any} */ (view).stage.ghost === null);
     assert.ok(ghost, "no outline");
     assert.deepEqual(await barriers(page), []);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
-  it("lets a hand follow the pointer while it is held, and go home afterwards", async () => {
-    const { page, problems, leave } = await site.visit({ moving: true });
+  seldom.it("lets a hand follow the pointer while it is held, and go home afterwards", async () => {
+    const { page } = await site.visit({ moving: true });
     await ready(page);
     await page.getByTestId("live-on").click();
     const arms = page.getByTestId("mover-1");
@@ -356,12 +341,10 @@ describe("a live rollout", () => {
       assert.ok(k < 100, "the arms come home");
       await page.waitForTimeout(100);
     }
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
-  it("can be pushed at the dots of the latent plots by mouse, finger and keys", async () => {
-    const { page, problems, leave } = await site.visit({ hasTouch: true });
+  seldom.it("can be pushed at the dots of the latent plots by mouse, finger and keys", async () => {
+    const { page } = await site.visit({ hasTouch: true });
     await ready(page);
     await page.getByTestId("live-on").click();
     await page.getByTestId("live").waitFor();
@@ -453,7 +436,5 @@ describe("a live rollout", () => {
 
     await page.getByTestId("live-on").click();
     await page.getByTestId("push-0").waitFor({ state: "detached" });
-    assert.deepEqual(problems, []);
-    await leave();
   });
 });

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, beforeEach, describe, it } from "node:test";
 import { budget } from "../../scripts/budget.mjs";
+import { policy } from "../../scripts/policy.mjs";
 import { changes, draws, openSite, ready, rests } from "./site.mjs";
 
 /** Holds the wasm back until it is released. */
@@ -106,4 +107,18 @@ describe("in a frame whose sandbox lacks allow-same-origin", () => {
     await frame.locator("canvas").first().waitFor();
     await leave();
   });
+});
+
+it("the page loads from its own host alone, and does not run text as code", () => {
+  const sources = Object.fromEntries(
+    policy.split("; ").map((directive) => {
+      const [name = "", ...allowed] = directive.split(" ");
+      return [name, allowed];
+    }),
+  );
+  for (const name of ["default-src", "style-src", "worker-src", "connect-src", "base-uri"])
+    assert.deepEqual(sources[name], ["'self'"], name);
+  assert.deepEqual(sources["script-src"], ["'self'", "'wasm-unsafe-eval'"]);
+  assert.deepEqual(sources["img-src"], ["'self'", "data:", "blob:"]);
+  for (const name of ["object-src", "form-action"]) assert.deepEqual(sources[name], ["'none'"], name);
 });

@@ -4,9 +4,9 @@ import assert from "node:assert/strict";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before, describe, it } from "node:test";
+import { after, before, it } from "node:test";
 import { dist } from "../../scripts/site.mjs";
-import { LONG, openSite, ready } from "./site.mjs";
+import { LONG, openSite, ready, seldom } from "./site.mjs";
 
 /** A copy of the built page, which a test may change. */
 const folder = mkdtempSync(join(tmpdir(), "vcgpdm-offline-"));
@@ -28,7 +28,7 @@ const servedOffline = (/** @type {import("playwright-core").Page} */ page) =>
     timeout: 60_000,
   });
 
-describe("after the first visit", () => {
+seldom.describe("after the first visit", () => {
   it("everything works without a network", async () => {
     const { page, problems, leave } = await site.visit({
       serviceWorkers: "allow",

@@ -3,9 +3,20 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { after, before, describe, it } from "node:test";
+import { describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { barriers, changes, draws, drop, keepsNobodyOut, oneVisitor, openSite, saved } from "./site.mjs";
+import { answersOf } from "./answers.mjs";
+import {
+  barriers,
+  changes,
+  draws,
+  drop,
+  keepsNobodyOut,
+  oneVisitor,
+  openedSite,
+  saved,
+  seldom,
+} from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -14,14 +25,9 @@ const { Study, analysePerception, perceptionJson } = createRequire(import.meta.u
   at("crate/wasm/pkg/node/vcgpdm.js"),
 );
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
 /** @type {string[]} */
 let sent = [];
-before(async () => {
-  site = await openSite({ onSend: (path) => void sent.push(path) });
-});
-after(() => site?.close());
+const site = openedSite({ onSend: (path) => void sent.push(path) });
 
 const bundled = readFileSync(at("www/dist/study/walks.study.json"), "utf8");
 
@@ -102,7 +108,7 @@ async function figure(/** @type {Page} */ page, /** @type {string} */ heading) {
     .map((line) => [...line.matchAll(/(?:^|,)("(?:[^"]|"")*"|[^,]*)/g)].map(([, field = ""]) => field));
 }
 
-describe("a study", () => {
+seldom.describe("a study", () => {
   const visitor = oneVisitor(() => visit({ hasTouch: true, seen: true }));
 
   it("takes answers during the movement if the study says so, also by a tap", async () => {
@@ -203,7 +209,7 @@ describe("a study", () => {
 describe("the graphics Turing test", () => {
   it("is loaded at its first use, from the page's own folder", async () => {
     sent = [];
-    const { page, problems, leave } = await site.visit();
+    const { page } = await site.visit();
     await page.waitForSelector("html[data-engine=ready]", { timeout: 30_000 });
     const ofIt = () => sent.filter((path) => path.includes("/perception/") || path.includes("/study/"));
     assert.deepEqual(ofIt(), []);
@@ -211,10 +217,54 @@ describe("the graphics Turing test", () => {
     await page.getByTestId("begin").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
     assert.ok(ofIt().length > 0);
     assert.match(page.url(), /view=perception/);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
+  it("draws every figure of the papers, and saves each as numbers and as a picture", async () => {
+    const { page } = await visit();
+    const rows = answersOf(Study.fromJson(bundled), [1, 2, 3, 4]);
+    await drop(page, { "all.json": JSON.stringify(rows) });
+    await page.getByTestId("analysed").nth(3).waitFor({ timeout: 60_000, state: "attached" });
+    /** A column of each figure's CSV. */
+    const figures = {
+      "The best of each model": "P(rate > 0.5)",
+      "All models over the test error": "confusion rate",
+      "Over the number of primitives or bases": "primitives or bases",
+      "Confusion rate over inducing points": "dynamics inducing points",
+      "Confusion rate over each score": "ln K",
+      "What inducing points do": "bound (nats)",
+    };
+    for (const [heading, column] of Object.entries(figures)) {
+      const [titles = [], ...numbers] = await figure(page, heading);
+      assert.ok(titles.includes(column), `${heading}: ${titles}`);
+      assert.ok(
+        numbers.length > 1 && !/NaN|Infinity|undefined/.test(numbers.join()),
+        `${heading}: ${numbers.join("\n")}`,
+      );
+      const picture = await savedFigure(page, "PNG", heading);
+      assert.equal(picture.subarray(1, 4).toString("latin1"), "PNG", heading);
+      assert.ok(picture.length > 5_000, `${heading}: ${picture.length} bytes`);
+    }
+    assert.deepEqual(await barriers(page), []);
+  });
+
+  keepsNobodyOut(
+    () => visit({ hasTouch: true }, studyWith(SHORT)),
+    async (page, fits) => {
+      await fits("the study");
+      await page.getByTestId("begin").tap();
+      await page.getByTestId("page-consent").waitFor();
+      await fits("consent");
+      await goOn(page, "consent", "instructions");
+      await phase(page, "question");
+      await fits("a trial");
+      await page.getByTestId("answer-left").tap();
+      await answered(page, 1);
+      await page.getByTestId("run-leave").tap();
+    },
+  );
+});
+
+seldom.describe("answers and studies of the graphics Turing test", () => {
   it("runs with a simulated participant who closes the tab half way and continues", async () => {
     const study = studyWith(SHORT, { comparisons: 12, attention_checks: 4, catch_trials: 2 });
     const { page: first, problems, leave } = await visit({}, study);
@@ -314,8 +364,8 @@ describe("the graphics Turing test", () => {
     await leave();
   });
 
-  it("shows both movements at once for 3.5 seconds, with the measured times in the data", async (test) => {
-    const { page, problems, leave } = await visit({ seen: true });
+  it("shows both movements for 3.5 seconds, with the measured times in the data", async (test) => {
+    const { page } = await visit({ seen: true });
     await page.getByTestId("begin").click();
     await goOn(page, "consent", "instructions");
     for (const key of ["ArrowLeft", "ArrowRight"]) {
@@ -341,67 +391,20 @@ describe("the graphics Turing test", () => {
         `apart ${apart} ms, lasted ${lasted} ms, a frame ${frame} ms, ${trial.frames_dropped} dropped`,
       );
       assert.ok(Number(trial.rt) >= Number(lasted) - 1);
-      return { apart: Number(apart) / Number(frame), late: Math.abs(Number(lasted) - 3500) / Number(frame) };
+      return {
+        apart: Number(apart) / Number(frame),
+        late: Math.abs(Number(lasted) - 3500) / Number(frame),
+      };
     });
     // The median of three trials: a shared machine may pause once.
     const middle = (/** @type {number[]} */ values) => values.sort((a, b) => a - b)[1] ?? NaN;
     assert.ok(middle(off.map(({ apart }) => apart)) <= 1, "they start within a frame of each other");
     assert.ok(middle(off.map(({ late }) => late)) <= 2, "they last 3.5 s within two frames");
-    assert.deepEqual(problems, []);
-    await leave();
-  });
-
-  it("draws every figure of the papers, and saves each as numbers and as a picture", async () => {
-    const { page, problems, leave } = await visit();
-    // A participant who takes every second movement for natural and passes the attention checks.
-    const study = Study.fromJson(bundled);
-    const { stimuli, hash } = study.info;
-    const id = (/** @type {number} */ place) => stimuli[place]?.id;
-    const rows = [1, 2, 3, 4].flatMap((seed) =>
-      study.trials(seed).map(({ kind, left, right, naturalSide }, i) => {
-        const taken = kind === "comparison" && i % 2 === 0;
-        const response = (naturalSide === "left") === taken ? "right" : "left";
-        return {
-          participant: `p${seed}`,
-          study: hash,
-          trial_index: i,
-          kind,
-          left: id(left),
-          right: id(right),
-          response,
-        };
-      }),
-    );
-    await drop(page, { "all.json": JSON.stringify(rows) });
-    await page.getByTestId("analysed").nth(3).waitFor({ timeout: 60_000, state: "attached" });
-    /** A column of each figure's CSV. */
-    const figures = {
-      "The best of each model": "P(rate > 0.5)",
-      "All models over the test error": "confusion rate",
-      "Over the number of primitives or bases": "primitives or bases",
-      "Confusion rate over inducing points": "dynamics inducing points",
-      "Confusion rate over each score": "ln K",
-      "What inducing points do": "bound (nats)",
-    };
-    for (const [heading, column] of Object.entries(figures)) {
-      const [titles = [], ...numbers] = await figure(page, heading);
-      assert.ok(titles.includes(column), `${heading}: ${titles}`);
-      assert.ok(
-        numbers.length > 1 && !/NaN|Infinity|undefined/.test(numbers.join()),
-        `${heading}: ${numbers.join("\n")}`,
-      );
-      const picture = await savedFigure(page, "PNG", heading);
-      assert.equal(picture.subarray(1, 4).toString("latin1"), "PNG", heading);
-      assert.ok(picture.length > 5_000, `${heading}: ${picture.length} bytes`);
-    }
-    assert.deepEqual(await barriers(page), []);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
   it("makes a study of a comparison that ran on the page", async () => {
     const settings = "view=compare&models=dmp-rhythmic,dmp-discrete&bases=10&fps=15&steps=5";
-    const { page, problems, leave } = await site.visit({ settings, cores: 2 });
+    const { page } = await site.visit({ settings, cores: 2 });
     await page.getByTestId("compare").and(page.locator(":enabled")).waitFor({ timeout: 30_000 });
     assert.ok(await page.getByTestId("make-study").isDisabled(), "there are no movements yet");
     await page.locator(".trials summary").click();
@@ -417,8 +420,6 @@ describe("the graphics Turing test", () => {
     await page.getByTestId("begin").click();
     await goOn(page, "consent", "instructions");
     await phase(page, "movement");
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
   it("forgets one participant, or everything, when the visitor says so", async () => {
@@ -450,20 +451,4 @@ describe("the graphics Turing test", () => {
     assert.deepEqual(problems, []);
     await leave();
   });
-
-  keepsNobodyOut(
-    () => visit({ hasTouch: true }, studyWith(SHORT)),
-    async (page, fits) => {
-      await fits("the study");
-      await page.getByTestId("begin").tap();
-      await page.getByTestId("page-consent").waitFor();
-      await fits("consent");
-      await goOn(page, "consent", "instructions");
-      await phase(page, "question");
-      await fits("a trial");
-      await page.getByTestId("answer-left").tap();
-      await answered(page, 1);
-      await page.getByTestId("run-leave").tap();
-    },
-  );
 });

@@ -1,17 +1,12 @@
 // Several trainings at once: a worker for each, their table, the best on the stage, a cancel and a crash.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
+import { describe, it } from "node:test";
 import { Model } from "../../crate/wasm/pkg/node/vcgpdm.js";
-import { barriers, LONG, openSite, openPanel, ready, saved } from "./site.mjs";
+import { LONG, barriers, openPanel, openedSite, ready, saved, seldom } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 /** A visit on a machine with this number of cores, as the page sees it. */
 async function visit(/** @type {number} */ cores, /** @type {string} */ settings, options = {}) {
@@ -79,7 +74,7 @@ async function seedShown(/** @type {Page} */ page, /** @type {number} */ seed) {
 
 describe("several trainings", () => {
   it("run on their own workers, and the best is on the stage; a click shows another", async () => {
-    const { page, problems, leave } = await visit(3, "trainings=3&seed=5&iterations=60&fps=15");
+    const { page } = await visit(3, "trainings=3&seed=5&iterations=60&fps=15");
     const before = page.workers().length;
     const most = await watchRunning(page);
     let workers = 0;
@@ -126,12 +121,10 @@ describe("several trainings", () => {
     await page.keyboard.press("ArrowDown");
     const next = (other + 1) % 3;
     assert.equal(await seedShown(page, 5 + next), 5 + next);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
-  it("wait for their turn on a machine with one core", async () => {
-    const { page, problems, leave } = await visit(1, "trainings=3&iterations=10&fps=15");
+  seldom.it("wait for their turn on a machine with one core", async () => {
+    const { page } = await visit(1, "trainings=3&iterations=10&fps=15");
     const most = await watchRunning(page);
     await page.getByTestId("train").click();
     await trainIsBack(page);
@@ -140,12 +133,10 @@ describe("several trainings", () => {
       (await table(page)).map(({ state }) => state),
       ["done", "done", "done"],
     );
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
-  it("keep finished and best models when they are cancelled", async () => {
-    const { page, problems, leave } = await visit(2, "trainings=4&iterations=150&fps=30");
+  seldom.it("keep finished and best models when they are cancelled", async () => {
+    const { page } = await visit(2, "trainings=4&iterations=150&fps=30");
     await page.getByTestId("train").click();
     await page.locator("[data-testid=run][data-state=done]").first().waitFor({ timeout: 90_000 });
     await page.locator("[data-testid=run][data-state=running]").first().waitFor({ timeout: 30_000 });
@@ -166,11 +157,9 @@ describe("several trainings", () => {
       JSON.stringify(rows),
     );
     assert.equal((await provenance(page)).settings.seed, chosen[0]?.seed);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
-  it("continue when the worker of one of them dies", async () => {
+  seldom.it("continue when the worker of one of them dies", async () => {
     const { page, leave } = await visit(2, "trainings=3&iterations=150&fps=30");
     /** @type {import("playwright-core").Worker[]} */
     const workers = [];
@@ -195,8 +184,8 @@ describe("several trainings", () => {
     await leave();
   });
 
-  it("run side by side with different settings", async () => {
-    const { page, problems, leave } = await visit(2, "trainings=1&iterations=4000&fps=60");
+  seldom.it("run side by side with different settings", async () => {
+    const { page } = await visit(2, "trainings=1&iterations=4000&fps=60");
     const most = await watchRunning(page);
     await page.getByTestId("train").click();
     await page.getByTestId("setting-dynamicsIps").fill("8");
@@ -225,12 +214,10 @@ describe("several trainings", () => {
       JSON.stringify(rows),
     );
     assert.equal(rows.filter(({ best }) => best).length, 1);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
-  it("do not block the sliders", async () => {
-    const { page, problems, leave } = await visit(2, `trainings=2&${LONG}`);
+  seldom.it("do not block the sliders", async () => {
+    const { page } = await visit(2, `trainings=2&${LONG}`);
     await page.getByTestId("train").click();
     await page.waitForFunction(
       () => Number(document.querySelector("[data-testid=run] td:nth-of-type(2)")?.textContent) > 2,
@@ -247,14 +234,12 @@ describe("several trainings", () => {
     assert.equal(await page.getByTestId("cancel").count(), 1, "it still trains");
     await page.getByTestId("cancel").click();
     await trainIsBack(page);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 });
 
 describe("the table of trainings", () => {
   it("keeps trainings with different settings, shows the differences, and can be cleared", async () => {
-    const { page, problems, leave } = await visit(2, "trainings=1&iterations=10&fps=15");
+    const { page } = await visit(2, "trainings=1&iterations=10&fps=15");
     await page.getByTestId("train").click();
     await page.locator("[data-testid=run][data-state=done]").waitFor({ timeout: 90_000 });
     await trainIsBack(page);
@@ -281,11 +266,9 @@ describe("the table of trainings", () => {
     await page.getByTestId("clear-runs").click();
     assert.equal(await page.getByTestId("run").count(), 0);
     assert.deepEqual(await provenance(page), shown, "the model stays on the stage");
-    assert.deepEqual(problems, []);
-    await leave();
   });
 
-  it("has no serious barrier, and fits a phone", async () => {
+  seldom.it("has no serious barrier, and fits a phone", async () => {
     const { page, leave } = await visit(2, "trainings=2&iterations=10&fps=15", {
       viewport: { width: 390, height: 844 },
     });

@@ -2,13 +2,19 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
-import { after, before, it } from "node:test";
+import { after, afterEach, before, describe, it } from "node:test";
 import { launchChromium } from "../../scripts/chromium.mjs";
 import { at } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import { dist } from "../../scripts/site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
+
+/**
+ * `it` and `describe` of what a change seldom breaks: `npm test` leaves these tests out, `npm test -- --all` and a
+ * run by hand do not.
+ */
+export const seldom = process.env.PAGE_TESTS === "often" ? { it() {}, describe() {} } : { it, describe };
 
 const DESK = { width: 1280, height: 800 };
 const PHONE = { width: 390, height: 844 };
@@ -88,6 +94,8 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
   // The browser first: a server without one would keep the process of the tests alive.
   const browser = await launchChromium(flags);
   const server = await serve(folder, { prefix: "/some/where/", ...options });
+  /** The visitors who stay until the end of their test. @type {Set<Visitor>} */
+  const here = new Set();
 
   /**
    * A new visitor on the page, and the problems during the visit.
@@ -145,16 +153,38 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
     });
     if (without) await page.route(without, (route) => route.abort());
     await page.goto(`${server.address}${query}${story ? "" : `#${settings || "view=play"}`}`);
-    return { page, problems, leave: () => context.close() };
+    const keep = () => void here.delete(visitor);
+    const leave = () => {
+      keep();
+      return context.close();
+    };
+    const visitor = { page, problems, keep, leave };
+    here.add(visitor);
+    return visitor;
   }
 
   return {
     visit,
+    here,
     async close() {
       await browser.close();
       await server.close();
     },
   };
+}
+
+/** The site, open while the tests of a file run. Visitors leave at the end of their test, without problems. */
+export function openedSite(/** @type {Parameters<typeof openSite>[0]} */ options = {}) {
+  const site = /** @type {Awaited<ReturnType<typeof openSite>>} */ ({});
+  before(async () => void Object.assign(site, await openSite(options)));
+  afterEach(async () => {
+    for (const { problems, leave } of site.here) {
+      await leave();
+      assert.deepEqual(problems, []);
+    }
+  });
+  after(() => site.close?.());
+  return site;
 }
 
 /** Settings of a training that lasts longer than any test. */
@@ -229,7 +259,10 @@ export async function rests(/** @type {import("playwright-core").Locator} */ ele
   return false;
 }
 
-/** @typedef {{ page: Page, problems: string[], leave: () => Promise<void> }} Visitor */
+/**
+ * `keep`: the visitor stays after the test.
+ * @typedef {{ page: Page, problems: string[], keep: () => void, leave: () => Promise<void> }} Visitor
+ */
 
 /**
  * Tests a view at the sizes of a desk and of a phone: `look` brings the page into each of its states and calls
@@ -239,7 +272,7 @@ export async function rests(/** @type {import("playwright-core").Locator} */ ele
  */
 export function keepsNobodyOut(visit, look) {
   it("is accessible and fits the screens of a desk and a phone", async () => {
-    const { page, problems, leave } = await visit();
+    const { page } = await visit();
     const fits = async (/** @type {string} */ state) => {
       for (const size of [PHONE, DESK]) {
         await resize(page, size);
@@ -250,8 +283,6 @@ export function keepsNobodyOut(visit, look) {
       }
     };
     await look(page, fits);
-    assert.deepEqual(problems, []);
-    await leave();
   });
 }
 
@@ -262,7 +293,10 @@ export function keepsNobodyOut(visit, look) {
  */
 export function oneVisitor(visit) {
   const visitor = /** @type {Visitor} */ ({});
-  before(async () => void Object.assign(visitor, await visit()));
+  before(async () => {
+    Object.assign(visitor, await visit());
+    visitor.keep();
+  });
   after(async () => {
     await visitor.leave?.();
     assert.deepEqual(visitor.problems, []);

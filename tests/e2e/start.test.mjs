@@ -2,9 +2,9 @@
 // package.
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
-import { after, before, it } from "node:test";
+import { it } from "node:test";
 import { at } from "../../scripts/run.mjs";
-import { openPanel, openSite, ready, saved } from "./site.mjs";
+import { openPanel, openedSite, ready, saved, seldom } from "./site.mjs";
 import { coupledInfo } from "../node/package.mjs";
 
 /** @type {typeof import("vcgpdm")} */
@@ -12,12 +12,7 @@ const { Clip, Model, Trainer, TrainingSet } = createRequire(import.meta.url)(
   at("crate/wasm/pkg/node/vcgpdm.js"),
 );
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 /** A model of two sequences, trained for a few iterations. */
 function twoSequences() {
@@ -61,7 +56,7 @@ async function savedLatents(/** @type {import("playwright-core").Page} */ page) 
 }
 
 it("starts from any frame of any sequence, and a link contains the frame", async () => {
-  const { page, problems, leave } = await site.visit();
+  const { page } = await site.visit();
   await ready(page);
   await openPanel(page, "more");
   // The file of the page's first model has only the first frames.
@@ -86,12 +81,10 @@ it("starts from any frame of any sequence, and a link contains the frame", async
     await frame.getAttribute("aria-valuetext"),
     `Frame 32 of ${coupledInfo(model).startFrames[1]}`,
   );
-  assert.deepEqual(problems, []);
-  await leave();
 });
 
-it("starts with a clip that was not trained on, under any couplings, and goes back to a sequence", async () => {
-  const { page, problems, leave } = await site.visit();
+seldom.it("starts with a clip that was not trained on, under any couplings", async () => {
+  const { page } = await site.visit();
   await ready(page);
   const model = Model.fromJson(await openDocument(page));
   const select = page.getByRole("combobox", { name: "Start as in" });
@@ -136,6 +129,4 @@ it("starts with a clip that was not trained on, under any couplings, and goes ba
   await page.getByTestId("clip-start").waitFor({ state: "detached" });
   await page.waitForFunction(() => /start=1/.test(location.hash));
   await shown({ sequence: 1, alpha, reading });
-  assert.deepEqual(problems, []);
-  await leave();
 });

@@ -1,18 +1,13 @@
 // Several visits in one browser: tabs that end together, records that are damaged, and browsers that store
 // nothing.
 import assert from "node:assert/strict";
-import { after, before, describe, it } from "node:test";
+import { it } from "node:test";
 import { bvh } from "./clips.mjs";
-import { drop, openSite, ready, revisit } from "./site.mjs";
+import { drop, openedSite, ready, revisit, seldom } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** @type {Awaited<ReturnType<typeof openSite>>} */
-let site;
-before(async () => {
-  site = await openSite();
-});
-after(() => site?.close());
+const site = openedSite();
 
 /** Opens clips of these names. */
 async function openClips(/** @type {Page} */ page, /** @type {string[]} */ ...names) {
@@ -73,7 +68,7 @@ const put = (/** @type {Page} */ page, /** @type {[key: any, value: any][]} */ e
     database.close();
   }, entries);
 
-describe("two tabs that end together", () => {
+seldom.describe("two tabs that end together", () => {
   it("lose nothing: both visits are offered in both tabs of the next start, and each comes back once", async () => {
     const { page: a, problems, leave } = await site.visit();
     await ready(a);
@@ -130,7 +125,7 @@ describe("two tabs that end together", () => {
   });
 });
 
-describe("Forget everything", () => {
+seldom.describe("Forget everything", () => {
   it("removes the answers of participants, but not of one who answers in another tab", async () => {
     const { page: a, leave } = await site.visit({ settings: "view=perception" });
     const participants = () => keysIn(a, "vcgpdm answers", "participations");
@@ -158,9 +153,9 @@ describe("Forget everything", () => {
   });
 });
 
-describe("damaged records", () => {
+seldom.describe("damaged records", () => {
   it("are skipped with a sentence, and the other visits offered", async () => {
-    const { page, problems, leave } = await site.visit();
+    const { page } = await site.visit();
     await ready(page);
     await stores(page);
     await openClips(page, "mine");
@@ -192,17 +187,15 @@ describe("damaged records", () => {
     await page.getByTestId("notice").filter({ hasText: "Not all of the earlier visit" }).waitFor();
     await page.getByTestId("unreadable-visit").getByRole("button").click();
     await page.getByTestId("unreadable-visit").waitFor({ state: "detached" });
-    assert.deepEqual(problems, []);
 
     await page.getByTestId("forget").click();
     await page.getByTestId("confirm-yes").click();
     await page.getByTestId("undo-forget").waitFor();
     assert.deepEqual(await records(page), []);
-    await leave();
   });
 });
 
-describe("a tab that ends in the middle of a write", () => {
+seldom.describe("a tab that ends in the middle of a write", () => {
   it("leaves no half visit", async () => {
     const { page, leave } = await site.visit();
     await ready(page);
@@ -235,7 +228,7 @@ describe("a tab that ends in the middle of a write", () => {
   });
 });
 
-describe("a browser that stores nothing", () => {
+seldom.describe("a browser that stores nothing", () => {
   for (const [what, hide] of /** @type {[string, () => void][]} */ ([
     ["has no database", () => Reflect.deleteProperty(window, "indexedDB")],
     [
@@ -248,7 +241,7 @@ describe("a browser that stores nothing", () => {
     ],
   ])) {
     it(`and ${what} still opens clips and studies`, async () => {
-      const { page, problems, leave } = await site.visit();
+      const { page } = await site.visit();
       await page.context().addInitScript(hide);
       await page.reload();
       await ready(page);
@@ -257,8 +250,6 @@ describe("a browser that stores nothing", () => {
       await page.getByTestId("study-title").waitFor();
       await page.getByTestId("view-play").click();
       assert.equal(await page.getByTestId("forget").count(), 0);
-      assert.deepEqual(problems, []);
-      await leave();
     });
   }
 

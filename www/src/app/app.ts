@@ -29,7 +29,7 @@ import { WordsStore } from "../words/words";
 import { Lazy } from "../ui/lazy";
 import { OTHER_MODEL } from "../couplings/model-document";
 import { lab } from "../words/lab";
-import { loadCompleting, loadSession } from "../words/sections";
+import { loadCompleting, loadPerforming, loadSession } from "../words/sections";
 import { StoryBody } from "./story-body";
 import { Store } from "../ui/store";
 
@@ -98,6 +98,17 @@ export class App {
       import("../live/recorded-parts"),
     ]);
     return new RecordedParts(recordings, live, this.notices);
+  });
+
+  /** Recordings of what the visitor does live, with their view. */
+  readonly performed = new Lazy(async () => {
+    const [live, { Performance }] = await Promise.all([
+      this.live.get(),
+      import("../live/performance"),
+      loadPerforming(this.words),
+      import("../live/perform-view"),
+    ]);
+    return new Performance(live, this);
   });
 
   /** A recording that moves one part, with its view. */
@@ -185,6 +196,12 @@ export class App {
     this.stage = new StageStore(this.playback);
     this.clips = new ClipsStore(this.engine, this.settings, this.stage);
     this.model = new ModelStore(this.engine, this.settings, this.stage, this.notices);
+    let laps = 0;
+    this.playback.on(() => {
+      if (this.playback.laps === laps) return;
+      laps = this.playback.laps;
+      this.model.nextSample();
+    });
     this.body = new BodyStore(this.engine, this.model);
     this.phases = new PhasesStore(this.model, this.body, this.stage, this.playback);
     this.readings = new ReadingsStore(this.engine, this.model, this.stage);

@@ -1,6 +1,6 @@
 // The caption over the figure: a title and a text about the stage.
 import { html, nothing } from "lit";
-import type { ClipEntry } from "../clips/clips-store";
+import { type ClipEntry, noteOf } from "../clips/clips-store";
 import type { PointingStore } from "../latents/pointing-store";
 import { presetWords } from "../couplings/presets";
 import { View } from "../ui/view";
@@ -46,12 +46,13 @@ export function wordsNow(app: App): StageWords {
   const several = training.asked.length > 1;
   return stageWords({
     kind: stage.content?.kind ?? null,
-    clip,
+    clip: clip && { ...clip, note: noteOf(clip) },
     learnedFrom: model.model?.info.sequences.map(({ name }) => name) ?? null,
     point: pointing.report ? pointWords(pointing, parts) : null,
     altered: model.couplings.altered,
     preset: model.preset && presetWords(model.preset),
     live: stage.content?.live === true,
+    sample: model.rollout?.request.sample,
     twoReadings: stage.columns !== null,
     learning: run && {
       iteration: run.steps.at(-1)?.iteration ?? null,
@@ -85,7 +86,8 @@ export class CaptionView extends View {
     if (content?.kind !== "model" || training.learning || pointing.report || !body.reports || !body.isCurrent)
       return nothing;
     const seconds = content.motion.frames * content.motion.frameTime;
-    const words = healthWords(body.reports.now.health, {
+    const { health } = body.reports.now;
+    const words = healthWords(health, {
       seconds,
       parts: content.parts,
       altered: model.couplings.altered,
@@ -105,7 +107,11 @@ export class CaptionView extends View {
           <button class="small" data-testid="other-seeds" title=${lab().stage.otherSeedsMeaning}
             @click=${() => void training.trainOtherSeeds()}>${lab().stage.otherSeeds}</button>`
         : nothing;
-    return html`<div class="stage-health" role="status" data-testid="health"><p>${words}</p>${buttons}</div>`;
+    const samples =
+      /pose|still/.test(health.state) && !model.rollout?.request.sample
+        ? html`<button class="small" @click=${() => model.playSamples(true)}>${lab().stage.playSamples}</button>`
+        : nothing;
+    return html`<div class="stage-health" role="status" data-testid="health"><p>${words}</p>${buttons}${samples}</div>`;
   }
 
   protected override render() {

@@ -6,6 +6,7 @@ import { saveFile } from "./save-file";
 import { addressOf as addressOfFile } from "../links/model-file";
 import { packed } from "../links/packed-model";
 import { LinkError, type LinkProblem } from "../links/problem";
+import { DARES } from "../settings/settings";
 import "../ui/dialog.css";
 import { messageOf } from "../ui/format";
 import { icon } from "../ui/icons";
@@ -55,6 +56,15 @@ export async function showCode(app: App, fragment: string): Promise<void> {
   /** Why no link with the model can be made. */
   let problem = "";
   let withModel = false;
+  /** The number of the dare, 0 without one, and the line of the sender. */
+  let [dare, line] = [0, ""];
+  const parts = app.model.model?.info.parts.map(({ name }) => name).join() ?? "";
+  const offered =
+    app.isPlayView && app.stage.clip === null && parts === "lower,upper"
+      ? (["pose", "pace"] as const)
+      : /(^|&)hand=01\./.test(fragment)
+        ? (["hand"] as const)
+        : [];
   /** The fragment with the model in it; null: it is not made yet. */
   let carrying: string | null = null;
 
@@ -79,6 +89,36 @@ export async function showCode(app: App, fragment: string): Promise<void> {
     );
     button.textContent = said ?? code.notCopied;
   };
+
+  /** A link with a dare begins with the couplings as learned; one arrow stops the arms only in this reading. */
+  function dared(fragment: string): string {
+    if (dare === 0) return fragment;
+    const given = new URLSearchParams(fragment);
+    given.delete("alpha");
+    given.set("exercise", String(dare));
+    if (dare === DARES.pose) given.set("reading", "learned");
+    if (line) given.set("says", line);
+    return given.toString();
+  }
+
+  const dares = () => html`
+    <div class="code-dare"><label>${exercises.dares.title}
+      <select data-testid="dare" @change=${({ target }: Event) => {
+        dare = Number((target as HTMLSelectElement).value);
+        draw();
+      }}>
+        <option value="0">${exercises.dares.none}</option>
+        ${offered.map((name) => html`<option value=${DARES[name]}>${exercises.dares.tasks[name]}</option>`)}
+      </select></label>
+      ${
+        dare > 0 && dare !== DARES.hand
+          ? html`<input type="text" data-testid="dare-line" maxlength="80" aria-label=${exercises.dares.line} placeholder=${exercises.dares.line}
+            @input=${({ target }: Event) => {
+              line = (target as HTMLInputElement).value;
+              draw();
+            }} />`
+          : nothing
+      }</div>`;
 
   const choice = () => html`
     <label class="check"><input type="checkbox" data-testid="with-model" .checked=${withModel}
@@ -135,9 +175,9 @@ export async function showCode(app: App, fragment: string): Promise<void> {
   }
 
   function content() {
-    if (!withModel) return state(fragment);
+    if (!withModel) return state(dared(fragment));
     if (problem !== "") return html`<p role="alert" data-testid="no-link">${problem}</p>${shortLink()}`;
-    return carrying === null ? html`<p role="status">${words.making}</p>` : state(carrying);
+    return carrying === null ? html`<p role="status">${words.making}</p>` : state(dared(carrying));
   }
 
   function draw(): void {
@@ -146,6 +186,7 @@ export async function showCode(app: App, fragment: string): Promise<void> {
       <div class="dialog-body">
         <header><h2 id="code-title">${code.title}</h2>
           <button class="round" aria-label=${code.close} title=${code.close} @click=${() => dialog.close()}>${icon("close")}</button></header>
+        ${offered.length > 0 ? dares() : nothing}
         ${model ? choice() : nothing}
         ${content()}
       </div>`,

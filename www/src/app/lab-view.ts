@@ -91,15 +91,14 @@ export class LabView extends View {
   async #liveStore(): Promise<LiveStore | null> {
     try {
       const { app } = this;
-      const [live, recorded] = await Promise.all([
-        app.live.get(),
+      const [performed, recorded] = await Promise.all([
+        app.performed.get(),
         app.recordedParts.get(),
         import("../live/live-view"),
       ]);
-      this.#liveView ??= () =>
-        html`<pg-live .live=${live} .playback=${app.playback} .recorded=${recorded}></pg-live>`;
+      this.#liveView ??= () => html`<pg-live .performed=${performed} .recorded=${recorded}></pg-live>`;
       this.requestUpdate();
-      return live;
+      return performed.live;
     } catch {
       this.#notLoaded("live");
       return null;

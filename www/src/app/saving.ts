@@ -1,5 +1,5 @@
 // Saves files to the visitor's disk. Loaded at the first use.
-import type { ClipEntry } from "../clips/clips-store";
+import { type ClipEntry, noteOf } from "../clips/clips-store";
 import { plain, modelName } from "../couplings/model-file";
 import type { Figure, JointInfo, Motion, PartSpec, ModelInfo, Reading } from "../engine/protocol";
 import type { App } from "./app";
@@ -23,6 +23,8 @@ export interface RolledOut {
   sequence: number;
   /** The frame of that sequence; absent: the first. */
   frame?: number | undefined;
+  /** The seed of a sampled motion. */
+  sample?: number | undefined;
   /** The title of the clip that begins the motion in place of a sequence. */
   clip?: string | undefined;
   frames: number;
@@ -30,12 +32,13 @@ export interface RolledOut {
 
 /** The name of the model and the differences of this motion: "...-lower-upper-5-as-35_02-10s". */
 export function motionName(motion: RolledOut): string {
-  const { info, sequence, frame, frames, clip } = motion;
+  const { info, sequence, frame, frames, clip, sample } = motion;
   const start = info.sequences[sequence];
   const words = [modelName(motion), ...couplingWords(motion)];
   if (clip) words.push(`as-${plain(clip) || "clip"}`);
   else if (sequence > 0 && start) words.push(`as-${plain(clipTitle(start.name)) || sequence + 1}`);
   if (frame) words.push(`from-${frame + 1}`);
+  if (sample) words.push(`sample-${sample}`);
   words.push(`${Number((frames * info.frameTime).toFixed(1))}s`);
   return words.join("-");
 }
@@ -159,12 +162,15 @@ function rolledOutName(app: App): string | null {
   const { model, rollout, id } = app.model;
   if (!model || !rollout) return null;
   const { alpha, reading } = app.settings.values;
-  const { sequence, frame, frames } = app.model.rolloutRequest();
+  const { sequence, frame, frames, sample } = app.model.rolloutRequest();
   const clip = app.model.clipStart?.title;
-  return motionName({ info: model.info, id, alpha, reading, sequence, frame, frames, clip });
+  return motionName({ info: model.info, id, alpha, reading, sequence, frame, frames, clip, sample });
 }
 
-function clipName({ title, first, end, loaded }: ClipEntry): string {
+/** The name of a clip that was made live says so. */
+function clipName(clip: ClipEntry): string {
+  const { first, end, loaded, source } = clip;
+  const title = noteOf(clip) && "name" in source ? source.name : clip.title;
   const whole = first === 0 && end === loaded.info.frames;
   return `${plain(title) || "clip"}${whole ? "" : `-${first + 1}-${end}`}`;
 }

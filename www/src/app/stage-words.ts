@@ -7,7 +7,7 @@ import { lab } from "../words/lab";
 export interface OnStage {
   /** Null: the stage is empty. */
   kind: StageContent["kind"] | null;
-  clip: { title: string; origin: "made" | "model" | "own" } | null;
+  clip: { title: string; origin: "made" | "model" | "own"; note?: string } | null;
   /** The names of the model's training sequences; null without a model. */
   learnedFrom: readonly string[] | null;
   /** The description of the inducing point under the pointer. */
@@ -18,6 +18,8 @@ export interface OnStage {
   preset: { name: string } | null;
   /** Whether the motion is live. */
   live: boolean;
+  /** The seed of the sampled motion; absent: the mean. */
+  sample?: number | undefined;
   /** Whether both readings of the couplings are side by side. */
   twoReadings: boolean;
   /** The running training whose model is on the stage; `iteration` is null before the first. */
@@ -43,14 +45,15 @@ function clipWords(clip: OnStage["clip"]): StageWords {
   const words = lab().stage;
   return {
     title: clip?.title ?? words.clip,
-    text: clip ? words.clipFrom[clip.origin] : words.clipFrom.own,
+    text: clip?.note || words.clipFrom[clip?.origin ?? "own"],
   };
 }
 
 function modelWords(now: OnStage): StageWords {
-  const { point, altered, preset, twoReadings, live, learning, learnedFrom } = now;
+  const { point, altered, preset, twoReadings, live, learning, learnedFrom, sample } = now;
   const words = lab().stage;
   if (point !== null) return { title: words.point, text: point };
+  if (sample && !live) return words.sampled(sample);
   if (altered) {
     const title = preset?.name ?? words.changed;
     if (live) return { title, text: words.live };

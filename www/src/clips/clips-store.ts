@@ -50,6 +50,10 @@ export interface ClipEntry {
   end: number;
 }
 
+/** How a clip was made live; empty: it was not. */
+export const noteOf = ({ source }: Pick<ClipEntry, "source">): string =>
+  ("file" in source && source.note) || "";
+
 /** A clip for a later visit. */
 export type StoredClip = Pick<ClipEntry, "key" | "title" | "origin" | "source" | "ticked" | "first" | "end">;
 
@@ -152,11 +156,17 @@ export class ClipsStore extends Store {
     this.changed();
   }
 
-  /** Adds a clip that a model made, as BVH. It is not ticked. */
-  async addModelled(title: string, bvh: string): Promise<void> {
-    const source = { name: title, file: new Blob([bvh]) };
+  /**
+   * Adds a clip that a model made, as BVH, and returns its key. It is not ticked. `performed`: the visitor made it
+   * live; the name of its file, and how it was made.
+   */
+  async addModelled(title: string, bvh: string, performed?: { name: string; note: string }): Promise<string> {
+    const source = { name: title, ...performed, file: new Blob([bvh]) };
     const loaded = await this.#read(source);
-    this.#add({ key: `model-${loaded.id}`, title, origin: "model", source, loaded, ticked: false });
+    const origin = performed ? "own" : "model";
+    const key = `${origin}-${loaded.id}`;
+    this.#add({ key, title, origin, source, loaded, ticked: false });
+    return key;
   }
 
   /** Opens a clip of the visitor. The first of several goes on the stage. */

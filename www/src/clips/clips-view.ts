@@ -6,7 +6,7 @@ import type { UpAxis } from "../engine/protocol";
 import type { StageStore } from "../stage/stage-store";
 import { icon } from "../ui/icons";
 import { View } from "../ui/view";
-import { type ClipEntry, type ClipsStore, fileNotices } from "./clips-store";
+import { type ClipEntry, type ClipsStore, fileNotices, noteOf } from "./clips-store";
 import "./clips.css";
 import { lab } from "../words/lab";
 
@@ -116,6 +116,7 @@ export class ClipsView extends View {
         }
         ${this.#cutting.has(key) || loaded.assumed ? this.#cutFields(clip) : nothing}
         ${loaded.assumed ? html`<p class="hint bad" data-testid="assumed-rate">${words.assumed(loaded.assumed.why, loaded.assumed.fps)}</p>` : nothing}
+        ${noteOf(clip) && html`<p class="hint">${noteOf(clip)}</p>`}
         ${fileNotices(warnings)}
       </li>`;
   }

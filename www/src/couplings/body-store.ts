@@ -48,7 +48,7 @@ export class BodyStore extends Store {
         if (!this.#isOf(this.#learned, learned)) this.#learned = await running.bodyReport(learned, first);
         return {
           learned: this.#learned,
-          now: now.alpha ? await running.bodyReport(now, first) : this.#learned,
+          now: now.alpha || now.sample ? await running.bodyReport(now, first) : this.#learned,
         };
       },
       (reports, question) => this.#take(reports, question),
@@ -91,7 +91,8 @@ export class BodyStore extends Store {
     if (!rollout || !model) return;
     const frames = (seconds: number) => Math.round(seconds / model.info.frameTime);
     const now = { ...rollout.request, frames: Math.max(rollout.request.frames, frames(MEASURED)) };
-    const learned: RolloutRequest = { ...now, alpha: null, reading: "as-learned" };
+    const { sample: _, ...mean } = now;
+    const learned: RolloutRequest = { ...mean, alpha: null, reading: "as-learned" };
     this.#latest.request({ rollout, now, learned, first: frames(SETTLING) });
   }
 

@@ -380,6 +380,38 @@ describe("a link", () => {
   });
 });
 
+describe("samples", () => {
+  it("play in place of the mean, another one in each loop, under the couplings now", async () => {
+    const seeds = () => engine.rollouts.map(({ sample }) => sample);
+    model.nextSample();
+    expect(seeds()).toEqual([]);
+    model.playSamples(true);
+    await settled();
+    // The motion as learned stays the mean.
+    expect([seeds(), model.rollout?.request.sample, model.learned?.request.sample]).toEqual([
+      [undefined, 1],
+      1,
+      undefined,
+    ]);
+    model.nextSample();
+    await settled();
+    model.couplings.set(0, 1, 7);
+    await settled();
+    expect([model.rollout?.request.sample, weightOf(0, 1)]).toEqual([2, 7]);
+    expect(writeSettings(settings.values)).toContain("samples=1");
+    model.playSamples(false);
+    await settled();
+    expect([model.rollout?.request.sample, weightOf(0, 1)]).toEqual([undefined, 7]);
+    model.playSamples(true);
+    stage.showClip(clip());
+    const before = engine.rollouts.length;
+    await settled();
+    model.nextSample();
+    await settled();
+    expect(engine.rollouts.length - before).toBeLessThanOrEqual(1);
+  });
+});
+
 describe("the length", () => {
   it("is set in seconds within the limits, for the ghost too", async () => {
     model.couplings.set(0, 1, 8);

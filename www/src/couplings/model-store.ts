@@ -98,6 +98,8 @@ export class ModelStore extends Store {
   #learned: RolloutResult | null = null;
   #rollout: RolloutResult | null = null;
   #clipStart: ClipStart | null = null;
+  /** The seed of the sampled rollout that plays, or would. */
+  #seed = 1;
   /** The time when the visitor changed a coupling; null once its rollout has arrived. */
   #changedAt: number | null = null;
   readonly #rollouts: Latest<RolloutRequest, RolloutResult>;
@@ -202,10 +204,24 @@ export class ModelStore extends Store {
 
   /** The request for the rollout on the stage. */
   rolloutRequest(): RolloutRequest {
-    const { reading } = this.settings.values;
-    const begins = this.#beginning();
+    const { reading, samples } = this.settings.values;
+    const begins = { ...this.#beginning(), ...(samples && { sample: this.#seed }) };
     const { alpha, altered } = this.couplings;
     return altered ? { ...begins, alpha, reading } : { ...begins, alpha: null, reading: "as-learned" };
+  }
+
+  /** Plays sampled rollouts, another one in each loop, or the mean. */
+  playSamples(samples: boolean): void {
+    this.settings.change({ samples });
+    this.#rollOutBoth();
+  }
+
+  /** A loop of the stage has ended: the next sample plays. */
+  nextSample(): void {
+    const { content } = this.stage;
+    if (!this.settings.values.samples || content?.kind !== "model" || content.live) return;
+    this.#seed += 1;
+    this.#rollOut();
   }
 
   /**
@@ -327,7 +343,7 @@ export class ModelStore extends Store {
   /** Asks for the rollout as learned, and then for the one under the couplings now. */
   #rollOutBoth(): void {
     if (this.#model)
-      this.#learnedRollouts.request({ ...this.rolloutRequest(), alpha: null, reading: "as-learned" });
+      this.#learnedRollouts.request({ ...this.#beginning(), alpha: null, reading: "as-learned" });
     this.changed();
   }
 
@@ -340,7 +356,7 @@ export class ModelStore extends Store {
 
   #takeRollout(rollout: RolloutResult): void {
     this.#rollout = rollout;
-    if (!rollout.request.alpha) this.#learned = rollout;
+    if (!rollout.request.alpha && rollout.request.sample === undefined) this.#learned = rollout;
     this.#show();
     this.changed();
     if (this.#changedAt === null) return;
@@ -349,7 +365,7 @@ export class ModelStore extends Store {
   }
 
   #takeLearned(rollout: RolloutResult): void {
-    if (!this.couplings.altered) {
+    if (!this.couplings.altered && !this.settings.values.samples) {
       this.#takeRollout(rollout);
       return;
     }
@@ -372,7 +388,7 @@ export class ModelStore extends Store {
     if (!keep.clip) this.stage.endClip();
     const { request } = rollout;
     const asked = this.rolloutRequest();
-    if (this.couplings.altered || !sameTimes(request, asked)) this.#rollOutBoth();
+    if (this.couplings.altered || asked.sample || !sameTimes(request, asked)) this.#rollOutBoth();
   }
 
   /** Sets the couplings and the start of the new model. */

@@ -19,6 +19,10 @@ export const words: DrawingWords = {
   send: "Senden",
   sendMeaning:
     "Ein Link und sein Code, mit dieser Zeichnung und deiner Zeile. Nichts wird gesendet, bevor du es sendest.",
+  dare: {
+    task: "Eine Herausforderung: Halte eine Hand mit einem Pfeil an. Die andere muss weiterzeichnen.",
+    met: "Geschafft: Ein Pfeil hat eine Hand angehalten, und die andere zeichnet weiter.",
+  },
   learning: "Das Modell lernt deine Zeichnung …",
   goesOn: "Das Modell zeichnet: Es macht weiter wie deine Hand.",
   once: "Du hast es einmal gezeichnet, darum wurde es für das Modell wiederholt. Es macht weiter wie deine Hand.",

@@ -6,6 +6,7 @@ import { download } from "../ui/download";
 import { icon } from "../ui/icons";
 import type { Draw } from "../views/define-view";
 import { lab } from "../words/lab";
+import { DARES } from "../settings/settings";
 import { drawingWords } from "./view-words";
 import "./drawing.css";
 import { drawingFile, type DrawingStore } from "./drawing-store";
@@ -85,11 +86,14 @@ export class DrawingPage extends SeriesView {
   }
 
   protected override render() {
-    const { says } = this.settings.values;
+    const { says, exercise, drawing } = this.settings.values;
+    const isMet = exercise === DARES.hand && this.store.hasStoppedOne;
+    const { dare } = drawingWords();
     return html`
       <div class="lab" data-panel="none">
         <section class="stage-area draw-area" aria-label=${drawingWords().title}>
-          ${says ? html`<p class="draw-says" data-testid="said">“${says}”</p>` : nothing}
+          ${says && drawing ? html`<p class="draw-says" data-testid="said">“${says}”</p>` : nothing}
+          ${exercise === DARES.hand ? html`<p class="draw-dare" role="status" data-testid="dare" data-met=${isMet ? "yes" : "no"}>${isMet ? dare.met : dare.task}</p>` : nothing}
           <div class="pads">
             <pg-pad .store=${this.store} .pad=${0}></pg-pad>
             <pg-pad .store=${this.store} .pad=${1}></pg-pad>

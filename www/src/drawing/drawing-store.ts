@@ -7,7 +7,7 @@ import { ProgressStore } from "../training/progress-store";
 import { drawingWords } from "./view-words";
 import { DRAWING_SETTINGS } from "./drawing-settings";
 import { circle, drawnBy, eight } from "./example";
-import { goesOn } from "./goes-on";
+import { type GoesOn, goesOn } from "./goes-on";
 import {
   type Drawing,
   drawingOf,
@@ -31,6 +31,9 @@ const LONGEST = 20;
 /** The first rollout, and the longest one, which then begins again: seconds. */
 const FIRST_ROLLOUT = 20;
 const LONGEST_ROLLOUT = 320;
+
+/** A hand that visits a smaller share of its drawing has stopped. */
+const STOPPED = 0.3;
 
 /** The table of a drawing, as a file. */
 export function drawingFile({ rows }: Pick<Drawing, "rows">, pads: readonly Pad[]): File {
@@ -238,16 +241,28 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
 
   /** The hand that does not go on as it was drawn; undefined: all do. */
   #findLost(): Pad | undefined {
-    const values = this.model.learned?.values;
+    return this.#drawn?.pads[this.#compared(this.model.learned?.values).findIndex(({ goesOn }) => !goesOn)];
+  }
+
+  /** Each hand of a rollout, compared with its drawing. */
+  #compared(values: Float64Array | undefined): GoesOn[] {
     const { drawing, pads } = this.#drawn ?? {};
-    if (!values || !drawing || !pads) return undefined;
+    if (!values || !drawing || !pads) return [];
     const width = 2 * pads.length;
     const rows = Array.from({ length: values.length / width }, (_, i) =>
       Array.from(values.subarray(i * width, (i + 1) * width)),
     );
-    return pads.find(
-      (_, place) => !goesOn(onPad(drawing.rows, place), onPad(rows, place), drawing.lap).goesOn,
+    return pads.map((_, place) => goesOn(onPad(drawing.rows, place), onPad(rows, place), drawing.lap));
+  }
+
+  /** Whether one changed coupling has stopped one hand while the other goes on. */
+  get hasStoppedOne(): boolean {
+    const { couplings, rollout } = this.model;
+    const changed = couplings.learned.flatMap((row, source) =>
+      row.filter((_, target) => couplings.isChanged(source, target)),
     );
+    const hands = changed.length === 1 ? this.#compared(rollout?.values) : [];
+    return hands.some(({ visited }) => visited < STOPPED) && hands.some(({ goesOn }) => goesOn);
   }
 
   /** An eight, and on the second pad a circle, by formulas, as if they were drawn now. */

@@ -14,6 +14,10 @@ export const words = {
   send: "Send",
   sendMeaning:
     "A link and its code, with this drawing and your line in them. Nothing is sent before you send it.",
+  dare: {
+    task: "A dare: stop one hand with one arrow. The other hand must draw on.",
+    met: "You have met the dare: one arrow stopped one hand, and the other draws on.",
+  },
   learning: "The model learns your drawing …",
   goesOn: "The model draws: it goes on as your hand did.",
   once: "You drew it once, so it was repeated for the model. It goes on as your hand did.",

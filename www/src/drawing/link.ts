@@ -74,6 +74,8 @@ export function keepInAddress(store: DrawingStore, settings: SettingsStore): voi
     if (isSent) return;
     [said, line] = [drawn ? textOf(drawn.drawing, drawn.pads) : "", ""];
     restore();
+    // A dare belongs to the drawing of its link.
+    settings.change({ exercise: 0 });
   });
   settings.on(follow);
   follow();

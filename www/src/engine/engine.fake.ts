@@ -348,7 +348,8 @@ export function liveFrames(motion: Motion, changes: readonly LiveChange[]): Live
     new Float64Array(count),
     new Float64Array(count),
   ];
-  return { motion, latents, phases, distances, recorded };
+  const columns = new Float64Array(motion.frames).fill(motion.frames);
+  return { motion, latents, columns, phases, distances, recorded };
 }
 
 /** A training that a worker was asked to start or to continue. */

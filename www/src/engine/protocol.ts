@@ -103,6 +103,8 @@ export interface RolloutRequest {
   /** Absent: the learned couplings. */
   alpha: Couplings | null;
   reading: Reading;
+  /** The seed of a sampled rollout; absent: the mean rollout. */
+  sample?: number;
 }
 
 export interface RolloutResult {
@@ -146,6 +148,8 @@ export interface LiveFrames {
   motion: Motion;
   /** Latent path of each part [frames x Q]. */
   latents: Float64Array[];
+  /** All columns of the motion [frames x columns]. */
+  columns: Float64Array;
   /** The phase of each part on the learned cycle, in turns [frames x parts]. Empty if there is no cycle. */
   phases: Float64Array;
   /**
@@ -199,11 +203,11 @@ export interface OpenedModel {
 
 /**
  * The source of a clip. Each worker that trains on the clip reads the source. `up`, `fps` and `root`: the axis, the
- * frames a second and, of several bodies, the root joint that the visitor states.
+ * frames a second and, of several bodies, the root joint that the visitor states. `note`: how a clip was made here.
  */
 export type ClipSource =
   | { sample: string }
-  | { name: string; file: Blob; up?: UpAxis; fps?: number; root?: string };
+  | { name: string; file: Blob; up?: UpAxis; fps?: number; root?: string; note?: string };
 
 /** A clip chosen for training: the frames from `first` (counted from 0) up to but not including `end`. */
 export interface TrainingClip {

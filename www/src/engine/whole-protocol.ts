@@ -217,6 +217,8 @@ export interface UncertaintyWorker {
    * The frames count at the frame rate of the model.
    */
   inferStart(text: string, clip: TrainingClip, frames: number): Promise<number[][][]>;
+  /** A motion of the open model as BVH; `columns`: all its columns [frames x columns]. */
+  columnsBvh(columns: Float64Array, frames: number): string;
   /** How natural the motion of the model of this document is predicted to look. */
   latentLogDensity(text: string, request: RolloutRequest): LatentLogDensity;
   /** A rollout of the model with some of its inducing points only. */

@@ -277,6 +277,10 @@ export class FakeProgram implements WholeWorkers {
           scores: [{ part: "other", ...score }],
         };
       },
+      columnsBvh: async (columns, frames) => {
+        failing();
+        return `HIERARCHY of ${columns.length} numbers in ${frames} frames`;
+      },
       inferStart: (text, clip, frames) => pending(this.starts, { text, clip, frames }, () => {}),
       moments: (request) => pending(this.moments, request, () => {}),
       trainExperiment: (experiment, report, signal) =>

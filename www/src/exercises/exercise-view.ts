@@ -9,7 +9,8 @@ import type { NoticesStore } from "../ui/notices-store";
 import { View } from "../ui/view";
 import { loadTeach, teachIfLoaded } from "../words/sections";
 import type { WordsStore } from "../words/words";
-import { EXERCISE_NAMES, type Facts, type Finding, judge } from "./exercises";
+import { DARES } from "../settings/settings";
+import { changesOf, EXERCISE_NAMES, type Facts, type Finding, judge } from "./exercises";
 import "./exercise.css";
 import { lab } from "../words/lab";
 
@@ -32,14 +33,15 @@ export class ExerciseView extends View {
   }
 
   /** What the page measures now; null while it measures. */
-  #facts(): Facts | null {
+  #facts(isDare: boolean): Facts | null {
     const { body, model } = this;
     const { rollout, learned } = model;
     if (!model.model || !rollout || !learned || !body.reports || !body.isCurrent) return null;
     if (this.#apart?.rollout !== rollout)
       this.#apart = { rollout, millimetres: 1000 * largestDistance(rollout.motion, learned.motion) };
     return {
-      isStartModel: model.openedText === null,
+      // A dare comes with its model.
+      isStartModel: isDare || model.openedText === null,
       learned: model.couplings.learned,
       alpha: model.couplings.alpha,
       reports: body.reports,
@@ -49,12 +51,18 @@ export class ExerciseView extends View {
   }
 
   protected override render() {
-    const number = this.settings.values.exercise;
-    const name = EXERCISE_NAMES[number - 1];
+    const { exercise: number, says } = this.settings.values;
+    const dare = ([DARES.pose, DARES.pace] as number[]).indexOf(number);
+    const name = dare < 0 ? EXERCISE_NAMES[number - 1] : (["pose", "pace"] as const)[dare];
     const { exercises } = teachIfLoaded() ?? {};
     if (!name || !exercises) return nothing;
-    const facts = this.#facts();
+    const isDare = dare >= 0;
+    const facts = this.#facts(isDare);
     const verdict = facts && judge(name, facts);
+    // One arrow is enough: it is part of the dare.
+    const isSolved = verdict?.isSolved && !(number === DARES.pose && changesOf(facts!).length > 1);
+    const { dares } = exercises;
+    const title = isDare ? dares.title : exercises.number(number);
     const say = ({ name, values }: Finding) => {
       const sentence = exercises.found[name];
       return typeof sentence === "string"
@@ -62,16 +70,17 @@ export class ExerciseView extends View {
         : (sentence as (...values: unknown[]) => string)(...values);
     };
     return html`
-      <section class="exercise" aria-label=${exercises.number(number)} data-solved=${verdict?.isSolved ? "yes" : "no"} data-testid="exercise">
-        <p><b>${exercises.number(number)}</b> ${exercises.tasks[name]}</p>
+      <section class="exercise" aria-label=${title} data-solved=${isSolved ? "yes" : "no"} data-testid="exercise">
+        ${isDare && says ? html`<p data-testid="said">“${says}”</p>` : nothing}
+        <p><b>${title}</b> ${isDare ? dares.tasks[name as "pose" | "pace"] : exercises.tasks[name]}</p>
         <p class="exercise-found" role="status">${
           verdict
-            ? html`<b>${verdict.isSolved ? exercises.solved : exercises.notYet}</b> ${verdict.findings.map(say).join(" ")}
-              ${verdict.isSolved ? html`<i>${exercises.whys[name]}</i>` : nothing}`
+            ? html`<b>${isSolved ? (isDare ? dares.met : exercises.solved) : exercises.notYet}</b> ${verdict.findings.map(say).join(" ")}
+              ${isSolved ? html`<i>${exercises.whys[name]}</i>` : nothing}`
             : exercises.measuring
         }</p>
         <button class="round" aria-label=${exercises.close} title=${exercises.close} data-testid="close-exercise"
-          @click=${() => this.settings.change({ exercise: 0 })}>${icon("close")}</button>
+          @click=${() => this.settings.change({ exercise: 0, says: "" })}>${icon("close")}</button>
       </section>`;
   }
 }

@@ -26,8 +26,8 @@ const HAND_MEASURE = "hand-answer";
 
 /** What moves a part in place of the model, in frames from the start. */
 export type MoverMark =
-  /** The visitor at the wheel. */
-  | { kind: "drive"; part: number; from: number; to: number | null }
+  /** The visitor at the wheel, or stepping. */
+  | { kind: "drive"; part: number; byFeet?: boolean; from: number; to: number | null }
   | { kind: "record"; part: number; key: string; title: string; from: number; to: number | null }
   /**
    * The visitor drags a node, or pushes the part. `began` is the first frame of the push, `from` its last;
@@ -178,11 +178,13 @@ export class LiveStore extends Store {
     [this.#seen, this.#leaps, this.#transition] = [0, false, new Transition()];
     this.#forget();
     const stored = Math.round(SHOWN_SECONDS / frameTime);
-    const widths = parts.map(({ latent }) => latent);
-    const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, stored, widths);
     // A rollout under the learned couplings is "as-learned"; a cut obeys the visitor's reading.
     const changes = this.#sent ? [this.#sent] : [];
-    this.#append(track, await this.source.advance({ back: 0, changes, frames: LEAD }));
+    const first = await this.source.advance({ back: 0, changes, frames: LEAD });
+    // After the latents of the parts, the columns.
+    const widths = [...parts.map(({ latent }) => latent), first.columns.length / LEAD];
+    const track = new LiveTrack({ nodes: figure.nodes.length, frameTime }, stored, widths);
+    this.#append(track, first);
     return track;
   }
 
@@ -276,13 +278,16 @@ export class LiveStore extends Store {
     return [...this.#movers.values()].find(({ kind }) => kind === "drive")?.part ?? null;
   }
 
-  /** Drives a part by turns round its learned cycle. With 0 it stands still. There is one wheel. */
-  drive(part: number, turns: number): void {
+  /**
+   * Drives a part by turns round its learned cycle, with the wheel or by feet. With 0 it stands still. There is one
+   * wheel.
+   */
+  drive(part: number, turns: number, byFeet = false): void {
     if (!this.#track) return;
     const { driven } = this;
     if (driven !== part) {
       if (driven !== null) this.release(driven);
-      this.#move({ kind: "drive", part, from: this.#next, to: null });
+      this.#move({ kind: "drive", part, byFeet, from: this.#next, to: null });
     }
     if (turns !== 0) this.#movedAt ??= performance.now();
     const last = this.#changes.at(-1);
@@ -450,14 +455,14 @@ export class LiveStore extends Store {
     this.#append(track, next);
   }
 
-  #append(track: LiveTrack, { motion, latents, phases, distances, recorded }: LiveFrames): void {
+  #append(track: LiveTrack, { motion, latents, columns, phases, distances, recorded }: LiveFrames): void {
     const before = track.last;
     const parts = latents.length;
     const outlined = [...this.#recordings.keys()].at(-1) ?? 0;
     const frames = Array.from({ length: motion.frames }, (_, k) => recorded[k * parts + outlined] ?? -1);
     track.append(
       motion,
-      latents,
+      [...latents, columns],
       frames.map((frame) => (frame < 0 ? null : frame)),
     );
     for (const mover of this.#movers.values()) if (mover.kind === "push") mover.from = track.last + 1;

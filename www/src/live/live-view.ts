@@ -13,6 +13,7 @@ import { letDragLimbs } from "./drag-limbs";
 import "./live.css";
 import { type LiveStore, type Mark, SHOWN_SECONDS } from "./live-store";
 import { actionText, distanceLines, type Pieces, phaseLines } from "./strip";
+import type { Performance } from "./performance";
 import type { RecordedParts } from "./recorded-parts";
 import "./wheel-view";
 import { lab, shownPart } from "../words/lab";
@@ -21,14 +22,21 @@ import { lab, shownPart } from "../words/lab";
 const FARTHEST = 1.5;
 
 export class LiveView extends View {
-  declare live: LiveStore;
-  declare playback: Playback;
+  declare performed: Performance;
   declare recorded: RecordedParts;
   /** The part of the wheel. */
   #wheel = 0;
 
   protected override stores() {
     return [this.live, this.recorded];
+  }
+
+  get live(): LiveStore {
+    return this.performed.live;
+  }
+
+  get playback(): Playback {
+    return this.performed.app.playback;
   }
 
   protected override arrived(): void {
@@ -100,7 +108,8 @@ export class LiveView extends View {
           <canvas role="img" aria-label=${words.chart(names[0] ?? "", names.slice(1))}></canvas>`
             : html`<p>${words.noPhase}</p>`
         }
-      </div>`;
+      </div>
+      <pg-perform .performed=${this.performed}></pg-perform>`;
   }
 }
 customElements.define("pg-live", LiveView);

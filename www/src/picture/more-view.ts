@@ -69,16 +69,17 @@ export class MoreView extends View {
   protected override render() {
     const { model, layers, predictions, settings, readings } = this.app;
     const info = model.model?.info;
-    const { loops, readings: words } = lab();
+    const { loops, stage, readings: words } = lab();
     if (!info) return nothing;
     const { bothShown } = readings;
-    const { loop } = settings.values;
+    const { loop, samples } = settings.values;
     return html`
       <h2>${withTerms(loops.title)}</h2>
       <p class="hint">${withTerms(loops.about)}</p>
       <pg-layers .layers=${layers} .predictions=${predictions} .settings=${settings} .parts=${info.parts.length}></pg-layers>
       <h2>${lab().couplings.begins}</h2>
       <div class="starts">${this.#starts(info)}</div>
+      <button type="button" class="chip" aria-pressed=${samples ? "true" : "false"} title=${stage.samplesMeaning} @click=${() => model.playSamples(!samples)}>${stage.playSamples}</button>
       <button type="button" class="chip" aria-pressed=${loop ? "true" : "false"} @click=${() => settings.change({ loop: !loop })}>${lab().time.loop}</button>
       ${
         info.parts.length > 1

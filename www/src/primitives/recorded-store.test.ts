@@ -7,8 +7,9 @@ import { RecordedStore } from "./recorded-store";
 class FakeClips {
   all: ClipEntry[] = [];
   readonly added: [string, string][] = [];
-  async addModelled(title: string, bvh: string): Promise<void> {
+  async addModelled(title: string, bvh: string): Promise<string> {
     this.added.push([title, bvh]);
+    return title;
   }
 }
 

@@ -7,7 +7,7 @@ export class LiveTrack {
   first = 0;
   readonly #motion: Motion;
   readonly #pose: Float32Array;
-  /** The latent path of each part, and its dimensions. */
+  /** The latent path of each part, then the columns, and their dimensions. */
   readonly #latents: readonly { values: Float64Array; width: number }[];
   /** The latent path of each part: row k is frame `first` + k. Rows after the newest frame are scratch. */
   readonly paths: readonly Float64Array[];
@@ -15,7 +15,10 @@ export class LiveTrack {
   #recorded: (number | null)[] = [];
   #placement: Placement = HERE;
 
-  /** Keeps the last `kept` frames, and a little more; `widths`: the latent dimensions of each part. */
+  /**
+   * Keeps the last `kept` frames, and a little more; `widths`: the latent dimensions of each part, then the number of
+   * columns.
+   */
   constructor(
     { nodes, frameTime }: Pick<Motion, "nodes" | "frameTime">,
     private readonly kept: number,
@@ -41,6 +44,13 @@ export class LiveTrack {
   latents(part: number): Float64Array | null {
     const path = this.#latents[part];
     return path ? path.values.subarray(0, this.#motion.frames * path.width) : null;
+  }
+
+  /** The last path from one frame to another, both included: the columns of the motion; null: not all are stored. */
+  columns(from: number, to: number): Float64Array | null {
+    const path = this.#latents.at(-1);
+    if (!path || from < this.first || to > this.last) return null;
+    return path.values.slice((from - this.first) * path.width, (to - this.first + 1) * path.width);
   }
 
   /** A frame as it arrived [nodes x 3]; null if it is not stored. */

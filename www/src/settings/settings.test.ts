@@ -61,6 +61,7 @@ describe("settings in the URL", () => {
       frames: 600,
       start: 3,
       startFrame: 12,
+      samples: true,
       model: "0123abcd",
       reading: "as-learned" as const,
       alpha: { "0.1": 4.6, "1.0": 0.001 },

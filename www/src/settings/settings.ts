@@ -317,8 +317,9 @@ export const BY_HAND = "hand";
 /** Weights of the pose terms in the objective of a training; with 1 it is the bound. */
 export const POSE_WEIGHTS = ["balanced", 1, 0.3, 0.1] as const;
 
-/** The exercises for a class. */
+/** The exercises for a class; after them count what a link dares its receiver to do. */
 export const EXERCISES = 6;
+export const DARES = { pose: 7, pace: 8, hand: 9 } as const;
 
 export const SETTINGS = {
   /** The open chapter of the story; 0: the Lab or another view is open. */
@@ -331,7 +332,7 @@ export const SETTINGS = {
   /** The thread of the second chapter: tied as learned, or cut. */
   cut: choice("cut", "", ["", "relearned", "kept"] as const),
   /** The exercise for a class that the Lab shows; 0: none. */
-  exercise: whole("exercise", 0, 0, EXERCISES),
+  exercise: whole("exercise", 0, 0, DARES.hand),
   /** "synthetic": the synthetic experiment; "perception": the graphics Turing test. */
   view: choice<ViewName>("view", "play", VIEWS),
   /** The open panel. The address calls it a tab, as it did when the Lab had tabs. */
@@ -354,6 +355,8 @@ export const SETTINGS = {
   start: whole("start", 0, 0, 99),
   /** The frame of that sequence where the motion begins. */
   startFrame: whole("frame", 0, 0, 99_999),
+  /** Whether the stage plays sampled rollouts, another one in each loop, in place of the mean. */
+  samples: flag("samples", false),
   model,
   // After `model`: the address then names the file.
   modelFile,
@@ -379,7 +382,7 @@ export const SETTINGS = {
   /** Whether the first part drives the second. */
   driving: flag("driving", true),
   // The last and longest parts of an address.
-  /** A line of who sends a drawing. */
+  /** A line of who sends a drawing or a dare. */
   says: text("says", /^.{0,80}$/u),
   /** A drawing (drawing/link.ts). */
   drawing: text("hand", /^.{0,9000}$/),
@@ -406,8 +409,9 @@ const ROWS = Object.entries(SETTINGS) as unknown as [SettingName, Row][];
 /** What the address of a chapter has. */
 const OF_CHAPTERS: ReadonlySet<SettingName> = new Set(["chapter", "camera", "time", "cut"]);
 
-/** What only the address of the view Draw has: nobody sends a drawing with something else. */
-const OF_DRAW: ReadonlySet<SettingName> = new Set(["drawing", "says"]);
+/** What only the address of the view Draw has: nobody sends a drawing with something else. A dare has a line, too. */
+const isOfDraw = (name: SettingName, exercise: number) =>
+  name === "drawing" || (name === "says" && exercise <= EXERCISES);
 
 export function initialSettings(): Settings {
   return Object.fromEntries(ROWS.map(([name, row]) => [name, row.initial])) as unknown as Settings;
@@ -434,7 +438,7 @@ export function writeSettings(settings: Settings): string {
   const given = new URLSearchParams();
   for (const [name, row] of ROWS) {
     if (settings.chapter > 0 && !OF_CHAPTERS.has(name)) continue;
-    if (OF_DRAW.has(name) && SETTINGS.view.write(settings.view) !== "draw") continue;
+    if (SETTINGS.view.write(settings.view) !== "draw" && isOfDraw(name, settings.exercise)) continue;
     const text = row.write(settings[name]);
     if (text !== row.write(row.initial)) given.set(row.key, text);
   }

@@ -9,6 +9,8 @@ export class Playback extends Clock {
   #walk: Walk | null = null;
   /** The live motion in front of the walk. */
   #live: LiveTrack | null = null;
+  /** Loops that have ended. */
+  laps = 0;
 
   /** The settings give speed and loop. Without them, the motion repeats at its own speed. */
   constructor(settings?: SettingsStore) {
@@ -65,6 +67,7 @@ export class Playback extends Clock {
 
   protected override lapped(laps: number): void {
     for (let lap = 0; lap < laps; lap++) this.#walk?.lap();
+    this.laps += laps;
   }
 
   protected override jumped(): void {

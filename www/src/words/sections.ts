@@ -24,6 +24,11 @@ const panel = viewWords({ en: () => import("./en/numbers"), de: () => import("./
 export const numbers = panel.now;
 export const loadNumbers = panel.load;
 
+const performing = viewWords({ en: () => import("./en/performing"), de: () => import("./de/performing") });
+/** What a visitor does live and records. */
+export const performingWords = performing.now;
+export const loadPerforming = performing.load;
+
 const replies = viewWords({ en: () => import("./en/replies"), de: () => import("./de/replies") });
 /** What the story says to a guess, by chapter and answer; null: it has not loaded. */
 export const repliesNow = replies.ifLoaded;

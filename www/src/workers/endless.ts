@@ -22,8 +22,9 @@ export function advance(
     const motion = { positions: next.positions(), frames, nodes: figure.nodes.length, frameTime };
     const latents = parts.map((_, part) => next.latents(part));
     const [phases, distances, recorded] = [next.phases(), next.distances(), next.recorded()];
-    const result = { motion, latents, phases, distances, recorded };
-    return transfer(result, motion.positions, ...latents, phases, distances, recorded);
+    const columns = next.values();
+    const result = { motion, latents, columns, phases, distances, recorded };
+    return transfer(result, motion.positions, ...latents, columns, phases, distances, recorded);
   });
 }
 

@@ -14,7 +14,7 @@ import type {
   RolloutResult,
 } from "../engine/protocol";
 import { inducingOf } from "./inducing";
-import { transfer, using } from "./using";
+import { meanOf, transfer, using } from "./using";
 
 /** The open model, with its description. */
 interface OpenModel {
@@ -92,7 +92,7 @@ export class ShownModel {
 
   futures(request: RolloutRequest, count: number, seed: number): RolloutResult[] {
     const open = this.#current();
-    const sampled = open.model.sampledRollouts(request, count, seed);
+    const sampled = open.model.sampledRollouts(meanOf(request), count, seed);
     const results = sampled.map((rollout) => result(open, rollout, request));
     return transfer(results, ...results.flatMap(({ motion, latents }) => [motion.positions, ...latents]));
   }
@@ -100,7 +100,7 @@ export class ShownModel {
   /** Looks at a rollout of the model and frees it. */
   withRollout<Found>(request: RolloutRequest, look: (rollout: Rollout, info: ModelInfo) => Found): Found {
     const { model, info } = this.#current();
-    return using(model.rollout(request), (rollout) => look(rollout, info));
+    return using(rolloutOf(model, request), (rollout) => look(rollout, info));
   }
 
   bodyPose(latents: Float64Array): Float32Array {
@@ -155,8 +155,15 @@ function view({ model, info, revision }: OpenModel): ModelView {
   return { revision, sha256: model.sha256(), info, ...inducingOf(model, info), trainingLatents: null };
 }
 
+/** The mean rollout, or a sampled one. */
+function rolloutOf(model: Model, request: RolloutRequest): Rollout {
+  const { sample } = request;
+  const [sampled] = sample === undefined ? [] : model.sampledRollouts(meanOf(request), 1, sample);
+  return sampled ?? model.rollout(meanOf(request));
+}
+
 function roll(open: OpenModel, request: RolloutRequest): RolloutResult {
-  return result(open, open.model.rollout(request), request);
+  return result(open, rolloutOf(open.model, request), request);
 }
 
 /** A rollout as the page sees it. Frees the rollout. */

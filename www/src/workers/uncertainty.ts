@@ -4,7 +4,7 @@ import { type Clip, Model } from "vcgpdm";
 import type { TrainingClip, ModelInfo, RolloutRequest } from "../engine/protocol";
 import type { UncertaintyWorker, KeptPoints, KeptReport } from "../engine/whole-protocol";
 import { readClip } from "./clips";
-import { transfer, using } from "./using";
+import { meanOf, transfer, using } from "./using";
 
 const infoOf = (model: Model) => model.info() as ModelInfo;
 
@@ -24,7 +24,7 @@ function keptBound(model: Model, kept: KeptPoints): number {
 function keptReport(model: Model, kept: KeptPoints, request: RolloutRequest): KeptReport {
   return withKept(model, kept, (fewer) => {
     const { figure, frameTime, parts, provenance } = infoOf(fewer);
-    return using(fewer.rollout(request), (rollout) => ({
+    return using(fewer.rollout(meanOf(request)), (rollout) => ({
       bound: provenance.bound,
       motion: {
         positions: rollout.positions(),
@@ -58,14 +58,14 @@ export const uncertaintyWorker: UncertaintyWorker = {
     open = model;
   },
   moments: (request) =>
-    using(current().moments(request), (moments) => {
+    using(current().moments(meanOf(request)), (moments) => {
       const parts = current()
         .info()
         .parts.map((_, part) => ({ means: moments.means(part), covariances: moments.covariances(part) }));
       return transfer(parts, ...parts.flatMap(({ means, covariances }) => [means, covariances]));
     }),
   paintPlane: (request, part, picture) =>
-    using(current().rollout(request), (rollout) => {
+    using(current().rollout(meanOf(request)), (rollout) => {
       const bitmap = rollout.paintPlane(part, picture).transferToImageBitmap();
       return Comlink.transfer(bitmap, [bitmap]);
     }),
@@ -87,9 +87,11 @@ export const uncertaintyWorker: UncertaintyWorker = {
   },
   inferStart: async (text, clip, frames) =>
     using(await pieceOf(clip), (piece) => using(Model.fromJson(text), (model) => model.infer(piece, frames))),
+  columnsBvh: (columns, frames) =>
+    using(current().fill(columns, { frames }), (rollout) => rollout.toBvh({ plainNames: true })),
   latentLogDensity: (text, request) =>
     using(Model.fromJson(text), (model) =>
-      using(model.rollout(request), (rollout) => rollout.latentLogDensity()),
+      using(model.rollout(meanOf(request)), (rollout) => rollout.latentLogDensity()),
     ),
   keptBounds: (choices) => choices.map((kept) => keptBound(current(), kept)),
   keptRollout: (kept, request) => {

@@ -1,5 +1,6 @@
 // How a worker uses objects of the wasm.
 import * as Comlink from "comlink";
+import type { RolloutRequest } from "../engine/protocol";
 
 /** Moves the buffers of these arrays to the page instead of copying them: the worker loses them. */
 export function transfer<T extends object>(value: T, ...arrays: ArrayBufferView[]): T {
@@ -26,3 +27,6 @@ export function using<Value extends Freed, Result>(value: Value, use: (value: Va
   value.free();
   return result;
 }
+
+/** The request of the mean rollout. */
+export const meanOf = ({ sample: _, ...request }: RolloutRequest): Omit<RolloutRequest, "sample"> => request;

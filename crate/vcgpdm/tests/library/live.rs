@@ -84,6 +84,14 @@ fn a_driven_part_has_the_phase_that_it_is_given_and_the_other_follows() {
     let still = held.advance(90).unwrap();
     let lower = &still.latents[0];
     assert!((lower.row(89) - lower.row(60)).amax() < 1e-6);
+    // The body does not glide on while its legs stand still: the root is the first node.
+    let nodes = still.positions.len() / 90;
+    let root = |frame: usize| [0, 2].map(|axis| still.positions[frame * nodes + axis]);
+    assert_eq!(root(89), root(0));
+    // Its columns are the motion itself.
+    let shape = |positions: &[f32]| (positions[3] - positions[0], positions[4] - positions[1]);
+    let again = model.body.positions(&still.y).unwrap();
+    assert!((shape(&again[89 * nodes..]).1 - shape(&still.positions[89 * nodes..]).1).abs() < 1e-5);
     // Half a turn in 20 frames, in one request or in several.
     live.drive(0, 0.5).unwrap();
     let driven = live.clone().advance(20).unwrap();
@@ -91,6 +99,16 @@ fn a_driven_part_has_the_phase_that_it_is_given_and_the_other_follows() {
     let turned = apart(places[19].0, begin[0].phase);
     assert!((turned.abs() - 0.5).abs() < 0.06, "{turned}");
     assert!(places.windows(2).all(|pair| (apart(pair[1].0, pair[0].0) - 0.025).abs() < 0.02), "{places:?}");
+    // A turn is as long a way, however long it takes.
+    let way = |turns: f64, frames: usize| {
+        let mut led = live.clone();
+        led.rewind(0).unwrap();
+        led.drive(0, turns).unwrap();
+        let positions = led.advance(frames).unwrap().positions;
+        (positions[positions.len() - nodes] - positions[0])
+            .hypot(positions[positions.len() - nodes + 2] - positions[2])
+    };
+    assert!((way(1.0, 40) / way(1.0, 80) - 1.0).abs() < 0.05, "{} {}", way(1.0, 40), way(1.0, 80));
     // Back again: the arms are drawn along, so they are not where they would be by themselves.
     let mut back = live.clone();
     back.advance(20).unwrap();

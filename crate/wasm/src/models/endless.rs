@@ -145,6 +145,11 @@ impl EndlessFrames {
         self.0.positions.clone()
     }
 
+    /// All columns [frames x columns], in their own units: the motion itself, which `Model.fill` turns into a file.
+    pub fn values(&self) -> Vec<f64> {
+        flat(&self.0.y)
+    }
+
     /// The phase of each part on the learned cycle, in turns from 0 to 1 [frames x parts]. Parts in step have
     /// the same phase. Empty if the learned rollout is not periodic.
     pub fn phases(&self) -> Vec<f64> {

@@ -94,6 +94,13 @@ export const words: LabWords = {
     backToModel: "Zurück zum Modell",
     health: (words, altered) => `${altered ? "Mit diesen Kopplungen: Das Modell" : "Das Modell"} ${words}`,
     asLearned: "Kopplungen wie gelernt",
+    playSamples: "Stichproben abspielen",
+    samplesMeaning:
+      "Stichproben ziehen jeden Schritt aus dem, was das Modell vorhersagt, mit seiner Streuung: in jeder Runde eine andere Bewegung, die ein wenig zittert. Das Mittel streut nicht und kann darum in einer Pose stehen bleiben.",
+    sampled: (seed) => ({
+      title: `Vom Modell gemacht: Stichprobe ${seed}`,
+      text: "Jede Runde ist eine andere Bewegung, die das Modell machen könnte",
+    }),
     morePoints: "Mit mehr Punkten trainieren",
     morePointsMeaning: (points) => `Trainiert neu mit ${points} Punkten in jeder Abbildung`,
     otherSeeds: "Andere Startwerte",

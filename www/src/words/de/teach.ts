@@ -282,6 +282,17 @@ export const words: TeachWords = {
       halt: "Wessen Vorhersage über den nächsten Schritt ging verloren?",
       few: "Wozu wären die anderen Punkte da gewesen?",
     },
+    dares: {
+      title: "Eine Herausforderung",
+      none: "keine Herausforderung",
+      tasks: {
+        pose: "Halte die Arme mit einem Pfeil an. Die Beine müssen weitergehen.",
+        pace: "Lass die Arme in einem eigenen Tempo schwingen.",
+        hand: "Halte eine Hand mit einem Pfeil an. Die andere muss weiterzeichnen.",
+      },
+      line: "Eine Zeile zum Mitschicken",
+      met: "Du hast es geschafft.",
+    },
     solved: "Gelöst.",
     notYet: "Noch nicht.",
     measuring: "Wird gemessen.",

@@ -99,6 +99,13 @@ export const words = {
     health: (words: string, altered: boolean) =>
       `${altered ? "With these couplings the model" : "The model"} ${words}`,
     asLearned: "Couplings as learned",
+    playSamples: "Play samples",
+    samplesMeaning:
+      "Samples draw each step from what the model predicts, with its spread: another motion in each loop, which trembles a little. The mean has no spread, and so may settle in one pose.",
+    sampled: (seed: number) => ({
+      title: `Made by the model: sample ${seed}`,
+      text: "Each loop is another motion that the model could make",
+    }),
     morePoints: "Train with more points",
     morePointsMeaning: (points: number) => `Trains anew with ${points} points in each map`,
     otherSeeds: "Try other seeds",

@@ -265,6 +265,17 @@ export const words = {
       halt: "Whose prediction about the next step got lost?",
       few: "What would the other points have been for?",
     },
+    dares: {
+      title: "A dare",
+      none: "no dare",
+      tasks: {
+        pose: "Stop the arms with one arrow. The legs must walk on.",
+        pace: "Let the arms swing at a pace of their own.",
+        hand: "Stop one hand with one arrow. The other hand must draw on.",
+      },
+      line: "A line to send along",
+      met: "You have met the dare.",
+    },
     solved: "Solved.",
     notYet: "Not yet.",
     measuring: "Measuring.",

@@ -67,6 +67,8 @@ pub struct EndlessFrames {
     /// The place of each part on the learned cycle [frames x M], frame by frame; empty when the learned
     /// rollout does not repeat itself.
     pub places: Vec<CyclePlace>,
+    /// All columns, means included [frames x D].
+    pub y: DMatrix<f64>,
     /// The frame of the recording that moves each part [frames x M], frame by frame.
     pub recorded: Vec<Option<usize>>,
 }
@@ -84,6 +86,24 @@ impl State {
         for moved in &mut self.moved {
             moved.set_newest(&mut self.paths, model, self.course.cycle.as_deref(), frames);
         }
+    }
+
+    /// The columns [1 x D] of the newest frame. The root travels as fast as a wheel turns its part: with the legs
+    /// it stands still, and goes back with them.
+    fn columns(&self, model: Coupled) -> DMatrix<f64> {
+        let last = self.paths.frames();
+        let newest = self.paths.matrices(last - 1..last);
+        let mut y = model.body.columns(&model.model.observations(&newest));
+        let by_wheel = |moved: &Moved| match moved.by {
+            Mover::Wheel { step, .. } if model.body.layout.columns(moved.part).contains(&0) => Some(step),
+            _ => None,
+        };
+        if let (Some(cycle), Some(step)) = (&self.course.cycle, self.moved.iter().find_map(by_wheel)) {
+            for (d, column) in model.body.mapping.columns().iter().enumerate() {
+                y[(0, d)] *= if column.kind.is_rate() { step * cycle.period() as f64 } else { 1.0 };
+            }
+        }
+        y
     }
 
     /// The frame of the recording that moves a part in the newest frame.
@@ -164,6 +184,7 @@ impl Endless {
         let zeros = |q: usize| DMatrix::zeros(frames, q);
         let mut latents: Vec<_> = model.model.latent_dimensions().into_iter().map(zeros).collect();
         let (mut positions, mut places, mut recorded) = (Vec::new(), Vec::new(), Vec::new());
+        let mut y = DMatrix::zeros(frames, model.body.column_means.len());
         let (mut next, mut states) = (self.now.clone(), Vec::new());
         for t in 0..frames {
             next.step(model, frames - t);
@@ -174,10 +195,9 @@ impl Endless {
                 }
                 recorded.push(next.recorded_frame(part));
             }
-            let last = next.paths.frames();
-            let newest = next.paths.matrices(last - 1..last);
-            let y = model.body.columns(&model.model.observations(&newest));
-            positions.extend(model.body.mapping.continue_positions(&y, &mut next.track)?);
+            let columns = next.columns(model);
+            y.row_mut(t).copy_from(&columns.row(0));
+            positions.extend(model.body.mapping.continue_positions(&columns, &mut next.track)?);
             if states.len() > REWINDS {
                 states.remove(0);
             }
@@ -186,7 +206,7 @@ impl Endless {
         self.now = next;
         self.states.append(&mut states);
         self.states.drain(..self.states.len().saturating_sub(REWINDS + 1));
-        Ok(EndlessFrames { latents, positions, places, recorded })
+        Ok(EndlessFrames { latents, positions, places, y, recorded })
     }
 
     /// Takes the last `frames` frames back. Changes since then are undone too; 0 frames undo the changes since
@@ -326,7 +346,8 @@ impl Endless {
     }
 
     /// Drives a part round its learned cycle, by `turns` within the next frames that are asked for; with 0 it
-    /// stands still. The other parts see it and go on by themselves. It is driven until it is released.
+    /// stands still. The other parts see it and go on by themselves. The body travels as fast as its legs turn. The
+    /// part is driven until it is released.
     ///
     /// # Errors
     ///

@@ -19,6 +19,8 @@ pub(super) enum Mover {
         phase: f64,
         /// Turns that are left for the next frames.
         ahead: f64,
+        /// Turns from the frame before to the newest frame.
+        step: f64,
     },
     /// A recording, again and again.
     Recording {
@@ -45,7 +47,7 @@ impl Moved {
         let phase = cycle.place(part, &paths.history(part)).map_or(0.0, |place| place.phase);
         let on_cycle = cycle.latents(part, phase).unwrap_or_default();
         let beside = difference(paths.newest(part), &on_cycle);
-        Self { part, by: Mover::Wheel { phase, ahead: turns }, beside }
+        Self { part, by: Mover::Wheel { phase, ahead: turns, step: 0.0 }, beside }
     }
 
     /// The recording begins after its frame that is nearest to the part's last frames.
@@ -78,10 +80,10 @@ impl Moved {
     /// The same for a wheel or a recording.
     fn follow(&mut self, paths: &mut LatentPaths, cycle: Option<&Cycle>, frames: usize) {
         let wanted = match &mut self.by {
-            Mover::Wheel { phase, ahead } => {
-                let step = *ahead / frames as f64;
-                *ahead -= step;
-                *phase += step;
+            Mover::Wheel { phase, ahead, step } => {
+                *step = *ahead / frames as f64;
+                *ahead -= *step;
+                *phase += *step;
                 cycle.and_then(|cycle| cycle.latents(self.part, *phase)).unwrap_or_default()
             }
             Mover::Recording { latents, frame } => {

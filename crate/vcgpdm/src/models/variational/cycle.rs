@@ -71,6 +71,11 @@ impl Cycle {
         radii.iter().all(|radius| *radius > 1e-3).then_some(Self { states, order, radii })
     }
 
+    /// Frames of one turn.
+    pub fn period(&self) -> usize {
+        self.states.first().map_or(1, DMatrix::nrows)
+    }
+
     /// The place of a part with this `history` `[p Q_i]`, oldest frame first; `None` for a part that does not
     /// exist.
     pub fn place(&self, part: usize, history: &[f64]) -> Option<CyclePlace> {

@@ -31,6 +31,12 @@ pub enum ColumnKind {
 }
 
 impl ColumnKind {
+    /// Whether it is the change of the root since the previous frame.
+    pub(crate) fn is_rate(self) -> bool {
+        use ColumnKind::{Forward, HeightRate, Sideways, YawRate};
+        matches!(self, YawRate | Forward | Sideways | HeightRate)
+    }
+
     /// Its name in tables.
     pub fn name(self) -> &'static str {
         match self {

@@ -1,0 +1,98 @@
+import { beforeEach, expect, it } from "vitest";
+import { ClipsStore, noteOf } from "../clips/clips-store";
+import { ModelStore } from "../couplings/model-store";
+import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
+import { EngineStore } from "../engine/engine-store";
+import { FakeProgram } from "../engine/whole-workers.fake";
+import { FakeAddressBar } from "../settings/address.fake";
+import { SettingsStore } from "../settings/settings-store";
+import { Playback } from "../stage/playback";
+import { StageStore } from "../stage/stage-store";
+import { NoticesStore } from "../ui/notices-store";
+import { loadPerforming } from "../words/sections";
+import { WordsStore } from "../words/words";
+import type { LiveStore } from "./live-store";
+import { modelLive } from "./model-live";
+import { Performance } from "./performance";
+
+let clips: ClipsStore;
+let playback: Playback;
+let notices: NoticesStore;
+let live: LiveStore;
+let performed: Performance;
+
+beforeEach(async () => {
+  const settings = new SettingsStore(new FakeAddressBar(""));
+  const engine = new EngineStore();
+  playback = new Playback(settings);
+  const stage = new StageStore(playback);
+  notices = new NoticesStore();
+  clips = new ClipsStore(engine, settings, stage);
+  const model = new ModelStore(engine, settings, stage, notices);
+  await engine.start(
+    () => Promise.resolve(started(new FakeEngine())),
+    () => model.open(modelText(1), { couplings: "link", clip: false }),
+  );
+  await loadPerforming(new WordsStore());
+  live = modelLive({ engine, model, stage, playback, notices });
+  performed = new Performance(live, {
+    engine,
+    model,
+    clips,
+    playback,
+    notices,
+    workers: new FakeProgram(),
+    settings,
+    training: { start: async () => {} },
+  });
+});
+
+/** Lets seconds of the visitor's time pass. */
+async function pass(seconds: number): Promise<void> {
+  for (let k = 0; k < seconds * 60; k++) {
+    playback.advance(1 / 60);
+    await settled();
+  }
+}
+
+it("records ten seconds that the stage shows as a clip which says how it was made", async () => {
+  await performed.start();
+  expect([live.running, performed.isRecording, performed.left]).toEqual([true, true, 10]);
+  await pass(2);
+  live.drive(0, 0.1, true);
+  await live.hold(0, 1, true);
+  await pass(1);
+  expect(performed.left).toBe(7);
+  await pass(8);
+  await settled();
+  expect([performed.isRecording, performed.busy]).toEqual([false, false]);
+  const [clip] = clips.all;
+  expect(clip).toMatchObject({
+    key: performed.clip?.key,
+    title: "performed 1",
+    origin: "own",
+    ticked: false,
+  });
+  expect(noteOf(clip!)).toMatch(
+    /^Made by you, live from the model .+, with two fingers as the feet; .+ cut\.$/,
+  );
+  const { file } = clip!.source as { file: Blob };
+  expect(await file.text()).toMatch(/in 301 frames$/);
+  // Training on it leaves the other clips out.
+  await performed.train();
+  expect(clips.ticked).toEqual([{ ...clip, ticked: true }]);
+});
+
+it("ends with the live motion, and keeps nothing that is too short for a clip", async () => {
+  await performed.start();
+  await pass(0.5);
+  live.stop();
+  await settled();
+  expect([performed.isRecording, clips.all.length]).toEqual([false, 0]);
+  expect(notices.all.map(({ title }) => title)).toEqual(["Nothing was recorded"]);
+  await performed.start();
+  await pass(2);
+  live.stop();
+  await settled();
+  expect(performed.clip?.title).toBe("performed 1");
+});

@@ -1,0 +1,35 @@
+// The words of what a visitor does live and records, in German.
+import type { PerformingWords } from "../en/performing";
+
+export const words: PerformingWords = {
+  record: (seconds) => `${seconds} s aufnehmen`,
+  recordMeaning: "Nimmt auf, was die Figur tut, während du sie bewegst: Es wird ein Clip",
+  left: (seconds) => `Stopp, noch ${seconds} s`,
+  making: "Aus der Aufnahme wird ein Clip …",
+  title: (number) => `vorgeführt ${number}`,
+  live: (model) => `live aus ${model}`,
+  note: (model, did) =>
+    `Von dir gemacht, live aus dem Modell ${model}${did.length > 0 ? `, mit: ${did.join("; ")}` : ", ohne Änderung"}.`,
+  did: {
+    feet: "zwei Fingern als Füße",
+    wheel: (part) => `dem Rad für ${part}`,
+    push: (part) => `Stößen gegen ${part}`,
+    record: (part, title) => `einer Aufnahme von ${part} (${title})`,
+    cut: (source, target) => `${source} → ${target} getrennt`,
+    couplings: "veränderten Kopplungen",
+  },
+  notRecorded: "Nichts wurde aufgenommen",
+  tooShort: "Ein Clip braucht mindestens eine Sekunde Bewegung.",
+  play: (title) => `${title} abspielen`,
+  train: "Mit meiner Bewegung trainieren",
+  trainMeaning: "Trainiert ein Modell mit diesem Clip allein, mit den Einstellungen unter Lernen",
+  feet: "Zwei Finger als Füße",
+  feetMeaning: "Jeder Druck ist ein Schritt: Die Beine folgen deinem Rhythmus, deinem Hinken, deiner Pause",
+  foot: ["Linker Fuß", "Rechter Fuß"],
+  waits: "Einen Moment: Die Füße beginnen nach einem ganzen Doppelschritt.",
+  says: {
+    step: "Links, rechts, links: Jeder Druck ist ein Schritt. Wo du wartest, wartet der Körper.",
+    same: "Das Modell hat kein Hüpfen gesehen: Dazwischen tritt der andere Fuß auf.",
+    fast: "Schneller, als das Modell es kennt: Es geht doppelt so schnell, wie es gelernt hat.",
+  },
+};

@@ -1,0 +1,35 @@
+// The words of what a visitor does live and records, in English.
+export const words = {
+  record: (seconds: number) => `Record ${seconds} s`,
+  recordMeaning: "Records what the figure does while you move it: it becomes a clip",
+  left: (seconds: number) => `Stop, ${seconds} s left`,
+  making: "The recording becomes a clip …",
+  title: (number: number) => `performed ${number}`,
+  live: (model: string) => `live from ${model}`,
+  note: (model: string, did: readonly string[]) =>
+    `Made by you, live from the model ${model}${did.length > 0 ? `, with ${did.join("; ")}` : ", without a change"}.`,
+  did: {
+    feet: "two fingers as the feet",
+    wheel: (part: string) => `the wheel for ${part}`,
+    push: (part: string) => `pushes of ${part}`,
+    record: (part: string, title: string) => `a recording of ${part} (${title})`,
+    cut: (source: string, target: string) => `${source} → ${target} cut`,
+    couplings: "changed couplings",
+  },
+  notRecorded: "Nothing was recorded",
+  tooShort: "A clip needs at least one second of motion.",
+  play: (title: string) => `Play ${title}`,
+  train: "Train on what I did",
+  trainMeaning: "Trains a model on this clip alone, with the settings of the panel Learn",
+  feet: "Two fingers as the feet",
+  feetMeaning: "Each press is a step: the legs follow your rhythm, your limp and your pause",
+  foot: ["Left foot", "Right foot"],
+  waits: "One moment: the feet begin after one whole stride.",
+  says: {
+    step: "Left, right, left: each press is a step. Where you wait, the body waits.",
+    same: "The model has seen no hops: the other foot steps in between.",
+    fast: "Faster than the model knows: it walks at twice the pace that it learned.",
+  },
+};
+
+export type PerformingWords = typeof words;
