@@ -286,6 +286,8 @@ describe("own files", () => {
     ];
     await drop(page, { "two.bvh": [...scene, frames, time, ...two].join("\n") });
     const which = page.getByRole("combobox", { name: "Which body of two" });
+    await page.getByRole("button", { name: "Cut two" }).click();
+    await which.waitFor();
     const bodies = await which.locator("option").allTextContents();
     assert.deepEqual(bodies, ["AHips", "BHips"]);
     await which.selectOption("BHips");
