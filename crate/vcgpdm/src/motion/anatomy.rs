@@ -38,7 +38,6 @@ pub(crate) struct FromTrunk {
 
 impl FromTrunk {
     /// `None` if neither names nor shape show legs in this tree.
-    #[inline(never)]
     fn new(skeleton: &Skeleton, trunk: usize) -> Option<FromTrunk> {
         let (body, nodes) = rooted_at(skeleton, trunk);
         Some(FromTrunk { anatomy: Anatomy::in_tree(&body)?, body, nodes })
@@ -75,15 +74,13 @@ impl Anatomy {
         Some(Anatomy { regions, from_trunk: Some(Box::new(from_trunk)) })
     }
 
-    /// As [`find`](Self::find), for a tree that begins at the trunk. Inlined copies would make the wasm larger.
-    #[inline(never)]
+    /// As [`find`](Self::find), for a tree that begins at the trunk.
     fn in_tree(skeleton: &Skeleton) -> Option<Anatomy> {
         let shaped = || by_shape(skeleton).map(|regions| Anatomy { regions, from_trunk: None });
         Anatomy::named(skeleton).or_else(|| shaped().filter(Anatomy::has_both_legs))
     }
 
     /// As [`find`](Self::find), by the names alone.
-    #[inline(never)]
     pub(crate) fn named(skeleton: &Skeleton) -> Option<Anatomy> {
         let named = [false, true].into_iter().map(|legs_below_head| by_names(skeleton, legs_below_head));
         named.map(|regions| Anatomy { regions, from_trunk: None }).find(Anatomy::has_both_legs)
