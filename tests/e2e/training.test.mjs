@@ -255,7 +255,7 @@ describe("own files", () => {
     assert.equal((await saved(page, "save-motion")).text, motion.text);
   });
 
-  seldom.it("reads a file whose frame time is none, and takes the rate that is stated", async () => {
+  seldom.it("asks for the rate of a file whose frame time is none, and for one of two bodies", async () => {
     const { page } = await site.visit({ settings: "tab=learn" });
     await ready(page);
     await drop(page, { "rate.bvh": bvh().replace(/Frame Time:.*/, "Frame Time: 30") });
@@ -268,6 +268,31 @@ describe("own files", () => {
     await page.getByRole("spinbutton", { name: "Frames a second of rate" }).fill("60");
     await page.keyboard.press("Enter");
     await words.waitFor({ state: "detached" });
+
+    const [tree, rows] = bvh().split(/^MOTION\s*$/m);
+    const body = (name) => tree.replace(/HIERARCHY\s+ROOT (\w+)/, `JOINT ${name}$1`);
+    const [frames, time, ...poses] = rows.trim().split("\n");
+    const two = poses.map((pose) => `${pose} ${pose}`);
+    const scene = [
+      "HIERARCHY",
+      "ROOT Scene",
+      "{",
+      "OFFSET 0 0 0",
+      "CHANNELS 0",
+      body("A"),
+      body("B"),
+      "}",
+      "MOTION",
+    ];
+    await drop(page, { "two.bvh": [...scene, frames, time, ...two].join("\n") });
+    const which = page.getByRole("combobox", { name: "Which body of two" });
+    await page.getByRole("button", { name: "Cut two" }).click();
+    await which.waitFor();
+    const bodies = await which.locator("option").allTextContents();
+    assert.deepEqual(bodies, ["AHips", "BHips"]);
+    await which.selectOption("BHips");
+    await page.waitForFunction(() => !document.querySelector("[aria-label='Which body of two']")?.disabled);
+    assert.equal(await which.inputValue(), "BHips");
   });
 
   it("opens a saved model, which moves as before", async () => {

@@ -19,15 +19,17 @@ pub fn read(path: &Path, up: &Up) -> Result<Clip> {
     Ok(clip)
 }
 
-/// Reads a clip for a model, and says if another axis points up in it than in the body of the model.
+/// Reads a clip for a model; see [`say_differences`].
 pub fn read_for(path: &Path, up: &Up, mapping: &PoseMapping) -> Result<Clip> {
     let clip = read(path, up)?;
-    mapping
-        .axis_warning(&clip)
-        .into_iter()
-        .chain(mapping.order_warning(&clip))
-        .for_each(|warning| say(&format!("{}: {warning}", clip.name)));
+    say_differences(&clip, mapping);
     Ok(clip)
+}
+
+/// Says if another axis points up in a clip than in the body of a model, or its joints are in another order.
+pub fn say_differences(clip: &Clip, mapping: &PoseMapping) {
+    let differences = mapping.axis_warning(clip).into_iter().chain(mapping.order_warning(clip));
+    differences.for_each(|warning| say(&format!("{}: {warning}", clip.name)));
 }
 
 /// Reads several clips for a model; see [`read_for`].

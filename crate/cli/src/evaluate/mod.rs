@@ -17,11 +17,16 @@ use std::collections::HashMap;
 use std::error::Error;
 use std::thread;
 use vcgpdm::models::{MOST_PRIMITIVES, PoseWeight};
+use vcgpdm::motion::pose::PoseMapping;
 use vcgpdm_lab::evaluation::{ComparisonPlanError, Fold, Job, Plan, Setting, whole_cycles};
 
 pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     check_fps(arguments.fps)?;
     let mut clips = clips::read_all(&arguments.clips, &arguments.up)?;
+    if let Some((first, others)) = clips.split_first() {
+        let mapping = PoseMapping::new(first);
+        others.iter().for_each(|clip| clips::say_differences(clip, &mapping));
+    }
     if arguments.whole_cycles {
         clips = whole_cycles(&clips, arguments.fps)?.0;
     }

@@ -11,6 +11,7 @@ use crate::evaluation::training_trials::TrainingTrials;
 use crate::evaluation::training_trials::fold_model;
 use nalgebra::DMatrix;
 use serde::de::IgnoredAny;
+use std::borrow::Cow;
 use vcgpdm::internals::{dataset_error, provenance};
 use vcgpdm::models::{
     Body, Dataset, EndReason, FittedModel, Learner, Model, Movements, Progress, RolloutError, Setbacks,
@@ -39,8 +40,8 @@ impl Fold {
     ///
     /// # Errors
     /// The trial does not exist, or the trials cannot be trained on together at this frame rate.
-    pub fn new(
-        trials: &[Clip],
+    pub fn new<'a>(
+        trials: &'a [Clip],
         held_out: usize,
         training_trials: usize,
         parts: &[PartSpec],
@@ -48,8 +49,12 @@ impl Fold {
         start_frames: usize,
     ) -> Result<Self, EvaluationError> {
         let (trial, others) = trials_of(trials, held_out, training_trials)?;
-        let mut sources: Vec<Source> = others.into_iter().map(Source::from).collect();
-        sources.push(Source { clip: trial, first_frames: Some(start_frames) });
+        // The parts name joints by their places in the first trial.
+        let in_order = |clip: &'a Clip| clip.in_order_of(&trials[0].skeleton);
+        let (trial, others): (_, Vec<Cow<Clip>>) =
+            (in_order(trial), others.into_iter().map(in_order).collect());
+        let mut sources: Vec<Source> = others.iter().map(|clip| Source::from(&**clip)).collect();
+        sources.push(Source { clip: &trial, first_frames: Some(start_frames) });
         let dataset = Dataset::new(&sources, parts, frames_per_second)?;
         let actual = dataset.mapping.encode(&trial.resample(1.0 / dataset.frame_time)?)?.y;
         Ok(Self { training: TrainingTrials::new(&dataset), frames_per_second, actual })

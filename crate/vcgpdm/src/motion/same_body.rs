@@ -208,7 +208,7 @@ impl Skeleton {
 
     /// For each joint its place in the other body, whose joints are the same in another order; `None` if the order
     /// is the same, a name repeats, or the trees differ.
-    fn places_in(&self, other: &Skeleton) -> Option<Vec<usize>> {
+    pub(crate) fn places_in(&self, other: &Skeleton) -> Option<Vec<usize>> {
         let names = |body: &Skeleton| body.joints.iter().map(|joint| joint.name.clone()).collect::<Vec<_>>();
         let (own, others) = (names(self), names(other));
         if own == others || !self.has_names_of(other) {
@@ -239,7 +239,8 @@ impl Skeleton {
 
 impl Clip {
     /// The clip with its joints in the order of `body`, if they have the same names and parents there.
-    pub(crate) fn in_order_of(&self, body: &Skeleton) -> Cow<'_, Clip> {
+    #[doc(hidden)]
+    pub fn in_order_of(&self, body: &Skeleton) -> Cow<'_, Clip> {
         let Some(places) = body.places_in(&self.skeleton) else { return Cow::Borrowed(self) };
         let starts = self.skeleton.channel_starts();
         let own = |place: usize| &self.skeleton.joints[place];
@@ -250,14 +251,6 @@ impl Clip {
             joints.map(|(joint, &place)| Joint { parent: joint.parent, ..own(place).clone() }).collect();
         let values = self.values.select_columns(&columns);
         Cow::Owned(Clip { skeleton: Skeleton { joints }, ..self.with_values(values, self.frame_time) })
-    }
-
-    /// A sentence if the joints of the body are those of this clip in another order.
-    pub(crate) fn order_warning(&self, body: &Skeleton) -> Option<String> {
-        body.places_in(&self.skeleton).map(|_| {
-            "the joints are in another order than in the body it is compared with: they were matched by their names"
-                .to_owned()
-        })
     }
 }
 
@@ -351,8 +344,9 @@ mod tests {
         assert_eq!(others.y, own.y);
         let [warning] = &others.warnings[..] else { panic!("{:?}", others.warnings) };
         assert!(warning.contains("matched by their names"), "{warning}");
-        assert_eq!(crate::models::same_body(&walk, &other).map_err(|error| error.to_string()), Ok(()));
+        assert!(walk.skeleton.same_body(&body).is_err());
+        assert_eq!(other.with_bones_of(&walk).unwrap(), other);
         body.joints[right].name = "tail".to_owned();
-        assert!(walk.order_warning(&body).is_none());
+        assert!(body.places_in(&walk.skeleton).is_none());
     }
 }

@@ -41,7 +41,7 @@ impl PoseMapping {
     /// [`PoseError::Body`] for a clip of another body, [`PoseError::Spike`] when its root is absurdly far
     /// away.
     pub fn encode(&self, clip: &Clip) -> Result<Encoded, PoseError> {
-        let order = clip.order_warning(&self.skeleton);
+        let order = self.order_warning(clip);
         let clip = &*clip.in_order_of(&self.skeleton);
         let body = self.skeleton.same_body(&clip.skeleton);
         body.map_err(|reason| PoseError::Body { clip: clip.name.clone(), reason })?;
@@ -119,7 +119,10 @@ impl PoseMapping {
     /// A sentence if the joints of the clip are in another order than in the body of this mapping.
     #[doc(hidden)]
     pub fn order_warning(&self, clip: &Clip) -> Option<String> {
-        clip.order_warning(&self.skeleton)
+        self.skeleton.places_in(&clip.skeleton).map(|_| {
+            "the joints are in another order than in the body it is compared with: they were matched by their names"
+                .to_owned()
+        })
     }
 
     fn moving_joints(&self, clip: &Clip) -> Vec<String> {
