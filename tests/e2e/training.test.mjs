@@ -269,8 +269,8 @@ describe("own files", () => {
     await page.keyboard.press("Enter");
     await words.waitFor({ state: "detached" });
 
-    const [tree, rows] = bvh().split(/^MOTION\s*$/m);
-    const body = (name) => tree.replace(/HIERARCHY\s+ROOT (\w+)/, `JOINT ${name}$1`);
+    const [tree = "", rows = ""] = bvh().split(/^MOTION\s*$/m);
+    const body = (/** @type {string} */ name) => tree.replace(/HIERARCHY\s+ROOT (\w+)/, `JOINT ${name}$1`);
     const [frames, time, ...poses] = rows.trim().split("\n");
     const two = poses.map((pose) => `${pose} ${pose}`);
     const scene = [
@@ -291,7 +291,7 @@ describe("own files", () => {
     const bodies = await which.locator("option").allTextContents();
     assert.deepEqual(bodies, ["AHips", "BHips"]);
     await which.selectOption("BHips");
-    await page.waitForFunction(() => !document.querySelector("[aria-label='Which body of two']")?.disabled);
+    await which.and(page.locator(":enabled")).waitFor();
     assert.equal(await which.inputValue(), "BHips");
   });
 
