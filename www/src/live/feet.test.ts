@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { LiveBody } from "../engine/protocol";
 import { LiveTrack } from "../scene/live-track";
-import { Feet, gaitOf } from "./feet";
+import { Feet, gaitOf, legsOf } from "./feet";
 
 /** Lands on the left foot at phase 0.2, on the right one at 0.7; a turn takes a second. */
 const gait = { part: 0, lands: [0.2, 0.7] as [number, number], pace: 1 };
@@ -92,5 +92,7 @@ describe("two fingers as the feet", () => {
     expect(found?.lands[1]).toBeCloseTo(0.75, 1);
     expect(found?.pace).toBeCloseTo(1, 1);
     expect(gaitOf(body, track, trace(20))).toBeNull();
+    const apart = { ...body, parts: [{ joints: [0, 1] }, { joints: [2] }] } as unknown as LiveBody;
+    expect(legsOf(apart, track), "the feet are in two parts").toBeNull();
   });
 });

@@ -26,22 +26,26 @@ const SMOOTH = 0.06;
 
 const turned = (turns: number) => ((turns % 1) + 1) % 1;
 
-/**
- * The gait in the stored frames of a live motion. A foot lands where it is farthest in front of the root, in the
- * direction of the toes. Null: there is no whole cycle yet, or the feet are not in the part that carries the root.
- */
-export function gaitOf(
-  { figure, parts }: LiveBody,
-  track: LiveTrack,
-  trace: readonly TracePoint[],
-): Gait | null {
-  const { motion } = track;
+/** The part that carries the root and both feet, and the nodes of their tips; null: no part does. */
+export function legsOf({ figure, parts }: LiveBody, { motion }: LiveTrack) {
   const part = parts.findIndex(({ joints }) => joints.includes(0));
   const ends = feetOf(motion, floorOf(motion)).filter((node) =>
     figure.nodes.every(({ parent }) => parent !== node),
   );
   const isOfLegs = (node: number) => parts[part]?.joints.includes(figure.nodes[node]?.joint ?? -1);
-  if (ends.length < 2 || !ends.every(isOfLegs)) return null;
+  return ends.length >= 2 && ends.every(isOfLegs) ? { part, ends } : null;
+}
+
+/**
+ * The gait in the stored frames of a live motion. A foot lands where it is farthest in front of the root, in the
+ * direction of the toes. Null: there is no whole cycle yet, or no part has both legs.
+ */
+export function gaitOf(body: LiveBody, track: LiveTrack, trace: readonly TracePoint[]): Gait | null {
+  const legs = legsOf(body, track);
+  if (!legs) return null;
+  const { part, ends } = legs;
+  const { figure } = body;
+  const { motion } = track;
   const width = 3 * motion.nodes;
   const seen = trace.filter(({ frame, phases }) => frame >= track.first && phases.length > 0);
   const first = seen[0]?.phases[part];

@@ -1,11 +1,12 @@
 // Buttons that record what the visitor does live, and two feet for two fingers or two keys.
 import { html, nothing } from "lit";
+import type { LiveBody } from "../engine/protocol";
 import type { Playback } from "../stage/playback";
 import { eachFrame } from "../ui/browser";
 import { isUsedByControl } from "../ui/keyboard";
 import { View } from "../ui/view";
 import { performingWords } from "../words/sections";
-import { type Asked, Feet, type Foot, gaitOf } from "./feet";
+import { type Asked, Feet, type Foot, gaitOf, legsOf } from "./feet";
 import type { LiveStore } from "./live-store";
 import { LONGEST, type Performance } from "./performance";
 import "./perform.css";
@@ -23,6 +24,9 @@ export class PerformView extends View {
   declare waits: boolean;
   #walker: { feet: Feet; part: number } | null = null;
   #stop = () => {};
+  /** The body of the live motion, and whether it has legs. */
+  #body: LiveBody | null = null;
+  #legs = false;
 
   constructor() {
     super();
@@ -53,6 +57,13 @@ export class PerformView extends View {
 
   override updated(): void {
     if (this.feet && !this.live.running) this.#walk(false);
+  }
+
+  /** Whether a part of the body can be moved by two feet. */
+  get #hasLegs(): boolean {
+    const { body, track } = this.live;
+    if (body && track && this.#body !== body) [this.#body, this.#legs] = [body, legsOf(body, track) !== null];
+    return this.#legs;
   }
 
   /** Gives the feet to the visitor, or back to the model. */
@@ -102,13 +113,14 @@ export class PerformView extends View {
     if (!live.running) return nothing;
     const words = performingWords();
     const { clip } = own;
+    const hasLegs = live.isCyclic && this.#hasLegs;
     const record = () => void (own.isRecording ? own.stop() : own.start());
     return html`
       <div class="perform" data-testid="perform">
         <div class="button-row">
           <button class="chip" data-testid="record" aria-pressed=${own.isRecording ? "true" : "false"} ?disabled=${own.busy} title=${words.recordMeaning} @click=${record}>
             <span class="record-dot"></span> ${own.isRecording ? words.left(own.left) : words.record(LONGEST)}</button>
-          <button class="chip" data-testid="feet" aria-pressed=${this.feet ? "true" : "false"} title=${words.feetMeaning} ?disabled=${!live.isCyclic}
+          <button class="chip" data-testid="feet" aria-pressed=${this.feet ? "true" : "false"} title=${hasLegs ? words.feetMeaning : words.noLegs} ?disabled=${!hasLegs}
             @click=${() => this.#walk(!this.feet)}>${words.feet}</button>
           ${
             clip

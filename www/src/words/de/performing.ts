@@ -32,6 +32,7 @@ export const words: PerformingWords = {
   },
   feet: "Zwei Finger als Füße",
   feetMeaning: "Jeder Druck ist ein Schritt: Die Beine folgen deinem Rhythmus, deinem Hinken, deiner Pause",
+  noLegs: "Braucht eine Bewegung, die sich wiederholt, und einen Teil mit der Wurzel und beiden Füßen",
   foot: ["Linker Fuß", "Rechter Fuß"],
   waits: "Einen Moment: Die Füße beginnen nach einem ganzen Doppelschritt.",
   says: {

@@ -30,6 +30,7 @@ export const words = {
   },
   feet: "Two fingers as the feet",
   feetMeaning: "Each press is a step: the legs follow your rhythm, your limp and your pause",
+  noLegs: "Needs a motion that repeats itself, and one part with the root and both feet",
   foot: ["Left foot", "Right foot"],
   waits: "One moment: the feet begin after one whole stride.",
   says: {
