@@ -61,6 +61,18 @@ describe("a live rollout", () => {
     expect(live.running).toBe(true);
   });
 
+  it("takes a change that comes while it begins", async () => {
+    engine.holding.add("advanceLive");
+    const begun = live.start();
+    await settled();
+    live.change({ kind: "cut", source: 0, target: 1, cut: true });
+    engine.holding.clear();
+    engine.held.splice(0).forEach(({ end }) => end());
+    await begun;
+    await pass(0.5);
+    expect(engine.live?.changes.at(-1)).toEqual({ kind: "cut", source: 0, target: 1, cut: true });
+  });
+
   it("takes no frames of a motion that was ended", async () => {
     await live.start();
     engine.holding.add("advanceLive");

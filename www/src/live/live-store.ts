@@ -161,6 +161,7 @@ export class LiveStore extends Store {
       this.#track = track;
       this.stage.showLive(track);
       this.playback.play();
+      if (this.#changes.length > 0) this.#fillSoon();
     } catch (problem) {
       withLab(({ live }) => this.notices.addError(live.notBegun, messageOf(problem)));
     } finally {
@@ -172,9 +173,11 @@ export class LiveStore extends Store {
   /** The first frames. */
   async #begin({ frameTime, figure, parts }: LiveBody): Promise<LiveTrack> {
     this.stage.endClip();
+    // A change that comes while the motion begins is not lost.
+    this.#changes = [];
     await this.source.begin();
     this.#sent = this.source.couplings;
-    [this.#trace, this.#marks, this.#changes, this.#made] = [[], [], [], []];
+    [this.#trace, this.#marks, this.#made] = [[], [], []];
     [this.#seen, this.#leaps, this.#transition] = [0, false, new Transition()];
     this.#forget();
     const stored = Math.round(SHOWN_SECONDS / frameTime);
@@ -232,10 +235,10 @@ export class LiveStore extends Store {
 
   /** Acts from the next frame on that was not shown. `leaps`: the change is large, not a step of a slider. */
   change(change: LiveChange, leaps = change.kind === "use"): void {
-    if (!this.#track) return;
+    if (!this.#track && !this.#starting) return;
     this.#leaps ||= leaps;
     this.#changes.push(change);
-    this.#fillSoon();
+    if (this.#track) this.#fillSoon();
   }
 
   /** Pushes the part of a node by metres, in the axes of the stage. */
