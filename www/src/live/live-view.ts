@@ -22,7 +22,11 @@ import { lab, shownPart } from "../words/lab";
 const FARTHEST = 1.5;
 
 export class LiveView extends View {
-  declare performed: Performance;
+  declare live: LiveStore;
+  declare playback: Playback;
+  declare recorded: RecordedParts;
+  /** Records what the visitor does. */
+  #performed: Performance | null = null;
   /** The part of the wheel. */
   #wheel = 0;
 
@@ -30,16 +34,10 @@ export class LiveView extends View {
     return [this.live, this.recorded];
   }
 
-  get live(): LiveStore {
-    return this.performed.live;
-  }
-
-  get recorded(): RecordedParts {
-    return this.performed.recorded;
-  }
-
-  get playback(): Playback {
-    return this.performed.app.playback;
+  /** Shows the live motion of the Lab, and offers to record it. */
+  set performed(performed: Performance) {
+    this.#performed = performed;
+    [this.live, this.recorded, this.playback] = [performed.live, performed.recorded, performed.app.playback];
   }
 
   protected override arrived(): void {
@@ -112,7 +110,7 @@ export class LiveView extends View {
             : html`<p>${words.noPhase}</p>`
         }
       </div>
-      <pg-perform .performed=${this.performed}></pg-perform>`;
+      ${this.#performed ? html`<pg-perform .performed=${this.#performed}></pg-perform>` : nothing}`;
   }
 }
 customElements.define("pg-live", LiveView);
