@@ -37,5 +37,8 @@ async function failedOf(/** @type {string[]} */ files, /** @type {number} */ con
   // A file that cannot run, or not to its end, is a failed test that has the name of the file.
   tests.on("test:fail", ({ file, name }) => failed.add(file ?? name));
   for await (const text of tests.compose(new spec())) process.stdout.write(text);
+  // It would run again as if it passed.
+  const stray = [...failed].find((file) => !files.includes(file));
+  if (stray) throw new Failure(`expected failed tests in test files alone, found one that ${stray} defines`);
   return [...failed];
 }

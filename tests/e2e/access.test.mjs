@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 import {
   LONG,
+  ACCESSIBLE,
   keepsNobodyOut,
   openPanel,
   openedSite,
@@ -19,17 +20,20 @@ import {
 const site = openedSite();
 
 describe("accessibility", () => {
-  keepsNobodyOut(
-    () => readyVisitor(site.visit()),
-    async (page, fits) => {
-      for (const tab of /** @type {const} */ (["none", "learn", "more", "numbers"])) {
-        await openPanel(page, tab);
-        if (tab === "numbers") await page.getByTestId("expert-kernels").waitFor();
-        await fits(tab);
-      }
-      await page.getByTestId("help").click();
-      await fits("with the help open");
-    },
+  it(
+    ACCESSIBLE,
+    keepsNobodyOut(
+      () => readyVisitor(site.visit()),
+      async (page, fits) => {
+        for (const tab of /** @type {const} */ (["none", "learn", "more", "numbers"])) {
+          await openPanel(page, tab);
+          if (tab === "numbers") await page.getByTestId("expert-kernels").waitFor();
+          await fits(tab);
+        }
+        await page.getByTestId("help").click();
+        await fits("with the help open");
+      },
+    ),
   );
 
   it("lets the keyboard alone reach and use the main controls", async () => {

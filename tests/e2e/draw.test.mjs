@@ -4,6 +4,7 @@ import { it } from "node:test";
 import {
   barriers,
   changes,
+  ACCESSIBLE,
   keepsNobodyOut,
   openedSite,
   ready,
@@ -95,12 +96,15 @@ it("a model goes on with one hand, then with two, whose couplings can be changed
   await leave();
 });
 
-keepsNobodyOut(
-  () => readyVisitor(site.visit({ settings: "view=draw" })),
-  async (page, fits) => {
-    await fits("empty");
-    await page.getByTestId("draw-example").click();
-    await learned(page, 2);
-    await fits("two hands");
-  },
+it(
+  ACCESSIBLE,
+  keepsNobodyOut(
+    () => readyVisitor(site.visit({ settings: "view=draw" })),
+    async (page, fits) => {
+      await fits("empty");
+      await page.getByTestId("draw-example").click();
+      await learned(page, 2);
+      await fits("two hands");
+    },
+  ),
 );

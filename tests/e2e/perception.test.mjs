@@ -11,6 +11,7 @@ import {
   changes,
   draws,
   drop,
+  ACCESSIBLE,
   keepsNobodyOut,
   oneVisitor,
   openedSite,
@@ -247,20 +248,23 @@ describe("the graphics Turing test", () => {
     assert.deepEqual(await barriers(page), []);
   });
 
-  keepsNobodyOut(
-    () => visit({ hasTouch: true }, studyWith(SHORT)),
-    async (page, fits) => {
-      await fits("the study");
-      await page.getByTestId("begin").tap();
-      await page.getByTestId("page-consent").waitFor();
-      await fits("consent");
-      await goOn(page, "consent", "instructions");
-      await phase(page, "question");
-      await fits("a trial");
-      await page.getByTestId("answer-left").tap();
-      await answered(page, 1);
-      await page.getByTestId("run-leave").tap();
-    },
+  it(
+    ACCESSIBLE,
+    keepsNobodyOut(
+      () => visit({ hasTouch: true }, studyWith(SHORT)),
+      async (page, fits) => {
+        await fits("the study");
+        await page.getByTestId("begin").tap();
+        await page.getByTestId("page-consent").waitFor();
+        await fits("consent");
+        await goOn(page, "consent", "instructions");
+        await phase(page, "question");
+        await fits("a trial");
+        await page.getByTestId("answer-left").tap();
+        await answered(page, 1);
+        await page.getByTestId("run-leave").tap();
+      },
+    ),
   );
 });
 

@@ -2,7 +2,16 @@
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 import { opened } from "./library.mjs";
-import { draws, keepsNobodyOut, openedSite, ready, readyVisitor, saved, seldom } from "./site.mjs";
+import {
+  draws,
+  ACCESSIBLE,
+  keepsNobodyOut,
+  openedSite,
+  ready,
+  readyVisitor,
+  saved,
+  seldom,
+} from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -336,11 +345,14 @@ describe("a library of primitives", () => {
     assert.equal(await page.getByTestId("walk-alpha-0-1").innerText(), learned);
   });
 
-  keepsNobodyOut(
-    () => readyVisitor(site.visit({ settings: "view=primitives" })),
-    async (page, fits) => {
-      await opened(page);
-      await fits("opened");
-    },
+  it(
+    ACCESSIBLE,
+    keepsNobodyOut(
+      () => readyVisitor(site.visit({ settings: "view=primitives" })),
+      async (page, fits) => {
+        await opened(page);
+        await fits("opened");
+      },
+    ),
   );
 });

@@ -5,6 +5,7 @@ import {
   barriers,
   changes,
   drop,
+  ACCESSIBLE,
   keepsNobodyOut,
   openPanel,
   openedSite,
@@ -244,16 +245,19 @@ describe("tables of columns", () => {
     await leave();
   });
 
-  keepsNobodyOut(
-    () => readyVisitor(site.visit({ settings: "latent=1&dynamics=4&poses=4&iterations=10" })),
-    async (page, fits) => {
-      await openPanel(page, "learn");
-      await page.getByTestId("show-series").click();
-      await page.getByTestId("series-example").click();
-      await page.getByTestId("series-train").and(page.locator(":enabled")).click({ timeout: 60_000 });
-      await page.locator(".series-curve").nth(4).waitFor({ timeout: 60_000 });
-      await page.getByTestId("series-train").waitFor({ timeout: 60_000 });
-      await fits("trained");
-    },
+  it(
+    ACCESSIBLE,
+    keepsNobodyOut(
+      () => readyVisitor(site.visit({ settings: "latent=1&dynamics=4&poses=4&iterations=10" })),
+      async (page, fits) => {
+        await openPanel(page, "learn");
+        await page.getByTestId("show-series").click();
+        await page.getByTestId("series-example").click();
+        await page.getByTestId("series-train").and(page.locator(":enabled")).click({ timeout: 60_000 });
+        await page.locator(".series-curve").nth(4).waitFor({ timeout: 60_000 });
+        await page.getByTestId("series-train").waitFor({ timeout: 60_000 });
+        await fits("trained");
+      },
+    ),
   );
 });

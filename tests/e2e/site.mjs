@@ -264,27 +264,27 @@ export async function rests(/** @type {import("playwright-core").Locator} */ ele
  * @typedef {{ page: Page, problems: string[], keep: () => void, leave: () => Promise<void> }} Visitor
  */
 
+/** The name of the test of `keepsNobodyOut`. */
+export const ACCESSIBLE = "is accessible and fits the screens of a desk and a phone";
+
 /**
- * Tests a view at the sizes of a desk and of a phone: `look` brings the page into each of its states and calls
+ * A test of a view at the sizes of a desk and of a phone: `look` brings the page into each of its states and calls
  * `fits`, which checks that the page fits the screen and has no barriers.
  * @param {() => Promise<Visitor>} visit
  * @param {(page: Page, fits: (state: string) => Promise<void>) => Promise<void>} look
  */
-export function keepsNobodyOut(visit, look) {
-  it("is accessible and fits the screens of a desk and a phone", async () => {
-    const { page } = await visit();
-    const fits = async (/** @type {string} */ state) => {
-      for (const size of [PHONE, DESK]) {
-        await resize(page, size);
-        const where = `${state}, ${size.width} pixels`;
-        const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-        assert.ok(wide <= size.width, `${where}: ${wide} pixels wide`);
-        assert.deepEqual(await (size === DESK ? barriers : barriersNow)(page), [], where);
-      }
-    };
-    await look(page, fits);
+export const keepsNobodyOut = (visit, look) => async () => {
+  const { page } = await visit();
+  await look(page, async (state) => {
+    for (const size of [PHONE, DESK]) {
+      await resize(page, size);
+      const where = `${state}, ${size.width} pixels`;
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(wide <= size.width, `${where}: ${wide} pixels wide`);
+      assert.deepEqual(await (size === DESK ? barriers : barriersNow)(page), [], where);
+    }
   });
-}
+};
 
 /**
  * One visitor for all tests of a suite, because a visit costs more than most tests. Each test leaves the page
