@@ -1,12 +1,15 @@
 // A chapter with one question: its words, its guess, and what it listens to while it is on screen.
 import { html, nothing, type TemplateResult } from "lit";
 import { unsafeHTML } from "lit/directives/unsafe-html.js";
-import { EQUATIONS } from "../method/equations";
+import type { EQUATIONS } from "../method/equations";
 import type { ChapterName } from "../settings/chapters";
 import type { Settings } from "../settings/settings";
 import { Store } from "../ui/store";
 import type { Words, WordsStore } from "../words/words";
 import type { Chapter, Guess } from "./chapter";
+
+/** Loaded when the first chapter with equations is on screen: a first visit needs none. */
+let loaded: typeof EQUATIONS | null = null;
 
 export abstract class GuessedChapter<Name extends ChapterName> extends Store implements Chapter {
   protected readonly allWords: WordsStore;
@@ -39,7 +42,12 @@ export abstract class GuessedChapter<Name extends ChapterName> extends Store imp
 
   /** `sentence`: null, if it needs a model that has not arrived. */
   protected equations(names: readonly (keyof typeof EQUATIONS)[], sentence: string | null): TemplateResult {
-    return html`${names.map((name) => unsafeHTML(EQUATIONS[name]))}${sentence === null ? nothing : html`<p>${sentence}</p>`}`;
+    const show = (all: { EQUATIONS: typeof EQUATIONS }) => {
+      loaded = all.EQUATIONS;
+      this.changed();
+    };
+    if (!loaded) import("../method/equations").then(show).catch(() => {});
+    return html`${names.map((name) => loaded && unsafeHTML(loaded[name]))}${sentence === null ? nothing : html`<p>${sentence}</p>`}`;
   }
 
   guessed(choice: string): void {
