@@ -1,7 +1,7 @@
 // A link dares its receiver, whose page says when the dare is met.
 import assert from "node:assert/strict";
 import { it } from "node:test";
-import { barriersNow, openedSite, ready, squares } from "./site.mjs";
+import { barriersNow, openedSite, ready, soon, squares } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -35,7 +35,7 @@ it("stops the arms of a body with one arrow", async () => {
   await other.page.getByTestId("coupling-1-0").fill("-3");
   await card.getByText("Not yet.").waitFor();
   await other.page.getByTestId("close-exercise").click();
-  assert.doesNotMatch(other.page.url(), /says|exercise/);
+  await soon(async () => assert.doesNotMatch(other.page.url(), /says|exercise/));
 });
 
 it("stops one hand of a drawing with one arrow", async () => {
