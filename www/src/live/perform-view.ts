@@ -59,10 +59,11 @@ export class PerformView extends View {
     if (this.feet && !this.live.running) this.#walk(false);
   }
 
-  /** Whether a part of the body can be moved by two feet. */
+  /** Whether two feet can move a part of the body. In the first frames a foot may be in the air. */
   get #hasLegs(): boolean {
     const { body, track } = this.live;
-    if (body && track && this.#body !== body) [this.#body, this.#legs] = [body, legsOf(body, track) !== null];
+    if (this.#body !== body) [this.#body, this.#legs] = [body, false];
+    this.#legs ||= body !== null && track !== null && legsOf(body, track) !== null;
     return this.#legs;
   }
 
