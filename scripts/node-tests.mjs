@@ -6,13 +6,13 @@ import { at, env, Failure, filesUnder, root } from "./run.mjs";
 
 const TEN_MINUTES = 600_000;
 
-/** So many files may run again; more are no accident. */
+/** The largest number of files that run again: when more fail, the change is at fault, not a slow machine. */
 const MOST_AGAIN = 4;
 
 /**
  * Runs the test files of a folder, `concurrency` files at a time: tests in a browser mostly wait. With
  * `again`, a file that failed runs once more, alone: a browser beside a compiler can be too slow for a test.
- * The note that is returned names these files, so that nobody takes them for sound, and few may do so.
+ * The note that is returned names these files, so that nobody takes them for sound.
  */
 export async function nodeTests(/** @type {string} */ folder, concurrency = 1, again = false) {
   const all = filesUnder([at("tests", folder)]).filter((file) => file.endsWith(".test.mjs"));
@@ -37,7 +37,7 @@ async function failedOf(/** @type {string[]} */ files, /** @type {number} */ con
   // A file that cannot run, or not to its end, is a failed test that has the name of the file.
   tests.on("test:fail", ({ file, name }) => failed.add(file ?? name));
   for await (const text of tests.compose(new spec())) process.stdout.write(text);
-  // It would run again as if it passed.
+  // A helper file has no tests of its own, so it would pass when it runs again.
   const stray = [...failed].find((file) => !files.includes(file));
   if (stray) throw new Failure(`expected failed tests in test files alone, found one that ${stray} defines`);
   return [...failed];

@@ -26,7 +26,7 @@ const FEATURES = [
   "multivalue",
 ].map((name) => `--enable-${name}`);
 
-/** Compiles on all processors; the wasm is larger. */
+// Compiles on all processors; the wasm is larger.
 const QUICK = ["--config", 'profile.release.lto="off"', "--config", "profile.release.codegen-units=16"];
 
 /** The arguments for cargo that compile the wasm with these features. */
@@ -58,14 +58,21 @@ function rustSources() {
 export function compileWasm({ small = true } = {}) {
   const inputs = rustSources();
   const outputs = TARGETS.map(({ folder }) => at(".tools/wasm", folder, "package.json"));
-  const rustc = output("rustc", "--version") ?? "";
+  const state = stateOf("wasm", { inputs, outputs, salt: output("rustc", "--version") ?? "" }, small);
+  return whenChanged("wasm", state, () => compileTargets(compiled, { small }));
+}
+
+/** The state of a small or a quick build. A small one from an earlier build is good for everything. */
+function stateOf(
+  /** @type {string} */ name,
+  /** @type {import("./run.mjs").State} */ files,
+  /** @type {boolean} */ small,
+) {
   const state = (/** @type {boolean} */ small) => ({
-    inputs,
-    outputs,
-    salt: small ? rustc : `${rustc}, one`,
+    ...files,
+    salt: `${files.salt}${small ? " small" : ""}`,
   });
-  const isSmall = small || isUpToDate("wasm", state(true));
-  return whenChanged("wasm", state(isSmall), () => compileTargets(compiled, { small }));
+  return state(small || isUpToDate(name, state(true)));
 }
 
 /**
@@ -112,9 +119,8 @@ export async function buildWasm({ small = true } = {}) {
     ...places.map((path) => at(path)),
   ]);
   const outputs = TARGETS.map(({ folder }) => join(pkg, folder, "vcgpdm.js"));
-  const state = (/** @type {boolean} */ small) => ({ inputs, outputs, salt: small ? "small" : "" });
-  // A small wasm from an earlier build is good for everything.
-  const note = await whenChanged("package", state(small || isUpToDate("package", state(true))), async () => {
+  const state = stateOf("package", { inputs, outputs, salt: "" }, small);
+  const note = await whenChanged("package", state, async () => {
     rmSync(pkg, { recursive: true, force: true });
     cpSync(compiled, pkg, { recursive: true });
     if (small) await optimise(pkg);

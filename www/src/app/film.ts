@@ -9,11 +9,15 @@ import type { App } from "./app";
 /** About as long, in seconds: whole turns of the walk. */
 const SECONDS = 4;
 const BITS_A_SECOND = 6_000_000;
-const KINDS = { mp4: "video/mp4;codecs=avc1", webm: "video/webm;codecs=vp9", "webm ": "video/webm" };
+const KINDS = [
+  ["mp4", "video/mp4;codecs=avc1"],
+  ["webm", "video/webm;codecs=vp9"],
+  ["webm", "video/webm"],
+] as const;
 
 /** The first kind of video that this browser writes; undefined: none. */
 const kindHere = () =>
-  Object.entries(KINDS).find(([, type]) => "MediaRecorder" in window && MediaRecorder.isTypeSupported(type));
+  KINDS.find(([, type]) => "MediaRecorder" in window && MediaRecorder.isTypeSupported(type));
 
 export class Film extends View {
   static override properties = { left: { state: true }, ready: { state: true } };
@@ -78,7 +82,7 @@ export class Film extends View {
       await ended;
       for (const track of recorder.stream.getTracks()) track.stop();
       const { fileNameOf } = await import("./saving");
-      download(`${fileNameOf(this.app)}.${kind[0].trim()}`, new Blob(pieces, { type: kind[1] }));
+      download(`${fileNameOf(this.app)}.${kind[0]}`, new Blob(pieces, { type: kind[1] }));
     } catch (problem) {
       notices.addError(performingWords().notFilmed, messageOf(problem));
     }
@@ -92,7 +96,7 @@ export class Film extends View {
     const about = this.left > 0 ? film.left(this.left) : kind ? film.about : film.noEncoder;
     return html`
       <button data-testid="save-film" ?disabled=${!kind || !this.#canvas || this.left > 0} @click=${() => void this.#record()}>
-        <span>${film.title}<small role="status">${about}</small></span><small>${kind?.[0].trim().toUpperCase() ?? ""}</small></button>`;
+        <span>${film.title}<small role="status">${about}</small></span><small>${kind?.[0].toUpperCase() ?? ""}</small></button>`;
   }
 }
 customElements.define("pg-film", Film);

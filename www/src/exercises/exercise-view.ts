@@ -52,17 +52,16 @@ export class ExerciseView extends View {
 
   protected override render() {
     const { exercise: number, says } = this.settings.values;
-    const dare = ([DARES.pose, DARES.pace] as number[]).indexOf(number);
-    const name = dare < 0 ? EXERCISE_NAMES[number - 1] : (["pose", "pace"] as const)[dare];
+    const dare = (["pose", "pace"] as const).find((name) => DARES[name] === number);
+    const name = dare ?? EXERCISE_NAMES[number - 1];
     const { exercises } = teachIfLoaded() ?? {};
     if (!name || !exercises) return nothing;
-    const isDare = dare >= 0;
-    const facts = this.#facts(isDare);
+    const facts = this.#facts(dare !== undefined);
     const verdict = facts && judge(name, facts);
     // One arrow is enough: it is part of the dare.
-    const isSolved = verdict?.isSolved && !(number === DARES.pose && changesOf(facts!).length > 1);
+    const isSolved = verdict?.isSolved && !(dare === "pose" && changesOf(facts!).length > 1);
     const { dares } = exercises;
-    const title = isDare ? dares.title : exercises.number(number);
+    const title = dare ? dares.title : exercises.number(number);
     const say = ({ name, values }: Finding) => {
       const sentence = exercises.found[name];
       return typeof sentence === "string"
@@ -71,11 +70,11 @@ export class ExerciseView extends View {
     };
     return html`
       <section class="exercise" aria-label=${title} data-solved=${isSolved ? "yes" : "no"} data-testid="exercise">
-        ${isDare && says ? html`<p data-testid="said">“${says}”</p>` : nothing}
-        <p><b>${title}</b> ${isDare ? dares.tasks[name as "pose" | "pace"] : exercises.tasks[name]}</p>
+        ${dare && says ? html`<p data-testid="said">“${says}”</p>` : nothing}
+        <p><b>${title}</b> ${dare ? dares.tasks[dare] : exercises.tasks[name]}</p>
         <p class="exercise-found" role="status">${
           verdict
-            ? html`<b>${isSolved ? (isDare ? dares.met : exercises.solved) : exercises.notYet}</b> ${verdict.findings.map(say).join(" ")}
+            ? html`<b>${isSolved ? (dare ? dares.met : exercises.solved) : exercises.notYet}</b> ${verdict.findings.map(say).join(" ")}
               ${isSolved ? html`<i>${exercises.whys[name]}</i>` : nothing}`
             : exercises.measuring
         }</p>

@@ -186,17 +186,15 @@ impl Anatomy {
 /// The rest pose as a tree from another root, and for each node of its figure the node of the original figure.
 fn rooted_at(skeleton: &Skeleton, root: usize) -> (Skeleton, Vec<usize>) {
     let rest = skeleton.rest_pose().positions;
-    let mut order = vec![(root, None)];
+    let mut order: Vec<(usize, Option<usize>)> = vec![(root, None)];
     for at in 0..skeleton.joints.len() {
-        let place = order[at].0;
-        for next in skeleton.joints[place].parent.into_iter().chain(skeleton.children(place)) {
-            if order.iter().all(|&(known, _)| known != next) {
-                order.push((next, Some(at)));
-            }
-        }
+        let (place, from) = order[at];
+        let came = from.map(|from| order[from].0);
+        let next = skeleton.joints[place].parent.into_iter().chain(skeleton.children(place));
+        order.extend(next.filter(|next| Some(*next) != came).map(|next| (next, Some(at))));
     }
     let joint = |&(place, parent): &(usize, Option<usize>)| {
-        let above = parent.map_or_else(Vector3::zeros, |parent: usize| rest[order[parent].0]);
+        let above = parent.map_or_else(Vector3::zeros, |parent| rest[order[parent].0]);
         Joint { parent, offset: (rest[place] - above).into(), ..skeleton.joints[place].clone() }
     };
     let body = Skeleton { joints: order.iter().map(joint).collect() };
