@@ -87,6 +87,15 @@ describe("a live rollout", () => {
     held.forEach(({ end }) => end());
     await settled();
     expect(frames()).toEqual(before);
+    // Nor does its error end the new motion.
+    engine.holding.add("advanceLive");
+    await pass(0.3);
+    live.stop();
+    engine.holding.clear();
+    await live.start();
+    engine.held.splice(0).forEach(({ fail }) => fail(new Error("late")));
+    await settled();
+    expect([live.running, notices.all]).toEqual([true, []]);
   });
 
   it("begins at the state of the figure, has no end, and gives the motion of some seconds back", async () => {

@@ -89,6 +89,7 @@ it("gives each of several parts its recording, also when they are chosen at once
 it("waits no longer for the recording of an old model", async () => {
   recorded.choose(0, recorded.all[0]?.key ?? "");
   await model.open(modelText(2));
+  void live.start();
   await answered();
   expect([recorded.keyOf(0), live.moverOf(0)]).toEqual([null, null]);
 });
