@@ -66,7 +66,7 @@ impl Filter {
     }
 
     /// Beliefs about the first p frames of these observed columns.
-    fn starts(&self, y: &[DMatrix<f64>], most: usize) -> Vec<Belief> {
+    pub(super) fn starts(&self, y: &[DMatrix<f64>], most: usize) -> Vec<Belief> {
         let covariance = self.history_covariance();
         let mut places = self.places_by_error(y);
         places.sort_by(|a, b| a.error.total_cmp(&b.error));

@@ -371,7 +371,8 @@ fn finds_the_place_of_the_training_where_a_recording_starts() {
         // One part of a training sequence from this frame on.
         let latents: Vec<DMatrix<f64>> =
             model.starts[0].iter().map(|x| x.rows(frame, 12).into_owned()).collect();
-        let run = filter.run_from_best(&without(&model.observations(&latents), 1), 8).unwrap();
+        let y = without(&model.observations(&latents), 1);
+        let run = filter.run_from_best(&y, 8).unwrap();
         let found = filter.smoothed(&run).unwrap();
         for part in 0..2 {
             let spread = (model.starts[0][part].row_variance().sum()).sqrt();
@@ -379,6 +380,13 @@ fn finds_the_place_of_the_training_where_a_recording_starts() {
                 (&found.means[part] - &latents[part]).row_iter().map(|row| row.norm()).sum::<f64>() / 12.0;
             assert!(apart < 0.3 * spread, "frame {frame}, part {part}: {apart} of {spread}");
         }
+        // A window has a whole history, and of neighbours one start is tried.
+        let evidence = [0, 2].map(|window| filter.run_from_best(&y, window).unwrap().evidence());
+        assert_eq!(evidence[0], evidence[1]);
+        let starts = filter.starts(&y, 8);
+        let is_start = |&frame: &usize| starts.iter().any(|start| start.mean == near(&model, frame, 0.0).mean);
+        let frames: Vec<usize> = (0..LENGTHS[0] - 1).filter(is_start).collect();
+        assert!(frames.len() > 1 && frames.windows(2).all(|pair| pair[1] - pair[0] >= 3), "{frames:?}");
     }
 }
 
