@@ -25,6 +25,9 @@ const WASM = ["--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"];
 const clippy = (/** @type {string[]} */ ...what) => run("cargo", "clippy", ...what, ...deny);
 const biome = (/** @type {string[]} */ ...args) => runModule("@biomejs/biome/bin/biome", ...args);
 
+/** Whether only the steps and tests run that a change often breaks. Their wasm is compiled quickly. */
+const often = () => env.PAGE_TESTS === "often";
+
 /** The argument of a process that runs one step for another process. */
 const THIS_STEP = "--this-step";
 
@@ -41,8 +44,8 @@ const PAGE_STEPS = [
   { name: "locks", what: "hashes in the lock files", work: checkLocks },
   { name: "lines", what: "size of the project", work: async () => checkLines() },
   { name: "imports", what: "order and circles of imports", work: imports },
-  { name: "build", what: "wasm package and page", work: build },
-  { name: "sizes", what: "sizes of a visit", needs: "build", work: async () => weigh() },
+  { name: "build", what: "wasm package and page", work: () => build({ small: !often() }) },
+  { name: "sizes", what: "sizes of a visit", needs: "build", work: async () => weigh({ small: !often() }) },
   { name: "node", what: "the npm package from Node", needs: "build", work: () => nodeTests("node") },
   { name: "types", what: "TypeScript, strict", needs: "build", work: types },
   {
@@ -60,7 +63,7 @@ const RUST_STEPS = [
   {
     name: "clippy",
     what: "clippy, native",
-    work: () => clippy(...NATIVE, "--all-targets", "--all-features"),
+    work: () => clippy(...NATIVE, "--all-targets"),
   },
   {
     name: "clippy-wasm",
@@ -75,8 +78,8 @@ const RUST_STEPS = [
     name: "rust",
     what: "Rust tests and doctests",
     work: async () => {
-      await run("cargo", "test", ...NATIVE, "--all-features", ...TESTS);
-      await run("cargo", "test", ...NATIVE, "--all-features", "--doc");
+      await run("cargo", "test", ...NATIVE, ...TESTS);
+      await run("cargo", "test", ...NATIVE, "--doc");
     },
   },
   { name: "recordings", what: "Rust tests on recordings", work: recordings },
@@ -117,10 +120,9 @@ async function format() {
 async function features() {
   // The library alone: without the features that the other packages turn on.
   await clippy("--package", "vcgpdm");
-  await clippy(...NATIVE, "--all-targets");
+  await clippy(...NATIVE, "--all-targets", "--all-features");
   await clippy(...WASM, "--no-default-features");
-  for (const feature of ["training", "speed"])
-    await clippy(...WASM, "--no-default-features", "--features", feature);
+  await clippy(...WASM, "--no-default-features", "--features", "speed");
 }
 
 /**
@@ -169,7 +171,7 @@ async function recordings() {
   env.VCGPDM_CLIPS ??= at("../shared/bvh");
   if (!existsSync(env.VCGPDM_CLIPS)) return `skipped: no recordings in ${env.VCGPDM_CLIPS}: set VCGPDM_CLIPS`;
   const names = ["recordings::", ...(env.VCGPDM_ACCLAIM ? ["acclaim::"] : [])];
-  const tests = ["test", ...NATIVE, "--all-features", ...TESTS, "--", "--ignored", ...names];
+  const tests = ["test", ...NATIVE, ...TESTS, "--", "--ignored", ...names];
   await run("cargo", ...tests);
   const count = (output("cargo", ...tests, "--list") ?? "").match(/: test$/gm)?.length ?? 0;
   if (count === 0) throw new Failure("expected tests in modules named recordings, found none");
