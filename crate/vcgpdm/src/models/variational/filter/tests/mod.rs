@@ -5,7 +5,6 @@ mod column_noise;
 mod kalman;
 
 use super::correction::{Observed, correct};
-use super::pose_process::PoseProcess;
 use crate::gp::Kernel;
 use crate::models::rollout::couplings::Reading;
 use crate::models::training::pose_weight::PoseWeight;
@@ -366,7 +365,7 @@ fn a_step_that_would_make_the_error_larger_is_halved() {
     let one = |value: f64| DMatrix::from_element(1, 1, value);
     let kernel = Kernel { lambda: DVector::from_element(1, 1.0), variance: 1.0 };
     let hill = PoseMap::new(one(0.0), kernel, 0.1, one(1.0), one(1.0), 0.0).unwrap();
-    let map = PoseProcess::new(&hill, 0.0).unwrap();
+    let map = super::pose_process::PoseProcess::new(&hill, 0.0).unwrap();
     let mut belief = Belief { mean: DVector::from_element(1, 2.0), covariance: one(4.0) };
     let part = Observed { map: &map, weight: 100.0, places: vec![0], columns: vec![0], values: vec![2.0] };
     correct(&mut belief, &[part]).unwrap();
@@ -400,6 +399,18 @@ fn finds_the_place_of_the_training_where_a_recording_starts() {
         assert_eq!([0, 4, 20].map(|window| filter.first_window(&late, window)[0].nrows()), [3, 7, 12]);
         let evidence = [0, 2].map(|window| filter.run_from_best(&y, window).unwrap().evidence());
         assert_eq!(evidence[0], evidence[1]);
+        // The nearest place comes first, with a tenth of the covariance of all histories.
+        let history = |k: usize, frame: usize| -> DVector<f64> {
+            let parts = model.start(k, frame).unwrap();
+            DVector::from_vec(parts.iter().flat_map(|x| x.transpose().as_slice().to_vec()).collect())
+        };
+        assert_eq!(starts[0].mean, history(0, frame));
+        let places = (0..2).flat_map(|k| (0..LENGTHS[k] - 1).map(move |frame| (k, frame)));
+        let all: Vec<DVector<f64>> = places.map(|(k, frame)| history(k, frame)).collect();
+        let mean: DVector<f64> = all.iter().sum::<DVector<f64>>() / all.len() as f64;
+        let squares = all.iter().map(|h| (h - &mean) * (h - &mean).transpose()).sum::<DMatrix<f64>>();
+        let expected = squares * (0.1 / all.len() as f64) + DMatrix::identity(8, 8) * 1e-3;
+        assert_relative_eq!(starts[0].covariance, expected, epsilon = 1e-9);
         // Of neighbours, one start is tried.
         let is_start =
             |&frame: &usize| starts.iter().any(|start| start.mean == near(&model, frame, 0.0).mean);
