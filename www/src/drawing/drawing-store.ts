@@ -28,9 +28,8 @@ export type Pad = 0 | 1;
 const NEXT_STROKE = 400;
 /** The longest drawing, in seconds. */
 const LONGEST = 20;
-/** The first rollout, and the longest one, which then begins again: seconds. */
-const FIRST_ROLLOUT = 20;
-const LONGEST_ROLLOUT = 320;
+/** Seconds that the model draws at a time. */
+const AT_A_TIME = 20;
 
 /** A hand that visits a smaller share of its drawing has stopped. */
 const STOPPED = 0.3;
@@ -52,7 +51,6 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   /** When the drawing began, in milliseconds, and the timer that ends it. */
   #began = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
-  #seconds = FIRST_ROLLOUT;
   /** The drawing that the model on show learned, and its pads; null before the first. */
   #drawn: { drawing: Drawing; pads: readonly Pad[] } | null = null;
   #tooLittle = false;
@@ -65,9 +63,8 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   constructor(workers: WholeWorkers) {
     super();
     this.#workers = workers;
-    this.model = new SeriesStore(workers, new TablesStore(workers), () => this.#seconds * ROWS_A_SECOND);
+    this.model = new SeriesStore(workers, new TablesStore(workers), AT_A_TIME * ROWS_A_SECOND);
     this.model.on(() => this.changed());
-    this.model.clock.on(() => this.#lengthen());
   }
 
   get drawn(): { drawing: Drawing; pads: readonly Pad[] } | null {
@@ -169,7 +166,6 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
       this.#workers.pool.run((worker) => worker.trainSeries(job, report, signal), signal),
     );
     if (!found || now !== this.#newest) return;
-    this.#seconds = FIRST_ROLLOUT;
     await this.model.takeTrained(found);
     this.#drawn = { drawing, pads };
     this.#badLink = false;
@@ -177,15 +173,6 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     this.model.clock.seek(0);
     this.model.clock.play();
     this.changed();
-  }
-
-  /** The rollout grows before its end is reached. */
-  #lengthen(): void {
-    const { clock } = this.model;
-    if (this.#seconds >= LONGEST_ROLLOUT || clock.lastFrame + 1 < this.#seconds * ROWS_A_SECOND) return;
-    if (clock.frame < 0.7 * clock.lastFrame) return;
-    this.#seconds *= 2;
-    this.model.again();
   }
 
   /** Where the pen of a pad is: that of the model, or while the other pad is drawn on, that of the drawing. */
