@@ -5,13 +5,14 @@ import { SeriesStore } from "../series/series-store";
 import { TablesStore } from "../series/tables-store";
 import { ProgressStore } from "../training/progress-store";
 import { drawingWords } from "./view-words";
-import { DRAWING_SETTINGS } from "./drawing-settings";
 import { circle, drawnBy, eight } from "./example";
 import { type GoesOn, goesOn } from "./goes-on";
 import {
   type Drawing,
+  DRAWING_SETTINGS,
   drawingOf,
   HEIGHT,
+  LONGEST,
   onPad,
   placeInLoop,
   playedStrokes,
@@ -26,8 +27,6 @@ export type Pad = 0 | 1;
 
 /** After letting go, a hand has as many milliseconds for another stroke. */
 const NEXT_STROKE = 400;
-/** The longest drawing, in seconds. */
-const LONGEST = 20;
 /** Seconds that the model draws at a time. */
 const AT_A_TIME = 20;
 
@@ -35,9 +34,9 @@ const AT_A_TIME = 20;
 const STOPPED = 0.3;
 
 /** The table of a drawing, as a file. */
-export function drawingFile({ rows }: Pick<Drawing, "rows">, pads: readonly Pad[]): File {
+export function drawingFile({ rows, rate }: Pick<Drawing, "rows" | "rate">, pads: readonly Pad[]): File {
   const names = pads.flatMap((pad) => [`${HANDS[pad]}_x`, `${HANDS[pad]}_y`]);
-  const lines = rows.map((row, i) => [i / ROWS_A_SECOND, ...row].map((value) => value.toFixed(3)).join(","));
+  const lines = rows.map((row, i) => [i / rate, ...row].map((value) => value.toFixed(3)).join(","));
   return new File([["time", ...names].join(","), "\n", lines.join("\n"), "\n"], "drawing.csv");
 }
 
@@ -156,7 +155,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     const file = drawingFile(drawing, pads);
     const parts = pads.map((pad) => ({ name: HANDS[pad], columns: [`${HANDS[pad]}_x`, `${HANDS[pad]}_y`] }));
     const tables = [{ name: file.name, file, without: [] }];
-    const job = { tables, settings: { ...DRAWING_SETTINGS, parts } };
+    const job = { tables, settings: { ...DRAWING_SETTINGS, framesPerSecond: drawing.rate, parts } };
     this.#forgetTraining();
     const now = this.#newest;
     // An earlier training is about to stop.

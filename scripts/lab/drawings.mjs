@@ -1,0 +1,80 @@
+// `npm run lab -- drawings FILE.csv ...`: whether models of people's drawings go on as they were drawn. A file has a
+// drawing, with the columns x, y and seconds, and line_number for each stroke.
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { basename } from "node:path";
+import { runnerImport } from "vite";
+import { at } from "../run.mjs";
+
+/** The seconds after which a model must still go on. */
+const SECONDS = 20;
+/** The width of a drawing on the pad, and the middle of the pad: hundredths of the pad's width. */
+const [SIZE, X, Y] = [60, 50, 66];
+
+/** A module of the view Draw. */
+export const drawingModule = async (/** @type {string} */ name) =>
+  /** @type {any} */ ((await runnerImport(at(`www/src/drawing/${name}.ts`), { configFile: false })).module);
+
+/** Learns what a hand drew, with the npm package: how the rollout compares with the drawing; null: too little. */
+export async function learner(/** @type {typeof import("vcgpdm")} */ { Table, Trainer, TrainingSet }) {
+  const [{ drawingOf, DRAWING_SETTINGS }, { goesOn }] = await Promise.all(
+    ["hand", "goes-on"].map(drawingModule),
+  );
+  return (/** @type {any} */ strokes) => {
+    const drawing = drawingOf([strokes]);
+    if (!drawing) return null;
+    const { rows, rate, lap } = drawing;
+    const set = new TrainingSet();
+    set.addTable(Table.of("drawing", ["x", "y"], new Float64Array(rows.flat()), 1 / rate));
+    const parts = [{ name: "hand", columns: ["x", "y"] }];
+    const trainer = new Trainer(set, { ...DRAWING_SETTINGS, framesPerSecond: rate, parts });
+    while (!trainer.step().done);
+    const frames = Math.max(Math.round(SECONDS * rate), 3 * lap);
+    const values = trainer.model().rollout({ frames }).values();
+    const path = Array.from({ length: frames }, (_, i) => [values[2 * i], values[2 * i + 1]]);
+    return { ...drawing, ...goesOn(rows, path, lap) };
+  };
+}
+
+/** The strokes of a file on a pad, from its first moment on. */
+function strokesIn(/** @type {string} */ file, /** @type {number} */ longest) {
+  const [head = "", ...lines] = readFileSync(file, "utf8").trim().split(/\r?\n/);
+  const place = (/** @type {string} */ name) => head.split(",").indexOf(name);
+  const columns = ["line_number", "seconds", "x", "y"].map(place);
+  const all = lines.map((line) => columns.map((column) => Number(line.split(",")[column] ?? 0)));
+  const samples = all.filter(([, seconds = 0]) => seconds - (all[0]?.[1] ?? 0) <= longest);
+  const ends = (/** @type {number} */ column) => {
+    const values = samples.map((sample) => sample[column] ?? 0);
+    return /** @type {const} */ ([Math.min(...values), Math.max(...values)]);
+  };
+  const [[left, right], [low, high]] = [ends(2), ends(3)];
+  const scale = SIZE / Math.max(right - left, high - low);
+  const strokes = new Map();
+  for (const [line, seconds = 0, x = 0, y = 0] of samples)
+    strokes.set(line, [
+      ...(strokes.get(line) ?? []),
+      {
+        seconds: seconds - (all[0]?.[1] ?? 0),
+        x: X + scale * (x - (left + right) / 2),
+        y: Y + scale * (y - (low + high) / 2),
+      },
+    ]);
+  return [...strokes.values()];
+}
+
+export async function drawings(/** @type {string[]} */ ...files) {
+  const learn = await learner(createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.cjs")));
+  const { LONGEST } = await drawingModule("hand");
+  console.log("| drawing | rows a lap | visited, % | speed, times | goes on |\n|---|---|---|---|---|");
+  for (const file of files) {
+    const found = learn(strokesIn(file, LONGEST));
+    const name = basename(file, ".csv");
+    if (!found) console.log(`| ${name} | too little |`);
+    else {
+      const { lap, visited, speed, goesOn } = found;
+      console.log(
+        `| ${name} | ${lap} | ${Math.round(100 * visited)} | ${speed.toFixed(2)} | ${goesOn ? "yes" : "no"} |`,
+      );
+    }
+  }
+}
