@@ -20,7 +20,7 @@ export const words: DrawingWords = {
   sendMeaning:
     "Ein Link und sein Code, mit dieser Zeichnung und deiner Zeile. Nichts wird gesendet, bevor du es sendest.",
   dare: {
-    task: "Eine Herausforderung: Halte eine Hand mit einem Pfeil an. Die andere muss weiterzeichnen.",
+    task: "Halte eine Hand mit einem Pfeil an. Die andere muss weiterzeichnen.",
     met: "Geschafft: Ein Pfeil hat eine Hand angehalten, und die andere zeichnet weiter.",
   },
   learning: "Das Modell lernt deine Zeichnung …",
