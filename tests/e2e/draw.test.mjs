@@ -70,6 +70,20 @@ it("a model goes on with one hand, then with two, whose couplings can be changed
   await page.getByTestId("series-reset").click();
   await soon(async () => assert.equal(await rolled(), before));
 
+  // A tone for each hand.
+  const tones = () => page.evaluate(() => /** @type {any} */ (window).tones);
+  await page.evaluate(() => {
+    Object.assign(window, { tones: 0 });
+    window.OscillatorNode = class extends OscillatorNode {
+      start() {
+        super.start();
+        /** @type {any} */ (window).tones++;
+      }
+    };
+  });
+  await page.getByTestId("sound").click();
+  await soon(async () => assert.equal(await tones(), 2));
+
   const play = page.getByTestId("draw-play");
   await play.click();
   await soon(async () => assert.equal(await play.getAttribute("aria-label"), "Play"));

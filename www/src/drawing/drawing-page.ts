@@ -6,15 +6,18 @@ import { download } from "../ui/download";
 import { icon } from "../ui/icons";
 import type { Draw } from "../views/define-view";
 import { lab } from "../words/lab";
+import type { WordsStore } from "../words/words";
 import { DARES } from "../settings/settings";
 import { drawingWords } from "./view-words";
 import "./drawing.css";
 import { drawingFile, type DrawingStore } from "./drawing-store";
 import "./pad-view";
+import "../stage/sound-view";
 
 export class DrawingPage extends SeriesView {
   static override properties = { playing: { state: true } };
   declare store: DrawingStore;
+  declare page: { words: WordsStore };
   /** Whether the clock runs. */
   declare playing: boolean;
 
@@ -54,6 +57,7 @@ export class DrawingPage extends SeriesView {
           drawn
             ? html`
           <button class="round primary" data-testid="draw-play" aria-label=${playing ? time.pause : time.play} @click=${() => this.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
+          <pg-sound .app=${this.page} .hands=${() => store.heights}></pg-sound>
           <button class="small" data-testid="draw-clear" @click=${() => store.clear()}>${words.again}</button>
           <label class="says"><span class="visually-hidden">${words.says}</span>
             <input data-testid="says" maxlength="80" placeholder=${words.says} .value=${this.settings.values.says}
@@ -107,5 +111,5 @@ export class DrawingPage extends SeriesView {
 }
 customElements.define("pg-drawing", DrawingPage);
 
-export const draw: Draw<"draw"> = (store, { settings }) =>
-  html`<pg-drawing data-clock .store=${store} .settings=${settings}></pg-drawing>`;
+export const draw: Draw<"draw"> = (store, page) =>
+  html`<pg-drawing data-clock .store=${store} .settings=${page.settings} .page=${page}></pg-drawing>`;

@@ -185,6 +185,12 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     return a && b ? a.map((value, i) => value + (frame % 1) * ((b[i] ?? value) - value)) : a;
   }
 
+  /** The height of the pen of each hand, 0 to 1, while the model draws. */
+  get heights(): number[] {
+    const pads = this.model.clock.playing && !this.isDrawing ? (this.#drawn?.pads ?? []) : [];
+    return pads.map((pad) => (this.pen(pad, 0)?.[1] ?? 0) / HEIGHT);
+  }
+
   /** The last places of the model's pen on a pad, the oldest first. */
   trail(pad: Pad, frames: number): (readonly number[])[] {
     const place = this.#placeOf(pad);
