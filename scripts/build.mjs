@@ -8,11 +8,13 @@ import { buildSite, weigh } from "./site.mjs";
 import { installTools } from "./tools.mjs";
 import { buildWasm, compileWasm } from "./wasm.mjs";
 
-/** Without `small`, wasm-opt and the figure of the npm package are left out: the page is ready sooner. */
-export async function build({ wasmOnly = false, small = true } = {}) {
-  await step("npm package vcgpdm (wasm)", () => buildWasm({ small }));
-  // The page contains the same sources, so `npm start` does not wait for the package.
-  if (small) await step("npm package vcgpdm (figure)", buildFigure);
+/**
+ * Without `small` the wasm is larger and ready sooner. The page needs neither the types nor the figure of the npm
+ * package: `npm start` leaves them out.
+ */
+export async function build({ wasmOnly = false, small = true, whole = true } = {}) {
+  await step("npm package vcgpdm (wasm)", () => buildWasm({ small, types: whole }));
+  if (whole) await step("npm package vcgpdm (figure)", buildFigure);
   if (wasmOnly) return;
   await step("first model and motion", writeFirst);
   await step("page", buildSite);

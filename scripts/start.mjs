@@ -14,7 +14,7 @@ await main(async () => {
   if (!Number.isInteger(port) || port < 0 || port > 65535)
     throw new Failure(`PORT must be a number from 0 to 65535, found "${process.env.PORT}"`);
   await installTools({ meanwhile: () => step("Rust to wasm", () => compileWasm({ small: false })) });
-  await build({ wasmOnly: dev, small: false });
+  await build({ wasmOnly: dev, small: false, whole: false });
   if (dev) return runModule("vite/bin/vite.js", "www", "--port", String(port));
   const { address } = await serve(dist, { port });
   console.log(`\nThe playground is at ${address}   (Ctrl+C ends it)`);

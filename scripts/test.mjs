@@ -24,6 +24,9 @@ const WASM = ["--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"];
 const clippy = (/** @type {string[]} */ ...what) => run("cargo", "clippy", ...what, ...deny);
 const biome = (/** @type {string[]} */ ...args) => runModule("@biomejs/biome/bin/biome", ...args);
 
+/** Whether only the steps and tests run that a change often breaks. Their wasm is compiled quickly. */
+const often = () => env.PAGE_TESTS === "often";
+
 /** The argument of a process that runs one step for another process. */
 const THIS_STEP = "--this-step";
 
@@ -40,8 +43,8 @@ const PAGE_STEPS = [
   { name: "locks", what: "hashes in the lock files", work: checkLocks },
   { name: "lines", what: "size of the project", work: async () => checkLines() },
   { name: "imports", what: "order and circles of imports", work: imports },
-  { name: "build", what: "wasm package and page", work: build },
-  { name: "sizes", what: "sizes of a visit", needs: "build", work: async () => weigh() },
+  { name: "build", what: "wasm package and page", work: () => build({ small: !often() }) },
+  { name: "sizes", what: "sizes of a visit", needs: "build", work: async () => weigh({ small: !often() }) },
   { name: "node", what: "the npm package from Node", needs: "build", work: () => nodeTests("node") },
   { name: "types", what: "TypeScript, strict", needs: "build", work: types },
   {

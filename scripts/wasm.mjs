@@ -107,10 +107,9 @@ async function declareTypes() {
   });
 }
 
-/** Without `small`, wasm-opt and types are left out: the wasm is larger, and ready sooner. */
-export async function buildWasm({ small = true } = {}) {
-  await compileWasm({ small });
-  if (small) await declareTypes();
+/** Without `small`, wasm-opt is left out: the wasm is larger, and ready sooner. */
+export async function buildWasm({ small = true, types = true } = {}) {
+  await Promise.all([compileWasm({ small }), types && declareTypes()]);
   const pkg = at("crate/wasm/pkg");
   const places = ["package-lock.json", "scripts/wasm.mjs", "scripts/package.mjs", "crate/wasm/js"];
   const inputs = filesUnder([

@@ -71,13 +71,9 @@ export async function startBrowser({ driver, args = [], capabilities, env = proc
     find,
     open: (/** @type {string} */ url) => call("POST", "/url", { url }),
     reload: () => call("POST", "/refresh"),
-    /**
-     * Clicks as a person does: the browser refuses when something covers the element. A menu that has just opened
-     * may still move, and WebKit then clicks the row beside.
-     */
+    /** Clicks as a person does: the browser refuses when something covers the element. */
     async click(/** @type {string} */ selector) {
       const id = await find(selector);
-      await until(`${selector} to rest`, () => run(rests, { [ELEMENT]: id }));
       await until(`a click on ${selector}`, () =>
         call("POST", `/element/${id}/click`).then(
           () => true,
@@ -101,15 +97,6 @@ export async function startBrowser({ driver, args = [], capabilities, env = proc
     until: (/** @type {string} */ what, /** @type {Function | string} */ script, timeout = 60_000) =>
       until(what, () => run(script), timeout),
   };
-}
-
-/** Runs in the page: whether an element stays where it is over three frames. */
-async function rests(/** @type {Element} */ element) {
-  const place = () => JSON.stringify(element.getBoundingClientRect());
-  element.scrollIntoView({ block: "nearest" });
-  const before = place();
-  for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
-  return place() === before;
 }
 
 /** Asks again until the answer is true. */

@@ -10,12 +10,11 @@ import { dist } from "../../scripts/site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/**
- * `it` and `describe` of what a change seldom breaks: `npm test` leaves these tests out, `npm test -- --all` and a
- * run by hand do not.
- */
-export const seldom =
-  process.env.PAGE_TESTS === "often" ? { it: it.skip, describe: describe.skip } : { it, describe };
+/** Whether this is `npm test`, neither `npm test -- --all` nor a run by hand. */
+export const often = process.env.PAGE_TESTS === "often";
+
+/** `it` and `describe` of what a change seldom breaks: `npm test` leaves these tests out. */
+export const seldom = often ? { it: it.skip, describe: describe.skip } : { it, describe };
 
 const DESK = { width: 1280, height: 800 };
 const PHONE = { width: 390, height: 844 };

@@ -24,7 +24,7 @@ export class SaveMenu extends View {
   #place({ currentTarget, newState }: ToggleEvent & { currentTarget: HTMLElement }): void {
     const button = this.querySelector("button");
     if (newState !== "open" || !button) return;
-    // Its item is there when it has loaded.
+    // Its item is there when it has loaded, and is the last: nothing moves under a pointer.
     import("./film").catch(() => {});
     const { left, bottom } = button.getBoundingClientRect();
     const width = WIDTH * Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
@@ -71,11 +71,11 @@ export class SaveMenu extends View {
         ${this.#item("motion", "BVH", hasMotion, clip ? words.motion.ofClip(clip.title) : undefined)}
         ${this.#item("glb", "GLB", hasMotion)}
         ${this.#item("positions", "CSV", hasMotion)}
-        <pg-film .app=${this.app}></pg-film>
         ${this.#item("latents", "CSV", hasModel && !isBehind, noRollout)}
         ${this.#item("account", "JSON", hasModel && !isBehind, noRollout)}
         ${this.#item("model", "JSON", hasModel || isOtherKind)}
         <button data-testid="share" ?disabled=${!hasModel && !isOtherKind} @click=${this.#share}><span>${words.share.title}<small>${words.share.about}</small></span><small>URL</small></button>
+        <pg-film .app=${this.app}></pg-film>
       </div>`;
   }
 }
