@@ -4,6 +4,7 @@ import { it } from "node:test";
 import {
   barriers,
   changes,
+  countTones,
   ACCESSIBLE,
   keepsNobodyOut,
   openedSite,
@@ -71,16 +72,7 @@ it("a model goes on with one hand, then with two, whose couplings can be changed
   await soon(async () => assert.equal(await rolled(), before));
 
   // A tone for each hand.
-  const tones = () => page.evaluate(() => /** @type {any} */ (window).tones);
-  await page.evaluate(() => {
-    Object.assign(window, { tones: 0 });
-    window.OscillatorNode = class extends OscillatorNode {
-      start() {
-        super.start();
-        /** @type {any} */ (window).tones++;
-      }
-    };
-  });
+  const tones = await countTones(page);
   await page.getByTestId("sound").click();
   await soon(async () => assert.equal(await tones(), 2));
 

@@ -12,7 +12,7 @@ import { drawingWords } from "./view-words";
 import "./drawing.css";
 import { drawingFile, type DrawingStore } from "./drawing-store";
 import "./pad-view";
-import "../stage/sound-view";
+import "../live/sound-view";
 
 export class DrawingPage extends SeriesView {
   static override properties = { playing: { state: true } };

@@ -72,7 +72,7 @@ export class MoreView extends View {
     const { loops, stage, readings: words } = lab();
     if (!info) return nothing;
     // Its button is there when it has loaded.
-    import("../stage/sound-view").catch(() => {});
+    import("../live/sound-view").catch(() => {});
     const { bothShown } = readings;
     const { loop, samples } = settings.values;
     return html`

@@ -6,8 +6,8 @@ import { eachFrame } from "../ui/browser";
 import { View } from "../ui/view";
 import { loadPerforming, performingWords } from "../words/sections";
 import type { WordsStore } from "../words/words";
-import type { Playback } from "./playback";
-import type { StageStore } from "./stage-store";
+import type { Playback } from "../stage/playback";
+import type { StageStore } from "../stage/stage-store";
 
 /** A foot is up above the one height, and down below the other; metres over the ground. */
 const [UP, DOWN] = [0.07, 0.03];
