@@ -276,7 +276,7 @@ export const words: TeachWords = {
       halt: "wie gelernt, Beine → Beine ganz nach links: Dann hören die Beine nur auf die Arme, die nichts über Beine gelernt haben.",
       few: "Der Link setzt 6 Punkte; drück Trainieren.",
       hands:
-        "wie gelernt, links → links ganz nach links: Die linke Hand hört dann nur die rechte, die nichts über sie gelernt hat.",
+        "wie gelernt, left → left ganz nach links: Die linke Hand hört dann nur die rechte, die nichts über sie gelernt hat.",
     },
     whys: {
       pace: "Welchen Pfeil hast du dünn gemacht, und wer spricht jetzt über die Arme?",
