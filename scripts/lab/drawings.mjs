@@ -9,7 +9,8 @@ import { at } from "../run.mjs";
 /** The seconds after which a model must still go on. */
 const SECONDS = 20;
 /** The width of a drawing on the pad, and the middle of the pad: hundredths of the pad's width. */
-const [SIZE, X, Y] = [60, 50, 66];
+const SIZE = 60;
+const MIDDLE = /** @type {const} */ ([50, 66]);
 
 /** A module of the view Draw. */
 export const drawingModule = async (/** @type {string} */ name) =>
@@ -36,29 +37,25 @@ export async function learner(/** @type {typeof import("vcgpdm")} */ { Table, Tr
   };
 }
 
-/** The strokes of a file on a pad, from its first moment on. */
+/** The strokes of a file on a pad, in their first seconds. */
 function strokesIn(/** @type {string} */ file, /** @type {number} */ longest) {
   const [head = "", ...lines] = readFileSync(file, "utf8").trim().split(/\r?\n/);
-  const place = (/** @type {string} */ name) => head.split(",").indexOf(name);
-  const columns = ["line_number", "seconds", "x", "y"].map(place);
-  const all = lines.map((line) => columns.map((column) => Number(line.split(",")[column] ?? 0)));
-  const samples = all.filter(([, seconds = 0]) => seconds - (all[0]?.[1] ?? 0) <= longest);
-  const ends = (/** @type {number} */ column) => {
-    const values = samples.map((sample) => sample[column] ?? 0);
-    return /** @type {const} */ ([Math.min(...values), Math.max(...values)]);
+  const places = ["line_number", "seconds", "x", "y"].map((name) => head.split(",").indexOf(name));
+  const samples = lines
+    .map((line) => places.map((place) => Number(line.split(",")[place] ?? 0)))
+    .filter(([, seconds = 0]) => seconds <= longest);
+  const ends = [2, 3].map((k) => {
+    const values = samples.map((sample) => sample[k] ?? 0);
+    return { low: Math.min(...values), high: Math.max(...values) };
+  });
+  const scale = SIZE / Math.max(...ends.map(({ low, high }) => high - low));
+  const put = (/** @type {number} */ value, /** @type {0 | 1} */ axis) => {
+    const { low = 0, high = 0 } = ends[axis] ?? {};
+    return MIDDLE[axis] + scale * (value - (low + high) / 2);
   };
-  const [[left, right], [low, high]] = [ends(2), ends(3)];
-  const scale = SIZE / Math.max(right - left, high - low);
-  const strokes = new Map();
+  const strokes = new Map(samples.map(([line]) => [line, /** @type {object[]} */ ([])]));
   for (const [line, seconds = 0, x = 0, y = 0] of samples)
-    strokes.set(line, [
-      ...(strokes.get(line) ?? []),
-      {
-        seconds: seconds - (all[0]?.[1] ?? 0),
-        x: X + scale * (x - (left + right) / 2),
-        y: Y + scale * (y - (low + high) / 2),
-      },
-    ]);
+    strokes.get(line)?.push({ seconds, x: put(x, 0), y: put(y, 1) });
   return [...strokes.values()];
 }
 
@@ -68,13 +65,13 @@ export async function drawings(/** @type {string[]} */ ...files) {
   console.log("| drawing | rows a lap | visited, % | speed, times | goes on |\n|---|---|---|---|---|");
   for (const file of files) {
     const found = learn(strokesIn(file, LONGEST));
-    const name = basename(file, ".csv");
-    if (!found) console.log(`| ${name} | too little |`);
-    else {
-      const { lap, visited, speed, goesOn } = found;
-      console.log(
-        `| ${name} | ${lap} | ${Math.round(100 * visited)} | ${speed.toFixed(2)} | ${goesOn ? "yes" : "no"} |`,
-      );
-    }
+    const { lap, visited, speed, goesOn } = found ?? { lap: 0, visited: 0, speed: 0, goesOn: false };
+    const cells = [
+      lap,
+      Math.round(100 * visited),
+      speed.toFixed(2),
+      found ? (goesOn ? "yes" : "no") : "too little",
+    ];
+    console.log(`| ${basename(file, ".csv")} | ${cells.join(" | ")} |`);
   }
 }

@@ -22,7 +22,7 @@ async function modelOf(/** @type {string} */ file) {
   const { frameTime } = model.info();
   const frames = Math.round(SECONDS / frameTime);
   const samples = model.sampledRollouts({ frames }, SAMPLES, 1);
-  return { clip: clip.resample(1 / frameTime), frameTime, mean: model.rollout({ frames }), samples };
+  return { clip: clip.resample(1 / frameTime), mean: model.rollout({ frames }), samples };
 }
 
 export async function samples(/** @type {string[]} */ ...files) {
@@ -47,102 +47,76 @@ export async function samples(/** @type {string[]} */ ...files) {
   }
 }
 
-/** Steps that turn back, %; speed relative to the root, log of m/s; speed of the lowest node, % of that of the root. */
-function measured(
-  /** @type {{ positions(): Float32Array }} */ motion,
-  /** @type {number} */ nodes,
-  /** @type {number} */ frameTime,
-) {
+/** What is measured of a motion; of the speed the difference is a ratio. */
+const MEASURES = ["steps that turn back, %", "speed, %", "speed of the lower foot, % of the root's"];
+
+/**
+ * Steps that turn back, %; the speed of the nodes relative to the root; the speed of the lowest node, % of the root's.
+ * @type {(motion: { positions(): Float32Array }, nodes: number) => number[]}
+ */
+function measured(motion, nodes) {
   const all = motion.positions();
-  const place = (/** @type {number} */ t, /** @type {number} */ node) =>
-    all.subarray(3 * (t * nodes + node), 3 * (t * nodes + node + 1));
-  const frames = all.length / nodes / 3;
+  const value = (/** @type {number} */ frame, /** @type {number} */ i) => all[3 * nodes * frame + i] ?? 0;
   let [back, pairs, way, slid, walked] = [0, 0, 0, 0, 0];
   /** @type {number[]} */
   let before = [];
-  for (let t = 1; t < frames; t++) {
-    const step = Array.from({ length: 3 * nodes }, (_, i) => {
-      const relative = (/** @type {number} */ frame) =>
-        (all[3 * frame * nodes + i] ?? 0) - (place(frame, 0)[i % 3] ?? 0);
-      return relative(t) - relative(t - 1);
-    });
-    way += Math.hypot(...step);
-    if (before.length > 0) {
-      const turn = Math.min(Math.hypot(...step), Math.hypot(...before));
-      pairs += turn;
-      if (step.reduce((sum, x, i) => sum + x * (before[i] ?? 0), 0) < 0) back += turn;
-    }
-    before = step;
-    const low = [...Array(nodes).keys()].reduce((a, b) =>
-      (place(t, b)[1] ?? 0) < (place(t, a)[1] ?? 0) ? b : a,
-    );
-    const over = (/** @type {number} */ node) => {
-      const [[x = 0, , z = 0], [a = 0, , b = 0]] = [place(t, node), place(t - 1, node)];
-      return Math.hypot(x - a, z - b);
-    };
-    slid += over(low);
-    walked += over(0);
+  for (let t = 1; t < all.length / nodes / 3; t++) {
+    const step = Array.from({ length: 3 * nodes }, (_, i) => value(t, i) - value(t - 1, i));
+    const own = step.map((by, i) => by - (step[i % 3] ?? 0));
+    way += Math.hypot(...own);
+    const turn = Math.min(Math.hypot(...own), Math.hypot(...before));
+    pairs += turn;
+    if (own.reduce((sum, by, i) => sum + by * (before[i] ?? 0), 0) < 0) back += turn;
+    before = own;
+    const heights = Array.from({ length: nodes }, (_, node) => value(t, 3 * node + 1));
+    const low = 3 * heights.indexOf(Math.min(...heights));
+    slid += Math.hypot(step[low] ?? 0, step[low + 2] ?? 0);
+    walked += Math.hypot(step[0] ?? 0, step[2] ?? 0);
   }
-  const speed = way / Math.sqrt(nodes) / (frames - 1) / frameTime;
-  return [(100 * back) / pairs, Math.log(speed), (100 * slid) / walked];
+  return [(100 * back) / pairs, way / (all.length / nodes / 3 - 1), (100 * slid) / walked];
 }
 
 const mean = (/** @type {number[]} */ all) => all.reduce((sum, value) => sum + value, 0) / all.length;
 
-/** The differences of samples from their clip beside those between trials. The person is the unit. */
-async function people(/** @type {string[]} */ folders) {
-  const names = [
-    "steps that turn back, percentage points",
-    "speed, %",
-    "speed of the lower foot, percentage points of the root's",
-  ];
-  /**
-   * For each person, and each measure: between trials, from a clip to the mean of its model, and to its samples.
-   * @type {number[][][]}
-   */
-  const found = [];
-  for (const folder of folders) {
-    /** @type {{ own: number[], middle: number[], drawn: number[][] }[]} */
-    const trials = [];
-    for (const file of subject(folder, 2).clips) {
-      const { clip, frameTime, mean, samples } = await modelOf(file);
-      const nodes = clip.info().figure.nodes.length;
-      const of = (/** @type {any} */ motion) => measured(motion, nodes, frameTime);
-      trials.push({ own: of(clip), middle: of(mean), drawn: [...samples].map(of) });
-    }
-    found.push(
-      names.map((name, k) => {
-        const apart = (/** @type {number[]} */ a, /** @type {number[]} */ b) => {
-          const by = Math.abs((a[k] ?? 0) - (b[k] ?? 0));
-          return name.startsWith("speed") ? 100 * (Math.exp(by) - 1) : by;
-        };
-        const between = trials.flatMap(({ own }, i) =>
-          trials.slice(i + 1).map((other) => apart(own, other.own)),
-        );
-        return [
-          mean(between),
-          mean(trials.map(({ own, middle }) => apart(own, middle))),
-          mean(trials.flatMap(({ own, drawn }) => drawn.map((sample) => apart(own, sample)))),
-        ];
-      }),
-    );
+/** The differences between a person's trials, from a clip to its mean, and to its samples, by measure. */
+async function person(/** @type {string} */ folder) {
+  /** @type {{ own: number[], middle: number[], drawn: number[][] }[]} */
+  const trials = [];
+  for (const file of subject(folder, 2).clips) {
+    const { clip, mean, samples } = await modelOf(file);
+    const of = (/** @type {any} */ motion) => measured(motion, clip.info().figure.nodes.length);
+    trials.push({ own: of(clip), middle: of(mean), drawn: [...samples].map(of) });
   }
+  return MEASURES.map((name, k) => {
+    const apart = (/** @type {number[]} */ { [k]: a = 0 }, /** @type {number[]} */ { [k]: b = 0 }) =>
+      name.startsWith("speed, ") ? 100 * (Math.max(a / b, b / a) - 1) : Math.abs(a - b);
+    return [
+      mean(trials.flatMap(({ own }, i) => trials.slice(i + 1).map((other) => apart(own, other.own)))),
+      mean(trials.map(({ own, middle }) => apart(own, middle))),
+      mean(trials.flatMap(({ own, drawn }) => drawn.map((sample) => apart(own, sample)))),
+    ];
+  });
+}
+
+/** What samples differ from their clip, less what trials differ. The person is the unit. */
+async function people(/** @type {string[]} */ folders) {
+  /** @type {number[][][]} */
+  const found = [];
+  for (const folder of folders) found.push(await person(folder));
   const columns = folders.map((folder) => `${basename(folder)}: trials, mean, samples`).join(" | ");
   console.log(
     `| difference in | ${columns} | samples less trials (95 %) |\n|---|${"---|".repeat(folders.length + 1)}`,
   );
-  names.forEach((name, k) => {
-    const pairs = found.map((person) => person[k] ?? []);
-    const effects = pairs.map(([trials = 0, , samples = 0]) => samples - trials);
-    const middle = mean(effects);
-    const spread = Math.sqrt(
-      effects.reduce((sum, effect) => sum + (effect - middle) ** 2, 0) / (effects.length - 1),
-    );
-    const half = ((T[effects.length - 2] ?? 1.96) * spread) / Math.sqrt(effects.length);
+  MEASURES.forEach((name, k) => {
+    const all = found.map((person) => person[k] ?? []);
+    const effects = all.map(([trials = 0, , samples = 0]) => samples - trials);
+    const [count, middle] = [effects.length, mean(effects)];
+    const variance = (mean(effects.map((effect) => (effect - middle) ** 2)) * count) / (count - 1);
+    const half = (T[count - 2] ?? 1.96) * Math.sqrt(variance / count);
     const ends = [middle - half, middle + half].map((end) => end.toFixed(1)).join(" to ");
-    const cells = pairs.map((pair) => pair.map((value) => value.toFixed(1)).join(", ")).join(" | ");
+    const cells = all.map((numbers) => numbers.map((number) => number.toFixed(1)).join(", ")).join(" | ");
     console.log(
-      `| ${name} | ${cells} | ${middle.toFixed(1)} (${ends}): ${Math.abs(middle) > half ? "decided" : "undecided"} |`,
+      `| ${name} | ${cells} | ${middle.toFixed(1)} (${ends})${Math.abs(middle) > half ? "" : ": undecided"} |`,
     );
   });
 }
