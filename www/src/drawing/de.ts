@@ -34,8 +34,7 @@ export const words: DrawingWords = {
     two: "Schwäche einen Pfeil zwischen den Händen: Laufen sie auseinander? Verstärke ihn: Zieht eine die andere mit?",
   },
   saveDrawing: "Zeichnung, CSV",
-  saveDrawingMeaning:
-    "Was du gezeichnet hast, so wie das Modell es lernte: öffnet sich in Zeitreihen und im Terminal",
+  saveDrawingMeaning: "So wie das Modell sie lernte; öffnet sich in Zeitreihen und im Terminal",
   saveModel: "Modell, JSON",
   saveModelMeaning: "Öffnet sich in Zeitreihen und im Terminal",
 };

@@ -10,9 +10,13 @@ import type { WordsStore } from "../words/words";
 import { DARES } from "../settings/settings";
 import { drawingWords } from "./view-words";
 import "./drawing.css";
+import { HEIGHT } from "./hand";
 import { drawingFile, type DrawingStore } from "./drawing-store";
 import "./pad-view";
 import "../live/sound-view";
+
+/** A hand that visits a smaller share of its drawing has stopped. */
+const STOPPED = 0.3;
 
 export class DrawingPage extends SeriesView {
   static override properties = { playing: { state: true } };
@@ -57,7 +61,7 @@ export class DrawingPage extends SeriesView {
           drawn
             ? html`
           <button class="round primary" data-testid="draw-play" aria-label=${playing ? time.pause : time.play} @click=${() => this.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
-          <pg-sound .app=${this.page} .hands=${() => store.heights}></pg-sound>
+          <pg-sound .app=${this.page} .hands=${() => this.#heights()}></pg-sound>
           <button class="small" data-testid="draw-clear" @click=${() => store.clear()}>${words.again}</button>
           <label class="says"><span class="visually-hidden">${words.says}</span>
             <input data-testid="says" maxlength="80" placeholder=${words.says} .value=${this.settings.values.says}
@@ -68,6 +72,23 @@ export class DrawingPage extends SeriesView {
             : nothing
         }
       </div>`;
+  }
+
+  /** The height of the pen of each hand, 0 to 1, while the model draws. */
+  #heights(): number[] {
+    const { drawn, model, isDrawing } = this.store;
+    const pads = model.clock.playing && !isDrawing ? (drawn?.pads ?? []) : [];
+    return pads.map((pad) => (this.store.pen(pad, 0)?.[1] ?? 0) / HEIGHT);
+  }
+
+  /** Whether one changed coupling has stopped one hand while the other goes on. */
+  get #hasStoppedOne(): boolean {
+    const { couplings, rollout } = this.shown;
+    const changed = couplings.learned.flatMap((row, source) =>
+      row.filter((_, target) => couplings.isChanged(source, target)),
+    );
+    const hands = changed.length === 1 ? this.store.compared(rollout?.values) : [];
+    return hands.some(({ visited }) => visited < STOPPED) && hands.some(({ goesOn }) => goesOn);
   }
 
   #picture() {
@@ -91,7 +112,7 @@ export class DrawingPage extends SeriesView {
 
   protected override render() {
     const { says, exercise, drawing } = this.settings.values;
-    const isMet = exercise === DARES.hand && this.store.hasStoppedOne;
+    const isMet = exercise === DARES.hand && this.#hasStoppedOne;
     const { dare } = drawingWords();
     return html`
       <div class="lab" data-panel="none">

@@ -6,7 +6,7 @@ import { TablesStore } from "../series/tables-store";
 import { ProgressStore } from "../training/progress-store";
 import { drawingWords } from "./view-words";
 import { circle, drawnBy, eight } from "./example";
-import { type GoesOn, goesOn } from "./goes-on";
+import type { GoesOn, goesOn } from "./goes-on";
 import {
   type Drawing,
   DRAWING_SETTINGS,
@@ -30,9 +30,6 @@ const NEXT_STROKE = 400;
 /** Seconds that the model draws at a time. */
 const AT_A_TIME = 20;
 
-/** A hand that visits a smaller share of its drawing has stopped. */
-const STOPPED = 0.3;
-
 /** The table of a drawing, as a file. */
 export function drawingFile({ rows, rate }: Pick<Drawing, "rows" | "rate">, pads: readonly Pad[]): File {
   const names = pads.flatMap((pad) => [`${HANDS[pad]}_x`, `${HANDS[pad]}_y`]);
@@ -52,6 +49,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** The drawing that the model on show learned, and its pads; null before the first. */
   #drawn: { drawing: Drawing; pads: readonly Pad[] } | null = null;
+  #goesOn: typeof goesOn | null = null;
   #tooLittle = false;
   #badLink = false;
   #woken = false;
@@ -161,9 +159,13 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     // An earlier training is about to stop.
     while (this.busy) await new Promise((passed) => setTimeout(passed, 20));
     if (now !== this.#newest) return;
-    const found = await this.run((report, signal) =>
-      this.#workers.pool.run((worker) => worker.trainSeries(job, report, signal), signal),
-    );
+    // The measure arrives while the model learns: a first visit does without it.
+    const measure = import("./goes-on");
+    const found = await this.run(async (report, signal) => {
+      const trained = this.#workers.pool.run((worker) => worker.trainSeries(job, report, signal), signal);
+      [this.#goesOn] = await Promise.all([measure.then(({ goesOn }) => goesOn), trained]);
+      return trained;
+    });
     if (!found || now !== this.#newest) return;
     await this.model.takeTrained(found);
     this.#drawn = { drawing, pads };
@@ -183,12 +185,6 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     const frame = this.model.clock.frame;
     const [a, b] = [this.#at(place, Math.floor(frame)), this.#at(place, Math.ceil(frame))];
     return a && b ? a.map((value, i) => value + (frame % 1) * ((b[i] ?? value) - value)) : a;
-  }
-
-  /** The height of the pen of each hand, 0 to 1, while the model draws. */
-  get heights(): number[] {
-    const pads = this.model.clock.playing && !this.isDrawing ? (this.#drawn?.pads ?? []) : [];
-    return pads.map((pad) => (this.pen(pad, 0)?.[1] ?? 0) / HEIGHT);
   }
 
   /** The last places of the model's pen on a pad, the oldest first. */
@@ -233,28 +229,19 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
 
   /** The hand that does not go on as it was drawn; undefined: all do. */
   #findLost(): Pad | undefined {
-    return this.#drawn?.pads[this.#compared(this.model.learned?.values).findIndex(({ goesOn }) => !goesOn)];
+    return this.#drawn?.pads[this.compared(this.model.learned?.values).findIndex(({ goesOn }) => !goesOn)];
   }
 
   /** Each hand of a rollout, compared with its drawing. */
-  #compared(values: Float64Array | undefined): GoesOn[] {
+  compared(values: Float64Array | undefined): GoesOn[] {
     const { drawing, pads } = this.#drawn ?? {};
-    if (!values || !drawing || !pads) return [];
+    const compare = this.#goesOn;
+    if (!values || !drawing || !pads || !compare) return [];
     const width = 2 * pads.length;
     const rows = Array.from({ length: values.length / width }, (_, i) =>
       Array.from(values.subarray(i * width, (i + 1) * width)),
     );
-    return pads.map((_, place) => goesOn(onPad(drawing.rows, place), onPad(rows, place), drawing.lap));
-  }
-
-  /** Whether one changed coupling has stopped one hand while the other goes on. */
-  get hasStoppedOne(): boolean {
-    const { couplings, rollout } = this.model;
-    const changed = couplings.learned.flatMap((row, source) =>
-      row.filter((_, target) => couplings.isChanged(source, target)),
-    );
-    const hands = changed.length === 1 ? this.#compared(rollout?.values) : [];
-    return hands.some(({ visited }) => visited < STOPPED) && hands.some(({ goesOn }) => goesOn);
+    return pads.map((_, place) => compare(onPad(drawing.rows, place), onPad(rows, place), drawing.lap));
   }
 
   /** An eight, and on the second pad a circle, by formulas, as if they were drawn now. */

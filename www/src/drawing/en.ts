@@ -29,7 +29,7 @@ export const words = {
     two: "Weaken an arrow between the hands: do they fall apart? Strengthen it: does one drag the other?",
   },
   saveDrawing: "Drawing, CSV",
-  saveDrawingMeaning: "What you drew, as the model learned it: opens in Time series and in the terminal",
+  saveDrawingMeaning: "As the model learned it; opens in Time series and in the terminal",
   saveModel: "Model, JSON",
   saveModelMeaning: "Opens in Time series and in the terminal",
 };
