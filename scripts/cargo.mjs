@@ -8,4 +8,4 @@ export const NATIVE = ["--workspace", "--exclude", "vcgpdm-wasm", "--exclude", "
 export const TESTS = ["--lib", "--bins", "--tests"];
 
 /** Compiles the Rust tests without running them, and the program `vcgpdm`. */
-export const compileTests = () => run("cargo", "test", ...NATIVE, "--all-features", ...TESTS, "--no-run");
+export const compileTests = () => run("cargo", "test", ...NATIVE, ...TESTS, "--no-run");

@@ -62,7 +62,7 @@ const RUST_STEPS = [
   {
     name: "clippy",
     what: "clippy, native",
-    work: () => clippy(...NATIVE, "--all-targets", "--all-features"),
+    work: () => clippy(...NATIVE, "--all-targets"),
   },
   {
     name: "clippy-wasm",
@@ -77,8 +77,8 @@ const RUST_STEPS = [
     name: "rust",
     what: "Rust tests and doctests",
     work: async () => {
-      await run("cargo", "test", ...NATIVE, "--all-features", ...TESTS);
-      await run("cargo", "test", ...NATIVE, "--all-features", "--doc");
+      await run("cargo", "test", ...NATIVE, ...TESTS);
+      await run("cargo", "test", ...NATIVE, "--doc");
     },
   },
   { name: "recordings", what: "Rust tests on recordings", work: recordings },
@@ -118,10 +118,9 @@ async function format() {
 async function features() {
   // The library alone: without the features that the other packages turn on.
   await clippy("--package", "vcgpdm");
-  await clippy(...NATIVE, "--all-targets");
+  await clippy(...NATIVE, "--all-targets", "--all-features");
   await clippy(...WASM, "--no-default-features");
-  for (const feature of ["training", "speed"])
-    await clippy(...WASM, "--no-default-features", "--features", feature);
+  await clippy(...WASM, "--no-default-features", "--features", "speed");
 }
 
 /**
@@ -170,7 +169,7 @@ async function recordings() {
   env.VCGPDM_CLIPS ??= at("../shared/bvh");
   if (!existsSync(env.VCGPDM_CLIPS)) return `skipped: no recordings in ${env.VCGPDM_CLIPS}: set VCGPDM_CLIPS`;
   const names = ["recordings::", ...(env.VCGPDM_ACCLAIM ? ["acclaim::"] : [])];
-  const tests = ["test", ...NATIVE, "--all-features", ...TESTS, "--", "--ignored", ...names];
+  const tests = ["test", ...NATIVE, ...TESTS, "--", "--ignored", ...names];
   await run("cargo", ...tests);
   const count = (output("cargo", ...tests, "--list") ?? "").match(/: test$/gm)?.length ?? 0;
   if (count === 0) throw new Failure("expected tests in modules named recordings, found none");
