@@ -20,12 +20,6 @@ const LOUD = 0.1;
 /** A tone changes within these seconds. It ends when no picture of the page has been drawn for a while. */
 const [SOON, AWHILE] = [0.03, 0.3];
 
-/** The height of each foot over the ground in metres, and of each hand from 0 to 1. */
-interface Heard {
-  feet: readonly number[];
-  hands: readonly number[];
-}
-
 class Sound {
   readonly #context = new AudioContext();
   readonly #hands: { tone: OscillatorNode; volume: GainNode }[] = [];
@@ -48,7 +42,8 @@ class Sound {
     tone.stop(now + CLICK);
   }
 
-  play({ feet, hands }: Heard): void {
+  /** Plays the height of each foot over the ground in metres, and of each hand from 0 to 1. */
+  play(feet: readonly number[], hands: readonly number[]): void {
     const now = this.#context.currentTime;
     feet.forEach((height, foot) => {
       if (this.#isUp[foot] && height < DOWN) this.#click(foot % 2);
@@ -101,7 +96,7 @@ export class SoundView extends View {
     this.on = on;
     if (!on) return;
     const sound = new Sound();
-    const stop = eachFrame(() => sound.play({ feet: this.#feet(), hands: this.hands?.() ?? [] }));
+    const stop = eachFrame(() => sound.play(this.#feet(), this.hands?.() ?? []));
     this.#stop = () => {
       stop();
       sound.end();
