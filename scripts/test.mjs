@@ -5,7 +5,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { setPriority } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { at, env, Failure, main, output, root, run, runModule, seconds } from "./run.mjs";
+import { at, env, Failure, main, output, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
 import { findChromium } from "./chromium.mjs";
 import { compileTests, NATIVE, TESTS } from "./cargo.mjs";
@@ -13,6 +13,7 @@ import { checkGolden } from "./golden.mjs";
 import { checkLines } from "./lines.mjs";
 import { checkLocks } from "./locks.mjs";
 import { nodeTests } from "./node-tests.mjs";
+import { checkRustImports } from "./rust-imports.mjs";
 import { weigh } from "./site.mjs";
 import { installNpmPackages, installTools, oldestRust } from "./tools.mjs";
 
@@ -102,7 +103,8 @@ async function imports() {
   await installNpmPackages("tools/page-imports");
   const cruiser = "tools/page-imports/node_modules/dependency-cruiser/bin/dependency-cruise.mjs";
   await run(process.execPath, at(cruiser), "--config", at("tools/page-imports/order.cjs"), "www/src");
-  await run("cargo", "run", "--quiet", "--locked", "--profile", "tools", "--package", "rust-imports", root);
+  checkRustImports();
+  await nodeTests("imports");
 }
 
 async function format() {

@@ -62,7 +62,7 @@ describe("the address of the first visit", () => {
 
   it("says what is wrong with a link, and opens the page's model without the link's couplings", async () => {
     const link = await packed(modelText(9));
-    await open(`alpha=0.1:50&latent=2&packed=${link.slice(0, -1)}`);
+    await open(`alpha=0.1:50&latent=2&start=1&frame=5&packed=${link.slice(0, -1)}`);
     expect(notices()).toEqual([
       expect.stringMatching(
         /^The model of this link was not opened: Expected \d+ characters of a packed model, found \d+: the link was cut off or changed on its way\.$/,
@@ -148,8 +148,10 @@ describe("a link that is followed", () => {
 
   it("replaces the model and its couplings", async () => {
     await open("alpha=0.1:3");
+    const left = vi.spyOn(app.training, "unchoose");
     await follow(`packed=${await packed(modelText(9))}`);
     expect([app.model.openedText, app.model.couplings.altered]).toEqual([modelText(9), false]);
+    expect(left).toHaveBeenCalled();
   });
 
   it("shows a model without couplings at its length, in front of the model as learned", async () => {
@@ -196,21 +198,25 @@ describe("a link that is followed", () => {
     await vi.waitFor(() => expect(bar.read()).not.toContain("packed"));
   });
 
-  it("does not replace what the visitor opened while its file was on the way", async () => {
-    let arrive = (_: Response) => {};
-    const slow = new Promise<Response>((resolve) => {
-      arrive = resolve;
-    });
-    vi.stubGlobal("fetch", () => slow);
-    await open("");
-    bar.pages.push("model=slow.json");
-    app.followAddress();
-    await settled();
-    await app.model.open(modelText(5));
-    arrive(new Response(modelText(7)));
-    for (let k = 0; k < 5; k++) await settled();
-    expect([app.model.openedText, notices()]).toEqual([modelText(5), []]);
-  });
+  it.each([new Response(modelText(7)), new Response('{"kind":"tmp"}'), new Response("", { status: 404 })])(
+    "does not replace what the visitor opened while its file was on the way",
+    async (answer) => {
+      let arrive = (_: Response) => {};
+      const slow = new Promise<Response>((resolve) => {
+        arrive = resolve;
+      });
+      vi.stubGlobal("fetch", () => slow);
+      await open("");
+      bar.pages.push("model=slow.json");
+      app.followAddress();
+      await settled();
+      await app.model.open(modelText(5));
+      arrive(answer);
+      for (let k = 0; k < 5; k++) await settled();
+      const { openedText } = app.model;
+      expect([openedText, app.stage.content?.caption, notices()]).toEqual([modelText(5), undefined, []]);
+    },
+  );
 
   it("does not replace the model while a training runs", async () => {
     await open("");

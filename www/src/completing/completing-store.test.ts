@@ -1,40 +1,22 @@
 import { beforeEach, expect, it } from "vitest";
-import { ClipsStore } from "../clips/clips-store";
-import { ModelStore } from "../couplings/model-store";
-import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
-import { EngineStore } from "../engine/engine-store";
+import { FakeLab } from "../couplings/lab.fake";
+import { settled } from "../engine/engine.fake";
 import { FakeProgram } from "../engine/whole-workers.fake";
-import { FakeAddressBar } from "../settings/address.fake";
-import { SettingsStore } from "../settings/settings-store";
-import { Playback } from "../stage/playback";
-import { StageStore } from "../stage/stage-store";
-import { NoticesStore } from "../ui/notices-store";
 import { loadCompleting } from "../words/sections";
 import { WordsStore } from "../words/words";
 import { CompletingStore } from "./completing-store";
 import { Recordings } from "./recordings";
 
-let engine: FakeEngine;
-let model: ModelStore;
-let stage: StageStore;
-let notices: NoticesStore;
+let { model, stage, notices } = new FakeLab();
 let whole: FakeProgram;
 let completing: CompletingStore;
 beforeEach(async () => {
   await loadCompleting(new WordsStore());
-  engine = new FakeEngine();
+  const lab = new FakeLab();
+  ({ model, stage, notices } = lab);
   whole = new FakeProgram();
-  notices = new NoticesStore();
-  const settings = new SettingsStore(new FakeAddressBar());
-  const store = new EngineStore();
-  stage = new StageStore(new Playback(settings));
-  model = new ModelStore(store, settings, stage, notices);
-  const clips = new ClipsStore(store, settings, stage);
-  completing = new CompletingStore(new Recordings(store, model, clips, whole), model, stage, notices);
-  await store.start(
-    () => Promise.resolve(started(engine)),
-    () => model.open(modelText(1)),
-  );
+  completing = new CompletingStore(new Recordings(lab.store, model, lab.clips, whole), model, stage, notices);
+  await lab.start();
 });
 
 const kinds = () => [stage.content?.kind, stage.ghost !== null, completing.scores?.length ?? 0];

@@ -1,29 +1,17 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { FakeEngine, modelText, started } from "../engine/engine.fake";
-import { EngineStore } from "../engine/engine-store";
-import { FakeAddressBar } from "../settings/address.fake";
-import { SettingsStore } from "../settings/settings-store";
-import { Playback } from "../stage/playback";
-import { StageStore } from "../stage/stage-store";
-import { NoticesStore } from "../ui/notices-store";
+import { FakeLab } from "./lab.fake";
+import { modelText } from "../engine/engine.fake";
 import { BodyStore } from "./body-store";
-import { ModelStore } from "./model-store";
 
-let engine: FakeEngine;
-let model: ModelStore;
+let { engine, model } = new FakeLab();
 let body: BodyStore;
 
 beforeEach(async () => {
   vi.useFakeTimers();
-  engine = new FakeEngine();
-  const store = new EngineStore();
-  const settings = new SettingsStore(new FakeAddressBar());
-  model = new ModelStore(store, settings, new StageStore(new Playback(settings)), new NoticesStore());
-  body = new BodyStore(store, model);
-  await store.start(
-    () => Promise.resolve(started(engine)),
-    () => model.open(modelText(1)),
-  );
+  const lab = new FakeLab();
+  ({ engine, model } = lab);
+  body = new BodyStore(lab.store, model);
+  await lab.start();
 });
 afterEach(() => vi.useRealTimers());
 

@@ -1,37 +1,18 @@
 import { beforeEach, expect, it } from "vitest";
-import { ClipsStore } from "../clips/clips-store";
-import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
-import { EngineStore } from "../engine/engine-store";
+import { FakeLab } from "./lab.fake";
+import { modelText, settled } from "../engine/engine.fake";
 import { FakeProgram } from "../engine/whole-workers.fake";
-import { FakeAddressBar } from "../settings/address.fake";
-import { SettingsStore } from "../settings/settings-store";
-import { Playback } from "../stage/playback";
-import { StageStore } from "../stage/stage-store";
-import { NoticesStore } from "../ui/notices-store";
 import { ClipStartStore } from "./clip-start-store";
-import { ModelStore } from "./model-store";
 
-let engine: FakeEngine;
-let model: ModelStore;
-let clips: ClipsStore;
-let notices: NoticesStore;
+let { model, clips, notices, settings } = new FakeLab();
 let whole: FakeProgram;
-let settings: SettingsStore;
 let starts: ClipStartStore;
 beforeEach(async () => {
-  engine = new FakeEngine();
+  const lab = new FakeLab();
+  ({ model, clips, notices, settings } = lab);
   whole = new FakeProgram();
-  notices = new NoticesStore();
-  settings = new SettingsStore(new FakeAddressBar());
-  const store = new EngineStore();
-  const stage = new StageStore(new Playback(settings));
-  model = new ModelStore(store, settings, stage, notices);
-  clips = new ClipsStore(store, settings, stage);
-  starts = new ClipStartStore(store, model, clips, notices, whole);
-  await store.start(
-    () => Promise.resolve(started(engine)),
-    () => model.open(modelText(1, 2)),
-  );
+  starts = new ClipStartStore(lab.store, model, clips, notices, whole);
+  await lab.start(modelText(1, 2));
   await clips.loadSamples();
 });
 

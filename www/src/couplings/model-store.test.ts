@@ -1,34 +1,15 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { FakeEngine, modelHash, modelText, settled, started } from "../engine/engine.fake";
-import { EngineStore } from "../engine/engine-store";
-import { FakeAddressBar } from "../settings/address.fake";
+import { FakeLab } from "./lab.fake";
+import { modelHash, modelText, settled } from "../engine/engine.fake";
 import { readSettings, writeSettings } from "../settings/settings";
-import { SettingsStore } from "../settings/settings-store";
-import { Playback } from "../stage/playback";
-import { StageStore } from "../stage/stage-store";
-import { NoticesStore } from "../ui/notices-store";
-import { ModelStore } from "./model-store";
 import { presetWords, START_PRESETS } from "./presets";
 
-let engine: FakeEngine;
-let settings: SettingsStore;
-let stage: StageStore;
-let notices: NoticesStore;
-let model: ModelStore;
-let bar: FakeAddressBar;
+let { engine, settings, stage, notices, model, bar } = new FakeLab();
 
 async function begin(fragment = "", sequences = 1): Promise<void> {
-  engine = new FakeEngine();
-  bar = new FakeAddressBar(fragment);
-  settings = new SettingsStore(bar);
-  stage = new StageStore(new Playback(settings));
-  notices = new NoticesStore();
-  const store = new EngineStore();
-  model = new ModelStore(store, settings, stage, notices);
-  await store.start(
-    () => Promise.resolve(started(engine)),
-    () => model.open(modelText(1, sequences), { couplings: "link", clip: false }),
-  );
+  const lab = new FakeLab(fragment);
+  ({ engine, settings, stage, notices, model, bar } = lab);
+  await lab.start(modelText(1, sequences), { couplings: "link", clip: false });
   await settled();
 }
 beforeEach(() => begin());
@@ -47,15 +28,10 @@ const clip = () => ({
 
 describe("a coupling", () => {
   it("asks for one rollout with the exact value, before the address is written", async () => {
-    const bar = new FakeAddressBar();
-    const write = vi.spyOn(bar, "write");
-    settings = new SettingsStore(bar);
-    const store = new EngineStore();
-    model = new ModelStore(store, settings, stage, notices);
-    await store.start(
-      () => Promise.resolve(started(engine)),
-      () => model.open(modelText(1)),
-    );
+    const lab = new FakeLab();
+    const write = vi.spyOn(lab.bar, "write");
+    ({ settings, model, engine } = lab);
+    await lab.start();
     const before = engine.rollouts.length;
     const listener = vi.fn(() => expect(write).not.toHaveBeenCalled());
     model.on(listener);
@@ -295,15 +271,7 @@ describe("the start", () => {
 });
 
 it("takes couplings from a changed address", async () => {
-  bar = new FakeAddressBar("alpha=0.1:50");
-  settings = new SettingsStore(bar);
-  const store = new EngineStore();
-  model = new ModelStore(store, settings, stage, notices);
-  await store.start(
-    () => Promise.resolve(started(engine)),
-    () => model.open(modelText(1), { couplings: "link", clip: false }),
-  );
-  await settled();
+  await begin("alpha=0.1:50");
   expect(weightOf(0, 1)).toBe(50);
   bar.pages.push("alpha=1.0:3");
   settings.readAddress();

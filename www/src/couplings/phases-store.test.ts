@@ -1,15 +1,9 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { FakeEngine, modelText, started } from "../engine/engine.fake";
-import { EngineStore } from "../engine/engine-store";
+import { FakeLab } from "./lab.fake";
+import { FakeEngine } from "../engine/engine.fake";
 import type { BodyReport, RolloutResult } from "../engine/protocol";
 import { LiveTrack } from "../scene/live-track";
-import { FakeAddressBar } from "../settings/address.fake";
-import { SettingsStore } from "../settings/settings-store";
-import { Playback } from "../stage/playback";
-import { StageStore } from "../stage/stage-store";
-import { NoticesStore } from "../ui/notices-store";
 import { BodyStore } from "./body-store";
-import { ModelStore } from "./model-store";
 import { PhasesStore } from "./phases-store";
 
 const TURN = 2 * Math.PI;
@@ -40,24 +34,15 @@ const walking = (rollout: RolloutResult): RolloutResult => {
   return { ...rollout, latents: [circle(frames, 30), circle(frames, rollout.request.alpha ? 40 : 30)] };
 };
 
-let playback: Playback;
-let stage: StageStore;
-let model: ModelStore;
+let { playback, stage, model } = new FakeLab();
 let phases: PhasesStore;
 
 beforeEach(async () => {
   vi.useFakeTimers({ toFake: ["setTimeout", "clearTimeout"] });
-  const engine = new WalkingEngine();
-  const settings = new SettingsStore(new FakeAddressBar(""));
-  playback = new Playback(settings);
-  stage = new StageStore(playback);
-  const store = new EngineStore();
-  model = new ModelStore(store, settings, stage, new NoticesStore());
-  phases = new PhasesStore(model, new BodyStore(store, model), stage, playback);
-  await store.start(
-    () => Promise.resolve(started(engine)),
-    () => model.open(modelText(1)),
-  );
+  const lab = new FakeLab("", new WalkingEngine());
+  ({ playback, stage, model } = lab);
+  phases = new PhasesStore(model, new BodyStore(lab.store, model), stage, playback);
+  await lab.start();
   await measured();
   return () => vi.useRealTimers();
 });

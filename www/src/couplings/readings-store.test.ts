@@ -1,31 +1,17 @@
 import { beforeEach, expect, it } from "vitest";
-import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
-import { EngineStore } from "../engine/engine-store";
-import { FakeAddressBar } from "../settings/address.fake";
+import { FakeLab } from "./lab.fake";
+import { modelText, settled } from "../engine/engine.fake";
 import { LiveTrack } from "../scene/live-track";
-import { SettingsStore } from "../settings/settings-store";
-import { Playback } from "../stage/playback";
-import { StageStore } from "../stage/stage-store";
-import { NoticesStore } from "../ui/notices-store";
-import { ModelStore } from "./model-store";
 import { ReadingsStore } from "./readings-store";
 
-let engine: FakeEngine;
-let model: ModelStore;
-let stage: StageStore;
+let { engine, model, stage } = new FakeLab();
 let readings: ReadingsStore;
 
 beforeEach(async () => {
-  engine = new FakeEngine();
-  const store = new EngineStore();
-  const settings = new SettingsStore(new FakeAddressBar());
-  stage = new StageStore(new Playback(settings));
-  model = new ModelStore(store, settings, stage, new NoticesStore());
-  readings = new ReadingsStore(store, model, stage);
-  await store.start(
-    () => Promise.resolve(started(engine)),
-    () => model.open(modelText(1)),
-  );
+  const lab = new FakeLab();
+  ({ engine, model, stage } = lab);
+  readings = new ReadingsStore(lab.store, model, stage);
+  await lab.start();
 });
 
 const titles = () => stage.columns?.map(({ title }) => title);

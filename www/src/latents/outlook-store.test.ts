@@ -1,34 +1,18 @@
 import { beforeEach, expect, it } from "vitest";
-import { ModelStore } from "../couplings/model-store";
-import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
-import { EngineStore } from "../engine/engine-store";
+import { FakeLab } from "../couplings/lab.fake";
+import { modelText, settled } from "../engine/engine.fake";
 import { FakeProgram } from "../engine/whole-workers.fake";
-import { FakeAddressBar } from "../settings/address.fake";
-import { SettingsStore } from "../settings/settings-store";
-import { Playback } from "../stage/playback";
-import { StageStore } from "../stage/stage-store";
-import { NoticesStore } from "../ui/notices-store";
 import { FUTURES, OutlookStore } from "./outlook-store";
 
-let engine: FakeEngine;
-let model: ModelStore;
-let stage: StageStore;
-let notices: NoticesStore;
+let { engine, model, stage, notices } = new FakeLab();
 let whole: FakeProgram;
 let outlook: OutlookStore;
 beforeEach(async () => {
-  engine = new FakeEngine();
+  const lab = new FakeLab();
+  ({ engine, model, stage, notices } = lab);
   whole = new FakeProgram();
-  notices = new NoticesStore();
-  const settings = new SettingsStore(new FakeAddressBar());
-  const store = new EngineStore();
-  stage = new StageStore(new Playback(settings));
-  model = new ModelStore(store, settings, stage, notices);
-  outlook = new OutlookStore(store, model, stage, notices, whole);
-  await store.start(
-    () => Promise.resolve(started(engine)),
-    () => model.open(modelText(1)),
-  );
+  outlook = new OutlookStore(lab.store, model, stage, notices, whole);
+  await lab.start();
 });
 
 const part = { means: new Float64Array(4), covariances: new Float64Array(8) };

@@ -1,29 +1,15 @@
 import { beforeEach, expect, it } from "vitest";
-import { ModelStore } from "../couplings/model-store";
-import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
-import { EngineStore } from "../engine/engine-store";
-import { FakeAddressBar } from "../settings/address.fake";
-import { SettingsStore } from "../settings/settings-store";
-import { Playback } from "../stage/playback";
-import { StageStore } from "../stage/stage-store";
-import { NoticesStore } from "../ui/notices-store";
+import { FakeLab } from "../couplings/lab.fake";
+import { modelText, settled } from "../engine/engine.fake";
 import { PointingStore } from "./pointing-store";
 
-let engine: FakeEngine;
-let stage: StageStore;
-let model: ModelStore;
+let { engine, stage, model } = new FakeLab();
 let pointing: PointingStore;
 beforeEach(async () => {
-  engine = new FakeEngine();
-  const settings = new SettingsStore(new FakeAddressBar());
-  const store = new EngineStore();
-  stage = new StageStore(new Playback(settings));
-  model = new ModelStore(store, settings, stage, new NoticesStore());
-  pointing = new PointingStore(store, model, stage);
-  await store.start(
-    () => Promise.resolve(started(engine)),
-    () => model.open(modelText(1)),
-  );
+  const lab = new FakeLab();
+  ({ engine, stage, model } = lab);
+  pointing = new PointingStore(lab.store, model, stage);
+  await lab.start();
 });
 
 const pose = (index: number) => ({ kind: "pose" as const, part: 1, index });

@@ -1,28 +1,16 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { ModelStore } from "../couplings/model-store";
-import { FakeEngine, modelText, started } from "../engine/engine.fake";
-import { EngineStore } from "../engine/engine-store";
-import { FakeAddressBar } from "../settings/address.fake";
-import { SettingsStore } from "../settings/settings-store";
-import { Playback } from "../stage/playback";
-import { StageStore } from "../stage/stage-store";
-import { NoticesStore } from "../ui/notices-store";
+import { FakeLab } from "../couplings/lab.fake";
+import { modelText } from "../engine/engine.fake";
 import { PredictionsStore } from "./predictions-store";
 
-let engine: FakeEngine;
-let model: ModelStore;
+let { engine, model } = new FakeLab();
 let predictions: PredictionsStore;
 beforeEach(async () => {
   vi.useFakeTimers();
-  engine = new FakeEngine();
-  const settings = new SettingsStore(new FakeAddressBar());
-  const store = new EngineStore();
-  model = new ModelStore(store, settings, new StageStore(new Playback(settings)), new NoticesStore());
-  predictions = new PredictionsStore(store, model);
-  await store.start(
-    () => Promise.resolve(started(engine)),
-    () => model.open(modelText(1)),
-  );
+  const lab = new FakeLab();
+  ({ engine, model } = lab);
+  predictions = new PredictionsStore(lab.store, model);
+  await lab.start();
 });
 afterEach(() => {
   vi.useRealTimers();

@@ -52,8 +52,12 @@ it("says that a file is missing or too large, and asks no other host", async () 
   const broken = () => new ReadableStream({ pull: (body) => body.error(new Error("no end")) });
   answering(async () => new Response(broken()));
   await expect(textOfFile("mine.json")).rejects.toMatchObject({ problem: { what: "missing", found: "" } });
-  answering(async () => new Response(" ".repeat(LARGEST_DOCUMENT + 1)));
+  const cancel = vi.fn();
+  const endless = () =>
+    new ReadableStream({ pull: (body) => body.enqueue(new Uint8Array(LARGEST_DOCUMENT)), cancel });
+  answering(async () => new Response(endless()));
   await expect(textOfFile("mine.json")).rejects.toMatchObject({ problem: { what: "large" } });
+  expect(cancel).toHaveBeenCalled();
   const fetched = answering(async () => new Response("{}"));
   await expect(textOfFile("https://example.com/x.json")).rejects.toMatchObject({ problem: { what: "name" } });
   expect(fetched).not.toHaveBeenCalled();

@@ -66,6 +66,8 @@ it("says what is wrong with a link that is cut off, damaged, or of another versi
     expected: Number(length),
     found: Number(length) - 100,
   });
+  const longer = { what: "cut", expected: Number(length), found: Number(length) + 1 };
+  expect(await problem(`${link}A`)).toEqual(longer);
   expect(await problem("1.40")).toEqual({ what: "cut", expected: 40, found: 0 });
   expect(await problem("1.-4.AAAA")).toEqual({ what: "damaged" });
   expect(await problem(`2.${length}.${data}`)).toEqual({ what: "version", expected: "1", found: "2" });
@@ -100,7 +102,7 @@ it("refuses matrices within matrices at once, which would double at each level",
 });
 
 it("holds the whole matrices against the limit too", async () => {
-  const rows = Array.from({ length: 1_800 }, (_, i) => `[${"1234,".repeat(i)}1]`);
+  const rows = Array.from({ length: 1_400 }, (_, i) => `[${"1234,".repeat(i)}1]`);
   expect(await problem(await linkOf(`{"sum_psi2":[${rows.join(",")}]}`))).toEqual({
     what: "large",
     most: LARGEST_DOCUMENT,
@@ -112,6 +114,14 @@ it("makes no link that it would not open", async () => {
   await expect(packed(JSON.stringify(numbers))).rejects.toMatchObject({
     problem: { what: "long", most: LONGEST },
   });
+});
+
+it("keeps the digits by which experts that are inferred again, and MAP models, move", async () => {
+  const sums = ["sum_psi2", "sum_psi1_mu", "other_precision", "other_b"].map(
+    (name) => `"${name}":[[1.23456789012]]`,
+  );
+  const document = `{${sums.join(",")},"latents":[[1.23456789]],"coefficients":[[1.23456789]]}`;
+  expect(await unpacked(await packed(document))).toBe(document);
 });
 
 it("keeps both halves of a matrix that is not symmetric", async () => {

@@ -1,35 +1,17 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import { ModelStore } from "../couplings/model-store";
-import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
-import { EngineStore } from "../engine/engine-store";
-import { FakeAddressBar } from "../settings/address.fake";
-import { SettingsStore } from "../settings/settings-store";
-import { Playback } from "../stage/playback";
-import { StageStore } from "../stage/stage-store";
-import { NoticesStore } from "../ui/notices-store";
+import { FakeLab } from "../couplings/lab.fake";
+import { modelText, settled } from "../engine/engine.fake";
 import type { LiveStore } from "./live-store";
 import { modelLive } from "./model-live";
 
-let engine: FakeEngine;
-let playback: Playback;
-let stage: StageStore;
-let notices: NoticesStore;
-let model: ModelStore;
+let { engine, playback, stage, notices, model } = new FakeLab();
 let live: LiveStore;
 
 beforeEach(async () => {
-  engine = new FakeEngine();
-  const settings = new SettingsStore(new FakeAddressBar(""));
-  playback = new Playback(settings);
-  stage = new StageStore(playback);
-  notices = new NoticesStore();
-  const store = new EngineStore();
-  model = new ModelStore(store, settings, stage, notices);
-  await store.start(
-    () => Promise.resolve(started(engine)),
-    () => model.open(modelText(1), { couplings: "link", clip: false }),
-  );
-  live = modelLive({ engine: store, model, stage, playback, notices });
+  const lab = new FakeLab();
+  ({ engine, playback, stage, notices, model } = lab);
+  await lab.start(modelText(1), { couplings: "link", clip: false });
+  live = modelLive({ ...lab, engine: lab.store });
 });
 
 /** Lets seconds of the visitor's time pass. */
@@ -87,6 +69,15 @@ describe("a live rollout", () => {
     held.forEach(({ end }) => end());
     await settled();
     expect(frames()).toEqual(before);
+    // Nor does its error end the new motion.
+    engine.holding.add("advanceLive");
+    await pass(0.3);
+    live.stop();
+    engine.holding.clear();
+    await live.start();
+    engine.held.splice(0).forEach(({ fail }) => fail(new Error("late")));
+    await settled();
+    expect([live.running, notices.all]).toEqual([true, []]);
   });
 
   it("begins at the state of the figure, has no end, and gives the motion of some seconds back", async () => {

@@ -1,14 +1,8 @@
 import { beforeEach, expect, it } from "vitest";
-import { ClipsStore, noteOf } from "../clips/clips-store";
-import { ModelStore } from "../couplings/model-store";
-import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
-import { EngineStore } from "../engine/engine-store";
+import { FakeLab } from "../couplings/lab.fake";
+import { noteOf } from "../clips/clips-store";
+import { modelText, settled } from "../engine/engine.fake";
 import { FakeProgram } from "../engine/whole-workers.fake";
-import { FakeAddressBar } from "../settings/address.fake";
-import { SettingsStore } from "../settings/settings-store";
-import { Playback } from "../stage/playback";
-import { StageStore } from "../stage/stage-store";
-import { NoticesStore } from "../ui/notices-store";
 import { loadPerforming } from "../words/sections";
 import { WordsStore } from "../words/words";
 import type { LiveStore } from "./live-store";
@@ -16,36 +10,18 @@ import { modelLive } from "./model-live";
 import { Performance } from "./performance";
 import type { RecordedParts } from "./recorded-parts";
 
-let clips: ClipsStore;
-let playback: Playback;
-let notices: NoticesStore;
+let { clips, playback, notices } = new FakeLab();
 let live: LiveStore;
 let performed: Performance;
 
 beforeEach(async () => {
-  const settings = new SettingsStore(new FakeAddressBar(""));
-  const engine = new EngineStore();
-  playback = new Playback(settings);
-  const stage = new StageStore(playback);
-  notices = new NoticesStore();
-  clips = new ClipsStore(engine, settings, stage);
-  const model = new ModelStore(engine, settings, stage, notices);
-  await engine.start(
-    () => Promise.resolve(started(new FakeEngine())),
-    () => model.open(modelText(1), { couplings: "link", clip: false }),
-  );
+  const lab = new FakeLab();
+  ({ clips, playback, notices } = lab);
+  await lab.start(modelText(1), { couplings: "link", clip: false });
   await loadPerforming(new WordsStore());
-  live = modelLive({ engine, model, stage, playback, notices });
-  performed = new Performance(live, {} as RecordedParts, {
-    engine,
-    model,
-    clips,
-    playback,
-    notices,
-    workers: new FakeProgram(),
-    settings,
-    training: { start: async () => {} },
-  });
+  live = modelLive({ ...lab, engine: lab.store });
+  const others = { engine: lab.store, workers: new FakeProgram(), training: { start: async () => {} } };
+  performed = new Performance(live, {} as RecordedParts, { ...lab, ...others });
 });
 
 /** Lets seconds of the visitor's time pass. */

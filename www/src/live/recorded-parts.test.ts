@@ -1,42 +1,26 @@
 import { beforeEach, expect, it } from "vitest";
-import { ClipsStore } from "../clips/clips-store";
+import { FakeLab } from "../couplings/lab.fake";
 import { Recordings } from "../completing/recordings";
-import { ModelStore } from "../couplings/model-store";
-import { FakeEngine, modelText, settled, started } from "../engine/engine.fake";
-import { EngineStore } from "../engine/engine-store";
+import { modelText, settled } from "../engine/engine.fake";
 import { FakeProgram } from "../engine/whole-workers.fake";
-import { FakeAddressBar } from "../settings/address.fake";
-import { SettingsStore } from "../settings/settings-store";
-import { Playback } from "../stage/playback";
-import { StageStore } from "../stage/stage-store";
-import { NoticesStore } from "../ui/notices-store";
 import { loadCompleting } from "../words/sections";
 import { WordsStore } from "../words/words";
 import type { LiveStore } from "./live-store";
 import { modelLive } from "./model-live";
 import { RecordedParts } from "./recorded-parts";
 
-let model: ModelStore;
-let notices: NoticesStore;
+let { model, notices } = new FakeLab();
 let whole: FakeProgram;
 let live: LiveStore;
 let recorded: RecordedParts;
 beforeEach(async () => {
   await loadCompleting(new WordsStore());
   whole = new FakeProgram();
-  notices = new NoticesStore();
-  const settings = new SettingsStore(new FakeAddressBar());
-  const store = new EngineStore();
-  const playback = new Playback(settings);
-  const stage = new StageStore(playback);
-  model = new ModelStore(store, settings, stage, notices);
-  live = modelLive({ engine: store, model, stage, playback, notices });
-  const recordings = new Recordings(store, model, new ClipsStore(store, settings, stage), whole);
-  recorded = new RecordedParts(recordings, live, notices);
-  await store.start(
-    () => Promise.resolve(started(new FakeEngine())),
-    () => model.open(modelText(1)),
-  );
+  const lab = new FakeLab();
+  ({ model, notices } = lab);
+  live = modelLive({ ...lab, engine: lab.store });
+  recorded = new RecordedParts(new Recordings(lab.store, model, lab.clips, whole), live, notices);
+  await lab.start();
   await live.start();
 });
 
@@ -89,6 +73,7 @@ it("gives each of several parts its recording, also when they are chosen at once
 it("waits no longer for the recording of an old model", async () => {
   recorded.choose(0, recorded.all[0]?.key ?? "");
   await model.open(modelText(2));
+  void live.start();
   await answered();
   expect([recorded.keyOf(0), live.moverOf(0)]).toEqual([null, null]);
 });

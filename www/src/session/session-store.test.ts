@@ -185,13 +185,23 @@ describe("Forget everything", () => {
   });
 });
 
+it("keeps the visit of this tab when the browser cannot forget", async () => {
+  const { store } = await browser.open("a");
+  browser.database.forgetAllBut = () => Promise.reject(new Error("blocked"));
+  await expect(store.forgetAll()).rejects.toThrow("blocked");
+  expect(store.keeps).toBe(true);
+});
+
 describe("an earlier visit stays stored", () => {
   beforeEach(() => browser.leave("a", { model: "{}" }));
 
   it("when the visitor keeps the work on the page instead", async () => {
     const { visit, store } = await browser.open("b");
+    const other = (await browser.open("c")).store;
     visit.refuses = true;
     await store.bringBack(first(store));
+    await settled();
+    expect(first(other).taken).toBe(false);
     expect(visit.errors).toEqual([
       "The earlier visit could not be brought back: You keep the work on this page.",
     ]);
@@ -223,6 +233,13 @@ describe("an earlier visit stays stored", () => {
     const { visit, store } = await browser.open("b");
     await store.bringBack(first(store));
     expect([visit.taken?.model, stored().sort()]).toEqual(["{}", ["a", "b"]]);
+    // Not even when another tab says that the list has changed.
+    const about = browser.database.records.get("a")?.get("about");
+    browser.database.records.set("empty", new Map([["about", about]]));
+    const other = (await browser.open("d")).store;
+    await other.forget({ ...first(other), visit: "c" });
+    await settled();
+    expect([offered(store), stored().sort()]).toEqual([[], ["a", "b", "empty"]]);
   });
 });
 
@@ -235,6 +252,19 @@ describe("with several tabs", () => {
     expect(offered(other)).toEqual([]);
     await other.forgetAll();
     expect(stored()).toEqual(["a"]);
+  });
+
+  it("a visit that begins while this tab looks for visits is not offered", async () => {
+    const { database } = browser;
+    const visits = database.visits.bind(database);
+    database.visits = async () => {
+      database.visits = visits;
+      const { visit, store } = await browser.open("a");
+      visit.now = { ...nothing, model: "{}" };
+      await store.keepNow();
+      return visits();
+    };
+    expect(offered((await browser.open("b")).store)).toEqual([]);
   });
 
   it("two visits that ended together are both offered in both tabs, and each is brought back once", async () => {
@@ -261,10 +291,10 @@ describe("with several tabs", () => {
     await browser.leave("a", { model: "{}" });
     const { visit, store } = await browser.open("b");
     visit.takeUp = () => new Promise(() => {});
+    const other = (await browser.open("c")).store;
     void store.bringBack(first(store));
     await settled();
-    const late = await browser.open("c");
-    expect(offered(late.store)).toEqual([]);
+    expect(first(other).taken).toBe(true);
     browser.end("b");
     expect(offered((await browser.open("d")).store)).toEqual(["a: a model"]);
   });
@@ -272,9 +302,11 @@ describe("with several tabs", () => {
   it("a visit that another tab has forgotten is not offered any more", async () => {
     await browser.leave("a", { model: "{}" });
     const [one, two] = [await browser.open("b"), await browser.open("c")];
+    const offer = first(two.store);
     await one.store.forget(first(one.store));
-    await settled();
-    expect(offered(two.store)).toEqual([]);
+    // Pressed before the page could draw that.
+    await two.store.bringBack(offer);
+    expect([offered(two.store), two.visit.taken]).toEqual([[], null]);
   });
 });
 

@@ -1,39 +1,19 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
-import { ClipsStore } from "../clips/clips-store";
-import { ModelStore } from "../couplings/model-store";
-import { FakeEngine, FakeTrainers, modelText, STANDS_STILL, settled, started } from "../engine/engine.fake";
-import { EngineStore } from "../engine/engine-store";
-import { FakeAddressBar } from "../settings/address.fake";
-import { SettingsStore } from "../settings/settings-store";
-import { Playback } from "../stage/playback";
-import { StageStore } from "../stage/stage-store";
-import { NoticesStore } from "../ui/notices-store";
+import { FakeLab } from "../couplings/lab.fake";
+import { FakeTrainers, modelText, STANDS_STILL, settled } from "../engine/engine.fake";
 import type { Run } from "./runs";
 import { TrainingStore } from "./training-store";
 
-let engine: FakeEngine;
+let { engine, settings, stage, clips, notices, model } = new FakeLab();
 let trainers: FakeTrainers;
-let settings: SettingsStore;
-let stage: StageStore;
-let clips: ClipsStore;
-let notices: NoticesStore;
-let model: ModelStore;
 let training: TrainingStore;
 
 async function begin(fragment = "", workers = 2, loaded = (): unknown => clips.loadSamples()): Promise<void> {
-  engine = new FakeEngine();
+  const lab = new FakeLab(fragment);
+  ({ engine, settings, stage, clips, notices, model } = lab);
   trainers = new FakeTrainers(workers);
-  settings = new SettingsStore(new FakeAddressBar(fragment));
-  const store = new EngineStore();
-  stage = new StageStore(new Playback(settings));
-  clips = new ClipsStore(store, settings, stage);
-  notices = new NoticesStore();
-  model = new ModelStore(store, settings, stage, notices);
-  training = new TrainingStore(store, settings, clips, model, notices);
-  await store.start(
-    () => Promise.resolve(started(engine, trainers)),
-    () => model.open(modelText(100)),
-  );
+  training = new TrainingStore(lab.store, settings, clips, model, notices);
+  await lab.start(modelText(100), undefined, trainers);
   await loaded();
 }
 beforeEach(() => begin("seed=5&trainings=1"));

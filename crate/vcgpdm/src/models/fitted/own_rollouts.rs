@@ -88,6 +88,11 @@ impl Judgement {
         (ranks.min().unwrap_or(0), self.error)
     }
 
+    /// Whether the rank is higher and nothing is worse.
+    fn is_healthier_than(&self, before: &Self) -> bool {
+        self.key().0 > before.key().0 && self.is_no_worse_than(before)
+    }
+
     fn is_no_worse_than(&self, before: &Self) -> bool {
         self.healths.iter().zip(&before.healths).all(|(after, before)| match (after, before) {
             (Some(after), Some(before)) => after.is_no_worse_than(before),
@@ -125,8 +130,7 @@ impl OwnRollouts {
         let judgement = judge(Coupled { model: &model, ..coupled }, &self.sequences)?;
         self.round += 1;
         let is_better = |best: &Best| best_to_show([best.judgement.key(), judgement.key()]) == Some(1);
-        let is_healthier = judgement.key().0 > before.key().0 && judgement.is_no_worse_than(before);
-        if is_healthier && self.best.as_ref().is_none_or(is_better) {
+        if judgement.is_healthier_than(before) && self.best.as_ref().is_none_or(is_better) {
             self.best = Some(Best { rounds: self.round, model: model.clone(), judgement });
         }
         self.latest = Some(model);
@@ -300,14 +304,22 @@ pub(in crate::models) mod tests {
 
     #[test]
     fn a_round_in_which_something_is_worse_does_not_count() {
-        let judged = |health: &Health| Judgement { healths: [Some(health.clone()), None], error: 0.0 };
+        let judged = |health: &Health| {
+            let healths = [Some(health.clone()), Some(health.clone())];
+            Judgement { healths, error: 0.0 }
+        };
         let few = health(Ending::VisitsFewPoses, 2, 0.9, 0.0, 0.45);
-        let no_worse = |after: &Health| judged(after).is_no_worse_than(&judged(&few));
-        assert!(no_worse(&health(Ending::MovesOn, 3, 1.2, 0.05, 0.6)));
-        assert!(!no_worse(&health(Ending::MovesOn, 3, 1.9, 0.0, 0.6)), "faster");
-        assert!(!no_worse(&health(Ending::MovesOn, 3, 1.2, 0.2, 0.6)), "less smooth");
-        assert!(!no_worse(&health(Ending::RestsAsRecorded, 3, 0.3, 0.0, 0.1)), "fewer poses");
-        assert!(!no_worse(&health(Ending::KeepsOnePose, 1, 0.9, 0.0, 0.45)), "a lower rank");
+        let healthier = |after: &Health| judged(after).is_healthier_than(&judged(&few));
+        assert!(healthier(&health(Ending::MovesOn, 3, 1.2, 0.05, 0.6)));
+        assert!(!healthier(&few), "the same rank");
+        assert!(!healthier(&health(Ending::MovesOn, 3, 1.9, 0.0, 0.6)), "faster");
+        assert!(!healthier(&health(Ending::MovesOn, 3, 1.2, 0.2, 0.6)), "less smooth");
+        let fewer = health(Ending::RestsAsRecorded, 3, 0.3, 0.0, 0.1);
+        assert!(!healthier(&fewer), "fewer poses");
+        // A motion in one pose visits few poses as it is.
+        let one_pose = health(Ending::KeepsOnePose, 1, 0.9, 0.0, 0.45);
+        assert!(judged(&fewer).is_healthier_than(&judged(&one_pose)));
+        assert!(!healthier(&one_pose), "a lower rank");
         let unknown = Judgement { healths: [None, None], error: 0.0 };
         assert!(!unknown.is_no_worse_than(&judged(&few)) && judged(&few).is_no_worse_than(&unknown));
     }

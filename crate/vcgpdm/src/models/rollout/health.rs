@@ -314,14 +314,8 @@ mod tests {
         let clip = samples::clip("walk-1").unwrap();
         let parts = &parts::presets(&clip.skeleton)[1].parts;
         let dataset = Dataset::new(&[(&clip).into()], parts, 30.0).unwrap();
-        let settings = VariationalSettings {
-            latent: 2,
-            order: 2,
-            dynamics_ips: 4,
-            pose_ips: 4,
-            max_iterations: 1,
-            ..Default::default()
-        };
+        let settings = VariationalSettings::default().with_latent(2).with_points(4, 4).with_order(2);
+        let settings = settings.with_max_iterations(1);
         let trainer = Trainer::new(&dataset, &settings.into(), 1).unwrap();
         let model = trainer.finish().unwrap();
         let fitted = model.coupled().unwrap().model;
@@ -366,6 +360,8 @@ mod tests {
         freeze(&model, &mut rollout, &[0, 1]);
         let glides = health(&model, &rollout);
         assert_eq!((glides.state, glides.rank), (Ending::KeepsOnePose, 1), "{glides:?}");
+        rollout.y.columns_mut(1, 2).rows_range_mut(60..).neg_mut();
+        assert_eq!(health(&model, &rollout).state, Ending::KeepsOnePose, "glides back");
         stop(&mut rollout);
         let found = health(&model, &rollout);
         assert_eq!((found.state, found.from), (Ending::StandsStill, glides.from), "{found:?}");
@@ -389,15 +385,16 @@ mod tests {
     #[test]
     fn a_walk_whose_arm_turns_back_in_every_frame_shakes() {
         let (model, mut rollout) = walk();
-        // The last joint of the arm turns by 0.5 radians and back in every frame of the second half.
-        let column = rollout.y.ncols() - 1;
-        for t in (rollout.y.nrows() / 2..rollout.y.nrows()).step_by(2) {
-            rollout.y[(t, column)] += 0.5;
+        // The last joint of the arm turns by 0.5 radians and back in every frame of one half.
+        let (calm, column, middle) = (rollout.y.clone(), rollout.y.ncols() - 1, rollout.y.nrows() / 2);
+        for half in [0..middle, middle..2 * middle] {
+            rollout.y.copy_from(&calm);
+            half.step_by(2).for_each(|t| rollout.y[(t, column)] += 0.5);
+            let found = health(&model, &rollout);
+            assert_eq!((found.state, found.part, found.rank), (Ending::Shakes, Some(1), 0), "{found:?}");
+            let [lower, upper] = found.parts[..] else { panic!("two parts") };
+            assert!(!lower.pace.shakes() && upper.pace.turns_back > 0.5, "{found:?}");
         }
-        let found = health(&model, &rollout);
-        assert_eq!((found.state, found.part, found.rank), (Ending::Shakes, Some(1), 0), "{found:?}");
-        let [lower, upper] = found.parts[..] else { panic!("two parts") };
-        assert!(!lower.pace.shakes() && upper.pace.turns_back > 0.5, "{found:?}");
     }
 
     #[test]
@@ -451,15 +448,27 @@ mod tests {
             let found = health(&model, &rollout).state;
             assert_eq!(found == Ending::RestsAsRecorded, rests, "{recorded:?} {found:?}");
         }
-        // The same motion, started at a later frame of the recording.
-        let request = RolloutRequest { frame: 30, ..RolloutRequest::default() };
+        // The same motion, started at a later frame of the recording, and from start latents, without a recording.
+        let from = |frame, start| RolloutRequest { frame, start, ..RolloutRequest::default() };
         let model = model.coupled().unwrap();
-        let found = model.health(&rollout, &request, &model.positions(&rollout).unwrap()).unwrap();
-        assert_eq!(found.state, Ending::RestsAsRecorded);
-        // A rollout of start latents has no recording.
-        let request = RolloutRequest { start: Some(Vec::new()), frame: 30, ..RolloutRequest::default() };
-        let found = model.health(&rollout, &request, &model.positions(&rollout).unwrap()).unwrap();
-        assert_eq!(found.state, Ending::StandsStill);
+        for (request, state) in [
+            (from(30, None), Ending::RestsAsRecorded),
+            (from(10, None), Ending::StandsStill),
+            (from(30, Some(Vec::new())), Ending::StandsStill),
+        ] {
+            let found = model.health(&rollout, &request, &model.positions(&rollout).unwrap()).unwrap();
+            assert_eq!(found.state, state);
+        }
+    }
+
+    #[test]
+    fn clips_are_compared_from_the_begin_of_each_at_thirty_frames_a_second() {
+        let (mut model, rollout) = walk();
+        model.body.frame_time = 1.0 / 120.0;
+        let mut fitted = model.coupled().unwrap().model.clone();
+        fitted.starts = vec![fitted.starts[0].clone(), fitted.starts[0].clone()];
+        let two = Coupled::new(&fitted, &model.body, &model.provenance);
+        assert_eq!((two.judged_stride(), two.clip_columns().1), (4, vec![0, rollout.y.nrows()]));
     }
 
     #[test]

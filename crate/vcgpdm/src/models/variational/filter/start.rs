@@ -43,7 +43,7 @@ impl Filter {
     }
 
     /// The frames of checked columns until `window` frames after the first one with a number.
-    fn first_window(&self, y: &[DMatrix<f64>], window: usize) -> Vec<DMatrix<f64>> {
+    pub(super) fn first_window(&self, y: &[DMatrix<f64>], window: usize) -> Vec<DMatrix<f64>> {
         let frames = y[0].nrows();
         let first = (0..frames).find(|&t| y.iter().any(|y| y.row(t).iter().any(|value| !value.is_nan())));
         let window = (first.unwrap_or(0) + window).clamp(self.order(), frames);
@@ -66,7 +66,7 @@ impl Filter {
     }
 
     /// Beliefs about the first p frames of these observed columns.
-    fn starts(&self, y: &[DMatrix<f64>], most: usize) -> Vec<Belief> {
+    pub(super) fn starts(&self, y: &[DMatrix<f64>], most: usize) -> Vec<Belief> {
         let covariance = self.history_covariance();
         let mut places = self.places_by_error(y);
         places.sort_by(|a, b| a.error.total_cmp(&b.error));
