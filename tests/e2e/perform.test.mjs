@@ -1,11 +1,10 @@
 // What a visitor makes live: two keys as the feet, a recording, a model of it.
 import assert from "node:assert/strict";
-import { it } from "node:test";
-import { barriers, countTones, openedSite, ready, saved } from "./site.mjs";
+import { barriers, countTones, openedSite, ready, saved, seldom } from "./site.mjs";
 
 const site = openedSite();
 
-it("walks by two keys, and what was done becomes a clip and a model", async (test) => {
+seldom.it("walks by two keys, and what was done becomes a clip and a model", async (test) => {
   const { page } = await site.visit({ moving: true });
   await ready(page);
   const began = Date.now();
