@@ -4,8 +4,8 @@ export const budget = {
   /** Lines of product and of tests, and files; `npm test` counts them. */
   lines: { product: 109_000, tests: 46_150, files: 1_240 },
   firstVisit: 500_000,
-  /** What `npm test` weighs of it: `npm test -- --all` weighs the wasm, too. */
-  firstScripts: 256_000,
+  /** Of it what is not wasm, in `npm test`, whose quick wasm comes with more JavaScript. */
+  firstScripts: 258_500,
   /** The wasm of a first visit. */
   wasm: 250_000,
   /** The views of the Lab. */

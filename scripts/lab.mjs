@@ -1,5 +1,6 @@
 // `npm run lab -- NAME ...`: the measurements behind the documents. Their tables go into docs or to the terminal.
 import { comparison } from "./lab/comparison.mjs";
+import { drawings } from "./lab/drawings.mjs";
 import { motions } from "./lab/motions.mjs";
 import { samples } from "./lab/samples.mjs";
 import { study } from "./lab/study.mjs";
@@ -11,6 +12,7 @@ const MEASUREMENTS = {
   comparison,
   /** A library that shares its walking primitive beside a model of each movement, on made trials. */
   modularity: () => putTables(at("docs/modularity.md"), measured("modularity", at("docs/modularity.svg"))),
+  drawings,
   motions,
   samples,
   study,

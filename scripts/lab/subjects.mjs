@@ -44,9 +44,9 @@ export const BOTTLE = {
 };
 
 /** The folder's clips as one subject. */
-export function subject(/** @type {string} */ folder) {
+export function subject(/** @type {string} */ folder, least = 3) {
   const files = readdirSync(folder).filter((file) => file.toLowerCase().endsWith(".bvh"));
-  if (files.length < 3)
-    throw new Failure(`expected at least three clips (.bvh) in ${folder}, found ${files.length}`);
+  if (files.length < least)
+    throw new Failure(`expected at least ${least} clips (.bvh) in ${folder}, found ${files.length}`);
   return { name: basename(resolve(folder)), clips: files.sort().map((file) => join(folder, file)) };
 }

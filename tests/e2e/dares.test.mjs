@@ -1,7 +1,7 @@
 // A link dares its receiver, whose page says when the dare is met.
 import assert from "node:assert/strict";
 import { it } from "node:test";
-import { barriersNow, openedSite, ready, soon, squares } from "./site.mjs";
+import { barriersNow, openedSite, ready, soon, squares, seldom } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -38,8 +38,9 @@ it("stops the arms of a body with one arrow", async () => {
   await soon(async () => assert.doesNotMatch(other.page.url(), /says|exercise/));
 });
 
-it("stops one hand of a drawing with one arrow", async () => {
-  const { page } = await site.visit({ settings: "view=draw" });
+seldom.it("stops one hand of a drawing with one arrow", async () => {
+  // The exercise of a class has the task of the dare, with the visitor's own drawing.
+  const { page } = await site.visit({ settings: "view=draw&exercise=9" });
   await ready(page);
   const drawn = (/** @type {Page} */ at) =>
     at.waitForFunction(() => document.querySelectorAll("pg-drawing pg-latent-plot").length === 2, null, {
@@ -51,6 +52,7 @@ it("stops one hand of a drawing with one arrow", async () => {
   await squares(page);
   await page.waitForFunction(() => /hand=01\./.test(location.hash));
   await drawn(page);
+  assert.equal(await page.getByTestId("dare").getAttribute("data-met"), "no");
   await page.getByTestId("says").fill("Can you?");
   await page.getByTestId("send").click();
   const link = await linkWith(page, "Stop one hand with one arrow. The other hand must draw on.");
@@ -64,8 +66,6 @@ it("stops one hand of a drawing with one arrow", async () => {
   await arrow("0-0").fill("-3");
   await other.page.getByTestId("series-reset").click();
   await arrow("1-0").fill("-3");
-  await dare
-    .getByText("You have met the dare: one arrow stopped one hand, and the other draws on.")
-    .waitFor();
+  await dare.getByText("Done: one arrow stopped one hand, and the other draws on.").waitFor();
   assert.deepEqual(await barriersNow(other.page), []);
 });

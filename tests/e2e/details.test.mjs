@@ -7,7 +7,7 @@ import { createRequire } from "node:module";
 import { describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { dist } from "../../scripts/site.mjs";
-import { barriers, openPanel, openedSite, ready } from "./site.mjs";
+import { barriers, openPanel, openedSite, ready, seldom } from "./site.mjs";
 import { coupledInfo } from "../node/package.mjs";
 
 /** @type {typeof import("vcgpdm")} */
@@ -34,7 +34,7 @@ describe("the tab Numbers", () => {
     await page.keyboard.press("Escape");
   });
 
-  it("plots a channel over time, against its speed or another channel, and saves the plot", async () => {
+  seldom.it("plots a channel against time, speed or another channel, and saves the plot", async () => {
     const { page } = await site.visit({
       settings: "alpha=0.1:8",
       moving: true,

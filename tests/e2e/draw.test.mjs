@@ -4,6 +4,7 @@ import { it } from "node:test";
 import {
   barriers,
   changes,
+  countTones,
   ACCESSIBLE,
   keepsNobodyOut,
   openedSite,
@@ -39,6 +40,16 @@ it("a model goes on with one hand, then with two, whose couplings can be changed
   );
   assert.ok(await changes(page.getByTestId("pad-0")), "the pen moves");
 
+  // Before its end is reached, the rollout goes on from the frame now.
+  const frame = (/** @type {number} */ left) =>
+    page.evaluate((left) => {
+      const { clock } = /** @type {any} */ (document.querySelector("pg-drawing")).store.model;
+      if (left > 0) clock.seek(clock.lastFrame - left);
+      return clock.frame;
+    }, left);
+  assert.ok((await frame(20)) > 300);
+  await soon(async () => assert.ok((await frame(0)) < 100));
+
   const box = (await page.getByTestId("pad-1").boundingBox()) ?? assert.fail();
   const at = (/** @type {number} */ turn) =>
     /** @type {const} */ ([
@@ -59,6 +70,11 @@ it("a model goes on with one hand, then with two, whose couplings can be changed
   await soon(async () => assert.notEqual(await rolled(), before));
   await page.getByTestId("series-reset").click();
   await soon(async () => assert.equal(await rolled(), before));
+
+  // A tone for each hand.
+  const tones = await countTones(page);
+  await page.getByTestId("sound").click();
+  await soon(async () => assert.equal(await tones(), 2));
 
   const play = page.getByTestId("draw-play");
   await play.click();

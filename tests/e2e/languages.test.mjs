@@ -68,6 +68,28 @@ const VIEWS = [
     },
   },
   {
+    view: "draw&exercise=9",
+    ready: async (/** @type {Page} */ page) => {
+      await page.getByTestId("draw-example").click();
+      await page.locator("pg-drawing pg-latent-plot").nth(1).waitFor({ timeout: 30_000 });
+      await page.getByTestId("sound").waitFor();
+    },
+  },
+  {
+    view: "play&tab=more&exercise=7",
+    ready: async (/** @type {Page} */ page) => {
+      await page.getByTestId("live-on").click();
+      await page.getByTestId("feet").click();
+      await page.getByTestId("perform").getByRole("button").nth(2).waitFor();
+      await page.getByTestId("sound").waitFor();
+      await page.getByTestId("exercise").waitFor();
+    },
+  },
+  {
+    view: "play&samples=1",
+    ready: (/** @type {Page} */ page) => page.getByText("Stichprobe 1").first().waitFor(),
+  },
+  {
     view: "method",
     ready: (/** @type {Page} */ page) => page.locator("pg-method math").first().waitFor(),
   },

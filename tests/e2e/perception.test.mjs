@@ -248,7 +248,7 @@ describe("the graphics Turing test", () => {
     assert.deepEqual(await barriers(page), []);
   });
 
-  it(
+  seldom.it(
     ACCESSIBLE,
     keepsNobodyOut(
       () => visit({ hasTouch: true }, studyWith(SHORT)),

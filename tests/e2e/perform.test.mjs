@@ -1,14 +1,16 @@
 // What a visitor makes live: two keys as the feet, a recording, a model of it.
 import assert from "node:assert/strict";
-import { it } from "node:test";
-import { barriers, openedSite, ready, saved } from "./site.mjs";
+import { barriers, countTones, openedSite, ready, saved, seldom } from "./site.mjs";
 
 const site = openedSite();
 
-it("walks by two keys, and what was done becomes a clip and a model", async (test) => {
+seldom.it("walks by two keys, and what was done becomes a clip and a model", async (test) => {
   const { page } = await site.visit({ moving: true });
   await ready(page);
   const began = Date.now();
+  await page.locator("#open-more").click();
+  const tones = await countTones(page);
+  await page.getByTestId("sound").click();
   await page.getByTestId("live-on").click();
   await page.getByTestId("feet").click();
   await page.waitForFunction(() => /** @type {any} */ (document.querySelector("pg-perform")).waits === false);
@@ -32,6 +34,7 @@ it("walks by two keys, and what was done becomes a clip and a model", async (tes
     }
   });
   assert.ok(walked > 2, `eight steps are ${walked} m`);
+  assert.ok((await tones()) > 4, `eight steps are ${await tones()} clicks`);
   await page.waitForTimeout(1500);
   const stood = await way(() => page.waitForTimeout(500));
   assert.ok(stood < 0.02, `the body glides ${stood} m while nobody steps`);
@@ -54,4 +57,7 @@ it("walks by two keys, and what was done becomes a clip and a model", async (tes
   const { name, text } = await saved(page, "save-motion");
   assert.match(name, /^performed-1-live-from-.+\.bvh$/);
   assert.match(text, /^HIERARCHY/);
+  const account = JSON.parse((await saved(page, "save-account")).text);
+  assert.equal(account.motion, name);
+  assert.match(account.made, /^Made by you, live from the model .* two fingers as the feet/);
 });

@@ -5,7 +5,7 @@ import { createRequire } from "node:module";
 import { describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { dist } from "../../scripts/site.mjs";
-import { oneVisitor, openedSite, ready, readyVisitor, rests } from "./site.mjs";
+import { oneVisitor, openedSite, ready, readyVisitor, rests, seldom } from "./site.mjs";
 import { coupledInfo } from "../node/package.mjs";
 
 /** @typedef {{ x: number, y: number, major: number, minor: number }} Ellipse */
@@ -152,7 +152,7 @@ describe("futures and uncertainty", () => {
     await page.getByTestId("futures").waitFor({ state: "detached" });
   });
 
-  it("show the band of moment matching, from the whole program", async () => {
+  seldom.it("show the band of moment matching, from the whole program", async () => {
     const { page } = visitor;
     // The text below would make the plots smaller.
     await page.evaluate(() => {
@@ -177,7 +177,7 @@ describe("futures and uncertainty", () => {
 });
 
 describe("where the model is sure", () => {
-  it("is painted behind the loop: colour where the variance of the poses is low, nothing when it is off", async () => {
+  seldom.it("is painted behind the loop, with colour where the variance of the poses is low", async () => {
     const { page } = await readyVisitor(site.visit({ settings: "tab=more" }));
     const frames = Number(await page.getByTestId("scrub").getAttribute("max")) + 1;
     const plot = page.getByTestId("latent-0");

@@ -345,7 +345,7 @@ describe("a library of primitives", () => {
     assert.equal(await page.getByTestId("walk-alpha-0-1").innerText(), learned);
   });
 
-  it(
+  seldom.it(
     ACCESSIBLE,
     keepsNobodyOut(
       () => readyVisitor(site.visit({ settings: "view=primitives" })),

@@ -245,7 +245,7 @@ describe("tables of columns", () => {
     await leave();
   });
 
-  it(
+  seldom.it(
     ACCESSIBLE,
     keepsNobodyOut(
       () => readyVisitor(site.visit({ settings: "latent=1&dynamics=4&poses=4&iterations=10" })),

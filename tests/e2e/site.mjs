@@ -398,3 +398,17 @@ export async function squares(/** @type {Page} */ page) {
       await page.keyboard.press(["ArrowUp", "ArrowRight", "ArrowDown", "ArrowLeft"][side % 4] ?? "");
   await page.keyboard.press("Enter");
 }
+
+/** Counts the tones and clicks that the page plays from now on. */
+export async function countTones(/** @type {Page} */ page) {
+  await page.evaluate(() => {
+    Object.assign(window, { tones: 0 });
+    window.OscillatorNode = class extends OscillatorNode {
+      start() {
+        super.start();
+        /** @type {any} */ (window).tones++;
+      }
+    };
+  });
+  return () => page.evaluate(() => /** @type {any} */ (window).tones);
+}

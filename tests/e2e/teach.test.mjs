@@ -40,7 +40,7 @@ describe("the page for teachers", () => {
     await page.getByTestId("language").click();
     await page.getByRole("heading", { name: "Aufgaben" }).waitFor();
     await page.emulateMedia({ media: "print" });
-    assert.equal(await page.locator(".teach-code:visible svg").count(), 6);
+    assert.equal(await page.locator(".teach-code:visible svg").count(), 7);
     assert.equal(await page.locator(".teach-plan:visible, [data-testid=start-slides]:visible").count(), 0);
     await page.emulateMedia({ media: "screen" });
     await page.getByTestId("to-lab").click();

@@ -72,7 +72,7 @@ export class SaveMenu extends View {
         ${this.#item("glb", "GLB", hasMotion)}
         ${this.#item("positions", "CSV", hasMotion)}
         ${this.#item("latents", "CSV", hasModel && !isBehind, noRollout)}
-        ${this.#item("account", "JSON", hasModel && !isBehind, noRollout)}
+        ${this.#item("account", "JSON", hasMotion && !isOtherKind, isOtherKind ? noRollout : undefined)}
         ${this.#item("model", "JSON", hasModel || isOtherKind)}
         <button data-testid="share" ?disabled=${!hasModel && !isOtherKind} @click=${this.#share}><span>${words.share.title}<small>${words.share.about}</small></span><small>URL</small></button>
         <pg-film .app=${this.app}></pg-film>

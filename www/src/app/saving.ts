@@ -92,6 +92,13 @@ function fileOf(app: App, what: Saved): SavedFile | null {
     return moved && motionFile(moved, what);
   }
   if (what === "model") return modelOnStage(app);
+  const shown = clipOnStage(app);
+  if (shown && what === "account") {
+    const name = clipName(shown);
+    const about = { version: app.engine.version, file: `${name}.bvh` };
+    const content = async () => (await files()).clipAccount(shown, noteOf(shown), about);
+    return { name: `${name}.made.json`, type: "application/json", content };
+  }
   const { engine } = app.engine;
   const { model, rollout } = app.model;
   const name = rolledOutName(app);
@@ -101,7 +108,8 @@ function fileOf(app: App, what: Saved): SavedFile | null {
     const content = async () => (await files()).rolloutCsv(model, await engine.rollout(request));
     return { name: `${name}.latents.csv`, type: "text/csv", content };
   }
-  const about = { version: app.engine.version, file: `${name}.bvh` };
+  const clip = app.model.clipStart?.title;
+  const about = { version: app.engine.version, file: `${name}.bvh`, ...(clip ? { clip } : {}) };
   const content = async () => (await files()).motionAccount(model, { ...rollout, request }, about);
   return { name: `${name}.made.json`, type: "application/json", content };
 }

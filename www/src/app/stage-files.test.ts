@@ -46,6 +46,12 @@ it("tells how a motion was made: model, clips, seed, couplings, reading, start",
   const learned = await rolledOut();
   const plain = JSON.parse(motionAccount(learned.model, learned.rollout, { version: "1", file: "b.bvh" }));
   expect([plain.alpha, plain.reading]).toEqual([learned.model.info.alpha, "as-learned"]);
+  const { request } = learned.rollout;
+  const about = { version: "1", file: "b.bvh", clip: "other" };
+  const sampled = JSON.parse(
+    motionAccount(learned.model, { ...learned.rollout, request: { ...request, sample: 3 } }, about),
+  );
+  expect([sampled.start, sampled.sample]).toEqual([{ clip: "other" }, 3]);
 });
 
 it("writes where every joint and end is, a row a frame", () => {

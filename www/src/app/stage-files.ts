@@ -52,20 +52,30 @@ export function positionsCsv(
   return csv({ header, rows });
 }
 
+/** The file of a motion, and of a motion that begins as another clip the title of that clip. */
+interface About {
+  version: string;
+  file: string;
+  clip?: string;
+}
+
+const accountOf = ({ version, file }: About, made: object) =>
+  `${JSON.stringify({ format: "vcgpdm motion account", version: 1, motion: file, program: `vCGPDM playground ${version}`, ...made }, null, 1)}\n`;
+
+/** The frames of a clip that are kept, counted from 1; of one that was made here, also who made it and how. */
+export const clipAccount = (
+  { title, first, end }: { title: string; first: number; end: number },
+  made: string,
+  about: About,
+): string =>
+  accountOf(about, { clip: { title, first_frame: first + 1, last_frame: end }, ...(made ? { made } : {}) });
+
 /** How the motion on the stage was made, as JSON. With the model's file anyone can make the motion again. */
-export function motionAccount(
-  { info, sha256 }: ModelView,
-  { request }: RolloutResult,
-  { version, file }: { version: string; file: string },
-): string {
+export function motionAccount({ info, sha256 }: ModelView, { request }: RolloutResult, about: About): string {
   const { provenance, sequences, parts, frameTime } = info;
   const changed = request.alpha !== null;
   const reading: Reading = changed ? request.reading : "as-learned";
-  const account = {
-    format: "vcgpdm motion account",
-    version: 1,
-    motion: file,
-    program: `vCGPDM playground ${version}`,
+  return accountOf(about, {
     model: {
       sha256,
       trained_by: provenance.engine,
@@ -77,13 +87,16 @@ export function motionAccount(
     alpha: request.alpha ?? info.alpha,
     alpha_learned: info.alpha,
     reading,
-    start: {
-      sequence: request.sequence,
-      name: sequences[request.sequence]?.name ?? null,
-      frame: request.frame ?? 0,
-    },
+    start: about.clip
+      ? { clip: about.clip }
+      : {
+          sequence: request.sequence,
+          name: sequences[request.sequence]?.name ?? null,
+          frame: request.frame ?? 0,
+        },
+    /** The seed of a sampled motion. */
+    ...(request.sample ? { sample: request.sample } : {}),
     frames: request.frames,
     frame_time: frameTime,
-  };
-  return `${JSON.stringify(account, null, 1)}\n`;
+  });
 }

@@ -20,7 +20,7 @@ export const words: DrawingWords = {
   sendMeaning:
     "Ein Link und sein Code, mit dieser Zeichnung und deiner Zeile. Nichts wird gesendet, bevor du es sendest.",
   dare: {
-    task: "Eine Herausforderung: Halte eine Hand mit einem Pfeil an. Die andere muss weiterzeichnen.",
+    task: "Halte eine Hand mit einem Pfeil an. Die andere muss weiterzeichnen.",
     met: "Geschafft: Ein Pfeil hat eine Hand angehalten, und die andere zeichnet weiter.",
   },
   learning: "Das Modell lernt deine Zeichnung …",
@@ -34,8 +34,7 @@ export const words: DrawingWords = {
     two: "Schwäche einen Pfeil zwischen den Händen: Laufen sie auseinander? Verstärke ihn: Zieht eine die andere mit?",
   },
   saveDrawing: "Zeichnung, CSV",
-  saveDrawingMeaning:
-    "Was du gezeichnet hast, so wie das Modell es lernte: öffnet sich in Zeitreihen und im Terminal",
+  saveDrawingMeaning: "So wie das Modell sie lernte; öffnet sich in Zeitreihen und im Terminal",
   saveModel: "Modell, JSON",
   saveModelMeaning: "Öffnet sich in Zeitreihen und im Terminal",
 };

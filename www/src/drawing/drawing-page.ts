@@ -6,15 +6,22 @@ import { download } from "../ui/download";
 import { icon } from "../ui/icons";
 import type { Draw } from "../views/define-view";
 import { lab } from "../words/lab";
+import type { WordsStore } from "../words/words";
 import { DARES } from "../settings/settings";
 import { drawingWords } from "./view-words";
 import "./drawing.css";
+import { HEIGHT } from "./hand";
 import { drawingFile, type DrawingStore } from "./drawing-store";
 import "./pad-view";
+import "../live/sound-view";
+
+/** A hand that visits a smaller share of its drawing has stopped. */
+const STOPPED = 0.3;
 
 export class DrawingPage extends SeriesView {
   static override properties = { playing: { state: true } };
   declare store: DrawingStore;
+  declare page: { words: WordsStore };
   /** Whether the clock runs. */
   declare playing: boolean;
 
@@ -54,6 +61,7 @@ export class DrawingPage extends SeriesView {
           drawn
             ? html`
           <button class="round primary" data-testid="draw-play" aria-label=${playing ? time.pause : time.play} @click=${() => this.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
+          <pg-sound .app=${this.page} .hands=${() => this.#heights()}></pg-sound>
           <button class="small" data-testid="draw-clear" @click=${() => store.clear()}>${words.again}</button>
           <label class="says"><span class="visually-hidden">${words.says}</span>
             <input data-testid="says" maxlength="80" placeholder=${words.says} .value=${this.settings.values.says}
@@ -64,6 +72,23 @@ export class DrawingPage extends SeriesView {
             : nothing
         }
       </div>`;
+  }
+
+  /** The height of the pen of each hand, 0 to 1, while the model draws. */
+  #heights(): number[] {
+    const { drawn, model, isDrawing } = this.store;
+    const pads = model.clock.playing && !isDrawing ? (drawn?.pads ?? []) : [];
+    return pads.map((pad) => (this.store.pen(pad, 0)?.[1] ?? 0) / HEIGHT);
+  }
+
+  /** Whether one changed coupling has stopped one hand while the other goes on. */
+  get #hasStoppedOne(): boolean {
+    const { couplings, rollout } = this.shown;
+    const changed = couplings.learned.flatMap((row, source) =>
+      row.filter((_, target) => couplings.isChanged(source, target)),
+    );
+    const hands = changed.length === 1 ? this.store.compared(rollout?.values) : [];
+    return hands.some(({ visited }) => visited < STOPPED) && hands.some(({ goesOn }) => goesOn);
   }
 
   #picture() {
@@ -87,7 +112,7 @@ export class DrawingPage extends SeriesView {
 
   protected override render() {
     const { says, exercise, drawing } = this.settings.values;
-    const isMet = exercise === DARES.hand && this.store.hasStoppedOne;
+    const isMet = exercise === DARES.hand && this.#hasStoppedOne;
     const { dare } = drawingWords();
     return html`
       <div class="lab" data-panel="none">
@@ -107,5 +132,5 @@ export class DrawingPage extends SeriesView {
 }
 customElements.define("pg-drawing", DrawingPage);
 
-export const draw: Draw<"draw"> = (store, { settings }) =>
-  html`<pg-drawing data-clock .store=${store} .settings=${settings}></pg-drawing>`;
+export const draw: Draw<"draw"> = (store, page) =>
+  html`<pg-drawing data-clock .store=${store} .settings=${page.settings} .page=${page}></pg-drawing>`;

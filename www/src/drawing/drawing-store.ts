@@ -5,13 +5,14 @@ import { SeriesStore } from "../series/series-store";
 import { TablesStore } from "../series/tables-store";
 import { ProgressStore } from "../training/progress-store";
 import { drawingWords } from "./view-words";
-import { DRAWING_SETTINGS } from "./drawing-settings";
 import { circle, drawnBy, eight } from "./example";
-import { type GoesOn, goesOn } from "./goes-on";
+import type { GoesOn, goesOn } from "./goes-on";
 import {
   type Drawing,
+  DRAWING_SETTINGS,
   drawingOf,
   HEIGHT,
+  LONGEST,
   onPad,
   placeInLoop,
   playedStrokes,
@@ -26,19 +27,13 @@ export type Pad = 0 | 1;
 
 /** After letting go, a hand has as many milliseconds for another stroke. */
 const NEXT_STROKE = 400;
-/** The longest drawing, in seconds. */
-const LONGEST = 20;
-/** The first rollout, and the longest one, which then begins again: seconds. */
-const FIRST_ROLLOUT = 20;
-const LONGEST_ROLLOUT = 320;
-
-/** A hand that visits a smaller share of its drawing has stopped. */
-const STOPPED = 0.3;
+/** Seconds that the model draws at a time. */
+const AT_A_TIME = 20;
 
 /** The table of a drawing, as a file. */
-export function drawingFile({ rows }: Pick<Drawing, "rows">, pads: readonly Pad[]): File {
+export function drawingFile({ rows, rate }: Pick<Drawing, "rows" | "rate">, pads: readonly Pad[]): File {
   const names = pads.flatMap((pad) => [`${HANDS[pad]}_x`, `${HANDS[pad]}_y`]);
-  const lines = rows.map((row, i) => [i / ROWS_A_SECOND, ...row].map((value) => value.toFixed(3)).join(","));
+  const lines = rows.map((row, i) => [i / rate, ...row].map((value) => value.toFixed(3)).join(","));
   return new File([["time", ...names].join(","), "\n", lines.join("\n"), "\n"], "drawing.csv");
 }
 
@@ -52,9 +47,9 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   /** When the drawing began, in milliseconds, and the timer that ends it. */
   #began = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
-  #seconds = FIRST_ROLLOUT;
   /** The drawing that the model on show learned, and its pads; null before the first. */
   #drawn: { drawing: Drawing; pads: readonly Pad[] } | null = null;
+  #goesOn: typeof goesOn | null = null;
   #tooLittle = false;
   #badLink = false;
   #woken = false;
@@ -65,9 +60,8 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   constructor(workers: WholeWorkers) {
     super();
     this.#workers = workers;
-    this.model = new SeriesStore(workers, new TablesStore(workers), () => this.#seconds * ROWS_A_SECOND);
+    this.model = new SeriesStore(workers, new TablesStore(workers), AT_A_TIME * ROWS_A_SECOND);
     this.model.on(() => this.changed());
-    this.model.clock.on(() => this.#lengthen());
   }
 
   get drawn(): { drawing: Drawing; pads: readonly Pad[] } | null {
@@ -159,17 +153,20 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     const file = drawingFile(drawing, pads);
     const parts = pads.map((pad) => ({ name: HANDS[pad], columns: [`${HANDS[pad]}_x`, `${HANDS[pad]}_y`] }));
     const tables = [{ name: file.name, file, without: [] }];
-    const job = { tables, settings: { ...DRAWING_SETTINGS, parts } };
+    const job = { tables, settings: { ...DRAWING_SETTINGS, framesPerSecond: drawing.rate, parts } };
     this.#forgetTraining();
     const now = this.#newest;
     // An earlier training is about to stop.
     while (this.busy) await new Promise((passed) => setTimeout(passed, 20));
     if (now !== this.#newest) return;
-    const found = await this.run((report, signal) =>
-      this.#workers.pool.run((worker) => worker.trainSeries(job, report, signal), signal),
-    );
+    // The measure arrives while the model learns: a first visit does without it.
+    const measure = import("./goes-on");
+    const found = await this.run(async (report, signal) => {
+      const trained = this.#workers.pool.run((worker) => worker.trainSeries(job, report, signal), signal);
+      [this.#goesOn] = await Promise.all([measure.then(({ goesOn }) => goesOn), trained]);
+      return trained;
+    });
     if (!found || now !== this.#newest) return;
-    this.#seconds = FIRST_ROLLOUT;
     await this.model.takeTrained(found);
     this.#drawn = { drawing, pads };
     this.#badLink = false;
@@ -177,15 +174,6 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     this.model.clock.seek(0);
     this.model.clock.play();
     this.changed();
-  }
-
-  /** The rollout grows before its end is reached. */
-  #lengthen(): void {
-    const { clock } = this.model;
-    if (this.#seconds >= LONGEST_ROLLOUT || clock.lastFrame + 1 < this.#seconds * ROWS_A_SECOND) return;
-    if (clock.frame < 0.7 * clock.lastFrame) return;
-    this.#seconds *= 2;
-    this.model.again();
   }
 
   /** Where the pen of a pad is: that of the model, or while the other pad is drawn on, that of the drawing. */
@@ -241,28 +229,19 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
 
   /** The hand that does not go on as it was drawn; undefined: all do. */
   #findLost(): Pad | undefined {
-    return this.#drawn?.pads[this.#compared(this.model.learned?.values).findIndex(({ goesOn }) => !goesOn)];
+    return this.#drawn?.pads[this.compared(this.model.learned?.values).findIndex(({ goesOn }) => !goesOn)];
   }
 
   /** Each hand of a rollout, compared with its drawing. */
-  #compared(values: Float64Array | undefined): GoesOn[] {
+  compared(values: Float64Array | undefined): GoesOn[] {
     const { drawing, pads } = this.#drawn ?? {};
-    if (!values || !drawing || !pads) return [];
+    const compare = this.#goesOn;
+    if (!values || !drawing || !pads || !compare) return [];
     const width = 2 * pads.length;
     const rows = Array.from({ length: values.length / width }, (_, i) =>
       Array.from(values.subarray(i * width, (i + 1) * width)),
     );
-    return pads.map((_, place) => goesOn(onPad(drawing.rows, place), onPad(rows, place), drawing.lap));
-  }
-
-  /** Whether one changed coupling has stopped one hand while the other goes on. */
-  get hasStoppedOne(): boolean {
-    const { couplings, rollout } = this.model;
-    const changed = couplings.learned.flatMap((row, source) =>
-      row.filter((_, target) => couplings.isChanged(source, target)),
-    );
-    const hands = changed.length === 1 ? this.#compared(rollout?.values) : [];
-    return hands.some(({ visited }) => visited < STOPPED) && hands.some(({ goesOn }) => goesOn);
+    return pads.map((_, place) => compare(onPad(drawing.rows, place), onPad(rows, place), drawing.lap));
   }
 
   /** An eight, and on the second pad a circle, by formulas, as if they were drawn now. */

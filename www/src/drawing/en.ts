@@ -15,8 +15,8 @@ export const words = {
   sendMeaning:
     "A link and its code, with this drawing and your line in them. Nothing is sent before you send it.",
   dare: {
-    task: "A dare: stop one hand with one arrow. The other hand must draw on.",
-    met: "You have met the dare: one arrow stopped one hand, and the other draws on.",
+    task: "Stop one hand with one arrow. The other hand must draw on.",
+    met: "Done: one arrow stopped one hand, and the other draws on.",
   },
   learning: "The model learns your drawing …",
   goesOn: "The model draws: it goes on as your hand did.",
@@ -29,7 +29,7 @@ export const words = {
     two: "Weaken an arrow between the hands: do they fall apart? Strengthen it: does one drag the other?",
   },
   saveDrawing: "Drawing, CSV",
-  saveDrawingMeaning: "What you drew, as the model learned it: opens in Time series and in the terminal",
+  saveDrawingMeaning: "As the model learned it; opens in Time series and in the terminal",
   saveModel: "Model, JSON",
   saveModelMeaning: "Opens in Time series and in the terminal",
 };

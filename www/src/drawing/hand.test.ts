@@ -25,6 +25,11 @@ describe("a drawing", () => {
     expect(drawing?.rows.length).toBeCloseTo(4 * ROWS_A_SECOND, -1);
   });
 
+  it("of a slow hand has fewer rows a second", () => {
+    const { rows = [], rate, lap } = drawingOf([circle(2, 9)]) ?? {};
+    expect([rate, lap, rows.length]).toEqual([ROWS_A_SECOND / 2, 90, 180]);
+  });
+
   it("of one round is repeated without a jump", () => {
     const drawing = drawingOf([circle(0.8, 1.5)]);
     expect(drawing?.once).toBe(true);

@@ -5,7 +5,9 @@
 const READS_A_SECOND = 60;
 /** Every third reading is a row of the table: from row to row the pen should move visibly. */
 const EVERY = 3;
-/** Rows a second of a table. */
+/** A lap has at most as many rows: a slow drawing has fewer a second, because the pen moves less from row to row. */
+const MOST_OF_LAP = 100;
+/** The most rows a second of a table. */
 export const ROWS_A_SECOND = READS_A_SECOND / EVERY;
 /** Readings by which a hand's trembling is smoothed (standard deviation). */
 const SMOOTH = 2;
@@ -23,6 +25,19 @@ const REPEATED_LAPS = 3;
 /** The smallest drawing: its readings, and its extent. */
 const FEWEST = 20;
 const SMALLEST = 4;
+
+/** The settings of a model of a drawing, chosen on thirty made drawings, judged on thirty others and on people's. */
+export const DRAWING_SETTINGS = {
+  latent: 2,
+  dynamicsIps: 16,
+  poseIps: 16,
+  order: 2,
+  seed: 0,
+  maxIterations: 150,
+};
+
+/** The longest drawing, in seconds. */
+export const LONGEST = 20;
 
 /** The size of a pad: places are hundredths of its width, x to the right and y up. */
 export const WIDTH = 100;
@@ -42,8 +57,10 @@ export type Strokes = readonly (readonly Sample[])[];
 export type Rows = readonly (readonly number[])[];
 
 export interface Drawing {
-  /** [rows][x and y of each pad], `ROWS_A_SECOND` */
+  /** [rows][x and y of each pad] */
   rows: number[][];
+  /** Rows a second: `ROWS_A_SECOND`, or half, a third, ... as many. */
+  rate: number;
   /** About as many rows pass until the pens are where they began. */
   lap: number;
   /** Whether a shape was drawn once only, so that it is repeated. */
@@ -183,7 +200,9 @@ export function drawingOf(pads: readonly Strokes[]): Drawing | null {
   const often = Math.max(REPEATED_LAPS, Math.ceil(REPEATED / loop.length));
   const all = once ? Array.from({ length: often }, () => loop).flat() : drawn;
   const lap = once ? loop.length : Math.max(...laps.map((lap) => lap ?? 0));
-  return { rows: all.filter((_, i) => i % EVERY === 0), lap: Math.round(lap / EVERY), once, loop };
+  const every = EVERY * Math.ceil(lap / (EVERY * MOST_OF_LAP));
+  const rows = all.filter((_, i) => i % every === 0);
+  return { rows, rate: READS_A_SECOND / every, lap: Math.round(lap / every), once, loop };
 }
 
 /** The rows of one pad. */

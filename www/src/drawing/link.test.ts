@@ -23,6 +23,14 @@ it("brings a drawing back, within a thousandth of the pad where it was smoothed 
   );
 });
 
+it("keeps the tempo of a slow hand", () => {
+  const slow = drawingOf([[drawnBy((seconds) => circle(seconds / 8))]]) ?? assert.fail();
+  const text = textOf(slow, [1]);
+  expect(text).toMatch(/^1-2\./);
+  const { rate, lap } = drawingIn(text)?.drawing ?? assert.fail();
+  expect([rate, Math.abs(lap - slow.lap) < 3]).toEqual([10, true]);
+});
+
 it("finds no drawing in a damaged link", () => {
   for (const text of ["", "0.", "2.AAAA", "0.AAA", "01.AAAA", "0.AA!A", "0.AAAABBBB"])
     expect(drawingIn(text), text).toBe(null);

@@ -11,7 +11,7 @@ const VALUES = LETTERS.length ** 2;
 const MOST_ROWS = 800;
 
 /** The numbers of the pads, and the letters of the rows; of a shape that is repeated, of one lap. Empty: too long. */
-export function textOf({ rows: all, lap, once }: Drawing, pads: readonly Pad[]): string {
+export function textOf({ rows: all, rate, lap, once }: Drawing, pads: readonly Pad[]): string {
   const rows = once ? all.slice(0, lap) : all;
   if (rows.length > MOST_ROWS) return "";
   const letters = (value: number, axis: number) => {
@@ -19,12 +19,13 @@ export function textOf({ rows: all, lap, once }: Drawing, pads: readonly Pad[]):
     const within = Math.min(VALUES - 1, Math.max(0, whole));
     return `${LETTERS[Math.floor(within / LETTERS.length)]}${LETTERS[within % LETTERS.length]}`;
   };
-  return `${pads.join("")}.${rows.map((row) => row.map(letters).join("")).join("")}`;
+  const slow = rate < ROWS_A_SECOND ? `-${Math.round(ROWS_A_SECOND / rate)}` : "";
+  return `${pads.join("")}${slow}.${rows.map((row) => row.map(letters).join("")).join("")}`;
 }
 
 /** The drawing of a link and its pads; null: there is none in it. */
 export function drawingIn(text: string): { drawing: Drawing; pads: readonly Pad[] } | null {
-  const [, numbers = "", letters = ""] = /^(0|1|01)\.([\w-]+)$/.exec(text) ?? [];
+  const [, numbers = "", slow = "1", letters = ""] = /^(0|1|01)(?:-(\d))?\.([\w-]+)$/.exec(text) ?? [];
   const pads = [...numbers].map((number): Pad => (number === "0" ? 0 : 1));
   const width = 4 * pads.length;
   if (width === 0 || letters.length % width !== 0 || letters.length > MOST_ROWS * width) return null;
@@ -35,7 +36,7 @@ export function drawingIn(text: string): { drawing: Drawing; pads: readonly Pad[
   const strokes = pads.map((_, place) => [
     Array.from({ length: letters.length / width }, (_, row) => {
       const at = row * width + 4 * place;
-      return { seconds: row / ROWS_A_SECOND, x: value(at, WIDTH), y: value(at + 2, HEIGHT) };
+      return { seconds: (row * Number(slow)) / ROWS_A_SECOND, x: value(at, WIDTH), y: value(at + 2, HEIGHT) };
     }),
   ]);
   const drawing = drawingOf(strokes);
@@ -44,6 +45,8 @@ export function drawingIn(text: string): { drawing: Drawing; pads: readonly Pad[
 
 /** Keeps the drawing in the address, and learns that of a link. */
 export function keepInAddress(store: DrawingStore, settings: SettingsStore): void {
+  /** Whether the drawing on show, or that which is learned, is of a link. */
+  let isLinked = false;
   /** What the address says of the drawing on show, or of that which is learned, with the line of its sender. */
   let [said, line] = ["", ""];
   let [shown, comes] = [store.drawn, false];
@@ -61,7 +64,7 @@ export function keepInAddress(store: DrawingStore, settings: SettingsStore): voi
       store.refuse();
       return restore();
     }
-    [said, line, comes] = [drawing, says, true];
+    [said, line, comes, isLinked] = [drawing, says, true, true];
     void store.learn(found.drawing, found.pads);
   };
   store.on(() => {
@@ -74,8 +77,9 @@ export function keepInAddress(store: DrawingStore, settings: SettingsStore): voi
     if (isSent) return;
     [said, line] = [drawn ? textOf(drawn.drawing, drawn.pads) : "", ""];
     restore();
-    // A dare belongs to the drawing of its link.
-    settings.change({ exercise: 0 });
+    // A dare belongs to the drawing of its link, an exercise to each.
+    if (isLinked) settings.change({ exercise: 0 });
+    isLinked = false;
   });
   settings.on(follow);
   follow();

@@ -41,6 +41,8 @@ export interface SeriesRequest {
   frames: number;
   /** The index of the training table from whose first rows the rollout starts. */
   sequence: number;
+  /** Latents that begin the rollout in place of the table, `[part][frame][dimension]`; `sequence` is then 0. */
+  start?: number[][][];
   /** Null: the learned couplings. */
   alpha: Couplings | null;
   reading: Reading;

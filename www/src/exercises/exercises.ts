@@ -4,7 +4,8 @@ import { stepOf } from "../couplings/measures-text";
 import type { Couplings } from "../engine/protocol";
 import type { TeachWords } from "../words/sections";
 
-export type ExerciseName = keyof TeachWords["exercises"]["tasks"];
+/** The exercises of the Lab. That of the view *Draw* has the address of its dare. */
+export type ExerciseName = Exclude<keyof TeachWords["exercises"]["tasks"], "hands">;
 
 /** In their order: exercise N has the address `#exercise=N`. */
 export const EXERCISE_NAMES: readonly ExerciseName[] = ["pace", "pose", "ratio", "idle", "halt", "few"];

@@ -71,6 +71,8 @@ export class MoreView extends View {
     const info = model.model?.info;
     const { loops, stage, readings: words } = lab();
     if (!info) return nothing;
+    // Its button is there when it has loaded.
+    import("../live/sound-view").catch(() => {});
     const { bothShown } = readings;
     const { loop, samples } = settings.values;
     return html`
@@ -81,6 +83,7 @@ export class MoreView extends View {
       <div class="starts">${this.#starts(info)}</div>
       <button class="chip" aria-pressed=${samples ? "true" : "false"} title=${stage.samplesMeaning} @click=${() => model.playSamples(!samples)}>${stage.playSamples}</button>
       <button class="chip" aria-pressed=${loop ? "true" : "false"} @click=${() => settings.change({ loop: !loop })}>${lab().time.loop}</button>
+      <pg-sound .app=${this.app}></pg-sound>
       ${
         info.parts.length > 1
           ? html`

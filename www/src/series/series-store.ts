@@ -16,13 +16,15 @@ import { messageOf } from "../ui/format";
 import { Store } from "../ui/store";
 import { mayLose, type Work } from "../unsaved/unsaved";
 import { type Giver, GivenColumns } from "./given-columns";
+import { goingOn } from "./going-on";
 import type { TableEntry, TablesStore } from "./tables-store";
 import { seriesWords } from "./view-words";
 import { Clock } from "../stage/clock";
 
 class SeriesClock extends Clock {
-  /** Stays at the current frame if the new rollout has this frame. */
-  load(frames: number, frameTime: number): void {
+  /** Stays at the current frame if the new rollout has this frame, which is counted from `first` now. */
+  load(frames: number, frameTime: number, first: number): void {
+    this.player.frame = Math.max(0, this.player.frame - first);
     this.player.load(frames, frameTime, frames - 1);
     this.changed();
   }
@@ -39,8 +41,18 @@ interface OpenModel extends OpenedSeries {
   unsaved: boolean;
 }
 
-interface Rolled {
-  asked: SeriesRequest;
+/** A motion without an end goes on when this share of its rollout has been shown. */
+const SHOWN = 0.7;
+
+interface Asked {
+  request: SeriesRequest;
+  /** Whether the rollout goes on from the frame now. */
+  goesOn: boolean;
+}
+
+interface Rolled extends Asked {
+  /** The frame of the rollout before that is the first one now. */
+  first: number;
   rollout: SeriesRollout;
   /** The rollout from the same start under the learned couplings. */
   learned: SeriesRollout;
@@ -52,19 +64,22 @@ export class SeriesStore extends Store implements Coupled {
   readonly couplings = new CouplingsStore(() => this.#request());
   readonly #document: OpenDocument<WholeCalls, OpenedSeries>;
   readonly #tables: TablesStore;
-  readonly #rollouts: Latest<SeriesRequest, Rolled>;
+  readonly #rollouts: Latest<Asked, Rolled>;
   readonly #given = new GivenColumns();
   #opened: OpenModel | null = null;
   #sequence = 0;
   #rolled: Rolled | null = null;
+  /** Whether the next frames of a motion without an end were asked for. */
+  #asksNext = false;
   #problem = "";
 
-  readonly #framesOf: (rows: number) => number;
-
-  /** `framesOf`: the frames of a rollout that starts from a table with these rows. */
-  constructor({ desk }: Pick<WholeWorkers, "desk">, tables: TablesStore, framesOf = longer) {
+  /** `endless`: a motion without an end, of which so many frames are computed at a time. */
+  constructor(
+    { desk }: Pick<WholeWorkers, "desk">,
+    tables: TablesStore,
+    private readonly endless: number | null = null,
+  ) {
     super();
-    this.#framesOf = framesOf;
     this.#document = new OpenDocument(desk, (worker, text) => worker.openSeries(text));
     this.#tables = tables;
     // The visitor may have opened or removed the table that the rollout starts from.
@@ -77,6 +92,7 @@ export class SeriesStore extends Store implements Coupled {
         this.changed();
       },
     );
+    if (endless) this.clock.on(() => this.#goOn());
   }
 
   get opened(): OpenModel | null {
@@ -151,7 +167,8 @@ export class SeriesStore extends Store implements Coupled {
   ): Promise<{ opened: OpenModel; rolled: Rolled }> {
     const model = await this.#document.open(text);
     const opened = { text, ...model, trainingLatents: training, unsaved: training !== null };
-    return { opened, rolled: await this.#roll(this.#asLearned(model.info, 0), opened) };
+    const asked = { request: this.#asLearned(model.info, 0), goesOn: false };
+    return { opened, rolled: await this.#roll(asked, opened) };
   }
 
   #takeUp({ opened, rolled }: { opened: OpenModel; rolled: Rolled }): void {
@@ -199,48 +216,52 @@ export class SeriesStore extends Store implements Coupled {
   async csv(): Promise<string> {
     const [opened, rolled] = [this.#opened, this.#rolled];
     if (!opened || !rolled) throw new Error(seriesWords().noModel);
-    return this.#document.ask(opened.text, (worker) => worker.seriesCsv(rolled.asked));
+    return this.#document.ask(opened.text, (worker) => worker.seriesCsv(rolled.request));
   }
 
-  /** Rolls out again, when `framesOf` gives another length. */
-  again(): void {
-    this.#request();
+  /** Asks for the next frames before the clock needs them. */
+  #goOn(): void {
+    if (this.#asksNext || this.clock.frame < SHOWN * this.clock.lastFrame) return;
+    this.#asksNext = true;
+    this.#request(true);
   }
 
-  #request(): void {
+  /** Without an end, changed couplings act from the frame now; those as learned begin as the table did. */
+  #request(goesOn = this.endless !== null && this.couplings.altered): void {
     const { info } = this.#opened ?? {};
     this.changed();
     if (!info) return;
     const learned = this.#asLearned(info, this.#sequence);
     const observed = this.#given.observed(info, learned.frames, this.recorded);
-    const asked = { ...learned, observed };
     const { alpha, altered, reading } = this.couplings;
-    this.#rollouts.request(altered ? { ...asked, alpha, reading } : asked);
+    const request = { ...learned, observed, ...(altered ? { alpha, reading } : {}) };
+    this.#rollouts.request({ request, goesOn });
   }
 
-  async #roll(asked: SeriesRequest, opened = this.#opened): Promise<Rolled> {
+  async #roll({ request, goesOn }: Asked, opened = this.#opened): Promise<Rolled> {
     if (!opened) throw new Error(seriesWords().noModel);
     const { text, info } = opened;
     const ask = (asked: SeriesRequest) => this.#document.ask(text, (worker) => worker.rolloutSeries(asked));
-    const before =
-      opened === this.#opened &&
-      this.#rolled?.asked.sequence === asked.sequence &&
-      this.#rolled.asked.frames === asked.frames
-        ? this.#rolled
-        : null;
-    const learned = before?.learned ?? (await ask(this.#asLearned(info, asked.sequence)));
-    return { asked, learned, rollout: asked.alpha || asked.observed ? await ask(asked) : learned };
+    const now = opened === this.#opened ? this.#rolled : null;
+    const { sequence, frames } = request;
+    const isSame = now?.request.sequence === sequence && now.request.frames === frames;
+    const learned = isSame ? now.learned : await ask(this.#asLearned(info, sequence));
+    const { frame, lastFrame } = this.clock;
+    const past = goesOn && now ? goingOn(now.rollout, lastFrame + 1, frame, info.order ?? 1) : null;
+    const asked = past ? { ...request, start: past.start } : request;
+    const next = past || asked.alpha || asked.observed ? await ask(asked) : learned;
+    return { request, goesOn, learned, rollout: past?.joined(next) ?? next, first: past?.first ?? 0 };
   }
 
   #show(rolled: Rolled): void {
-    this.#rolled = rolled;
-    this.#problem = "";
-    this.clock.load(rolled.asked.frames, this.#opened?.info.frameTime ?? 1);
+    const { columns, frameTime } = this.#opened?.info ?? { columns: [], frameTime: 1 };
+    [this.#rolled, this.#problem, this.#asksNext] = [rolled, "", false];
+    this.clock.load(rolled.rollout.values.length / columns.length, frameTime, rolled.first);
     this.changed();
   }
 
   #asLearned({ sequences }: SeriesInfo, sequence: number): SeriesRequest {
-    const frames = this.#framesOf(sequences[sequence]?.frames ?? 0);
+    const frames = this.endless ?? longer(sequences[sequence]?.frames ?? 0);
     return { frames, sequence, alpha: null, reading: "as-learned", observed: null };
   }
 }

@@ -10,6 +10,7 @@ import { download } from "../ui/download";
 import { visitor } from "../unsaved/choice-dialog.fake";
 import { curvesOf } from "./series-curves";
 import { openSeries, type Series } from "./series";
+import { SeriesStore } from "./series-store";
 
 vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));
 vi.mock("../ui/download", () => ({ download: vi.fn() }));
@@ -183,6 +184,29 @@ describe("a model of tables", () => {
     model.couplings.resetAll();
     await settled();
     expect([model.couplings.altered, model.rollout]).toEqual([false, model.learned]);
+  });
+
+  it("without an end goes on from the frame now, and as learned begins again", async () => {
+    const model = new SeriesStore(program, series.tables, 100);
+    await model.open(seriesText(["a.csv"]));
+    const last = () => program.series.rollouts.at(-1);
+    model.clock.seek(60);
+    await settled();
+    expect([model.clock.frame, last()?.start]).toEqual([60, undefined]);
+    model.clock.seek(80);
+    await settled();
+    // 30 frames stay before the next ones, of which two begin the rollout.
+    expect([model.clock.frame, model.clock.lastFrame]).toEqual([29, 127]);
+    expect(last()?.start?.map((part) => part.map((row) => row.length))).toEqual([
+      [2, 2],
+      [1, 1],
+    ]);
+    model.couplings.set(0, 1, 30);
+    await settled();
+    expect([model.rollout?.values.at(0), model.rollout?.values.at(-1)]).toEqual([0, 30]);
+    model.couplings.resetAll();
+    await settled();
+    expect(model.rollout).toBe(model.learned);
   });
 
   it("begins as another table when asked to", async () => {

@@ -4,6 +4,7 @@ import type { App } from "../app/app";
 import { siteHead } from "../app/site-head";
 import { EXERCISE_NAMES } from "../exercises/exercises";
 import { addressOf } from "../settings/chapters";
+import { DARES } from "../settings/settings";
 import { View } from "../ui/view";
 import { loadTeach, teachIfLoaded, teachWords } from "../words/sections";
 import { addressOf as linkOf } from "../app/code";
@@ -15,8 +16,12 @@ const LENGTHS: readonly PlanLength[] = [45, 90];
 /** The addresses of steps that are no chapters. */
 const ADDRESSES: Partial<Record<Step, string>> = { compare: "view=compare" };
 
-const addressOfExercise = (place: number) =>
-  `exercise=${place + 1}${EXERCISE_NAMES[place] === "few" ? "&tab=learn&dynamics=6" : ""}`;
+const EXERCISES = [...EXERCISE_NAMES, "hands"] as const;
+
+function addressOfExercise(place: number): string {
+  if (EXERCISES[place] === "hands") return `view=draw&exercise=${DARES.hand}`;
+  return `exercise=${place + 1}${EXERCISES[place] === "few" ? "&tab=learn&dynamics=6" : ""}`;
+}
 
 export class TeachPage extends View {
   declare app: App;
@@ -90,7 +95,7 @@ export class TeachPage extends View {
         <h2 id="teach-exercises">${exercises.title}</h2>
         <p>${exercises.lead}</p>
         <ol>
-          ${EXERCISE_NAMES.map((name, place) => {
+          ${EXERCISES.map((name, place) => {
             const fragment = addressOfExercise(place);
             return html`
             <li>

@@ -20,6 +20,7 @@ export const words: HelpWords = {
       "c",
       "gehalten: schneidet eine Kopplung ab, die des gewählten Reglers oder die stärkste zwischen Teilen, und läuft live",
     ],
+    ["f j", "wenn zwei Finger die Füße sind: ein Schritt des linken, des rechten Fußes"],
     ["p", "für einen Projektor: nur das Bild, in großer Schrift; Escape bringt den Rest zurück"],
     ["w a s d", "auf der Bühne: von einer anderen Seite sehen"],
     ["+ −", "auf der Bühne: näher, weiter weg"],

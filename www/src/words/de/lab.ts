@@ -96,7 +96,7 @@ export const words: LabWords = {
     asLearned: "Kopplungen wie gelernt",
     playSamples: "Stichproben abspielen",
     samplesMeaning:
-      "Stichproben ziehen jeden Schritt aus dem, was das Modell vorhersagt, mit seiner Streuung: in jeder Runde eine andere Bewegung, die ein wenig zittert. Das Mittel streut nicht und kann darum in einer Pose stehen bleiben.",
+      "Stichproben ziehen jeden Schritt aus der Streuung der Vorhersage. Sie zittern und rutschen mehr, als Gänge eines Menschen sich unterscheiden.",
     sampled: (seed) => ({
       title: `Vom Modell gemacht: Stichprobe ${seed}`,
       text: "Jede Runde ist eine andere Bewegung, die das Modell machen könnte",

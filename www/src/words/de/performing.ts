@@ -23,6 +23,8 @@ export const words: PerformingWords = {
   play: (title) => `${title} abspielen`,
   train: "Mit meiner Bewegung trainieren",
   trainMeaning: "Trainiert ein Modell mit diesem Clip allein, mit den Einstellungen unter Lernen",
+  sound: "Ton",
+  soundMeaning: "Ein Klick für jeden Fuß, der aufsetzt, ein Ton für jede Hand, die zeichnet",
   notFilmed: "Kein bewegtes Bild wurde gespeichert",
   film: {
     title: "Bewegtes Bild",

@@ -251,7 +251,7 @@ export const words: TeachWords = {
   },
   exercises: {
     title: "Aufgaben",
-    lead: "Jede öffnet das Labor. Dort misst die Seite die Figur und sagt, wann sie gelöst ist.",
+    lead: "Jede öffnet eine Seite, die die Bewegung misst und sagt, wann sie gelöst ist.",
     print: "Blatt drucken",
     try: "Ausprobieren",
     code: "QR-Code",
@@ -264,6 +264,8 @@ export const words: TeachWords = {
       idle: "Ändere eine Kopplung um das Hundertfache oder mehr. Hände und Füße bewegen sich wie zuvor, auf 5 % genau.",
       halt: "Halte den ganzen Körper mit einer geänderten Kopplung an.",
       few: "Trainiere ein Modell der Beispielgänge mit höchstens 6 Punkten für die Dynamik jedes Teils. Es geht weiter.",
+      hands:
+        "Zeichne zwei Kreise in zwei Tempi, mit jeder Hand einen. Halte eine Hand mit einem Pfeil an; die andere zeichnet weiter.",
     },
     solutions: {
       pace: "neu bestimmt, Beine → Arme ganz nach links.",
@@ -273,6 +275,8 @@ export const words: TeachWords = {
       idle: "neu bestimmt, Arme → Beine ganz nach links: Die eigene Vergangenheit erklärt die Beine.",
       halt: "wie gelernt, Beine → Beine ganz nach links: Dann hören die Beine nur auf die Arme, die nichts über Beine gelernt haben.",
       few: "Der Link setzt 6 Punkte; drück Trainieren.",
+      hands:
+        "wie gelernt, left → left ganz nach links: Die linke Hand hört dann nur die rechte, die nichts über sie gelernt hat.",
     },
     whys: {
       pace: "Welchen Pfeil hast du dünn gemacht, und wer spricht jetzt über die Arme?",
@@ -281,6 +285,7 @@ export const words: TeachWords = {
       idle: "Was sagt das darüber, wer in diesem Gang wen erklärt?",
       halt: "Wessen Vorhersage über den nächsten Schritt ging verloren?",
       few: "Wozu wären die anderen Punkte da gewesen?",
+      hands: "Warum zeichnet die andere Hand weiter?",
     },
     dares: {
       title: "Eine Herausforderung",

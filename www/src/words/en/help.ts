@@ -16,6 +16,7 @@ export const words = {
     ["0", "reset all couplings"],
     ["delete", "on a slider: reset it"],
     ["c", "held: cut a coupling, that of the slider in focus or the strongest between parts, and watch live"],
+    ["f j", "while two fingers are the feet: a step of the left foot, of the right foot"],
     ["p", "for a projector: only the picture, in large type; escape brings the rest back"],
     ["w a s d", "on the stage: look from another side"],
     ["+ −", "on the stage: nearer, farther"],

@@ -101,7 +101,7 @@ export const words = {
     asLearned: "Couplings as learned",
     playSamples: "Play samples",
     samplesMeaning:
-      "Samples draw each step from what the model predicts, with its spread: another motion in each loop, which trembles a little. The mean has no spread, and so may settle in one pose.",
+      "Samples draw each step from the spread of the prediction. They tremble and slide more than a person’s walks differ.",
     sampled: (seed: number) => ({
       title: `Made by the model: sample ${seed}`,
       text: "Each loop is another motion that the model could make",

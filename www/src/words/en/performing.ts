@@ -21,6 +21,8 @@ export const words = {
   play: (title: string) => `Play ${title}`,
   train: "Train on what I did",
   trainMeaning: "Trains a model on this clip alone, with the settings of the panel Learn",
+  sound: "Sound",
+  soundMeaning: "A click for each foot that comes down, a tone for each hand that draws",
   notFilmed: "No moving picture was saved",
   film: {
     title: "Moving picture",

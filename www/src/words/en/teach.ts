@@ -234,7 +234,7 @@ export const words = {
   },
   exercises: {
     title: "Exercises",
-    lead: "Each opens the Lab, where the page measures the figure and says when it is solved.",
+    lead: "Each opens a page that measures the motion and says when it is solved.",
     print: "Print the sheet",
     try: "Try it",
     code: "QR code",
@@ -247,6 +247,8 @@ export const words = {
       idle: "Change one coupling a hundredfold or more. Hands and feet move as before, within 5 %.",
       halt: "Stop the whole body by one changed coupling.",
       few: "Train a model of the sample walks with at most 6 points for the dynamics of each part. It walks on.",
+      hands:
+        "Draw two circles at two tempos, one with each hand. Stop one hand with one arrow; the other draws on.",
     },
     solutions: {
       pace: "re-inferred, legs → arms all the way to the left.",
@@ -256,6 +258,8 @@ export const words = {
       idle: "re-inferred, arms → legs all the way to the left: the legs’ own past explains the legs.",
       halt: "as learned, legs → legs all the way to the left: the legs then hear only the arms, which learned nothing about legs.",
       few: "the link sets 6 points; press Train.",
+      hands:
+        "as learned, left → left all the way to the left: the left hand then hears only the right one, which learned nothing about it.",
     },
     whys: {
       pace: "Which arrow did you make thin, and who speaks about the arms now?",
@@ -264,6 +268,7 @@ export const words = {
       idle: "What does this say about who explains whom in this walk?",
       halt: "Whose prediction about the next step got lost?",
       few: "What would the other points have been for?",
+      hands: "Why does the other hand draw on?",
     },
     dares: {
       title: "A dare",

@@ -1,0 +1,77 @@
+// `npm run lab -- drawings FILE.csv ...`: whether models of people's drawings go on as they were drawn. A file has a
+// drawing, with the columns x, y and seconds, and line_number for each stroke.
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { basename } from "node:path";
+import { runnerImport } from "vite";
+import { at } from "../run.mjs";
+
+/** The seconds after which a model must still go on. */
+const SECONDS = 20;
+/** The width of a drawing on the pad, and the middle of the pad: hundredths of the pad's width. */
+const SIZE = 60;
+const MIDDLE = /** @type {const} */ ([50, 66]);
+
+/** A module of the view Draw. */
+export const drawingModule = async (/** @type {string} */ name) =>
+  /** @type {any} */ ((await runnerImport(at(`www/src/drawing/${name}.ts`), { configFile: false })).module);
+
+/** Learns what a hand drew, with the npm package: how the rollout compares with the drawing; null: too little. */
+export async function learner(/** @type {typeof import("vcgpdm")} */ { Table, Trainer, TrainingSet }) {
+  const [{ drawingOf, DRAWING_SETTINGS }, { goesOn }] = await Promise.all(
+    ["hand", "goes-on"].map(drawingModule),
+  );
+  return (/** @type {any} */ strokes) => {
+    const drawing = drawingOf([strokes]);
+    if (!drawing) return null;
+    const { rows, rate, lap } = drawing;
+    const set = new TrainingSet();
+    set.addTable(Table.of("drawing", ["x", "y"], new Float64Array(rows.flat()), 1 / rate));
+    const parts = [{ name: "hand", columns: ["x", "y"] }];
+    const trainer = new Trainer(set, { ...DRAWING_SETTINGS, framesPerSecond: rate, parts });
+    while (!trainer.step().done);
+    const frames = Math.max(Math.round(SECONDS * rate), 3 * lap);
+    const values = trainer.model().rollout({ frames }).values();
+    const path = Array.from({ length: frames }, (_, i) => [values[2 * i], values[2 * i + 1]]);
+    return { ...drawing, ...goesOn(rows, path, lap) };
+  };
+}
+
+/** The strokes of a file on a pad, in their first seconds. */
+function strokesIn(/** @type {string} */ file, /** @type {number} */ longest) {
+  const [head = "", ...lines] = readFileSync(file, "utf8").trim().split(/\r?\n/);
+  const places = ["line_number", "seconds", "x", "y"].map((name) => head.split(",").indexOf(name));
+  const samples = lines
+    .map((line) => places.map((place) => Number(line.split(",")[place] ?? 0)))
+    .filter(([, seconds = 0]) => seconds <= longest);
+  const ends = [2, 3].map((k) => {
+    const values = samples.map((sample) => sample[k] ?? 0);
+    return { low: Math.min(...values), high: Math.max(...values) };
+  });
+  const scale = SIZE / Math.max(...ends.map(({ low, high }) => high - low));
+  const put = (/** @type {number} */ value, /** @type {0 | 1} */ axis) => {
+    const { low = 0, high = 0 } = ends[axis] ?? {};
+    return MIDDLE[axis] + scale * (value - (low + high) / 2);
+  };
+  const strokes = new Map(samples.map(([line]) => [line, /** @type {object[]} */ ([])]));
+  for (const [line, seconds = 0, x = 0, y = 0] of samples)
+    strokes.get(line)?.push({ seconds, x: put(x, 0), y: put(y, 1) });
+  return [...strokes.values()];
+}
+
+export async function drawings(/** @type {string[]} */ ...files) {
+  const learn = await learner(createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.cjs")));
+  const { LONGEST } = await drawingModule("hand");
+  console.log("| drawing | rows a lap | visited, % | speed, times | goes on |\n|---|---|---|---|---|");
+  for (const file of files) {
+    const found = learn(strokesIn(file, LONGEST));
+    const { lap, visited, speed, goesOn } = found ?? { lap: 0, visited: 0, speed: 0, goesOn: false };
+    const cells = [
+      lap,
+      Math.round(100 * visited),
+      speed.toFixed(2),
+      found ? (goesOn ? "yes" : "no") : "too little",
+    ];
+    console.log(`| ${basename(file, ".csv")} | ${cells.join(" | ")} |`);
+  }
+}
