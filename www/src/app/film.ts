@@ -1,4 +1,5 @@
-// The item Moving picture of the menu Save: some seconds of the stage as a video, by the browser's own encoder.
+// The item Moving picture of the menu Save: some seconds of the stage as a video, by the browser's own encoder, else as
+// GIF.
 import { html } from "lit";
 import { download } from "../ui/download";
 import { View } from "../ui/view";
@@ -15,9 +16,30 @@ const KINDS = [
   ["webm", "video/webm"],
 ] as const;
 
-/** The first kind of video that this browser writes; undefined: none. */
+/** The first kind of video that this browser writes, else GIF. */
 const kindHere = () =>
-  KINDS.find(([, type]) => "MediaRecorder" in window && MediaRecorder.isTypeSupported(type));
+  KINDS.find(([, type]) => "MediaRecorder" in window && MediaRecorder.isTypeSupported(type)) ??
+  (["gif", "image/gif"] as const);
+
+/** What a canvas shows until `ended`, as a video. */
+async function videoOf(canvas: HTMLCanvasElement, mimeType: string, ended: Promise<void>): Promise<Blob> {
+  const pieces: Blob[] = [];
+  const recorder = new MediaRecorder(canvas.captureStream(30), {
+    mimeType,
+    videoBitsPerSecond: BITS_A_SECOND,
+  });
+  recorder.ondataavailable = ({ data }) => pieces.push(data);
+  const stopped = new Promise((stopped, failed) => {
+    recorder.onstop = stopped;
+    recorder.onerror = failed;
+  });
+  recorder.start();
+  await ended;
+  recorder.stop();
+  await stopped;
+  for (const track of recorder.stream.getTracks()) track.stop();
+  return new Blob(pieces, { type: mimeType });
+}
 
 export class Film extends View {
   static override properties = { left: { state: true }, ready: { state: true } };
@@ -55,34 +77,28 @@ export class Film extends View {
     return motion / (playback.speed || 1);
   }
 
+  async #countDown(seconds: number): Promise<void> {
+    const end = performance.now() + 1000 * seconds;
+    this.left = Math.ceil(seconds);
+    // An error ends it sooner.
+    while (this.left > 0) {
+      await new Promise((passed) => setTimeout(passed, Math.min(250, end - performance.now())));
+      if (this.left > 0) this.left = Math.max(0, Math.ceil((end - performance.now()) / 1000));
+    }
+  }
+
   async #record(): Promise<void> {
-    const [canvas, kind] = [this.#canvas, kindHere()];
-    if (!canvas || !kind || this.left > 0) return;
+    const canvas = this.#canvas;
+    if (!canvas || this.left > 0) return;
+    const [extension, type] = kindHere();
     const { playback, notices } = this.app;
     playback.play();
     try {
-      const pieces: Blob[] = [];
-      const recorder = new MediaRecorder(canvas.captureStream(30), {
-        mimeType: kind[1],
-        videoBitsPerSecond: BITS_A_SECOND,
-      });
-      recorder.ondataavailable = ({ data }) => pieces.push(data);
-      const ended = new Promise((stopped, failed) => {
-        recorder.onstop = stopped;
-        recorder.onerror = failed;
-      });
-      recorder.start();
-      const seconds = this.#seconds;
-      const end = performance.now() + 1000 * seconds;
-      while (performance.now() < end) {
-        this.left = Math.ceil((end - performance.now()) / 1000);
-        await new Promise((passed) => setTimeout(passed, Math.min(250, end - performance.now())));
-      }
-      recorder.stop();
-      await ended;
-      for (const track of recorder.stream.getTracks()) track.stop();
+      const gif = extension === "gif" ? await import("./film-gif") : null;
+      const ended = this.#countDown(this.#seconds);
+      const film = gif ? await gif.gifOf(canvas, ended) : await videoOf(canvas, type, ended);
       const { fileNameOf } = await import("./saving");
-      download(`${fileNameOf(this.app)}.${kind[0]}`, new Blob(pieces, { type: kind[1] }));
+      download(`${fileNameOf(this.app)}.${extension}`, film);
     } catch (problem) {
       notices.addError(performingWords().notFilmed, messageOf(problem));
     }
@@ -92,11 +108,10 @@ export class Film extends View {
   protected override render() {
     if (!this.ready) return html``;
     const { film } = performingWords();
-    const kind = kindHere();
-    const about = this.left > 0 ? film.left(this.left) : kind ? film.about : film.noEncoder;
+    const about = this.left > 0 ? film.left(this.left) : film.about;
     return html`
-      <button data-testid="save-film" ?disabled=${!kind || !this.#canvas || this.left > 0} @click=${() => void this.#record()}>
-        <span>${film.title}<small role="status">${about}</small></span><small>${kind?.[0].toUpperCase() ?? ""}</small></button>`;
+      <button data-testid="save-film" ?disabled=${!this.#canvas || this.left > 0} @click=${() => void this.#record()}>
+        <span>${film.title}<small role="status">${about}</small></span><small>${kindHere()[0].toUpperCase()}</small></button>`;
   }
 }
 customElements.define("pg-film", Film);

@@ -30,7 +30,6 @@ export const words: PerformingWords = {
     title: "Bewegtes Bild",
     about: "Ein paar Sekunden der Bühne, zum Zeigen und Schicken",
     left: (seconds) => `Aufnahme läuft, noch ${seconds} s`,
-    noEncoder: "Dieser Browser kann keine Videos schreiben; Chrome, Firefox und Safari können es.",
   },
   feet: "Zwei Finger als Füße",
   feetMeaning: "Jeder Druck ist ein Schritt: Die Beine folgen deinem Rhythmus, deinem Hinken, deiner Pause",

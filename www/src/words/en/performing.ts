@@ -28,7 +28,6 @@ export const words = {
     title: "Moving picture",
     about: "Some seconds of the stage, to show and to send",
     left: (seconds: number) => `Recording, ${seconds} s left`,
-    noEncoder: "This browser cannot write videos; Chrome, Firefox and Safari can.",
   },
   feet: "Two fingers as the feet",
   feetMeaning: "Each press is a step: the legs follow your rhythm, your limp and your pause",
