@@ -25,6 +25,9 @@ const WASM = ["--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"];
 const clippy = (/** @type {string[]} */ ...what) => run("cargo", "clippy", ...what, ...deny);
 const biome = (/** @type {string[]} */ ...args) => runModule("@biomejs/biome/bin/biome", ...args);
 
+/** The Rust tests that are marked `seldom`, too. Those on recordings have a step of their own. */
+const WITH_SELDOM = ["--", "--include-ignored", "--skip", "recordings::", "--skip", "acclaim::"];
+
 /** Whether only the steps and tests run that a change often breaks. Their wasm is compiled quickly. */
 const often = () => env.PAGE_TESTS === "often";
 
@@ -63,6 +66,7 @@ const RUST_STEPS = [
   {
     name: "clippy",
     what: "clippy, native",
+    seldom: true,
     work: () => clippy(...NATIVE, "--all-targets"),
   },
   {
@@ -78,7 +82,7 @@ const RUST_STEPS = [
     name: "rust",
     what: "Rust tests and doctests",
     work: async () => {
-      await run("cargo", "test", ...NATIVE, ...TESTS);
+      await run("cargo", "test", ...NATIVE, ...TESTS, ...(often() ? [] : WITH_SELDOM));
       await run("cargo", "test", ...NATIVE, "--doc");
     },
   },

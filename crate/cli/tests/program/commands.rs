@@ -398,6 +398,7 @@ fn keeps_some_frames_of_a_clip_and_transfers_it_to_another_body() {
 }
 
 #[test]
+#[ignore = "seldom: npm test -- --all"]
 fn runs_the_commands_of_the_document() {
     let document = include_str!("../../../../docs/terminal.md").replace("\\\n", "");
     let folder = folder("document");

@@ -12,7 +12,7 @@ use crate::models::training::settings::VariationalSettings;
 use crate::models::variational::filter::step::Filter;
 use crate::models::variational::maps::PoseMap;
 use crate::models::variational::model::Vcgpdm;
-use crate::models::variational::moments::{Belief, LatentMoments};
+use crate::models::variational::moments::Belief;
 use crate::models::variational::params::Params;
 use crate::models::variational::testing::fitted;
 use crate::models::variational::trainer::VariationalTrainer;
