@@ -71,6 +71,8 @@ export class SeriesStore extends Store implements Coupled {
   #rolled: Rolled | null = null;
   /** Whether the next frames of a motion without an end were asked for. */
   #asksNext = false;
+  /** Whether a rollout was asked for that begins as the table did, and was not shown. */
+  #begins = false;
   #problem = "";
 
   /** `endless`: a motion without an end, of which so many frames are computed at a time. */
@@ -235,7 +237,9 @@ export class SeriesStore extends Store implements Coupled {
     const observed = this.#given.observed(info, learned.frames, this.recorded);
     const { alpha, altered, reading } = this.couplings;
     const request = { ...learned, observed, ...(altered ? { alpha, reading } : {}) };
-    this.#rollouts.request({ request, goesOn });
+    // A later request may replace one that begins before it was shown.
+    this.#begins ||= !goesOn;
+    this.#rollouts.request({ request, goesOn: !this.#begins });
   }
 
   async #roll({ request, goesOn }: Asked, opened = this.#opened): Promise<Rolled> {
@@ -256,6 +260,7 @@ export class SeriesStore extends Store implements Coupled {
   #show(rolled: Rolled): void {
     const { columns, frameTime } = this.#opened?.info ?? { columns: [], frameTime: 1 };
     [this.#rolled, this.#problem, this.#asksNext] = [rolled, "", false];
+    if (!rolled.goesOn) this.#begins = false;
     this.clock.load(rolled.rollout.values.length / columns.length, frameTime, rolled.first);
     this.changed();
   }

@@ -204,6 +204,10 @@ describe("a model of tables", () => {
     model.couplings.set(0, 1, 30);
     await settled();
     expect([model.rollout?.values.at(0), model.rollout?.values.at(-1)]).toEqual([0, 30]);
+    // The last of three requests at once begins again, as the second one would.
+    for (const alpha of [40, null, 50]) alpha ? model.couplings.set(0, 1, alpha) : model.couplings.resetAll();
+    await settled();
+    expect([last()?.alpha?.[0]?.[1], last()?.start]).toEqual([50, undefined]);
     model.couplings.resetAll();
     await settled();
     expect(model.rollout).toBe(model.learned);
