@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 /// <reference types="vitest/config" />
 import { defineConfig, type Plugin } from "vite";
@@ -109,11 +110,21 @@ const heldToPolicy: Plugin = {
   ],
 };
 
+/** The icon in the page itself, because browsers ask for its file twice. */
+const icon: Plugin = {
+  name: "icon",
+  transformIndexHtml() {
+    const svg = readFileSync(new URL("public/favicon.svg", import.meta.url), "utf8").trim();
+    const href = `data:image/svg+xml,${svg.replaceAll('"', "'").replaceAll("#", "%23")}`;
+    return [{ tag: "link", attrs: { rel: "icon", href } }];
+  },
+};
+
 export default defineConfig({
   // Relative paths: the built folder works from any sub-folder of any static host.
   base: "./",
   define: { VIEW_NAMES: JSON.stringify(views.map(({ name }) => name)) },
-  plugins: [heldToPolicy, offline()],
+  plugins: [heldToPolicy, icon, offline()],
   resolve: {
     alias: [
       // Without `train` and without the address of the wasm: the page has workers and a loader of its own.
