@@ -1,9 +1,10 @@
 // Completes the npm package after wasm-bindgen: entries for every kind of importer, the wasm once, errors
 // with a name, types that compile without the newest libraries.
 import { copyFileSync, mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
-import { Failure, root } from "./run.mjs";
+import { at, Failure, root } from "./run.mjs";
 
 /**
  * Replaces places of a file. Each has to exist.
@@ -202,6 +203,9 @@ export function writeNodeEntry(/** @type {string} */ place, text = NODE_WITH_FIL
   writeFileSync(join(place, "node", "vcgpdm.js"), text);
   writeFileSync(join(place, "node", "package.json"), '{"type":"module"}\n');
 }
+
+/** The built package as Node loads it. @returns {typeof import("vcgpdm")} */
+export const builtPackage = () => createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.cjs"));
 
 /** The declaration of `init` by wasm-bindgen, which demands an argument, with its comment. */
 const OLD_INIT = /\n\/\*\*(?:(?!\*\/)[\s\S])*\*\/\nexport default function [^\n]*\n/;

@@ -1,9 +1,9 @@
 // `npm run lab -- drawings FILE.csv ...`: whether models of people's drawings go on as they were drawn. A file has a
 // drawing, with the columns x, y and seconds, and line_number for each stroke.
 import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { basename } from "node:path";
 import { runnerImport } from "vite";
+import { builtPackage } from "../package.mjs";
 import { at } from "../run.mjs";
 
 /** The seconds after which a model must still go on. */
@@ -60,7 +60,7 @@ function strokesIn(/** @type {string} */ file, /** @type {number} */ longest) {
 }
 
 export async function drawings(/** @type {string[]} */ ...files) {
-  const learn = await learner(createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.cjs")));
+  const learn = await learner(builtPackage());
   const { LONGEST } = await drawingModule("hand");
   console.log("| drawing | rows a lap | visited, % | speed, times | goes on |\n|---|---|---|---|---|");
   for (const file of files) {

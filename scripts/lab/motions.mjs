@@ -2,9 +2,9 @@
 // kinds of models in the page's results predicts the first trial again, from the clips of this folder, and must be as
 // wrong as recorded. The page gets the seconds after the start, beside the recording.
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 import { encodeFirstMotion } from "../../www/src/stage/first-motion.js";
+import { builtPackage } from "../package.mjs";
 import { at, Failure } from "../run.mjs";
 
 const KINDS = ["vcgpdm", "vgpdm", "tmp", "dmp-rhythmic"];
@@ -14,10 +14,7 @@ const SECONDS = 3;
 const EVERY = 2;
 
 export async function motions(folder = "") {
-  /** @type {typeof import("vcgpdm")} */
-  const { Clip, Evaluation, Fold, Results, TrainingSet } = createRequire(import.meta.url)(
-    at("crate/wasm/pkg/node/vcgpdm.js"),
-  );
+  const { Clip, Evaluation, Fold, Results, TrainingSet } = builtPackage();
   const results = Results.fromJson(readFileSync(at("www/public/comparison/walks.results.json"), "utf8"));
   const setting = results.setting();
   const names = readdirSync(resolve(folder)).filter((name) => name.endsWith(".bvh"));

@@ -3,20 +3,19 @@
 // `npm run lab -- samples FOLDER ...`: whether samples differ more from their clip than a person's trials differ from
 // each other. A folder has the clips of one person.
 import { readFileSync, statSync } from "node:fs";
-import { createRequire } from "node:module";
 import { basename } from "node:path";
-import { at, Failure } from "../run.mjs";
+import { builtPackage } from "../package.mjs";
+import { Failure } from "../run.mjs";
 import { subject } from "./subjects.mjs";
 
 const SECONDS = 20;
 const SAMPLES = 3;
-/** Quantiles of Student's t for 95 % on both sides, from 1 degree of freedom on. */
+/** Quantiles of Student's t for 95 % on both sides, from 1 degree of freedom on; for more people the last is wide. */
 const T = [12.71, 4.3, 3.18, 2.78, 2.57, 2.45, 2.36, 2.31, 2.26];
 
 /** A model of a clip, its mean and its samples. */
 async function modelOf(/** @type {string} */ file) {
-  /** @type {typeof import("vcgpdm")} */
-  const { Clip, train } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.cjs"));
+  const { Clip, train } = builtPackage();
   const clip = Clip.read(basename(file), readFileSync(file));
   const model = await train(clip, { parts: "lower,upper" });
   const { frameTime } = model.info();
@@ -100,6 +99,7 @@ async function person(/** @type {string} */ folder) {
 
 /** What samples differ from their clip, less what trials differ. The person is the unit. */
 async function people(/** @type {string[]} */ folders) {
+  if (folders.length < 2) throw new Failure("expected folders of at least 2 people, found 1");
   /** @type {number[][][]} */
   const found = [];
   for (const folder of folders) found.push(await person(folder));
@@ -112,11 +112,10 @@ async function people(/** @type {string[]} */ folders) {
     const effects = all.map(([trials = 0, , samples = 0]) => samples - trials);
     const [count, middle] = [effects.length, mean(effects)];
     const variance = (mean(effects.map((effect) => (effect - middle) ** 2)) * count) / (count - 1);
-    const half = (T[count - 2] ?? 1.96) * Math.sqrt(variance / count);
+    const half = (T[count - 2] ?? T.at(-1) ?? Number.NaN) * Math.sqrt(variance / count);
     const ends = [middle - half, middle + half].map((end) => end.toFixed(1)).join(" to ");
     const cells = all.map((numbers) => numbers.map((number) => number.toFixed(1)).join(", ")).join(" | ");
-    console.log(
-      `| ${name} | ${cells} | ${middle.toFixed(1)} (${ends})${Math.abs(middle) > half ? "" : ": undecided"} |`,
-    );
+    const verdict = Math.abs(middle) > half ? (middle > 0 ? "more" : "less") : "undecided";
+    console.log(`| ${name} | ${cells} | ${middle.toFixed(1)} (${ends}): ${verdict} |`);
   });
 }
