@@ -27,8 +27,8 @@ export type Pad = 0 | 1;
 
 /** After letting go, a hand has as many milliseconds for another stroke. */
 const NEXT_STROKE = 400;
-/** Seconds that the model draws at a time. */
-const AT_A_TIME = 20;
+/** The frames of a rollout: 20 seconds of a drawing with the most rows a second. */
+const AT_A_TIME = 20 * ROWS_A_SECOND;
 
 /** The table of a drawing, as a file. */
 export function drawingFile({ rows, rate }: Pick<Drawing, "rows" | "rate">, pads: readonly Pad[]): File {
@@ -60,7 +60,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   constructor(workers: WholeWorkers) {
     super();
     this.#workers = workers;
-    this.model = new SeriesStore(workers, new TablesStore(workers), AT_A_TIME * ROWS_A_SECOND);
+    this.model = new SeriesStore(workers, new TablesStore(workers), AT_A_TIME);
     this.model.on(() => this.changed());
   }
 

@@ -75,7 +75,7 @@ export class SeriesStore extends Store implements Coupled {
   #begins = false;
   #problem = "";
 
-  /** `endless`: a motion without an end, of which so many frames are computed at a time. */
+  /** `endless`: the frames of each rollout of a motion that goes on without an end; null: a rollout ends. */
   constructor(
     { desk }: Pick<WholeWorkers, "desk">,
     tables: TablesStore,
