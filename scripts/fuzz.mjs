@@ -1,8 +1,8 @@
 // `npm run fuzz -- bvh|model|results|study|answers [MINUTES]`: feeds a reader of the library with broken
 // files. libFuzzer makes them, guided by the branches that the reader takes; it needs a nightly Rust. Files
 // that break the reader go to fuzz/artifacts.
-import { createRequire } from "node:module";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { builtPackage } from "./package.mjs";
 import { at, env, Failure, main, output, run } from "./run.mjs";
 import { buildWasm } from "./wasm.mjs";
 
@@ -25,16 +25,12 @@ function seeds(/** @type {string} */ target) {
   if (target === "answers")
     return ["p1.csv", "p2.csv"].map((file) => readFileSync(at("tests/perception", file), "utf8"));
   if (target === "study") return [smallStudy()];
-  const { Clip, Results, Trainer, TrainingSet } = createRequire(import.meta.url)(
-    "../crate/wasm/pkg/node/vcgpdm.js",
-  );
+  const { Clip, Results, Trainer, TrainingSet } = builtPackage();
   const set = new TrainingSet();
-  const clips = ["walk-1", "walk-2"].map((id) => Clip.sample(id).cut(0, 20));
-  for (const clip of clips) set.add(clip);
-  if (target === "bvh") return [clips[0].cut(0, 3).toBvh()];
-  const { parts } = clips[0]
-    .info()
-    .presets.find((/** @type {{ id: string }} */ { id }) => id === "lower-upper");
+  const [clip, other] = [Clip.sample("walk-1").cut(0, 20), Clip.sample("walk-2").cut(0, 20)];
+  for (const one of [clip, other]) set.add(one);
+  if (target === "bvh") return [clip.cut(0, 3).toBvh()];
+  const { parts = [] } = clip.info().presets.find(({ id }) => id === "lower-upper") ?? {};
   const common = { parts, framesPerSecond: 10 };
   if (target === "results") return [Results.empty(set, common).toJson()];
   const few = { latent: 1, order: 1, dynamicsIps: 2, poseIps: 2, maxIterations: 2, seed: 1 };
