@@ -1,5 +1,6 @@
 // Starts the page: the stores, the story or the Lab, and the engine of the Lab at its first use.
 import "./ui/base.css";
+import "./ui/classes.css";
 import "./ui/controls.css";
 import "./app/layout.css";
 import { html, render } from "lit";

@@ -111,14 +111,14 @@ export class CaptionView extends View {
       /pose|still/.test(health.state) && !model.rollout?.request.sample
         ? html`<button class="small" @click=${() => model.playSamples(true)}>${lab().stage.playSamples}</button>`
         : nothing;
-    return html`<div class="stage-health" role="status" data-testid="health"><p>${words}</p>${buttons}${samples}</div>`;
+    return html`<div class="stage-health row wrap" role="status" data-testid="health"><p>${words}</p>${buttons}${samples}</div>`;
   }
 
   protected override render() {
     const { stage, model } = this.app;
     const { title, text } = wordsNow(this.app);
     return html`
-      <div class="stage-caption">
+      <div class="stage-caption stack">
         <strong data-testid="stage-title">${title}</strong>
         <span>${
           stage.content?.kind === "model" && title === lab().stage.made

@@ -127,8 +127,8 @@ export async function showCode(app: App, fragment: string): Promise<void> {
 
   /** An address that opens and can be copied. */
   const link = (address: string, testId: string) => html`
-    <p class="code-address"><a href=${address} data-testid=${testId} @click=${() => dialog.close()}>${shortened(address)}</a></p>
-    <div class="button-row"><button class="small" data-testid="copy-${testId}" @click=${copy(address)}>${code.copy}</button></div>`;
+    <p class="code-address note"><a href=${address} data-testid=${testId} @click=${() => dialog.close()}>${shortened(address)}</a></p>
+    <div><button class="small" data-testid="copy-${testId}" @click=${copy(address)}>${code.copy}</button></div>`;
 
   /** The link of a file, short enough for a code, in place of a long link. */
   function shortLink() {
@@ -136,10 +136,10 @@ export async function showCode(app: App, fragment: string): Promise<void> {
     const address = addressOf(app.fragmentWith({ modelFile: file }));
     const wrong = problemOfName(file);
     return html`
-      <section class="code-short" aria-labelledby="code-short">
+      <section class="code-short stack loose" aria-labelledby="code-short">
         <h3 id="code-short">${short.title}</h3>
         <p>${short.how}</p>
-        <label><span>${short.file}</span>
+        <label class="row wrap"><span>${short.file}</span>
           <input data-testid="model-file" spellcheck="false" .value=${file} aria-invalid=${wrong ? "true" : "false"} @input=${rename} />
           <button class="small" data-testid="save-short" ?disabled=${wrong !== null} @click=${saveModel}>${icon("save")} ${short.save}</button></label>
         ${
@@ -170,7 +170,7 @@ export async function showCode(app: App, fragment: string): Promise<void> {
       ${LOCAL.test(location.hostname) ? html`<p class="hint">${code.local}</p>` : nothing}
       <details class="code-frame"><summary>${words.frame}</summary>
         <textarea readonly rows="3" aria-label=${words.frame} data-testid="frame-line" .value=${line}></textarea>
-        <div class="button-row"><button class="small" @click=${copy(line)}>${words.copyFrame}</button></div></details>
+        <div><button class="small" @click=${copy(line)}>${words.copyFrame}</button></div></details>
       ${isLong ? shortLink() : nothing}`;
   }
 
@@ -183,7 +183,7 @@ export async function showCode(app: App, fragment: string): Promise<void> {
   function draw(): void {
     render(
       html`
-      <div class="dialog-body">
+      <div class="dialog-body stack">
         <header><h2 id="code-title">${code.title}</h2>
           <button class="round" aria-label=${code.close} title=${code.close} @click=${() => dialog.close()}>${icon("close")}</button></header>
         ${offered.length > 0 ? dares() : nothing}

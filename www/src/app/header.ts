@@ -64,7 +64,7 @@ export class HeaderView extends ViewElement {
         <h1>${title}</h1>
       </div>
       ${this.#views()}
-      <div class="actions" role="group" aria-label=${header.files}>
+      <div class="actions row tight" role="group" aria-label=${header.files}>
         ${this.#newVersion()}
         ${fileButton({
           label: header.open,

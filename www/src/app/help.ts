@@ -43,7 +43,7 @@ export class HelpView extends View {
       <dialog aria-labelledby="help-title" @click=${(event: Event) => {
         if (event.target instanceof HTMLDialogElement) event.target.close();
       }}>
-        <div class="dialog-body">
+        <div class="dialog-body stack">
           <header><h2 id="help-title">${words.title}</h2>
             <form method="dialog"><button class="round" aria-label=${words.close}>${icon("close")}</button></form></header>
           <p>${words.model}</p>

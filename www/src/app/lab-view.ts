@@ -176,7 +176,7 @@ export class LabView extends View {
         return html`
           <pg-clips .clips=${clips} .stage=${stage} .engine=${engine}></pg-clips>
           ${this.#fold("real-people", lab().learn.clips.recorded, recorded, (recorded) => html`<pg-recorded .recorded=${recorded}></pg-recorded>`)}
-          <pg-training .training=${training} .settings=${settings} .clips=${clips} .engine=${engine}></pg-training>`;
+          <pg-training class="column" .training=${training} .settings=${settings} .clips=${clips} .engine=${engine}></pg-training>`;
       case "more":
         return html`
           <pg-more .app=${this.app}></pg-more>

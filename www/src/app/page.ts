@@ -136,7 +136,7 @@ export class PageView extends ViewElement implements Commanded {
     const view = isPlayView ? undefined : ALL_VIEWS.find(({ name }) => name === settings.values.view);
     const { page } = lab();
     return html`
-      <div class="page" data-embed=${embedded ? "1" : "0"}>
+      <div class="page column" data-embed=${embedded ? "1" : "0"}>
         ${
           embedded
             ? nothing
@@ -162,13 +162,13 @@ export class PageView extends ViewElement implements Commanded {
               <button class="small" @click=${() => void this.app.reload()}>${page.keepAndReload}</button></p>`
             : nothing
         }
-        ${view ? html`<main class="on-demand" tabindex="-1"><p class="view-lead">${view.words[app.words.language].lead}</p>${this.#onDemand(view)}</main>` : nothing}
+        ${view ? html`<main class="on-demand column" tabindex="-1"><p class="view-lead">${view.words[app.words.language].lead}</p>${this.#onDemand(view)}</main>` : nothing}
         <pg-lab .app=${app}></pg-lab>
         ${
           embedded
             ? nothing
             : html`
-          <footer>
+          <footer class="hint">
             <span>${page.local} ${this.session ? html`<pg-forget .session=${this.session} .app=${app}></pg-forget>` : nothing}</span>
             <span><a href="#teach" data-testid="to-teach">${app.words.now.frame.teach}</a>, ${languageSwitch(app.words, "link")}</span>
           </footer>`

@@ -18,7 +18,7 @@ export function siteHead({ settings, words }: App, here: Door) {
       ? html`<span aria-current="page">${frame[name]}</span>`
       : html`<a href="#${address}" data-testid="to-${name}">${frame[name]}</a>`;
   return html`
-    <header class="story-head">
+    <header class="story-head row">
       <p>${frame.page}</p>
       <nav aria-label=${frame.views}>
         ${door("story", `story=${lastChapter()}`)}${door("lab", settings.labFragment)}${door("teach", "teach")}

@@ -22,7 +22,7 @@ import "./clips.css";
 export const fileNotices = (warnings: readonly string[]) =>
   warnings.length === 0
     ? nothing
-    : html`<details class="warnings"><summary>${lab().learn.clips.notices(warnings.length)}</summary>
+    : html`<details class="warnings hint"><summary>${lab().learn.clips.notices(warnings.length)}</summary>
         <ul>${warnings.map((warning) => html`<li>${warning}</li>`)}</ul></details>`;
 
 /** Bytes. A larger file is no motion clip and would fill the memory. */

@@ -47,7 +47,7 @@ export class ClipsView extends View {
   #cutFields(clip: ClipEntry) {
     const words = lab().learn.clips;
     return html`
-      <div class="cut" role="group" aria-label=${words.frames(clip.title)}>
+      <div class="cut row wrap loose hint" role="group" aria-label=${words.frames(clip.title)}>
         <label>${words.from} ${this.#cutField(clip, "first")}</label>
         <label>${words.to} ${this.#cutField(clip, "end")}</label>
         <span>${words.of(clip.loaded.info.frames)}</span>
@@ -99,13 +99,13 @@ export class ClipsView extends View {
     const { frameTime, warnings } = loaded.info;
     const words = lab().learn.clips;
     return html`
-      <li class="clip ${shown ? "shown" : ""}">
-        <label class="tick-label">
+      <li class="clip row wrap ${shown ? "shown" : ""}">
+        <label class="tick-label row">
           <input type="checkbox" aria-label=${words.tick(title)} .checked=${ticked} ?disabled=${clips.locked}
             @change=${(event: Event) => void clips.tick(key, (event.target as HTMLInputElement).checked)} />
-          <span class="clip-title" title=${noteOf(clip) || title}>${title}</span>
+          <span class="clip-title ellipsis" title=${noteOf(clip) || title}>${title}</span>
         </label>
-        <span class="clip-length">${words.seconds((end - first) * frameTime)}</span>
+        <span class="clip-length hint tabular">${words.seconds((end - first) * frameTime)}</span>
         <button class="round" aria-label=${words.cutOf(title)} title=${words.cut} aria-expanded=${this.#cutting.has(key) ? "true" : "false"} @click=${() => this.#toggleCut(key)}>${icon("cut")}</button>
         <button class="round" aria-label=${shown ? words.stopShowing(title) : words.show(title)} title=${shown ? words.backToModel : words.onStage} aria-pressed=${shown ? "true" : "false"}
           @click=${() => (shown ? stage.endClip() : clips.show(key))}>${icon("eye")}</button>

@@ -58,7 +58,7 @@ export function partNames({ parts, of, most, disabled, refused, ...change }: Par
   const colours = partColours(parts.map(({ size }) => size));
   const words = lab().learn.parts;
   const row = ({ name, size }: PartNames["parts"][number], place: number) => html`
-    <div style=${partStyle(colours[place] ?? "")}>
+    <div class="row wrap" style=${partStyle(colours[place] ?? "")}>
       <i class="swatch"></i>
       <input type="text" maxlength="24" aria-label=${words.name(place + 1)} .value=${name} ?disabled=${disabled}
         @change=${(event: Event) => {
@@ -71,7 +71,7 @@ export function partNames({ parts, of, most, disabled, refused, ...change }: Par
       ${size === 0 ? html`<small>${words.empty[of]}</small>` : nothing}
     </div>`;
   return html`
-    <div class="part-names">
+    <div class="part-names stack">
       ${parts.map(row)}
       <small class="limit" role="status">${refused}</small>
       <button class="small" data-testid="add-part" ?disabled=${disabled || parts.length >= most} @click=${() => change.add()}>${words.add}</button>
@@ -94,8 +94,8 @@ export const memberRow = (
   colours: readonly string[],
   { name, part, more, title, move }: Member,
 ): TemplateResult => html`
-  <li style=${partStyle(colours[part] ?? "", more)}>
-    <i class="swatch"></i><span title=${title ?? nothing}>${name}</span>
+  <li class="row tight" style=${partStyle(colours[part] ?? "", more)}>
+    <i class="swatch"></i><span class="ellipsis" title=${title ?? nothing}>${name}</span>
     <select aria-label=${lab().learn.parts.member(name)} ?disabled=${disabled}
       @change=${(event: Event) => move(Number((event.target as HTMLSelectElement).value))}>
       ${parts.map((to, i) => html`<option value=${i} .selected=${i === part}>${to.name}</option>`)}

@@ -70,7 +70,7 @@ export class PartsEditor extends View {
         move: (to) => this.#change(moveBranch(joints, split, place, to)),
       });
     return html`
-      <div class="parts-editor">
+      <div class="parts-editor stack">
         ${partNames({
           parts: split.map(({ name, joints }) => ({ name, size: joints.length })),
           of: "joints",
@@ -82,7 +82,7 @@ export class PartsEditor extends View {
           add: () => this.#change([...this.#split, { name: freeName(this.#split), joints: [] }]),
         })}
         <p class="hint">${lab().learn.parts.choose}</p>
-        <ul class="joint-tree" tabindex="0" aria-label=${lab().learn.parts.joints}>${joints.map(joint)}</ul>
+        <ul class="joint-tree note" tabindex="0" aria-label=${lab().learn.parts.joints}>${joints.map(joint)}</ul>
       </div>`;
   }
 }

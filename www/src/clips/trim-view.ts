@@ -42,13 +42,13 @@ export class TrimView extends View {
     const seconds = (frame: number) => words.seconds(frame * frameTime);
     const share = (frame: number) => `${((100 * frame) / frames).toFixed(2)}%`;
     return html`
-      <div class="trim" role="group" aria-label=${words.trim(title)}>
+      <div class="trim row hint" role="group" aria-label=${words.trim(title)}>
         <span>${words.keep}</span>
         <div class="handles" style=${styled({ "--from": share(first), "--to": share(end) })}>
-          <input type="range" data-testid="trim-first" aria-label=${words.trimSide.first(title)} min="0" max=${frames} .value=${String(first)}
+          <input class="cover" type="range" data-testid="trim-first" aria-label=${words.trimSide.first(title)} min="0" max=${frames} .value=${String(first)}
             aria-valuetext=${words.frame(first + 1, seconds(first))} ?disabled=${this.clips.locked}
             @input=${(event: Event) => this.#cut(event, "first")} />
-          <input type="range" data-testid="trim-end" aria-label=${words.trimSide.end(title)} min="0" max=${frames} .value=${String(end)}
+          <input class="cover" type="range" data-testid="trim-end" aria-label=${words.trimSide.end(title)} min="0" max=${frames} .value=${String(end)}
             aria-valuetext=${words.frame(end, seconds(end))} ?disabled=${this.clips.locked}
             @input=${(event: Event) => this.#cut(event, "end")} />
         </div>

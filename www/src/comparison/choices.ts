@@ -74,7 +74,7 @@ export class ComparisonChoices extends View {
       input.value = settings.values[name].join(", ");
     };
     return html`
-      <div class="field" title=${hint}><span><label for="field-${name}">${label}</label> <pg-term of=${term} text="?" about=${about}></pg-term></span>
+      <div class="field stack" title=${hint}><span><label for="field-${name}">${label}</label> <pg-term of=${term} text="?" about=${about}></pg-term></span>
         <input type="text" id="field-${name}" inputmode="numeric" data-testid="compare-${name}" .value=${settings.values[name].join(", ")}
           ?disabled=${comparison.busy} @change=${change} />
       </div>`;
@@ -97,7 +97,7 @@ export class ComparisonChoices extends View {
     const change = (kind: (typeof MODELS)[number], on: boolean) =>
       settings.change({ models: MODELS.filter((other) => (other === kind ? on : models.includes(other))) });
     return html`
-      <fieldset class="models">
+      <fieldset class="models stack">
         <legend>${words.title} <small>${withTerms(words.whatIs)}</small></legend>
         ${MODELS.map(
           (kind) => html`
@@ -133,7 +133,7 @@ export class ComparisonChoices extends View {
     const names = clips.parts.map(({ name }) => shownPart(name)).join(", ");
     const words = compareWords().fields;
     return html`
-      <label class="field wide" title=${words.parts.hint}><span>${words.parts.label}</span>
+      <label class="field stack wide" title=${words.parts.hint}><span>${words.parts.label}</span>
         <select data-testid="compare-parts" ?disabled=${comparison.busy || !clip}
           @change=${(event: Event) => settings.change({ parts: (event.target as HTMLSelectElement).value })}>
           ${(clip?.loaded.info.presets ?? []).map((preset) => html`<option value=${preset.id} ?selected=${preset.id === parts}>${shownSplit(preset)}</option>`)}

@@ -58,12 +58,12 @@ class ClaimsTable extends FigureElement<Comparison> {
     // A narrow page shows the rows as blocks, which then need their roles.
     return html`
       <table class="claims-table" role="table">
-        <thead role="rowgroup"><tr role="row">${words.heads.map((head) => html`<th scope="col" role="columnheader">${head}</th>`)}</tr></thead>
+        <thead class="hint" role="rowgroup"><tr role="row">${words.heads.map((head) => html`<th scope="col" role="columnheader">${head}</th>`)}</tr></thead>
         <tbody role="rowgroup">${claims.map(
           ({ claim, place, criterion, found, answer }) => html`
           <tr role="row"><th scope="row" role="rowheader" lang="en">${claim} <small>(${place})</small></th>
-            <td role="cell" class="found"><span lang="en">${found}</span> <small>${words.criterion} <span lang="en">${criterion}.</span></small></td>
-            <td role="cell" class="holds"><span class=${answer}>${words.answers[answer]}</span></td></tr>`,
+            <td role="cell" class="found scroll column"><span lang="en">${found}</span> <small>${words.criterion} <span lang="en">${criterion}.</span></small></td>
+            <td role="cell" class="holds"><span class=${answer === "no" ? "bad" : ""}>${words.answers[answer]}</span></td></tr>`,
         )}</tbody>
       </table>
       <figcaption>${words.caption}</figcaption>`;
@@ -234,7 +234,7 @@ export class ComparisonPage extends View {
     const words = compareWords();
     const canSave = shown !== null && shown.results.finished.length > 0;
     return html`
-      <div class="files">
+      <div class="files wrap tight">
         ${fileButton({
           label: words.openResults,
           meaning: words.openResultsMeaning,
@@ -287,8 +287,8 @@ export class ComparisonPage extends View {
     const saveFailed = ({ detail }: CustomEvent<SaveFailure>) =>
       notices.addError(lab().files.notSaved(detail.name), detail.message);
     return html`
-      <section class="card setup" aria-label=${words.setup}><h2>${words.title}</h2>${this.#setup()}</section>
-      <section class="found" aria-label=${words.found}>
+      <section class="card setup scroll column" aria-label=${words.setup}><h2>${words.title}</h2>${this.#setup()}</section>
+      <section class="found scroll column" aria-label=${words.found}>
         <div class="card stage-card"><pg-side-by-side data-clock .comparison=${comparison}></pg-side-by-side></div>
         ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice, lab().files.dismiss))}
         ${this.#failures()}

@@ -83,7 +83,7 @@ export class CorrelationsFigure extends FigureElement<Comparison> {
           ${places.map((place) => modelMark(model, place.x, place.y, MARK_SIZE * type))}
           ${boxes.map((box, i) => (box ? svg`<text class="label" font-size=${type} x=${box.x + box.width / 2} y=${box.y + 0.93 * type} text-anchor="middle">${short[i]}</text>` : nothing))}
         </svg>
-        ${note ? html`<small class="panel-note">${note}</small>` : nothing}
+        ${note ? html`<small class="panel-note hint">${note}</small>` : nothing}
       </div>`;
   }
 

@@ -158,7 +158,7 @@ export class ModelsTable extends FigureElement<Comparison> {
     const words = compareWords().table;
     const isError = name === "error";
     if (!spread)
-      return html`<td><div class="measure"><span class="number none">${words.noValue}</span></div></td>`;
+      return html`<td><div class="measure"><span class="number quiet">${words.noValue}</span></div></td>`;
     const { mean, error } = estimateText(spread);
     const best = winner !== null && spread.mean === winner;
     const [low, high] = ends(spread);
@@ -197,7 +197,7 @@ export class ModelsTable extends FigureElement<Comparison> {
     return html`
       <p data-testid="error-finding">${errorFinding(models)}</p>
       <div class="figure-scroll" tabindex="0" role="region" aria-label=${this.heading}>
-        <table class="models-table">
+        <table class="models-table tabular">
           <thead><tr><th scope="col" class="who">${words.model}</th>${measures.map((measure) => this.#axis(measure))}</tr></thead>
           <tbody>${models.map((summary, i) => {
             const { model, label } = summary;

@@ -233,16 +233,16 @@ export class SideBySide extends View {
     const { playing, last } = this.#player;
     const words = lab().time;
     return html`
-      <div class="timeline" role="group" aria-label=${words.label}>
+      <div class="timeline row" role="group" aria-label=${words.label}>
         <button class="round primary" data-testid="compare-play" aria-label=${playing ? words.pause : words.play} title=${playing ? words.pauseMeaning : words.playMeaning}
           @click=${() => this.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
         <button class="round" aria-label=${words.back} title=${words.backMeaning} @click=${() => this.step(-1)}>${icon("back")}</button>
         <button class="round" aria-label=${words.forward} title=${words.forwardMeaning} @click=${() => this.step(1)}>${icon("forward")}</button>
         <div class="scrub">
-          <input type="range" aria-label=${words.frame} data-testid="compare-scrub" min="0" max=${last} step="1" .value=${String(this.#frame)}
+          <input class="cover" type="range" aria-label=${words.frame} data-testid="compare-scrub" min="0" max=${last} step="1" .value=${String(this.#frame)}
             aria-valuetext=${this.#frameWords()} @input=${(event: Event) => this.#scrub(event)} />
         </div>
-        <output class="clock" aria-hidden="true"><b .textContent=${String(this.#frame + 1)}></b><span> ${compareWords().beside.of(last + 1)}</span></output>
+        <output class="clock note tabular" aria-hidden="true"><b .textContent=${String(this.#frame + 1)}></b><span> ${compareWords().beside.of(last + 1)}</span></output>
       </div>`;
   }
 
@@ -258,14 +258,14 @@ export class SideBySide extends View {
         @click=${() => this.comparison.lookAt({ picked: toggled(keys, key) })}>${nameOf(prediction)}</button>`;
     };
     return html`
-      <div class="which">
-        <label>${words.trial}
+      <div class="which row wrap">
+        <label class="row quiet">${words.trial}
           <select data-testid="compare-fold" @change=${(event: Event) =>
             this.comparison.lookAt({ fold: Number((event.target as HTMLSelectElement).value) })}>
             ${folds.map((trial) => html`<option value=${trial} ?selected=${trial === fold}>${entry.titles[trial] ?? trial + 1}</option>`)}
           </select>
         </label>
-        <div class="picks" role="group" aria-label=${words.models(MOST_COLUMNS)}>${predictionsOf(entry, fold).map(chip)}</div>
+        <div class="picks wrap" role="group" aria-label=${words.models(MOST_COLUMNS)}>${predictionsOf(entry, fold).map(chip)}</div>
       </div>`;
   }
 
@@ -298,10 +298,10 @@ export class SideBySide extends View {
     return html`
       ${this.#choices(shown, folds, fold, chosen)}
       <div class="columns" style=${styled({ "--columns": chosen.length })}>
-        <canvas class="stage-canvas" tabindex="0" role="img" data-testid="compare-stage"
+        <canvas class="stage-canvas cover" tabindex="0" role="img" data-testid="compare-stage"
           aria-label=${words.stage(chosen.length)}></canvas>
-        ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
-        <ol class="column-heads">
+        ${this.#problem ? html`<p class="stage-problem quiet" role="alert">${this.#problem}</p>` : nothing}
+        <ol class="column-heads cover">
           ${chosen.map(
             (prediction) => html`
             <li>

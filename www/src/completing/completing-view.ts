@@ -34,7 +34,7 @@ export class CompletingView extends View {
     const words = completingWords();
     const now = seconds ?? last;
     return html`
-      <label class="completing-until">${words.until}
+      <label class="completing-until row wrap loose">${words.until}
         <input type="range" min=${first} max=${last} step="any" .value=${String(now)} data-testid="completing-until"
           aria-valuetext=${seconds === null ? words.toTheEnd : words.seconds(fixed(now, 1))}
           @input=${(event: Event) => this.completing.observeUntil((event.target as HTMLInputElement).valueAsNumber)} />

@@ -173,7 +173,7 @@ export class AnglesView extends View {
     };
     const words = numbers().angles;
     return html`
-      <div class="details-choice">
+      <div class="details-choice row wrap">
         <label>${words.channel} <select data-testid="angle" @change=${(event: Event) => {
           this.chosen = Number(value(event));
         }}>${this.#options(this.chosen)}</select></label>

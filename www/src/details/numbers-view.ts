@@ -106,8 +106,8 @@ function kernelTables({ poses, experts, order }: Kernels) {
     <section>
       <h2>${withTerms(heads.poses)}</h2>
       <div class="table-scroll" tabindex="0" role="region" aria-label=${heads.posesLabel}>
-        <table data-testid="pose-kernels">
-          <thead>
+        <table class="note tabular" data-testid="pose-kernels">
+          <thead class="quiet">
             <tr><th rowspan="2" scope="col">${heads.part}</th>
               <th rowspan="2" scope="col"><pg-term of="signal-variance" text="σ²"></pg-term></th>
               <th rowspan="2" scope="col"><pg-term of="noise-variance" text="β"></pg-term></th>
@@ -124,8 +124,8 @@ function kernelTables({ poses, experts, order }: Kernels) {
     <section>
       <h2>${withTerms(heads.experts(order))}</h2>
       <div class="table-scroll" tabindex="0" role="region" aria-label=${heads.expertsLabel}>
-        <table data-testid="expert-kernels">
-          <thead>
+        <table class="note tabular" data-testid="expert-kernels">
+          <thead class="quiet">
             <tr><th rowspan="2" scope="col">${heads.from}</th><th rowspan="2" scope="col">${couplings.about}</th>
               <th rowspan="2" scope="col">${withTerms(couplings.alphaLearned)}</th>
               <th colspan=${inputs} scope="colgroup">${withTerms(heads.along)}</th></tr>
@@ -249,8 +249,8 @@ export class NumbersView extends View {
       <section>
         <h2>${heads.title}</h2>
         <div class="table-scroll" tabindex="0" role="region" aria-label=${heads.title}>
-          <table data-testid="log-density">
-            <thead><tr><th scope="col">${heads.of}</th><th scope="col">${heads.rollout}</th>
+          <table class="note tabular" data-testid="log-density">
+            <thead class="quiet"><tr><th scope="col">${heads.of}</th><th scope="col">${heads.rollout}</th>
               <th scope="col">${heads.training}</th><th scope="col">${heads.difference}</th></tr></thead>
             <tbody>${rows.map(
               ({ name, rollout, training, difference }) => html`
@@ -273,8 +273,8 @@ export class NumbersView extends View {
       <section>
         <h2>${withTerms(heads.title)}</h2>
         <div class="table-scroll" tabindex="0" role="region" aria-label=${heads.label}>
-          <table data-testid="coupling-numbers-table">
-            <thead><tr><th scope="col">${heads.decides}</th><th scope="col">${heads.about}</th>
+          <table class="note tabular" data-testid="coupling-numbers-table">
+            <thead class="quiet"><tr><th scope="col">${heads.decides}</th><th scope="col">${heads.about}</th>
               <th scope="col">${withTerms(heads.alphaLearned)}</th><th scope="col">${heads.alphaNow}</th>
               <th scope="col">${withTerms(heads.weightNow)}</th></tr></thead>
             <tbody>${pairs.map(

@@ -72,7 +72,7 @@ export class ExerciseView extends View {
       <section class="exercise" aria-label=${title} data-solved=${isSolved ? "yes" : "no"} data-testid="exercise">
         ${dare && says ? html`<p data-testid="said">“${says}”</p>` : nothing}
         <p><b>${title}</b> ${dare ? dares.tasks[dare] : exercises.tasks[name]}</p>
-        <p class="exercise-found" role="status">${
+        <p class="exercise-found hint" role="status">${
           verdict
             ? html`<b>${isSolved ? (dare ? dares.met : exercises.solved) : exercises.notYet}</b> ${verdict.findings.map(say).join(" ")}
               ${isSolved ? html`<i>${exercises.whys[name]}</i>` : nothing}`

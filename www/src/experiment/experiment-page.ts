@@ -55,7 +55,7 @@ function latentPicture(
         ${movingPoint(linePath(learned ?? actual, frame), (truth?.frames ?? 0) / PACE)}
         ${learned ? svg`<path class="learned-path" d=${linePath(learned, frame)} />` : nothing}
       </svg>
-      <figcaption><i class="swatch"></i>${name(part + 1)}${learned && explained !== null ? html` <small>${words.explained(percent(explained))}</small>` : nothing}</figcaption>
+      <figcaption class="row tight note"><i class="swatch"></i>${name(part + 1)}${learned && explained !== null ? html` <small>${words.explained(percent(explained))}</small>` : nothing}</figcaption>
     </figure>`;
 }
 
@@ -77,7 +77,7 @@ function curvesPicture(part: number, truth: SyntheticTruth | null, frames: numbe
       <svg viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" role="img" aria-label=${words.curves(part + 1)}>
         ${paths.map((path) => svg`<path d=${path} />`)}
       </svg>
-      <figcaption><i class="swatch"></i>${name(part + 1)}</figcaption>
+      <figcaption class="row tight note"><i class="swatch"></i>${name(part + 1)}</figcaption>
     </figure>`;
 }
 
@@ -224,9 +224,9 @@ export class ExperimentPage extends View {
     const { busy, asked } = store;
     const words = experimentWords();
     return html`
-      <header class="panel-head"><h2>${words.title}</h2></header>
+      <header class="panel-head row"><h2>${words.title}</h2></header>
       ${store.isRiddle ? this.#riddle() : this.#truth()}
-      <div class="train-row">
+      <div class="train-row row wrap">
         ${store.isRiddle ? nothing : this.#button()}
         <p class="hint words" data-testid="experiment-progress">${this.#status()}</p>
       </div>
@@ -261,10 +261,10 @@ export class ExperimentPage extends View {
     const words = experimentWords().made;
     if (isRiddle)
       return html`
-        <h2><span class="step">1</span> ${words.title}</h2>
+        <h2><span class="step note">1</span> ${words.title}</h2>
         <p>${words.hidden}</p>`;
     return html`
-      <h2><span class="step">1</span> ${words.title}</h2>
+      <h2><span class="step note">1</span> ${words.title}</h2>
       <p>${words.points(truth?.frames ?? 300)} ${driving ? words.driven : words.control} ${words.rules}</p>
       <p class="formula">${state(1, false)} = g<sub>1</sub>(${state(1, true)})<br />
         ${state(2, false)} = ${driving ? html`${localNumber("0.1")} g<sub>1</sub>(${state(1, true)}) + ${localNumber("0.9")} ` : nothing}g<sub>2</sub>(${state(2, true)})</p>
@@ -276,7 +276,7 @@ export class ExperimentPage extends View {
     const words = experimentWords().seen;
     const frames = isRiddle ? RIDDLE_FRAMES : CURVE_FRAMES;
     return html`
-      <h2><span class="step">2</span> ${words.title}</h2>
+      <h2><span class="step note">2</span> ${words.title}</h2>
       <p>${words.text(frames)}</p>
       <div class="curves">${PARTS.map((part) => curvesPicture(part, truth, frames))}</div>`;
   }
@@ -288,10 +288,10 @@ export class ExperimentPage extends View {
     const picture = (part: number) =>
       latentPicture(part, truth, findings?.learned[part] ?? null, findings?.explained[part] ?? null);
     return html`
-      <h2><span class="step">3</span> ${words.title}</h2>
+      <h2><span class="step note">3</span> ${words.title}</h2>
       <div class=${isRiddle ? "" : "findings"}>
         ${isRiddle ? nothing : html`<div><div class="pictures">${PARTS.map(picture)}</div><p class="hint">${words.colours}</p></div>`}
-        <div class="answers">
+        <div class="answers stack">
           ${alphaTable(findings)}
           <p class="hint">${words.alpha} ${truth ? words.largest(truth.largestAlpha) : ""}</p>
           ${this.experiment.isRiddle ? nothing : verdictWords(shown, truth)}
@@ -305,7 +305,7 @@ export class ExperimentPage extends View {
     const { runs, shown, truth } = this.experiment;
     const words = experimentWords().others;
     return html`
-      <h2><span class="step">4</span> ${words.title}</h2>
+      <h2><span class="step note">4</span> ${words.title}</h2>
       <p>${words.text}</p>
       <p class="tally" data-testid="experiment-tally">${tally(runs)}</p>
       ${runsTable(runs, shown, ({ seed, driving }) => this.settings.change({ drawn: seed, driving }))}
@@ -316,8 +316,8 @@ export class ExperimentPage extends View {
     const { problem, isRiddle } = this.experiment;
     const words = experimentWords();
     return html`
-      <section class="panel panels-setup experiment-setup" aria-label=${words.setup}>${this.#setup()}</section>
-      <div class="panels-found experiment" ?data-riddle=${isRiddle}>
+      <section class="panel panels-setup scroll stack loose experiment-setup" aria-label=${words.setup}>${this.#setup()}</section>
+      <div class="panels-found scroll stack experiment" ?data-riddle=${isRiddle}>
         ${
           problem
             ? html`<p class="panel bad" role="alert">${words.notMade(sentence(problem))}

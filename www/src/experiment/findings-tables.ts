@@ -29,7 +29,7 @@ export function alphaTable(findings: SyntheticFindings | null) {
       </td>`;
   };
   return html`
-    <table class="alphas">
+    <table class="alphas tabular">
       <caption class="visually-hidden">${words.label}</caption>
       <thead><tr><td><pg-term of="alpha" text="α"></pg-term>, <pg-term of="weight" text="w"></pg-term></td>${PARTS.map((target) => html`<th scope="col"><small>${words.predicts}</small> ${partName(target)}</th>`)}</tr></thead>
       <tbody>${PARTS.map(
@@ -46,9 +46,9 @@ export function fitTable(run: ExperimentRun | null) {
   const words = experimentWords().fit;
   const end = run?.state === "done" ? words.end : words.now;
   return html`
-    <table class="fits">
+    <table class="fits tabular">
       <caption class="visually-hidden">${words.label}</caption>
-      <thead><tr><td></td><th scope="col">${words.start}</th><th scope="col">${end}</th></tr></thead>
+      <thead class="hint"><tr><td></td><th scope="col">${words.start}</th><th scope="col">${end}</th></tr></thead>
       <tbody>
         <tr><th scope="row" title=${words.boundMeaning}><pg-term of="bound" text=${words.bound}></pg-term></th>
           <td>${start ? grouped(start.bound) : "–"}</td><td data-testid="experiment-bound">${now ? grouped(now.bound) : "–"}</td></tr>

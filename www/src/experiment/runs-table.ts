@@ -63,8 +63,8 @@ export function runsTable(
   const { label, heads } = experimentWords().runs;
   return html`
     <div class="table-box" tabindex="0" role="region" aria-label=${label}>
-      <table class="experiment-runs" data-testid="experiment-runs">
-        <thead><tr>
+      <table class="experiment-runs tabular note" data-testid="experiment-runs">
+        <thead class="quiet"><tr>
           <th scope="col">${heads.seed}</th>
           <th scope="col" title=${heads.drivingMeaning}>${heads.driving}</th>
           <th scope="col">${heads.found}</th>

@@ -91,7 +91,7 @@ export abstract class FigureElement<Data> extends View {
     const missing = this.missing(data);
     return html`
       <figure class="figure-card">
-        <div class="figure-head">
+        <div class="figure-head row spread">
           <h3>${this.heading}</h3>
           ${
             missing !== null

@@ -45,7 +45,7 @@ export class LayersView extends View {
     const points = (layer: keyof Layers) =>
       this.#mark(layer, layers.shown[layer], () => layers.toggle(layer));
     return html`
-      <div class="marks" role="group" aria-label=${words.layers}>
+      <div class="marks row wrap hint" role="group" aria-label=${words.layers}>
         ${points("pose")} ${points("dynamics")} ${parts > 1 ? points("between") : nothing}
         <pg-term of="inducing-point" text="?" about=${words.aboutPoints}></pg-term>
         ${this.#mark("predictions", predictions.visible, () => predictions.show(!predictions.visible))}

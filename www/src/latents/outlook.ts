@@ -36,14 +36,14 @@ class OutlookView extends View {
     return html`
       ${
         outlook.isShown("futures")
-          ? html`<p class="outlook" data-testid="futures">
+          ? html`<p class="outlook row spread hint" data-testid="futures">
               <span>${withTerms(words.fiveFutures(seed, seed + FUTURES - 1))}</span>
               <button class="small" data-testid="other-futures" @click=${() => outlook.drawOthers()}>${words.fiveOthers}</button></p>`
           : nothing
       }
       ${
         outlook.isShown("uncertainty")
-          ? html`<p class="outlook" data-testid="uncertainty">
+          ? html`<p class="outlook row spread hint" data-testid="uncertainty">
               <span>${withTerms(words.gaussian(!moments))}</span></p>`
           : nothing
       }`;

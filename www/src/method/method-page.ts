@@ -63,7 +63,7 @@ const EVIDENCE: readonly { property: Property; document: string; command?: strin
 const modelTable = (words: MethodWords["table"]) => html`
   <div class="table-box" tabindex="0" role="region" aria-label=${words.label}>
     <table class="symbols model-properties">
-      <thead><tr><th scope="col">${words.model}</th>${words.properties.map((property) => html`<th scope="col">${property}</th>`)}</tr></thead>
+      <thead class="hint"><tr><th scope="col">${words.model}</th>${words.properties.map((property) => html`<th scope="col">${property}</th>`)}</tr></thead>
       <tbody>${MODELS.map(
         ([model, has]) => html`
         <tr><th scope="row">${model}</th>${has.map((yes) => html`<td data-has=${yes ? "yes" : "no"}>${yes ? html`✓ ${words.yes}` : words.no}</td>`)}</tr>`,
@@ -173,7 +173,7 @@ export class MethodPage extends View {
         <h2>${symbols.title}</h2>
         <div class="table-box" tabindex="0" role="region" aria-label=${symbols.label}>
           <table class="symbols">
-            <thead><tr>${symbols.heads.map((head) => html`<th scope="col">${head}</th>`)}</tr></thead>
+            <thead class="hint"><tr>${symbols.heads.map((head) => html`<th scope="col">${head}</th>`)}</tr></thead>
             <tbody>${SYMBOL_ROWS.map((row) => this.#symbol(row))}</tbody>
           </table>
         </div>
@@ -191,7 +191,7 @@ export class MethodPage extends View {
             html`<li>${words} ${doi ? html`<a href="https://doi.org/${doi}">${`doi:${doi}`}</a>` : nothing}</li>`,
         )}</ol>
         <h3>${words.cite}</h3>
-        <pre class="bibtex" tabindex="0" role="region" lang="en" aria-label=${BIBTEX} data-testid="bibtex">${papers}</pre>
+        <pre class="bibtex note" tabindex="0" role="region" lang="en" aria-label=${BIBTEX} data-testid="bibtex">${papers}</pre>
         <button class="small" data-testid="save-bibtex" @click=${save}>${words.save}</button>
       </section>`;
   }

@@ -133,7 +133,7 @@ export class AnalysisView extends View {
     const here = this.#here().length;
     const { analysis: words, codes } = perceptionWords();
     return html`
-      <div class="files">
+      <div class="files wrap tight">
         <button class="small" data-testid="analyse-here" ?disabled=${here === 0 || analysis.busy} @click=${() => this.#analyseHere()}>${words.here}</button>
         ${fileButton({
           label: words.open,
@@ -148,13 +148,13 @@ export class AnalysisView extends View {
       </div>
       <details class="advanced">
         <summary>${codes.title}</summary>
-        <label class="field wide"><span>${codes.label}</span>
+        <label class="field stack wide"><span>${codes.label}</span>
           <textarea rows="4" data-testid="codes" spellcheck="false" autocomplete="off"></textarea></label>
         <button class="small" data-testid="add-codes" ?disabled=${study === null || analysis.busy} @click=${() => void this.#addCodes()}>${codes.analyse}</button>
       </details>
       ${
         analysis.files.length > 0
-          ? html`<ul class="answer-files" aria-label=${words.files}>${analysis.files.map(
+          ? html`<ul class="answer-files wrap" aria-label=${words.files}>${analysis.files.map(
               ({ name }) => html`
               <li>${name} <button class="round" aria-label=${words.leaveOutOf(name)} title=${words.leaveOut} @click=${() => study && void analysis.remove(study.text, name)}>${icon("close")}</button></li>`,
             )}</ul>`
@@ -172,8 +172,8 @@ export class AnalysisView extends View {
       <details class="advanced" ?open=${results.participants.some(({ excluded }) => excluded)}>
         <summary>${words.participants}</summary>
         <div class="table-box" tabindex="0" role="region" aria-label=${words.participantsLabel}>
-          <table class="participants">
-            <thead><tr>${words.heads.map((title) => html`<th scope="col">${title}</th>`)}</tr></thead>
+          <table class="participants tabular">
+            <thead class="hint"><tr>${words.heads.map((title) => html`<th scope="col">${title}</th>`)}</tr></thead>
             <tbody>${results.participants.map(participantRow)}</tbody>
           </table>
         </div>

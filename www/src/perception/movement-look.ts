@@ -62,7 +62,7 @@ export class MovementLook extends View {
     const words = perceptionWords().look;
     return html`
       <dialog class="look" aria-label=${words.label} data-testid="look" @close=${() => this.#end()}>
-        <div class="dialog-body">
+        <div class="dialog-body stack">
           <header><h2>${this.#id || nothing}</h2>
             <form method="dialog"><button class="round" aria-label=${words.close}>${icon("close")}</button></form></header>
           <div class="pair-scene"></div>

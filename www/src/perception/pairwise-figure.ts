@@ -71,8 +71,8 @@ export class PairwiseFigure extends FigureElement<PerceptionResults> {
     const order = likeliest?.models.map((model) => modelStyle(model).name).join(" > ") ?? "";
     return html`
       <div class="figure-scroll" tabindex="0" role="region" aria-label=${this.heading}>
-        <table class="pairwise">
-          <thead><tr>
+        <table class="pairwise tabular">
+          <thead class="hint"><tr>
             <th scope="col">${words.model}</th><th scope="col"><pg-term of="confusion-rate" text=${words.rate}></pg-term></th><th scope="col">${words.aboveHalf}</th>
             ${best.map(
               ({ model }) => html`

@@ -68,14 +68,14 @@ function participants(store: PerceptionStore) {
   return html`
     ${warning}
     <div class="table-box" tabindex="0" role="region" aria-label=${words.label}>
-      <table class="participants">
-        <thead><tr>${words.heads.map((column) => html`<th scope="col">${column}</th>`)}<th scope="col"><span class="visually-hidden">${words.files}</span></th></tr></thead>
+      <table class="participants tabular">
+        <thead class="hint"><tr>${words.heads.map((column) => html`<th scope="col">${column}</th>`)}<th scope="col"><span class="visually-hidden">${words.files}</span></th></tr></thead>
         <tbody>${participations.map((participation) => row(store, participation))}</tbody>
       </table>
     </div>
     ${
       all.length > 1
-        ? html`<div class="files">
+        ? html`<div class="files wrap tight">
             <button class="small" data-testid="save-all-csv" @click=${() => save(csvFile(all))}>${icon("save")} ${words.allCsv}</button>
             <button class="small" data-testid="save-all-json" @click=${() => save(jsonFile(all))}>${icon("save")} ${words.allJson}</button>
           </div>`
@@ -131,7 +131,7 @@ export class PerceptionPage extends View {
     return html`
       <h2>${words.title}</h2>
       <p class="hint">${words.about}</p>
-      <label class="field"><span>${words.participant}</span>
+      <label class="field stack"><span>${words.participant}</span>
         <input type="text" data-testid="participant-name" maxlength="40" autocomplete="off" spellcheck="false" placeholder=${words.code} title=${words.codeMeaning} /></label>
       <div class="begin">
         <button class="primary big" data-testid="begin" ?disabled=${cannot} @click=${() => this.#begin(false)}>${words.begin}</button>
@@ -141,7 +141,7 @@ export class PerceptionPage extends View {
       <h3>${words.study.title}</h3>
       ${problem ? html`<p class="bad" role="alert" data-testid="study-problem">${sentence(problem)}</p>` : nothing}
       ${studyCard(perception, (id) => void this.querySelector<MovementLook>("pg-perception-look")?.open(id))}
-      <div class="files">
+      <div class="files wrap tight">
         <button class="small" data-testid="save-study" ?disabled=${study === null} @click=${() => perception.saveStudy()}>${icon("save")} ${words.study.save}</button>
         ${fileButton({
           label: words.study.open,
@@ -163,8 +163,8 @@ export class PerceptionPage extends View {
     const { perception, analysis, notices } = this;
     const words = perceptionWords();
     return html`
-      <section class="card setup" aria-label=${words.setup}>${this.#setup()}</section>
-      <section class="found" aria-label=${words.found}>
+      <section class="card setup scroll column" aria-label=${words.setup}>${this.#setup()}</section>
+      <section class="found scroll column" aria-label=${words.found}>
         ${notices.all.filter(({ at }) => at === null).map((notice) => noticeCard(notices, notice, lab().files.dismiss))}
         <pg-perception-riddle .perception=${perception}></pg-perception-riddle>
         <div class="card"><h2>${words.here}</h2>${participants(perception)}</div>

@@ -161,7 +161,7 @@ export class RiddleView extends View {
         <h2>${words.title}</h2>
         <div class="riddle-scene pair-scene" data-testid="riddle" @click=${this.#tap}></div>
         <p class="look-sides hint">${names.map((name) => html`<span>${this.choice ? name : nothing}</span>`)}</p>
-        <div class="riddle-controls" aria-live="polite">${this.#stage && riddle ? this.#controls(riddle) : nothing}</div>
+        <div class="riddle-controls row wrap" aria-live="polite">${this.#stage && riddle ? this.#controls(riddle) : nothing}</div>
         <p class="hint">${words.about}</p>
       </div>`;
   }

@@ -78,9 +78,9 @@ export class RunDialog extends View {
         event.preventDefault();
         this.#leave();
       }}>
-        <header>
+        <header class="row">
           <progress max=${all} .value=${done} aria-label=${words.progress}></progress>
-          <span class="hint" data-testid="run-progress">${words.of(done, all)}</span>
+          <span class="hint tabular" data-testid="run-progress">${words.of(done, all)}</span>
           <button class="small" data-testid="run-leave" title=${words.leaveMeaning} @click=${() => this.#leave()}>${icon("close")} ${words.leave}</button>
         </header>
         <div class="run-place"></div>

@@ -149,11 +149,11 @@ export class AllModelsFigure extends FigureElement<PerceptionResults> {
       references: [0.5],
     };
     return html`
-      <div class="with-key">
+      <div class="with-key row wrap">
         ${panels([panel], Math.min(this.width, 640), this.type, 1)}
-        <ul class="model-key">${names.map(
+        <ul class="model-key stack">${names.map(
           (model) =>
-            html`<li style=${inColour(model)}><svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${modelMark(model, 7, 7, 4.6)}</svg> ${modelStyle(model).name}</li>`,
+            html`<li class="row" style=${inColour(model)}><svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${modelMark(model, 7, 7, 4.6)}</svg> ${modelStyle(model).name}</li>`,
         )}</ul>
       </div>
       <figcaption>${words.bars} ${words.all.caption}</figcaption>`;

@@ -53,7 +53,7 @@ function textFields(store: PerceptionStore, { texts }: StudyInfo) {
       <summary>${words.title}</summary>
       ${TEXTS.map(
         ([name, rows]) => html`
-        <label class="field wide"><span>${words[name]}</span>
+        <label class="field stack wide"><span>${words[name]}</span>
           <textarea rows=${rows} data-testid="text-${name}" .value=${shownText(name, texts[name])} ?disabled=${store.busy}
             @change=${(event: Event) => write(name, (event.target as HTMLTextAreaElement).value)}></textarea></label>`,
       )}
@@ -74,7 +74,7 @@ function marks(store: PerceptionStore, { stimuli }: StudyInfo, look: (id: string
     <details class="advanced">
       <summary>${words.title}</summary>
       <p class="hint">${withTerms(words.hint)}</p>
-      <ul class="movement-marks">${generated.map(
+      <ul class="movement-marks stack">${generated.map(
         ({ id, model, scores, failed }) => html`
         <li><label class="check"><input type="checkbox" data-testid="failed-${id}" .checked=${failed} ?disabled=${store.busy} @change=${() => toggle(id)} />
           <span>${id} <small>${model ? modelStyle(model).name : ""}, MSE ${plain(scores?.mse ?? NaN)}</small></span></label>
@@ -92,7 +92,7 @@ export function studyCard(store: PerceptionStore, look: (id: string) => void) {
   return html`
     <p data-testid="study-title"><strong>${info.title}</strong></p>
     <p class="hint" data-testid="study-words">${designWords(study)} ${movementsWords(info)}</p>
-    <div class="plans" role="group" aria-label=${words.plan}>
+    <div class="plans wrap tight" role="group" aria-label=${words.plan}>
       ${study.plans.map(
         (plan) => html`
         <button class="small" title=${words.plans[plan.preset].meaning} data-testid="preset-${plan.preset}" aria-pressed=${plan.chosen ? "true" : "false"}

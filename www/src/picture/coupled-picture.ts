@@ -30,7 +30,7 @@ export function coupledPicture({ model, space, lead, problem, foot }: CoupledPic
       ${
         isCoupled
           ? html`
-        <div class="picture-head" role="group" aria-label=${lab().couplings.map}>
+        <div class="picture-head row wrap" role="group" aria-label=${lab().couplings.map}>
           ${readingChoice(couplings)}
           ${couplings.altered ? html`<button data-testid="series-reset" @click=${() => couplings.resetAll()}>${icon("reset")} ${lab().readings.resetAll}</button>` : nothing}
         </div>`

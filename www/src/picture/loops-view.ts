@@ -45,11 +45,11 @@ export class LoopsView extends View {
       <section class="loop" style=${partStyle(partColour(part))} aria-label=${name}>
         ${
           choice
-            ? html`<button class="loop-name" aria-pressed=${isChosen ? "true" : "false"} title=${lab().couplings.slidersOf(name)}
+            ? html`<button class="loop-name row tight" aria-pressed=${isChosen ? "true" : "false"} title=${lab().couplings.slidersOf(name)}
               data-testid="part-${part}" @click=${() => {
                 this.chosen = part;
               }}>${label}</button>`
-            : html`<span class="loop-name">${label}</span>`
+            : html`<span class="loop-name row tight">${label}</span>`
         }
         <pg-latent-plot .bodyPart=${part} .model=${this.model} .space=${this.space}></pg-latent-plot>
         ${info.alpha.length > 0 && (!choice || isChosen) ? this.#coupling(part, part, "itself") : nothing}
@@ -95,7 +95,7 @@ export class LoopsView extends View {
     };
     return html`
       ${count > 1 ? this.#oneAtATime(info) : nothing}
-      <div class=${count > 2 ? "loops many" : "loops"}>
+      <div class="loops column ${count > 2 ? "many scroll" : ""}">
         ${parts.map((part) => html`${this.#loop(info, part)}${between(part)}`)}
       </div>`;
   }

@@ -30,7 +30,7 @@ export class MoreView extends View {
     };
     const frames =
       last > 0 && starts.clip === null
-        ? html`<label class="start">${lab().couplings.fromFrame} <input type="range" min="0" max=${last} .value=${String(frame)} data-testid="start-frame"
+        ? html`<label class="start row quiet">${lab().couplings.fromFrame} <input type="range" min="0" max=${last} .value=${String(frame)} data-testid="start-frame"
             aria-valuetext=${lab().couplings.frame(frame + 1, last + 1)} @input=${from} /><output>${frame + 1}</output></label>`
         : nothing;
     return html`${this.#startChoice(sequences, start)}${frames}`;
@@ -51,7 +51,7 @@ export class MoreView extends View {
     const option = (value: string, name: string, selected: boolean) =>
       html`<option value=${value} .selected=${live(selected)}>${clipTitle(name)}</option>`;
     return html`
-      <label class="start">${words.startAs}
+      <label class="start row quiet">${words.startAs}
         <select aria-label=${words.startLabel} aria-busy=${starts.isBusy ? "true" : "false"} @change=${choose}>
           <optgroup label=${words.trainedOn}>
             ${sequences.map(({ name }, i) => option(String(i), name, chosen === null && i === start))}
@@ -80,7 +80,7 @@ export class MoreView extends View {
       <p class="hint">${withTerms(loops.about)}</p>
       <pg-layers .layers=${layers} .predictions=${predictions} .settings=${settings} .parts=${info.parts.length}></pg-layers>
       <h2>${lab().couplings.begins}</h2>
-      <div class="starts">${this.#starts(info)}</div>
+      <div class="starts wrap">${this.#starts(info)}</div>
       <button class="chip" aria-pressed=${samples ? "true" : "false"} title=${stage.samplesMeaning} @click=${() => model.playSamples(!samples)}>${stage.playSamples}</button>
       <button class="chip" aria-pressed=${loop ? "true" : "false"} @click=${() => settings.change({ loop: !loop })}>${lab().time.loop}</button>
       <pg-sound .app=${this.app}></pg-sound>

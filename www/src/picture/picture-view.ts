@@ -100,9 +100,9 @@ export class PictureView extends View {
     const words = lab().page.panels;
     const toggle = (panel: Panel) => () => settings.change({ panel: panel === open ? "none" : panel });
     return html`
-      <div class="picture-foot">
+      <div class="picture-foot wrap spread">
         ${this.panels.includes("learn") ? html`<pg-train .training=${training} .clips=${clips}></pg-train>` : html`<span></span>`}
-        <div class="panel-buttons">
+        <div class="panel-buttons row tight">
           ${this.panels.map(
             (panel) => html`
             <button id="open-${panel}" aria-expanded=${panel === open ? "true" : "false"} aria-controls="panel-${panel}"
@@ -122,7 +122,7 @@ export class PictureView extends View {
     const { content } = stage;
     const isMeasured = content?.kind === "model" && !content.live;
     return html`
-      <div class="picture-head" role="group" aria-label=${words.map}>
+      <div class="picture-head row wrap" role="group" aria-label=${words.map}>
         ${isCoupled ? [this.#presets(), readingChoice(model.couplings)] : nothing}
         ${
           model.couplings.altered

@@ -64,8 +64,8 @@ export class DrawerView extends View {
     const text = originText(origin);
     const words = primitivesWords().drawer;
     return html`
-      <div class="primitive-box">
-      <button class="primitive" draggable="true" aria-pressed=${on ? "true" : "false"} data-testid="primitive-${part}-${primitive}"
+      <div class="primitive-box stack">
+      <button class="primitive stack" draggable="true" aria-pressed=${on ? "true" : "false"} data-testid="primitive-${part}-${primitive}"
         aria-label="${shownPart(partName)}: ${name}" title=${text}
         @dragstart=${(event: DragEvent) => event.dataTransfer?.setData(DRAG_TYPE, String(primitive))}
         @click=${() => library.choose(part, primitive)}>
@@ -73,7 +73,7 @@ export class DrawerView extends View {
         <span>${name}</span>
         ${origin.relearned ? html`<small>${words.relearned}</small>` : nothing}
       </button>
-      <button class="small quiet" data-testid="save-primitive-${part}-${primitive}" aria-label=${words.saveOf(shownPart(partName), name)} title=${words.saveMeaning(text)}
+      <button class="small" data-testid="save-primitive-${part}-${primitive}" aria-label=${words.saveOf(shownPart(partName), name)} title=${words.saveMeaning(text)}
         @click=${() => void this.#save(partName, name, primitive)}>${words.save}</button>
       </div>`;
   }

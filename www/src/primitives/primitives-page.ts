@@ -39,7 +39,7 @@ class LearningView extends View {
     const words = primitivesWords().learning;
     return html`
       <li class="learning-clip">
-        <label><input type="checkbox" .checked=${chosen} ?disabled=${learning.busy} aria-label=${words.from(title)}
+        <label class="row"><input type="checkbox" .checked=${chosen} ?disabled=${learning.busy} aria-label=${words.from(title)}
           @change=${(event: Event) => learning.choose(key, (event.target as HTMLInputElement).checked)} /> <span>${title}</span></label>
         <input type="text" .value=${movement} ?disabled=${learning.busy || !chosen} aria-label=${words.movement(title)}
           @change=${(event: Event) => learning.rename(key, (event.target as HTMLInputElement).value)} />
@@ -53,7 +53,7 @@ class LearningView extends View {
         @click=${() => learning.setShared(name, shared)}>${words}</button>`;
     const { drawer, learning: texts } = primitivesWords();
     return html`
-      <div class="learning-part" role="group" aria-label=${drawer.of(shownPart(name))} style=${partStyle(partColour(part))}>
+      <div class="learning-part row loose" role="group" aria-label=${drawer.of(shownPart(name))} style=${partStyle(partColour(part))}>
         <span class="part-name"><i class="swatch"></i>${shownPart(name)}</span>
         <span class="segments">${choice(true, texts.same)}${choice(false, texts.own)}</span>
       </div>`;
@@ -66,7 +66,7 @@ class LearningView extends View {
       <h2>${words.title}</h2>
       <p class="hint">${words.about(words.same, words.own)}</p>
       <div class="learning">
-        <ul class="learning-clips">${learning.clips.map((clip) => this.#clip(clip))}</ul>
+        <ul class="learning-clips scroll">${learning.clips.map((clip) => this.#clip(clip))}</ul>
         <div>
           ${learning.parts.map(({ name }, part) => this.#part(name, part))}
           ${progressRow({
@@ -103,7 +103,7 @@ class ImportView extends View {
   protected override render() {
     const words = primitivesWords().imports;
     return html`
-      <div class="button-row">
+      <div class="row wrap">
         ${fileButton({
           label: words.add,
           meaning: words.addMeaning,
@@ -136,7 +136,7 @@ class GalleryView extends View {
     const card = (uses: number[]) => {
       const recorded = recordedAs(info, uses);
       return html`
-        <button class="combination" data-testid="combination" aria-pressed=${isSame(uses, library.uses) ? "true" : "false"}
+        <button class="combination stack" data-testid="combination" aria-pressed=${isSame(uses, library.uses) ? "true" : "false"}
           @click=${() => library.take(uses)}>
           <pg-small-figure .body=${library.body} .motion=${library.motionOf(uses)} .accent=${null} .playing=${this.playing}></pg-small-figure>
           <span>${titleOf(info, uses)}</span>
@@ -162,7 +162,7 @@ class ChimeraView extends View {
     const name = shownPart(this.library.current?.info.parts[part]?.name ?? "");
     const words = primitivesWords().chimera;
     return html`
-      <label class="tempo" style=${partStyle(partColour(part))}>
+      <label class="tempo row loose" style=${partStyle(partColour(part))}>
         <span class="part-name"><i class="swatch"></i>${name}</span>
         <input type="range" min="0.5" max="2" step="0.05" .value=${String(tempo)} data-testid="tempo-${part}"
           aria-label=${words.tempoOf(name)} aria-valuetext=${words.times(tempo)}
@@ -240,12 +240,12 @@ export class PrimitivesPage extends View {
       duration(frames * frameTime),
     );
     return html`
-      <section class="panel library-head" aria-label=${areas.library}>
+      <section class="panel library-head row wrap spread" aria-label=${areas.library}>
         <p><strong>${isGiven ? words.made : current.title}</strong>
-          <span data-testid="library-words">${text}
+          <span class="quiet" data-testid="library-words">${text}
           ${isGiven ? html`${words.source} <span lang="en">${DATA_SOURCE}</span>` : nothing}
           ${current.unsaved ? words.unsaved : nothing}</span></p>
-        <div class="button-row">
+        <div class="row wrap">
           ${before ? html`<button class="small" data-testid="library-undo" @click=${() => void this.#library.undo()}>${words.undo}</button>` : nothing}
           <button class="small" data-testid="save-library" @click=${() => this.#save()}>${words.save}</button>
           ${fileButton({
@@ -279,8 +279,8 @@ export class PrimitivesPage extends View {
         ${this.#head()}
         ${here.length > 0 ? html`<div class="library-notices">${here.map((notice) => noticeCard(this.notices, notice, lab().files.dismiss))}</div>` : nothing}
         <div class="walk-and-controls">
-          <section class="panel walk-panel" aria-label=${areas.figure}><pg-walk data-clock .library=${library}></pg-walk></section>
-          <div class="beside-figure">
+          <section class="panel walk-panel column" aria-label=${areas.figure}><pg-walk data-clock .library=${library}></pg-walk></section>
+          <div class="beside-figure stack">
             <section class="panel" aria-label=${words.drawer.title}><pg-drawer .library=${library} .playing=${playing} .notices=${this.notices}></pg-drawer></section>
             <section class="panel" aria-label=${words.gallery.title}><pg-gallery .library=${library} .playing=${playing}></pg-gallery></section>
             <section class="panel" aria-label=${areas.chimera}><pg-chimera .library=${library}></pg-chimera></section>

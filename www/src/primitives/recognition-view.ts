@@ -95,7 +95,7 @@ export class RecognitionView extends View {
     const words = primitivesWords().recognition;
     const chosen = recognition.chosen[place]?.key ?? "";
     return html`
-      <label>${place === 0 ? words.clip : words.after}
+      <label class="row tight hint">${place === 0 ? words.clip : words.after}
         <select data-testid="recognise-${place}" @change=${(event: Event) => recognition.choose(place, (event.target as HTMLSelectElement).value)}>
           ${place === 0 ? nothing : html`<option value="" ?selected=${chosen === ""}>${words.nothing}</option>`}
           ${recognition.clips.map(({ key, title }) => html`<option value=${key} ?selected=${key === chosen}>${title}</option>`)}
@@ -107,7 +107,7 @@ export class RecognitionView extends View {
     // The primitives of a part have the colour of the part, the later ones with more white.
     const place = info.primitives.slice(0, primitive).filter((other) => other.part === part).length;
     const style = { left: `${(100 * first) / frames}%`, width: `${(100 * (end - first)) / frames}%` };
-    return html`<span class="band" style=${styled({ ...style, "--place": place })} title=${name}>${name}</span>`;
+    return html`<span class="band ellipsis" style=${styled({ ...style, "--place": place })} title=${name}>${name}</span>`;
   }
 
   #bands({ motion, segments }: Recognised, info: LibraryInfo) {
@@ -124,7 +124,7 @@ export class RecognitionView extends View {
       <div class="bands" aria-hidden="true">
         ${info.parts.map(
           ({ name }, part) => html`
-          <span class="band-part">${shownPart(name)}</span>
+          <span class="band-part ellipsis">${shownPart(name)}</span>
           <div class="band-row" data-testid="bands-${part}" style=${partStyle(partColour(part))}>
             ${bandsOf(segments, part).map((band) => this.#band(part, band, frames, info))}
           </div>`,
@@ -160,7 +160,7 @@ export class RecognitionView extends View {
     return html`
       <h2>${words.title}</h2>
       <p class="hint">${words.about}</p>
-      <div class="fit-row">
+      <div class="fit-row row wrap">
         ${recognition.chosen.map((_, place) => this.#choice(place))}
         <button class="small primary" data-testid=${busy ? "recognise-cancel" : "recognise"} ?disabled=${tooFew || recognition.clips.length === 0}
           @click=${() => (busy ? recognition.cancel() : void recognition.recognise())}>${busy ? lab().learn.training.cancel : words.recognise}</button>

@@ -29,7 +29,7 @@ export class RecordedView extends View {
     const { recorded: words, tryAgain, loading } = primitivesWords();
     const models = html`
       <p class="hint">${words.about}</p>
-      <div class="button-row">
+      <div class="row wrap">
         ${movements.map(
           ({ name, model }) => html`
           <button class="small" data-testid="recorded-${name}" title=${words.modelMeaning(name)}

@@ -148,8 +148,10 @@ export class WalkCouplingsView extends View {
     const { text, failed } = fitText(fitting);
     const words = primitivesWords().couplings;
     return html`
-      <div class="fit-row">
-        <label>${words.clip} <select data-testid="fit-clip" ?disabled=${busy} @change=${(event: Event) => {
+      <div class="fit-row row wrap">
+        <label class="row tight quiet note">${words.clip} <select data-testid="fit-clip" ?disabled=${busy} @change=${(
+          event: Event,
+        ) => {
           this.#clip = (event.target as HTMLSelectElement).value;
           this.requestUpdate();
         }}>${clips.map((clip) => html`<option value=${clip.key} ?selected=${clip.key === key}>${clip.title}</option>`)}</select></label>
@@ -166,7 +168,7 @@ export class WalkCouplingsView extends View {
     const { movements, parts } = library.current.info;
     const words = primitivesWords().couplings;
     return html`
-      <header class="panel-head"><h2>${withTerms(words.title)}</h2>
+      <header class="panel-head row"><h2>${withTerms(words.title)}</h2>
         <button class="small" ?disabled=${!library.couplings.altered} @click=${() => library.couplings.resetAll()}>${words.reset}</button></header>
       <p class="hint">${words.about}</p>
       ${couplingsTable({
@@ -179,7 +181,7 @@ export class WalkCouplingsView extends View {
       })}
       ${this.#still(library)}
       ${this.#fit()}
-      <div class="button-row">
+      <div class="row wrap">
         <button class="small" data-testid="keep-combination" title=${words.keepMeaning}
           @click=${() => void library.keep(this.#name(movements.map(({ name }) => name)))}>${words.keep}</button>
         <button class="small primary" data-testid="put-on-stage" title=${words.stageMeaning}

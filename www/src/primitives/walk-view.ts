@@ -49,7 +49,7 @@ export class WalkView extends View {
   /** The figure, whose limbs can be dragged. */
   protected figure(testId: string, label: string) {
     const { stage, playback } = this.library;
-    return html`<pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${label} .testId=${testId}></pg-stage>`;
+    return html`<pg-stage class="cover" .stage=${stage} .playback=${playback} .running=${true} .label=${label} .testId=${testId}></pg-stage>`;
   }
 
   /** A motion of this body from its start, which defines the height of the ground. */
@@ -111,7 +111,7 @@ export class WalkView extends View {
         ${this.figure("walk", words.figure(library.title))}
         ${this.#slots()}
         <p class="walk-words"><strong data-testid="combination-title">${library.title}</strong>
-          <span data-testid="recorded">${recorded === null ? words.never : words.recordedAs(recorded)}</span></p>
+          <span class="quiet" data-testid="recorded">${recorded === null ? words.never : words.recordedAs(recorded)}</span></p>
         <button class="round primary walk-play" data-testid="walk-play" aria-label=${playing ? time.pause : time.play} title=${playing ? time.pauseMeaning : time.playMeaning}
           @click=${() => this.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
       </div>`;

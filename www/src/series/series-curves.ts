@@ -146,7 +146,7 @@ export class SeriesCurves extends View {
       this.model.give(name, value === "model" ? null : (value as Giver));
     };
     return html`
-      <select class="series-giver" data-testid="giver-${order}" aria-label=${words.who(name)} @change=${choose}>
+      <select class="series-giver note" data-testid="giver-${order}" aria-label=${words.who(name)} @change=${choose}>
         ${option("model", words.model)}
         ${recorded || now === "recording" ? option("recording", words.recording) : nothing}
         ${option("hand", words.hand)}
@@ -190,7 +190,7 @@ export class SeriesCurves extends View {
     const { opened, rollout, recorded } = this.model;
     if (!opened || !rollout) return nothing;
     const { info } = opened;
-    return html`<div class="series-curves" tabindex="0" role="group" aria-label=${seriesWords().overTime}>${curvesOf(
+    return html`<div class="series-curves scroll" tabindex="0" role="group" aria-label=${seriesWords().overTime}>${curvesOf(
       info,
       rollout.values,
       recorded,

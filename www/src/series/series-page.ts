@@ -45,7 +45,7 @@ export class SeriesPage extends SeriesView {
   #begin() {
     const words = seriesWords().begin;
     return html`
-      <section class="series-empty">
+      <section class="series-empty stack loose">
         <h2>${words.title}</h2>
         <p>${words.text}</p>
         <button class="small primary" data-testid="series-example" @click=${() => this.#open(exampleFiles())}>${words.example}</button>
@@ -60,12 +60,12 @@ export class SeriesPage extends SeriesView {
     const words = seriesWords();
     const { time } = lab();
     return html`
-      <div class="timeline" role="group" aria-label=${time.label}>
+      <div class="timeline row" role="group" aria-label=${time.label}>
         <button class="round primary" data-testid="series-play" aria-label=${playing ? time.pause : time.play} title=${playing ? time.pauseMeaning : time.playMeaning}
           @click=${() => clock.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
-        <div class="scrub"><input type="range" aria-label=${words.row} data-testid="series-scrub" min="0" max=${last} step="1" .value=${String(frame)}
+        <div class="scrub"><input class="cover" type="range" aria-label=${words.row} data-testid="series-scrub" min="0" max=${last} step="1" .value=${String(frame)}
           aria-valuetext=${words.rowOf(frame + 1, last + 1)} @input=${(event: Event) => clock.scrub((event.target as HTMLInputElement).valueAsNumber)} /></div>
-        <output class="clock" aria-hidden="true"><b>${frame + 1}</b><span> ${words.of(last + 1)}</span></output>
+        <output class="clock note tabular" aria-hidden="true"><b>${frame + 1}</b><span> ${words.of(last + 1)}</span></output>
       </div>`;
   }
 
@@ -74,7 +74,7 @@ export class SeriesPage extends SeriesView {
     const { sequences = [] } = model.opened?.info ?? {};
     if (sequences.length < 2) return nothing;
     const choose = (event: Event) => model.setSequence(Number((event.target as HTMLSelectElement).value));
-    return html`<label class="start">${seriesWords().startAs} <select data-testid="series-start" @change=${choose}>
+    return html`<label class="start row quiet">${seriesWords().startAs} <select data-testid="series-start" @change=${choose}>
       ${sequences.map(({ name }, i) => html`<option value=${i} .selected=${i === model.sequence}>${name}</option>`)}</select></label>`;
   }
 
@@ -83,7 +83,7 @@ export class SeriesPage extends SeriesView {
     const words = seriesWords();
     return html`
       <section class="stage-area series-stage" aria-label=${words.curves}>
-        <header class="panel-head">
+        <header class="panel-head row">
           ${this.#start()}
           <div class="button-row">
             <button class="small" data-testid="save-curves" title=${words.saveCurvesMeaning} @click=${() => void this.#saveCurves()}>${icon("save")} ${words.saveCurves}</button>
@@ -116,9 +116,9 @@ export class SeriesPage extends SeriesView {
     const { model } = this.series;
     const { panel } = this.settings.values;
     const foot = html`
-      <div class="picture-foot">
+      <div class="picture-foot wrap spread">
         <div>${this.#train()}</div>
-        <div class="panel-buttons">
+        <div class="panel-buttons row tight">
           <button id="open-learn" aria-expanded=${panel === "learn" ? "true" : "false"} aria-controls="panel-learn"
             @click=${() => this.settings.change({ panel: panel === "learn" ? "none" : "learn" })}>${lab().page.panels.learn}</button>
         </div>

@@ -31,7 +31,7 @@ export function seriesSetup({ series: { tables, training, model }, settings, not
   const field = (name: (typeof COUNTS)[number] | "framesPerSecond") =>
     settingField(settings, name, { ...words.fields[name], testId: `series-${name}`, disabled: busy });
   return html`
-    <header class="panel-head"><h2>${words.tables}</h2>
+    <header class="panel-head row"><h2>${words.tables}</h2>
       ${fileButton({
         label: words.open,
         meaning: words.openMeaning,

@@ -30,11 +30,11 @@ export class TablesView extends View {
     const { clips } = lab().learn;
     const seconds = frameTime === null ? null : clips.seconds((rows - 1) * frameTime);
     return html`
-      <li class="clip">
-        <label class="tick-label"><input type="checkbox" aria-label=${clips.tick(name)} .checked=${table.ticked} ?disabled=${busy}
+      <li class="clip row wrap">
+        <label class="tick-label row"><input type="checkbox" aria-label=${clips.tick(name)} .checked=${table.ticked} ?disabled=${busy}
           @change=${(event: Event) => void tables.tick(table, (event.target as HTMLInputElement).checked)} />
-          <span class="clip-title" title=${name}>${name}</span></label>
-        <span class="clip-length">${seriesWords().size(rows, columns.length, seconds)}</span>
+          <span class="clip-title ellipsis" title=${name}>${name}</span></label>
+        <span class="clip-length hint tabular">${seriesWords().size(rows, columns.length, seconds)}</span>
         <button class="round" aria-label=${clips.removeOf(name)} title=${clips.remove} ?disabled=${busy} @click=${() => void tables.remove(table)}>${icon("close")}</button>
         ${fileNotices(warnings)}
       </li>`;
@@ -54,7 +54,7 @@ export class TablesView extends View {
     const { tables, busy } = this;
     const { label, hint } = seriesWords().leaveOut;
     return html`
-      <div class="field"><label for="series-without" title=${hint}>${label}</label>
+      <div class="field stack"><label for="series-without" title=${hint}>${label}</label>
         <input type="text" id="series-without" data-testid="series-without" spellcheck="false" autocomplete="off"
           placeholder=${LEFT_OUT} .value=${tables.leftOut.join(", ")} ?disabled=${busy}
           @change=${(event: Event) => void tables.leaveOut((event.target as HTMLInputElement).value)} /></div>
@@ -74,7 +74,7 @@ export class TablesView extends View {
           : html`
           ${this.#leaveOut()}
           <h3>${seriesWords().parts}</h3>
-          <div class="series-parts">
+          <div class="series-parts stack">
             ${partNames({
               parts,
               of: "columns",
@@ -85,7 +85,7 @@ export class TablesView extends View {
               remove: (part) => tables.removePart(part),
               add: () => tables.addPart(),
             })}
-            <ul class="joint-tree" tabindex="0" aria-label=${seriesWords().columns}>${tables.columns.map((column) => this.#column(column, colours))}</ul>
+            <ul class="joint-tree note" tabindex="0" aria-label=${seriesWords().columns}>${tables.columns.map((column) => this.#column(column, colours))}</ul>
           </div>`
       }`;
   }

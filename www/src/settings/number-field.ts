@@ -45,5 +45,5 @@ export function numberInput({ id, testId, limits, value, disabled, change }: Num
 /** The label does not contain the field, because it would then label a button next to its text. */
 export function numberField({ label, afterLabel, hint, ...input }: NumberField): TemplateResult {
   const id = `field-${input.testId}`;
-  return html`<div class="field" title=${hint}><span><label for=${id}>${label}</label> ${afterLabel ?? nothing}</span>${numberInput({ ...input, id })}</div>`;
+  return html`<div class="field stack" title=${hint}><span><label for=${id}>${label}</label> ${afterLabel ?? nothing}</span>${numberInput({ ...input, id })}</div>`;
 }

@@ -75,7 +75,7 @@ export class ColumnsView extends View {
     if (!columns) return nothing;
     const titles = columns.map(({ title }) => title);
     return html`
-      <canvas class="stage-canvas" tabindex="0" role="img" data-testid="stage-columns"
+      <canvas class="stage-canvas cover" tabindex="0" role="img" data-testid="stage-columns"
         aria-label=${lab().stage.figures(titles)}></canvas>
       <ol class="stage-columns" style=${styled({ "--columns": columns.length })}>${titles.map((title) => html`<li>${title}</li>`)}</ol>`;
   }

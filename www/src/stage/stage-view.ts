@@ -87,10 +87,10 @@ export class StageView extends View {
     if (!this.legend) return nothing;
     const { label, nameOf } = this.legend;
     return html`
-      <ul class="stage-legend" aria-label=${label}>
+      <ul class="stage-legend stack note" aria-label=${label}>
         ${(this.stage.content?.parts ?? []).map(
           ({ name }, part) =>
-            html`<li style=${partStyle(partColour(part))}><i class="swatch"></i>${nameOf(name)}</li>`,
+            html`<li class="row" style=${partStyle(partColour(part))}><i class="swatch"></i>${nameOf(name)}</li>`,
         )}
       </ul>`;
   }
@@ -98,10 +98,10 @@ export class StageView extends View {
   protected override render() {
     return html`
       <canvas ?hidden=${this.stage.columns !== null}
-        class="stage-canvas" tabindex="0" role="img" data-testid=${this.testId ?? "stage"}
+        class="stage-canvas cover" tabindex="0" role="img" data-testid=${this.testId ?? "stage"}
         aria-label=${this.label}
       ></canvas>
-      ${this.#problem ? html`<p class="stage-problem" role="alert">${this.#problem}</p>` : nothing}
+      ${this.#problem ? html`<p class="stage-problem quiet" role="alert">${this.#problem}</p>` : nothing}
       ${this.#columns()}
       ${this.#legend()}
     `;

@@ -81,7 +81,7 @@ export class TimelineView extends View {
     const frame = Math.min(Math.floor(playback.frame + 1e-6), lastFrame);
     const seconds = (value: number) => fixed(value * frameTime, 1);
     return html`
-      <div class="timeline" data-playing=${playing ? "yes" : "no"} role="group" aria-label=${words.label}>
+      <div class="timeline row" data-playing=${playing ? "yes" : "no"} role="group" aria-label=${words.label}>
         <button class="round primary" data-testid="play" aria-label=${playing ? words.pause : words.play} title=${playing ? words.pauseMeaning : words.playMeaning}
           @click=${() => playback.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
         <button class="round step" aria-label=${words.back} title=${words.backMeaning} @click=${() => playback.step(-1)}>${icon("back")}</button>
@@ -89,11 +89,11 @@ export class TimelineView extends View {
         ${this.#live()}
         <div class="scrub">
           <canvas aria-hidden="true"></canvas>
-          <input type="range" aria-label=${words.frame} data-testid="scrub" ?disabled=${this.stage.content?.live === true} min="0" max=${lastFrame} step="1" .value=${String(frame)}
+          <input class="cover" type="range" aria-label=${words.frame} data-testid="scrub" ?disabled=${this.stage.content?.live === true} min="0" max=${lastFrame} step="1" .value=${String(frame)}
             aria-valuetext=${words.frameOf(frame + 1, lastFrame + 1)}
             @input=${(event: Event) => playback.scrub((event.target as HTMLInputElement).valueAsNumber)} />
         </div>
-        <span class="clock"><output aria-hidden="true">${seconds(frame)}</output>${this.#length(frameTime, seconds(lastFrame))}</span>
+        <span class="clock note tabular"><output aria-hidden="true">${seconds(frame)}</output>${this.#length(frameTime, seconds(lastFrame))}</span>
         <label class="speed"><span class="hidden">${words.speed}</span>
           <select aria-label=${words.speed} @change=${(event: Event) => {
             const chosen = SETTINGS.speed.read((event.target as HTMLSelectElement).value);

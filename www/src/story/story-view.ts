@@ -53,13 +53,13 @@ function chapterPlace(place: Place) {
   const [number, count] = [ORDER.indexOf(name) + 1, ORDER.length];
   const { frame } = words;
   return html`
-    <nav class="story-place" aria-label=${frame.chapters}>
+    <nav class="story-place row" aria-label=${frame.chapters}>
       ${
         number > 1
-          ? html`<button class="story-step" aria-label=${frame.back} data-testid="chapter-back" @click=${() => step(-1)}>${chevron(LEFT)}</button>`
+          ? html`<button class="story-step quiet" aria-label=${frame.back} data-testid="chapter-back" @click=${() => step(-1)}>${chevron(LEFT)}</button>`
           : nothing
       }
-      <button class="story-dots" popovertarget="story-chapters" data-testid="chapters">
+      <button class="story-dots hint" popovertarget="story-chapters" data-testid="chapters">
         <span class="dots" aria-hidden="true">${Array.from(
           { length: count },
           (_, i) => html`<i class=${i + 1 === number ? "now" : i + 1 < number ? "past" : ""}></i>`,
@@ -243,7 +243,7 @@ export class StoryView extends View {
   #missing() {
     const { frame } = this.app.words.now;
     if (this.#chapters.state === "failed")
-      return html`<div class="story-missing" role="alert"><p>${frame.notLoaded}</p>
+      return html`<div class="story-missing stack quiet" role="alert"><p>${frame.notLoaded}</p>
         <button class="story-button" data-testid="try-again" @click=${() => location.reload()}>${frame.tryAgain}</button></div>`;
     return html`<p class="visually-hidden" role="status">${frame.loading}</p>`;
   }
@@ -268,7 +268,9 @@ export class StoryView extends View {
   /** The number of hands for an answer, once one was counted. */
   #hands(choice: string) {
     const { count, total } = this.#slides.hands(choice);
-    return total > 0 ? html` <b class="story-hands" data-testid="hands-${choice}">${count}</b>` : nothing;
+    return total > 0
+      ? html` <b class="story-hands tabular" data-testid="hands-${choice}">${count}</b>`
+      : nothing;
   }
 
   #question() {
@@ -277,7 +279,7 @@ export class StoryView extends View {
     return html`
       <fieldset class="story-guess">
         <legend>${guess.question}</legend>
-        <div>${Object.entries(guess.choices).map(
+        <div class="wrap loose">${Object.entries(guess.choices).map(
           ([choice, label]) =>
             html`<button class="story-button" data-testid="choice-${choice}" @click=${() => this.#guess(choice)}>${label}${this.#hands(choice)}</button>`,
         )}</div>
@@ -307,9 +309,9 @@ export class StoryView extends View {
     const said = this.#guesses.get(this.#name);
     const reveal = chapter?.reveal();
     return html`
-      <div class="story-answer" tabindex="-1" data-testid="answer">
-        ${!guess && said ? html`<p class="story-said">${said.sentence}${this.#reply(said.answer)}</p>` : nothing}
-        <div aria-live="polite" data-testid="reveal">${reveal ?? nothing}</div>
+      <div class="story-answer stack" tabindex="-1" data-testid="answer">
+        ${!guess && said ? html`<p class="story-said quiet">${said.sentence}${this.#reply(said.answer)}</p>` : nothing}
+        <div class="stack" aria-live="polite" data-testid="reveal">${reveal ?? nothing}</div>
       </div>
       <div class="story-control">${chapter?.control() ?? nothing}</div>`;
   }
@@ -325,7 +327,7 @@ export class StoryView extends View {
       (currentTarget as HTMLAnchorElement).href = `#${this.#labFragment()}`;
     };
     return html`
-      <div class="story-more">
+      <div class="story-more row">
         ${equation ? html`<details><summary>${frame.equation}</summary><div class="story-equation">${equation}</div></details>` : nothing}
         <a href="#${this.#labFragment()}" data-testid="open-in-lab" @pointerdown=${update} @focus=${update} @click=${update}>${frame.openInLab}</a>
       </div>`;
@@ -340,18 +342,18 @@ export class StoryView extends View {
     const { embedded, lecture, words } = this.app;
     const { title, text } = words.now.chapters[this.#name];
     return html`
-      <div class="story" data-embed=${embedded ? "1" : "0"} data-state=${this.#chapters.state} data-engine=${this.app.story.engine.state} data-chapter=${this.#name} ?data-lecture=${lecture.isOn}>
+      <div class="story column" data-embed=${embedded ? "1" : "0"} data-state=${this.#chapters.state} data-engine=${this.app.story.engine.state} data-chapter=${this.#name} ?data-lecture=${lecture.isOn}>
         ${embedded || lecture.isOn ? nothing : siteHead(this.app, "story")}
-        <main>
+        <main class="column">
           <section class="story-stage" aria-label=${words.now.frame.stage}>
             ${this.#chapters.chapter?.stage() ?? this.#missing()}
           </section>
           <article class="story-card" ?data-answered=${this.#isAnswered}>
             <h1 tabindex="-1">${title}</h1>
             <p class="story-text">${text}</p>
-            <div class="story-side">${this.#question()}${this.#answer()}</div>
+            <div class="story-side column">${this.#question()}${this.#answer()}</div>
           </article>
-          <div class="story-foot">
+          <div class="story-foot row spread">
             ${embedded ? nothing : chapterPlace({ words: words.now, name: this.#name, step: (by) => this.#step(by) })}
             ${this.#more()}
           </div>

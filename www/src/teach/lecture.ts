@@ -135,7 +135,7 @@ export class Lecture extends Store {
             ? html`<h2>${notes.hands}</h2><ol>${hands.map(([id, label]) => html`<li>${label}: <b>${this.tally.count(chapter, id)}</b></li>`)}</ol>`
             : nothing
         }
-        ${next ? html`<p class="notes-next">${notes.next(next)}</p>` : nothing}
+        ${next ? html`<p class="notes-next quiet">${notes.next(next)}</p>` : nothing}
       </main>`,
       page.body,
     );

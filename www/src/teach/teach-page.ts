@@ -79,7 +79,7 @@ export class TeachPage extends View {
           )}
         </div>
         <table class="teach-plan">
-          <thead><tr><th scope="col">${minutes}</th>${others.map((column) => html`<th scope="col">${column}</th>`)}</tr></thead>
+          <thead class="hint"><tr><th scope="col">${minutes}</th>${others.map((column) => html`<th scope="col">${column}</th>`)}</tr></thead>
           <tbody>${timesOf(this.#length).map(
             ({ step, from, to }) => html`
             <tr><td>${from}–${to}</td><th scope="row">${title(step)}</th><td>${steps[step].say}${this.#asked(steps[step])}</td><td>${steps[step].wrong}</td></tr>`,
@@ -101,7 +101,7 @@ export class TeachPage extends View {
             <li>
               <div>
                 <p>${exercises.tasks[name]}</p>
-                <p class="teach-why">${exercises.whys[name]}</p>
+                <p class="teach-why quiet">${exercises.whys[name]}</p>
                 <details><summary>${notes.answer}</summary><p>${exercises.solutions[name]}</p></details>
                 <p class="teach-links"><a href="#${fragment}" data-testid="try-${name}">${exercises.try}</a>
                   <button class="link" @click=${() => void showCode(this.app, fragment)}>${exercises.code}</button></p>
@@ -119,7 +119,7 @@ export class TeachPage extends View {
     return html`
       <main class="teach-main" tabindex="-1">
         <h1>${title}</h1>
-        <p class="teach-lead">${lead}</p>
+        <p class="teach-lead quiet">${lead}</p>
         <section aria-labelledby="teach-slides">
           <h2 id="teach-slides">${slides.title}</h2>
           <dl>${Object.values(slides.keys).map(

@@ -55,18 +55,18 @@ export class BoundChart extends View {
     const drawing = charted && last && this.clientWidth > 0 ? this.#drawing : null;
     return html`
       <figure class="chart" data-testid="bound-chart">
-        <figcaption><span><pg-term of="bound" text=${name}></pg-term><small>, ${words.in} <pg-term of="nats" text=${words.nats}></pg-term>${which}</small></span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
+        <figcaption class="hint spread"><span><pg-term of="bound" text=${name}></pg-term><small>, ${words.in} <pg-term of="nats" text=${words.nats}></pg-term>${which}</small></span> <output data-testid="bound">${last ? grouped(last.best) : ""}</output></figcaption>
         <div class="bound-box">
           <div class="bound" role="img" aria-label=${words.overIterations}>${drawing && charted ? drawing.boundPicture(charted, runs, this.clientWidth) : nothing}</div>
-          ${isEmpty ? html`<p class="empty">${words.empty}</p>` : nothing}
+          ${isEmpty ? html`<p class="empty cover">${words.empty}</p>` : nothing}
         </div>
         <pg-runs .training=${this.training}></pg-runs>
-        <figcaption ?hidden=${isEmpty}><pg-term of="bound-terms" text=${words.terms}></pg-term></figcaption>
+        <figcaption class="hint spread" ?hidden=${isEmpty}><pg-term of="bound-terms" text=${words.terms}></pg-term></figcaption>
         <div class="terms" ?hidden=${isEmpty} role="img" aria-label=${words.termsOverIterations}>${drawing && charted ? drawing.termsPicture(charted, this.clientWidth) : nothing}</div>
-        <ul ?hidden=${isEmpty} class="term-list">
+        <ul ?hidden=${isEmpty} class="term-list stack note">
           ${termLines(parts).map(
             ({ label, colour, dash, value }) => html`
-            <li style=${partStyle(colour)}><i class="stroke ${dash ? "dashed" : ""}"></i><span>${label}</span>
+            <li class="row" style=${partStyle(colour)}><i class="stroke ${dash ? "dashed" : ""}"></i><span>${label}</span>
               <output>${last ? grouped(value(last)) : ""}</output></li>`,
           )}
         </ul>

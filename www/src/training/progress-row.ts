@@ -54,7 +54,7 @@ export function progressRow({
     return whyNot || hint;
   };
   return html`
-    <div class="train-row">
+    <div class="train-row row wrap">
       <button class="primary big" data-testid=${testIds[busy ? 1 : 0]} title=${busy ? lab().learn.training.stopsHere : whyNot}
         ?disabled=${busy ? status === "cancelling" : whyNot !== ""} @click=${() => (busy ? progress.cancel() : start())}>${busy ? lab().learn.training.cancel : now}</button>
       <p class="hint words" data-testid=${testIds[2]}>${words()}</p>

@@ -63,12 +63,12 @@ export class RunsView extends View {
     const alike = runs.filter((run) => dataOf(run) === data);
     const best = alike.length > 1 ? bestRun(alike.filter(({ model }) => model !== null)) : null;
     return html`
-      <header class="panel-head">
+      <header class="panel-head row">
         <h3>${words.title}</h3>
         <button class="small" data-testid="clear-runs" ?disabled=${!runs.some((run) => training.canRemove(run))} @click=${() => training.clear()}>${words.clear}</button>
       </header>
       <div class="table-box" tabindex="0" role="region" aria-label=${words.title}>
-        <table data-testid="runs">
+        <table class="note tabular" data-testid="runs">
           <thead><tr>
             <th scope="col"><pg-term of="seed" text=${settings.seed}></pg-term></th>
             ${columns.map(({ head, meaning, term }) => html`<th scope="col" title=${meaning} aria-label=${meaning}>${term ? html`<pg-term of=${term} text=${head}></pg-term>` : head}</th>`)}

@@ -79,7 +79,7 @@ export class TrainRow extends View {
     const why = training.whyNot();
     const { training: words } = lab().learn;
     return html`
-      <div class="train-row">
+      <div class="train-row row wrap">
         ${
           busy
             ? html`<button class="primary" data-testid="cancel" ?disabled=${cancelling}

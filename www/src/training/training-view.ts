@@ -63,17 +63,17 @@ export class TrainingView extends View {
       clips.setParts(value === BY_HAND ? { parts: BY_HAND, split: clips.parts } : { parts: value });
     };
     return html`
-      <div class="field wide">
+      <div class="field stack wide">
         <span><pg-term of="part" text=${words.parts}></pg-term></span>
         <select data-testid="setting-parts" aria-label=${words.parts} ?disabled=${clips.locked || !clip} @change=${choose}>
           ${presets.map((preset) => html`<option value=${preset.id} ?selected=${preset.id === chosen}>${shownSplit(preset)}</option>`)}
           <option value=${BY_HAND} ?selected=${byHand}>${words.byHand}</option>
         </select>
       </div>
-      <ul class="part-row" aria-label=${words.partsToTrain}>
+      <ul class="part-row wrap note" aria-label=${words.partsToTrain}>
         ${clips.parts.map(
           ({ name, joints }, part) => html`
-          <li style=${partStyle(partColour(part))}><i class="swatch"></i>${shownPart(name)} <small>${words.joints(joints.length)}</small></li>`,
+          <li class="row" style=${partStyle(partColour(part))}><i class="swatch"></i>${shownPart(name)} <small>${words.joints(joints.length)}</small></li>`,
         )}
       </ul>
       ${byHand && clip ? html`<pg-parts-editor .settings=${this.settings} .clips=${clips}></pg-parts-editor>` : nothing}`;
@@ -93,14 +93,14 @@ export class TrainingView extends View {
         ${this.#count("framesPerSecond")}
       </div>
       ${this.#whyPoints()}
-      <label class="tick-label" title=${names.asInPapers.hint}>
+      <label class="tick-label row" title=${names.asInPapers.hint}>
         <input type="checkbox" data-testid="setting-asInPapers" .checked=${asInPapers}
           @change=${() => settings.change({ asInPapers: !asInPapers })} />
         ${names.asInPapers.label}</label>
       <details class="advanced">
         <summary>${names.advanced}</summary>
         <div class="fields">
-          <div class="field seed">
+          <div class="field stack seed">
             <span><label for="seed-input">${names.seed}</label> <pg-term of="seed" text="?" about=${field.about(names.seed)}></pg-term></span>
             ${settingInput(settings, "seed", { id: "seed-input", testId: "setting-seed", disabled: false })}
             <button class="round" aria-label=${names.newSeed} title=${names.newSeed} ?disabled=${!this.engine.engine} @click=${() => void training.newSeed()}>${icon("dice")}</button>
@@ -108,7 +108,7 @@ export class TrainingView extends View {
           ${this.#count("trainings")}
           ${this.#count("order", "order", "p")}
           ${this.#count("maxIterations", "iterations")}
-          <label class="field"><span>${names.poseWeight.label}</span>
+          <label class="field stack"><span>${names.poseWeight.label}</span>
             <select data-testid="setting-poseWeight" title=${names.poseWeight.hint} ?disabled=${asInPapers}
               @change=${(event: Event) => settings.change({ poseWeight: POSE_WEIGHTS[(event.target as HTMLSelectElement).selectedIndex] ?? "balanced" })}>
               ${POSE_WEIGHTS.map((weight) => html`<option ?selected=${weight === training.poseWeight}>${names.poseWeight.value(weight)}</option>`)}

@@ -38,6 +38,7 @@ export abstract class View extends LitElement {
   }
 
   protected override createRenderRoot(): HTMLElement {
+    this.classList.add("view");
     return this;
   }
 

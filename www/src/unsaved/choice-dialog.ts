@@ -20,10 +20,10 @@ export function choose<Answer extends string>(choice: Choice<Answer>): Promise<A
   dialog.setAttribute("aria-describedby", `${testId}-text`);
   render(
     html`
-    <form method="dialog" class="dialog-body">
+    <form method="dialog" class="dialog-body stack">
       <h2 id="${testId}-title">${title}</h2>
       <p id="${testId}-text">${text}</p>
-      <div class="button-row">
+      <div>
         ${answers.map(
           ([answer, label], place) =>
             html`<button class="small ${place === 0 ? "primary" : ""}" value=${answer} data-testid="${testId}-${answer}">${label}</button>`,

@@ -113,8 +113,8 @@ export class ArmsChapter extends GuessedChapter<"arms"> {
     const { clock, parts, figure } = this.words;
     const words = { clock, seconds: () => "", still: "", step: NO_STEPS };
     return html`<div class="arms">
-      <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${figure}></pg-stage>
-      <pg-thread .chapter=${this}></pg-thread>
+      <pg-stage class="cover" .stage=${stage} .playback=${playback} .running=${true} .label=${figure}></pg-stage>
+      <pg-thread class="cover" .chapter=${this}></pg-thread>
       <pg-phase-clock .phases=${phases} .playback=${playback} .names=${parts} .words=${words}></pg-phase-clock>
     </div>`;
   }

@@ -102,7 +102,7 @@ class BeliefView extends View {
         ${POINTS.map(
           (name, point) => html`
           <figure style=${partStyle(partColour(point))}>
-            <svg viewBox="0 0 ${SIDE} ${SIDE}" aria-hidden="true">${path(point)}<circle class="belief-point" r="7" cx="-20" cy="-20" /></svg>
+            <svg class="cover" viewBox="0 0 ${SIDE} ${SIDE}" aria-hidden="true">${path(point)}<circle class="belief-point" r="7" cx="-20" cy="-20" /></svg>
             <figcaption>${name}</figcaption>
           </figure>`,
         )}

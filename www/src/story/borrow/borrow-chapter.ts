@@ -128,14 +128,14 @@ export class BorrowChapter extends GuessedChapter<"borrow"> {
     if (!this.hasGuessed || !info || info.parts.length !== 2) return null;
     const { parts } = this.words;
     const row = (part: number, label: string) => html`
-      <span class="borrow-row"><span>${label}</span>
+      <span class="borrow-row row loose"><span>${label}</span>
       <span class="story-choice" role="group" aria-label=${label}>
         ${primitivesOf(info, part).map(
           (primitive) => html`
           <button aria-pressed=${this.library.uses[part] === primitive ? "true" : "false"} data-testid="borrow-${part}-${primitive}"
             @click=${() => this.library.choose(part, primitive)}>${this.#name(info.primitives[primitive]?.name ?? "")}</button>`,
         )}</span></span>`;
-    return html`<div class="borrow-choices">${row(LEGS, parts.legs)}${row(ARMS, parts.arms)}</div>`;
+    return html`<div class="borrow-choices wrap">${row(LEGS, parts.legs)}${row(ARMS, parts.arms)}</div>`;
   }
 
   #name(movement: string): string {

@@ -248,7 +248,7 @@ export class GaussianChapter extends GuessedChapter<"gaussian"> implements Laten
 
   control() {
     const { hint, exact, sparse, spread } = this.words;
-    if (!this.hasGuessed) return html`<p class="story-hint">${hint}</p>`;
+    if (!this.hasGuessed) return html`<p class="story-hint quiet">${hint}</p>`;
     const choose = (on: boolean) => () => {
       this.#sparse = on;
       this.#refit();
@@ -258,7 +258,7 @@ export class GaussianChapter extends GuessedChapter<"gaussian"> implements Laten
         <button aria-pressed=${this.#sparse ? "false" : "true"} data-testid="exact" @click=${choose(false)}>${exact}</button>
         <button aria-pressed=${this.#sparse ? "true" : "false"} data-testid="sparse" @click=${choose(true)}>${sparse(this.#inducing.length)}</button>
       </div>
-      <label class="story-slider">${spread}
+      <label class="story-slider row loose note">${spread}
         <input type="range" min="0" max=${MOST} step="0.02" data-testid="spread" .value=${String(this.#spread)}
           @input=${({ target }: Event) => {
             this.#spread = Number((target as HTMLInputElement).value);

@@ -254,7 +254,7 @@ export class LoopChapter extends LatentChapter<"loop"> {
     const columns = columnsOf(info.columns, info.joints, joints);
     return this.pair(
       this.words.plane,
-      html`<p class="story-pair-note" data-testid="sizes">${this.words.sizes(columns, latent)}</p>`,
+      html`<p class="story-pair-note quiet" data-testid="sizes">${this.words.sizes(columns, latent)}</p>`,
     );
   }
 
@@ -274,7 +274,7 @@ export class LoopChapter extends LatentChapter<"loop"> {
     const { walk, hint, hintOff } = this.words;
     return html`<div class="story-row">
       ${this.#walks ? nothing : html`<button class="story-button" data-testid="walk-on" @click=${() => this.#walkOn()}>${walk}</button>`}
-      <p class="story-hint">${this.hasGuessed ? hintOff : hint}</p></div>`;
+      <p class="story-hint quiet">${this.hasGuessed ? hintOff : hint}</p></div>`;
   }
 
   #pause(): void {

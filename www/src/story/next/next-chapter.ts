@@ -338,11 +338,11 @@ export class NextChapter extends LatentChapter<"next"> {
 
   control() {
     const { hint, hintAnywhere, again } = this.words;
-    if (!this.hasGuessed) return html`<p class="story-hint">${hint}</p>`;
+    if (!this.hasGuessed) return html`<p class="story-hint quiet">${hint}</p>`;
     if (!this.#futures) return null;
     return html`<div class="story-row">
       <button class="story-button" data-testid="next-start" @click=${() => this.#another()}>${again}</button>
-      <p class="story-hint">${hintAnywhere}</p></div>`;
+      <p class="story-hint quiet">${hintAnywhere}</p></div>`;
   }
 
   #another(): void {

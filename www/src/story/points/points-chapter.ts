@@ -309,7 +309,7 @@ export class PointsChapter extends LatentChapter<"points"> {
   stage() {
     return this.pair(
       this.words.plane,
-      html`<p class="story-pair-note">${this.words.legend} ${this.#state()}</p>
+      html`<p class="story-pair-note quiet">${this.words.legend} ${this.#state()}</p>
         ${this.#trials.length > 1 && this.#now ? pointsChart(this.#trials, this.#now, this.#guessed, this.words.chart) : ""}`,
     );
   }
@@ -332,13 +332,13 @@ export class PointsChapter extends LatentChapter<"points"> {
 
   control() {
     const { all, pair, hint, waiting, removing } = this.words;
-    if (!this.#full) return html`<p class="story-hint" role="status">${waiting}</p>`;
+    if (!this.#full) return html`<p class="story-hint quiet" role="status">${waiting}</p>`;
     if (!this.hasGuessed) return null;
-    if (this.isRunning) return html`<p class="story-hint" role="status">${removing}</p>`;
+    if (this.isRunning) return html`<p class="story-hint quiet" role="status">${removing}</p>`;
     return html`<div class="story-row">
       <button class="story-button" data-testid="all-points" @click=${() => this.#all()}>${all}</button>
       <button class="story-button" data-testid="pair" @click=${() => this.#showPair()}>${pair(...PAIR)}</button>
-      <p class="story-hint">${hint(this.#fewest)}</p></div>`;
+      <p class="story-hint quiet">${hint(this.#fewest)}</p></div>`;
   }
 
   #all(): void {

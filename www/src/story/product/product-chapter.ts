@@ -268,7 +268,7 @@ export class ProductChapter extends LatentChapter<"product"> {
   }
 
   control() {
-    if (!this.hasGuessed) return html`<p class="story-hint">${this.words.hint}</p>`;
+    if (!this.hasGuessed) return html`<p class="story-hint quiet">${this.words.hint}</p>`;
     const { learned, twice } = this.words;
     return html`<div class="story-row">
       <button class="story-button" data-testid="learned" @click=${() => this.#setAll(this.#learned)}>${learned}</button>
@@ -287,7 +287,7 @@ export class ProductChapter extends LatentChapter<"product"> {
         this.#alphas[source]!.toPrecision(2),
         (100 * product.weights[source]!).toFixed(0),
       )}</li>`;
-    return html`<ul class="story-pair-note story-weights" data-testid="weights">
+    return html`<ul class="story-pair-note quiet story-weights" data-testid="weights">
       ${line(ARMS, sources.arms)}${line(LEGS, sources.legs)}</ul>`;
   }
 

@@ -248,8 +248,8 @@ export class PushChapter extends GuessedChapter<"push"> {
     const { figure, loops, parts, wheel } = this.words;
     const legs = isDone(this.#way) ? this.live : null;
     return html`<div class="push">
-      <pg-stage .stage=${stage} .playback=${playback} .running=${true} .label=${figure}></pg-stage>
-      <pg-push-hands .chapter=${this}></pg-push-hands>
+      <pg-stage class="cover" .stage=${stage} .playback=${playback} .running=${true} .label=${figure}></pg-stage>
+      <pg-push-hands class="cover" .chapter=${this}></pg-push-hands>
       <pg-push-loops .chapter=${this} .label=${loops} .names=${parts}></pg-push-loops>
       ${
         legs
