@@ -12,32 +12,31 @@ async function compile(place: URL): Promise<WebAssembly.Module> {
   return named ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
 }
 
-let player: Promise<WebAssembly.Module> | null = null;
-
-/** Loads the program that shows, once for all its workers, and again after a failed download. */
-export function loadPlayer(): Promise<WebAssembly.Module> {
-  player ??= compile(new URL("../../../crate/wasm/pkg/player/vcgpdm_bg.wasm", import.meta.url)).catch(
-    (problem: unknown) => {
-      player = null;
-      throw problem;
-    },
-  );
-  return player;
+/** Loads a program once for all its workers, and again after a failed download. */
+function loader(place: URL, failed: (problem: unknown) => unknown) {
+  let program: Promise<WebAssembly.Module> | null = null;
+  return () => {
+    program ??= compile(place).catch((problem: unknown) => {
+      program = null;
+      throw failed(problem);
+    });
+    return program;
+  };
 }
 
-let whole: Promise<WebAssembly.Module> | null = null;
+/** Loads the program that shows. */
+export const loadPlayer = loader(
+  new URL("../../../crate/wasm/pkg/player/vcgpdm_bg.wasm", import.meta.url),
+  (problem) => problem,
+);
 
-/** Loads the whole program on the first call, and again after a failed download. */
-export function loadWhole(): Promise<WebAssembly.Module> {
-  whole ??= compile(new URL("../../../crate/wasm/pkg/web/vcgpdm_bg.wasm", import.meta.url)).catch(
-    (problem: unknown) => {
-      whole = null;
-      const why = messageOf(problem);
-      throw new Error(`the program for it could not be loaded (${why}). Try again when you are online.`);
-    },
-  );
-  return whole;
-}
+export const loadWhole = loader(
+  new URL("../../../crate/wasm/pkg/web/vcgpdm_bg.wasm", import.meta.url),
+  (problem) =>
+    new Error(
+      `the program for it could not be loaded (${messageOf(problem)}). Try again when you are online.`,
+    ),
+);
 
 /** Loads the whole program when the page is idle, unless the browser is set to save data. */
 export function loadWholeWhenIdle(): void {

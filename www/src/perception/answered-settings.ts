@@ -1,6 +1,7 @@
 // The settings of models that have answers, and the data of their figures. No rendering.
 import type { Confusion, Regression, PerceptionResults, SettingResult } from "../engine/whole-protocol";
 import { estimateText } from "../figures/numbers";
+import type { PanelAxis, PanelPoint } from "./panel";
 import { perceptionWords } from "./view-words";
 
 /** A setting with its scores and its rate. */
@@ -60,3 +61,39 @@ export const rateBar = ({ mean, deviation }: Confusion) => ({
   low: mean - deviation,
   high: mean + deviation,
 });
+
+/** A value of a setting that a panel draws. */
+export interface Measure {
+  name: string;
+  axis: PanelAxis;
+  references: readonly number[];
+  /** Null: the setting has no value. */
+  of(setting: Answered): Pick<PanelPoint, "y" | "low" | "high"> | null;
+}
+
+const certain = (y: number | null) => (y === null ? null : { y, low: y, high: y });
+
+/** The confusion rate, the error on trials held out and the bound. */
+export function measures(): readonly [confusion: Measure, error: Measure, bound: Measure] {
+  const { measures: words, logMse } = perceptionWords().figures;
+  return [
+    {
+      name: words.rate.name,
+      axis: { title: words.rate.axis, kind: "linear", reach: [0, 0.5] },
+      references: [0.5],
+      of: ({ confusion }) => rateBar(confusion),
+    },
+    {
+      name: words.mse.name,
+      axis: { title: logMse, kind: "log", reach: [] },
+      references: [],
+      of: ({ scores }) => certain(scores.mse),
+    },
+    {
+      name: words.bound.name,
+      axis: { title: words.bound.axis, kind: "linear", reach: [] },
+      references: [],
+      of: ({ scores }) => certain(scores.bound),
+    },
+  ];
+}

@@ -5,54 +5,18 @@ import type { PerceptionResults } from "../engine/whole-protocol";
 import { FigureElement } from "../figures/figure-element";
 import { modelStyle } from "../figures/model-style";
 import {
-  type Answered,
   answeredSettings,
   curveOf,
+  type Measure,
   MSE_TITLE,
+  measures,
   RATE_TITLES,
-  rateBar,
   rateFields,
   regressionOf,
 } from "./answered-settings";
 import { perceptionWords } from "./view-words";
 import { type Grid, gridsOf } from "./grids";
-import { type Panel, type PanelAxis, type PanelPoint, panels } from "./panel";
-
-type Value = Pick<PanelPoint, "y" | "low" | "high"> | null;
-
-const certain = (y: number | null): Value => (y === null ? null : { y, low: y, high: y });
-
-/** A value of a setting that a panel draws. */
-interface Measure {
-  name: string;
-  axis: PanelAxis;
-  references: readonly number[];
-  of(setting: Answered): Value;
-}
-
-function measures() {
-  const { measures: words, logMse } = perceptionWords().figures;
-  const confusion: Measure = {
-    name: words.rate.name,
-    axis: { title: words.rate.axis, kind: "linear", reach: [0, 0.5] },
-    references: [0.5],
-    of: ({ confusion }) => rateBar(confusion),
-  };
-  const error: Measure = {
-    name: words.mse.name,
-    axis: { title: logMse, kind: "log", reach: [] },
-    references: [],
-    of: ({ scores }) => certain(scores.mse),
-  };
-  const bound: Measure = {
-    name: words.bound.name,
-    axis: { title: words.bound.axis, kind: "linear", reach: [] },
-    references: [],
-    of: ({ scores }) => certain(scores.bound),
-  };
-  const linearError: Measure = { ...error, axis: { title: words.mse.axis, kind: "linear", reach: [] } };
-  return { confusion, error, bound, linearError };
-}
+import { type Panel, type PanelPoint, panels } from "./panel";
 
 /** The width of an ellipse grows with the dynamics points, its height with the pose points. */
 const sizeOf = (count: number, most: number) => 0.18 + 0.42 * (count / most);
@@ -121,7 +85,9 @@ function panelsOf(grid: Grid, results: PerceptionResults): Panel[] {
   const regression = regressionOf(results, grid.model, "mse");
   const fitted = regression ? [{ model: grid.model, places: curveOf(regression) }] : [];
   const withBound = placed.some(({ setting }) => setting.scores.bound !== null);
-  const { confusion, error, bound, linearError } = measures();
+  const [confusion, error, bound] = measures();
+  const { axis } = perceptionWords().figures.measures.mse;
+  const linearError: Measure = { ...error, axis: { title: axis, kind: "linear", reach: [] } };
   return [
     over(grid, placed, confusion, linearError, fitted),
     ...(withBound ? [over(grid, placed, error, bound, [])] : []),

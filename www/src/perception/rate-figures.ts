@@ -7,13 +7,14 @@ import { modelStyle } from "../figures/model-style";
 import {
   type Answered,
   answeredSettings,
+  type Measure,
   MSE_TITLE,
+  measures,
   RATE_TITLES,
-  rateBar,
   rateFields,
 } from "./answered-settings";
 import { perceptionWords } from "./view-words";
-import { type Panel, type PanelAxis, type PanelPoint, panels } from "./panel";
+import { type Panel, type PanelPoint, panels } from "./panel";
 
 /** The names of the building blocks that a model counts. */
 const BLOCKS: Partial<Record<ModelKind, "primitives" | "bases">> = {
@@ -36,40 +37,6 @@ function counted(results: PerceptionResults): [ModelKind, Row[]][] {
     byModel.set(setting.model, [...(byModel.get(setting.model) ?? []), { setting, blocks }]);
   }
   return [...byModel].map(([model, rows]) => [model, rows.sort((a, b) => a.blocks - b.blocks)]);
-}
-
-interface Measure {
-  name: string;
-  axis: Omit<PanelAxis, "reach"> & { reach: number[] };
-  references: number[];
-  /** Null: the setting has no value. */
-  of(setting: Answered): Pick<PanelPoint, "y" | "low" | "high"> | null;
-}
-
-const certain = (y: number | null) => (y === null ? null : { y, low: y, high: y });
-
-function measures(): Measure[] {
-  const { measures: words, logMse } = perceptionWords().figures;
-  return [
-    {
-      name: words.rate.name,
-      axis: { title: words.rate.axis, kind: "linear", reach: [0, 0.5] },
-      references: [0.5],
-      of: ({ confusion }) => rateBar(confusion),
-    },
-    {
-      name: words.mse.name,
-      axis: { title: logMse, kind: "log", reach: [] },
-      references: [],
-      of: ({ scores }) => certain(scores.mse),
-    },
-    {
-      name: words.bound.name,
-      axis: { title: words.bound.axis, kind: "linear", reach: [] },
-      references: [],
-      of: ({ scores }) => certain(scores.bound),
-    },
-  ];
 }
 
 function panelOf(
