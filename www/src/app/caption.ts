@@ -120,7 +120,7 @@ export class CaptionView extends View {
     return html`
       <div class="stage-caption stack">
         <strong data-testid="stage-title">${title}</strong>
-        <span>${
+        <span class="hint">${
           stage.content?.kind === "model" && title === lab().stage.made
             ? `${lab().stage.rollout}${text ? ", " : ""}`
             : nothing

@@ -165,7 +165,7 @@ export class ClipsView extends View {
       ${
         made.length > 0
           ? html`<details class="made">
-            <summary>${words.samples}
+            <summary class="hint">${words.samples}
               <small>${words.ticked(made.filter(({ ticked }) => ticked).length, made.length)}</small></summary>
             <ul class="clip-list" data-testid="made-clips">${this.#rows(made)}</ul></details>`
           : this.engine.state === "loading"

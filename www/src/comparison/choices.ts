@@ -157,7 +157,7 @@ export class ComparisonChoices extends View {
     };
     return html`
       <details class="choices" ?open=${this.#unfolded} @toggle=${toggle}>
-        <summary>${compareWords().setup}</summary>
+        <summary class="quiet">${compareWords().setup}</summary>
         ${this.#models()}
         ${this.#trials()}
         <div class="fields">

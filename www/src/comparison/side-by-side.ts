@@ -306,8 +306,8 @@ export class SideBySide extends View {
             (prediction) => html`
             <li>
               <strong>${modelStyle(modelOf(prediction)).name}</strong>
-              <span>${prediction.label}</span>
-              <span>MSE ${plain(prediction.finished.outcome?.score.dtwMse ?? NaN)}</span>
+              <span class="hint tabular">${prediction.label}</span>
+              <span class="hint tabular">MSE ${plain(prediction.finished.outcome?.score.dtwMse ?? NaN)}</span>
               ${this.#toStage(prediction, shown.titles[fold] ?? "")}
             </li>`,
           )}

@@ -94,7 +94,7 @@ export class TimelineView extends View {
             @input=${(event: Event) => playback.scrub((event.target as HTMLInputElement).valueAsNumber)} />
         </div>
         <span class="clock note tabular"><output aria-hidden="true">${seconds(frame)}</output>${this.#length(frameTime, seconds(lastFrame))}</span>
-        <label class="speed"><span class="hidden">${words.speed}</span>
+        <label class="speed"><span class="visually-hidden">${words.speed}</span>
           <select aria-label=${words.speed} @change=${(event: Event) => {
             const chosen = SETTINGS.speed.read((event.target as HTMLSelectElement).value);
             if (chosen !== null) settings.change({ speed: chosen });

@@ -41,8 +41,8 @@ function list({ words, name }: Place) {
       ${ORDER.map(
         (other, place) => html`
         <li>
-          <a href="#story=${addressOf(other)}" aria-current=${other === name ? "step" : "false"} @click=${hide}>
-            <span>${place + 1}</span> ${words.chapters[other].title}</a>
+          <a class="row" href="#story=${addressOf(other)}" aria-current=${other === name ? "step" : "false"} @click=${hide}>
+            <span class="hint">${place + 1}</span> ${words.chapters[other].title}</a>
         </li>`,
       )}
     </ol>`;
@@ -328,8 +328,8 @@ export class StoryView extends View {
     };
     return html`
       <div class="story-more row">
-        ${equation ? html`<details><summary>${frame.equation}</summary><div class="story-equation">${equation}</div></details>` : nothing}
-        <a href="#${this.#labFragment()}" data-testid="open-in-lab" @pointerdown=${update} @focus=${update} @click=${update}>${frame.openInLab}</a>
+        ${equation ? html`<details><summary class="row quiet">${frame.equation}</summary><div class="story-equation">${equation}</div></details>` : nothing}
+        <a class="row quiet" href="#${this.#labFragment()}" data-testid="open-in-lab" @pointerdown=${update} @focus=${update} @click=${update}>${frame.openInLab}</a>
       </div>`;
   }
 

@@ -87,7 +87,7 @@ class BeliefView extends View {
           ${isOpen || isTruth ? nothing : svg`<text class="belief-unknown" x="80" y=${y + 6}>?</text>`}
         </svg>
         ${isTruth ? html`<span class="belief-curtain" ?data-open=${isOpen} aria-hidden="true"></span>` : nothing}
-        <p>${title}</p>
+        <p class="hint">${title}</p>
       </div>`;
   }
 

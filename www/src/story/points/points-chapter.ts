@@ -75,7 +75,7 @@ function pointsChart(
         <path class="guess" d="M${x(guessed)} ${HEIGHT - 9}l-5 9h10z" data-testid="guessed-points" />
         <line class="now" x1=${x(now.count)} x2=${x(now.count)} y1="0" y2=${HEIGHT} />
       </svg>
-      <figcaption><span class="bound">${words.bound}</span> <span class="error">${words.error}</span> <span>▴ ${words.guess}</span></figcaption>
+      <figcaption class="note"><span class="bound">${words.bound}</span> <span class="error">${words.error}</span> <span>▴ ${words.guess}</span></figcaption>
     </figure>`;
 }
 

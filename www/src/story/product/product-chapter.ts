@@ -282,12 +282,12 @@ export class ProductChapter extends LatentChapter<"product"> {
     if (!product) return nothing;
     const { sources, row } = this.words;
     const line = (source: number, name: string) =>
-      html`<li style=${partStyle(partColour(source))}><i class="swatch"></i>${row(
+      html`<li class="row tight" style=${partStyle(partColour(source))}><i class="swatch"></i>${row(
         name,
         this.#alphas[source]!.toPrecision(2),
         (100 * product.weights[source]!).toFixed(0),
       )}</li>`;
-    return html`<ul class="story-pair-note quiet story-weights" data-testid="weights">
+    return html`<ul class="story-pair-note quiet" data-testid="weights">
       ${line(ARMS, sources.arms)}${line(LEGS, sources.legs)}</ul>`;
   }
 
