@@ -14,10 +14,6 @@ export class HelpView extends View {
   declare model: ModelStore;
   declare engine: EngineStore;
 
-  protected override stores() {
-    return [this.model, this.engine];
-  }
-
   open(): void {
     const dialog = this.querySelector("dialog");
     if (dialog && !dialog.open) dialog.showModal();

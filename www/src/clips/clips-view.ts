@@ -18,10 +18,6 @@ export class ClipsView extends View {
   declare engine: EngineStore;
   readonly #cutting = new Set<string>();
 
-  protected override stores() {
-    return [this.clips, this.stage, this.engine];
-  }
-
   #toggleCut(key: string): void {
     if (!this.#cutting.delete(key)) this.#cutting.add(key);
     this.requestUpdate();

@@ -18,10 +18,6 @@ export class PartsEditor extends View {
   /** Why the last name was refused; empty after the next change. */
   #refused = "";
 
-  protected override stores() {
-    return [this.settings, this.clips];
-  }
-
   /** The split of the settings, or the parts in its place when it is invalid. */
   get #split(): PartSpec[] {
     const { split } = this.settings.values;

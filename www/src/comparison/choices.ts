@@ -25,10 +25,6 @@ export class ComparisonChoices extends View {
   declare clips: ClipsStore;
   #unfolded = true;
 
-  protected override stores() {
-    return [this.comparison, this.settings, this.clips];
-  }
-
   /** Folds the choices, to show the results. */
   fold(): void {
     this.#unfolded = false;

@@ -80,10 +80,6 @@ class ComparisonFigures extends View {
     this.comparison = null;
   }
 
-  protected override stores() {
-    return [];
-  }
-
   protected override render() {
     const { comparison } = this;
     const found = comparison && [comparison.models, comparison.growth, comparison.claims];
@@ -142,10 +138,6 @@ export class ComparisonPage extends View {
   declare notices: NoticesStore;
   /** Why results could not be opened. */
   #problem = "";
-
-  protected override stores() {
-    return [this.comparison, this.settings, this.clips, this.engine, this.notices];
-  }
 
   protected override arrived(): void {
     this.whenLeaving(this.comparison.follow());

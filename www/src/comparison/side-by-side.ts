@@ -108,10 +108,6 @@ export class SideBySide extends View {
   #loaded: { entry: ReadonlyEntry | null; words: string } = { entry: null, words: "" };
   #distances: Distances | null = null;
 
-  protected override stores() {
-    return [this.comparison];
-  }
-
   protected override arrived(): void {
     this.#player.playing = this.comparison.look.playing ?? !prefersReducedMotion();
     this.whenLeaving(eachFrame((seconds) => this.#tick(seconds)));

@@ -15,10 +15,6 @@ export class CompletingView extends View {
   declare completing: CompletingStore;
   declare model: ModelStore;
 
-  protected override stores() {
-    return [this.completing, this.model];
-  }
-
   /** The error of a part in errors of the mean pose. */
   #score({ part, mse, mseMeanPose, afterCut }: PartCompletion) {
     const { error, after } = completingWords();

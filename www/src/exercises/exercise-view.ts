@@ -23,10 +23,6 @@ export class ExerciseView extends View {
   /** The distance between two motions, computed once for each. */
   #apart: { rollout: unknown; millimetres: number } | null = null;
 
-  protected override stores() {
-    return [this.body, this.model, this.settings];
-  }
-
   protected override arrived(): void {
     const { exercise, why } = lab().files.notLoaded;
     loadTeach(this.words).catch(() => this.notices.addError(exercise, why));

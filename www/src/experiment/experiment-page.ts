@@ -105,10 +105,6 @@ export class ExperimentPage extends View {
   declare experiment: ExperimentStore;
   declare settings: SettingsStore;
 
-  protected override stores() {
-    return [this.experiment, this.settings];
-  }
-
   protected override arrived(): void {
     this.whenLeaving(this.experiment.follow());
     this.whenLeaving(() => this.experiment.setRiddle(null));

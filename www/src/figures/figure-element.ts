@@ -44,10 +44,6 @@ export abstract class FigureElement<Data> extends View {
   /** A sentence about the data that are missing; null where the figure can be drawn. */
   protected abstract missing(data: Data): string | null;
 
-  protected override stores() {
-    return [];
-  }
-
   override connectedCallback(): void {
     super.connectedCallback();
     const measure = () => this.#measure();

@@ -28,10 +28,6 @@ export class LayersView extends View {
     this.parts = 1;
   }
 
-  protected override stores() {
-    return [this.layers, this.predictions, this.settings];
-  }
-
   #mark(of: keyof typeof MARKS, pressed: boolean, press: () => void) {
     const { label, meaning } = lab().loops[of];
     return html`

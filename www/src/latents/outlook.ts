@@ -25,10 +25,6 @@ export function behindPath(outlook: OutlookStore): Behind | null {
 class OutlookView extends View {
   declare outlook: OutlookStore;
 
-  protected override stores() {
-    return [this.outlook];
-  }
-
   protected override render() {
     const { outlook } = this;
     const { seed, moments } = outlook;

@@ -28,10 +28,6 @@ export class PushHandle extends View {
   #plane: Plane | null = null;
   #held: { x: number; y: number } | null = null;
 
-  protected override stores() {
-    return [];
-  }
-
   /** Moves the handle onto the marker. */
   place(plane: Plane, [x, y]: readonly [number, number]): void {
     this.#plane = plane;

@@ -88,10 +88,6 @@ function equation(name: Equation) {
 }
 
 export class MethodPage extends View {
-  protected override stores() {
-    return [];
-  }
-
   #model() {
     const { graphs: drawn, model, training, steps, rollout, readings } = methodWords();
     return html`

@@ -76,10 +76,6 @@ export class AnalysisView extends View {
   declare perception: PerceptionStore;
   declare notices: NoticesStore;
 
-  protected override stores() {
-    return [this.analysis, this.perception];
-  }
-
   async #open(files: readonly File[]): Promise<void> {
     const { study } = this.perception;
     try {

@@ -55,10 +55,6 @@ export class RiddleView extends View {
     this.place = 0;
   }
 
-  protected override stores() {
-    return [this.perception];
-  }
-
   protected override arrived(): void {
     this.whenLeaving(eachFrame((seconds) => this.#draw(seconds)));
     this.whenLeaving(() => this.#drop());

@@ -18,10 +18,6 @@ export class RunDialog extends View {
   declare notices: NoticesStore;
   #running: Running | null = null;
 
-  protected override stores() {
-    return [this.perception];
-  }
-
   protected override arrived(): void {
     this.whenLeaving(() => this.#running?.leave());
   }

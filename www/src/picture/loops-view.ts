@@ -26,10 +26,6 @@ export class LoopsView extends View {
     this.one = "0.1";
   }
 
-  protected override stores() {
-    return [this.model];
-  }
-
   #coupling(source: number, target: number, way: Way) {
     const key = `${source}.${target}`;
     return html`<pg-coupling .model=${this.model} .source=${source} .target=${target} .way=${way} data-one=${key === this.one ? "yes" : "no"}></pg-coupling>`;

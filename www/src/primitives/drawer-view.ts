@@ -39,10 +39,6 @@ export class DrawerView extends View {
   declare playing: boolean;
   declare notices: NoticesStore;
 
-  protected override stores() {
-    return [this.library];
-  }
-
   /** Saves the primitive as a file. */
   async #save(part: string, name: string, primitive: number): Promise<void> {
     try {

@@ -30,10 +30,6 @@ import type { LearningClip, LearningStore } from "./learning-store";
 class LearningView extends View {
   declare learning: LearningStore;
 
-  protected override stores() {
-    return [this.learning];
-  }
-
   #clip({ key, title, chosen, movement }: LearningClip) {
     const { learning } = this;
     const words = primitivesWords().learning;
@@ -87,10 +83,6 @@ class ImportView extends View {
   declare library: LibraryStore;
   declare notices: NoticesStore;
 
-  protected override stores() {
-    return [this.library];
-  }
-
   async #add(file: File | undefined): Promise<void> {
     if (!file) return;
     try {
@@ -124,10 +116,6 @@ class GalleryView extends View {
   declare library: LibraryStore;
   declare playing: boolean;
 
-  protected override stores() {
-    return [this.library];
-  }
-
   protected override render() {
     const { library } = this;
     const info = library.current?.info;
@@ -153,10 +141,6 @@ customElements.define("pg-gallery", GalleryView);
 
 class ChimeraView extends View {
   declare library: LibraryStore;
-
-  protected override stores() {
-    return [this.library];
-  }
 
   #tempo(tempo: number, part: number) {
     const name = shownPart(this.library.current?.info.parts[part]?.name ?? "");

@@ -35,10 +35,6 @@ export class RecognitionView extends View {
   declare library: LibraryStore;
   #drawn: Drawn | null = null;
 
-  protected override stores() {
-    return [this.recognition, this.library];
-  }
-
   protected override arrived(): void {
     this.whenLeaving(onThemeChange(() => this.#draw()));
     this.watchSize(this, () => this.#draw());

@@ -11,10 +11,6 @@ import type { RecordedStore } from "./recorded-store";
 export class RecordedView extends View {
   declare recorded: RecordedStore;
 
-  protected override stores() {
-    return [this.recorded];
-  }
-
   protected override arrived(): void {
     void this.recorded.load();
   }

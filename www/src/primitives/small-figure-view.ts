@@ -23,10 +23,6 @@ export class SmallFigureView extends View {
   #walked = 0;
   #drawn = -BETWEEN;
 
-  protected override stores() {
-    return [];
-  }
-
   protected override arrived(): void {
     this.whenLeaving(onThemeChange(() => this.#draw()));
     this.watchSize(this, () => this.#draw());

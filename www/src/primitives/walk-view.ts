@@ -8,7 +8,6 @@ import "../stage/stage-view";
 import { icon } from "../ui/icons";
 import { partColour } from "../ui/palette";
 import { partStyle } from "../ui/styled";
-import type { Store } from "../ui/store";
 import { View } from "../ui/view";
 import { exampleOf, DRAG_TYPE } from "./combinations";
 import type { LibraryStore } from "./library-store";
@@ -25,10 +24,6 @@ export class WalkView extends View {
   constructor() {
     super();
     this.over = null;
-  }
-
-  protected override stores(): Store[] {
-    return [this.library];
   }
 
   /** Called by the key for play. */

@@ -72,10 +72,6 @@ export class SeriesCurves extends View {
     this.width = 400;
   }
 
-  protected override stores() {
-    return [this.model];
-  }
-
   protected override arrived(): void {
     this.whenLeaving(this.model.clock.on(() => this.#markNow()));
     const measure = () => {

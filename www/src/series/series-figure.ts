@@ -21,10 +21,6 @@ export class SeriesFigure extends View {
   /** Without WebGL there are the curves alone. */
   #hasGraphics = true;
 
-  protected override stores() {
-    return [this.model];
-  }
-
   protected override arrived(): void {
     this.whenLeaving(this.model.clock.on(() => this.#picture?.viewport.changed()));
     this.whenLeaving(eachFrame((seconds) => this.#picture?.draw(seconds)));

@@ -20,10 +20,6 @@ export class TablesView extends View {
   /** Whether a training is using the tables, so that they cannot be changed now. */
   declare busy: boolean;
 
-  protected override stores() {
-    return [this.tables];
-  }
-
   #table(table: TableEntry) {
     const { tables, busy } = this;
     const { name, rows, columns, frameTime, warnings } = table.info;

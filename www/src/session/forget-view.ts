@@ -57,10 +57,6 @@ export class ForgetView extends View {
     this.busy = false;
   }
 
-  protected override stores() {
-    return [this.session];
-  }
-
   async #forget(): Promise<void> {
     const { session, app } = this;
     const { forgettable } = session;

@@ -41,10 +41,6 @@ const NEWEST = 3;
 class SessionView extends View {
   declare session: SessionStore;
 
-  protected override stores() {
-    return [this.session];
-  }
-
   protected override render() {
     const { session } = this;
     const { offers, unreadable, busy } = session;

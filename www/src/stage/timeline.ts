@@ -19,10 +19,6 @@ export class TimelineView extends View {
   declare settings: SettingsStore;
   #drawn: { marks: Marks | null; width: number } | null = null;
 
-  protected override stores() {
-    return [this.stage, this.playback, this.settings];
-  }
-
   protected override arrived(): void {
     const redraw = () => {
       this.#drawn = null;

@@ -15,10 +15,6 @@ export class BoundChart extends View {
   #drawing: typeof import("./bound-drawing") | null = null;
   #loading = false;
 
-  protected override stores() {
-    return [this.training];
-  }
-
   protected override arrived(): void {
     this.whenLeaving(onThemeChange(() => this.requestUpdate()));
     this.watchSize(this, () => this.requestUpdate());

@@ -12,10 +12,6 @@ import { lab } from "../words/lab";
 export class RunsView extends View {
   declare training: TrainingStore;
 
-  protected override stores() {
-    return [this.training];
-  }
-
   #state(run: Run) {
     const { state, settings, steps, ending } = run;
     const last = steps.at(-1);

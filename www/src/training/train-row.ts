@@ -13,10 +13,6 @@ export class TrainRow extends View {
   declare training: TrainingStore;
   declare clips: ClipsStore;
 
-  protected override stores() {
-    return [this.training, this.clips];
-  }
-
   /** The status next to the button: the plan, the progress or the end. */
   #words(why: string) {
     const { training } = this;

@@ -23,10 +23,6 @@ export class TrainingView extends View {
   declare clips: ClipsStore;
   declare engine: EngineStore;
 
-  protected override stores() {
-    return [this.training, this.settings, this.clips, this.engine];
-  }
-
   #count(name: Exclude<NumberName & keyof LearnWords["settings"], "seed">, term?: TermName, symbol = "?") {
     const { field, settings } = lab().learn;
     const { label, hint } = settings[name];

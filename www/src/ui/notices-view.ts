@@ -27,10 +27,6 @@ export class NoticesView extends View {
   /** The label of the buttons. */
   declare dismiss: string;
 
-  protected override stores() {
-    return [this.notices];
-  }
-
   protected override render() {
     const cards = (notices: readonly Notice[]) =>
       notices.map((notice) => noticeCard(this.notices, notice, this.dismiss));

@@ -2,13 +2,15 @@
 // styles of the page apply.
 import { LitElement } from "lit";
 import { languageChanges } from "./language";
-import type { Observed } from "./store";
+import { type Observed, Store } from "./store";
 
 export abstract class View extends LitElement {
   readonly #leaving: (() => void)[] = [];
 
-  /** The stores whose changes redraw this view. */
-  protected abstract stores(): readonly Observed[];
+  /** The stores whose changes redraw this view: those that it was given, unless it says otherwise. */
+  protected stores(): readonly Observed[] {
+    return Object.values(this).filter((value) => value instanceof Store);
+  }
 
   /** The view is drawn and on the page. Subclasses begin to listen here. */
   protected arrived(): void {}

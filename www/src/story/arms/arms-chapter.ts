@@ -36,10 +36,6 @@ class ThreadView extends View {
   /** 0: tied; 1: cut. */
   #cut = 0;
 
-  protected override stores() {
-    return [this.chapter];
-  }
-
   protected override arrived(): void {
     const calm = prefersReducedMotion();
     this.whenLeaving(

@@ -38,10 +38,6 @@ class BeliefView extends View {
   declare chapter: BeliefChapter;
   #seconds = 0;
 
-  protected override stores() {
-    return [this.chapter];
-  }
-
   protected override arrived(): void {
     if (prefersReducedMotion()) return;
     this.whenLeaving(

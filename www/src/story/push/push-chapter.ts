@@ -34,10 +34,6 @@ class PushLoops extends View {
   #paths: readonly Float64Array[] = [];
   #projections: Projection[] = [];
 
-  protected override stores() {
-    return [this.chapter];
-  }
-
   protected override arrived(): void {
     this.whenLeaving(eachFrame(() => this.#draw()));
   }
@@ -119,10 +115,6 @@ class PushHands extends View {
   declare chapter: PushChapter;
   #stage: StageView | null = null;
   #stopDrag: (() => void) | null = null;
-
-  protected override stores() {
-    return [this.chapter];
-  }
 
   protected override arrived(): void {
     this.#stage = this.parentElement?.querySelector<StageView>("pg-stage") ?? null;
