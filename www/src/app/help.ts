@@ -7,7 +7,6 @@ import { icon } from "../ui/icons";
 import "../ui/dialog.css";
 import { View } from "../ui/view";
 import { DATA_SOURCE } from "../words/data-source";
-import "./help.css";
 import { helpWords } from "../words/sections";
 
 export class HelpView extends View {

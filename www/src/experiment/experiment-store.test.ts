@@ -5,7 +5,7 @@ import type { SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol
 import { initialSettings, type Settings } from "../settings/settings";
 import { Store } from "../ui/store";
 import { ExperimentStore } from "./experiment-store";
-import { endingOf } from "./runs-table";
+import { endingOf } from "./findings-tables";
 
 class FakeSettings extends Store {
   values: Settings = initialSettings();

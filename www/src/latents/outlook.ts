@@ -6,7 +6,6 @@ import { lab } from "../words/lab";
 import type { Behind } from "./latent-drawing";
 import { drawFutures, drawMoments, drawPicture } from "./outlook-drawing";
 import { FUTURES, type OutlookStore } from "./outlook-store";
-import "./outlook.css";
 
 export { OutlookStore } from "./outlook-store";
 
