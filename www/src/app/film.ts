@@ -45,13 +45,8 @@ export class Film extends View {
   static override properties = { left: { state: true }, ready: { state: true } };
   declare app: App;
   /** Seconds that are left of the recording; 0: none runs. */
-  declare left: number;
-  declare ready: boolean;
-
-  constructor() {
-    super();
-    [this.left, this.ready] = [0, false];
-  }
+  left = 0;
+  ready = false;
 
   protected override stores() {
     return [this.app.stage];

@@ -30,14 +30,9 @@ async function loadDraw({ folder }: View): Promise<Draw<ViewName>> {
 export class PageView extends ViewElement implements Commanded {
   static override properties = { session: { state: true } };
   /** The stored visits; null: the browser stores none, or the session is not loaded yet. */
-  declare session: SessionStore | null;
+  session: SessionStore | null = null;
   declare app: App;
   readonly #loaded = new Map<View, "loading" | "failed" | (() => TemplateResult)>();
-
-  constructor() {
-    super();
-    this.session = null;
-  }
 
   get lab(): LabView | null {
     return this.querySelector<LabView>("pg-lab");

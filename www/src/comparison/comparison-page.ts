@@ -73,12 +73,7 @@ customElements.define("comparison-claims", ClaimsTable);
 
 class ComparisonFigures extends View {
   static override properties = { comparison: { attribute: false } };
-  declare comparison: Comparison | null;
-
-  constructor() {
-    super();
-    this.comparison = null;
-  }
+  comparison: Comparison | null = null;
 
   protected override render() {
     const { comparison } = this;

@@ -66,12 +66,7 @@ const MOST = 12;
 export class ModelsTable extends FigureElement<Comparison> {
   static override properties = { ...FigureElement.properties, all: { state: true } };
   /** Whether all sizes of a model are shown. */
-  declare all: boolean;
-
-  constructor() {
-    super();
-    this.all = false;
-  }
+  all = false;
 
   protected get heading() {
     return compareWords().table.heading;

@@ -41,16 +41,10 @@ export class AnglesView extends View {
   /** The column of the channel. */
   declare chosen: number;
   /** The horizontal axis: time, the channel's speed, or the column of another channel. */
-  declare across: "time" | "speed" | number;
-  declare width: number;
+  across: "time" | "speed" | number = "time";
+  width = 320;
   /** The first motion in each frame, in pixels. */
   #places: [number, number][] = [];
-
-  constructor() {
-    super();
-    this.across = "time";
-    this.width = 320;
-  }
 
   protected override stores() {
     return [];

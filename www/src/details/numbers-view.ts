@@ -165,12 +165,12 @@ export class NumbersView extends View {
   declare model: ModelStore;
   declare playback: Playback;
   /** Null: the model's motion is on the stage. */
-  declare clip: Clip | null;
+  clip: Clip | null = null;
   /** Whether the tab is open. Nothing is computed for a closed tab. */
-  declare visible: boolean;
-  declare kernels: Kernels | null;
-  declare motions: readonly ReadMotion[];
-  declare problem: string;
+  visible = false;
+  kernels: Kernels | null = null;
+  motions: readonly ReadMotion[] = [];
+  problem = "";
   /** The model and the motion that were asked for last. */
   #asked: unknown[] = [];
   readonly #latest = new Latest(
@@ -180,15 +180,6 @@ export class NumbersView extends View {
       this.problem = words().failed;
     },
   );
-
-  constructor() {
-    super();
-    this.clip = null;
-    this.visible = false;
-    this.kernels = null;
-    this.motions = [];
-    this.problem = "";
-  }
 
   protected override stores() {
     return [this.model, this.engine];

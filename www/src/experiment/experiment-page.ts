@@ -91,15 +91,10 @@ const state = (part: number, before: boolean) => html`x<sub>${part}</sub>(t${bef
 export class ExperimentPage extends View {
   static override properties = { vote: { state: true }, told: { state: true } };
   /** What the visitor thinks of the riddle: whether part 1 drives part 2; null: no vote yet. */
-  declare vote: boolean | null;
+  vote: boolean | null = null;
   /** The last riddle, when its curtain is drawn; null: none, or its curtain is not drawn. */
-  declare told: { driving: boolean; right: boolean; findings: SyntheticFindings | null } | null;
+  told: { driving: boolean; right: boolean; findings: SyntheticFindings | null } | null = null;
   readonly #random = randomNumbers(RIDDLES);
-
-  constructor() {
-    super();
-    [this.vote, this.told] = [null, null];
-  }
 
   declare experiment: ExperimentStore;
   declare settings: SettingsStore;

@@ -23,18 +23,11 @@ const PAPER = 680;
 export abstract class FigureElement<Data> extends View {
   static override properties = { data: { attribute: false }, width: { state: true }, type: { state: true } };
   /** The data that the figure shows. */
-  declare data: Data | null;
+  data: Data | null = null;
   /** The figure's width, pixels. */
-  declare width: number;
+  width = 0;
   /** The size of a drawing's type, pixels. */
-  declare type: number;
-
-  constructor() {
-    super();
-    this.data = null;
-    this.width = 0;
-    this.type = 12;
-  }
+  type = 12;
 
   protected abstract readonly heading: string;
   /** The name of its files, without an ending. */

@@ -43,7 +43,7 @@ interface Mark {
 
 export class LatentPlot extends View {
   static override properties = { bodyPart: { type: Number } };
-  declare bodyPart: number;
+  bodyPart = 0;
   declare model: Coupled;
   declare space: Space;
   #turn: Turn = FLAT;
@@ -57,11 +57,6 @@ export class LatentPlot extends View {
   /** Whether the buttons need new places. */
   #moved = false;
   readonly #band = new StepBand();
-
-  constructor() {
-    super();
-    this.bodyPart = 0;
-  }
 
   protected override stores() {
     const { pointing, settings, stage, layers } = this.space;

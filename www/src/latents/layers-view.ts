@@ -21,12 +21,7 @@ export class LayersView extends View {
   declare predictions: PredictionsStore;
   declare settings: SettingsStore;
   /** The number of parts of the model. */
-  declare parts: number;
-
-  constructor() {
-    super();
-    this.parts = 1;
-  }
+  parts = 1;
 
   #mark(of: keyof typeof MARKS, pressed: boolean, press: () => void) {
     const { label, meaning } = lab().loops[of];

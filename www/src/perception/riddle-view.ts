@@ -39,21 +39,14 @@ export class RiddleView extends View {
   static override properties = { choice: { state: true }, playing: { state: true }, place: { state: true } };
   declare perception: PerceptionStore;
   /** The visitor's guess; null before. */
-  declare choice: Side | null;
-  declare playing: boolean;
-  declare place: number;
+  choice: Side | null = null;
+  playing: boolean = !prefersReducedMotion();
+  place = 0;
   #study: StudyView | null = null;
   #riddles: StudyTrial[] = [];
   #stage: CanvasPair | null = null;
   #seconds = 0;
   #found = 0;
-
-  constructor() {
-    super();
-    this.choice = null;
-    this.playing = !prefersReducedMotion();
-    this.place = 0;
-  }
 
   protected override arrived(): void {
     this.whenLeaving(eachFrame((seconds) => this.#draw(seconds)));

@@ -16,15 +16,9 @@ export class LoopsView extends View {
   declare model: Coupled;
   declare space: Space;
   /** With three parts or more: the part whose sliders are visible; null: the uppermost. */
-  declare chosen: number | null;
+  chosen: number | null = null;
   /** On a phone: the coupling whose slider is visible, as "source.target". */
-  declare one: string;
-
-  constructor() {
-    super();
-    this.chosen = null;
-    this.one = "0.1";
-  }
+  one = "0.1";
 
   #coupling(source: number, target: number, way: Way) {
     const key = `${source}.${target}`;

@@ -50,12 +50,7 @@ export class PictureView extends View {
   static override properties = { panels: {} };
   declare app: PictureStores;
   /** The panels that can be opened. */
-  declare panels: readonly Panel[];
-
-  constructor() {
-    super();
-    this.panels = PANELS;
-  }
+  panels: readonly Panel[] = PANELS;
 
   protected override stores() {
     const { model, settings, engine, stage, training, readings } = this.app;

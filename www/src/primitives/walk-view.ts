@@ -18,13 +18,8 @@ export class WalkView extends View {
   static override properties = { over: { state: true } };
   declare library: LibraryStore;
   /** The part below a dragged primitive. */
-  declare over: number | null;
+  over: number | null = null;
   #map: { key: unknown; body: MapBody } | null = null;
-
-  constructor() {
-    super();
-    this.over = null;
-  }
 
   /** Called by the key for play. */
   togglePlay(): void {

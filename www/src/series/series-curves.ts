@@ -61,16 +61,11 @@ export class SeriesCurves extends View {
   static override properties = { width: { state: true } };
   declare model: SeriesStore;
   /** The width of a chart, in pixels. */
-  declare width: number;
+  width = 400;
   /** The curve that is drawn: its last point, and the value at a height in the chart. */
   #drawing: { column: string; last: [number, number]; valueAt: (y: number) => number } | null = null;
   /** The x position of the first frame, and the distance between two frames, in pixels. */
   #across = { first: 0, step: 0 };
-
-  constructor() {
-    super();
-    this.width = 400;
-  }
 
   protected override arrived(): void {
     this.whenLeaving(this.model.clock.on(() => this.#markNow()));

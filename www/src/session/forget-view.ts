@@ -47,15 +47,9 @@ export class ForgetView extends View {
   declare session: SessionStore;
   declare app: Page;
   /** Brings everything back; null: nothing was forgotten. */
-  declare undo: (() => Promise<void>) | null;
-  declare busy: boolean;
+  undo: (() => Promise<void>) | null = null;
+  busy = false;
   #forgotten = "";
-
-  constructor() {
-    super();
-    this.undo = null;
-    this.busy = false;
-  }
 
   async #forget(): Promise<void> {
     const { session, app } = this;

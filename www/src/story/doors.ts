@@ -10,15 +10,9 @@ export class DoorsView extends View {
   declare app: App;
   /** Called once, when the Lab is on the page. */
   declare startLab: (page: PageView) => void;
-  declare lab: "closed" | "loading" | "open" | "failed";
+  lab: "closed" | "loading" | "open" | "failed" = "closed";
 
-  declare isTeachMissing: boolean;
-
-  constructor() {
-    super();
-    this.lab = "closed";
-    this.isTeachMissing = false;
-  }
+  isTeachMissing = false;
 
   protected override stores() {
     return [this.app.settings, this.app.words];

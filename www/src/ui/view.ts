@@ -45,6 +45,13 @@ export abstract class View extends LitElement {
   }
 
   override connectedCallback(): void {
+    // Fields with an initial value hide Lit's accessors.
+    for (const name of (this.constructor as typeof LitElement).elementProperties.keys()) {
+      if (!Object.hasOwn(this, name)) continue;
+      const value = Reflect.get(this, name);
+      Reflect.deleteProperty(this, name);
+      Reflect.set(this, name, value);
+    }
     super.connectedCallback();
     for (const store of [languageChanges, ...this.stores()])
       this.whenLeaving(store.on(() => this.requestUpdate()));
