@@ -118,7 +118,7 @@ export class CaptionView extends View {
     const { stage, model } = this.app;
     const { title, text } = wordsNow(this.app);
     return html`
-      <div class="stage-caption stack">
+      <div class="stage-caption passive stack">
         <strong data-testid="stage-title">${title}</strong>
         <span class="hint">${
           stage.content?.kind === "model" && title === lab().stage.made

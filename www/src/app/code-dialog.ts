@@ -123,7 +123,7 @@ export async function showCode(app: App, fragment: string): Promise<void> {
   const choice = () => html`
     <label class="check"><input type="checkbox" data-testid="with-model" .checked=${withModel}
       @change=${({ target }: Event) => void carryModel((target as HTMLInputElement).checked)} />
-      <span>${words.withModel} <small>${words.withModelMeaning}</small></span></label>`;
+      <span>${words.withModel} <small class="own-line">${words.withModelMeaning}</small></span></label>`;
 
   /** An address that opens and can be copied. */
   const link = (address: string, testId: string) => html`

@@ -106,7 +106,7 @@ export class Film extends View {
     const about = this.left > 0 ? film.left(this.left) : film.about;
     return html`
       <button data-testid="save-film" ?disabled=${!this.#canvas || this.left > 0} @click=${() => void this.#record()}>
-        <span>${film.title}<small role="status">${about}</small></span><small>${kindHere()[0].toUpperCase()}</small></button>`;
+        <span>${film.title}<small class="own-line" role="status">${about}</small></span><small>${kindHere()[0].toUpperCase()}</small></button>`;
   }
 }
 customElements.define("pg-film", Film);

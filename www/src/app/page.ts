@@ -176,7 +176,7 @@ export class PageView extends ViewElement implements Commanded {
         }
         <pg-notices .notices=${notices} .inLab=${isPlayView} .dismiss=${app.words.now.frame.dismiss}></pg-notices>
         <pg-help .model=${model} .engine=${engine}></pg-help>
-        <div class="drop-hint" aria-hidden="true"><p>${page.drop}</p></div>
+        <div class="drop-hint passive" aria-hidden="true"><p>${page.drop}</p></div>
       </div>`;
   }
 }

@@ -44,7 +44,7 @@ export class SaveMenu extends View {
     };
     return html`
       <button data-testid="save-${what}" ?disabled=${!possible} @click=${chosen}>
-        <span>${title}<small>${instead ?? about}</small></span><small>${kind}</small></button>`;
+        <span>${title}<small class="own-line">${instead ?? about}</small></span><small>${kind}</small></button>`;
   }
 
   #share(): void {
@@ -74,7 +74,7 @@ export class SaveMenu extends View {
         ${this.#item("latents", "CSV", hasModel && !isBehind, noRollout)}
         ${this.#item("account", "JSON", hasMotion && !isOtherKind, isOtherKind ? noRollout : undefined)}
         ${this.#item("model", "JSON", hasModel || isOtherKind)}
-        <button data-testid="share" ?disabled=${!hasModel && !isOtherKind} @click=${this.#share}><span>${words.share.title}<small>${words.share.about}</small></span><small>URL</small></button>
+        <button data-testid="share" ?disabled=${!hasModel && !isOtherKind} @click=${this.#share}><span>${words.share.title}<small class="own-line">${words.share.about}</small></span><small>URL</small></button>
         <pg-film .app=${this.app}></pg-film>
       </div>`;
   }

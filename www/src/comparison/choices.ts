@@ -100,7 +100,7 @@ export class ComparisonChoices extends View {
           <label class="check">
             <input type="checkbox" data-testid="model-${kind}" .checked=${models.includes(kind)} ?disabled=${comparison.busy}
               @change=${(event: Event) => change(kind, isTicked(event))} />
-            <span>${modelStyle(kind).name} <small>${words.about[kind]}</small></span>
+            <span>${modelStyle(kind).name} <small class="own-line">${words.about[kind]}</small></span>
           </label>`,
         )}
       </fieldset>`;

@@ -31,9 +31,7 @@ import "./models-table";
 import { FigureElement, type SaveFailure } from "../figures/figure-element";
 
 class ClaimsTable extends FigureElement<Comparison> {
-  protected get heading() {
-    return compareWords().claims.heading;
-  }
+  protected readonly words = () => compareWords().claims;
   protected readonly file = "claims-of-the-papers";
 
   protected missing({ claims }: Comparison): string | null {

@@ -18,9 +18,7 @@ const drawable = ({ points }: Correlation) =>
   points.filter(({ bound, mse }) => Number.isFinite(bound) && mse > 0 && Number.isFinite(mse));
 
 export class CorrelationsFigure extends FigureElement<Comparison> {
-  protected get heading() {
-    return compareWords().correlation.heading;
-  }
+  protected readonly words = () => compareWords().correlation;
   protected readonly file = "error-against-bound";
 
   protected missing({ correlations }: Comparison): string | null {

@@ -26,9 +26,7 @@ const NARROW = 640;
 const mean = (values: Float64Array) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
 export class DistanceFigure extends FigureElement<Distances> {
-  protected get heading() {
-    return compareWords().distance.heading;
-  }
+  protected readonly words = () => compareWords().distance;
   protected readonly file = "distance-from-the-trial";
   #place: (frame: number) => number = () => 0;
 

@@ -22,9 +22,7 @@ const drawable = ({ points }: Growth) =>
     .sort((a, b) => a.frames - b.frames);
 
 export class GrowthFigure extends FigureElement<Comparison> {
-  protected get heading() {
-    return compareWords().growth.heading;
-  }
+  protected readonly words = () => compareWords().growth;
   protected readonly file = "learning-time-against-frames";
 
   protected missing({ growth }: Comparison): string | null {

@@ -68,9 +68,7 @@ export class ModelsTable extends FigureElement<Comparison> {
   /** Whether all sizes of a model are shown. */
   all = false;
 
-  protected get heading() {
-    return compareWords().table.heading;
-  }
+  protected readonly words = () => compareWords().table;
   protected readonly file = "models-compared";
 
   protected missing({ models }: Comparison): string | null {

@@ -297,7 +297,7 @@ export class SideBySide extends View {
         <canvas class="stage-canvas cover" tabindex="0" role="img" data-testid="compare-stage"
           aria-label=${words.stage(chosen.length)}></canvas>
         ${this.#problem ? html`<p class="stage-problem quiet" role="alert">${this.#problem}</p>` : nothing}
-        <ol class="column-heads cover">
+        <ol class="column-heads passive cover">
           ${chosen.map(
             (prediction) => html`
             <li>

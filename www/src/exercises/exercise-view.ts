@@ -71,7 +71,7 @@ export class ExerciseView extends View {
         <p class="exercise-found hint" role="status">${
           verdict
             ? html`<b>${isSolved ? (dare ? dares.met : exercises.solved) : exercises.notYet}</b> ${verdict.findings.map(say).join(" ")}
-              ${isSolved ? html`<i>${exercises.whys[name]}</i>` : nothing}`
+              ${isSolved ? html`<i class="own-line">${exercises.whys[name]}</i>` : nothing}`
             : exercises.measuring
         }</p>
         <button class="round" aria-label=${exercises.close} title=${exercises.close} data-testid="close-exercise"

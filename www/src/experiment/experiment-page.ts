@@ -237,7 +237,7 @@ export class ExperimentPage extends View {
       <label class="choice">
         <input type="checkbox" data-testid="experiment-driving" .checked=${driving}
           @change=${(event: Event) => settings.change({ driving: (event.target as HTMLInputElement).checked })} />
-        <span>${words.driving} <small>${words.drivingHint}</small></span>
+        <span>${words.driving} <small class="own-line">${words.drivingHint}</small></span>
       </label>
       <button class="small" data-testid="riddle" ?disabled=${busy} title=${words.riddle.giveMeaning} @click=${() => this.#beginRiddle()}>${words.riddle.give}</button>
       <button class="small" data-testid="experiment-ten" ?disabled=${busy || problem !== "" || store.open(ten).length === 0}

@@ -29,7 +29,7 @@ export abstract class FigureElement<Data> extends View {
   /** The size of a drawing's type, pixels. */
   type = 12;
 
-  protected abstract readonly heading: string;
+  protected abstract readonly words: () => { readonly heading: string };
   /** The name of its files, without an ending. */
   protected abstract readonly file: string;
   protected abstract figure(data: Data): TemplateResult;
@@ -53,6 +53,10 @@ export abstract class FigureElement<Data> extends View {
     if (this.clientWidth > 0) this.width = this.clientWidth;
     const root = Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
     this.type = (12 * (Number.isFinite(root) ? root : TYPE)) / TYPE;
+  }
+
+  protected get heading(): string {
+    return this.words().heading;
   }
 
   async #save(ending: "csv" | "png"): Promise<void> {

@@ -297,7 +297,7 @@ export class LatentPlot extends View {
           data-testid="latent-${this.bodyPart}"
           @pointerdown=${this.#grab} @pointermove=${this.#move} @pointerup=${this.#drop} @pointercancel=${this.#drop}
           @keydown=${this.#keys}>
-          <canvas class="cover" aria-hidden="true"></canvas>
+          <canvas class="cover passive" aria-hidden="true"></canvas>
           ${this.#list.map(
             ({ key, point: to, label }, i) => html`
             <button class="mark" type="button" data-mark=${key} tabindex=${i === 0 ? 0 : -1} aria-label=${label} title=${label}

@@ -39,7 +39,7 @@ const latent = (x: number, y: number) => svg`<circle cx=${x} cy=${y} r=${R} />`;
 const diamond = (x: number, y: number) =>
   svg`<path d="M${x} ${y - 23}L${x + 27} ${y}L${x} ${y + 23}L${x - 27} ${y}z" />`;
 /** The letters are above the shapes, and no part of the names of the buttons. */
-const letters = (content: unknown) => svg`<g class="graph-letters" aria-hidden="true">${content}</g>`;
+const letters = (content: unknown) => svg`<g class="graph-letters passive" aria-hidden="true">${content}</g>`;
 
 const FRAMES = ["t−2", "t−1", "t"];
 

@@ -58,9 +58,7 @@ function map({ model, pose, dynamics, at }: Grid, type: number) {
 }
 
 export class HeatMapsFigure extends FigureElement<PerceptionResults> {
-  protected get heading() {
-    return perceptionWords().figures.maps.heading;
-  }
+  protected readonly words = () => perceptionWords().figures.maps;
   protected readonly file = "confusion-over-inducing-points";
 
   protected missing({ settings }: PerceptionResults): string | null {

@@ -97,9 +97,7 @@ function panelsOf(grid: Grid, results: PerceptionResults): Panel[] {
 }
 
 export class InducingFigure extends FigureElement<PerceptionResults> {
-  protected get heading() {
-    return perceptionWords().figures.inducing.heading;
-  }
+  protected readonly words = () => perceptionWords().figures.inducing;
   protected readonly file = "confusion-error-and-bound-over-inducing-points";
 
   protected missing(results: PerceptionResults): string | null {

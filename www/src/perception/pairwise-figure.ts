@@ -19,9 +19,7 @@ function probability(value: number): string {
 }
 
 export class PairwiseFigure extends FigureElement<PerceptionResults> {
-  protected get heading() {
-    return perceptionWords().figures.pairwise.heading;
-  }
+  protected readonly words = () => perceptionWords().figures.pairwise;
   protected readonly file = "best-of-each-model";
 
   protected missing({ best }: PerceptionResults): string | null {
@@ -54,7 +52,7 @@ export class PairwiseFigure extends FigureElement<PerceptionResults> {
       <tr style=${inColour(model)}>
         <th scope="row" class="who"><div><svg class="model-mark" viewBox="0 0 14 14" aria-hidden="true">${modelMark(model, 7, 7, 4.6)}</svg>
           <span class="name">${modelStyle(model).name}</span><small>${label}</small></div></th>
-        <td>${two(mean)} <small>± ${two(deviation)}</small><small class="counts">${perceptionWords().analysis.of(hits, trials)}</small></td>
+        <td>${two(mean)} <small>± ${two(deviation)}</small><small class="own-line">${perceptionWords().analysis.of(hits, trials)}</small></td>
         <td>${probability(aboveHalf)}</td>
         ${best.map((_, j) => {
           const value = pairs[i]?.[j];
@@ -76,7 +74,7 @@ export class PairwiseFigure extends FigureElement<PerceptionResults> {
             <th scope="col">${words.model}</th><th scope="col"><pg-term of="confusion-rate" text=${words.rate}></pg-term></th><th scope="col">${words.aboveHalf}</th>
             ${best.map(
               ({ model }) => html`
-            <th scope="col" class="pair" style=${inColour(model)}><small>${words.betterThan}</small> <span class="name">${svgMark(model)} ${modelStyle(model).name}</span></th>`,
+            <th scope="col" class="pair" style=${inColour(model)}><small class="own-line">${words.betterThan}</small> <span class="name">${svgMark(model)} ${modelStyle(model).name}</span></th>`,
             )}
           </tr></thead>
           <tbody>${best.map((_, i) => this.#row(results, i))}</tbody>

@@ -63,9 +63,7 @@ function panelOf(
 }
 
 export class RatesFigure extends FigureElement<PerceptionResults> {
-  protected get heading() {
-    return perceptionWords().figures.rates.heading;
-  }
+  protected readonly words = () => perceptionWords().figures.rates;
   protected readonly file = "confusion-over-primitives-and-bases";
 
   protected missing(results: PerceptionResults): string | null {

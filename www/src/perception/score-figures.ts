@@ -64,9 +64,7 @@ const missingIn = (results: PerceptionResults) =>
   answeredSettings(results).length === 0 ? perceptionWords().figures.needsModel : null;
 
 export class ScoresFigure extends FigureElement<PerceptionResults> {
-  protected get heading() {
-    return perceptionWords().figures.scores.heading;
-  }
+  protected readonly words = () => perceptionWords().figures.scores;
   protected readonly file = "confusion-over-scores";
 
   protected missing(results: PerceptionResults): string | null {
@@ -111,9 +109,7 @@ export class ScoresFigure extends FigureElement<PerceptionResults> {
 customElements.define("perception-scores", ScoresFigure);
 
 export class AllModelsFigure extends FigureElement<PerceptionResults> {
-  protected get heading() {
-    return perceptionWords().figures.all.heading;
-  }
+  protected readonly words = () => perceptionWords().figures.all;
   protected readonly file = "confusion-of-all-models";
 
   protected missing(results: PerceptionResults): string | null {

@@ -77,7 +77,7 @@ function marks(store: PerceptionStore, { stimuli }: StudyInfo, look: (id: string
       <ul class="movement-marks stack">${generated.map(
         ({ id, model, scores, failed }) => html`
         <li><label class="check"><input type="checkbox" data-testid="failed-${id}" .checked=${failed} ?disabled=${store.busy} @change=${() => toggle(id)} />
-          <span>${id} <small>${model ? modelStyle(model).name : ""}, MSE ${plain(scores?.mse ?? NaN)}</small></span></label>
+          <span>${id} <small class="own-line">${model ? modelStyle(model).name : ""}, MSE ${plain(scores?.mse ?? NaN)}</small></span></label>
           <button class="round" data-testid="look-${id}" aria-label=${words.lookAt(id)} title=${words.look} @click=${() => look(id)}>${icon("eye")}</button></li>`,
       )}</ul>
     </details>`;
@@ -102,7 +102,7 @@ export function studyCard(store: PerceptionStore, look: (id: string) => void) {
     </div>
     <label class="check"><input type="checkbox" data-testid="points" .checked=${info.look === "points"} ?disabled=${busy}
       @change=${() => void store.change({ look: info.look === "points" ? "figure" : "points" })} />
-      <span>${words.points} <small>${words.pointsMeaning}</small></span></label>
+      <span>${words.points} <small class="own-line">${words.pointsMeaning}</small></span></label>
     ${textFields(store, info)}
     ${marks(store, info, look)}`;
 }

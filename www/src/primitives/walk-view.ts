@@ -100,7 +100,7 @@ export class WalkView extends View {
       <div class="walk-box">
         ${this.figure("walk", words.figure(library.title))}
         ${this.#slots()}
-        <p class="walk-words"><strong data-testid="combination-title">${library.title}</strong>
+        <p class="walk-words passive"><strong data-testid="combination-title">${library.title}</strong>
           <span class="quiet" data-testid="recorded">${recorded === null ? words.never : words.recordedAs(recorded)}</span></p>
         <button class="round primary walk-play" data-testid="walk-play" aria-label=${playing ? time.pause : time.play} title=${playing ? time.pauseMeaning : time.playMeaning}
           @click=${() => this.togglePlay()}>${icon(playing ? "pause" : "play")}</button>

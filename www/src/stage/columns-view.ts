@@ -77,7 +77,7 @@ export class ColumnsView extends View {
     return html`
       <canvas class="stage-canvas cover" tabindex="0" role="img" data-testid="stage-columns"
         aria-label=${lab().stage.figures(titles)}></canvas>
-      <ol class="stage-columns" style=${styled({ "--columns": columns.length })}>${titles.map((title) => html`<li>${title}</li>`)}</ol>`;
+      <ol class="stage-columns passive" style=${styled({ "--columns": columns.length })}>${titles.map((title) => html`<li>${title}</li>`)}</ol>`;
   }
 }
 customElements.define("pg-columns", ColumnsView);

@@ -87,7 +87,7 @@ export class StageView extends View {
     if (!this.legend) return nothing;
     const { label, nameOf } = this.legend;
     return html`
-      <ul class="stage-legend stack note" aria-label=${label}>
+      <ul class="stage-legend passive stack note" aria-label=${label}>
         ${(this.stage.content?.parts ?? []).map(
           ({ name }, part) =>
             html`<li class="row" style=${partStyle(partColour(part))}><i class="swatch"></i>${nameOf(name)}</li>`,

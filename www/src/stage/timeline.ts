@@ -84,7 +84,7 @@ export class TimelineView extends View {
         <button class="round step" aria-label=${words.forward} title=${words.forwardMeaning} @click=${() => playback.step(1)}>${icon("forward")}</button>
         ${this.#live()}
         <div class="scrub">
-          <canvas aria-hidden="true"></canvas>
+          <canvas class="passive" aria-hidden="true"></canvas>
           <input class="cover" type="range" aria-label=${words.frame} data-testid="scrub" ?disabled=${this.stage.content?.live === true} min="0" max=${lastFrame} step="1" .value=${String(frame)}
             aria-valuetext=${words.frameOf(frame + 1, lastFrame + 1)}
             @input=${(event: Event) => playback.scrub((event.target as HTMLInputElement).valueAsNumber)} />

@@ -35,7 +35,6 @@ export abstract class GuessedChapter<Name extends ChapterName> extends Store imp
   }
 
   abstract stage(): TemplateResult;
-  abstract guess(): Guess | null;
   abstract control(): TemplateResult | null;
   abstract reveal(): TemplateResult | null;
   abstract equation(): TemplateResult | null;
@@ -48,6 +47,10 @@ export abstract class GuessedChapter<Name extends ChapterName> extends Store imp
     };
     if (!loaded) import("../method/equations").then(show).catch(() => {});
     return html`${names.map((name) => loaded && unsafeHTML(loaded[name]))}${sentence === null ? nothing : html`<p>${sentence}</p>`}`;
+  }
+
+  guess(): Guess | null {
+    return this.hasGuessed ? null : (this.words as { guess: Guess }).guess;
   }
 
   guessed(choice: string): void {

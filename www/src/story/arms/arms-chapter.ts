@@ -110,13 +110,9 @@ export class ArmsChapter extends GuessedChapter<"arms"> {
     const words = { clock, seconds: () => "", still: "", step: NO_STEPS };
     return html`<div class="arms">
       <pg-stage class="cover" .stage=${stage} .playback=${playback} .running=${true} .label=${figure}></pg-stage>
-      <pg-thread class="cover" .chapter=${this}></pg-thread>
-      <pg-phase-clock .phases=${phases} .playback=${playback} .names=${parts} .words=${words}></pg-phase-clock>
+      <pg-thread class="cover passive" .chapter=${this}></pg-thread>
+      <pg-phase-clock class="passive" .phases=${phases} .playback=${playback} .names=${parts} .words=${words}></pg-phase-clock>
     </div>`;
-  }
-
-  guess() {
-    return this.hasGuessed ? null : this.words.guess;
   }
 
   override guessed(choice: string): void {

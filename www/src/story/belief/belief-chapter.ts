@@ -166,10 +166,6 @@ export class BeliefChapter extends GuessedChapter<"belief"> {
     return html`<pg-belief .chapter=${this}></pg-belief>`;
   }
 
-  guess() {
-    return this.choice === null ? this.words.guess : null;
-  }
-
   override guessed(choice: string): void {
     super.guessed(choice);
     void this.experiment.train([this.round.experiment]);

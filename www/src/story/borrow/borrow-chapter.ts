@@ -107,10 +107,6 @@ export class BorrowChapter extends GuessedChapter<"borrow"> {
     return html`<pg-borrow .library=${this.library} .chapter=${this}></pg-borrow>`;
   }
 
-  guess() {
-    return this.hasGuessed ? null : this.words.guess;
-  }
-
   override guessed(choice: string): void {
     this.choice = choice;
     this.#borrow();

@@ -242,10 +242,6 @@ export class GaussianChapter extends GuessedChapter<"gaussian"> implements Laten
     return html`<div class="story-single"><pg-latent-space .scene=${this} .label=${this.words.plane}></pg-latent-space></div>`;
   }
 
-  guess() {
-    return this.hasGuessed ? null : this.words.guess;
-  }
-
   control() {
     const { hint, exact, sparse, spread } = this.words;
     if (!this.hasGuessed) return html`<p class="story-hint quiet">${hint}</p>`;

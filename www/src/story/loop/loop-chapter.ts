@@ -254,12 +254,8 @@ export class LoopChapter extends LatentChapter<"loop"> {
     const columns = columnsOf(info.columns, info.joints, joints);
     return this.pair(
       this.words.plane,
-      html`<p class="story-pair-note quiet" data-testid="sizes">${this.words.sizes(columns, latent)}</p>`,
+      html`<p class="story-pair-note passive quiet" data-testid="sizes">${this.words.sizes(columns, latent)}</p>`,
     );
-  }
-
-  guess() {
-    return this.hasGuessed ? null : this.words.guess;
   }
 
   override guessed(choice: string): void {

@@ -149,7 +149,7 @@ export class NextChapter extends LatentChapter<"next"> {
     this.#take([this.#pin[0] + right * step, this.#pin[1] - down * step]);
   }
 
-  guess() {
+  override guess() {
     return this.hasGuessed || !this.#start ? null : this.words.guess;
   }
 

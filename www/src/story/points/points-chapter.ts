@@ -67,7 +67,7 @@ function pointsChart(
     .filter((trial) => trial.stumbles)
     .map((trial) => svg`<circle class="stumble" cx=${x(trial.count)} cy=${error(trial)} r="3.2" />`);
   return html`
-    <figure class="points-chart">
+    <figure class="points-chart passive">
       <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label=${words.label}>
         <polyline class="bound" points=${line(bound)} />
         <polyline class="error" points=${line(error)} />
@@ -214,7 +214,7 @@ export class PointsChapter extends LatentChapter<"points"> {
     this.changed();
   }
 
-  guess() {
+  override guess() {
     if (this.hasGuessed || !this.#full) return null;
     const { poses, steps } = this.#full.points;
     const { question, choices } = this.words.guess;
@@ -309,7 +309,7 @@ export class PointsChapter extends LatentChapter<"points"> {
   stage() {
     return this.pair(
       this.words.plane,
-      html`<p class="story-pair-note quiet">${this.words.legend} ${this.#state()}</p>
+      html`<p class="story-pair-note passive quiet">${this.words.legend} ${this.#state()}</p>
         ${this.#trials.length > 1 && this.#now ? pointsChart(this.#trials, this.#now, this.#guessed, this.words.chart) : ""}`,
     );
   }

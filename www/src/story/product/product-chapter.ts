@@ -192,7 +192,7 @@ export class ProductChapter extends LatentChapter<"product"> {
     this.changed();
   }
 
-  guess() {
+  override guess() {
     return this.hasGuessed || !this.#means ? null : this.words.guess;
   }
 
@@ -287,7 +287,7 @@ export class ProductChapter extends LatentChapter<"product"> {
         this.#alphas[source]!.toPrecision(2),
         (100 * product.weights[source]!).toFixed(0),
       )}</li>`;
-    return html`<ul class="story-pair-note quiet" data-testid="weights">
+    return html`<ul class="story-pair-note passive quiet" data-testid="weights">
       ${line(ARMS, sources.arms)}${line(LEGS, sources.legs)}</ul>`;
   }
 

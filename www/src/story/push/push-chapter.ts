@@ -241,8 +241,8 @@ export class PushChapter extends GuessedChapter<"push"> {
     const legs = isDone(this.#way) ? this.live : null;
     return html`<div class="push">
       <pg-stage class="cover" .stage=${stage} .playback=${playback} .running=${true} .label=${figure}></pg-stage>
-      <pg-push-hands class="cover" .chapter=${this}></pg-push-hands>
-      <pg-push-loops .chapter=${this} .label=${loops} .names=${parts}></pg-push-loops>
+      <pg-push-hands class="cover passive" .chapter=${this}></pg-push-hands>
+      <pg-push-loops class="passive" .chapter=${this} .label=${loops} .names=${parts}></pg-push-loops>
       ${
         legs
           ? html`<div class="push-wheel"><b>${wheel.youAre}</b>
@@ -250,10 +250,6 @@ export class PushChapter extends GuessedChapter<"push"> {
           : nothing
       }
     </div>`;
-  }
-
-  guess() {
-    return this.choice === null ? this.words.guess : null;
   }
 
   override guessed(choice: string): void {
