@@ -160,7 +160,7 @@ const cutTexts = (/** @type {Page} */ page) =>
       const range = document.createRange();
       range.selectNodeContents(text);
       const { left, right, width } = range.getBoundingClientRect();
-      if (width === 0 || text.parentElement?.closest(".visually-hidden, .hidden, .skip")) return false;
+      if (width === 0 || text.parentElement?.closest(".visually-hidden, .skip")) return false;
       // Some texts are for screen readers only.
       for (let box = text.parentElement; box; box = box.parentElement)
         if (getComputedStyle(box).clipPath !== "none") return false;
