@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 import { at, env, Failure, main, output, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
 import { findChromium } from "./chromium.mjs";
-import { compileTests, NATIVE, TESTS } from "./cargo.mjs";
+import { compileLibrary, compileTests, NATIVE, TESTS } from "./cargo.mjs";
 import { checkGolden } from "./golden.mjs";
 import { checkLines } from "./lines.mjs";
 import { checkLocks } from "./locks.mjs";
@@ -62,13 +62,10 @@ const PAGE_STEPS = [
 
 /** @type {Step[]} */
 const RUST_STEPS = [
+  // First: cargo lets the build of the page wait for what the other steps compile.
+  { name: "library", what: "the library, compiled", work: compileLibrary },
   // These share what they compile: clippy, the features and the documentation need no more than metadata.
-  {
-    name: "clippy",
-    what: "clippy, native",
-    seldom: true,
-    work: () => clippy(...NATIVE, "--all-targets"),
-  },
+  { name: "clippy", what: "clippy, native", seldom: true, work: () => clippy(...NATIVE, "--all-targets") },
   {
     name: "clippy-wasm",
     what: "clippy, wasm32",
@@ -117,15 +114,9 @@ async function format() {
   await biome("format");
 }
 
-/**
- * Each feature must compile without the others. The program uses the library's feature `threads`, the wasm
- * package its feature `speed`.
- */
+/** Each feature must compile without the others; the build compiles the wasm without any. */
 async function features() {
-  // The library alone: without the features that the other packages turn on.
   await clippy("--package", "vcgpdm");
-  await clippy(...NATIVE, "--all-targets", "--all-features");
-  await clippy(...WASM, "--no-default-features");
   await clippy(...WASM, "--no-default-features", "--features", "speed");
 }
 
@@ -136,8 +127,7 @@ async function features() {
 async function docs() {
   const doc = (/** @type {string[]} */ ...what) =>
     run("cargo", "doc", "--no-deps", "--config", 'build.rustdocflags = ["-D", "warnings"]', ...what);
-  await doc("--all-features", ...NATIVE, "--lib", "--examples");
-  await doc("--all-features", ...WASM);
+  await doc(...NATIVE, "--lib", "--examples");
   await doc("--package", "vcgpdm", "--lib");
   const items = ["vcgpdm", "vcgpdm_lab"].map(documentedItems);
   const [library = []] = items;
