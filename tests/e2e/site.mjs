@@ -8,7 +8,7 @@ import { at } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import { dist } from "../../scripts/site.mjs";
 
-export { often, seldom } from "../often.mjs";
+export { often, seldom } from "../../scripts/node-tests.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 

@@ -3,9 +3,9 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { describe, it } from "node:test";
 import { Ajv2020 } from "ajv/dist/2020.js";
+import { seldom } from "../../scripts/node-tests.mjs";
 import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
-import { seldom } from "../often.mjs";
 
 /** @typedef {null | boolean | number | string | Json[] | { [name: string]: Json }} Json */
 
