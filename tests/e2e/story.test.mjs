@@ -72,65 +72,66 @@ const overflowing = (/** @type {Page} */ page) =>
       );
   });
 
+/** The suite of a screen and a language: other tests see the Lab in German at this size. */
+const suite = (/** @type {string} */ screen, /** @type {string} */ locale) =>
+  screen === "laptop" && locale === "de" ? seldom.describe : describe;
+
 for (const [name, size] of Object.entries({ laptop: LAPTOP, phone: PHONE }))
   for (const locale of ["en", "de"])
-    (locale === "de" && name === "laptop" ? seldom : { describe }).describe(
-      `the story on a ${name}, ${locale}`,
-      () => {
-        const visitor = oneVisitor(async () => {
-          const visitor = await site.visit({ story: true, locale, ...size });
-          await open(visitor.page);
-          return visitor;
-        });
+    suite(name, locale)(`the story on a ${name}, ${locale}`, () => {
+      const visitor = oneVisitor(async () => {
+        const visitor = await site.visit({ story: true, locale, ...size });
+        await open(visitor.page);
+        return visitor;
+      });
 
-        it("has a first screen with few words and controls that does not scroll", async (test) => {
-          const { page } = visitor;
-          const { words, controls, scrolls } = await firstScreen(page);
-          test.diagnostic(`${words} words, ${controls} controls`);
-          assert.ok(words > 20 && words <= MOST_WORDS, `${words} words`);
-          assert.ok(controls > 3 && controls <= MOST_CONTROLS, `${controls} controls`);
-          assert.ok(!scrolls, "the page scrolls");
-          assert.equal(await page.locator("html").getAttribute("lang"), locale);
-        });
+      it("has a first screen with few words and controls that does not scroll", async (test) => {
+        const { page } = visitor;
+        const { words, controls, scrolls } = await firstScreen(page);
+        test.diagnostic(`${words} words, ${controls} controls`);
+        assert.ok(words > 20 && words <= MOST_WORDS, `${words} words`);
+        assert.ok(controls > 3 && controls <= MOST_CONTROLS, `${controls} controls`);
+        assert.ok(!scrolls, "the page scrolls");
+        assert.equal(await page.locator("html").getAttribute("lang"), locale);
+      });
 
-        it("fits in all chapters, on a phone with all answers above the foot", async () => {
-          const { page } = visitor;
-          for (let chapter = 1; chapter <= 10; chapter++) {
-            await page.evaluate((hash) => Object.assign(location, { hash }), `story=${chapter}`);
-            await page.waitForFunction(
-              (chapter) =>
-                document.querySelector("#story-chapters [aria-current=step]")?.getAttribute("href") ===
-                  `#story=${chapter}` &&
-                document.querySelector(
-                  `.story[data-state=open] ${chapter === 1 ? ".pad" : ".story-guess button"}`,
-                ),
-              chapter,
-            );
-            assert.deepEqual(await overflowing(page), [], `chapter ${chapter}`);
-            if (name !== "phone") continue;
-            const hidden = await page.evaluate(() => {
-              const foot = document.querySelector(".story-place")?.getBoundingClientRect().top ?? 0;
-              const answers = [...document.querySelectorAll(".story-guess button")];
-              return answers.filter((answer) => answer.getBoundingClientRect().bottom > foot).length;
-            });
-            assert.equal(hidden, 0, `chapter ${chapter}`);
-          }
-        });
+      it("fits in all chapters, on a phone with all answers above the foot", async () => {
+        const { page } = visitor;
+        for (let chapter = 1; chapter <= 10; chapter++) {
+          await page.evaluate((hash) => Object.assign(location, { hash }), `story=${chapter}`);
+          await page.waitForFunction(
+            (chapter) =>
+              document.querySelector("#story-chapters [aria-current=step]")?.getAttribute("href") ===
+                `#story=${chapter}` &&
+              document.querySelector(
+                `.story[data-state=open] ${chapter === 1 ? ".pad" : ".story-guess button"}`,
+              ),
+            chapter,
+          );
+          assert.deepEqual(await overflowing(page), [], `chapter ${chapter}`);
+          if (name !== "phone") continue;
+          const hidden = await page.evaluate(() => {
+            const foot = document.querySelector(".story-place")?.getBoundingClientRect().top ?? 0;
+            const answers = [...document.querySelectorAll(".story-guess button")];
+            return answers.filter((answer) => answer.getBoundingClientRect().bottom > foot).length;
+          });
+          assert.equal(hidden, 0, `chapter ${chapter}`);
+        }
+      });
 
-        it("has no barriers before and after the first drawing", async () => {
-          const { page } = visitor;
-          await page.evaluate(() => Object.assign(location, { hash: "story=1" }));
-          await page.getByTestId("hand-example").waitFor();
-          await open(page);
-          const problemsOf = locale === "en" ? barriers : barriersNow;
-          assert.deepEqual(await problemsOf(page), []);
-          await page.getByTestId("hand-example").click();
-          await page.getByTestId("latent-0").waitFor({ timeout: 60_000 });
-          assert.deepEqual(await problemsOf(page), [], "after the drawing");
-          assert.deepEqual(await overflowing(page), []);
-        });
-      },
-    );
+      it("has no barriers before and after the first drawing", async () => {
+        const { page } = visitor;
+        await page.evaluate(() => Object.assign(location, { hash: "story=1" }));
+        await page.getByTestId("hand-example").waitFor();
+        await open(page);
+        const problemsOf = locale === "en" ? barriers : barriersNow;
+        assert.deepEqual(await problemsOf(page), []);
+        await page.getByTestId("hand-example").click();
+        await page.getByTestId("latent-0").waitFor({ timeout: 60_000 });
+        assert.deepEqual(await problemsOf(page), [], "after the drawing");
+        assert.deepEqual(await overflowing(page), []);
+      });
+    });
 
 /** Keeps the wasm back until the returned function is called. */
 function hold() {
