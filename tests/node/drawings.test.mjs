@@ -1,10 +1,10 @@
 // Thirty drawings of many kinds: a model of each goes on with it for twenty seconds.
 import assert from "node:assert/strict";
 import { it } from "node:test";
+import { builtPackage } from "../../scripts/package.mjs";
 import { drawingModule, learner } from "../../scripts/lab/drawings.mjs";
-import { installedPackage } from "./package.mjs";
 
-const installed = await installedPackage();
+const vcgpdm = builtPackage();
 
 const LEAST = 27;
 
@@ -12,7 +12,7 @@ const LEAST = 27;
 for (const seed of [0, 100])
   it(`${LEAST} of 30 drawings go on, hands of seed ${seed}`, async () => {
     const [learn, { HANDS, strokesOf }] = await Promise.all([
-      learner(installed.vcgpdm),
+      learner(vcgpdm),
       drawingModule("drawings.fake"),
     ]);
     const stopped = HANDS.filter(
