@@ -19,6 +19,8 @@ export const words: LabWords = {
     trunk: "Rumpf",
     "left arm": "linker Arm",
     "right arm": "rechter Arm",
+    left: "links",
+    right: "rechts",
   },
   splits: {
     whole: "Ganzer Körper",
