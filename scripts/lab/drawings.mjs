@@ -16,8 +16,24 @@ const MIDDLE = /** @type {const} */ ([50, 66]);
 export const drawingModule = async (/** @type {string} */ name) =>
   /** @type {any} */ ((await runnerImport(at(`www/src/drawing/${name}.ts`), { configFile: false })).module);
 
-/** Learns what a hand drew, with the npm package: how the rollout compares with the drawing; null: too little. */
-export async function learner(/** @type {typeof import("vcgpdm")} */ { Table, Trainer, TrainingSet }) {
+/** Learns a drawing with the npm package: each pad is a part. */
+export function modelOf(
+  /** @type {typeof import("vcgpdm")} */ { Table, Trainer, TrainingSet },
+  /** @type {any} */ settings,
+  /** @type {any} */ { rows, rate },
+) {
+  const set = new TrainingSet();
+  const names = rows[0].map((/** @type {number} */ _, /** @type {number} */ axis) => `axis ${axis}`);
+  set.addTable(Table.of("drawing", names, new Float64Array(rows.flat()), 1 / rate));
+  const hands = names.length === 2 ? [0] : [0, 1];
+  const parts = hands.map((hand) => ({ name: `hand ${hand}`, columns: names.slice(2 * hand, 2 * hand + 2) }));
+  const trainer = new Trainer(set, { ...settings, framesPerSecond: rate, parts });
+  while (!trainer.step().done);
+  return trainer.model();
+}
+
+/** Learns what a hand drew: how the rollout compares with the drawing; null: too little. */
+export async function learner(/** @type {typeof import("vcgpdm")} */ vcgpdm) {
   const [{ drawingOf, DRAWING_SETTINGS }, { goesOn }] = await Promise.all(
     ["hand", "goes-on"].map(drawingModule),
   );
@@ -25,13 +41,8 @@ export async function learner(/** @type {typeof import("vcgpdm")} */ { Table, Tr
     const drawing = drawingOf([strokes]);
     if (!drawing) return null;
     const { rows, rate, lap } = drawing;
-    const set = new TrainingSet();
-    set.addTable(Table.of("drawing", ["x", "y"], new Float64Array(rows.flat()), 1 / rate));
-    const parts = [{ name: "hand", columns: ["x", "y"] }];
-    const trainer = new Trainer(set, { ...DRAWING_SETTINGS, framesPerSecond: rate, parts });
-    while (!trainer.step().done);
     const frames = Math.max(Math.round(SECONDS * rate), 3 * lap);
-    const values = trainer.model().rollout({ frames }).values();
+    const values = modelOf(vcgpdm, DRAWING_SETTINGS, drawing).rollout({ frames }).values();
     const path = Array.from({ length: frames }, (_, i) => [values[2 * i], values[2 * i + 1]]);
     return { ...drawing, ...goesOn(rows, path, lap) };
   };

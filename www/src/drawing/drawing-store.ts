@@ -11,11 +11,11 @@ import {
   type Drawing,
   DRAWING_SETTINGS,
   drawingOf,
+  drawnBeside,
   HEIGHT,
   LONGEST,
   onPad,
-  placeInLoop,
-  playedStrokes,
+  placeInRound,
   ROWS_A_SECOND,
   type Sample,
   WIDTH,
@@ -135,18 +135,13 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
 
   /** The drawing on both pads. A pad that was not drawn on plays what it has. */
   #joined(): { drawing: Drawing; pads: readonly Pad[] } | null {
-    const before = this.#drawn;
-    const seconds = Math.max(
-      ...[...this.#strokes.values()].map((strokes) => strokes.at(-1)?.at(-1)?.seconds ?? 0),
-    );
-    const pads = ([0, 1] as const).filter((pad) => this.#strokes.has(pad) || before?.pads.includes(pad));
-    const all = pads.map((pad) => {
-      const own = this.#strokes.get(pad);
-      if (own || !before) return own ?? [];
-      return playedStrokes(before.drawing.loop, before.pads.indexOf(pad), seconds);
-    });
-    const drawing = drawingOf(all);
-    return drawing && { drawing, pads };
+    const { drawing, pads: before = [] } = this.#drawn ?? {};
+    const pads = ([0, 1] as const).filter((pad) => this.#strokes.has(pad) || before.includes(pad));
+    const drawn = pads.filter((pad) => this.#strokes.has(pad));
+    const own = drawingOf(drawn.map((pad) => this.#strokes.get(pad) ?? []));
+    const played =
+      drawn.length < pads.length ? drawing?.rounds[before.indexOf(drawn[0] === 0 ? 1 : 0)] : null;
+    return own && { drawing: played ? drawnBeside(played, own, drawn[0] ?? 0) : own, pads };
   }
 
   async learn(drawing: Drawing, pads: readonly Pad[]): Promise<void> {
@@ -181,7 +176,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     const place = this.#placeOf(pad);
     if (!this.#drawn || place < 0) return null;
     if (this.isDrawing)
-      return placeInLoop(this.#drawn.drawing.loop, place, Math.max(0, now - this.#began) / 1000);
+      return placeInRound(this.#drawn.drawing.rounds[place] ?? [], Math.max(0, now - this.#began) / 1000);
     const frame = this.model.clock.frame;
     const [a, b] = [this.#at(place, Math.floor(frame)), this.#at(place, Math.ceil(frame))];
     return a && b ? a.map((value, i) => value + (frame % 1) * ((b[i] ?? value) - value)) : a;
