@@ -62,6 +62,7 @@ export class DrawingPage extends SeriesView {
             ? html`
           <button class="round primary" data-testid="draw-play" aria-label=${playing ? time.pause : time.play} @click=${() => this.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
           <pg-sound .app=${this.page} .hands=${() => this.#heights()}></pg-sound>
+          ${drawn.pads.length > 1 ? drawn.pads.map((pad) => html`<button class="small" data-testid="back-${pad}" title=${words.backMeaning} @click=${() => store.setBack(pad)}>${words.back(words.hands[pad] ?? "")}</button>`) : nothing}
           <button class="small" data-testid="draw-clear" @click=${() => store.clear()}>${words.again}</button>
           <label class="says"><span class="visually-hidden">${words.says}</span>
             <input data-testid="says" maxlength="80" placeholder=${words.says} .value=${this.settings.values.says}

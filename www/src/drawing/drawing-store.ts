@@ -1,4 +1,5 @@
 // A drawing of one hand or of two, and the model that goes on with it.
+import { isOff } from "../couplings/weights";
 import type { TrainedSeries } from "../engine/series-protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
 import { SeriesStore } from "../series/series-store";
@@ -16,6 +17,8 @@ import {
   LONGEST,
   onPad,
   placeInRound,
+  READS_A_SECOND,
+  type Rows,
   ROWS_A_SECOND,
   type Sample,
   WIDTH,
@@ -192,6 +195,14 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     );
   }
 
+  /** Sets a hand back by a quarter of its round. */
+  setBack(pad: Pad): void {
+    const { drawing, pads = [] } = this.#drawn ?? {};
+    const quarter = (round: Rows) => Math.round(((drawing?.rate ?? 0) * round.length) / READS_A_SECOND / 4);
+    this.model.setBack(pads.map((own, place) => (own === pad ? quarter(drawing?.rounds[place] ?? []) : 0)));
+    this.model.clock.play();
+  }
+
   /** The rows that the model learned of a pad; empty: it was not drawn on. */
   rows(pad: Pad): number[][] {
     const place = this.#placeOf(pad);
@@ -219,7 +230,17 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     if (this.ending.failed) return this.ending.words;
     if (!this.#drawn) return "";
     if (this.#lost !== undefined) return words.lost(words.hands[this.#lost] ?? "");
-    return this.#drawn.drawing.once ? words.once : words.goesOn;
+    const { once, tempo } = this.#drawn.drawing;
+    const on = once ? words.once : words.goesOn;
+    if (tempo === null && !this.#isCoupled) return `${on} ${words.apart}`;
+    const percent = Math.round(100 * Math.abs(1 - (tempo ?? 1)));
+    return percent > 0 ? `${on} ${words.paced(percent)}` : on;
+  }
+
+  /** Whether training found a coupling between the hands. */
+  get #isCoupled(): boolean {
+    const { couplings } = this.model;
+    return [0, 1].some((source) => !isOff(couplings.learnedWeight(source, 1 - source)));
   }
 
   /** The hand that does not go on as it was drawn; undefined: all do. */

@@ -2,7 +2,7 @@
 // drawn once only is repeated. No DOM.
 
 /** The pen is read so often a second. */
-const READS_A_SECOND = 60;
+export const READS_A_SECOND = 60;
 /** Every third reading is a row of the table: from row to row the pen should move visibly. */
 const EVERY = 3;
 /** A lap has at most as many rows: a slow drawing has fewer a second, because the pen moves less from row to row. */

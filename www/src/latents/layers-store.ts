@@ -1,6 +1,7 @@
 // What the plots of latent spaces show: inducing points, and a picture behind the path.
 import { Store } from "../ui/store";
 import type { Behind } from "./latent-drawing";
+import type { Future } from "./outlook-drawing";
 import type { Outlook, OutlookStore } from "./outlook-store";
 
 /** The inducing points that the plots show. */
@@ -10,16 +11,22 @@ export interface Layers {
   between: boolean;
 }
 
+/** What the picture shows of an outlook: of a body, or of tables, which have futures alone. */
+export interface ShownOutlook
+  extends Pick<OutlookStore, "on" | "isShown" | "show" | "seed" | "moments" | "pictureOf" | "drawOthers"> {
+  readonly futures: readonly Future[];
+}
+
 /** Futures and uncertainty with their drawing; they load when they are asked for. */
 export interface OpenedOutlook {
-  store: OutlookStore;
-  behindPath(store: OutlookStore): Behind | null;
+  store: ShownOutlook;
+  behindPath(store: ShownOutlook): Behind | null;
 }
 
 export class LayersStore extends Store {
   readonly #open: () => Promise<OpenedOutlook | null>;
   #shown: Layers = { pose: true, dynamics: true, between: false };
-  #outlook: OutlookStore | null = null;
+  #outlook: ShownOutlook | null = null;
   #behind: Behind | null = null;
 
   /** `open`: loads futures and uncertainty; null if they cannot be loaded. */
@@ -33,7 +40,7 @@ export class LayersStore extends Store {
   }
 
   /** Futures and uncertainty; null before their first use. */
-  get outlook(): OutlookStore | null {
+  get outlook(): ShownOutlook | null {
     return this.#outlook;
   }
 
@@ -48,16 +55,15 @@ export class LayersStore extends Store {
   }
 
   async toggleOutlook(outlook: Outlook): Promise<void> {
-    const opened = await this.#open();
-    if (!opened) return;
-    const { store, behindPath } = opened;
-    if (!this.#outlook) {
+    const opened = this.#outlook ? null : await this.#open();
+    if (opened) {
+      const { store, behindPath } = opened;
       this.#outlook = store;
       store.on(() => {
         this.#behind = behindPath(store);
         this.changed();
       });
     }
-    store.show(outlook, !store.isShown(outlook));
+    this.#outlook?.show(outlook, !this.#outlook.isShown(outlook));
   }
 }

@@ -1,11 +1,16 @@
 // Draws the outlook behind the path of a part: sampled futures, and the Gaussian of moment matching.
-import type { RolloutResult } from "../engine/protocol";
 import type { PartMoments } from "../engine/whole-protocol";
 import { partColourNow, theme } from "../ui/palette";
-import type { OutlookStore } from "./outlook-store";
+import type { ShownOutlook } from "./layers-store";
 import { ellipseOf, type Plane } from "./plane";
 import { interpolate } from "./prediction-at";
 import { type BandPoint, fillDot, traceBand, traceEllipse } from "./shapes";
+
+/** The latent path of each part in a sampled rollout. */
+export interface Future {
+  latents: readonly Float64Array[];
+  request: { frames: number };
+}
 
 /** Frames of the drawn trail: half a second. All laps together would be a tangle. */
 const TRAIL = 15;
@@ -23,7 +28,7 @@ export function drawPicture(
   draw: CanvasRenderingContext2D,
   plane: Plane,
   part: number,
-  outlook: OutlookStore,
+  outlook: ShownOutlook,
 ): void {
   const { section } = plane;
   if (!section) return;
@@ -38,7 +43,7 @@ export function drawFutures(
   plane: Plane,
   part: number,
   frame: number,
-  futures: readonly RolloutResult[],
+  futures: readonly Future[],
 ): void {
   draw.strokeStyle = draw.fillStyle = partColourNow(part);
   draw.lineWidth = 1.25;

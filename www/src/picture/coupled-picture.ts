@@ -20,6 +20,9 @@ export interface CoupledPicture {
 
 export function coupledPicture({ model, space, lead, problem, foot }: CoupledPicture) {
   const { couplings } = model;
+  const { layers } = space;
+  const { label, meaning } = lab().loops.futures;
+  const isShown = layers.outlook?.isShown("futures") ?? false;
   const isCoupled = (model.model?.info.parts.length ?? 0) > 1;
   const words = () => {
     if (problem) return html`<span class="bad" role="alert">${problem}</span>`;
@@ -38,6 +41,9 @@ export function coupledPicture({ model, space, lead, problem, foot }: CoupledPic
       }
       <p class="picture-lead" role="status">${words()}</p>
       <pg-loops .model=${model} .space=${space}></pg-loops>
+      <div class="marks"><button class="chip" data-testid="series-futures" aria-pressed=${isShown ? "true" : "false"} title=${meaning}
+        @click=${() => void layers.toggleOutlook("futures")}>${label}</button></div>
+      ${isShown ? html`<pg-outlook .outlook=${layers.outlook}></pg-outlook>` : nothing}
       ${foot}
     </div>`;
 }

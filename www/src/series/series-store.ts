@@ -48,12 +48,17 @@ interface Asked {
   request: SeriesRequest;
   /** Whether the rollout goes on from the frame now. */
   goesOn: boolean;
+  /** Frames by which each part is set back then. */
+  back?: readonly number[];
 }
 
 interface Rolled extends Asked {
   /** The frame of the rollout before that is the first one now. */
   first: number;
   rollout: SeriesRollout;
+  /** The request of its last frames, and what puts a rollout of these after those before. */
+  asked: SeriesRequest;
+  joined(next: SeriesRollout): SeriesRollout;
   /** The rollout from the same start under the learned couplings. */
   learned: SeriesRollout;
 }
@@ -214,6 +219,17 @@ export class SeriesStore extends Store implements Coupled {
     this.#request();
   }
 
+  /** Sampled rollouts that part from the one on show where its last frames were asked for. */
+  async sample(count: number, seed: number) {
+    const [opened, rolled] = [this.#opened, this.#rolled];
+    if (!opened || !rolled) return [];
+    const all = await this.#document.ask(opened.text, (worker) =>
+      worker.sampleSeries(rolled.asked, count, seed),
+    );
+    const request = { frames: rolled.rollout.values.length / opened.info.columns.length };
+    return all.map((next) => ({ ...rolled.joined(next), request }));
+  }
+
   /** The shown rollout as CSV: one row for each frame, with the columns of the model. */
   async csv(): Promise<string> {
     const [opened, rolled] = [this.#opened, this.#rolled];
@@ -228,8 +244,13 @@ export class SeriesStore extends Store implements Coupled {
     this.#request(true);
   }
 
+  /** Sets parts back by frames, each by its own: the motion goes on from there. */
+  setBack(back: readonly number[]): void {
+    this.#request(true, back);
+  }
+
   /** Without an end, changed couplings act from the frame now; those as learned begin as the table did. */
-  #request(goesOn = this.endless !== null && this.couplings.altered): void {
+  #request(goesOn = this.endless !== null && this.couplings.altered, back: readonly number[] = []): void {
     const { info } = this.#opened ?? {};
     this.changed();
     if (!info) return;
@@ -239,10 +260,10 @@ export class SeriesStore extends Store implements Coupled {
     const request = { ...learned, observed, ...(altered ? { alpha, reading } : {}) };
     // A later request may replace one that begins before it was shown.
     this.#begins ||= !goesOn;
-    this.#rollouts.request({ request, goesOn: !this.#begins });
+    this.#rollouts.request({ request, goesOn: !this.#begins, back });
   }
 
-  async #roll({ request, goesOn }: Asked, opened = this.#opened): Promise<Rolled> {
+  async #roll({ request, goesOn, back }: Asked, opened = this.#opened): Promise<Rolled> {
     if (!opened) throw new Error(seriesWords().noModel);
     const { text, info } = opened;
     const ask = (asked: SeriesRequest) => this.#document.ask(text, (worker) => worker.rolloutSeries(asked));
@@ -251,10 +272,11 @@ export class SeriesStore extends Store implements Coupled {
     const isSame = now?.request.sequence === sequence && now.request.frames === frames;
     const learned = isSame ? now.learned : await ask(this.#asLearned(info, sequence));
     const { frame, lastFrame } = this.clock;
-    const past = goesOn && now ? goingOn(now.rollout, lastFrame + 1, frame, info.order ?? 1) : null;
+    const past = goesOn && now ? goingOn(now.rollout, [lastFrame + 1, frame, info.order ?? 1], back) : null;
     const asked = past ? { ...request, start: past.start } : request;
     const next = past || asked.alpha || asked.observed ? await ask(asked) : learned;
-    return { request, goesOn, learned, rollout: past?.joined(next) ?? next, first: past?.first ?? 0 };
+    const joined = past?.joined ?? ((next: SeriesRollout) => next);
+    return { request, goesOn, learned, rollout: joined(next), first: past?.first ?? 0, asked, joined };
   }
 
   #show(rolled: Rolled): void {

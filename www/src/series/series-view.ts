@@ -28,7 +28,13 @@ export abstract class SeriesView extends View {
 
   protected get space(): Space {
     this.#space ??= {
-      layers: new LayersStore(async () => null),
+      layers: new LayersStore(async () => {
+        const [{ behindPath }, { SeriesOutlook }] = await Promise.all([
+          import("../latents/outlook"),
+          import("./series-outlook"),
+        ]);
+        return { store: new SeriesOutlook(this.shown), behindPath };
+      }),
       settings: this.settings,
       playback: this.shown.clock,
     };

@@ -2,7 +2,13 @@
 import { Model, type Rollout, Table, Trainer, TrainingSet } from "vcgpdm";
 import { MAX_PARTS } from "../engine/limits";
 import type { ModelInfo } from "../engine/protocol";
-import type { OpenedSeries, SeriesRequest, SeriesWorker, TableSource } from "../engine/series-protocol";
+import type {
+  OpenedSeries,
+  SeriesRequest,
+  SeriesRollout,
+  SeriesWorker,
+  TableSource,
+} from "../engine/series-protocol";
 import { follow } from "./follow";
 import { inducingOf } from "./inducing";
 import { transfer, using } from "./using";
@@ -46,14 +52,22 @@ async function setOf(tables: readonly TableSource[]): Promise<TrainingSet> {
   }
 }
 
-function withRollout<Found>(
-  { observed, ...options }: SeriesRequest,
-  look: (rollout: Rollout, parts: number) => Found,
-): Found {
+function opened() {
   if (!open) throw new Error("There is no model yet: open one.");
-  const { model, parts } = open;
-  const rollout = observed ? model.fill(observed, options) : model.rollout(options);
-  return using(rollout, (rollout) => look(rollout, parts));
+  return open;
+}
+
+function rolled({ observed, ...options }: SeriesRequest): Rollout {
+  const { model } = opened();
+  return observed ? model.fill(observed, options) : model.rollout(options);
+}
+
+function columnsOf(rollout: Rollout): SeriesRollout {
+  const all = rollout.weights();
+  const weights = all.length > 0 ? all : null;
+  const { parts } = opened();
+  const latents = weights ? Array.from({ length: parts }, (_, part) => rollout.latents(part)) : [];
+  return { values: rollout.values(), latents, weights };
 }
 
 export const seriesWorker: SeriesWorker = {
@@ -68,15 +82,15 @@ export const seriesWorker: SeriesWorker = {
       (problem: unknown) => (problem instanceof Error ? problem.message : String(problem)),
     ),
   openSeries: openModel,
-  rolloutSeries: (request) =>
-    withRollout(request, (rollout, parts) => {
-      const all = rollout.weights();
-      const weights = all.length > 0 ? all : null;
-      const latents = weights ? Array.from({ length: parts }, (_, part) => rollout.latents(part)) : [];
-      const values = rollout.values();
-      return transfer({ values, latents, weights }, values, ...latents);
-    }),
-  seriesCsv: (request) => withRollout(request, (rollout) => rollout.toCsv()),
+  rolloutSeries(request) {
+    const found = using(rolled(request), columnsOf);
+    return transfer(found, found.values, ...found.latents);
+  },
+  sampleSeries: ({ observed: _, ...options }, count, seed) =>
+    opened()
+      .model.sampledRollouts(options, count, seed)
+      .map((rollout) => using(rollout, columnsOf)),
+  seriesCsv: (request) => using(rolled(request), (rollout) => rollout.toCsv()),
   trainSeries: async ({ tables, settings }, report, signal) =>
     using(
       using(await setOf(tables), (set) => new Trainer(set, settings)),
