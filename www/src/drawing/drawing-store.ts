@@ -42,7 +42,6 @@ export function drawingFile({ rows, rate }: Pick<Drawing, "rows" | "rate">, pads
 
 export class DrawingStore extends ProgressStore<TrainedSeries> {
   readonly model: SeriesStore;
-  readonly #workers: WholeWorkers;
   /** The strokes of the pads that are drawn on now. */
   readonly #strokes = new Map<Pad, Sample[][]>();
   /** The pads that a pen touches now. */
@@ -60,9 +59,8 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   /** Counts the drawings: a training that ends after the next one began is of no use. */
   #newest = 0;
 
-  constructor(workers: WholeWorkers) {
+  constructor(private readonly workers: WholeWorkers) {
     super();
-    this.#workers = workers;
     this.model = new SeriesStore(workers, new TablesStore(workers), AT_A_TIME);
     this.model.on(() => this.changed());
   }
@@ -106,8 +104,8 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     if (this.#woken) return;
     this.#woken = true;
     // The training itself says what went wrong.
-    this.#workers.pool.run(async () => {}).catch(() => {});
-    this.#workers.desk.run(async () => {}).catch(() => {});
+    this.workers.pool.run(async () => {}).catch(() => {});
+    this.workers.desk.run(async () => {}).catch(() => {});
   }
 
   #forgetTraining(): void {
@@ -160,7 +158,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     // The measure arrives while the model learns: a first visit does without it.
     const measure = import("./goes-on");
     const found = await this.run(async (report, signal) => {
-      const trained = this.#workers.pool.run((worker) => worker.trainSeries(job, report, signal), signal);
+      const trained = this.workers.pool.run((worker) => worker.trainSeries(job, report, signal), signal);
       [this.#goesOn] = await Promise.all([measure.then(({ goesOn }) => goesOn), trained]);
       return trained;
     });

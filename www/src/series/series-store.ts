@@ -68,7 +68,6 @@ export class SeriesStore extends Store implements Coupled {
   /** Only a vCGPDM or vGPDM has couplings; empty for other kinds of models. */
   readonly couplings = new CouplingsStore(() => this.#request());
   readonly #document: OpenDocument<WholeCalls, OpenedSeries>;
-  readonly #tables: TablesStore;
   readonly #rollouts: Latest<Asked, Rolled>;
   readonly #given = new GivenColumns();
   #opened: OpenModel | null = null;
@@ -83,12 +82,11 @@ export class SeriesStore extends Store implements Coupled {
   /** `endless`: the frames of each rollout of a motion that goes on without an end; null: a rollout ends. */
   constructor(
     { desk }: Pick<WholeWorkers, "desk">,
-    tables: TablesStore,
+    private readonly tables: TablesStore,
     private readonly endless: number | null = null,
   ) {
     super();
     this.#document = new OpenDocument(desk, (worker, text) => worker.openSeries(text));
-    this.#tables = tables;
     // The visitor may have opened or removed the table that the rollout starts from.
     tables.on(() => (this.#given.isEmpty ? this.changed() : this.#request()));
     this.#rollouts = new Latest(
@@ -136,7 +134,7 @@ export class SeriesStore extends Store implements Coupled {
    */
   get recorded(): TableEntry | null {
     const { sha256 } = this.#opened?.info.sequences[this.#sequence] ?? {};
-    return this.#tables.all.find(({ info }) => info.sha256 === sha256) ?? null;
+    return this.tables.all.find(({ info }) => info.sha256 === sha256) ?? null;
   }
 
   /** The unsaved model, which would be lost; null if there is none. */
