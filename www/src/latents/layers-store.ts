@@ -1,7 +1,6 @@
 // What the plots of latent spaces show: inducing points, and a picture behind the path.
 import { Store } from "../ui/store";
 import type { Behind } from "./latent-drawing";
-import type { Future } from "./outlook-drawing";
 import type { Outlook, OutlookStore } from "./outlook-store";
 
 /** The inducing points that the plots show. */
@@ -11,23 +10,18 @@ export interface Layers {
   between: boolean;
 }
 
-/** What the picture shows of an outlook: of a body, or of tables, which have futures alone. */
-export interface ShownOutlook
-  extends Pick<OutlookStore, "on" | "isShown" | "show" | "seed" | "moments" | "pictureOf" | "drawOthers"> {
-  readonly futures: readonly Future[];
-}
-
 /** Futures and uncertainty with their drawing; they load when they are asked for. */
 export interface OpenedOutlook {
-  store: ShownOutlook;
-  behindPath(store: ShownOutlook): Behind | null;
+  store: OutlookStore;
+  behindPath(store: OutlookStore): Behind | null;
 }
 
 export class LayersStore extends Store {
   readonly #open: () => Promise<OpenedOutlook | null>;
   #shown: Layers = { pose: true, dynamics: true, between: false };
-  #outlook: ShownOutlook | null = null;
-  #behind: Behind | null = null;
+  #outlook: OutlookStore | null = null;
+  /** Draws behind the path; null: nothing is there. */
+  behind: Behind | null = null;
 
   /** `open`: loads futures and uncertainty; null if they cannot be loaded. */
   constructor(open: () => Promise<OpenedOutlook | null>) {
@@ -40,13 +34,8 @@ export class LayersStore extends Store {
   }
 
   /** Futures and uncertainty; null before their first use. */
-  get outlook(): ShownOutlook | null {
+  get outlook(): OutlookStore | null {
     return this.#outlook;
-  }
-
-  /** Draws behind the path; null: nothing is there. */
-  get behind(): Behind | null {
-    return this.#behind;
   }
 
   toggle(layer: keyof Layers): void {
@@ -55,15 +44,16 @@ export class LayersStore extends Store {
   }
 
   async toggleOutlook(outlook: Outlook): Promise<void> {
-    const opened = this.#outlook ? null : await this.#open();
-    if (opened) {
-      const { store, behindPath } = opened;
+    const opened = await this.#open();
+    if (!opened) return;
+    const { store, behindPath } = opened;
+    if (!this.#outlook) {
       this.#outlook = store;
       store.on(() => {
-        this.#behind = behindPath(store);
+        this.behind = behindPath(store);
         this.changed();
       });
     }
-    this.#outlook?.show(outlook, !this.#outlook.isShown(outlook));
+    store.show(outlook, !store.isShown(outlook));
   }
 }

@@ -1,7 +1,7 @@
 // Draws the outlook behind the path of a part: sampled futures, and the Gaussian of moment matching.
 import type { PartMoments } from "../engine/whole-protocol";
 import { partColourNow, theme } from "../ui/palette";
-import type { ShownOutlook } from "./layers-store";
+import type { OutlookStore } from "./outlook-store";
 import { ellipseOf, type Plane } from "./plane";
 import { interpolate } from "./prediction-at";
 import { type BandPoint, fillDot, traceBand, traceEllipse } from "./shapes";
@@ -28,7 +28,7 @@ export function drawPicture(
   draw: CanvasRenderingContext2D,
   plane: Plane,
   part: number,
-  outlook: ShownOutlook,
+  outlook: OutlookStore,
 ): void {
   const { section } = plane;
   if (!section) return;

@@ -5,14 +5,13 @@ import { View } from "../ui/view";
 import { lab } from "../words/lab";
 import type { Behind } from "./latent-drawing";
 import { drawFutures, drawMoments, drawPicture } from "./outlook-drawing";
-import type { ShownOutlook } from "./layers-store";
-import { FUTURES } from "./outlook-store";
+import { FUTURES, type OutlookStore } from "./outlook-store";
 import "./outlook.css";
 
 export { OutlookStore } from "./outlook-store";
 
 /** The drawing behind the path; null if there is nothing to draw. */
-export function behindPath(outlook: ShownOutlook): Behind | null {
+export function behindPath(outlook: OutlookStore): Behind | null {
   const { futures, moments } = outlook;
   if (futures.length === 0 && !moments && !outlook.isShown("certainty")) return null;
   return (draw, plane, part, frame) => {
@@ -24,7 +23,7 @@ export function behindPath(outlook: ShownOutlook): Behind | null {
 }
 
 class OutlookView extends View {
-  declare outlook: ShownOutlook;
+  declare outlook: OutlookStore;
 
   protected override stores() {
     return [this.outlook];

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { Coupled } from "../couplings/coupled";
 import { readingChoice } from "../couplings/reading-choice";
+import type { Future } from "../latents/outlook-drawing";
 import type { Space } from "../latents/latent-plot";
 import { icon } from "../ui/icons";
 import { lab } from "../words/lab";
@@ -9,7 +10,7 @@ import "./loops-view";
 import "./picture.css";
 
 export interface CoupledPicture {
-  model: Coupled;
+  model: Coupled & { seed: number; futures: readonly Future[]; showFutures(seed: number): void };
   space: Space;
   /** What to try while the couplings are as learned. */
   lead: string;
@@ -18,11 +19,24 @@ export interface CoupledPicture {
   foot: TemplateResult | typeof nothing;
 }
 
+/** Futures behind the loops, and others at a wish. */
+function futuresChoice(model: CoupledPicture["model"], layers: Space["layers"]) {
+  const { futures, fiveOthers } = lab().loops;
+  const show = async (seed: number) => {
+    const { drawFutures } = await import("../latents/outlook-drawing");
+    layers.behind = (draw, plane, part, frame) => drawFutures(draw, plane, part, frame, model.futures);
+    model.showFutures(seed);
+  };
+  const { seed } = model;
+  return html`
+    <div class="marks">
+      <button class="chip" data-testid="series-futures" aria-pressed=${seed > 0 ? "true" : "false"} title=${futures.meaning} @click=${() => void show(seed > 0 ? 0 : 1)}>${futures.label}</button>
+      ${seed > 0 ? html`<button class="small" data-testid="other-futures" @click=${() => void show(seed + 5)}>${fiveOthers}</button>` : nothing}
+    </div>`;
+}
+
 export function coupledPicture({ model, space, lead, problem, foot }: CoupledPicture) {
   const { couplings } = model;
-  const { layers } = space;
-  const { label, meaning } = lab().loops.futures;
-  const isShown = layers.outlook?.isShown("futures") ?? false;
   const isCoupled = (model.model?.info.parts.length ?? 0) > 1;
   const words = () => {
     if (problem) return html`<span class="bad" role="alert">${problem}</span>`;
@@ -41,9 +55,7 @@ export function coupledPicture({ model, space, lead, problem, foot }: CoupledPic
       }
       <p class="picture-lead" role="status">${words()}</p>
       <pg-loops .model=${model} .space=${space}></pg-loops>
-      <div class="marks"><button class="chip" data-testid="series-futures" aria-pressed=${isShown ? "true" : "false"} title=${meaning}
-        @click=${() => void layers.toggleOutlook("futures")}>${label}</button></div>
-      ${isShown ? html`<pg-outlook .outlook=${layers.outlook}></pg-outlook>` : nothing}
+      ${model.model ? futuresChoice(model, space.layers) : nothing}
       ${foot}
     </div>`;
 }

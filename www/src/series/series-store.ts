@@ -10,6 +10,7 @@ import type {
   TrainedSeries,
 } from "../engine/series-protocol";
 import { OpenDocument } from "../engine/open-document";
+import type { Future } from "../latents/outlook-drawing";
 import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
 import { download } from "../ui/download";
 import { messageOf } from "../ui/format";
@@ -41,6 +42,8 @@ interface OpenModel extends OpenedSeries {
   unsaved: boolean;
 }
 
+const FUTURES = 5;
+
 /** A motion without an end goes on when this share of its rollout has been shown. */
 const SHOWN = 0.7;
 
@@ -56,9 +59,8 @@ interface Rolled extends Asked {
   /** The frame of the rollout before that is the first one now. */
   first: number;
   rollout: SeriesRollout;
-  /** The request of its last frames, and what puts a rollout of these after those before. */
-  asked: SeriesRequest;
-  joined(next: SeriesRollout): SeriesRollout;
+  /** Sampled rollouts of the same frames. */
+  futures: Future[];
   /** The rollout from the same start under the learned couplings. */
   learned: SeriesRollout;
 }
@@ -72,6 +74,8 @@ export class SeriesStore extends Store implements Coupled {
   readonly #given = new GivenColumns();
   #opened: OpenModel | null = null;
   #sequence = 0;
+  /** The seed of the first future; 0: there are none. */
+  seed = 0;
   #rolled: Rolled | null = null;
   /** Whether the next frames of a motion without an end were asked for. */
   #asksNext = false;
@@ -217,15 +221,14 @@ export class SeriesStore extends Store implements Coupled {
     this.#request();
   }
 
-  /** Sampled rollouts that part from the one on show where its last frames were asked for. */
-  async sample(count: number, seed: number) {
-    const [opened, rolled] = [this.#opened, this.#rolled];
-    if (!opened || !rolled) return [];
-    const all = await this.#document.ask(opened.text, (worker) =>
-      worker.sampleSeries(rolled.asked, count, seed),
-    );
-    const request = { frames: rolled.rollout.values.length / opened.info.columns.length };
-    return all.map((next) => ({ ...rolled.joined(next), request }));
+  get futures(): readonly Future[] {
+    return this.#rolled?.futures ?? [];
+  }
+
+  /** Shows five sampled rollouts of the seeds from this one on, without an end from now on; 0: none. */
+  showFutures(seed: number): void {
+    this.seed = seed;
+    this.#request(this.endless !== null);
   }
 
   /** The shown rollout as CSV: one row for each frame, with the columns of the model. */
@@ -274,7 +277,13 @@ export class SeriesStore extends Store implements Coupled {
     const asked = past ? { ...request, start: past.start } : request;
     const next = past || asked.alpha || asked.observed ? await ask(asked) : learned;
     const joined = past?.joined ?? ((next: SeriesRollout) => next);
-    return { request, goesOn, learned, rollout: joined(next), first: past?.first ?? 0, asked, joined };
+    const rollout = joined(next);
+    const of = { request: { frames: rollout.values.length / info.columns.length } };
+    const sampled = await (this.seed > 0
+      ? this.#document.ask(text, (worker) => worker.sampleSeries(asked, FUTURES, this.seed))
+      : []);
+    const futures = sampled.map((future) => ({ ...joined(future), ...of }));
+    return { request, goesOn, learned, rollout, futures, first: past?.first ?? 0 };
   }
 
   #show(rolled: Rolled): void {

@@ -28,13 +28,7 @@ export abstract class SeriesView extends View {
 
   protected get space(): Space {
     this.#space ??= {
-      layers: new LayersStore(async () => {
-        const [{ behindPath }, { SeriesOutlook }] = await Promise.all([
-          import("../latents/outlook"),
-          import("./series-outlook"),
-        ]);
-        return { store: new SeriesOutlook(this.shown), behindPath };
-      }),
+      layers: new LayersStore(async () => null),
       settings: this.settings,
       playback: this.shown.clock,
     };

@@ -11,7 +11,6 @@ import { visitor } from "../unsaved/choice-dialog.fake";
 import { curvesOf } from "./series-curves";
 import { openSeries, type Series } from "./series";
 import { goingOn } from "./going-on";
-import { SeriesOutlook } from "./series-outlook";
 import { SeriesStore } from "./series-store";
 
 vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));
@@ -232,22 +231,19 @@ describe("a model of tables", () => {
     });
   });
 
-  it("has futures from where its rollout was asked for last, others at a wish, and none when hidden", async () => {
+  it("has futures from where its rollout was asked for last, and none when hidden", async () => {
     const model = new SeriesStore(program, series.tables, 100);
     await model.open(seriesText(["a.csv"]));
-    const outlook = new SeriesOutlook(model);
-    outlook.show("futures", true);
+    const firsts = () => model.futures.map(({ latents }) => latents[0]?.at(-1));
+    model.showFutures(1);
     await settled();
-    const firsts = () => outlook.futures.map(({ latents }) => latents[0]?.at(-1));
     expect(firsts()).toEqual([1, 2, 3, 4, 5]);
-    outlook.drawOthers();
-    await settled();
-    expect([firsts()[0], outlook.futures[0]?.request.frames]).toEqual([6, 100]);
     model.clock.seek(80);
     await settled();
-    expect([outlook.futures[0]?.request.frames, outlook.futures[0]?.latents[0]?.length]).toEqual([128, 256]);
-    outlook.show("futures", false);
-    expect(outlook.futures).toEqual([]);
+    expect([model.futures[0]?.request.frames, model.futures[0]?.latents[0]?.length]).toEqual([128, 256]);
+    model.showFutures(0);
+    await settled();
+    expect(model.futures).toEqual([]);
   });
 
   it("begins as another table when asked to", async () => {
