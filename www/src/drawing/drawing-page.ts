@@ -1,6 +1,6 @@
 // The view Draw: the pads of two hands, and the picture of loops and couplings of the model that goes on.
 import { html, nothing } from "lit";
-import { coupledPicture } from "../picture/coupled-picture";
+import { coupledPicture } from "../series/coupled-picture";
 import { SeriesView } from "../series/series-view";
 import { download } from "../ui/download";
 import { icon } from "../ui/icons";

@@ -42,7 +42,7 @@ interface OpenModel extends OpenedSeries {
   unsaved: boolean;
 }
 
-const FUTURES = 5;
+export const FUTURES = 5;
 
 /** A motion without an end goes on when this share of its rollout has been shown. */
 const SHOWN = 0.7;

@@ -13,7 +13,7 @@ import { follow } from "./follow";
 import { inducingOf } from "./inducing";
 import { transfer, using } from "./using";
 
-let open: { model: Model; parts: number } | null = null;
+let open: Model | null = null;
 
 function openModel(text: string): OpenedSeries {
   const model = Model.fromJson(text);
@@ -27,8 +27,8 @@ function openModel(text: string): OpenedSeries {
         : `expected a model of ${MAX_PARTS} parts at most, found ${parts.length}`,
     );
   }
-  open?.model.free();
-  open = { model, parts: parts.length };
+  open?.free();
+  open = model;
   // Other kinds of models have no inducing points.
   const inducing = info.alpha
     ? inducingOf(model, info as ModelInfo)
@@ -58,16 +58,14 @@ function opened() {
 }
 
 function rolled({ observed, ...options }: SeriesRequest): Rollout {
-  const { model } = opened();
+  const model = opened();
   return observed ? model.fill(observed, options) : model.rollout(options);
 }
 
 function columnsOf(rollout: Rollout): SeriesRollout {
-  const all = rollout.weights();
-  const weights = all.length > 0 ? all : null;
-  const { parts } = opened();
-  const latents = weights ? Array.from({ length: parts }, (_, part) => rollout.latents(part)) : [];
-  return { values: rollout.values(), latents, weights };
+  const [values, all] = [rollout.values(), rollout.weights()];
+  if (all.length === 0) return { values, latents: [], weights: null };
+  return { values, latents: all.map((_, part) => rollout.latents(part)), weights: all };
 }
 
 export const seriesWorker: SeriesWorker = {
@@ -88,7 +86,7 @@ export const seriesWorker: SeriesWorker = {
   },
   sampleSeries: ({ observed: _, ...options }, count, seed) =>
     opened()
-      .model.sampledRollouts(options, count, seed)
+      .sampledRollouts(options, count, seed)
       .map((rollout) => using(rollout, columnsOf)),
   seriesCsv: (request) => using(rolled(request), (rollout) => rollout.toCsv()),
   trainSeries: async ({ tables, settings }, report, signal) =>

@@ -1,16 +1,15 @@
 // The picture of a model without a body: the reading, the loops and the couplings between them, and a foot.
 import { html, nothing, type TemplateResult } from "lit";
-import type { Coupled } from "../couplings/coupled";
 import { readingChoice } from "../couplings/reading-choice";
-import type { Future } from "../latents/outlook-drawing";
 import type { Space } from "../latents/latent-plot";
 import { icon } from "../ui/icons";
 import { lab } from "../words/lab";
-import "./loops-view";
-import "./picture.css";
+import { FUTURES, type SeriesStore } from "./series-store";
+import "../picture/loops-view";
+import "../picture/picture.css";
 
 export interface CoupledPicture {
-  model: Coupled & { seed: number; futures: readonly Future[]; showFutures(seed: number): void };
+  model: SeriesStore;
   space: Space;
   /** What to try while the couplings are as learned. */
   lead: string;
@@ -20,7 +19,7 @@ export interface CoupledPicture {
 }
 
 /** Futures behind the loops, and others at a wish. */
-function futuresChoice(model: CoupledPicture["model"], layers: Space["layers"]) {
+function futuresChoice(model: SeriesStore, { layers }: Space) {
   const { futures, fiveOthers } = lab().loops;
   const show = async (seed: number) => {
     const { drawFutures } = await import("../latents/outlook-drawing");
@@ -31,7 +30,7 @@ function futuresChoice(model: CoupledPicture["model"], layers: Space["layers"]) 
   return html`
     <div class="marks">
       <button class="chip" data-testid="series-futures" aria-pressed=${seed > 0 ? "true" : "false"} title=${futures.meaning} @click=${() => void show(seed > 0 ? 0 : 1)}>${futures.label}</button>
-      ${seed > 0 ? html`<button class="small" data-testid="other-futures" @click=${() => void show(seed + 5)}>${fiveOthers}</button>` : nothing}
+      ${seed > 0 ? html`<button class="small" data-testid="other-futures" @click=${() => void show(seed + FUTURES)}>${fiveOthers}</button>` : nothing}
     </div>`;
 }
 
@@ -55,7 +54,7 @@ export function coupledPicture({ model, space, lead, problem, foot }: CoupledPic
       }
       <p class="picture-lead" role="status">${words()}</p>
       <pg-loops .model=${model} .space=${space}></pg-loops>
-      ${model.model ? futuresChoice(model, space.layers) : nothing}
+      ${model.model ? futuresChoice(model, space) : nothing}
       ${foot}
     </div>`;
 }
