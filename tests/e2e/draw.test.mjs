@@ -83,7 +83,7 @@ it("a model goes on with one hand, then with two, whose couplings can be changed
   await soon(async () => assert.equal(await play.getAttribute("aria-label"), "Play"));
   const loop = page.locator("pg-drawing .plot").first();
   const bare = await loop.screenshot();
-  await page.getByTestId("series-futures").click();
+  await page.getByTestId("futures").click();
   await page.getByTestId("other-futures").waitFor();
   await soon(async () => assert.ok(!(await loop.screenshot()).equals(bare), "futures are drawn"));
 

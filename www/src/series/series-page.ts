@@ -1,6 +1,6 @@
 // The view of time series without a body: the picture of the Lab, with curves in place of the figure.
 import { html, nothing } from "lit";
-import { coupledPicture } from "./coupled-picture";
+import { coupledPicture } from "../picture/coupled-picture";
 import { progressRow } from "../training/progress-row";
 import { download } from "../ui/download";
 import { messageOf } from "../ui/format";
