@@ -78,12 +78,11 @@ export class LearnedCycle {
     const start = (this.#first - this.#order + 1) * this.#dimensions;
     let sum = 0;
     for (let i = 0; i < width; i++) {
-      const values = Array.from(
-        { length: this.frames },
-        (_, k) => this.#path[start + k * this.#dimensions + i]!,
-      );
-      const mean = values.reduce((sum, value) => sum + value, 0) / this.frames;
-      for (const value of values) sum += (value - mean) ** 2 / this.frames;
+      let mean = 0;
+      for (let k = 0; k < this.frames; k++)
+        mean += this.#path[start + k * this.#dimensions + i]! / this.frames;
+      for (let k = 0; k < this.frames; k++)
+        sum += (this.#path[start + k * this.#dimensions + i]! - mean) ** 2 / this.frames;
     }
     return Math.sqrt(sum);
   }

@@ -7,17 +7,15 @@ import type { Marks, StageStore } from "../stage/stage-store";
 import { Store } from "../ui/store";
 
 export class PointingStore extends Store {
+  readonly #stage: StageStore;
   #model: ModelView | null = null;
   #point: InducingPoint | null = null;
   #report: InducingReport | null = null;
   readonly #reports: Latest<InducingPoint, InducingReport | null>;
 
-  constructor(
-    engine: EngineStore,
-    model: ModelStore,
-    private readonly stage: StageStore,
-  ) {
+  constructor(engine: EngineStore, model: ModelStore, stage: StageStore) {
     super();
+    this.#stage = stage;
     this.#reports = new Latest(
       async (point) => (await engine.engine?.inducing(point, model.rolloutRequest())) ?? null,
       (report, point) => {
@@ -55,7 +53,7 @@ export class PointingStore extends Store {
 
   #show(report: InducingReport | null): void {
     this.#report = report;
-    this.stage.mark(report && marksOf(report));
+    this.#stage.mark(report && marksOf(report));
     this.changed();
   }
 }

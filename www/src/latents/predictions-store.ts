@@ -12,6 +12,7 @@ const QUIET = 80;
 const LONGEST = 300;
 
 export class PredictionsStore extends Store {
+  readonly #model: ModelStore;
   readonly #reports: Latest<RolloutRequest, PredictionsReport | null>;
   #visible = true;
   #report: PredictionsReport | null = null;
@@ -21,11 +22,9 @@ export class PredictionsStore extends Store {
   /** The time since which a request waits. */
   #since: number | null = null;
 
-  constructor(
-    engine: EngineStore,
-    private readonly model: ModelStore,
-  ) {
+  constructor(engine: EngineStore, model: ModelStore) {
     super();
+    this.#model = model;
     this.#reports = new Latest(
       async (request) => (await engine.engine?.predictions(request)) ?? null,
       (report) => this.#take(report),
@@ -55,7 +54,7 @@ export class PredictionsStore extends Store {
   }
 
   #follow(): void {
-    const { rollout } = this.model;
+    const { rollout } = this.#model;
     if (rollout === this.#asked || !this.#visible) return;
     this.#asked = rollout;
     if (this.#report && !this.#fits(this.#report)) this.#take(null);
@@ -81,7 +80,7 @@ export class PredictionsStore extends Store {
   }
 
   #fits({ revision, request }: PredictionsReport): boolean {
-    const { rollout } = this.model;
+    const { rollout } = this.#model;
     return rollout !== null && revision === rollout.revision && sameTimes(request, rollout.request);
   }
 

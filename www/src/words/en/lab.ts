@@ -37,7 +37,7 @@ export const words = {
     help: "Help and keys",
     newVersion: "Load new version",
     newVersionMeaning:
-      "A new version of this page is there. Loading it begins anew: save first what you want to keep.",
+      "A new version is there. Loading it begins anew: save first what you want to keep.",
   },
   page: {
     panels: { learn: "Learn", more: "More", numbers: "Numbers" },
