@@ -16,18 +16,17 @@ const MIDDLE = /** @type {const} */ ([50, 66]);
 export const drawingModule = async (/** @type {string} */ name) =>
   /** @type {any} */ ((await runnerImport(at(`www/src/drawing/${name}.ts`), { configFile: false })).module);
 
-/** Learns a drawing with the npm package: each pad is a part. */
+/** Learns a drawing with the npm package `vc`: each pad is a part. */
 export function modelOf(
-  /** @type {typeof import("vcgpdm")} */ { Table, Trainer, TrainingSet },
+  /** @type {any} */ vc,
   /** @type {any} */ settings,
   /** @type {any} */ { rows, rate },
 ) {
-  const set = new TrainingSet();
-  const names = rows[0].map((/** @type {number} */ _, /** @type {number} */ axis) => `axis ${axis}`);
-  set.addTable(Table.of("drawing", names, new Float64Array(rows.flat()), 1 / rate));
-  const hands = names.length === 2 ? [0] : [0, 1];
-  const parts = hands.map((hand) => ({ name: `hand ${hand}`, columns: names.slice(2 * hand, 2 * hand + 2) }));
-  const trainer = new Trainer(set, { ...settings, framesPerSecond: rate, parts });
+  const set = new vc.TrainingSet();
+  const names = ["x", "y", "x2", "y2"].slice(0, rows[0].length);
+  set.addTable(vc.Table.of("drawing", names, new Float64Array(rows.flat()), 1 / rate));
+  const parts = names.flatMap((name, i) => (i % 2 ? [{ name, columns: names.slice(i - 1, i + 1) }] : []));
+  const trainer = new vc.Trainer(set, { ...settings, framesPerSecond: rate, parts });
   while (!trainer.step().done);
   return trainer.model();
 }

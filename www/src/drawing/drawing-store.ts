@@ -4,6 +4,7 @@ import type { TrainedSeries } from "../engine/series-protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
 import { SeriesStore } from "../series/series-store";
 import { TablesStore } from "../series/tables-store";
+import type { SettingsStore } from "../settings/settings-store";
 import { ProgressStore } from "../training/progress-store";
 import { drawingWords } from "./view-words";
 import { circle, drawnBy, eight } from "./example";
@@ -277,4 +278,19 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     this.#drawn = null;
     this.changed();
   }
+}
+
+/** Keeps drawings in the address: a first visit loads what this needs when a hand begins to draw. */
+export function linkDrawings(store: DrawingStore, settings: SettingsStore): void {
+  let link: Promise<void> | null = null;
+  const look = () => {
+    if (link || !(settings.values.drawing || store.isDrawing || store.busy)) return;
+    link = import("./link").then(({ keepInAddress }) => keepInAddress(store, settings));
+    link.catch(() => {
+      link = null;
+    });
+  };
+  store.on(look);
+  settings.on(look);
+  look();
 }

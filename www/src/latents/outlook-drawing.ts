@@ -6,11 +6,8 @@ import { ellipseOf, type Plane } from "./plane";
 import { interpolate } from "./prediction-at";
 import { type BandPoint, fillDot, traceBand, traceEllipse } from "./shapes";
 
-/** The latent path of each part in a sampled rollout. */
-export interface Future {
-  latents: readonly Float64Array[];
-  request: { frames: number };
-}
+/** A sampled rollout. */
+export type Future = { latents: readonly Float64Array[]; request: { frames: number } };
 
 /** Frames of the drawn trail: half a second. All laps together would be a tangle. */
 const TRAIL = 15;

@@ -278,11 +278,10 @@ export class SeriesStore extends Store implements Coupled {
     const next = past || asked.alpha || asked.observed ? await ask(asked) : learned;
     const joined = past?.joined ?? ((next: SeriesRollout) => next);
     const rollout = joined(next);
-    const of = { request: { frames: rollout.values.length / info.columns.length } };
-    const sampled = await (this.seed > 0
-      ? this.#document.ask(text, (worker) => worker.sampleSeries(asked, FUTURES, this.seed))
-      : []);
-    const futures = sampled.map((future) => ({ ...joined(future), ...of }));
+    const sample = (worker: WholeCalls) => worker.sampleSeries(asked, FUTURES, this.seed);
+    const sampled = this.seed > 0 ? await this.#document.ask(text, sample) : [];
+    const length = rollout.values.length / info.columns.length;
+    const futures = sampled.map((future) => ({ ...joined(future), request: { frames: length } }));
     return { request, goesOn, learned, rollout, futures, first: past?.first ?? 0 };
   }
 
