@@ -280,12 +280,14 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   }
 }
 
+type Keep = { keepInAddress(store: DrawingStore, settings: SettingsStore): void };
+
 /** Keeps drawings in the address: a first visit loads what this needs when a hand begins to draw. */
-export function linkDrawings(store: DrawingStore, settings: SettingsStore): void {
+export function linkDrawings(store: DrawingStore, settings: SettingsStore, load: () => Promise<Keep>): void {
   let link: Promise<void> | null = null;
   const look = () => {
     if (link || !(settings.values.drawing || store.isDrawing || store.busy)) return;
-    link = import("./link").then(({ keepInAddress }) => keepInAddress(store, settings));
+    link = load().then(({ keepInAddress }) => keepInAddress(store, settings));
     link.catch(() => {
       link = null;
     });

@@ -25,7 +25,7 @@ export const view = defineView({
       words.load(language),
     ]);
     const store = new DrawingStore(workers);
-    linkDrawings(store, settings);
+    linkDrawings(store, settings, () => import("./link"));
     return store;
   },
 });
