@@ -1,10 +1,16 @@
 // Runs test files by Node's test runner.
 import { relative } from "node:path";
-import { run } from "node:test";
+import { describe, it, run } from "node:test";
 import { spec } from "node:test/reporters";
 import { at, env, Failure, filesUnder, root } from "./run.mjs";
 
 const TEN_MINUTES = 600_000;
+
+/** Whether only the steps and tests run that a change often breaks. Their wasm is compiled quickly. */
+export const often = () => env.PAGE_TESTS === "often";
+
+/** `it` and `describe` of what a change seldom breaks: `npm test` leaves these tests out. */
+export const seldom = often() ? { it: it.skip, describe: describe.skip } : { it, describe };
 
 /** The largest number of files that run again: when more fail, the change is at fault, not a slow machine. */
 const MOST_AGAIN = 4;

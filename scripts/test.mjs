@@ -8,11 +8,11 @@ import { fileURLToPath } from "node:url";
 import { at, env, Failure, main, output, run, runModule, seconds } from "./run.mjs";
 import { build } from "./build.mjs";
 import { findChromium } from "./chromium.mjs";
-import { compileTests, NATIVE, TESTS } from "./cargo.mjs";
+import { compileLibrary, compileTests, NATIVE, TESTS } from "./cargo.mjs";
 import { checkGolden } from "./golden.mjs";
 import { checkLines } from "./lines.mjs";
 import { checkLocks } from "./locks.mjs";
-import { nodeTests } from "./node-tests.mjs";
+import { nodeTests, often } from "./node-tests.mjs";
 import { checkRustImports } from "./rust-imports.mjs";
 import { weigh } from "./site.mjs";
 import { installNpmPackages, installTools, oldestRust } from "./tools.mjs";
@@ -20,16 +20,14 @@ import { installNpmPackages, installTools, oldestRust } from "./tools.mjs";
 /** In rustdoc's list of all items of the library. */
 const MOST_PUBLIC_ITEMS = 120;
 const deny = ["--", "-D", "warnings"];
-const WASM = ["--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"];
+/** Golden cases in the wasm package: only `npm run speed` compiles them. */
+const SPEED = ["--features", "vcgpdm-wasm/speed"];
 
 const clippy = (/** @type {string[]} */ ...what) => run("cargo", "clippy", ...what, ...deny);
 const biome = (/** @type {string[]} */ ...args) => runModule("@biomejs/biome/bin/biome", ...args);
 
 /** The Rust tests that are marked `seldom`, too. Those on recordings have a step of their own. */
 const WITH_SELDOM = ["--", "--include-ignored", "--skip", "recordings::", "--skip", "acclaim::"];
-
-/** Whether only the steps and tests run that a change often breaks. Their wasm is compiled quickly. */
-const often = () => env.PAGE_TESTS === "often";
 
 /** The argument of a process that runs one step for another process. */
 const THIS_STEP = "--this-step";
@@ -62,19 +60,10 @@ const PAGE_STEPS = [
 
 /** @type {Step[]} */
 const RUST_STEPS = [
+  // First: cargo lets the build of the page wait for what the other steps compile.
+  { name: "library", what: "the library, compiled", work: compileLibrary },
   // These share what they compile: clippy, the features and the documentation need no more than metadata.
-  {
-    name: "clippy",
-    what: "clippy, native",
-    seldom: true,
-    work: () => clippy(...NATIVE, "--all-targets"),
-  },
-  {
-    name: "clippy-wasm",
-    what: "clippy, wasm32",
-    seldom: true,
-    work: () => clippy(...WASM, "--features", "speed"),
-  },
+  { name: "clippy", what: "clippy", seldom: true, work: () => clippy(...NATIVE, ...SPEED, "--all-targets") },
   { name: "features", what: "each feature alone", seldom: true, work: features },
   { name: "docs", what: "the documentation", seldom: true, work: docs },
   { name: "msrv", what: `Rust ${oldestRust()}, the oldest`, seldom: true, work: msrv },
@@ -117,16 +106,10 @@ async function format() {
   await biome("format");
 }
 
-/**
- * Each feature must compile without the others. The program uses the library's feature `threads`, the wasm
- * package its feature `speed`.
- */
+/** Each feature must compile without the others; the build compiles the wasm without any. */
 async function features() {
-  // The library alone: without the features that the other packages turn on.
   await clippy("--package", "vcgpdm");
-  await clippy(...NATIVE, "--all-targets", "--all-features");
-  await clippy(...WASM, "--no-default-features");
-  await clippy(...WASM, "--no-default-features", "--features", "speed");
+  await clippy("--package", "vcgpdm-wasm", "--no-default-features", ...SPEED);
 }
 
 /**
@@ -136,8 +119,7 @@ async function features() {
 async function docs() {
   const doc = (/** @type {string[]} */ ...what) =>
     run("cargo", "doc", "--no-deps", "--config", 'build.rustdocflags = ["-D", "warnings"]', ...what);
-  await doc("--all-features", ...NATIVE, "--lib", "--examples");
-  await doc("--all-features", ...WASM);
+  await doc(...NATIVE, "--lib", "--examples");
   await doc("--package", "vcgpdm", "--lib");
   const items = ["vcgpdm", "vcgpdm_lab"].map(documentedItems);
   const [library = []] = items;
@@ -184,7 +166,13 @@ async function recordings() {
 
 async function rustInWasm() {
   env.CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER = `node ${at("scripts/wasm-tests.mjs")}`;
-  await run("cargo", "test", ...WASM, "--lib", "--tests");
+  await run(
+    "cargo",
+    "test",
+    ...["--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"],
+    "--lib",
+    "--tests",
+  );
 }
 
 async function page() {

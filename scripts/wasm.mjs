@@ -3,6 +3,7 @@
 import { execFileSync } from "node:child_process";
 import { copyFileSync, cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { compileLibrary } from "./cargo.mjs";
 import { packageNotice } from "./licences.mjs";
 import { completePackage, entries, writeNodeEntry } from "./package.mjs";
 import { addresses } from "./release.mjs";
@@ -101,10 +102,9 @@ async function compileTargets(
 
 /** Prints the declarations of the Rust structs with a program for this machine. */
 async function declareTypes() {
-  const program = ["--package", "vcgpdm-wasm", "--features", "types", "--example", "types"];
   await whenChanged("types", { inputs: rustSources(), outputs: [declarations] }, async () => {
-    await run("cargo", "build", "--locked", "--profile", "tools", ...program);
-    const text = output("cargo", "run", "--quiet", "--locked", "--profile", "tools", ...program) ?? "";
+    await compileLibrary();
+    const text = output(join(metadata().target_directory, "debug/examples/types")) ?? "";
     const biome = at("node_modules/@biomejs/biome/bin/biome");
     const input = text.replace(/\/\*\*\n *\* (.*)\n *\*\//g, "/** $1 */");
     const formatted = execFileSync(biome, ["format", "--stdin-file-path=types.d.ts"], { input });

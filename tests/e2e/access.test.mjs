@@ -20,7 +20,7 @@ import {
 const site = openedSite();
 
 describe("accessibility", () => {
-  it(
+  seldom.it(
     ACCESSIBLE,
     keepsNobodyOut(
       () => readyVisitor(site.visit()),

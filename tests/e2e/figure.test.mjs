@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before, describe, it } from "node:test";
+import { after, before, describe } from "node:test";
 import { launchChromium } from "../../scripts/chromium.mjs";
 import { at } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
@@ -102,44 +102,47 @@ async function open(path = "", options = {}) {
 }
 
 describe("vcgpdm/figure on a bare page", () => {
-  it("walks by the lines of the README, changes its motion with alpha, and ends with dispose", async () => {
-    const { page, problems, picture, atRest } = await open();
-    const first = await picture();
-    await soon(async () => assert.ok(!(await picture()).equals(first), "pixels move"));
+  seldom.it(
+    "walks by the lines of the README, changes its motion with alpha, and ends with dispose",
+    async () => {
+      const { page, problems, picture, atRest } = await open();
+      const first = await picture();
+      await soon(async () => assert.ok(!(await picture()).equals(first), "pixels move"));
 
-    const now = () => page.evaluate(() => /** @type {any} */ (window).figure.time);
-    await soon(async () => assert.ok((await now()) > 0.5));
-    await page.evaluate(() => {
-      const { figure } = /** @type {any} */ (window);
-      figure.pause();
-      figure.time = 3;
-    });
-    const learned = await atRest();
-    await page.evaluate(() => {
-      const { figure } = /** @type {any} */ (window);
-      figure.alpha = figure.alpha.map((/** @type {number[]} */ row) => [...row]);
-    });
-    assert.ok((await atRest()).equals(learned), "the same couplings give the same picture");
-    const before = await page.evaluate(() => /** @type {any} */ (window).figure.alpha[0][1]);
-    await page.addScriptTag({ type: "module", content: `const { figure } = window;\n${change}` });
-    await soon(async () =>
-      assert.equal(await page.evaluate(() => /** @type {any} */ (window).figure.alpha[0][1]), 10 * before),
-    );
-    assert.ok(Math.abs((await now()) - 3) < 1e-9, "the motion goes on at its time");
-    assert.ok(!(await atRest()).equals(learned), "other couplings give another picture");
+      const now = () => page.evaluate(() => /** @type {any} */ (window).figure.time);
+      await soon(async () => assert.ok((await now()) > 0.5));
+      await page.evaluate(() => {
+        const { figure } = /** @type {any} */ (window);
+        figure.pause();
+        figure.time = 3;
+      });
+      const learned = await atRest();
+      await page.evaluate(() => {
+        const { figure } = /** @type {any} */ (window);
+        figure.alpha = figure.alpha.map((/** @type {number[]} */ row) => [...row]);
+      });
+      assert.ok((await atRest()).equals(learned), "the same couplings give the same picture");
+      const before = await page.evaluate(() => /** @type {any} */ (window).figure.alpha[0][1]);
+      await page.addScriptTag({ type: "module", content: `const { figure } = window;\n${change}` });
+      await soon(async () =>
+        assert.equal(await page.evaluate(() => /** @type {any} */ (window).figure.alpha[0][1]), 10 * before),
+      );
+      assert.ok(Math.abs((await now()) - 3) < 1e-9, "the motion goes on at its time");
+      assert.ok(!(await atRest()).equals(learned), "other couplings give another picture");
 
-    // Walks on, and ends.
-    await page.evaluate(() => /** @type {any} */ (window).figure.play());
-    const draws = () => page.evaluate(() => /** @type {any} */ (window).draws);
-    const drawn = await draws();
-    await soon(async () => assert.ok((await draws()) > drawn + 100, "it draws"));
-    await page.evaluate(() => /** @type {any} */ (window).figure.dispose());
-    const ended = await draws();
-    await page.waitForTimeout(500);
-    assert.equal(await draws(), ended, "nothing is drawn after dispose");
-    assert.deepEqual(problems, []);
-    await page.close();
-  });
+      // Walks on, and ends.
+      await page.evaluate(() => /** @type {any} */ (window).figure.play());
+      const draws = () => page.evaluate(() => /** @type {any} */ (window).draws);
+      const drawn = await draws();
+      await soon(async () => assert.ok((await draws()) > drawn + 100, "it draws"));
+      await page.evaluate(() => /** @type {any} */ (window).figure.dispose());
+      const ended = await draws();
+      await page.waitForTimeout(500);
+      assert.equal(await draws(), ended, "nothing is drawn after dispose");
+      assert.deepEqual(problems, []);
+      await page.close();
+    },
+  );
 
   seldom.it("keeps the size of a canvas without a style, on a fine screen", async () => {
     const { page, problems, picture } = await open("", { deviceScaleFactor: 2 });

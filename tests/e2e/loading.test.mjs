@@ -32,7 +32,7 @@ describe("a first visit", () => {
     await page.locator(".story[data-state=open][data-engine=ready]").waitFor();
     test.diagnostic(`${sent} bytes`);
     // The wasm of `npm test` is a large one.
-    assert.ok(sent > 10_000 && (often || sent < budget.firstVisit), `${sent} bytes`);
+    assert.ok(sent > 10_000 && (often() || sent < budget.firstVisit), `${sent} bytes`);
     assert.ok(await changes(page.getByTestId("pad-0")), "a pen shows how to draw");
     assert.deepEqual(problems, []);
     await leave();

@@ -220,7 +220,7 @@ describe("the graphics Turing test", () => {
     assert.match(page.url(), /view=perception/);
   });
 
-  it("draws every figure of the papers, and saves each as numbers and as a picture", async () => {
+  seldom.it("draws every figure of the papers, and saves each as numbers and as a picture", async () => {
     const { page } = await visit();
     const rows = answersOf(Study.fromJson(bundled), [1, 2, 3, 4]);
     await drop(page, { "all.json": JSON.stringify(rows) });

@@ -2,19 +2,15 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
-import { after, afterEach, before, describe, it } from "node:test";
+import { after, afterEach, before } from "node:test";
 import { launchChromium } from "../../scripts/chromium.mjs";
 import { at } from "../../scripts/run.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import { dist } from "../../scripts/site.mjs";
 
+export { often, seldom } from "../../scripts/node-tests.mjs";
+
 /** @typedef {import("playwright-core").Page} Page */
-
-/** Whether this is `npm test`, neither `npm test -- --all` nor a run by hand. */
-export const often = process.env.PAGE_TESTS === "often";
-
-/** `it` and `describe` of what a change seldom breaks: `npm test` leaves these tests out. */
-export const seldom = often ? { it: it.skip, describe: describe.skip } : { it, describe };
 
 const DESK = { width: 1280, height: 800 };
 const PHONE = { width: 390, height: 844 };

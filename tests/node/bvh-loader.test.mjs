@@ -3,12 +3,12 @@ import assert from "node:assert/strict";
 import { it } from "node:test";
 import { AnimationMixer, Vector3 } from "three";
 import { BVHLoader } from "three/addons/loaders/BVHLoader.js";
-import { installedPackage } from "./package.mjs";
+import { builtPackage } from "../../scripts/package.mjs";
 
-const installed = await installedPackage();
+const vcgpdm = builtPackage();
 
 it("the figure stands on the ground", () => {
-  const clip = installed.vcgpdm.Clip.sample("walk-1");
+  const clip = vcgpdm.Clip.sample("walk-1");
   const { height, frameTime } = clip.info();
   const { skeleton, clip: motion } = new BVHLoader().parse(clip.toBvh());
   const [root] = skeleton.bones;
@@ -29,7 +29,7 @@ it("the figure stands on the ground", () => {
 });
 
 it("joints with a prefix move once their names are plain", async () => {
-  const { Clip, train } = installed.vcgpdm;
+  const { Clip, train } = vcgpdm;
   const sample = Clip.sample("walk-1").cut(0, 60).toBvh();
   const clip = Clip.read("mixamo.bvh", sample.replace(/(ROOT|JOINT) /g, "$1 mixamorig:"));
   const short = { latent: 1, dynamicsIps: 3, poseIps: 3, order: 1, framesPerSecond: 15, maxIterations: 1 };

@@ -1,14 +1,13 @@
 // Models compared with the npm package, as a developer would from Node.
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
 import { describe, it } from "node:test";
-import { installedPackage } from "./package.mjs";
+import { builtPackage } from "../../scripts/package.mjs";
 
-const installed = await installedPackage();
+const vcgpdm = builtPackage();
 
 /** Three short walks and how they are compared. */
 function trials() {
-  const { Clip, TrainingSet } = installed.vcgpdm;
+  const { Clip, TrainingSet } = vcgpdm;
   const clips = new TrainingSet();
   const walks = ["walk-1", "walk-2", "walk-3"].map((id) => Clip.sample(id));
   for (const walk of walks) clips.add(walk);
@@ -45,7 +44,7 @@ const PLAN = {
 
 describe("comparing models from Node", () => {
   it("trains every kind of model, predicts the trial held out and says what was found", () => {
-    const { Evaluation, Fold, Model, Results, version } = installed.vcgpdm;
+    const { Evaluation, Fold, Model, Results, version } = vcgpdm;
     const { clips, common } = trials();
     const results = Results.empty(clips, common);
     assert.equal(results.setting().trials.length, 3);
@@ -99,7 +98,7 @@ describe("comparing models from Node", () => {
   });
 
   it("plans the jobs that are asked for, and knows which are done", () => {
-    const { Evaluation, Fold, Results } = installed.vcgpdm;
+    const { Evaluation, Fold, Results } = vcgpdm;
     const { clips, common } = trials();
     const results = Results.empty(clips, common);
     const jobs = results.jobs(PLAN);
@@ -132,7 +131,7 @@ describe("comparing models from Node", () => {
   });
 
   it("counts trials from 0 in folds, jobs and plans, and from 1 in a file", () => {
-    const { Evaluation, Fold, Results } = installed.vcgpdm;
+    const { Evaluation, Fold, Results } = vcgpdm;
     const { clips, common } = trials();
     const results = Results.empty(clips, common);
     const planned = results.jobs({ ...PLAN, models: ["dmp-rhythmic"], heldOut: [2, 0] });
@@ -163,7 +162,7 @@ describe("comparing models from Node", () => {
   });
 
   it("merges what was computed elsewhere, and keeps what it knows", () => {
-    const { Results } = installed.vcgpdm;
+    const { Results } = vcgpdm;
     const { clips, common } = trials();
     const outcome = {
       score: { dtwMse: 0.1, mse: 0.2, variance: 1 },
@@ -203,7 +202,7 @@ describe("comparing models from Node", () => {
   });
 
   it("refuses in words what cannot be compared", () => {
-    const { Clip, Evaluation, Fold, Results, TrainingSet } = installed.vcgpdm;
+    const { Clip, Evaluation, Fold, Results, TrainingSet } = vcgpdm;
     const { clips, common } = trials();
     assert.throws(
       () => new Fold(clips, common, { heldOut: 3 }),
@@ -237,9 +236,5 @@ describe("comparing models from Node", () => {
       () => new Evaluation(new Fold(one, common, { heldOut: 0 }), /** @type {any} */ (CANDIDATES[0]), 0),
       /Walk, trial 2|walk-2/,
     );
-  });
-
-  it("comes in a smaller build for a page's first visit", () => {
-    assert.ok(existsSync(installed.require.resolve("vcgpdm/player")));
   });
 });

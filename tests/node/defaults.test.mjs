@@ -1,20 +1,20 @@
 // Every option has a default, and parts are taken by preset or by names wherever parts are taken.
 import assert from "node:assert/strict";
 import { it } from "node:test";
-import { installedPackage } from "./package.mjs";
+import { builtPackage } from "../../scripts/package.mjs";
 
-const installed = await installedPackage();
+const vcgpdm = builtPackage();
 
 /** Two short walks. */
 function walks() {
-  const { Clip, TrainingSet } = installed.vcgpdm;
+  const { Clip, TrainingSet } = vcgpdm;
   const clips = new TrainingSet();
   for (const id of ["walk-1", "walk-2"]) clips.add(Clip.sample(id).cut(0, 90));
   return clips;
 }
 
 it("a comparison needs clips alone, and takes parts as a training does", () => {
-  const { Evaluation, Fold, Results } = installed.vcgpdm;
+  const { Evaluation, Fold, Results } = vcgpdm;
   const clips = walks();
   const setting = Results.empty(clips).setting();
   assert.equal(setting.framesPerSecond, 30);
@@ -55,7 +55,7 @@ it("a comparison needs clips alone, and takes parts as a training does", () => {
 });
 
 it("rollouts, costs and tables need no options", async () => {
-  const { Clip, Table, train, trainingCost } = installed.vcgpdm;
+  const { Clip, Table, train, trainingCost } = vcgpdm;
   const short = { latent: 1, dynamicsIps: 3, poseIps: 3, order: 1, framesPerSecond: 15, maxIterations: 1 };
   const model = await train(Clip.sample("walk-1").cut(0, 60), short);
   const sampled = model.sampledRollouts();
@@ -76,7 +76,7 @@ const sampledFirst = (/** @type {import("vcgpdm").Model} */ model) =>
   model.sampledRollouts({ frames: 9 }, 1, 0)[0]?.values();
 
 it("the plan of a library names the shared parts, or shares none", () => {
-  const { LibraryTrainer } = installed.vcgpdm;
+  const { LibraryTrainer } = vcgpdm;
   const settings = {
     latent: 1,
     dynamicsIps: 3,

@@ -2,10 +2,10 @@
 // weakened, the hands fall apart; strengthened, one drags the other.
 import assert from "node:assert/strict";
 import { it } from "node:test";
+import { builtPackage } from "../../scripts/package.mjs";
 import { drawingModule, learner, modelOf } from "../../scripts/lab/drawings.mjs";
-import { installedPackage } from "./package.mjs";
 
-const installed = await installedPackage();
+const vcgpdm = builtPackage();
 
 const LEAST = 27;
 
@@ -13,7 +13,7 @@ const LEAST = 27;
 for (const seed of [0, 100])
   it(`${LEAST} of 30 drawings go on, hands of seed ${seed}`, async () => {
     const [learn, { HANDS, strokesOf }] = await Promise.all([
-      learner(installed.vcgpdm),
+      learner(vcgpdm),
       drawingModule("drawings.fake"),
     ]);
     const stopped = HANDS.filter(
@@ -68,7 +68,7 @@ it(`of 30 drawings of two hands, ${LEAST_APART} fall apart and ${LEAST_DRAGGED} 
     const [round] = drawingOf([strokesOf(hand)]).rounds;
     const drawing = drawnBeside(round, drawingOf([strokesOf(beside(place, round.length / 60))]), 1);
     const { rows, rate } = drawing;
-    const model = modelOf(installed.vcgpdm, DRAWING_SETTINGS, drawing);
+    const model = modelOf(vcgpdm, DRAWING_SETTINGS, drawing);
     const learned = { model, rows, rate, lap: Math.round((round.length * rate) / 60), goesOn, onPad };
     const apart = setBack(learned, 0) && setBack(learned, 1);
     return { apart, dragged: setBack(learned, 0, true) || setBack(learned, 1, true) };

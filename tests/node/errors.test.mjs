@@ -3,10 +3,10 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { it } from "node:test";
+import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
-import { installedPackage } from "./package.mjs";
 
-const installed = await installedPackage();
+const vcgpdm = builtPackage();
 
 it("errors have a name, a code of the declared ones, and words", () => {
   const {
@@ -21,7 +21,7 @@ it("errors have a name, a code of the declared ones, and words", () => {
     Table,
     Trainer,
     TrainingSet,
-  } = installed.vcgpdm;
+  } = vcgpdm;
   const clip = Clip.sample("walk-1").cut(0, 60);
   const set = (/** @type {import("vcgpdm").Clip[]} */ ...clips) => {
     const set = new TrainingSet();
@@ -358,7 +358,7 @@ it("errors have a name, a code of the declared ones, and words", () => {
 });
 
 it("`train` refuses other arguments before it begins", async () => {
-  const { Clip, train } = installed.vcgpdm;
+  const { Clip, train } = vcgpdm;
   const clip = Clip.sample("walk-1").cut(0, 60);
   /** @type {[unknown[], string, string][]} */
   const cases = [
@@ -378,7 +378,7 @@ it("`train` refuses other arguments before it begins", async () => {
 });
 
 it("an error of the caller's own getter is passed on", () => {
-  const { Clip, Trainer, TrainingSet } = installed.vcgpdm;
+  const { Clip, Trainer, TrainingSet } = vcgpdm;
   const clips = new TrainingSet();
   clips.add(Clip.sample("walk-1"));
   const mine = new RangeError("mine");
@@ -394,7 +394,7 @@ it("an error of the caller's own getter is passed on", () => {
 });
 
 it("names in snake_case are refused with the name to write", () => {
-  const { Clip, Results, TrainingSet } = installed.vcgpdm;
+  const { Clip, Results, TrainingSet } = vcgpdm;
   const clips = new TrainingSet();
   clips.add(Clip.sample("walk-1"));
   clips.add(Clip.sample("walk-2"));

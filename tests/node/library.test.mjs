@@ -3,12 +3,11 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { before, describe, it } from "node:test";
+import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
-import { coupledInfo, installedPackage } from "./package.mjs";
+import { coupledInfo } from "./package.mjs";
 
-const installed = await installedPackage();
-/** @type {typeof import("vcgpdm")} */
-let vcgpdm;
+const vcgpdm = builtPackage();
 /** @type {import("vcgpdm").Library} */
 let library;
 
@@ -20,7 +19,6 @@ const set = (/** @type {string[]} */ ids) => {
 };
 
 before(async () => {
-  vcgpdm = installed.vcgpdm;
   const preset = sample("walk-1")
     .info()
     .presets.find(({ id }) => id === "lower-upper");
@@ -152,7 +150,7 @@ describe("a library of primitives", () => {
   });
 
   it("lets a driven part go where its new primitive goes round no cycle", () => {
-    const first = installed.vcgpdm.Library.fromJson(readFileSync(at("www/first/library.json"), "utf8"));
+    const first = vcgpdm.Library.fromJson(readFileSync(at("www/first/library.json"), "utf8"));
     const of = (/** @type {number} */ part) =>
       first.info().primitives.flatMap((primitive, i) => (primitive.part === part ? [i] : []));
     const walk = first.walk([of(0)[0] ?? 0, of(1)[0] ?? 0]);

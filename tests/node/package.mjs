@@ -8,8 +8,8 @@ import { after } from "node:test";
 import { pathToFileURL } from "node:url";
 import { at } from "../../scripts/run.mjs";
 
-/** A folder in which `vcgpdm` is installed, and what loading it there gives. */
-export async function installPackage() {
+/** A folder in which `vcgpdm` is installed until the tests of a file have ended, and what loading it there gives. */
+export async function installedPackage() {
   const folder = mkdtempSync(join(tmpdir(), "vcgpdm-"));
   const npm = (/** @type {string[]} */ ...args) => {
     const cli = process.env.npm_execpath;
@@ -27,14 +27,8 @@ export async function installPackage() {
   writeFileSync(entry, 'export * from "vcgpdm";\nexport { default } from "vcgpdm";\n');
   /** @type {typeof import("vcgpdm")} */
   const vcgpdm = await import(pathToFileURL(entry).href);
-  return { folder, require, vcgpdm, remove: () => rmSync(folder, { recursive: true, force: true }) };
-}
-
-/** The package for the tests of a file, which is removed after them. */
-export async function installedPackage() {
-  const installed = await installPackage();
-  after(installed.remove);
-  return installed;
+  after(() => rmSync(folder, { recursive: true, force: true }));
+  return { folder, require, vcgpdm };
 }
 
 /** The description of a vCGPDM or vGPDM of a body. */

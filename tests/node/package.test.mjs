@@ -1,6 +1,6 @@
 // What a Node user does with the package: read a BVH, train, roll out, save the model, load it again.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { before, describe, it } from "node:test";
 import { at } from "../../scripts/run.mjs";
 import { coupledInfo, installedPackage } from "./package.mjs";
@@ -124,6 +124,8 @@ describe("the package", () => {
     const about = JSON.parse(readFileSync(at("crate/wasm/pkg/package.json"), "utf8"));
     assert.equal(vcgpdm.version(), about.version);
     assert.equal(installed.require("vcgpdm").version(), about.version);
+    // A smaller build for a page's first visit.
+    assert.ok(existsSync(installed.require.resolve("vcgpdm/player")));
   });
 
   it("reads what it writes", () => {

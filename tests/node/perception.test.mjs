@@ -3,14 +3,14 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe, it } from "node:test";
+import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
 import { simulatedAnswers } from "../perception/simulated.mjs";
-import { installedPackage } from "./package.mjs";
 
-const installed = await installedPackage();
+const vcgpdm = builtPackage();
 
 const text = readFileSync(at("www/public/study/walks.study.json"), "utf8");
-const opened = () => installed.vcgpdm.Study.fromJson(text);
+const opened = () => vcgpdm.Study.fromJson(text);
 
 /**
  * Holds values against each other: numbers up to their last digits, names in camelCase against snake_case.
@@ -108,7 +108,7 @@ describe("a study", () => {
   });
 
   it("is made of a comparison that ran here", () => {
-    const { Clip, Evaluation, Fold, StudyMaker, TrainingSet } = installed.vcgpdm;
+    const { Clip, Evaluation, Fold, StudyMaker, TrainingSet } = vcgpdm;
     const clips = new TrainingSet();
     const walks = ["walk-1", "walk-2"].map((id) => Clip.sample(id));
     for (const walk of walks) clips.add(walk);
@@ -146,14 +146,14 @@ describe("a study", () => {
 
 describe("answers", () => {
   it("say the same as in the terminal", () => {
-    const { analysePerception, perceptionJson } = installed.vcgpdm;
+    const { analysePerception, perceptionJson } = vcgpdm;
     const answers = ["p1", "p2"].map((name) => ({
       name: `${name}.csv`,
       text: readFileSync(at("tests/perception", `${name}.csv`), "utf8"),
     }));
     // What `vcgpdm perception` writes; its own test holds it to the same file.
     const stored = JSON.parse(readFileSync(at("tests/perception/results.json"), "utf8"));
-    const expected = { ...stored, engine: `vcgpdm ${installed.vcgpdm.version()}` };
+    const expected = { ...stored, engine: `vcgpdm ${vcgpdm.version()}` };
     close(analysePerception(text, answers), expected);
     const document = JSON.parse(perceptionJson(text, answers));
     assert.deepEqual(Object.keys(document), Object.keys(expected));
@@ -161,7 +161,7 @@ describe("answers", () => {
   });
 
   it("of a fresh participant are read as CSV and as JSON", () => {
-    const { analysePerception, perceptionFigures } = installed.vcgpdm;
+    const { analysePerception, perceptionFigures } = vcgpdm;
     const study = opened().withDesign("p3-part-1");
     const { csv, rows } = simulatedAnswers(study, "fresh", 77);
     const document = study.toJson();
@@ -191,7 +191,7 @@ describe("answers", () => {
   });
 
   it("that cannot be are refused with file and line", () => {
-    const { analysePerception } = installed.vcgpdm;
+    const { analysePerception } = vcgpdm;
     const { csv } = simulatedAnswers(opened(), "p", 1);
     const say = (/** @type {string} */ changed) => () =>
       analysePerception(text, [{ name: "p.csv", text: changed }]);

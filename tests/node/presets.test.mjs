@@ -2,8 +2,9 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { before, describe, it } from "node:test";
+import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
-import { coupledInfo, installedPackage } from "./package.mjs";
+import { coupledInfo } from "./package.mjs";
 
 /**
  * @typedef {"swing" | "period" | "locking"} Measure
@@ -47,7 +48,7 @@ const presets = JSON.parse(readFileSync(at("www/first/presets.json"), "utf8"));
 // As it is sent, with fewer digits.
 const text = readFileSync(at("www/public/first/model.json"), "utf8");
 
-const installed = await installedPackage();
+const vcgpdm = builtPackage();
 /** @type {import("vcgpdm").Model} */
 let model;
 /** @type {import("vcgpdm").CoupledModelInfo} */
@@ -57,7 +58,7 @@ let learned;
 const frames = (/** @type {number} */ seconds) => Math.round(seconds / info.frameTime);
 
 before(async () => {
-  model = installed.vcgpdm.Model.fromJson(text);
+  model = vcgpdm.Model.fromJson(text);
   info = coupledInfo(model);
   learned = roll(model, "as-learned", null).measures(frames(SETTLED));
 });
@@ -127,7 +128,7 @@ describe("arms that were let go", () => {
           Array.from(path.subarray((end - info.order + k) * latent, (end - info.order + k + 1) * latent)),
         );
       });
-      const again = roll(installed.vcgpdm.Model.fromJson(JSON.stringify(document)), "re-inferred", null);
+      const again = roll(vcgpdm.Model.fromJson(JSON.stringify(document)), "re-inferred", null);
       const { limbs } = again.measures(frames(2));
       for (const { limb, locking, ahead } of limbs) {
         const usual = learned.limbs.find((other) => other.limb === limb)?.ahead ?? Number.NaN;

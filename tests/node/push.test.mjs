@@ -2,15 +2,17 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { it } from "node:test";
+import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
-import { coupledInfo, installPackage } from "./package.mjs";
+import { coupledInfo } from "./package.mjs";
+
+const vcgpdm = builtPackage();
 
 /** Frames of a pull, and metres in each of them. */
 const PULL = 10;
 const METRES = 0.08;
 
 it("a pulled hand or foot takes a part off its loop, and four seconds later the walk is back", async () => {
-  const { vcgpdm, remove } = await installPackage();
   const model = vcgpdm.Model.fromJson(readFileSync(at("www/public/first/model.json"), "utf8"));
   const info = coupledInfo(model);
   const rollout = model.rollout({ frames: 300, sequence: 0, alpha: null, reading: "as-learned" });
@@ -41,11 +43,9 @@ it("a pulled hand or foot takes a part off its loop, and four seconds later the 
           `${name} from frame ${start}, ${direction}: ${Math.max(...back)}`,
         );
       }
-  remove();
 });
 
 it("arms follow driven legs at half to twice the learned pace, forward and back, and stop when they stop", async (test) => {
-  const { vcgpdm, remove } = await installPackage();
   const model = vcgpdm.Model.fromJson(readFileSync(at("www/public/first/model.json"), "utf8"));
   const rollout = model.rollout({ frames: 300, sequence: 0, alpha: null, reading: "as-learned" });
   const wrapped = (/** @type {number} */ turns) => turns - Math.round(turns);
@@ -69,11 +69,9 @@ it("arms follow driven legs at half to twice the learned pace, forward and back,
   assert.throws(() => live.drive(2, 0), /expected a part from 0 to 1, found 2/);
   assert.throws(() => live.drive(0, 99), /expected from -10 to 10 turns, found 99/);
   live.release(1);
-  remove();
 });
 
 it("a recording moves the legs, the arms follow, and a hand follows a place until it is released", async () => {
-  const { vcgpdm, remove } = await installPackage();
   const model = vcgpdm.Model.fromJson(readFileSync(at("www/public/first/model.json"), "utf8"));
   const info = coupledInfo(model);
   const rollout = model.rollout({ frames: 300, sequence: 0, alpha: null, reading: "as-learned" });
@@ -124,5 +122,4 @@ it("a recording moves the legs, the arms follow, and a hand follows a place unti
   assert.throws(() => live.reach(hand, Number.NaN, 0, 0), /expected a place of three finite numbers/);
   live.release(1);
   assert.ok((live.advance(150).distances().at(-1) ?? 1) < 0.2, "the arms are home");
-  remove();
 });

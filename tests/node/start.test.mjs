@@ -1,11 +1,11 @@
 // Rollouts that start with frames of a clip that was never trained on.
 import assert from "node:assert/strict";
 import { it } from "node:test";
-import { coupledInfo, installPackage } from "./package.mjs";
+import { builtPackage } from "../../scripts/package.mjs";
+import { coupledInfo } from "./package.mjs";
 
 it("a rollout starts with the first frames of a clip that was not trained on", async () => {
-  const { vcgpdm, remove } = await installPackage();
-  const { Clip, Endless, Table, TrainingSet, Trainer, train } = vcgpdm;
+  const { Clip, Endless, Table, TrainingSet, Trainer, train } = builtPackage();
   const clips = [Clip.sample("walk-1"), Clip.sample("walk-2")];
   const model = await train(clips, { parts: "lower,upper", framesPerSecond: 15, maxIterations: 60 });
   const { parts, alpha, figure } = coupledInfo(model);
@@ -93,5 +93,4 @@ it("a rollout starts with the first frames of a clip that was not trained on", a
   const trainer = new Trainer(tables, { ...settings, parts: columns, maxIterations: 2 });
   while (!trainer.step().done);
   assert.throws(() => trainer.model().infer(walk, 8), { code: "model", message: /a model of a body/ });
-  remove();
 });

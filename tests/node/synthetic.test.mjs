@@ -1,15 +1,11 @@
 // The synthetic experiment from Node: made, trained step by step, and what it found at any time.
 import assert from "node:assert/strict";
 import { before, describe, it } from "node:test";
-import { installedPackage } from "./package.mjs";
+import { builtPackage } from "../../scripts/package.mjs";
 
-const installed = await installedPackage();
-/** @type {typeof import("vcgpdm")} */
-let vcgpdm;
+const vcgpdm = builtPackage();
 
-before(async () => {
-  vcgpdm = installed.vcgpdm;
-});
+before(async () => {});
 
 /** Trains until the training ends, or for `iterations` iterations. */
 function train(/** @type {import("vcgpdm").SyntheticExperiment} */ experiment, iterations = Infinity) {

@@ -1,9 +1,9 @@
 // Models of tables: their couplings, weights and latents.
 import assert from "node:assert/strict";
 import { it } from "node:test";
-import { installedPackage } from "./package.mjs";
+import { builtPackage } from "../../scripts/package.mjs";
 
-const installed = await installedPackage();
+const vcgpdm = builtPackage();
 
 const settings = {
   latent: 2,
@@ -16,7 +16,7 @@ const settings = {
 };
 
 it("couplings change the curves, and weights and latents are there", () => {
-  const { Model, Table, Trainer, TrainingSet } = installed.vcgpdm;
+  const { Model, Table, Trainer, TrainingSet } = vcgpdm;
   const rows = Array.from({ length: 60 }, (_, t) => [Math.sin(t / 4), Math.cos(t / 4), Math.sin(t / 4 - 1)]);
   const table = Table.of("trial", ["x", "y", "follower"], new Float64Array(rows.flat()), 0.02);
   const without = table.without(["x"]);
@@ -58,7 +58,7 @@ it("couplings change the curves, and weights and latents are there", () => {
 });
 
 it("a training says which columns never change and which clips are given twice", () => {
-  const { Clip, Table, Trainer, TrainingSet } = installed.vcgpdm;
+  const { Clip, Table, Trainer, TrainingSet } = vcgpdm;
   const rows = Array.from({ length: 20 }, (_, t) => [Math.sin(t / 3), 7]);
   const tables = new TrainingSet();
   tables.addTable(Table.of("trial", ["x", "y"], new Float64Array(rows.flat()), 0.02));

@@ -2,17 +2,17 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe, it } from "node:test";
+import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
 import { addresses, missing, withAddresses, zenodo } from "../../scripts/release.mjs";
-import { installedPackage } from "./package.mjs";
 
-const installed = await installedPackage();
+const vcgpdm = builtPackage();
 
 const SHORT = { latent: 2, dynamicsIps: 4, poseIps: 4, framesPerSecond: 15, maxIterations: 8 };
 
 describe("one call", () => {
   it("reads a file as text, ArrayBuffer, bytes and Blob", async () => {
-    const { Clip } = installed.vcgpdm;
+    const { Clip } = vcgpdm;
     const text = Clip.sample("walk-1").toBvh();
     const bytes = new TextEncoder().encode(text);
     const hash = Clip.sample("walk-1").info().sha256;
@@ -23,7 +23,7 @@ describe("one call", () => {
   });
 
   it("trains as the steps do, and reports", async () => {
-    const { Clip, train, Trainer, TrainingSet } = installed.vcgpdm;
+    const { Clip, train, Trainer, TrainingSet } = vcgpdm;
     const clips = [Clip.sample("walk-1").cut(0, 100), Clip.sample("walk-2").cut(0, 100)];
     /** @type {number[]} */
     const iterations = [];
@@ -51,7 +51,7 @@ describe("one call", () => {
 
   // After 40 iterations this model visits 38 % of the poses of its clip.
   it("learns from the model's own rollouts at the end, unless told otherwise", async () => {
-    const { Clip, train, Trainer, TrainingSet } = installed.vcgpdm;
+    const { Clip, train, Trainer, TrainingSet } = vcgpdm;
     const clip = Clip.sample("walk-1");
     const settings = { maxIterations: 40, poseWeight: 1 };
     const roundsOf = (/** @type {{ toJson(): string }} */ model) =>
@@ -79,7 +79,7 @@ describe("one call", () => {
   });
 
   it("has the settings that the library gives", () => {
-    const { Clip, Trainer, TrainingSet, usualSettings } = installed.vcgpdm;
+    const { Clip, Trainer, TrainingSet, usualSettings } = vcgpdm;
     const set = new TrainingSet();
     set.add(Clip.sample("walk-1"));
     const trainer = new Trainer(set, { maxIterations: 1 });
@@ -95,7 +95,7 @@ describe("one call", () => {
   });
 
   it("gives the bound that every program gives with the usual settings", async () => {
-    const { Clip, train } = installed.vcgpdm;
+    const { Clip, train } = vcgpdm;
     const golden = JSON.parse(readFileSync(at("tests/golden/defaults.json"), "utf8"));
     const clips = golden.clips.map((/** @type {string} */ id) => Clip.sample(id));
     const { bound } = (await train(clips, { maxIterations: golden.max_iterations })).info().provenance;
@@ -103,7 +103,7 @@ describe("one call", () => {
   });
 
   it("gives long clips more inducing points, unless told otherwise", () => {
-    const { Clip, Trainer, TrainingSet } = installed.vcgpdm;
+    const { Clip, Trainer, TrainingSet } = vcgpdm;
     const points = (/** @type {string} */ text, settings = {}) => {
       const set = new TrainingSet();
       set.add(Clip.read("walk.bvh", text));
@@ -123,7 +123,7 @@ describe("one call", () => {
   });
 
   it("can be stopped", async () => {
-    const { Clip, train } = installed.vcgpdm;
+    const { Clip, train } = vcgpdm;
     const stop = new AbortController();
     const onProgress = () => stop.abort(new RangeError("enough"));
     const training = train(Clip.sample("walk-1"), { maxIterations: 10_000, signal: stop.signal, onProgress });
@@ -131,7 +131,7 @@ describe("one call", () => {
   });
 
   it("takes parts by the names of joints, and tables without parts", async () => {
-    const { Clip, Table, train } = installed.vcgpdm;
+    const { Clip, Table, train } = vcgpdm;
     const clip = Clip.sample("walk-1").cut(0, 100);
     const names = clip.info().joints.map(({ name }) => name);
     const parts = [
@@ -153,7 +153,7 @@ describe("one call", () => {
   });
 
   it("says in a training what was unusual in the files", () => {
-    const { Clip, Trainer, TrainingSet } = installed.vcgpdm;
+    const { Clip, Trainer, TrainingSet } = vcgpdm;
     const text = Clip.sample("walk-1").cut(0, 100).toBvh();
     const [hierarchy = "", motion = ""] = text.split("MOTION\n");
     const root = "ROOT Reference\n{\nOFFSET 0 0 0\nCHANNELS 1 Xposition\n";
@@ -169,7 +169,7 @@ describe("one call", () => {
   });
 
   it("sends a clip to a worker as plain data", () => {
-    const { Clip } = installed.vcgpdm;
+    const { Clip } = vcgpdm;
     const clip = Clip.sample("walk-wave-1").cut(10, 90).withUp("-z");
     const again = Clip.fromState(structuredClone(clip.state()));
     assert.deepEqual(again.info(), clip.info());

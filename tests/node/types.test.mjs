@@ -3,10 +3,10 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe, it } from "node:test";
+import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
-import { installedPackage } from "./package.mjs";
 
-const installed = await installedPackage();
+const vcgpdm = builtPackage();
 
 /** The names of the fields of a declared type, sorted. */
 function declared(/** @type {string} */ name) {
@@ -23,7 +23,7 @@ const document = (/** @type {string} */ name) =>
 
 /** Four short walks of a body in two parts. */
 function walks() {
-  const { Clip, TrainingSet } = installed.vcgpdm;
+  const { Clip, TrainingSet } = vcgpdm;
   const clips = new TrainingSet();
   for (const id of ["walk-1", "walk-2", "walk-3", "walk-4"]) clips.add(Clip.sample(id).cut(0, 50));
   return clips;
@@ -31,7 +31,7 @@ function walks() {
 
 describe("the declared types", () => {
   it("are what the functions give", () => {
-    const { Clip, Library, Results, Study, Trainer } = installed.vcgpdm;
+    const { Clip, Library, Results, Study, Trainer } = vcgpdm;
     const clip = Clip.sample("walk-1").cut(0, 50);
     check("ClipInfo", clip.info());
     check("ClipState", clip.state());
@@ -89,7 +89,7 @@ describe("the declared types", () => {
   });
 
   it("hold for models of every kind", () => {
-    const { Model } = installed.vcgpdm;
+    const { Model } = vcgpdm;
     for (const kind of ["vcgpdm", "map-cgpdm", "tmp", "dmp-rhythmic", "series", "combination"]) {
       const text = document(`${kind}.json`);
       const any = Model.fromJson(text);

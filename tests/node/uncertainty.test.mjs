@@ -3,14 +3,15 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { before, describe, it } from "node:test";
+import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
-import { coupledInfo, installedPackage } from "./package.mjs";
+import { coupledInfo } from "./package.mjs";
 
-const installed = await installedPackage();
+const vcgpdm = builtPackage();
 /** @type {import("vcgpdm").Model} */
 let model;
 before(async () => {
-  model = installed.vcgpdm.Model.fromJson(readFileSync(at("www/first/model.json"), "utf8"));
+  model = vcgpdm.Model.fromJson(readFileSync(at("www/first/model.json"), "utf8"));
 });
 
 const close = (/** @type {number | undefined} */ a, /** @type {number | undefined} */ b, tolerance = 1e-9) =>
@@ -47,7 +48,7 @@ describe("predictions", () => {
 describe("the model as it is sent to the page, with fewer digits", () => {
   for (const reading of /** @type {const} */ (["as-learned", "re-inferred"]))
     it(`is as sure as the one it was made of, ${reading}`, () => {
-      const sent = installed.vcgpdm.Model.fromJson(readFileSync(at("www/public/first/model.json"), "utf8"));
+      const sent = vcgpdm.Model.fromJson(readFileSync(at("www/public/first/model.json"), "utf8"));
       const alpha = coupledInfo(model).alpha.map((row) => row.map((value) => value * 2));
       const [full, short] = [model, sent].map((model) =>
         model.rollout({ frames: 60, sequence: 0, alpha, reading }).predictions(),
@@ -82,7 +83,7 @@ describe("uncertain rollouts", () => {
 });
 
 describe("a live rollout", () => {
-  const start = () => new installed.vcgpdm.Endless(model.rollout({ frames: 100, sequence: 0 }), 89);
+  const start = () => new vcgpdm.Endless(model.rollout({ frames: 100, sequence: 0 }), 89);
 
   it("goes on as the rollout does", () => {
     const rollout = model.rollout({ frames: 100, sequence: 0 });
@@ -141,7 +142,7 @@ describe("a live rollout", () => {
 });
 
 it("says how sure the model is at points of a latent space, and where its dynamics lead from there", () => {
-  const { Model } = installed.vcgpdm;
+  const { Model } = vcgpdm;
   const rollout = model.rollout({ frames: 40 });
   const { order, parts } = coupledInfo(model);
   const width = parts[0]?.latent ?? 0;

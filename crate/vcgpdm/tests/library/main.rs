@@ -7,7 +7,6 @@ mod documents;
 mod live;
 mod recognition;
 mod recordings;
-mod schema;
 mod series;
 #[path = "../shared/start_model.rs"]
 mod start_model;

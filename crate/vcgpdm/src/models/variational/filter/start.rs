@@ -145,3 +145,41 @@ impl Filter {
         Belief { mean: DVector::zeros(size), covariance: DMatrix::identity(size, size) }
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use crate::models::rollout::couplings::Reading;
+    use crate::models::training::pose_weight::PoseWeight;
+    use crate::models::variational::testing::fitted;
+    use approx::assert_relative_eq;
+    use nalgebra::DMatrix;
+
+    #[test]
+    fn the_error_of_a_place_counts_what_is_observed_there_in_units_of_the_noise() {
+        let model = fitted(1);
+        let filter = model.filter(&model.alpha, Reading::AsLearned, PoseWeight::default()).unwrap();
+        let latents = &model.starts[0];
+        let frames = latents[0].nrows();
+        // Each column is three standard deviations off from frame 1 on; of one, nothing is known.
+        let window = |frame: usize, count: usize| -> Vec<DMatrix<f64>> {
+            let part = |(part, x): (usize, &DMatrix<f64>)| {
+                let mut y = filter.poses[part].observations(&x.rows(frame, count).into_owned());
+                y.add_scalar_mut(3.0 * model.parts[part].beta().sqrt());
+                y.column_mut(part).fill(f64::NAN);
+                y
+            };
+            latents.iter().enumerate().map(part).collect()
+        };
+        let places = filter.places_by_error(&window(1, frames - 1));
+        let of_each = model.starts.iter().map(|x| x[0].nrows() + 1 - filter.order());
+        assert_eq!(places.len(), of_each.sum::<usize>());
+        assert_relative_eq!(places[1].error, 9.0, epsilon = 1e-9);
+        // The path ends before the window does.
+        let mut late = window(frames - 3, 3);
+        late.iter_mut().for_each(|y| *y = y.clone().insert_rows(3, 5, 0.0));
+        let found = &filter.places_by_error(&late)[frames - 3];
+        assert_eq!((found.path, found.frame), (0, frames - 3));
+        assert_relative_eq!(found.error, 9.0, epsilon = 1e-9);
+    }
+}
