@@ -16,8 +16,23 @@ const MIDDLE = /** @type {const} */ ([50, 66]);
 export const drawingModule = async (/** @type {string} */ name) =>
   /** @type {any} */ ((await runnerImport(at(`www/src/drawing/${name}.ts`), { configFile: false })).module);
 
-/** Learns what a hand drew, with the npm package: how the rollout compares with the drawing; null: too little. */
-export async function learner(/** @type {typeof import("vcgpdm")} */ { Table, Trainer, TrainingSet }) {
+/** Learns a drawing with the npm package `vc`: each pad is a part. */
+export function modelOf(
+  /** @type {any} */ vc,
+  /** @type {any} */ settings,
+  /** @type {any} */ { rows, rate },
+) {
+  const set = new vc.TrainingSet();
+  const names = ["x", "y", "x2", "y2"].slice(0, rows[0].length);
+  set.addTable(vc.Table.of("drawing", names, new Float64Array(rows.flat()), 1 / rate));
+  const parts = names.flatMap((name, i) => (i % 2 ? [{ name, columns: names.slice(i - 1, i + 1) }] : []));
+  const trainer = new vc.Trainer(set, { ...settings, framesPerSecond: rate, parts });
+  while (!trainer.step().done);
+  return trainer.model();
+}
+
+/** Learns what a hand drew: how the rollout compares with the drawing; null: too little. */
+export async function learner(/** @type {typeof import("vcgpdm")} */ vcgpdm) {
   const [{ drawingOf, DRAWING_SETTINGS }, { goesOn }] = await Promise.all(
     ["hand", "goes-on"].map(drawingModule),
   );
@@ -25,13 +40,8 @@ export async function learner(/** @type {typeof import("vcgpdm")} */ { Table, Tr
     const drawing = drawingOf([strokes]);
     if (!drawing) return null;
     const { rows, rate, lap } = drawing;
-    const set = new TrainingSet();
-    set.addTable(Table.of("drawing", ["x", "y"], new Float64Array(rows.flat()), 1 / rate));
-    const parts = [{ name: "hand", columns: ["x", "y"] }];
-    const trainer = new Trainer(set, { ...DRAWING_SETTINGS, framesPerSecond: rate, parts });
-    while (!trainer.step().done);
     const frames = Math.max(Math.round(SECONDS * rate), 3 * lap);
-    const values = trainer.model().rollout({ frames }).values();
+    const values = modelOf(vcgpdm, DRAWING_SETTINGS, drawing).rollout({ frames }).values();
     const path = Array.from({ length: frames }, (_, i) => [values[2 * i], values[2 * i + 1]]);
     return { ...drawing, ...goesOn(rows, path, lap) };
   };

@@ -70,6 +70,8 @@ it("a model goes on with one hand, then with two, whose couplings can be changed
   await soon(async () => assert.notEqual(await rolled(), before));
   await page.getByTestId("series-reset").click();
   await soon(async () => assert.equal(await rolled(), before));
+  await page.getByTestId("back-0").click();
+  await soon(async () => assert.notEqual(await rolled(), before));
 
   // A tone for each hand.
   const tones = await countTones(page);
@@ -79,6 +81,11 @@ it("a model goes on with one hand, then with two, whose couplings can be changed
   const play = page.getByTestId("draw-play");
   await play.click();
   await soon(async () => assert.equal(await play.getAttribute("aria-label"), "Play"));
+  const loop = page.locator("pg-drawing .plot").first();
+  const bare = await loop.screenshot();
+  await page.getByTestId("futures").click();
+  await page.getByTestId("other-futures").waitFor();
+  await soon(async () => assert.ok(!(await loop.screenshot()).equals(bare), "futures are drawn"));
 
   const drawing = await saved(page, "save-drawing");
   assert.match(drawing.text, /^time,left_x,left_y,right_x,right_y\n0\.000,/);

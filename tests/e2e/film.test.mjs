@@ -8,6 +8,8 @@ const site = openedSite();
 seldom.it("saves a moving picture with its progress, as GIF where the browser writes no videos", async () => {
   const { page } = await site.visit({ seen: true });
   await ready(page);
+  await page.locator("#open-more").click();
+  await page.getByTestId("sound").click();
   await page.getByTestId("save").click();
   const item = page.getByTestId("save-film");
   await item.waitFor();
@@ -23,6 +25,7 @@ seldom.it("saves a moving picture with its progress, as GIF where the browser wr
   const video = await film();
   assert.match(video.name, /-10s\.(webm|mp4)$/);
   assert.ok(video.bytes.length > 20_000, "the film has pictures");
+  assert.match(video.bytes.toString("latin1"), /A_OPUS|mp4a|Opus/, "the film has the sound of the page");
 
   await page.evaluate(() => Reflect.deleteProperty(window, "MediaRecorder"));
   const gif = await film();

@@ -52,6 +52,9 @@ it("couplings change the curves, and weights and latents are there", () => {
     for (const target of [0, 1])
       assert.ok(Math.abs((weights?.[0]?.[target] ?? 0) + (weights?.[1]?.[target] ?? 0) - 1) < 1e-12);
   assert.equal(changed.latents(1).length, 40 * 2);
+  const [one, two] = model.sampledRollouts({ frames: 40 }, 2, 7);
+  assert.deepEqual(model.sampledRollouts({ frames: 40 }, 1, 8)[0]?.values(), two?.values());
+  assert.notDeepEqual(one?.values(), two?.values());
 });
 
 it("a training says which columns never change and which clips are given twice", () => {

@@ -1,6 +1,7 @@
 // The item Moving picture of the menu Save: some seconds of the stage as a video, by the browser's own encoder, else as
 // GIF.
 import { html } from "lit";
+import type { SoundView } from "../live/sound-view";
 import { download } from "../ui/download";
 import { View } from "../ui/view";
 import { messageOf } from "../ui/format";
@@ -21,13 +22,13 @@ const kindHere = () =>
   KINDS.find(([, type]) => "MediaRecorder" in window && MediaRecorder.isTypeSupported(type)) ??
   (["gif", "image/gif"] as const);
 
-/** What a canvas shows until `ended`, as a video. */
+/** What a canvas shows until `ended`, as a video, with the sound of the page if it is on. */
 async function videoOf(canvas: HTMLCanvasElement, mimeType: string, ended: Promise<void>): Promise<Blob> {
   const pieces: Blob[] = [];
-  const recorder = new MediaRecorder(canvas.captureStream(30), {
-    mimeType,
-    videoBitsPerSecond: BITS_A_SECOND,
-  });
+  const video = canvas.captureStream(30);
+  const sound = document.querySelector<SoundView>("pg-sound")?.recorded?.getTracks() ?? [];
+  const both = new MediaStream([...video.getTracks(), ...sound]);
+  const recorder = new MediaRecorder(both, { mimeType, videoBitsPerSecond: BITS_A_SECOND });
   recorder.ondataavailable = ({ data }) => pieces.push(data);
   const stopped = new Promise((stopped, failed) => {
     recorder.onstop = stopped;
@@ -37,7 +38,7 @@ async function videoOf(canvas: HTMLCanvasElement, mimeType: string, ended: Promi
   await ended;
   recorder.stop();
   await stopped;
-  for (const track of recorder.stream.getTracks()) track.stop();
+  for (const track of video.getTracks()) track.stop();
   return new Blob(pieces, { type: mimeType });
 }
 

@@ -109,7 +109,11 @@ export class CouplingsStore {
   }
 
   set(source: number, target: number, alpha: number): void {
-    this.#set([[source, target, alpha]]);
+    if (this.#learned.length === 0) return;
+    const changed = this.#without(pair(source, target));
+    if (!isClose(alpha, this.learnedAlpha(source, target))) changed[pair(source, target)] = alpha;
+    this.place.change({ alpha: changed });
+    this.#changed("set");
   }
 
   /** Sets all couplings at once, and a reading that lasts until `resetAll`. */
@@ -120,7 +124,7 @@ export class CouplingsStore {
   }
 
   reset(source: number, target: number): void {
-    this.place.change({ alpha: this.#without([pair(source, target)]) });
+    this.place.change({ alpha: this.#without(pair(source, target)) });
     this.#changed("reset");
   }
 
@@ -156,18 +160,8 @@ export class CouplingsStore {
     return this.#learned.map((_, source) => this.alphaOf(source, target));
   }
 
-  #set(changes: readonly [source: number, target: number, alpha: number][]): void {
-    if (this.#learned.length === 0) return;
-    const alpha = this.#without(changes.map(([source, target]) => pair(source, target)));
-    for (const [source, target, value] of changes)
-      if (!isClose(value, this.learnedAlpha(source, target))) alpha[pair(source, target)] = value;
-    this.place.change({ alpha });
-    this.#changed("set");
-  }
-
-  #without(pairs: readonly string[]): ChangedCouplings {
-    const others = Object.entries(this.place.values.alpha).filter(([pair]) => !pairs.includes(pair));
-    return Object.fromEntries(others);
+  #without(left: string): ChangedCouplings {
+    return Object.fromEntries(Object.entries(this.place.values.alpha).filter(([pair]) => pair !== left));
   }
 }
 

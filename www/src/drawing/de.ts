@@ -28,10 +28,15 @@ export const words: DrawingWords = {
   once: "Du hast es einmal gezeichnet, darum wurde es für das Modell wiederholt. Es macht weiter wie deine Hand.",
   lost: (hand) =>
     `Die Hand ${hand} macht nicht so weiter, wie du gezeichnet hast. Zeichne ein paar Mal herum, ohne Pause und etwas langsamer.`,
+  paced: (percent) => `Die zuletzt gezeichnete Hand hat jetzt das Tempo der anderen, um ${percent} % anders.`,
+  apart:
+    "Deine Hände haben verschiedene Tempi, da ist keine Kopplung zu lernen. Zeichne eine noch einmal, im Takt der anderen.",
+  back: (hand) => `${hand} ¼ Runde zurück`,
+  backMeaning: "Setzt diese Hand um eine viertel Runde zurück: Wartet die andere auf sie?",
   again: "Leeren",
   lead: {
     one: "Eine Hand, eine latente Schleife mit ihren Stützpunkten. Zeichne mit der zweiten Hand, und kopple beide.",
-    two: "Schwäche einen Pfeil zwischen den Händen: Laufen sie auseinander? Verstärke ihn: Zieht eine die andere mit?",
+    two: "Setz eine Hand zurück. Schwäche beide Pfeile zwischen den Händen: Laufen sie auseinander? Verstärke einen: Zieht eine die andere mit?",
   },
   saveDrawing: "Zeichnung, CSV",
   saveDrawingMeaning: "So wie das Modell sie lernte; öffnet sich in Zeitreihen und im Terminal",

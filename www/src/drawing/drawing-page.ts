@@ -1,6 +1,7 @@
 // The view Draw: the pads of two hands, and the picture of loops and couplings of the model that goes on.
 import { html, nothing } from "lit";
 import { coupledPicture } from "../picture/coupled-picture";
+import { FUTURES } from "../series/series-store";
 import { SeriesView } from "../series/series-view";
 import { download } from "../ui/download";
 import { icon } from "../ui/icons";
@@ -62,6 +63,7 @@ export class DrawingPage extends SeriesView {
             ? html`
           <button class="round primary" data-testid="draw-play" aria-label=${playing ? time.pause : time.play} @click=${() => this.togglePlay()}>${icon(playing ? "pause" : "play")}</button>
           <pg-sound .app=${this.page} .hands=${() => this.#heights()}></pg-sound>
+          ${drawn.pads.length > 1 ? drawn.pads.map((pad) => html`<button class="small" data-testid="back-${pad}" title=${words.backMeaning} @click=${() => store.setBack(pad)}>${words.back(words.hands[pad] ?? "")}</button>`) : nothing}
           <button class="small" data-testid="draw-clear" @click=${() => store.clear()}>${words.again}</button>
           <label class="says"><span class="visually-hidden">${words.says}</span>
             <input data-testid="says" maxlength="80" placeholder=${words.says} .value=${this.settings.values.says}
@@ -91,6 +93,25 @@ export class DrawingPage extends SeriesView {
     return hands.some(({ visited }) => visited < STOPPED) && hands.some(({ goesOn }) => goesOn);
   }
 
+  /** Shows futures behind the loops, from this seed on; 0: none. */
+  async #showFutures(seed: number): Promise<void> {
+    const { model } = this.store;
+    const { drawFutures } = await import("../latents/outlook-drawing");
+    this.space.layers.behind = (draw, plane, part, frame) =>
+      drawFutures(draw, plane, part, frame, model.futures);
+    model.showFutures(seed);
+  }
+
+  #futures() {
+    const { seed } = this.store.model;
+    const { futures, fiveOthers } = lab().loops;
+    return html`
+      <div class="marks">
+        <button class="chip" data-testid="futures" aria-pressed=${seed > 0 ? "true" : "false"} title=${futures.meaning} @click=${() => void this.#showFutures(seed > 0 ? 0 : 1)}>${futures.label}</button>
+        ${seed > 0 ? html`<button class="small" data-testid="other-futures" @click=${() => void this.#showFutures(seed + FUTURES)}>${fiveOthers}</button>` : nothing}
+      </div>`;
+  }
+
   #picture() {
     const { store } = this;
     const words = drawingWords();
@@ -106,7 +127,7 @@ export class DrawingPage extends SeriesView {
       space: this.space,
       lead: store.drawn.pads.length > 1 ? words.lead.two : words.lead.one,
       problem: store.model.problem,
-      foot: nothing,
+      foot: this.#futures(),
     });
   }
 

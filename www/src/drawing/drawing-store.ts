@@ -1,8 +1,10 @@
 // A drawing of one hand or of two, and the model that goes on with it.
+import { isOff } from "../couplings/weights";
 import type { TrainedSeries } from "../engine/series-protocol";
 import type { WholeWorkers } from "../engine/whole-workers";
 import { SeriesStore } from "../series/series-store";
 import { TablesStore } from "../series/tables-store";
+import type { SettingsStore } from "../settings/settings-store";
 import { ProgressStore } from "../training/progress-store";
 import { drawingWords } from "./view-words";
 import { circle, drawnBy, eight } from "./example";
@@ -11,11 +13,13 @@ import {
   type Drawing,
   DRAWING_SETTINGS,
   drawingOf,
+  drawnBeside,
   HEIGHT,
   LONGEST,
   onPad,
-  placeInLoop,
-  playedStrokes,
+  placeInRound,
+  READS_A_SECOND,
+  type Rows,
   ROWS_A_SECOND,
   type Sample,
   WIDTH,
@@ -39,7 +43,6 @@ export function drawingFile({ rows, rate }: Pick<Drawing, "rows" | "rate">, pads
 
 export class DrawingStore extends ProgressStore<TrainedSeries> {
   readonly model: SeriesStore;
-  readonly #workers: WholeWorkers;
   /** The strokes of the pads that are drawn on now. */
   readonly #strokes = new Map<Pad, Sample[][]>();
   /** The pads that a pen touches now. */
@@ -57,9 +60,8 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
   /** Counts the drawings: a training that ends after the next one began is of no use. */
   #newest = 0;
 
-  constructor(workers: WholeWorkers) {
+  constructor(private readonly workers: WholeWorkers) {
     super();
-    this.#workers = workers;
     this.model = new SeriesStore(workers, new TablesStore(workers), AT_A_TIME);
     this.model.on(() => this.changed());
   }
@@ -103,8 +105,8 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     if (this.#woken) return;
     this.#woken = true;
     // The training itself says what went wrong.
-    this.#workers.pool.run(async () => {}).catch(() => {});
-    this.#workers.desk.run(async () => {}).catch(() => {});
+    this.workers.pool.run(async () => {}).catch(() => {});
+    this.workers.desk.run(async () => {}).catch(() => {});
   }
 
   #forgetTraining(): void {
@@ -135,18 +137,13 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
 
   /** The drawing on both pads. A pad that was not drawn on plays what it has. */
   #joined(): { drawing: Drawing; pads: readonly Pad[] } | null {
-    const before = this.#drawn;
-    const seconds = Math.max(
-      ...[...this.#strokes.values()].map((strokes) => strokes.at(-1)?.at(-1)?.seconds ?? 0),
-    );
-    const pads = ([0, 1] as const).filter((pad) => this.#strokes.has(pad) || before?.pads.includes(pad));
-    const all = pads.map((pad) => {
-      const own = this.#strokes.get(pad);
-      if (own || !before) return own ?? [];
-      return playedStrokes(before.drawing.loop, before.pads.indexOf(pad), seconds);
-    });
-    const drawing = drawingOf(all);
-    return drawing && { drawing, pads };
+    const { drawing, pads: before = [] } = this.#drawn ?? {};
+    const pads = ([0, 1] as const).filter((pad) => this.#strokes.has(pad) || before.includes(pad));
+    const drawn = pads.filter((pad) => this.#strokes.has(pad));
+    const own = drawingOf(drawn.map((pad) => this.#strokes.get(pad) ?? []));
+    const played =
+      drawn.length < pads.length ? drawing?.rounds[before.indexOf(drawn[0] === 0 ? 1 : 0)] : null;
+    return own && { drawing: played ? drawnBeside(played, own, drawn[0] ?? 0) : own, pads };
   }
 
   async learn(drawing: Drawing, pads: readonly Pad[]): Promise<void> {
@@ -162,7 +159,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     // The measure arrives while the model learns: a first visit does without it.
     const measure = import("./goes-on");
     const found = await this.run(async (report, signal) => {
-      const trained = this.#workers.pool.run((worker) => worker.trainSeries(job, report, signal), signal);
+      const trained = this.workers.pool.run((worker) => worker.trainSeries(job, report, signal), signal);
       [this.#goesOn] = await Promise.all([measure.then(({ goesOn }) => goesOn), trained]);
       return trained;
     });
@@ -181,7 +178,7 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     const place = this.#placeOf(pad);
     if (!this.#drawn || place < 0) return null;
     if (this.isDrawing)
-      return placeInLoop(this.#drawn.drawing.loop, place, Math.max(0, now - this.#began) / 1000);
+      return placeInRound(this.#drawn.drawing.rounds[place] ?? [], Math.max(0, now - this.#began) / 1000);
     const frame = this.model.clock.frame;
     const [a, b] = [this.#at(place, Math.floor(frame)), this.#at(place, Math.ceil(frame))];
     return a && b ? a.map((value, i) => value + (frame % 1) * ((b[i] ?? value) - value)) : a;
@@ -195,6 +192,14 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     return Array.from({ length: frames }, (_, i) => this.#at(place, now - frames + 1 + i)).filter(
       (found) => found !== null,
     );
+  }
+
+  /** Sets a hand back by a quarter of its round. */
+  setBack(pad: Pad): void {
+    const { drawing, pads = [] } = this.#drawn ?? {};
+    const quarter = (round: Rows) => Math.round(((drawing?.rate ?? 0) * round.length) / READS_A_SECOND / 4);
+    this.model.setBack(pads.map((own, place) => (own === pad ? quarter(drawing?.rounds[place] ?? []) : 0)));
+    this.model.clock.play();
   }
 
   /** The rows that the model learned of a pad; empty: it was not drawn on. */
@@ -224,7 +229,17 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     if (this.ending.failed) return this.ending.words;
     if (!this.#drawn) return "";
     if (this.#lost !== undefined) return words.lost(words.hands[this.#lost] ?? "");
-    return this.#drawn.drawing.once ? words.once : words.goesOn;
+    const { once, tempo } = this.#drawn.drawing;
+    const on = once ? words.once : words.goesOn;
+    if (tempo === null && !this.#isCoupled) return `${on} ${words.apart}`;
+    const percent = Math.round(100 * Math.abs(1 - (tempo ?? 1)));
+    return percent > 0 ? `${on} ${words.paced(percent)}` : on;
+  }
+
+  /** Whether training found a coupling between the hands. */
+  get #isCoupled(): boolean {
+    const { couplings } = this.model;
+    return [0, 1].some((source) => !isOff(couplings.learnedWeight(source, 1 - source)));
   }
 
   /** The hand that does not go on as it was drawn; undefined: all do. */
@@ -263,4 +278,21 @@ export class DrawingStore extends ProgressStore<TrainedSeries> {
     this.#drawn = null;
     this.changed();
   }
+}
+
+type Keep = { keepInAddress(store: DrawingStore, settings: SettingsStore): void };
+
+/** Keeps drawings in the address: a first visit loads what this needs when a hand begins to draw. */
+export function linkDrawings(store: DrawingStore, settings: SettingsStore, load: () => Promise<Keep>): void {
+  let link: Promise<void> | null = null;
+  const look = () => {
+    if (link || !(settings.values.drawing || store.isDrawing || store.busy)) return;
+    link = load().then(({ keepInAddress }) => keepInAddress(store, settings));
+    link.catch(() => {
+      link = null;
+    });
+  };
+  store.on(look);
+  settings.on(look);
+  look();
 }

@@ -15,8 +15,9 @@ function randomOf(seed: number): () => number {
   };
 }
 
-/** A closed or an open line through corners, at an even speed. */
-function through(corners: readonly [number, number][], isClosed: boolean): Shape {
+/** A closed or an open line through corners, "x y, x y", at an even speed. */
+function through(text: string, isClosed: boolean): Shape {
+  const corners = text.split(", ").map((corner) => corner.split(" ").map(Number) as [number, number]);
   const all = isClosed ? [...corners, corners[0] ?? [0, 0]] : corners;
   const lengths = all.slice(1).map(([x, y], i) => Math.hypot(x - (all[i]?.[0] ?? 0), y - (all[i]?.[1] ?? 0)));
   const whole = lengths.reduce((sum, length) => sum + length, 0);
@@ -31,7 +32,7 @@ function through(corners: readonly [number, number][], isClosed: boolean): Shape
 }
 
 const round = (turn: number) => 2 * Math.PI * turn;
-const star: [number, number][] = [0, 2, 4, 1, 3].map((k) => [Math.sin(round(k / 5)), Math.cos(round(k / 5))]);
+const star = [0, 2, 4, 1, 3].map((k) => `${Math.sin(round(k / 5))} ${Math.cos(round(k / 5))}`).join(", ");
 const SHAPES: Record<string, Shape> = {
   circle: (t) => [Math.cos(round(t)), Math.sin(round(t))],
   ellipse: (t) => [1.2 * Math.cos(round(t)), 0.4 * Math.sin(round(t))],
@@ -43,23 +44,8 @@ const SHAPES: Record<string, Shape> = {
     return [Math.sin(a) ** 3, y / 16];
   },
   star: through(star, true),
-  square: through(
-    [
-      [-1, -1],
-      [1, -1],
-      [1, 1],
-      [-1, 1],
-    ],
-    true,
-  ),
-  triangle: through(
-    [
-      [-1, -0.8],
-      [1, -0.8],
-      [0, 1],
-    ],
-    true,
-  ),
+  square: through("-1 -1, 1 -1, 1 1, -1 1", true),
+  triangle: through("-1 -0.8, 1 -0.8, 0 1", true),
   zigzag: (t) => [1.2 * Math.sin(round(t)), 0.5 * Math.sin(6 * round(t) + 1)],
   line: (t) => [Math.cos(round(t)), 0.3 * Math.cos(round(t))],
   flower: (t) => [
@@ -79,25 +65,8 @@ const SHAPES: Record<string, Shape> = {
     t < 0.3 ? 0 : 0.6 * Math.sin(round((t - 0.3) * 1.15)),
   ],
   s: (t) => [0.6 * Math.cos(1.5 * Math.PI * 2 * t + 0.7), 1 - 2 * t],
-  m: through(
-    [
-      [-1, -1],
-      [-0.8, 1],
-      [0, -0.6],
-      [0.8, 1],
-      [1, -1],
-    ],
-    false,
-  ),
-  z: through(
-    [
-      [-1, 1],
-      [1, 1],
-      [-1, -1],
-      [1, -1],
-    ],
-    false,
-  ),
+  m: through("-1 -1, -0.8 1, 0 -0.6, 0.8 1, 1 -1", false),
+  z: through("-1 1, 1 1, -1 -1, 1 -1", false),
   hook: (t) => [
     t < 0.5 ? -0.5 : -0.5 + 2 * (t - 0.5),
     t < 0.5 ? 1 - 3 * t : -0.5 + 0.6 * Math.sin(round(t - 0.5)),
@@ -203,3 +172,13 @@ export const HANDS: readonly Hand[] = [
   { shape: "z", laps: 2, lap: 1.2, seed: 29, lifted: true },
   { shape: "hook", laps: 1, lap: 0.9, seed: 30, size: 12 },
 ];
+
+/**
+ * Two hands for each of these drawings: while it is played, whose round has these seconds, the second hand draws a
+ * closed shape a little slower or faster.
+ */
+export function beside(place: number, round: number): Hand {
+  const lap = round * (0.92 + 0.16 * (((place * 7919 + 13) % 100) / 100));
+  const { shape = "circle" } = HANDS[(place + 7) % 20] ?? {};
+  return { shape, lap, laps: Math.max(3, Math.round(5 / lap)), seed: 500 + place };
+}

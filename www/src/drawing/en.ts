@@ -23,10 +23,15 @@ export const words = {
   once: "You drew it once, so it was repeated for the model. It goes on as your hand did.",
   lost: (hand: string) =>
     `The ${hand} hand does not go on as you drew it. Draw it a few times round, without a rest, and a little slower.`,
+  paced: (percent: number) => `The hand that you drew last got the tempo of the other, ${percent} % away.`,
+  apart:
+    "Your hands keep different tempos, so there is no coupling to learn. Draw one again, in time with the other.",
+  back: (hand: string) => `${hand} ¼ round back`,
+  backMeaning: "Sets this hand back by a quarter of a round: does the other hand wait for it?",
   again: "Clear",
   lead: {
     one: "One hand, one loop of latents with its inducing points. Draw with the second hand, and couple them.",
-    two: "Weaken an arrow between the hands: do they fall apart? Strengthen it: does one drag the other?",
+    two: "Set one hand back. Weaken both arrows between the hands: do they fall apart? Strengthen one: does one hand drag the other?",
   },
   saveDrawing: "Drawing, CSV",
   saveDrawingMeaning: "As the model learned it; opens in Time series and in the terminal",

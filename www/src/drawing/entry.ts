@@ -20,13 +20,12 @@ export const view = defineView({
     },
   },
   async stores({ workers, settings, words: language }) {
-    const [{ DrawingStore }, { keepInAddress }] = await Promise.all([
+    const [{ DrawingStore, linkDrawings }] = await Promise.all([
       import("./drawing-store"),
-      import("./link"),
       words.load(language),
     ]);
     const store = new DrawingStore(workers);
-    keepInAddress(store, settings);
+    linkDrawings(store, settings, () => import("./link"));
     return store;
   },
 });

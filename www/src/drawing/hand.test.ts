@@ -1,7 +1,16 @@
 import { describe, expect, it } from "vitest";
 import { HANDS, strokesOf } from "./drawings.fake";
 import { goesOn } from "./goes-on";
-import { drawingOf, onPad, placeInLoop, playedStrokes, ROWS_A_SECOND, type Rows, type Strokes } from "./hand";
+import {
+  drawingOf,
+  drawnBeside,
+  lapOf,
+  onPad,
+  placeInRound,
+  ROWS_A_SECOND,
+  type Rows,
+  type Strokes,
+} from "./hand";
 
 const round = (turn: number): [number, number] => [
   50 + 30 * Math.cos(2 * Math.PI * turn),
@@ -65,15 +74,28 @@ describe("a drawing", () => {
     expect(drawingOf([circle(2, 1), []])).toBeNull();
   });
 
-  it("of two hands has the rows of the time that both drew, and goes on while another is drawn", () => {
+  it("of two hands has the rows of the time that both drew", () => {
     const both = drawingOf([circle(4, 1), circle(3, 1.2, 0.5)]);
     expect(both?.rows[0]?.length).toBe(4);
     expect(both?.rows.length).toBeLessThanOrEqual(3.6 * ROWS_A_SECOND);
-    const { loop = [] } = drawingOf([circle(3, 1)]) ?? {};
-    const played = drawingOf([playedStrokes(loop, 0, 5), circle(4, 1.25)]);
-    const path = onPad(played?.rows ?? [], 0);
-    expect(Math.max(...steps(path))).toBeLessThan(1.5 * 2 * Math.PI * 30 * (1 / ROWS_A_SECOND));
-    expect(placeInLoop(loop, 0, 1000)).toHaveLength(2);
+  });
+
+  it("of a second hand gets the tempo of the first, when both are near", () => {
+    const [first, near, far] = [1, 1.1, 1.5].map((lap) => drawingOf([circle(5, lap)]));
+    if (!first || !near || !far) throw new Error("too little");
+    const [round = []] = first.rounds;
+    expect(placeInRound(round, 1000)).toHaveLength(2);
+    expect(lapOf(Array.from({ length: 300 }, (_, i) => placeInRound(round, i / 60) ?? []))).toBe(60);
+    const both = drawnBeside(round, near, 1);
+    expect([0, 1].map((pad) => lapOf(onPad(both.readings, pad)))).toEqual([60, 60]);
+    expect(both.tempo).toBeCloseTo(60 / 66, 6);
+    expect(Math.max(...steps(onPad(both.rows, 0)))).toBeLessThan(
+      1.5 * 2 * Math.PI * 30 * (1 / ROWS_A_SECOND),
+    );
+    const apart = drawnBeside(round, far, 0);
+    expect(apart.tempo).toBeNull();
+    expect([0, 1].map((pad) => lapOf(onPad(apart.readings, pad)))).toEqual([90, 60]);
+    expect(drawingOf([circle(5, 1), circle(4, 1.5)])?.tempo).toBeNull();
   });
 
   it("goes on in itself, and neither in a rest nor in a smaller copy", () => {

@@ -2,7 +2,7 @@
 // drawn once only is repeated. No DOM.
 
 /** The pen is read so often a second. */
-const READS_A_SECOND = 60;
+export const READS_A_SECOND = 60;
 /** Every third reading is a row of the table: from row to row the pen should move visibly. */
 const EVERY = 3;
 /** A lap has at most as many rows: a slow drawing has fewer a second, because the pen moves less from row to row. */
@@ -22,6 +22,10 @@ const AWAY = 0.6;
 /** A shape that was drawn once is repeated for at least as many readings, and at least as often. */
 const REPEATED = 4 * READS_A_SECOND;
 const REPEATED_LAPS = 3;
+/** Two hands keep one tempo when their laps differ by a smaller factor. */
+const ONE_TEMPO = 1.15;
+/** The way back to the beginning has at least as many readings. */
+const WAY_BACK = 10;
 /** The smallest drawing: its readings, and its extent. */
 const FEWEST = 20;
 const SMALLEST = 4;
@@ -58,15 +62,19 @@ export type Rows = readonly (readonly number[])[];
 
 export interface Drawing {
   /** [rows][x and y of each pad] */
-  rows: number[][];
+  rows: Rows;
   /** Rows a second: `ROWS_A_SECOND`, or half, a third, ... as many. */
   rate: number;
   /** About as many rows pass until the pens are where they began. */
   lap: number;
   /** Whether a shape was drawn once only, so that it is repeated. */
   once: boolean;
-  /** One round without a seam, which can be played for ever: readings, `READS_A_SECOND`. */
-  loop: number[][];
+  /** All readings, `READS_A_SECOND`: the rows are some of them. */
+  readings: Rows;
+  /** One round of each pad without a seam, which can be played for ever: readings. */
+  rounds: Rows[];
+  /** By how much a hand was slowed down to the tempo of the other; null: the hands keep different tempos. */
+  tempo: number | null;
 }
 
 const distance = (a: readonly number[], b: readonly number[]) =>
@@ -153,7 +161,7 @@ function wayBack(rows: Rows): number[][] {
   const [a, b] = [rows.at(-1) ?? [], rows[0] ?? []];
   const usual =
     rows.reduce((sum, row, i) => sum + (i ? distance(row, rows[i - 1] ?? row) : 0), 0) / rows.length;
-  const count = Math.max(10, Math.round(distance(a, b) / usual));
+  const count = Math.max(WAY_BACK, Math.round(distance(a, b) / usual));
   const out = a.map((value, i) => value - (rows.at(-4)?.[i] ?? value));
   const into = b.map((value, i) => (rows[3]?.[i] ?? value) - value);
   const reach = count / 3 / 3;
@@ -170,9 +178,20 @@ function wayBack(rows: Rows): number[][] {
   });
 }
 
-/** One lap without a seam. */
-function closed(rows: Rows): number[][] {
+/** One round without a seam: of a drawing that returns to itself, the lap in its middle. */
+function closed(drawn: Rows, lap: number | null = null): number[][] {
+  const first = lap === null ? 0 : (drawn.length - lap) >> 1;
+  const rows = lap === null ? drawn : drawn.slice(first, first + lap - WAY_BACK + 1);
   return smoothed([...rows, ...wayBack(rows)], true);
+}
+
+const isOneTempo = (lap: number, other: number) => Math.max(lap / other, other / lap) < ONE_TEMPO;
+
+/** The rows of a table of readings, of which the slowest hand needs so many for a lap. */
+function tableOf(readings: Rows, lap: number) {
+  const every = EVERY * Math.ceil(lap / (EVERY * MOST_OF_LAP));
+  const rows = readings.filter((_, i) => i % every === 0);
+  return { rows, rate: READS_A_SECOND / every, lap: Math.round(lap / every) };
 }
 
 /**
@@ -196,31 +215,49 @@ export function drawingOf(pads: readonly Strokes[]): Drawing | null {
     return null;
   const loop = closed(drawn);
   const laps = pads.map((_, pad) => lapOf(onPad(drawn, pad)));
-  const once = laps.includes(null);
+  const known = laps.filter((lap) => lap !== null);
+  const once = known.length < laps.length;
   const often = Math.max(REPEATED_LAPS, Math.ceil(REPEATED / loop.length));
-  const all = once ? Array.from({ length: often }, () => loop).flat() : drawn;
-  const lap = once ? loop.length : Math.max(...laps.map((lap) => lap ?? 0));
-  const every = EVERY * Math.ceil(lap / (EVERY * MOST_OF_LAP));
-  const rows = all.filter((_, i) => i % every === 0);
-  return { rows, rate: READS_A_SECOND / every, lap: Math.round(lap / every), once, loop };
+  const readings = once ? Array.from({ length: often }, () => loop).flat() : drawn;
+  const lap = once ? loop.length : Math.max(...known);
+  const rounds = laps.map((own, pad) => (own === null ? onPad(loop, pad) : closed(onPad(drawn, pad), own)));
+  const tempo = once || isOneTempo(lap, Math.min(...known)) ? 1 : null;
+  return { ...tableOf(readings, lap), once, readings, rounds, tempo };
+}
+
+/** Readings as if the pen had been `factor` times as fast; after the last one comes the first. */
+const paced = (rows: Rows, factor: number, count: number) =>
+  Array.from({ length: count }, (_, i) => {
+    const [whole, share] = [Math.floor(i * factor), (i * factor) % 1];
+    return between(rows[whole % rows.length] ?? [], rows[(whole + 1) % rows.length] ?? [], share);
+  });
+
+/**
+ * A drawing of two hands: `own` was drawn while a round of the other hand was played. When both tempos are near, it
+ * gets the tempo of the other: else the hands would drift apart by accident, and there were no coupling to learn.
+ * `place`: that of the drawn hand.
+ */
+export function drawnBeside(round: Rows, own: Drawing, place: number): Drawing {
+  const [one = []] = own.rounds;
+  const repeats = own.once || own.readings.length < 2 * round.length;
+  const [rows, lap] = repeats ? [one, one.length] : [own.readings, lapOf(own.readings) ?? one.length];
+  const isNear = isOneTempo(lap, round.length);
+  const factor = isNear ? lap / round.length : 1;
+  const slowest = Math.max(round.length, lap / factor);
+  const count = repeats ? Math.max(REPEATED_LAPS * slowest, REPEATED) : (rows.length - 1) / factor;
+  const readings = paced(rows, factor, Math.floor(count)).map((row, i) => {
+    const other = round[i % round.length] ?? [];
+    return place === 0 ? [...row, ...other] : [...other, ...row];
+  });
+  const rounds = [round, paced(one, factor, Math.round(one.length / factor))];
+  if (place === 0) rounds.reverse();
+  return { ...tableOf(readings, slowest), once: false, readings, rounds, tempo: isNear ? 1 / factor : null };
 }
 
 /** The rows of one pad. */
 export const onPad = (rows: Rows, pad: number): number[][] =>
   rows.map((row) => row.slice(2 * pad, 2 * pad + 2));
 
-/** What a loop draws on a pad within a time, as if a hand drew it. */
-export function playedStrokes(loop: Rows, pad: number, seconds: number): Strokes {
-  const count = Math.ceil(seconds * READS_A_SECOND) + 1;
-  return [
-    Array.from({ length: count }, (_, i) => {
-      const [x = 0, y = 0] = placeInLoop(loop, pad, i / READS_A_SECOND);
-      return { seconds: i / READS_A_SECOND, x, y };
-    }),
-  ];
-}
-
-/** Where the pen of a pad is when a loop has been played for some seconds. */
-export function placeInLoop(loop: Rows, pad: number, seconds: number): number[] {
-  return loop[Math.round(seconds * READS_A_SECOND) % loop.length]?.slice(2 * pad, 2 * pad + 2) ?? [];
-}
+/** Where the pen is when a round has been played for some seconds. */
+export const placeInRound = (round: Rows, seconds: number): readonly number[] | null =>
+  round[Math.round(seconds * READS_A_SECOND) % round.length] ?? null;

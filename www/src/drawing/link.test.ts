@@ -3,7 +3,7 @@ import { FakeProgram } from "../engine/whole-workers.fake";
 import { SettingsStore } from "../settings/settings-store";
 import { DrawingStore } from "./drawing-store";
 import { circle, drawnBy, eight } from "./example";
-import { drawingOf, HEIGHT, WIDTH } from "./hand";
+import { drawingOf, HEIGHT, type Rows, WIDTH } from "./hand";
 import { drawingIn, keepInAddress, textOf } from "./link";
 
 const drawing = drawingOf([[drawnBy(eight)], [drawnBy(circle)]]);
@@ -14,7 +14,7 @@ it("brings a drawing back, within a thousandth of the pad where it was smoothed 
   expect(text.length).toBeLessThan(1000);
   const found = drawingIn(text);
   expect(found?.pads).toEqual([0, 1]);
-  const inner = (rows?: number[][]) => rows?.slice(4, -4) ?? [];
+  const inner = (rows?: Rows) => rows?.slice(4, -4) ?? [];
   inner(found?.drawing.rows).forEach((row, i) =>
     row.forEach((value, axis) => {
       const before = inner(drawing?.rows)[i]?.[axis] ?? Number.NaN;

@@ -68,6 +68,8 @@ export interface SeriesWorker {
   openSeries(text: string): OpenedSeries;
   /** A rollout of the open model. */
   rolloutSeries(request: SeriesRequest): SeriesRollout;
+  /** Sampled rollouts of the seeds `seed`, `seed + 1`, and so on; nothing is given. */
+  sampleSeries(request: SeriesRequest, count: number, seed: number): SeriesRollout[];
   /** A rollout of the open model as CSV: frame, time in seconds, and the columns of the model. */
   seriesCsv(request: SeriesRequest): string;
   trainSeries(job: SeriesJob, report: Report<TrainedSeries>, signal: AbortSignal): Promise<TrainingOutcome>;

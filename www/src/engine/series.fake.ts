@@ -90,6 +90,12 @@ export class FakeSeries {
         const latents = alpha ? [new Float64Array(2 * asked.frames), new Float64Array(asked.frames)] : [];
         return { values, latents, weights: alpha && (asked.alpha ?? alpha) };
       },
+      sampleSeries: async ({ frames }, count, seed) =>
+        Array.from({ length: count }, (_, k) => ({
+          values: new Float64Array(3 * frames).fill(seed + k),
+          latents: [new Float64Array(2 * frames).fill(seed + k), new Float64Array(frames)],
+          weights: null,
+        })),
       seriesCsv: async ({ alpha }) => `csv of ${JSON.stringify(alpha)}`,
       trainSeries: (job, report, signal) =>
         new Promise((end) => {

@@ -20,7 +20,8 @@ export class LayersStore extends Store {
   readonly #open: () => Promise<OpenedOutlook | null>;
   #shown: Layers = { pose: true, dynamics: true, between: false };
   #outlook: OutlookStore | null = null;
-  #behind: Behind | null = null;
+  /** Draws behind the path; null: nothing is there. */
+  behind: Behind | null = null;
 
   /** `open`: loads futures and uncertainty; null if they cannot be loaded. */
   constructor(open: () => Promise<OpenedOutlook | null>) {
@@ -37,11 +38,6 @@ export class LayersStore extends Store {
     return this.#outlook;
   }
 
-  /** Draws behind the path; null: nothing is there. */
-  get behind(): Behind | null {
-    return this.#behind;
-  }
-
   toggle(layer: keyof Layers): void {
     this.#shown = { ...this.#shown, [layer]: !this.#shown[layer] };
     this.changed();
@@ -54,7 +50,7 @@ export class LayersStore extends Store {
     if (!this.#outlook) {
       this.#outlook = store;
       store.on(() => {
-        this.#behind = behindPath(store);
+        this.behind = behindPath(store);
         this.changed();
       });
     }

@@ -1,11 +1,13 @@
 // Draws the outlook behind the path of a part: sampled futures, and the Gaussian of moment matching.
-import type { RolloutResult } from "../engine/protocol";
 import type { PartMoments } from "../engine/whole-protocol";
 import { partColourNow, theme } from "../ui/palette";
 import type { OutlookStore } from "./outlook-store";
 import { ellipseOf, type Plane } from "./plane";
 import { interpolate } from "./prediction-at";
 import { type BandPoint, fillDot, traceBand, traceEllipse } from "./shapes";
+
+/** A sampled rollout. */
+export type Future = { latents: readonly Float64Array[]; request: { frames: number } };
 
 /** Frames of the drawn trail: half a second. All laps together would be a tangle. */
 const TRAIL = 15;
@@ -38,7 +40,7 @@ export function drawFutures(
   plane: Plane,
   part: number,
   frame: number,
-  futures: readonly RolloutResult[],
+  futures: readonly Future[],
 ): void {
   draw.strokeStyle = draw.fillStyle = partColourNow(part);
   draw.lineWidth = 1.25;

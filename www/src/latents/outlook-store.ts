@@ -28,9 +28,6 @@ interface Moments {
 }
 
 export class OutlookStore extends Store {
-  readonly #model: ModelStore;
-  readonly #stage: StageStore;
-  readonly #notices: NoticesStore;
   readonly #document: ModelDocument;
   readonly #pictures: PlanePictures;
   readonly #shown = new Set<Outlook>();
@@ -44,15 +41,12 @@ export class OutlookStore extends Store {
 
   constructor(
     engine: EngineStore,
-    model: ModelStore,
-    stage: StageStore,
-    notices: NoticesStore,
+    private readonly model: ModelStore,
+    private readonly stage: StageStore,
+    private readonly notices: NoticesStore,
     workers: Pick<WholeWorkers, "desk">,
   ) {
     super();
-    this.#model = model;
-    this.#stage = stage;
-    this.#notices = notices;
     this.#document = new ModelDocument(engine, workers);
     this.#pictures = new PlanePictures(
       async ({ rollout: { revision, request }, part, picture }) =>
@@ -97,7 +91,7 @@ export class OutlookStore extends Store {
 
   /** The picture behind the plot of a part; null where it is not shown or has not arrived. */
   pictureOf(part: number, picture: PlanePicture): ImageBitmap | null {
-    const { rollout } = this.#model;
+    const { rollout } = this.model;
     return rollout && this.isShown("certainty") ? this.#pictures.pictureOf({ rollout, part, picture }) : null;
   }
 
@@ -117,7 +111,7 @@ export class OutlookStore extends Store {
 
   /** Asks for the outlook that is shown, and drops futures and moments of another rollout. */
   #ask(): void {
-    const { rollout } = this.#model;
+    const { rollout } = this.model;
     this.#asked = rollout;
     if (!this.isShown("certainty")) this.#pictures.clear();
     const fits = (found: { revision: number; request: RolloutRequest } | null | undefined) =>
@@ -139,22 +133,22 @@ export class OutlookStore extends Store {
   #takeFutures(futures: RolloutResult[]): void {
     if (futures.length === 0 && this.#futures.length === 0) return;
     // The worker may have opened another model whose answer has not arrived.
-    const current = futures[0]?.revision === this.#model.model?.revision;
+    const current = futures[0]?.revision === this.model.model?.revision;
     this.#futures = current ? futures : [];
-    this.#stage.setFutures(this.#futures.map(({ motion }) => motion));
+    this.stage.setFutures(this.#futures.map(({ motion }) => motion));
     this.changed();
   }
 
   #takeMoments(moments: Moments | null): void {
     if (moments === this.#moments) return;
-    this.#moments = moments && moments.revision === this.#model.model?.revision ? moments : null;
+    this.#moments = moments && moments.revision === this.model.model?.revision ? moments : null;
     this.changed();
   }
 
   #fail(outlook: Outlook, problem: unknown): void {
     this.#shown.delete(outlook);
     this.#ask();
-    this.#notices.addError(lab().loops.none[outlook], messageOf(problem));
+    this.notices.addError(lab().loops.none[outlook], messageOf(problem));
     this.changed();
   }
 }

@@ -28,14 +28,12 @@ const FILLED = 0.41;
 const EDGE = 7;
 
 export class Plane {
-  readonly #view: PlotView;
   readonly #at = new Float64Array(3);
   readonly #scale: number;
   /** Pixels to the right and down for one step in each latent dimension [2 x Q]. */
   readonly #steps: Float64Array;
 
-  constructor(view: PlotView) {
-    this.#view = view;
+  constructor(private readonly view: PlotView) {
     const { projection, turn } = view;
     const { axes, dimensions: q } = projection;
     this.#scale = scaleOf(view);
@@ -49,7 +47,7 @@ export class Plane {
 
   /** The plane through the middle of the cloud that the plot shows; null where the plot is turned. */
   get section(): { width: number; height: number; centre: number[]; right: number[]; down: number[] } | null {
-    const { width, height, projection, turn } = this.#view;
+    const { width, height, projection, turn } = this.view;
     if (turn.about !== 0 || turn.tilt !== 0 || width < 1 || height < 1) return null;
     return {
       ...{ width: Math.round(width), height: Math.round(height) },
@@ -60,14 +58,14 @@ export class Plane {
 
   /** Row `index` of points [n x Q] in pixels from the upper left, and its nearness to the viewer, -1 to 1. */
   place(points: Float64Array, index: number): [number, number, number] {
-    const { projection, turn, width, height } = this.#view;
+    const { projection, turn, width, height } = this.view;
     const [right, up, near] = turned(project(projection, points, index, this.#at), turn);
     return [width / 2 + this.#scale * right, height / 2 - this.#scale * up, near / projection.reach];
   }
 
   /** The nearest place inside the plot, where a mark is visible. */
   inFrame(x: number, y: number, _near = 0): [number, number] {
-    const { width, height } = this.#view;
+    const { width, height } = this.view;
     const within = (at: number, size: number) => Math.max(EDGE, Math.min(size - EDGE, at));
     return [within(x, width), within(y, height)];
   }
@@ -84,14 +82,14 @@ export class Plane {
 
   /** The step in the latent space [Q] that looks like a step of these pixels in the plane. */
   latentStep(right: number, down: number): number[] {
-    const q = this.#view.projection.dimensions;
+    const q = this.view.projection.dimensions;
     const share = (a: number) => this.#steps[a]! * right + this.#steps[q + a]! * down;
     return Array.from({ length: q }, (_, a) => share(a) / this.#scale ** 2);
   }
 
   /** The covariance in the plane of a Gaussian with equal variances in the latent space. */
   roundSpread(variance: number): Spread {
-    const q = this.#view.projection.dimensions;
+    const q = this.view.projection.dimensions;
     const seen: Spread = [0, 0, 0];
     for (let a = 0; a < q; a++) addProduct(seen, this.#steps, q, a, a, variance);
     return seen;
@@ -99,7 +97,7 @@ export class Plane {
 
   /** The covariance in the plane of row `index` of covariances [n x Q x Q]. */
   spread(covariances: Float64Array, index: number): Spread {
-    const q = this.#view.projection.dimensions;
+    const q = this.view.projection.dimensions;
     const seen: Spread = [0, 0, 0];
     for (let a = 0; a < q; a++)
       for (let b = 0; b < q; b++)

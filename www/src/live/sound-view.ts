@@ -22,6 +22,8 @@ const [SOON, AWHILE] = [0.03, 0.3];
 
 class Sound {
   readonly #context = new AudioContext();
+  /** What is heard, for a moving picture. */
+  readonly recorded = new MediaStreamAudioDestinationNode(this.#context);
   readonly #hands: { tone: OscillatorNode; volume: GainNode }[] = [];
   readonly #isUp: boolean[] = [];
 
@@ -31,6 +33,7 @@ class Sound {
     const volume = new GainNode(this.#context, { gain: 0 });
     const place = new StereoPannerNode(this.#context, { pan: side === 0 ? -0.5 : 0.5 });
     tone.connect(volume).connect(place).connect(this.#context.destination);
+    place.connect(this.recorded);
     tone.start();
     return { tone, volume };
   }
@@ -71,6 +74,8 @@ export class SoundView extends View {
   declare hands?: () => readonly number[];
   declare on: boolean;
   declare ready: boolean;
+  /** What is heard; null while the sound is off. */
+  recorded: MediaStream | null = null;
   #stop = () => {};
   /** The motion whose feet these are. */
   #ground: { motion: Motion; floor: number; feet: number[] } | null = null;
@@ -96,10 +101,12 @@ export class SoundView extends View {
     this.on = on;
     if (!on) return;
     const sound = new Sound();
+    this.recorded = sound.recorded.stream;
     const stop = eachFrame(() => sound.play(this.#feet(), this.hands?.() ?? []));
     this.#stop = () => {
       stop();
       sound.end();
+      this.recorded = null;
       this.#stop = () => {};
     };
   }

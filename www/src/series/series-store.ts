@@ -10,6 +10,7 @@ import type {
   TrainedSeries,
 } from "../engine/series-protocol";
 import { OpenDocument } from "../engine/open-document";
+import type { Future } from "../latents/outlook-drawing";
 import type { WholeCalls, WholeWorkers } from "../engine/whole-workers";
 import { download } from "../ui/download";
 import { messageOf } from "../ui/format";
@@ -41,6 +42,8 @@ interface OpenModel extends OpenedSeries {
   unsaved: boolean;
 }
 
+export const FUTURES = 5;
+
 /** A motion without an end goes on when this share of its rollout has been shown. */
 const SHOWN = 0.7;
 
@@ -48,12 +51,16 @@ interface Asked {
   request: SeriesRequest;
   /** Whether the rollout goes on from the frame now. */
   goesOn: boolean;
+  /** Frames by which each part is set back then. */
+  back?: readonly number[];
 }
 
 interface Rolled extends Asked {
   /** The frame of the rollout before that is the first one now. */
   first: number;
   rollout: SeriesRollout;
+  /** Sampled rollouts of the same frames. */
+  futures: Future[];
   /** The rollout from the same start under the learned couplings. */
   learned: SeriesRollout;
 }
@@ -63,11 +70,12 @@ export class SeriesStore extends Store implements Coupled {
   /** Only a vCGPDM or vGPDM has couplings; empty for other kinds of models. */
   readonly couplings = new CouplingsStore(() => this.#request());
   readonly #document: OpenDocument<WholeCalls, OpenedSeries>;
-  readonly #tables: TablesStore;
   readonly #rollouts: Latest<Asked, Rolled>;
   readonly #given = new GivenColumns();
   #opened: OpenModel | null = null;
   #sequence = 0;
+  /** The seed of the first future; 0: there are none. */
+  seed = 0;
   #rolled: Rolled | null = null;
   /** Whether the next frames of a motion without an end were asked for. */
   #asksNext = false;
@@ -78,12 +86,11 @@ export class SeriesStore extends Store implements Coupled {
   /** `endless`: the frames of each rollout of a motion that goes on without an end; null: a rollout ends. */
   constructor(
     { desk }: Pick<WholeWorkers, "desk">,
-    tables: TablesStore,
+    private readonly tables: TablesStore,
     private readonly endless: number | null = null,
   ) {
     super();
     this.#document = new OpenDocument(desk, (worker, text) => worker.openSeries(text));
-    this.#tables = tables;
     // The visitor may have opened or removed the table that the rollout starts from.
     tables.on(() => (this.#given.isEmpty ? this.changed() : this.#request()));
     this.#rollouts = new Latest(
@@ -131,7 +138,7 @@ export class SeriesStore extends Store implements Coupled {
    */
   get recorded(): TableEntry | null {
     const { sha256 } = this.#opened?.info.sequences[this.#sequence] ?? {};
-    return this.#tables.all.find(({ info }) => info.sha256 === sha256) ?? null;
+    return this.tables.all.find(({ info }) => info.sha256 === sha256) ?? null;
   }
 
   /** The unsaved model, which would be lost; null if there is none. */
@@ -214,6 +221,16 @@ export class SeriesStore extends Store implements Coupled {
     this.#request();
   }
 
+  get futures(): readonly Future[] {
+    return this.#rolled?.futures ?? [];
+  }
+
+  /** Shows five sampled rollouts of the seeds from this one on, without an end from now on; 0: none. */
+  showFutures(seed: number): void {
+    this.seed = seed;
+    this.#request(this.endless !== null);
+  }
+
   /** The shown rollout as CSV: one row for each frame, with the columns of the model. */
   async csv(): Promise<string> {
     const [opened, rolled] = [this.#opened, this.#rolled];
@@ -228,8 +245,13 @@ export class SeriesStore extends Store implements Coupled {
     this.#request(true);
   }
 
+  /** Sets parts back by frames, each by its own: the motion goes on from there. */
+  setBack(back: readonly number[]): void {
+    this.#request(true, back);
+  }
+
   /** Without an end, changed couplings act from the frame now; those as learned begin as the table did. */
-  #request(goesOn = this.endless !== null && this.couplings.altered): void {
+  #request(goesOn = this.endless !== null && this.couplings.altered, back: readonly number[] = []): void {
     const { info } = this.#opened ?? {};
     this.changed();
     if (!info) return;
@@ -239,10 +261,10 @@ export class SeriesStore extends Store implements Coupled {
     const request = { ...learned, observed, ...(altered ? { alpha, reading } : {}) };
     // A later request may replace one that begins before it was shown.
     this.#begins ||= !goesOn;
-    this.#rollouts.request({ request, goesOn: !this.#begins });
+    this.#rollouts.request({ request, goesOn: !this.#begins, back });
   }
 
-  async #roll({ request, goesOn }: Asked, opened = this.#opened): Promise<Rolled> {
+  async #roll({ request, goesOn, back }: Asked, opened = this.#opened): Promise<Rolled> {
     if (!opened) throw new Error(seriesWords().noModel);
     const { text, info } = opened;
     const ask = (asked: SeriesRequest) => this.#document.ask(text, (worker) => worker.rolloutSeries(asked));
@@ -251,10 +273,16 @@ export class SeriesStore extends Store implements Coupled {
     const isSame = now?.request.sequence === sequence && now.request.frames === frames;
     const learned = isSame ? now.learned : await ask(this.#asLearned(info, sequence));
     const { frame, lastFrame } = this.clock;
-    const past = goesOn && now ? goingOn(now.rollout, lastFrame + 1, frame, info.order ?? 1) : null;
+    const past = goesOn && now ? goingOn(now.rollout, [lastFrame + 1, frame, info.order ?? 1], back) : null;
     const asked = past ? { ...request, start: past.start } : request;
     const next = past || asked.alpha || asked.observed ? await ask(asked) : learned;
-    return { request, goesOn, learned, rollout: past?.joined(next) ?? next, first: past?.first ?? 0 };
+    const joined = past?.joined ?? ((next: SeriesRollout) => next);
+    const rollout = joined(next);
+    const sample = (worker: WholeCalls) => worker.sampleSeries(asked, FUTURES, this.seed);
+    const sampled = this.seed > 0 ? await this.#document.ask(text, sample) : [];
+    const length = rollout.values.length / info.columns.length;
+    const futures = sampled.map((future) => ({ ...joined(future), request: { frames: length } }));
+    return { request, goesOn, learned, rollout, futures, first: past?.first ?? 0 };
   }
 
   #show(rolled: Rolled): void {

@@ -10,6 +10,7 @@ import { download } from "../ui/download";
 import { visitor } from "../unsaved/choice-dialog.fake";
 import { curvesOf } from "./series-curves";
 import { openSeries, type Series } from "./series";
+import { goingOn } from "./going-on";
 import { SeriesStore } from "./series-store";
 
 vi.mock("../unsaved/choice-dialog", () => import("../unsaved/choice-dialog.fake"));
@@ -211,6 +212,38 @@ describe("a model of tables", () => {
     model.couplings.resetAll();
     await settled();
     expect(model.rollout).toBe(model.learned);
+  });
+
+  it("without an end can set a part back", async () => {
+    const path = Float64Array.from({ length: 20 }, (_, frame) => frame);
+    const { start } = goingOn({ values: path, latents: [path, path], weights: null }, [20, 10, 2], [3]);
+    expect(start).toEqual([
+      [[6], [7]],
+      [[9], [10]],
+    ]);
+    const model = new SeriesStore(program, series.tables, 100);
+    await model.open(seriesText(["a.csv"]));
+    model.setBack([5]);
+    await settled();
+    expect(program.series.rollouts.at(-1)).toMatchObject({
+      alpha: null,
+      start: [{ length: 2 }, { length: 2 }],
+    });
+  });
+
+  it("has futures from where its rollout was asked for last, and none when hidden", async () => {
+    const model = new SeriesStore(program, series.tables, 100);
+    await model.open(seriesText(["a.csv"]));
+    const firsts = () => model.futures.map(({ latents }) => latents[0]?.at(-1));
+    model.showFutures(1);
+    await settled();
+    expect(firsts()).toEqual([1, 2, 3, 4, 5]);
+    model.clock.seek(80);
+    await settled();
+    expect([model.futures[0]?.request.frames, model.futures[0]?.latents[0]?.length]).toEqual([128, 256]);
+    model.showFutures(0);
+    await settled();
+    expect(model.futures).toEqual([]);
   });
 
   it("begins as another table when asked to", async () => {

@@ -10,45 +10,36 @@ import { mayLose } from "../unsaved/unsaved";
 import { seriesWords } from "./view-words";
 
 class SeriesTrainingStore extends ProgressStore<TrainedSeries> {
-  readonly #whole: WholeWorkers;
-  readonly #settings: Pick<SettingsStore, "values">;
-  readonly #tables: TablesStore;
-  readonly #series: SeriesStore;
-
   constructor(
-    whole: WholeWorkers,
-    settings: Pick<SettingsStore, "values">,
-    tables: TablesStore,
-    series: SeriesStore,
+    private readonly whole: WholeWorkers,
+    private readonly settings: Pick<SettingsStore, "values">,
+    private readonly tables: TablesStore,
+    private readonly series: SeriesStore,
   ) {
     super();
-    this.#whole = whole;
-    this.#settings = settings;
-    this.#tables = tables;
-    this.#series = series;
   }
 
   /** The reason why training cannot start now; empty if it can. */
   get whyNot(): string {
-    const { ticked, clash } = this.#tables;
+    const { ticked, clash } = this.tables;
     if (ticked.length === 0) return seriesWords().openFirst;
     return clash ? seriesWords().clash : "";
   }
 
   /** Trains a model and shows it instead of the current one. */
   async train(): Promise<void> {
-    if (this.busy || this.whyNot || !(await mayLose(this.#series.unsaved))) return;
-    const { latent, order, framesPerSecond, seed, maxIterations } = this.#settings.values;
-    const { dynamicsIps, poseIps } = pointsOf(this.#settings.values);
-    const parts = this.#tables.parts.filter(({ columns }) => columns.length > 0);
+    if (this.busy || this.whyNot || !(await mayLose(this.series.unsaved))) return;
+    const { latent, order, framesPerSecond, seed, maxIterations } = this.settings.values;
+    const { dynamicsIps, poseIps } = pointsOf(this.settings.values);
+    const parts = this.tables.parts.filter(({ columns }) => columns.length > 0);
     const job = {
-      tables: this.#tables.ticked.map(({ source }) => source),
+      tables: this.tables.ticked.map(({ source }) => source),
       settings: { parts, latent, dynamicsIps, poseIps, order, framesPerSecond, seed, maxIterations },
     };
     const found = await this.run((report, signal) =>
-      this.#whole.pool.run((worker) => worker.trainSeries(job, report, signal), signal),
+      this.whole.pool.run((worker) => worker.trainSeries(job, report, signal), signal),
     );
-    if (found) await this.#series.takeTrained(found);
+    if (found) await this.series.takeTrained(found);
   }
 }
 

@@ -13,7 +13,6 @@ export interface TableEntry extends ReadTable {
 }
 
 export class TablesStore extends Store {
-  readonly #whole: WholeWorkers;
   #tables: readonly TableEntry[] = [];
   #parts: readonly TablePart[] = [];
   /** The columns of all parts. */
@@ -25,9 +24,8 @@ export class TablesStore extends Store {
   #leftOutProblem = "";
   #checks = 0;
 
-  constructor(whole: WholeWorkers) {
+  constructor(private readonly whole: WholeWorkers) {
     super();
-    this.#whole = whole;
   }
 
   get all(): readonly TableEntry[] {
@@ -77,7 +75,7 @@ export class TablesStore extends Store {
     const before = this.#tables;
     const read = async (table: TableEntry): Promise<TableEntry> => {
       const source = { ...table.source, without };
-      return { ...table, ...(await this.#whole.desk.run((worker) => worker.readTable(source))), source };
+      return { ...table, ...(await this.whole.desk.run((worker) => worker.readTable(source))), source };
     };
     try {
       const tables = await Promise.all(before.map(read));
@@ -93,7 +91,7 @@ export class TablesStore extends Store {
   /** Opens a file. If the same file is already open, nothing changes. */
   async open(file: File): Promise<void> {
     const source: TableSource = { name: file.name, file, without: [...this.#leftOut] };
-    const read = await this.#whole.desk.run((worker) => worker.readTable(source));
+    const read = await this.whole.desk.run((worker) => worker.readTable(source));
     if (this.#tables.some(({ info }) => info.sha256 === read.info.sha256)) return;
     this.#tables = [...this.#tables, { ...read, source, ticked: true }];
     await this.#changedTables();
@@ -151,7 +149,7 @@ export class TablesStore extends Store {
     const clash =
       sources.length < 2
         ? ""
-        : await this.#whole.desk.run((worker) => worker.checkTables(sources)).catch(messageOf);
+        : await this.whole.desk.run((worker) => worker.checkTables(sources)).catch(messageOf);
     // The visitor may have ticked other tables during the check.
     if (check !== this.#checks) return;
     this.#clash = clash;

@@ -2,12 +2,18 @@
 import { Model, type Rollout, Table, Trainer, TrainingSet } from "vcgpdm";
 import { MAX_PARTS } from "../engine/limits";
 import type { ModelInfo } from "../engine/protocol";
-import type { OpenedSeries, SeriesRequest, SeriesWorker, TableSource } from "../engine/series-protocol";
+import type {
+  OpenedSeries,
+  SeriesRequest,
+  SeriesRollout,
+  SeriesWorker,
+  TableSource,
+} from "../engine/series-protocol";
 import { follow } from "./follow";
 import { inducingOf } from "./inducing";
 import { transfer, using } from "./using";
 
-let open: { model: Model; parts: number } | null = null;
+let open: Model | null = null;
 
 function openModel(text: string): OpenedSeries {
   const model = Model.fromJson(text);
@@ -21,8 +27,8 @@ function openModel(text: string): OpenedSeries {
         : `expected a model of ${MAX_PARTS} parts at most, found ${parts.length}`,
     );
   }
-  open?.model.free();
-  open = { model, parts: parts.length };
+  open?.free();
+  open = model;
   // Other kinds of models have no inducing points.
   const inducing = info.alpha
     ? inducingOf(model, info as ModelInfo)
@@ -46,14 +52,20 @@ async function setOf(tables: readonly TableSource[]): Promise<TrainingSet> {
   }
 }
 
-function withRollout<Found>(
-  { observed, ...options }: SeriesRequest,
-  look: (rollout: Rollout, parts: number) => Found,
-): Found {
+function opened() {
   if (!open) throw new Error("There is no model yet: open one.");
-  const { model, parts } = open;
-  const rollout = observed ? model.fill(observed, options) : model.rollout(options);
-  return using(rollout, (rollout) => look(rollout, parts));
+  return open;
+}
+
+function rolled({ observed, ...options }: SeriesRequest): Rollout {
+  const model = opened();
+  return observed ? model.fill(observed, options) : model.rollout(options);
+}
+
+function columnsOf(rollout: Rollout): SeriesRollout {
+  const [values, all] = [rollout.values(), rollout.weights()];
+  if (all.length === 0) return { values, latents: [], weights: null };
+  return { values, latents: all.map((_, part) => rollout.latents(part)), weights: all };
 }
 
 export const seriesWorker: SeriesWorker = {
@@ -68,15 +80,15 @@ export const seriesWorker: SeriesWorker = {
       (problem: unknown) => (problem instanceof Error ? problem.message : String(problem)),
     ),
   openSeries: openModel,
-  rolloutSeries: (request) =>
-    withRollout(request, (rollout, parts) => {
-      const all = rollout.weights();
-      const weights = all.length > 0 ? all : null;
-      const latents = weights ? Array.from({ length: parts }, (_, part) => rollout.latents(part)) : [];
-      const values = rollout.values();
-      return transfer({ values, latents, weights }, values, ...latents);
-    }),
-  seriesCsv: (request) => withRollout(request, (rollout) => rollout.toCsv()),
+  rolloutSeries(request) {
+    const found = using(rolled(request), columnsOf);
+    return transfer(found, found.values, ...found.latents);
+  },
+  sampleSeries: ({ observed: _, ...options }, count, seed) =>
+    opened()
+      .sampledRollouts(options, count, seed)
+      .map((rollout) => using(rollout, columnsOf)),
+  seriesCsv: (request) => using(rolled(request), (rollout) => rollout.toCsv()),
   trainSeries: async ({ tables, settings }, report, signal) =>
     using(
       using(await setOf(tables), (set) => new Trainer(set, settings)),

@@ -15,7 +15,8 @@ use std::sync::Arc;
 use vcgpdm::document::Document;
 use vcgpdm::models::variational::{BoundTerms, PoseMap, Vcgpdm};
 use vcgpdm::models::{
-    ColumnMapping, MOST_SAMPLES, Model as TrainedModel, ModelKind, Provenance, RolloutRequest, SequenceInfo,
+    ColumnMapping, MOST_SAMPLES, Model as TrainedModel, ModelKind, Provenance, Rollout as Columns,
+    RolloutError, RolloutRequest, SequenceInfo,
 };
 use vcgpdm::motion::parts::PartSpec;
 use wasm_bindgen::prelude::*;
@@ -162,6 +163,22 @@ fn request_from_js(options: &JsValue) -> Result<RolloutRequest, VcgpdmError> {
     from_js(ErrorCode::Rollout, "rollout", &options)
 }
 
+/// `count` sampled rollouts of the seeds `seed`, `seed + 1`, and so on, as columns.
+fn sampled<'r, S: ColumnMapping>(
+    model: &'r TrainedModel<S>,
+    request: &'r RolloutRequest,
+    count: u32,
+    seed: u32,
+) -> Result<impl Iterator<Item = Result<Columns, RolloutError>> + 'r, VcgpdmError> {
+    let model = coupled(model)?;
+    let together = request.frames.saturating_mul(count as usize);
+    model.check_frames(together).map_err(|reason| {
+        VcgpdmError::new(ErrorCode::Rollout, &format_args!("all rollouts together: {reason}"))
+    })?;
+    let seeds = u64::from(seed)..u64::from(seed) + u64::from(count);
+    Ok(model.sampled_rollouts(request, seeds)?)
+}
+
 /// A trained model of any kind, of a body or of tables. The small package `vcgpdm/player` has vCGPDM and
 /// vGPDM of bodies only.
 #[wasm_bindgen]
@@ -252,15 +269,17 @@ impl Model {
         }
         let seed = seed.map_or(Ok(0), |seed| seed.get(ErrorCode::Rollout, "the seed"))?;
         let request = request_from_js(&options)?;
-        let together = request.frames.saturating_mul(count as usize);
-        let body = self.model.body()?;
-        let model = coupled(body)?;
-        model.check_frames(together).map_err(|reason| {
-            VcgpdmError::new(ErrorCode::Rollout, &format_args!("all rollouts together: {reason}"))
-        })?;
-        let seeds = u64::from(seed)..u64::from(seed) + u64::from(count);
-        let rollouts = model.sampled_rollouts(&request, seeds)?;
-        rollouts.map(|rollout| Rollout::new(body, rollout?, &request)).collect()
+        match &self.model {
+            Trained::Body(body) => {
+                let rollouts = sampled(body, &request, count, seed)?;
+                rollouts.map(|rollout| Rollout::new(body, rollout?, &request)).collect()
+            }
+            #[cfg(feature = "training")]
+            Trained::Table(table) => {
+                let rollouts = sampled(table, &request, count, seed)?;
+                rollouts.map(|rollout| Ok(Rollout::of_table(table, rollout?, request.clone()))).collect()
+            }
+        }
     }
 
     /// Gaussian moments of the latents in every frame of a rollout, by moment matching.

@@ -19,6 +19,8 @@ export const words: LabWords = {
     trunk: "Rumpf",
     "left arm": "linker Arm",
     "right arm": "rechter Arm",
+    left: "links",
+    right: "rechts",
   },
   splits: {
     whole: "Ganzer Körper",
@@ -35,7 +37,7 @@ export const words: LabWords = {
     help: "Hilfe und Tasten",
     newVersion: "Neue Version laden",
     newVersionMeaning:
-      "Es gibt eine neue Version dieser Seite. Sie beginnt von vorn: Speichere zuerst, was du behalten willst.",
+      "Es gibt eine neue Version. Sie beginnt von vorn: Speichere zuerst, was du behalten willst.",
   },
   page: {
     panels: { learn: "Lernen", more: "Mehr", numbers: "Zahlen" },
@@ -63,8 +65,8 @@ export const words: LabWords = {
       drag: "Zieh an einem Pfeil oder seinem α: Bleiben die Teile im Gleichschritt?",
       live: "Halte einen Pfeil oder die Taste c: Das trennt. Zieh am Punkt einer Schleife: Das schiebt den Teil.",
       learning: "Ein Modell lernt: Es bewegt sich, wie es schon kann, und seine Schleifen entstehen.",
-      own: "Eigene Kopplungen, nicht die vom Modell gelernten.",
-      clip: "Das ist ein Clip: woraus ein Modell lernt, nicht was es macht.",
+      own: "Eigene Kopplungen, nicht die gelernten.",
+      clip: "Ein Clip: woraus ein Modell lernt, nicht was es macht.",
     },
     rollout: "Ein Rollout",
     clip: "Clip",

@@ -36,8 +36,7 @@ export const words = {
     openMeaning: "Open a model (.json), clips (.bvh) or tables (.csv)",
     help: "Help and keys",
     newVersion: "Load new version",
-    newVersionMeaning:
-      "A new version of this page is there. Loading it begins anew: save first what you want to keep.",
+    newVersionMeaning: "A new version is there. Loading it begins anew: save first what you want to keep.",
   },
   page: {
     panels: { learn: "Learn", more: "More", numbers: "Numbers" },
