@@ -1,6 +1,7 @@
 // The system's Chromium, driven by playwright-core: nothing is downloaded.
 import { existsSync } from "node:fs";
 import { Failure, which } from "./run.mjs";
+import { serve } from "./serve.mjs";
 
 const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
 const MAC = ["Google Chrome", "Chromium"].map((name) => `/Applications/${name}.app/Contents/MacOS/${name}`);
@@ -46,4 +47,22 @@ export async function launchChromium(flags = []) {
   // Imported here: `npm test` reads this file before the npm packages are installed.
   const { chromium } = await import("playwright-core");
   return chromium.launch({ executablePath, args });
+}
+
+/**
+ * What `use` measures on a page of this folder, in a browser of its own.
+ * @template T
+ * @param {string} folder
+ * @param {import("playwright-core").BrowserContextOptions} options
+ * @param {(page: import("playwright-core").Page, address: string) => Promise<T>} use
+ */
+export async function onPage(folder, options, use) {
+  const server = await serve(folder);
+  const browser = await launchChromium();
+  try {
+    return await use(await browser.newPage(options), server.address);
+  } finally {
+    await browser.close();
+    await server.close();
+  }
 }

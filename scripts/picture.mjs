@@ -4,9 +4,8 @@
 import { mkdirSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { build } from "./build.mjs";
-import { launchChromium } from "./chromium.mjs";
+import { onPage } from "./chromium.mjs";
 import { at, Failure, main, run, step, whenChanged } from "./run.mjs";
-import { serve } from "./serve.mjs";
 import { dist } from "./site.mjs";
 
 const SHARP = "0.35.5";
@@ -74,11 +73,8 @@ function pointer() {
 }
 
 /** The pictures of the page in their order, as PNG. */
-async function pictures() {
-  const { address, close } = await serve(dist);
-  const browser = await launchChromium();
-  try {
-    const page = await browser.newPage({ viewport: SIZE, reducedMotion: "reduce" });
+const pictures = () =>
+  onPage(dist, { viewport: SIZE, reducedMotion: "reduce" }, async (page, address) => {
     await page.goto(`${address}?embed#view=play`);
     await page.waitForSelector("html[data-engine=ready]");
     await page.evaluate(pointer);
@@ -106,11 +102,7 @@ async function pictures() {
       if (down !== 0) await page.mouse.up();
     }
     return found;
-  } finally {
-    await browser.close();
-    await close();
-  }
-}
+  });
 
 await main(async () => {
   await build();

@@ -5,9 +5,8 @@ import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { createRequire } from "node:module";
 import { parseArgs } from "node:util";
-import { launchChromium } from "./chromium.mjs";
+import { onPage } from "./chromium.mjs";
 import { at, Failure, main, output, run, step } from "./run.mjs";
-import { serve } from "./serve.mjs";
 import { installTools } from "./tools.mjs";
 import { buildVariant, buildWasm } from "./wasm.mjs";
 
@@ -44,12 +43,9 @@ async function ownCase() {
 }
 
 /** Measures in a page of its own. */
-async function inChromium(/** @type {string} */ text, /** @type {[string, string][]} */ files) {
-  const server = await serve(folder);
-  const browser = await launchChromium();
-  try {
-    const page = await browser.newPage();
-    await page.goto(`${server.address}index.html`);
+const inChromium = (/** @type {string} */ text, /** @type {[string, string][]} */ files) =>
+  onPage(folder, {}, async (page, address) => {
+    await page.goto(`${address}index.html`);
     return /** @type {Side} */ (
       await page.evaluate(
         async ({ text, files, address }) => {
@@ -58,14 +54,10 @@ async function inChromium(/** @type {string} */ text, /** @type {[string, string
           await wasm.default();
           return { evaluation: evaluation(wasm, text), training: training(wasm, files) };
         },
-        { text, files, address: server.address },
+        { text, files, address },
       )
     );
-  } finally {
-    await browser.close();
-    await server.close();
-  }
-}
+  });
 
 /** Frames of the two inferences whose times are compared. Both are longer than the search for the beginning. */
 const FEW = 20;
