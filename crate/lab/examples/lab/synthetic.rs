@@ -5,6 +5,7 @@ use crate::parallel::each_seed;
 use clap::Args;
 use std::time::Instant;
 use vcgpdm::models::VariationalSettings;
+use vcgpdm_lab::evaluation::Effect;
 use vcgpdm_lab::synthetic::{DRIVE, Experiment, Findings, Fit, Synthetic};
 
 #[derive(Args)]
@@ -23,9 +24,9 @@ pub struct Arguments {
     /// The order of the model's dynamics.
     #[arg(long)]
     order: Option<usize>,
-    /// Inducing points of every function.
-    #[arg(long)]
-    ips: Option<usize>,
+    /// Inducing points of every function. Several numbers: the errors with the first beside those with each other one.
+    #[arg(long, value_delimiter = ',')]
+    ips: Vec<usize>,
     #[arg(long)]
     max_iterations: Option<usize>,
 }
@@ -54,13 +55,29 @@ fn experiment(seed: u32, drive: f64, settings: &VariationalSettings) -> Run {
 }
 
 pub fn run(arguments: &Arguments) {
+    let usual = [Synthetic::settings().dynamics_ips];
+    let sizes = if arguments.ips.is_empty() { &usual } else { &arguments.ips[..] };
+    let runs: Vec<Vec<Run>> = sizes.iter().map(|&points| table(arguments, points)).collect();
+    let errors = |runs: &[Run]| runs.iter().map(|run| (run.seed as usize, run.found.fit.mse)).collect();
+    for (points, other) in sizes.iter().zip(&runs).skip(1) {
+        let Some(effect) = Effect::new(&errors(&runs[0]), &errors(other)) else { continue };
+        let higher = |(a, b): &(&Run, &Run)| a.found.fit.bound > b.found.fit.bound;
+        println!(
+            "\nMSE with {} points divided by MSE with {points}, seed by seed: {}. The bound is higher in {}.",
+            sizes[0],
+            effect.text(),
+            runs[0].iter().zip(other).filter(higher).count(),
+        );
+    }
+}
+
+/// Prints the table of one number of inducing points.
+fn table(arguments: &Arguments, points: usize) -> Vec<Run> {
     let ours = Synthetic::settings();
     let settings = VariationalSettings {
         order: arguments.order.unwrap_or(ours.order),
-        dynamics_ips: arguments.ips.unwrap_or(ours.dynamics_ips),
-        pose_ips: arguments.ips.unwrap_or(ours.pose_ips),
         max_iterations: arguments.max_iterations.unwrap_or(ours.max_iterations),
-        ..ours
+        ..ours.with_points(points, points)
     };
     let threads = arguments.threads.unwrap_or(std::thread::available_parallelism().map_or(1, usize::from));
     let runs = each_seed(arguments.first..arguments.first + arguments.seeds, threads, |seed| {
@@ -100,5 +117,6 @@ pub fn run(arguments: &Arguments) {
         );
     }
     let right = runs.iter().filter(|run| run.found.verdict.right(arguments.drive)).count();
-    println!("\nRight: {right} of {}.", runs.len());
+    println!("\nRight: {right} of {}.\n", runs.len());
+    runs
 }

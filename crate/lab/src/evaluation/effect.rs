@@ -9,11 +9,11 @@ use std::collections::BTreeMap;
 use vcgpdm::internals::Elementary;
 
 /// Errors by the trial held out.
-pub(super) type Errors = BTreeMap<usize, f64>;
+pub type Errors = BTreeMap<usize, f64>;
 
 /// The ratio of the errors of two models, over the trials that both have.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Effect {
+pub struct Effect {
     /// Trials that both have.
     pub folds: usize,
     /// Number of trials in which the error is lower.

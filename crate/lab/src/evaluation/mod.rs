@@ -38,6 +38,7 @@ pub use comparison::Comparison;
 pub use cross_validation::{Fold, START_FRAMES};
 pub use cycles::{CyclesError, whole_cycles};
 pub use details::{Bands, Compared, Details};
+pub use effect::Effect;
 pub use error::EvaluationError;
 pub use fixed::fixed;
 pub use job::{Finished, Job, job_in_files};
