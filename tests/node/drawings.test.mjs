@@ -2,6 +2,7 @@
 // weakened, the hands fall apart; strengthened, one drags the other.
 import assert from "node:assert/strict";
 import { it } from "node:test";
+import { seldom } from "../../scripts/node-tests.mjs";
 import { builtPackage } from "../../scripts/package.mjs";
 import { drawingModule, learner, modelOf } from "../../scripts/lab/drawings.mjs";
 
@@ -11,7 +12,7 @@ const LEAST = 27;
 
 /** The seeds of the thirty hands: the settings were chosen on the first, and judged on the others. */
 for (const seed of [0, 100])
-  it(`${LEAST} of 30 drawings go on, hands of seed ${seed}`, async () => {
+  (seed ? seldom.it : it)(`${LEAST} of 30 drawings go on, hands of seed ${seed}`, async () => {
     const [learn, { HANDS, strokesOf }] = await Promise.all([
       learner(vcgpdm),
       drawingModule("drawings.fake"),
@@ -61,7 +62,7 @@ function setBack(/** @type {any} */ { model, rows, rate, lap, goesOn, onPad }, s
   return isStrong ? goOn && later < same / 2 : !goOn || same < later / 2;
 }
 
-it(`of 30 drawings of two hands, ${LEAST_APART} fall apart and ${LEAST_DRAGGED} have a hand that drags the other`, async () => {
+seldom.it(`of 30 pairs of hands ${LEAST_APART} fall apart, ${LEAST_DRAGGED} are dragged`, async () => {
   const [{ drawingOf, drawnBeside, onPad, DRAWING_SETTINGS }, { goesOn }, { HANDS, strokesOf, beside }] =
     await Promise.all(["hand", "goes-on", "drawings.fake"].map(drawingModule));
   const found = HANDS.map((/** @type {any} */ hand, /** @type {number} */ place) => {
