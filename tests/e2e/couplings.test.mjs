@@ -9,11 +9,12 @@ import {
   choosePreset,
   draws,
   oneVisitor,
-  openPanel,
   openedSite,
+  openPanel,
   ready,
   readyVisitor,
   saved,
+  seldom,
   soon,
 } from "./site.mjs";
 
@@ -252,7 +253,7 @@ describe("a link to couplings", () => {
 });
 
 describe("both readings", () => {
-  it("walk side by side on request, follow the couplings, and give the stage back", async () => {
+  seldom.it("walk side by side on request, follow the couplings, and give the stage back", async () => {
     const { page } = await site.visit({ moving: true });
     await ready(page);
     await choosePreset(page, "arms-go");

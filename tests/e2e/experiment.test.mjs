@@ -135,7 +135,7 @@ describe("the synthetic experiment", () => {
     assert.match(await page.getByTestId("experiment-run").innerText(), /stopped early/);
   });
 
-  it("is accessible and fits on a phone", async () => {
+  seldom.it("is accessible and fits on a phone", async () => {
     const { page } = await site.visit({
       settings: "view=synthetic",
       viewport: { width: 390, height: 844 },

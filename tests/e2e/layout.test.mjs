@@ -341,7 +341,7 @@ describe("five parts by hand, trained several times", () => {
 });
 
 describe("targets", () => {
-  it("are at least 24 pixels large, or have that much space", async () => {
+  seldom.it("are at least 24 pixels large, or have that much space", async () => {
     const { page, leave } = await site.visit();
     await ready(page);
     for (const [view, element] of /** @type {[string, string][]} */ ([

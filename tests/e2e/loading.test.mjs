@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, beforeEach, describe, it } from "node:test";
 import { budget } from "../../scripts/budget.mjs";
 import { policy } from "../../scripts/policy.mjs";
-import { changes, draws, often, openSite, ready, rests } from "./site.mjs";
+import { changes, draws, often, openSite, ready, rests, seldom } from "./site.mjs";
 
 /** Holds the wasm back until it is released. */
 let wasm = Promise.resolve();
@@ -40,7 +40,7 @@ describe("a first visit", () => {
 });
 
 describe("the Lab", () => {
-  it("shows a moving figure before the wasm has arrived, and then that of the model", async () => {
+  seldom.it("shows a moving figure before the wasm has arrived, and then that of the model", async () => {
     let release = () => {};
     wasm = new Promise((resolve) => {
       release = resolve;

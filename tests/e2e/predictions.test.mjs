@@ -76,7 +76,7 @@ async function drawn(page, /** @type {number} */ part) {
 }
 
 describe("the product of experts", () => {
-  it("agrees with the package, in 2-D and 3-D", async () => {
+  seldom.it("agrees with the package, in 2-D and 3-D", async () => {
     const alpha = ALPHA.flatMap((row, j) => row.map((a, i) => `${j}.${i}:${a}`)).join(",");
     const settings = `alpha=${alpha}&reading=learned`;
     const { page } = await site.visit({ settings: `tab=more&${settings}` });

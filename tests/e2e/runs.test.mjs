@@ -238,35 +238,38 @@ describe("several trainings", () => {
 });
 
 describe("the table of trainings", () => {
-  it("keeps trainings with different settings, shows the differences, and can be cleared", async () => {
-    const { page } = await visit(2, "trainings=1&iterations=10&fps=15");
-    await page.getByTestId("train").click();
-    await page.locator("[data-testid=run][data-state=done]").waitFor({ timeout: 90_000 });
-    await trainIsBack(page);
-    await page.getByTestId("setting-dynamicsIps").fill("9");
-    await page.getByTestId("setting-dynamicsIps").blur();
-    await page.getByTestId("train").click();
-    await page.locator("[data-testid=run][data-state=done]").nth(1).waitFor({ timeout: 90_000 });
-    await trainIsBack(page);
-    assert.deepEqual(await page.getByTestId("runs").locator("thead th").allTextContents(), [
-      "Seed",
-      "K",
-      "Bound",
-      "It.",
-      "Time",
-    ]);
-    assert.deepEqual(
-      (await table(page)).map(({ cells }) => cells[0]),
-      ["12", "9"],
-    );
+  seldom.it(
+    "keeps trainings with different settings, shows the differences, and can be cleared",
+    async () => {
+      const { page } = await visit(2, "trainings=1&iterations=10&fps=15");
+      await page.getByTestId("train").click();
+      await page.locator("[data-testid=run][data-state=done]").waitFor({ timeout: 90_000 });
+      await trainIsBack(page);
+      await page.getByTestId("setting-dynamicsIps").fill("9");
+      await page.getByTestId("setting-dynamicsIps").blur();
+      await page.getByTestId("train").click();
+      await page.locator("[data-testid=run][data-state=done]").nth(1).waitFor({ timeout: 90_000 });
+      await trainIsBack(page);
+      assert.deepEqual(await page.getByTestId("runs").locator("thead th").allTextContents(), [
+        "Seed",
+        "K",
+        "Bound",
+        "It.",
+        "Time",
+      ]);
+      assert.deepEqual(
+        (await table(page)).map(({ cells }) => cells[0]),
+        ["12", "9"],
+      );
 
-    const shown = await provenance(page);
-    await page.getByRole("button", { name: "Remove seed 0" }).first().click();
-    assert.equal(await page.getByTestId("run").count(), 1);
-    await page.getByTestId("clear-runs").click();
-    assert.equal(await page.getByTestId("run").count(), 0);
-    assert.deepEqual(await provenance(page), shown, "the model stays on the stage");
-  });
+      const shown = await provenance(page);
+      await page.getByRole("button", { name: "Remove seed 0" }).first().click();
+      assert.equal(await page.getByTestId("run").count(), 1);
+      await page.getByTestId("clear-runs").click();
+      assert.equal(await page.getByTestId("run").count(), 0);
+      assert.deepEqual(await provenance(page), shown, "the model stays on the stage");
+    },
+  );
 
   seldom.it("has no serious barrier, and fits a phone", async () => {
     const { page, leave } = await visit(2, "trainings=2&iterations=10&fps=15", {

@@ -1,7 +1,7 @@
 // The texts of the page: the first screen, explanations of terms, and the method.
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
-import { barriers, oneVisitor, openPanel, openedSite, ready, readyVisitor } from "./site.mjs";
+import { barriers, oneVisitor, openedSite, openPanel, ready, readyVisitor, seldom } from "./site.mjs";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -52,7 +52,7 @@ describe("the first screen", () => {
 });
 
 describe("a term", () => {
-  it("is explained by touch on a phone, within the window, in the dark too", async () => {
+  seldom.it("is explained by touch on a phone, within the window, in the dark too", async () => {
     const { page, leave } = await site.visit({ ...PHONE, colorScheme: "dark" });
     await ready(page);
     for (const tab of /** @type {const} */ (["more", "learn", "numbers"])) {
