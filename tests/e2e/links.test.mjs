@@ -68,25 +68,22 @@ describe("a link with the model in it", () => {
   /** @type {number[]} */
   let moved = [];
 
-  seldom.it(
-    "is made by Share, which says that it is too long for a QR code, and shows one without the model",
-    async () => {
-      const { page } = await visitorWithMine();
-      moved = await positions(page);
-      link = await linkOf(page);
-      assert.match(link, /^camera=0\.5,0\.3,1\.2&alpha=0\.1:0\.05&packed=1\.\d+\.[\w-]+$/);
-      assert.ok(link.length < 30_000, `${link.length} characters`);
-      assert.match(
-        await page.getByTestId("no-code").innerText(),
-        /2\d,\d{3} characters.*at most 2,331 characters/,
-      );
-      frame = await page.getByTestId("frame-line").inputValue();
-      assert.deepEqual(await barriers(page), []);
-      await page.getByTestId("with-model").setChecked(false);
-      await page.locator(".code-picture").waitFor();
-      assert.match(`${await page.getByTestId("code-address").getAttribute("href")}`, /#(?!.*packed)/);
-    },
-  );
+  it("is made by Share, which says that it is too long for a QR code, and shows one without the model", async () => {
+    const { page } = await visitorWithMine();
+    moved = await positions(page);
+    link = await linkOf(page);
+    assert.match(link, /^camera=0\.5,0\.3,1\.2&alpha=0\.1:0\.05&packed=1\.\d+\.[\w-]+$/);
+    assert.ok(link.length < 30_000, `${link.length} characters`);
+    assert.match(
+      await page.getByTestId("no-code").innerText(),
+      /2\d,\d{3} characters.*at most 2,331 characters/,
+    );
+    frame = await page.getByTestId("frame-line").inputValue();
+    assert.deepEqual(await barriers(page), []);
+    await page.getByTestId("with-model").setChecked(false);
+    await page.locator(".code-picture").waitFor();
+    assert.match(`${await page.getByTestId("code-address").getAttribute("href")}`, /#(?!.*packed)/);
+  });
 
   it("opens for another visitor, who sees the same motion from the same side, without a further request", async () => {
     const { page } = await site.visit({ settings: link });
