@@ -106,7 +106,7 @@ export class DrawingPage extends SeriesView {
     const { seed } = this.store.model;
     const { futures, fiveOthers } = lab().loops;
     return html`
-      <div class="marks">
+      <div class="marks row wrap hint">
         <button class="chip" data-testid="futures" aria-pressed=${seed > 0 ? "true" : "false"} title=${futures.meaning} @click=${() => void this.#showFutures(seed > 0 ? 0 : 1)}>${futures.label}</button>
         ${seed > 0 ? html`<button class="small" data-testid="other-futures" @click=${() => void this.#showFutures(seed + FUTURES)}>${fiveOthers}</button>` : nothing}
       </div>`;

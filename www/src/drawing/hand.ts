@@ -187,7 +187,7 @@ function closed(drawn: Rows, lap: number | null = null): number[][] {
 
 const isOneTempo = (lap: number, other: number) => Math.max(lap / other, other / lap) < ONE_TEMPO;
 
-/** The rows of a table of readings, of which the slowest hand needs so many for a lap. */
+/** The table that the model learns: every n-th reading, so that a lap of `lap` readings has at most `MOST_OF_LAP` rows. */
 function tableOf(readings: Rows, lap: number) {
   const every = EVERY * Math.ceil(lap / (EVERY * MOST_OF_LAP));
   const rows = readings.filter((_, i) => i % every === 0);
