@@ -152,49 +152,46 @@ await main(async () => {
     allowPositionals: true,
     options: { learned: { type: "boolean", default: false } },
   });
-  await onPage(
-    resolve(positionals[0] ?? dist),
-    { viewport: { width: 1280, height: 800 } },
-    async (page, address) => {
-      await page.goto(`${address}#view=play`);
-      await page.waitForSelector("html[data-engine=ready]");
-      // When the sample clips have loaded, the worker is idle.
-      await page.getByTestId("train").and(page.locator(":enabled")).waitFor({ state: "attached" });
-      // Drawing a walking figure would keep the processor busy.
-      await page.getByRole("button", { name: "Pause", exact: true }).click();
-      await page.getByTestId("reading").selectOption(values.learned ? "as-learned" : "re-inferred");
-      const slider = "[data-testid=coupling-0-1]";
-      await page.waitForSelector(slider, { state: "attached" });
-      const workers = page.workers();
-      for (const worker of workers) await worker.evaluate(recordAnswers);
+  const site = resolve(positionals[0] ?? dist);
+  await onPage(site, { viewport: { width: 1280, height: 800 } }, async (page, address) => {
+    await page.goto(`${address}#view=play`);
+    await page.waitForSelector("html[data-engine=ready]");
+    // When the sample clips have loaded, the worker is idle.
+    await page.getByTestId("train").and(page.locator(":enabled")).waitFor({ state: "attached" });
+    // Drawing a walking figure would keep the processor busy.
+    await page.getByRole("button", { name: "Pause", exact: true }).click();
+    await page.getByTestId("reading").selectOption(values.learned ? "as-learned" : "re-inferred");
+    const slider = "[data-testid=coupling-0-1]";
+    await page.waitForSelector(slider, { state: "attached" });
+    const workers = page.workers();
+    for (const worker of workers) await worker.evaluate(recordAnswers);
 
-      await page.evaluate(leaveOutGraphics);
-      const times = await page.evaluate(slide, { slider, events: WARM_UP + EVENTS });
-      print("event to motion", times.motions.slice(WARM_UP));
-      print("event to pictures", times.pictures.slice(WARM_UP));
-      for (const worker of workers) {
-        const times = await worker.evaluate(() => /** @type {any} */ (globalThis).answerTimes());
-        if (times.length >= EVENTS) print("inside the worker", times.slice(-EVENTS));
-      }
-      await page.getByTestId("live-on").click();
-      await page.getByTestId("live").waitFor();
-      for (const worker of workers)
-        await worker.evaluate(() => /** @type {any} */ (globalThis).forgetAnswers());
-      await page.waitForTimeout(LIVE_SECONDS * 1000);
-      for (const worker of workers) {
-        const times = await worker.evaluate(() => /** @type {any} */ (globalThis).answerTimes());
-        if (times.length > 0) print("live, in the worker", times);
-      }
-      await page.evaluate(collectTurns);
-      await page.getByTestId("wheel").focus();
-      for (let turn = 0; turn < TURNS; turn++) {
-        await page.keyboard.press("ArrowRight");
-        await page.waitForTimeout(BETWEEN_TURNS);
-      }
-      const turns = () => page.evaluate(() => /** @type {any} */ (globalThis).turns);
-      print("wheel to frame", await turns());
-      await page.evaluate(dragNode, { moves: TURNS, between: BETWEEN_TURNS });
-      print("drag to frame", await turns());
-    },
-  );
+    await page.evaluate(leaveOutGraphics);
+    const times = await page.evaluate(slide, { slider, events: WARM_UP + EVENTS });
+    print("event to motion", times.motions.slice(WARM_UP));
+    print("event to pictures", times.pictures.slice(WARM_UP));
+    for (const worker of workers) {
+      const times = await worker.evaluate(() => /** @type {any} */ (globalThis).answerTimes());
+      if (times.length >= EVENTS) print("inside the worker", times.slice(-EVENTS));
+    }
+    await page.getByTestId("live-on").click();
+    await page.getByTestId("live").waitFor();
+    for (const worker of workers)
+      await worker.evaluate(() => /** @type {any} */ (globalThis).forgetAnswers());
+    await page.waitForTimeout(LIVE_SECONDS * 1000);
+    for (const worker of workers) {
+      const times = await worker.evaluate(() => /** @type {any} */ (globalThis).answerTimes());
+      if (times.length > 0) print("live, in the worker", times);
+    }
+    await page.evaluate(collectTurns);
+    await page.getByTestId("wheel").focus();
+    for (let turn = 0; turn < TURNS; turn++) {
+      await page.keyboard.press("ArrowRight");
+      await page.waitForTimeout(BETWEEN_TURNS);
+    }
+    const turns = () => page.evaluate(() => /** @type {any} */ (globalThis).turns);
+    print("wheel to frame", await turns());
+    await page.evaluate(dragNode, { moves: TURNS, between: BETWEEN_TURNS });
+    print("drag to frame", await turns());
+  });
 });

@@ -1,8 +1,8 @@
 // Makes the files that the page opens with: from those in www/first the model and the library of primitives
 // with fewer digits, and the first seconds of the model's rollout, which play before the wasm has loaded.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { rounded, shortened } from "../www/src/links/digits.js";
+import { builtPackage } from "./package.mjs";
 import { at, filesUnder, whenChanged } from "./run.mjs";
 
 /** A little more than one step of each foot; it plays in a loop. */
@@ -37,15 +37,16 @@ export async function writeFirst() {
   const own = [encoder, digits, at("scripts/first.mjs")];
   const inputs = [model, ...own, ...filesUnder([at("crate/wasm/pkg/node")])];
   return whenChanged("first", { inputs, outputs: [sent, motion] }, async () => {
-    const { Model } = createRequire(import.meta.url)("../crate/wasm/pkg/node/vcgpdm.js");
+    const { Model } = builtPackage();
     const { encodeFirstMotion } = await import("../www/src/stage/first-motion.js");
     const text = JSON.stringify(shortened(JSON.parse(readFileSync(model, "utf8")), MATRIX_DIGITS));
 
     const opened = Model.fromJson(text);
-    const { frameTime, figure, joints, parts } = opened.info();
+    const info = /** @type {import("vcgpdm").CoupledModelInfo} */ (opened.info());
+    const { frameTime, figure, joints, parts } = info;
     const frames = Math.round(SECONDS / frameTime);
     const positions = opened.rollout({ frames, sequence: 0 }).positions();
-    const names = joints.map((/** @type {{ name: string }} */ { name }) => name);
+    const names = joints.map(({ name }) => name);
     mkdirSync(at("www/public/first"), { recursive: true });
     writeFileSync(sent, text);
     writeFileSync(motion, encodeFirstMotion({ frames, frameTime, figure, joints: names, parts, positions }));

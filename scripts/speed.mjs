@@ -3,9 +3,9 @@
 // {"median_ms": ...}. One thread each. `npm run speed -- --frame`: the time of one observed frame alone.
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
-import { createRequire } from "node:module";
 import { parseArgs } from "node:util";
 import { onPage } from "./chromium.mjs";
+import { builtPackage } from "./package.mjs";
 import { at, Failure, main, output, run, step } from "./run.mjs";
 import { installTools } from "./tools.mjs";
 import { buildVariant, buildWasm } from "./wasm.mjs";
@@ -71,7 +71,7 @@ const NOT_COUNTED = 10;
  * model that the page opens with.
  */
 function printObservedFrame() {
-  const { Model } = createRequire(import.meta.url)(at("crate/wasm/pkg"));
+  const { Model } = builtPackage();
   const model = Model.fromJson(readFileSync(at("www/first/model.json"), "utf8"));
   const clip = model.rollout({ frames: 90 }).toClip();
   const milliseconds = (/** @type {number} */ frames) => {

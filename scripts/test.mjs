@@ -166,13 +166,8 @@ async function recordings() {
 
 async function rustInWasm() {
   env.CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER = `node ${at("scripts/wasm-tests.mjs")}`;
-  await run(
-    "cargo",
-    "test",
-    ...["--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"],
-    "--lib",
-    "--tests",
-  );
+  const wasm = ["--package", "vcgpdm-wasm", "--target", "wasm32-unknown-unknown"];
+  await run("cargo", "test", ...wasm, "--lib", "--tests");
 }
 
 async function page() {

@@ -3,15 +3,13 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { describe, it } from "node:test";
-import { at } from "../../scripts/run.mjs";
+import { builtPackage } from "../../scripts/package.mjs";
 import { dist } from "../../scripts/site.mjs";
 import { barriers, openPanel, openedSite, ready, seldom } from "./site.mjs";
 import { coupledInfo } from "../node/package.mjs";
 
-/** @type {typeof import("vcgpdm")} */
-const { Model } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
+const { Model } = builtPackage();
 
 const site = openedSite();
 

@@ -1,8 +1,8 @@
 // The Lab in two languages: the words of each tab, and their place on the screen.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { it } from "node:test";
+import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
 import { answersOf } from "./answers.mjs";
 import {
@@ -97,9 +97,7 @@ const VIEWS = [
 
 /** The answers of two participants of the page's study, as a file. */
 function answers() {
-  const { Study } = /** @type {typeof import("vcgpdm")} */ (
-    createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"))
-  );
+  const { Study } = builtPackage();
   const study = Study.fromJson(readFileSync(at("www/dist/study/walks.study.json"), "utf8"));
   return JSON.stringify(answersOf(study, [1, 2]));
 }

@@ -2,8 +2,8 @@
 // the analysis.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { describe, it } from "node:test";
+import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
 import { answersOf } from "./answers.mjs";
 import {
@@ -21,10 +21,8 @@ import {
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** The same program in Node. @type {typeof import("vcgpdm")} */
-const { Study, analysePerception, perceptionJson } = createRequire(import.meta.url)(
-  at("crate/wasm/pkg/node/vcgpdm.js"),
-);
+/** The same program in Node. */
+const { Study, analysePerception, perceptionJson } = builtPackage();
 
 /** @type {string[]} */
 let sent = [];

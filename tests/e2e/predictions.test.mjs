@@ -1,8 +1,8 @@
 // Predictions, futures and uncertainty in the latent plots, compared with the npm package.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { describe, it } from "node:test";
+import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
 import { dist } from "../../scripts/site.mjs";
 import { oneVisitor, openedSite, ready, readyVisitor, rests, seldom } from "./site.mjs";
@@ -11,8 +11,7 @@ import { coupledInfo } from "../node/package.mjs";
 /** @typedef {{ x: number, y: number, major: number, minor: number }} Ellipse */
 /** @typedef {{ call: "ellipse" | "arc" | "lineTo", at: number[] }} Call */
 
-/** @type {typeof import("vcgpdm")} */
-const { Model } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
+const { Model } = builtPackage();
 const ALPHA = [
   [0.02, 0.1],
   [0.3, 0.1],

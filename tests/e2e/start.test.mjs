@@ -1,16 +1,12 @@
 // A motion that starts from any training frame, or from a clip that was not trained on, compared with the npm
 // package.
 import assert from "node:assert/strict";
-import { createRequire } from "node:module";
 import { it } from "node:test";
-import { at } from "../../scripts/run.mjs";
+import { builtPackage } from "../../scripts/package.mjs";
 import { openPanel, openedSite, ready, saved, seldom } from "./site.mjs";
 import { coupledInfo } from "../node/package.mjs";
 
-/** @type {typeof import("vcgpdm")} */
-const { Clip, Model, Trainer, TrainingSet } = createRequire(import.meta.url)(
-  at("crate/wasm/pkg/node/vcgpdm.js"),
-);
+const { Clip, Model, Trainer, TrainingSet } = builtPackage();
 
 const site = openedSite();
 

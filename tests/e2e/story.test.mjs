@@ -1,8 +1,8 @@
 // The story, the first view of a new visitor: small, quick, in two languages, by keyboard and touch.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { beforeEach, describe, it } from "node:test";
+import { builtPackage } from "../../scripts/package.mjs";
 import { at } from "../../scripts/run.mjs";
 import { coupledInfo } from "../node/package.mjs";
 import {
@@ -17,8 +17,7 @@ import {
   squares,
 } from "./site.mjs";
 
-/** @type {typeof import("vcgpdm")} */
-const { Model } = createRequire(import.meta.url)(at("crate/wasm/pkg/node/vcgpdm.js"));
+const { Model } = builtPackage();
 
 /** @typedef {import("playwright-core").Page} Page */
 
