@@ -1,4 +1,4 @@
-import { withComma } from "../words/decimal";
+import { withComma } from "../ui/decimal";
 import type { ExperimentWords } from "./en";
 
 const number = (value: number) => withComma(String(value));

@@ -1,4 +1,4 @@
-import { decimal } from "../words/decimal";
+import { decimal } from "../ui/decimal";
 import type { PrimitivesWords } from "./en";
 
 const number = (value: number, digits: number) => decimal("de", value, digits);

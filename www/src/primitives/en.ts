@@ -1,4 +1,4 @@
-import { decimal } from "../words/decimal";
+import { decimal } from "../ui/decimal";
 
 const number = (value: number, digits: number) => decimal("en", value, digits);
 

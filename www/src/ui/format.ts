@@ -1,4 +1,5 @@
 // Formats numbers and texts for the page, in its language.
+import { decimal } from "./decimal";
 import { languageChanges } from "./language";
 
 /** The text of a number in the language of the page. */
@@ -23,8 +24,7 @@ export function weight(value: number): string {
 
 /** All digits before the point in groups of three, and `decimals` after it. */
 export function grouped(value: number, decimals = 0): string {
-  const digits = { minimumFractionDigits: decimals, maximumFractionDigits: decimals };
-  const text = value.toLocaleString(languageChanges.language, digits);
+  const text = decimal(languageChanges.language, value, decimals);
   return /^-[0.,]+$/.test(text) ? text.slice(1) : text.replace("-", "\u2212");
 }
 

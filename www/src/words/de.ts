@@ -4,7 +4,7 @@ import { belief } from "./de/belief";
 import { borrow } from "./de/borrow";
 import { push } from "./de/push";
 import type { Words } from "./en";
-import { withComma } from "./decimal";
+import { withComma } from "../ui/decimal";
 
 const frame: Words["frame"] = {
   page: "Gekoppelte Bewegungs\u00adprimitive",

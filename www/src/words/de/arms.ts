@@ -1,4 +1,4 @@
-import { decimal } from "../decimal";
+import { decimal } from "../../ui/decimal";
 import type { Words } from "../en";
 
 const seconds = (value: number) => `${decimal("de", value, 2)} s`;

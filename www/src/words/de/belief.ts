@@ -1,4 +1,4 @@
-import { decimal } from "../decimal";
+import { decimal } from "../../ui/decimal";
 import type { Words } from "../en";
 import type { Ratio } from "../en/belief";
 

@@ -1,4 +1,4 @@
-import { decimal } from "../decimal";
+import { decimal } from "../../ui/decimal";
 import type { LabWords } from "../en/lab";
 import { learn } from "./learn";
 import { loops } from "./loops";

@@ -1,4 +1,4 @@
-import { decimal, withComma } from "../decimal";
+import { decimal, withComma } from "../../ui/decimal";
 import type { LearnWords } from "../en/learn";
 
 const number = (value: number, digits = 0) => decimal("de", value, digits);

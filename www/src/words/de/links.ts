@@ -1,7 +1,8 @@
+import { decimal } from "../../ui/decimal";
 import type { LinkProblem } from "../../links/problem";
 import type { LinkWords } from "../en/links";
 
-const number = (value: number) => value.toLocaleString("de");
+const number = (value: number) => decimal("de", value, 0);
 
 function problems(problem: LinkProblem): string {
   switch (problem.what) {

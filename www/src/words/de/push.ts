@@ -1,4 +1,4 @@
-import { decimal } from "../decimal";
+import { decimal } from "../../ui/decimal";
 import type { Words } from "../en";
 
 const radii = (value: number) => decimal("de", value, value < 1 ? 2 : 1);

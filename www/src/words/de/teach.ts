@@ -1,4 +1,4 @@
-import { decimal } from "../decimal";
+import { decimal } from "../../ui/decimal";
 import type { TeachWords } from "../en/teach";
 
 const times = (value: number) => `das ${decimal("de", value, 2)}-Fache`;

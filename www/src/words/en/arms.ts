@@ -1,4 +1,4 @@
-import { decimal } from "../decimal";
+import { decimal } from "../../ui/decimal";
 
 const seconds = (value: number) => `${decimal("en", value, 2)} s`;
 const centimetres = (value: number) => `${decimal("en", 100 * value, 0)} cm`;

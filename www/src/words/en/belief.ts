@@ -1,4 +1,4 @@
-import { decimal } from "../decimal";
+import { decimal } from "../../ui/decimal";
 
 /** The median of the ratios of two errors, and the ends of its interval. */
 export type Ratio = readonly [median: number, low: number, high: number];

@@ -1,4 +1,4 @@
-import { decimal } from "../decimal";
+import { decimal } from "../../ui/decimal";
 
 const metres = (value: number) => decimal("en", value, 2);
 const centimetres = (value: number) => decimal("en", Math.abs(100 * value), 0);

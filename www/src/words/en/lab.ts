@@ -1,5 +1,5 @@
 import startPresets from "../../../first/presets.json";
-import { decimal } from "../decimal";
+import { decimal } from "../../ui/decimal";
 import { learn } from "./learn";
 import { loops } from "./loops";
 import { files } from "./files";

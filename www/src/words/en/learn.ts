@@ -1,4 +1,4 @@
-import { decimal } from "../decimal";
+import { decimal } from "../../ui/decimal";
 
 const number = (value: number, digits = 0) => decimal("en", value, digits);
 const times = (count: number) => (count === 1 ? "once" : `${count} times`);

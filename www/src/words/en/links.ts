@@ -1,6 +1,7 @@
+import { decimal } from "../../ui/decimal";
 import type { LinkProblem } from "../../links/problem";
 
-const number = (value: number) => value.toLocaleString("en");
+const number = (value: number) => decimal("en", value, 0);
 
 function problems(problem: LinkProblem): string {
   switch (problem.what) {

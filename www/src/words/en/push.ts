@@ -1,4 +1,4 @@
-import { decimal } from "../decimal";
+import { decimal } from "../../ui/decimal";
 
 const radii = (value: number) => decimal("en", value, value < 1 ? 2 : 1);
 const seconds = (value: number) => `${decimal("en", value, 1)} s`;

@@ -1,4 +1,4 @@
-import { decimal } from "../decimal";
+import { decimal } from "../../ui/decimal";
 
 const times = (value: number) => `${decimal("en", value, 2)} ×`;
 const seconds = (value: number) => `${decimal("en", value, 2)} s`;
