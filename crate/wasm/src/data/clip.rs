@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use vcgpdm::models::{same_body, with_bones_of};
 use vcgpdm::motion::bvh;
 use vcgpdm::motion::parts::PartsPreset;
-use vcgpdm::motion::stage::{Stage, UpAxis};
+use vcgpdm::motion::stage::UpAxis;
 use vcgpdm::motion::{Clip as MotionClip, parts, samples};
 use wasm_bindgen::prelude::*;
 
@@ -98,14 +98,14 @@ impl Clip {
     #[wasm_bindgen(unchecked_return_type = "ClipInfo")]
     pub fn info(&self) -> Result<JsValue, VcgpdmError> {
         let clip = &self.clip;
-        let stage = self.stage();
+        let up = self.up();
         let info = ClipInfo {
             name: &clip.name,
             sha256: &clip.sha256,
             frames: clip.frames(),
             frame_time: clip.frame_time,
-            height: stage.height,
-            up_axis: stage.up.name(),
+            height: clip.height_along(up),
+            up_axis: up.name(),
             warnings: &clip.warnings,
             #[cfg(feature = "training")]
             bodies: &clip.bodies,
@@ -116,18 +116,18 @@ impl Clip {
 
     /// World positions of the figure's nodes [frames x nodes x 3], y up, in metres for a body 1.7 m tall.
     pub fn positions(&self) -> Vec<f32> {
-        self.clip.positions_on(&self.stage())
+        self.clip.positions_along(self.up())
     }
 }
 
 impl Clip {
     /// The wasm of a first visit has the sample clips alone, in which y points up: without the search for the axis it
     /// is smaller.
-    fn stage(&self) -> Stage {
+    fn up(&self) -> UpAxis {
         #[cfg(feature = "training")]
-        return self.clip.stage();
+        return self.clip.up_axis();
         #[cfg(not(feature = "training"))]
-        return self.clip.stage_along(UpAxis::Y);
+        return UpAxis::Y;
     }
 }
 

@@ -11,6 +11,7 @@ mod walker;
 
 use crate::motion::clip::Clip;
 use crate::motion::skeleton::Skeleton;
+use crate::motion::stage_axes::UpAxis;
 use nalgebra::DMatrix;
 use serde::Serialize;
 use walker::Arms;
@@ -144,7 +145,7 @@ fn name(id: &str) -> String {
 }
 
 fn made(name: &str, skeleton: Skeleton, values: DMatrix<f64>) -> Clip {
-    Clip::new(name, skeleton, 1.0 / body::RATE, values)
+    Clip { found_up: Some(UpAxis::Y), ..Clip::new(name, skeleton, 1.0 / body::RATE, values) }
 }
 
 #[cfg(test)]
