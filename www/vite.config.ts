@@ -3,6 +3,7 @@ import { fileURLToPath } from "node:url";
 /// <reference types="vitest/config" />
 import { defineConfig, type Plugin } from "vite";
 import { policy } from "../scripts/policy.mjs";
+import { filesUnder } from "../scripts/run.mjs";
 import { views } from "../scripts/views.mjs";
 import { offline } from "./offline.ts";
 
@@ -67,6 +68,12 @@ const isTeaching = (file: string) =>
   /\/src\/(teach|exercises|links|app\/(linked-model|code)|words\/(en|de)\/(teach|links))|\/node_modules\/qr\//.test(
     file,
   );
+
+/** Tests that replace modules or globals of the page: each loads modules of its own. The others share theirs. */
+const alone = filesUnder([fileURLToPath(new URL("src", import.meta.url))]).filter(
+  (file) =>
+    file.endsWith(".test.ts") && /vi\.(mock|stubGlobal)|customElements/.test(readFileSync(file, "utf8")),
+);
 
 type Later = [folder: string, of: (file: string) => boolean];
 
@@ -136,7 +143,14 @@ export default defineConfig({
   },
   build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 900, rollupOptions: { output } },
   // Threads start in half the time of processes.
-  test: { setupFiles: ["src/words/lab.setup.ts"], pool: "threads" },
+  test: {
+    setupFiles: ["src/words/lab.setup.ts"],
+    pool: "threads",
+    projects: [
+      { extends: true, test: { name: "together", exclude: alone, isolate: false } },
+      { extends: true, test: { name: "alone", include: alone } },
+    ],
+  },
   worker: { format: "es", rollupOptions: { output } },
   server: { fs: { allow: [".."] } },
 });
