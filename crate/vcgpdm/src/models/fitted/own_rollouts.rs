@@ -339,6 +339,7 @@ pub(in crate::models) mod tests {
 
     /// Trainings at all of their steps have a model, and the end is that of `learn_from_own_rollouts`.
     #[test]
+    #[ignore = "seldom: npm test -- --all"]
     fn a_training_learns_from_own_rollouts_in_steps() {
         let clip = samples::clip("walk-1").unwrap();
         let parts = &parts::presets(&clip.skeleton)[1].parts;
