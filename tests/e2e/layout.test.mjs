@@ -4,7 +4,7 @@ import { describe, it } from "node:test";
 import { Clip, Trainer, TrainingSet } from "../../crate/wasm/pkg/node/vcgpdm.js";
 import {
   barriers,
-  barriersNow,
+  barriersBy,
   choosePreset,
   oneVisitor,
   openPanel,
@@ -352,7 +352,7 @@ describe("targets", () => {
     ])) {
       await page.evaluate((hash) => Object.assign(location, { hash }), view === "play" ? "" : `view=${view}`);
       await page.locator(element).first().waitFor();
-      const small = await barriersNow(page, ["target-size", "scrollable-region-focusable"]);
+      const small = await barriersBy(page, { runOnly: ["target-size", "scrollable-region-focusable"] });
       assert.deepEqual(small, [], view);
     }
     await leave();

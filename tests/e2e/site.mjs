@@ -346,32 +346,35 @@ const axe = readFileSync(at("node_modules/axe-core/axe.min.js"), "utf8");
 
 /** The serious problems that axe-core finds, in light and dark colours. */
 export async function barriers(/** @type {Page} */ page) {
-  const found = await barriersNow(page);
+  const found = await barriersBy(page, {});
   const inUse = await page.evaluate(() =>
     matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light",
   );
   await recolour(page, inUse === "dark" ? "light" : "dark");
-  const others = await barriersNow(page, ["color-contrast"]);
+  const others = await barriersBy(page, { runOnly: ["color-contrast"] });
   await recolour(page, inUse);
   return [...found, ...others.map((barrier) => `in the other colours: ${barrier}`)];
 }
 
-/**
- * The serious problems that axe-core finds in the present colours: enough for another language or size. With
- * `rules` it applies only these rules, also those that are off by default.
- */
-export async function barriersNow(/** @type {Page} */ page, /** @type {string[]} */ rules = []) {
+/** The serious problems but for colours: enough for another language or size. */
+export const barriersNow = (/** @type {Page} */ page) =>
+  barriersBy(page, { rules: { "color-contrast": { enabled: false } } });
+
+/** The serious problems that axe-core finds with some options. */
+export async function barriersBy(
+  /** @type {Page} */ page,
+  /** @type {import("axe-core").RunOptions} */ options,
+) {
   if (!(await page.evaluate(() => "axe" in globalThis))) await page.evaluate(axe);
   await atRest(page);
-  return page.evaluate(async (rules) => {
-    const options = rules.length > 0 ? { runOnly: { type: "rule", values: rules } } : {};
+  return page.evaluate(async (options) => {
     const { violations } = await /** @type {any} */ (globalThis).axe.run(options);
     return /** @type {import("axe-core").Result[]} */ (violations)
       .filter(({ impact }) => impact === "serious" || impact === "critical")
       .flatMap(({ id, nodes }) =>
         nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")}: ${failureSummary}`),
       );
-  }, rules);
+  }, options);
 }
 
 /** Switches an open page to dark or light colours, as the system does. */
