@@ -17,6 +17,7 @@ const MEASUREMENTS = {
   samples,
   study,
   scaling: () => printTables("scaling"),
+  schedules: (...words) => printTables("schedules", ...words),
   seeds: (...words) => printTables("seeds", ...words),
   synthetic: (...words) => printTables("synthetic", ...words),
 };

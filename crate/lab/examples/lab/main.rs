@@ -9,6 +9,7 @@
 mod modularity;
 mod parallel;
 mod scaling;
+mod schedules;
 mod seeds;
 mod synthetic;
 
@@ -24,6 +25,8 @@ enum Measurement {
     },
     /// How time and memory grow with the size of the data and of the model.
     Scaling(scaling::Arguments),
+    /// The papers' schedule of training beside ours.
+    Schedules(schedules::Arguments),
     /// How many seeds lead to a model that keeps moving.
     Seeds(seeds::Arguments),
     /// Whether training finds the coupling of synthetic data.
@@ -34,6 +37,7 @@ fn main() {
     match Measurement::parse() {
         Measurement::Modularity { picture } => modularity::run(picture.as_deref()),
         Measurement::Scaling(arguments) => scaling::run(&arguments),
+        Measurement::Schedules(arguments) => schedules::run(&arguments),
         Measurement::Seeds(arguments) => seeds::run(&arguments),
         Measurement::Synthetic(arguments) => synthetic::run(&arguments),
     }

@@ -241,7 +241,7 @@ fn print(title: &str, trainings: &Trainings) {
 
 /// Reads files, and the BVH files of folders in the order of their names. A clip is read when the iterator
 /// reaches it.
-fn read_clips(paths: &[PathBuf]) -> impl Iterator<Item = Clip> {
+pub fn read_clips(paths: &[PathBuf]) -> impl Iterator<Item = Clip> {
     let files = paths.iter().flat_map(|path| {
         if !path.is_dir() {
             return vec![path.clone()];
