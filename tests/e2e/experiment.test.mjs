@@ -72,6 +72,22 @@ describe("the synthetic experiment", () => {
         : /^The truth: Neither .* You were wrong\./,
     );
     await page.getByTestId("experiment-verdict").waitFor();
+    // Inside the model: for each part ten pairs of states before training and ten after it, and its curves.
+    assert.equal(await page.locator(".snapshots .states").count(), 40);
+    assert.equal(await page.locator(".snapshots .mean-path[d^=M]").count(), 4);
+    assert.equal(await page.locator(".snapshots .curves-box path").count(), 2 * 2 * 6);
+    assert.deepEqual(await barriers(page), []);
+    const [file] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByTestId("experiment-save").click(),
+    ]);
+    assert.match(file.suggestedFilename(), /^synthetic-\d\.model\.json$/);
+    await page.getByTestId("experiment-points-4").click();
+    await page.waitForURL(/points=4/);
+    await page.waitForFunction(() => document.querySelectorAll(".snapshots .states").length === 8);
+    await page.getByTestId("experiment-points-10").click();
+    await page.getByTestId("experiment-series").click();
+    await page.locator("pg-series pg-series-curves").waitFor();
   });
 
   seldom.it("keeps the best so far when it is cancelled, and does not count it", async () => {

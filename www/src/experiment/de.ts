@@ -23,6 +23,8 @@ export const words: ExperimentWords = {
   seed: "Startwert",
   driving: "Teil 1 treibt Teil 2",
   drivingHint: "Ohne Häkchen zur Kontrolle: zwei Systeme, die nichts miteinander zu tun haben.",
+  points: "Stützpunkte",
+  pointsHint: "Jeder Funktion. Vier: die Kontrolle aus Abbildung 3 des Artikels.",
   ten: (driving) => `Startwerte 0 bis 9 ${driving ? "" : "ohne Einfluss "}trainieren`,
   source:
     "Das Experiment ist das von Velychko et al. (2018), Abschnitt 5.1. Ihre Zufallszüge sind nicht bekannt; diese sind unsere.",
@@ -66,6 +68,29 @@ export const words: ExperimentWords = {
     largest: (alpha) => `Kein α kann größer sein als ${number(alpha)}.`,
     noise: (mse) => `Das Rauschen allein ergibt einen MSE von ${number(mse)}.`,
   },
+  inside: {
+    title: "Im Inneren des Modells",
+    text: (points) =>
+      `Jede Funktion behält ${points} Stützpunkte statt aller Bilder. Vor dem Training sind die latenten Zustände eine erste Schätzung, die zwei größten Hauptkomponenten der Kurven, und die Punkte liegen auf ihnen. Das Training bewegt beide.`,
+    before: "vor dem Training",
+    after: "nach dem Training",
+    press: "Drücke Trainieren.",
+    learned: "gelernte latente Zustände",
+    path: "mittlerer Weg: das Modell macht von seinen ersten zwei Zuständen allein weiter",
+    dynamics: "Stützpunkt der Dynamik: zwei Zustände, der spätere ausgefüllt",
+    poses: "Stützpunkt der Posenabbildung",
+    curves:
+      "Untere Reihe: drei der zehn Kurven der Daten in Grau, und die des mittleren Weges in Farbe. Wie in Abbildung 3, E bis H, des Artikels.",
+    control:
+      "Trainiere auch mit vier Stützpunkten: Dann geht der mittlere Weg vor dem Training meist nicht so im Kreis wie die Daten, aber danach. Mit zehn tut er es meist von Anfang an, und die Kurven passen besser.",
+    plane: (part, when) =>
+      `Teil ${part}, ${when}: Stützpunkte, gelernte latente Zustände und der mittlere Weg in der Ebene`,
+    generated: (part, when) =>
+      `Teil ${part}, ${when}: drei Kurven der Daten über der Zeit, und die des Modells`,
+    save: "Modell speichern",
+    open: "In Zeitreihen öffnen",
+    file: "Ein Modell einer Tabelle mit 20 Spalten: Rollouts, Kopplungen und das Programm für das Terminal nehmen es wie jedes andere.",
+  },
   others: {
     title: "Probiere es aus",
     text: "Ein Startwert beweist wenig. Probiere andere, und nimm das Häkchen weg: Dann muss α von 1 nach 2 groß werden. Das gelingt nicht immer: docs/synthetic.md im Projekt sagt, wie oft.",
@@ -108,9 +133,13 @@ export const words: ExperimentWords = {
     tooSmall: (alike) =>
       `zu wenig Einfluss von Teil 1 auf Teil 2; bis ${number(alike)}-mal zählt er als gefunden.`,
     tooLarge: "Teil 1 scheint mehr Einfluss auf Teil 2 zu haben als Teil 2 selbst; das stimmt nicht.",
-    tally(found, seeds, driving) {
-      const count = `mit ${found} von ${seeds} ${seeds === 1 ? "Startwert" : "Startwerten"} gefunden`;
-      return driving ? `${count.replace("mit", "Mit")}.` : `Ohne Einfluss ${count}.`;
+    tally(found, seeds, driving, points) {
+      const conditions = [
+        driving ? "" : "ohne Einfluss",
+        points === null ? "" : `bei ${points} Stützpunkten`,
+      ];
+      const how = conditions.filter(Boolean).join(" und ");
+      return `${how} mit ${found} von ${seeds} ${seeds === 1 ? "Startwert" : "Startwerten"} gefunden`;
     },
     notCounted: (stopped) => `${stopped} abgebrochen, nicht gezählt.`,
   },
@@ -129,6 +158,8 @@ export const words: ExperimentWords = {
       seed: "Startwert",
       driving: "1 treibt 2",
       drivingMeaning: "Ob Teil 1 Teil 2 treibt",
+      points: "Punkte",
+      pointsMeaning: "Stützpunkte jeder Funktion",
       found: "Gefunden",
       back: "α von 2 nach 1, in Einheiten von α von 1 nach 1",
       forth: "α von 1 nach 2, in Einheiten von α von 2 nach 2",

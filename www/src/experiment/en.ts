@@ -19,6 +19,8 @@ export const words = {
   seed: "Seed",
   driving: "Part 1 drives part 2",
   drivingHint: "Untick it for the control: two systems that have nothing to do with each other.",
+  points: "Inducing points",
+  pointsHint: "Of every function. Four: the control of the paper's figure 3.",
   ten: (driving: boolean) => `Train seeds 0 to 9${driving ? "" : " without driving"}`,
   source:
     "The experiment is that of Velychko et al. (2018), section 5.1. Their draws are not known; these are ours.",
@@ -61,6 +63,29 @@ export const words = {
     largest: (alpha: number) => `No α can be larger than ${alpha}.`,
     noise: (mse: number) => `The noise alone makes an MSE of ${mse}.`,
   },
+  inside: {
+    title: "Inside the model",
+    text: (points: number) =>
+      `Each function keeps ${points} inducing points in place of all frames. Before training the latents are a first guess, the two largest principal components of the curves, and the points lie on them. Training moves both.`,
+    before: "before training",
+    after: "after training",
+    press: "Press Train.",
+    learned: "learned latents",
+    path: "mean path: the model goes on alone from its first two states",
+    dynamics: "dynamics inducing point: two states, the later one filled",
+    poses: "pose inducing point",
+    curves:
+      "Lower row: three of the ten curves of the data in grey, and those of the mean path in colour. As in figure 3, E to H, of the paper.",
+    control:
+      "Train with four inducing points, too: then the mean path mostly does not go round as the data do before training, and does after it. With ten it mostly does from the start, and the curves fit better.",
+    plane: (part: number, when: string) =>
+      `Part ${part}, ${when}: inducing points, learned latents and the mean path in the plane`,
+    generated: (part: number, when: string) =>
+      `Part ${part}, ${when}: three curves of the data over time, and the model's own`,
+    save: "Save the model",
+    open: "Open in Time series",
+    file: "A model of a table with 20 columns: rollouts, couplings and the terminal program take it as any other.",
+  },
   others: {
     title: "Try it yourself",
     text: "One seed proves little. Try others, and untick driving: then α from 1 to 2 must become large. It does not always work: docs/synthetic.md in the project says how often it did.",
@@ -101,9 +126,11 @@ export const words = {
     say: "part 1 has a say in part 2. That is true.",
     tooSmall: (alike: number) => `too small a say of part 1 in part 2; up to ${alike} times counts as found.`,
     tooLarge: "part 1 seems to have more say in part 2 than part 2 itself, which is not so.",
-    tally(found: number, seeds: number, driving: boolean): string {
-      const count = `${found} of ${seeds} ${seeds === 1 ? "seed" : "seeds"}`;
-      return driving ? `Found with ${count}.` : `Without driving, found with ${count}.`;
+    /** `points`: null for the usual number of inducing points. */
+    tally(found: number, seeds: number, driving: boolean, points: number | null): string {
+      const conditions = [driving ? "" : "without driving", points === null ? "" : `with ${points} points`];
+      const how = conditions.filter(Boolean).join(" and ");
+      return `${how}${how && ", "}found with ${found} of ${seeds} ${seeds === 1 ? "seed" : "seeds"}`;
     },
     notCounted: (stopped: number) => `${stopped} stopped early, not counted.`,
   },
@@ -122,6 +149,8 @@ export const words = {
       seed: "Seed",
       driving: "1 drives 2",
       drivingMeaning: "Whether part 1 drives part 2",
+      points: "Points",
+      pointsMeaning: "Inducing points of every function",
       found: "Found",
       back: "α from 2 to 1, in units of α from 1 to 1",
       forth: "α from 1 to 2, in units of α from 2 to 2",

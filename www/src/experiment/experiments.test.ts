@@ -1,14 +1,14 @@
 import { describe, expect, it } from "vitest";
 import { type ExperimentRun, headline, inOrder, newRun, readings, tally } from "./experiments";
 import { restOf, shareOf } from "../training/runs";
-import type { SyntheticFindings } from "../engine/whole-protocol";
+import type { TrainedExperiment } from "../engine/whole-protocol";
 
 const RULES = { much: 10, alike: 4 };
 const DRIVEN = { ...RULES, drive: 0.1 };
 const CONTROL = { ...RULES, drive: 0 };
 
 /** Findings with these ratios, judged as the program judges them. */
-function findings(back: number, forth: number, driving = true): SyntheticFindings {
+function findings(back: number, forth: number, driving = true): TrainedExperiment {
   const forthIsRight = driving ? forth >= 1 / RULES.alike && forth <= RULES.alike : forth >= RULES.much;
   return {
     alpha: [
@@ -20,15 +20,15 @@ function findings(back: number, forth: number, driving = true): SyntheticFinding
       [1 / (1 + back), 1 - 1 / (1 + forth)],
     ],
     verdict: { back, forth, backIsRight: back >= RULES.much, forthIsRight },
-    learned: [[], []],
-    explained: [1, 1],
+    model: { learned: [], explained: [1, 1], poseIps: [], dynamicsIps: [], path: [], generated: [] },
+    text: "",
     start: { bound: 0, mse: 1 },
     now: { bound: 1, mse: 0 },
   };
 }
 
 const ended = (seed: number, more: Partial<ExperimentRun> = {}): ExperimentRun => ({
-  ...newRun({ seed, driving: true }),
+  ...newRun({ seed, driving: true, points: 10 }),
   state: "done",
   fraction: 1,
   ...more,
@@ -77,22 +77,24 @@ describe("several trainings", () => {
     ended(3, { findings: findings(1800, 2) }),
     ended(5, { findings: findings(1800, 2), state: "cancelled" }),
     ended(6, { state: "failed" }),
+    ended(3, { findings: findings(1800, 5), points: 4 }),
   ];
 
   it("are counted without stopped and failed ones", () => {
     expect(tally(runs)).toBe(
-      "Found with 1 of 2 seeds. Without driving, found with 1 of 1 seed. 1 stopped early, not counted.",
+      "Found with 1 of 2 seeds. With 4 points, found with 0 of 1 seed. Without driving, found with 1 of 1 seed. 1 stopped early, not counted.",
     );
     expect(tally([])).toBe("");
   });
 
-  it("are sorted: with driving first, then by seed", () => {
-    expect(inOrder(runs).map(({ seed, driving }) => [seed, driving])).toEqual([
-      [3, true],
-      [5, true],
-      [6, true],
-      [8, true],
-      [0, false],
+  it("are sorted: with driving first, with more inducing points first, then by seed", () => {
+    expect(inOrder(runs).map(({ seed, driving, points }) => [seed, driving, points])).toEqual([
+      [3, true, 10],
+      [5, true, 10],
+      [6, true, 10],
+      [8, true, 10],
+      [3, true, 4],
+      [0, false, 10],
     ]);
   });
 });
@@ -101,13 +103,13 @@ describe("the remaining time", () => {
   const running = ended(1, { state: "running", fraction: 0.25, elapsed: 2 });
 
   it("is unknown at the beginning", () => {
-    expect(restOf([newRun({ seed: 0, driving: true })], 1)).toBeNull();
+    expect(restOf([newRun({ seed: 0, driving: true, points: 10 })], 1)).toBeNull();
   });
 
   it("expects waiting trainings to be as long as running ones", () => {
     expect(restOf([running], 1)).toBeCloseTo(6);
-    expect(restOf([running, newRun({ seed: 2, driving: true })], 1)).toBeCloseTo(14);
-    expect(restOf([running, newRun({ seed: 2, driving: true })], 2)).toBeCloseTo(8);
+    expect(restOf([running, newRun({ seed: 2, driving: true, points: 10 })], 1)).toBeCloseTo(14);
+    expect(restOf([running, newRun({ seed: 2, driving: true, points: 10 })], 2)).toBeCloseTo(8);
   });
 
   it("counts ended trainings as done", () => {
