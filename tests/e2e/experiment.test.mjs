@@ -73,7 +73,7 @@ describe("the synthetic experiment", () => {
     );
     await page.getByTestId("experiment-verdict").waitFor();
     // Inside the model: for each part ten pairs of states before training and ten after it, and its curves.
-    assert.equal(await page.locator(".snapshots .states").count(), 40);
+    assert.equal(await page.locator(".snapshots .dynamics-point").count(), 40);
     assert.equal(await page.locator(".snapshots .mean-path[d^=M]").count(), 4);
     assert.equal(await page.locator(".snapshots .curves-box path").count(), 2 * 2 * 6);
     assert.deepEqual(await barriers(page), []);
@@ -84,7 +84,7 @@ describe("the synthetic experiment", () => {
     assert.match(file.suggestedFilename(), /^synthetic-\d\.model\.json$/);
     await page.getByTestId("experiment-points-4").click();
     await page.waitForURL(/points=4/);
-    await page.waitForFunction(() => document.querySelectorAll(".snapshots .states").length === 8);
+    await page.waitForFunction(() => document.querySelectorAll(".snapshots .dynamics-point").length === 8);
     await page.getByTestId("experiment-points-10").click();
     await page.getByTestId("experiment-series").click();
     await page.locator("pg-series pg-series-curves").waitFor();

@@ -84,9 +84,7 @@ export const words: ExperimentWords = {
     control:
       "Trainiere auch mit vier Stützpunkten: Dann geht der mittlere Weg vor dem Training meist nicht so im Kreis wie die Daten, aber danach. Mit zehn tut er es meist von Anfang an, und die Kurven passen besser.",
     plane: (part, when) =>
-      `Teil ${part}, ${when}: Stützpunkte, gelernte latente Zustände und der mittlere Weg in der Ebene`,
-    generated: (part, when) =>
-      `Teil ${part}, ${when}: drei Kurven der Daten über der Zeit, und die des Modells`,
+      `Teil ${part}, ${when}: Stützpunkte, latente Zustände und mittlerer Weg in der Ebene, darunter drei Kurven über der Zeit`,
     save: "Modell speichern",
     open: "In Zeitreihen öffnen",
     file: "Ein Modell einer Tabelle mit 20 Spalten: Rollouts, Kopplungen und das Programm für das Terminal nehmen es wie jedes andere.",
@@ -133,13 +131,9 @@ export const words: ExperimentWords = {
     tooSmall: (alike) =>
       `zu wenig Einfluss von Teil 1 auf Teil 2; bis ${number(alike)}-mal zählt er als gefunden.`,
     tooLarge: "Teil 1 scheint mehr Einfluss auf Teil 2 zu haben als Teil 2 selbst; das stimmt nicht.",
-    tally(found, seeds, driving, points) {
-      const conditions = [
-        driving ? "" : "ohne Einfluss",
-        points === null ? "" : `bei ${points} Stützpunkten`,
-      ];
-      const how = conditions.filter(Boolean).join(" und ");
-      return `${how} mit ${found} von ${seeds} ${seeds === 1 ? "Startwert" : "Startwerten"} gefunden`;
+    tally(found, seeds, driving) {
+      const count = `mit ${found} von ${seeds} ${seeds === 1 ? "Startwert" : "Startwerten"} gefunden`;
+      return driving ? `${count.replace("mit", "Mit")}.` : `Ohne Einfluss ${count}.`;
     },
     notCounted: (stopped) => `${stopped} abgebrochen, nicht gezählt.`,
   },
@@ -158,8 +152,6 @@ export const words: ExperimentWords = {
       seed: "Startwert",
       driving: "1 treibt 2",
       drivingMeaning: "Ob Teil 1 Teil 2 treibt",
-      points: "Punkte",
-      pointsMeaning: "Stützpunkte jeder Funktion",
       found: "Gefunden",
       back: "α von 2 nach 1, in Einheiten von α von 1 nach 1",
       forth: "α von 1 nach 2, in Einheiten von α von 2 nach 2",

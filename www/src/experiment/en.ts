@@ -79,9 +79,7 @@ export const words = {
     control:
       "Train with four inducing points, too: then the mean path mostly does not go round as the data do before training, and does after it. With ten it mostly does from the start, and the curves fit better.",
     plane: (part: number, when: string) =>
-      `Part ${part}, ${when}: inducing points, learned latents and the mean path in the plane`,
-    generated: (part: number, when: string) =>
-      `Part ${part}, ${when}: three curves of the data over time, and the model's own`,
+      `Part ${part}, ${when}: inducing points, latents and mean path in the plane, and below three curves over time`,
     save: "Save the model",
     open: "Open in Time series",
     file: "A model of a table with 20 columns: rollouts, couplings and the terminal program take it as any other.",
@@ -126,11 +124,9 @@ export const words = {
     say: "part 1 has a say in part 2. That is true.",
     tooSmall: (alike: number) => `too small a say of part 1 in part 2; up to ${alike} times counts as found.`,
     tooLarge: "part 1 seems to have more say in part 2 than part 2 itself, which is not so.",
-    /** `points`: null for the usual number of inducing points. */
-    tally(found: number, seeds: number, driving: boolean, points: number | null): string {
-      const conditions = [driving ? "" : "without driving", points === null ? "" : `with ${points} points`];
-      const how = conditions.filter(Boolean).join(" and ");
-      return `${how}${how && ", "}found with ${found} of ${seeds} ${seeds === 1 ? "seed" : "seeds"}`;
+    tally(found: number, seeds: number, driving: boolean): string {
+      const count = `${found} of ${seeds} ${seeds === 1 ? "seed" : "seeds"}`;
+      return driving ? `Found with ${count}.` : `Without driving, found with ${count}.`;
     },
     notCounted: (stopped: number) => `${stopped} stopped early, not counted.`,
   },
@@ -149,8 +145,6 @@ export const words = {
       seed: "Seed",
       driving: "1 drives 2",
       drivingMeaning: "Whether part 1 drives part 2",
-      points: "Points",
-      pointsMeaning: "Inducing points of every function",
       found: "Found",
       back: "α from 2 to 1, in units of α from 1 to 1",
       forth: "α from 1 to 2, in units of α from 2 to 2",

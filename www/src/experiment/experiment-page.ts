@@ -272,7 +272,7 @@ export class ExperimentPage extends View {
       <h2><span class="step note">5</span> ${words.title}</h2>
       <p>${words.text}</p>
       <p class="tally" data-testid="experiment-tally">${tally(runs)}</p>
-      ${runsTable(runs, shown, ({ seed, driving, points }) => this.settings.change({ drawn: seed, driving, drawnPoints: points }))}
+      ${runsTable(runs, shown, ({ seed, driving }) => this.settings.change({ drawn: seed, driving }))}
       ${truth ? html`<p class="hint">${words.means(truth.much, truth.alike)}</p>` : nothing}`;
   }
 

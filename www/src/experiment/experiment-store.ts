@@ -37,9 +37,9 @@ export class ExperimentStore extends Job {
     );
   }
 
-  /** All trainings of this visit. */
+  /** The trainings of this visit with as many inducing points as the experiment on screen. */
   get runs(): readonly ExperimentRun[] {
-    return this.#runs;
+    return this.#runs.filter(({ points }) => points === this.experiment.points);
   }
 
   /** The trainings of the last press of a button. */

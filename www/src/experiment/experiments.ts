@@ -8,8 +8,6 @@ import type {
 } from "../engine/whole-protocol";
 import type { Course } from "../training/runs";
 import { ratio } from "../figures/numbers";
-import { SETTINGS } from "../settings/settings";
-import { sentence } from "../ui/format";
 import { experimentWords } from "./view-words";
 
 /** A training on an experiment that waits, runs or is over. */
@@ -44,11 +42,9 @@ export function newRun({ seed, driving, points }: Experiment): ExperimentRun {
 export const isSame = (a: Experiment, b: Experiment): boolean =>
   a.seed === b.seed && a.driving === b.driving && a.points === b.points;
 
-/** The order: experiments with driving first, those with more inducing points first, then by seed. */
+/** The order: experiments with driving first, then by seed. */
 export function inOrder(runs: readonly ExperimentRun[]): ExperimentRun[] {
-  return [...runs].sort(
-    (a, b) => Number(b.driving) - Number(a.driving) || b.points - a.points || a.seed - b.seed,
-  );
+  return [...runs].sort((a, b) => Number(b.driving) - Number(a.driving) || a.seed - b.seed);
 }
 
 /** Whether the couplings show the true direction of driving. */
@@ -87,16 +83,12 @@ export function headline(findings: SyntheticFindings, driving: boolean): string 
 export function tally(runs: readonly ExperimentRun[]): string {
   const words = experimentWords().verdict;
   const sentences: string[] = [];
-  const { initial, values } = SETTINGS.drawnPoints;
-  for (const driving of [true, false])
-    for (const points of [...values].reverse()) {
-      const done = runs
-        .filter((run) => run.driving === driving && run.points === points && run.state === "done")
-        .flatMap(({ findings }) => findings ?? []);
-      const found = done.filter(isFound).length;
-      const few = points === initial ? null : points;
-      if (done.length > 0) sentences.push(sentence(words.tally(found, done.length, driving, few)));
-    }
+  for (const driving of [true, false]) {
+    const done = runs
+      .filter((run) => run.driving === driving && run.state === "done")
+      .flatMap(({ findings }) => findings ?? []);
+    if (done.length > 0) sentences.push(words.tally(done.filter(isFound).length, done.length, driving));
+  }
   const stopped = runs.filter(({ state }) => state === "cancelled").length;
   if (stopped > 0) sentences.push(words.notCounted(stopped));
   return sentences.join(" ");

@@ -100,7 +100,7 @@ function answer(run: ExperimentRun) {
 }
 
 function row(run: ExperimentRun, shown: ExperimentRun | null, show: (run: ExperimentRun) => void) {
-  const { seed, driving, points, iteration, findings } = run;
+  const { seed, driving, iteration, findings } = run;
   const words = experimentWords().runs;
   const answered = (value: number, right: boolean) =>
     right ? ratio(value) : html`<strong class="bad">${ratio(value)}</strong>`;
@@ -110,7 +110,6 @@ function row(run: ExperimentRun, shown: ExperimentRun | null, show: (run: Experi
       <th scope="row"><button class="seed-link" aria-pressed=${run === shown ? "true" : "false"} title=${words.look}
         aria-label=${words.lookAt(seed, driving)} @click=${() => show(run)}>${seed}</button></th>
       <td>${driving ? words.yes : words.no}</td>
-      <td>${points}</td>
       <td class="answer">${answer(run)}</td>
       ${
         findings
@@ -139,7 +138,6 @@ export function runsTable(
         <thead class="quiet"><tr>
           <th scope="col">${heads.seed}</th>
           <th scope="col" title=${heads.drivingMeaning}>${heads.driving}</th>
-          <th scope="col" title=${heads.pointsMeaning}>${heads.points}</th>
           <th scope="col">${heads.found}</th>
           <th scope="col" title=${heads.back}>α 2→1 : 1→1</th>
           <th scope="col" title=${heads.forth}>α 1→2 : 2→2</th>

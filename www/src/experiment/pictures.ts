@@ -47,11 +47,9 @@ export function latentPicture(part: number, truth: SyntheticTruth | null, model:
     </figure>`;
 }
 
-const curvesBox = (label: string, paths: unknown) => html`
-  <svg class="curves-box" viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" role="img" aria-label=${label}>${paths}</svg>`;
-
 /** The observed curves of a part. */
 export function curvesPicture(part: number, truth: SyntheticTruth | null, frames: number) {
+  const words = experimentWords().pictures;
   const paths = truth
     ? curvePaths({
         values: truth.observed[part] ?? [],
@@ -63,10 +61,9 @@ export function curvesPicture(part: number, truth: SyntheticTruth | null, frames
     : [];
   return html`
     <figure class="curves-picture" style=${partStyle(partColour(part))}>
-      ${curvesBox(
-        experimentWords().pictures.curves(part + 1),
-        paths.map((path) => svg`<path d=${path} />`),
-      )}
+      <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" role="img" aria-label=${words.curves(part + 1)}>
+        ${paths.map((path) => svg`<path d=${path} />`)}
+      </svg>
       <figcaption class="row tight note">${name(part)}</figcaption>
     </figure>`;
 }
@@ -76,10 +73,9 @@ function dynamicsPoint(states: readonly number[], frame: Frame) {
   const places = Array.from({ length: states.length / 2 }, (_, k) =>
     placeIn(frame, states[2 * k] ?? 0, states[2 * k + 1] ?? 0),
   );
-  return svg`<path class="states" d=${linePath(states, frame)} />${places.map(
-    ([x, y], k) =>
-      svg`<circle class=${k + 1 < places.length ? "state" : "state last"} cx=${x} cy=${y} r="3.2" />`,
-  )}`;
+  const dot = ([x, y]: readonly [number, number], k: number) =>
+    svg`<circle class=${k + 1 < places.length ? "" : "last"} cx=${x} cy=${y} r="3.2" />`;
+  return svg`<g class="dynamics-point"><path d=${linePath(states, frame)} />${places.map(dot)}</g>`;
 }
 
 const posePoint = ([x, y]: readonly [number, number]) =>
@@ -96,7 +92,7 @@ function planePicture(part: number, truth: SyntheticTruth, model: SyntheticSnaps
   const poses = model.poseIps[part] ?? [];
   const dynamics = model.dynamicsIps[part] ?? [];
   return html`
-    <svg class="plane" viewBox="0 0 ${SIDE} ${SIDE}" role="img" aria-label=${label}>
+    <svg viewBox="0 0 ${SIDE} ${SIDE}" role="img" aria-label=${label}>
       <path class="true-path" d=${linePath(model.learned[part] ?? [], frame)} />
       <path class="mean-path" d=${path} />
       ${rows(poses, 2).map(([x = 0, y = 0]) => posePoint(placeIn(frame, x, y)))}
@@ -106,17 +102,18 @@ function planePicture(part: number, truth: SyntheticTruth, model: SyntheticSnaps
 }
 
 /** Some of the recorded curves of a part, and over them those that the model makes. */
-function generatedPicture(part: number, truth: SyntheticTruth, model: SyntheticSnapshot, label: string) {
+function generatedPicture(part: number, truth: SyntheticTruth, model: SyntheticSnapshot) {
   const some = (values: readonly number[] = []) =>
     rows(values, truth.columns).flatMap((row) => row.slice(0, GENERATED.columns));
   const recorded = some(truth.observed[part]);
   const largest = ROOM * Math.max(...recorded.map(Math.abs));
   const paths = (values: number[]) =>
     curvePaths({ values, ...GENERATED, width: WIDTH, height: HEIGHT, largest });
-  return curvesBox(label, [
-    paths(recorded).map((path) => svg`<path class="true-path" d=${path} />`),
-    paths(some(model.generated[part])).map((path) => svg`<path d=${path} />`),
-  ]);
+  return html`
+    <svg class="curves-box" viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" aria-hidden="true">
+      ${paths(recorded).map((path) => svg`<path class="true-path" d=${path} />`)}
+      ${paths(some(model.generated[part])).map((path) => svg`<path class="learned-path" d=${path} />`)}
+    </svg>`;
 }
 
 /** A part of the model before training and now: figure 3, E to H, of the paper. `now`: null before training. */
@@ -129,9 +126,9 @@ export function snapshotPictures(part: number, truth: SyntheticTruth | null, now
         truth && model
           ? [
               planePicture(part, truth, model, words.plane(part + 1, when)),
-              generatedPicture(part, truth, model, words.generated(part + 1, when)),
+              generatedPicture(part, truth, model),
             ]
-          : html`<p class="empty plane">${words.press}</p>`
+          : html`<p class="empty">${words.press}</p>`
       }
     </figure>`;
   return html`
