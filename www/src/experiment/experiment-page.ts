@@ -51,10 +51,7 @@ export class ExperimentPage extends View {
     const { drawn, driving } = this.settings.values;
     if (drawn === 0 && driving && this.experiment.runs.length === 0) this.#beginRiddle();
     // A link or Back to another experiment ends the riddle.
-    const named = () => {
-      const { drawn, driving, drawnPoints } = this.settings.values;
-      return JSON.stringify([drawn, driving, drawnPoints]);
-    };
+    const named = () => JSON.stringify([this.settings.values.drawn, this.settings.values.driving]);
     const before = named();
     this.whenLeaving(
       this.settings.on(
@@ -291,8 +288,12 @@ export class ExperimentPage extends View {
         <section class="panel made-panel" aria-label=${words.made.title}>${this.#made()}</section>
         <section class="panel" aria-label=${words.seen.title}>${this.#seen()}</section>
         ${isRiddle && this.vote === null ? nothing : html`<section class="panel wide-panel" aria-label=${words.found.title}>${this.#found()}</section>`}
-        ${isRiddle ? nothing : html`<section class="panel wide-panel" aria-label=${words.inside.title}>${this.#inside()}</section>`}
-        ${isRiddle ? nothing : html`<section class="panel wide-panel" aria-label=${words.others.title}>${this.#others()}</section>`}
+        ${
+          isRiddle
+            ? nothing
+            : html`<section class="panel wide-panel" aria-label=${words.inside.title}>${this.#inside()}</section>
+        <section class="panel wide-panel" aria-label=${words.others.title}>${this.#others()}</section>`
+        }
       </div>`;
   }
 }

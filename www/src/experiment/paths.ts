@@ -11,8 +11,8 @@ export interface Frame {
 const MARGIN = 0.06;
 
 /**
- * The map that shows all points [n x 2], row after row, with one scale for both axes. `margin`: the free share of the
- * drawing at each edge.
+ * The map that shows all points [n x 2], row after row, with one scale for both axes. `margin`: the free share
+ * of the drawing at each edge.
  */
 export function frameOf(points: readonly number[], side: number, margin = MARGIN): Frame {
   const [low, high] = [

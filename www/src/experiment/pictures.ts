@@ -50,15 +50,8 @@ export function latentPicture(part: number, truth: SyntheticTruth | null, model:
 /** The observed curves of a part. */
 export function curvesPicture(part: number, truth: SyntheticTruth | null, frames: number) {
   const words = experimentWords().pictures;
-  const paths = truth
-    ? curvePaths({
-        values: truth.observed[part] ?? [],
-        columns: truth.columns,
-        frames,
-        width: WIDTH,
-        height: HEIGHT,
-      })
-    : [];
+  const values = truth?.observed[part] ?? [];
+  const paths = curvePaths({ values, columns: truth?.columns ?? 0, frames, width: WIDTH, height: HEIGHT });
   return html`
     <figure class="curves-picture" style=${partStyle(partColour(part))}>
       <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" role="img" aria-label=${words.curves(part + 1)}>
@@ -68,11 +61,13 @@ export function curvesPicture(part: number, truth: SyntheticTruth | null, frames
     </figure>`;
 }
 
+/** Rows of `width` numbers. */
+const rows = (values: readonly number[], width: number) =>
+  Array.from({ length: values.length / width }, (_, row) => values.slice(row * width, (row + 1) * width));
+
 /** The states of a dynamics inducing point, joined from the first to the last, which is filled. */
 function dynamicsPoint(states: readonly number[], frame: Frame) {
-  const places = Array.from({ length: states.length / 2 }, (_, k) =>
-    placeIn(frame, states[2 * k] ?? 0, states[2 * k + 1] ?? 0),
-  );
+  const places = rows(states, 2).map(([x = 0, y = 0]) => placeIn(frame, x, y));
   const dot = ([x, y]: readonly [number, number], k: number) =>
     svg`<circle class=${k + 1 < places.length ? "" : "last"} cx=${x} cy=${y} r="3.2" />`;
   return svg`<g class="dynamics-point"><path d=${linePath(states, frame)} />${places.map(dot)}</g>`;
@@ -81,12 +76,9 @@ function dynamicsPoint(states: readonly number[], frame: Frame) {
 const posePoint = ([x, y]: readonly [number, number]) =>
   svg`<path class="pose-point" d="M${x} ${y - 3.6}l3.6 3.6l-3.6 3.6l-3.6 -3.6z" />`;
 
-/** Rows of `width` numbers. */
-const rows = (values: readonly number[], width: number) =>
-  Array.from({ length: values.length / width }, (_, row) => values.slice(row * width, (row + 1) * width));
-
-/** The latent space of a part with the model's inducing points and its mean path. */
-function planePicture(part: number, truth: SyntheticTruth, model: SyntheticSnapshot, label: string) {
+/** The latent space of a part: mean path and inducing points, as many for the dynamics as for poses. */
+function planePicture(part: number, truth: SyntheticTruth, model: SyntheticSnapshot, when: string) {
+  const label = experimentWords().inside.plane(part + 1, when);
   const frame = frameOf(truth.latents[part] ?? [], SIDE, AROUND);
   const path = linePath(model.path[part] ?? [], frame);
   const poses = model.poseIps[part] ?? [];
@@ -124,10 +116,7 @@ export function snapshotPictures(part: number, truth: SyntheticTruth | null, now
       <figcaption class="row tight note">${name(part)} <small>${when}</small></figcaption>
       ${
         truth && model
-          ? [
-              planePicture(part, truth, model, words.plane(part + 1, when)),
-              generatedPicture(part, truth, model),
-            ]
+          ? [planePicture(part, truth, model, when), generatedPicture(part, truth, model)]
           : html`<p class="empty">${words.press}</p>`
       }
     </figure>`;

@@ -121,13 +121,11 @@ impl SyntheticExperiment {
         #[wasm_bindgen(unchecked_optional_param_type = "number")] points: Option<Whole>,
     ) -> Result<SyntheticExperiment, VcgpdmError> {
         let seed = seed.get(ErrorCode::Settings, "the seed")?;
-        let settings = match points {
-            Some(points) => {
-                let points = points.count(ErrorCode::Settings, "the number of inducing points")?;
-                Synthetic::settings().with_points(points, points)
-            }
-            None => Synthetic::settings(),
-        };
+        let mut settings = Synthetic::settings();
+        if let Some(points) = points {
+            let points = points.count(ErrorCode::Settings, "the number of inducing points")?;
+            settings = settings.with_points(points, points);
+        }
         let data = Synthetic::draw(seed, if driving { DRIVE } else { 0.0 })?;
         Ok(SyntheticExperiment { experiment: Experiment::new(data, &settings, seed)? })
     }
