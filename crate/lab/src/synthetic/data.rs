@@ -130,8 +130,8 @@ impl Synthetic {
         VariationalTrainer::new(self.y.clone(), vec![FRAMES], settings, seed)
     }
 
-    /// The observations as a table of 20 columns, so that a model of them is a model of tables. The columns are
-    /// not divided by their standard deviations: training sees them as they were drawn.
+    /// The observations as a table of 20 columns: a model of them is a model of tables. The columns are not
+    /// divided by their standard deviations: training sees them as they were drawn.
     ///
     /// # Errors
     ///

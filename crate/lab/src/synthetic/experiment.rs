@@ -64,8 +64,8 @@ impl Snapshot {
 const LATE: usize = 50;
 
 impl Snapshot {
-    /// How far the mean path of each part goes round in its last 50 frames: its standard deviation there, divided
-    /// by that of the true latents.
+    /// How far the mean path of each part goes round in its last 50 frames: its standard deviation there,
+    /// divided by that of the true latents.
     pub fn late_spread(&self, data: &Synthetic) -> Vec<f64> {
         let late = |x: &DMatrix<f64>| spread(&x.rows(x.nrows() - LATE, LATE).into_owned());
         self.path.iter().zip(&data.latents).map(|(path, actual)| late(path) / late(actual)).collect()

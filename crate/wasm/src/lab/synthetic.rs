@@ -14,8 +14,8 @@ use vcgpdm_lab::synthetic::{
 };
 use wasm_bindgen::prelude::*;
 
-/// A model at one moment of its training, as figure 3 (E to H) of Velychko et al. (2018) shows it. All points are in
-/// the coordinates of the true latents, where an affine map puts the learned latents nearest to them; matrices have
+/// A model at one moment of its training, as in figure 3 (E to H) of Velychko et al. (2018). Points are in the
+/// coordinates of the true latents, where an affine map puts the learned latents nearest to them. Matrices are
 /// row after row.
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
@@ -112,8 +112,8 @@ pub struct SyntheticExperiment {
 #[wasm_bindgen]
 impl SyntheticExperiment {
     /// Makes the data and finds the starting point of the training. The seed, a whole number from 0 to
-    /// 4294967295, determines both. `driving`: whether the first part drives the second. `points`: the inducing
-    /// points of every function; absent: 10, as in the right half of the paper's figure 3; its left half has 4.
+    /// 4294967295, determines both. `driving`: whether the first part drives the second. `points`: how many
+    /// inducing points each function has; absent: 10, as in one half of the paper's figure 3; the other has 4.
     #[wasm_bindgen(constructor)]
     pub fn new(
         seed: &Whole,
