@@ -26,7 +26,7 @@ describe("the synthetic experiment", () => {
     const { page } = await site.visit({ settings: "view=synthetic", cores: 1 });
     await chosen(page);
     assert.equal(await page.locator(".curves-picture path").count(), 20, "ten curves of each part");
-    assert.equal(await page.locator(".learned-path").count(), 0, "no learned path yet");
+    assert.equal(await page.locator(".latent-picture .learned-path").count(), 0, "no learned path yet");
     await page.getByTestId("experiment-train").click();
     await over(page);
     assert.match(
@@ -40,7 +40,7 @@ describe("the synthetic experiment", () => {
     assert.equal(await page.getByTestId("experiment-weight-1-0").innerText(), "<0.01");
     assert.ok((await number(page, "experiment-bound")) > 3000);
     assert.ok((await number(page, "experiment-mse")) < 0.05);
-    assert.equal(await page.locator(".learned-path").count(), 2);
+    assert.equal(await page.locator(".latent-picture .learned-path").count(), 2);
     assert.equal(await page.getByTestId("experiment-run").count(), 1);
     assert.equal(await page.getByTestId("experiment-tally").innerText(), "Found with 1 of 1 seed.");
     assert.ok(
