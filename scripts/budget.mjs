@@ -2,7 +2,7 @@
 // in its folder (www/src/*/entry.ts). And the largest size of the project: lower it when the project becomes smaller.
 export const budget = {
   /** Lines of product and of tests, and files; `npm test` counts them. */
-  lines: { product: 108_450, tests: 46_340, files: 1_240 },
+  lines: { product: 108_900, tests: 46_420, files: 1_241 },
   firstVisit: 500_000,
   /** Of it what is not wasm, in `npm test`, whose quick wasm comes with more JavaScript. */
   firstScripts: 258_200,
@@ -18,7 +18,7 @@ export const budget = {
    * The whole program, with the filter that completes and recognises recordings, ten kinds of models to compare
    * and the samples that do not walk; charts; the writer of GIF files.
    */
-  onDemand: 906_000,
+  onDemand: 910_000,
   /** The movements of the page's own study. */
   study: 170_000,
   /** The writer of GLB files. */

@@ -101,6 +101,13 @@ describe("a comparison of models", () => {
     assert.match(await over(other.page), /4 of 4 trainings done/);
     assert.equal(JSON.parse((await saved(other.page, "save-results")).text).finished.length, 12);
     assert.equal(await other.page.locator(".column-heads li").count(), 4);
+    // Passing a bottle comes when asked for: ten clips in three parts, and what was found with them.
+    await other.page.getByTestId("bottle").click();
+    await other.page.getByTestId("bottle-found").waitFor({ timeout: 30_000 });
+    assert.equal(await other.page.locator(".trials input:checked").count(), 10);
+    await other.page.getByTestId("bottle-watch").click();
+    await other.page.getByTestId("stage-title").getByText("Pass a bottle, trial 1").waitFor();
+    assert.match(await other.page.locator(".stage-legend").innerText(), /body\s+left arm\s+right arm/);
     assert.deepEqual([...problems, ...other.problems], []);
     await other.leave();
     await leave();

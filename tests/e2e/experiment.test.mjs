@@ -26,7 +26,7 @@ describe("the synthetic experiment", () => {
     const { page } = await site.visit({ settings: "view=synthetic", cores: 1 });
     await chosen(page);
     assert.equal(await page.locator(".curves-picture path").count(), 20, "ten curves of each part");
-    assert.equal(await page.locator(".learned-path").count(), 0, "no learned path yet");
+    assert.equal(await page.locator(".latent-picture .learned-path").count(), 0, "no learned path yet");
     await page.getByTestId("experiment-train").click();
     await over(page);
     assert.match(
@@ -40,7 +40,7 @@ describe("the synthetic experiment", () => {
     assert.equal(await page.getByTestId("experiment-weight-1-0").innerText(), "<0.01");
     assert.ok((await number(page, "experiment-bound")) > 3000);
     assert.ok((await number(page, "experiment-mse")) < 0.05);
-    assert.equal(await page.locator(".learned-path").count(), 2);
+    assert.equal(await page.locator(".latent-picture .learned-path").count(), 2);
     assert.equal(await page.getByTestId("experiment-run").count(), 1);
     assert.equal(await page.getByTestId("experiment-tally").innerText(), "Found with 1 of 1 seed.");
     assert.ok(
@@ -72,6 +72,22 @@ describe("the synthetic experiment", () => {
         : /^The truth: Neither .* You were wrong\./,
     );
     await page.getByTestId("experiment-verdict").waitFor();
+    // Inside the model: for each part ten pairs of states before training and ten after it, and its curves.
+    assert.equal(await page.locator(".snapshots .dynamics-point").count(), 40);
+    assert.equal(await page.locator(".snapshots .mean-path[d^=M]").count(), 4);
+    assert.equal(await page.locator(".snapshots .curves-box path").count(), 2 * 2 * 6);
+    assert.deepEqual(await barriers(page), []);
+    const [file] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByTestId("experiment-save").click(),
+    ]);
+    assert.match(file.suggestedFilename(), /^synthetic-\d\.model\.json$/);
+    await page.getByTestId("experiment-points-4").click();
+    await page.waitForURL(/points=4/);
+    await page.waitForFunction(() => document.querySelectorAll(".snapshots .dynamics-point").length === 8);
+    await page.getByTestId("experiment-points-10").click();
+    await page.getByTestId("experiment-series").click();
+    await page.locator("pg-series pg-series-curves").waitFor();
   });
 
   seldom.it("keeps the best so far when it is cancelled, and does not count it", async () => {

@@ -42,7 +42,8 @@ describe("the synthetic experiment", () => {
     assert.ok(early.now.bound > early.start.bound, "the bound has risen");
     const { done, best } = train(experiment);
     assert.ok(done);
-    const { alpha, weights, verdict, learned, explained, start, now } = experiment.findings();
+    const { alpha, weights, verdict, model, start, now } = experiment.findings();
+    const { learned, explained, path, generated } = model;
     assert.deepEqual(start, early.start);
     assert.equal(now.bound, best);
     assert.ok(
@@ -62,7 +63,21 @@ describe("the synthetic experiment", () => {
       const off = (learned[part] ?? []).map((x, i) => (x - (latents[part]?.[i] ?? NaN)) ** 2);
       const mean = off.reduce((a, b) => a + b, 0) / off.length;
       assert.ok(mean < 0.02, `part ${part}: the learned latents lie ${Math.sqrt(mean)} from the true ones`);
+      assert.deepEqual([path[part]?.length, generated[part]?.length], [600, 3000]);
     }
+    const saved = experiment.model();
+    const values = saved.rollout({ frames: 300 }).values();
+    const own = [0, 1].map((part) => generated[part]?.slice(-10) ?? []).flat();
+    values.slice(-20).forEach((value, i) => {
+      assert.ok(Math.abs(value - (own[i] ?? NaN)) < 1e-9, "the model of the table makes the same curves");
+    });
+    assert.equal(vcgpdm.Model.fromJson(saved.toJson()).info().columns[10], "part 2 curve 1");
+  });
+
+  it("has as many inducing points as asked for", () => {
+    const { poseIps, dynamicsIps } = new vcgpdm.SyntheticExperiment(0, true, 4).truth().start;
+    assert.deepEqual([poseIps[1]?.length, dynamicsIps[1]?.length], [4 * 2, 4 * 4]);
+    assert.throws(() => new vcgpdm.SyntheticExperiment(0, true, 0), /the number of .* inducing points/);
   });
 
   it("finds in the control that neither drives the other", () => {

@@ -38,6 +38,16 @@ describe("the clips that come with the page", () => {
     ]);
   });
 
+  it("of passing a bottle come when asked for, ticked alone, and again in a later visit", async () => {
+    await clips.loadMade("pass a bottle");
+    expect(tickedKeys()).toEqual(["made-bottle-1", "made-bottle-2"]);
+    expect([stage.clip, clips.all.length]).toEqual(["made-bottle-1", 5]);
+    const stored = clips.stored.find(({ key }) => key === "made-bottle-2")!;
+    await clips.remove("made-bottle-2");
+    expect(await clips.takeUp(stored)).toBe(clips.all.at(-1)?.loaded.id);
+    expect(clips.all.at(-1)).toMatchObject({ key: "made-bottle-2", source: { sample: "bottle-2" } });
+  });
+
   it("are unticked when a visitor opens clips, of which the first goes on the stage", async () => {
     await clips.open(file("mine.bvh"), true);
     await clips.open(file("other.bvh"), false);

@@ -156,6 +156,22 @@ export class ClipsStore extends Store {
     this.changed();
   }
 
+  /** Loads the made clips of a movement that a first visit does not bring, ticks them alone, and shows the first. */
+  async loadMade(movement: string): Promise<void> {
+    const all = (await this.engine.clips?.madeClips()) ?? [];
+    const made: Omit<ClipEntry, "bodies" | "first" | "end">[] = [];
+    for (const { id, title } of all.filter((clip) => clip.movement === movement)) {
+      const source = { sample: id };
+      const loaded = await this.#read(source);
+      made.push({ key: `made-${id}`, title, origin: "made", source, loaded, ticked: false });
+    }
+    for (const clip of made) if (!this.#find(clip.key)) this.#add(clip);
+    const keys = made.map(({ key }) => key);
+    this.#clips = this.#clips.map((clip) => ({ ...clip, ticked: keys.includes(clip.key) }));
+    if (keys[0]) this.show(keys[0]);
+    await this.checkClash();
+  }
+
   /**
    * Adds a clip that a model made, as BVH, and returns its key. It is not ticked. `performed`: the visitor made it
    * live; the name of its file, and how it was made.
@@ -196,9 +212,9 @@ export class ClipsStore extends Store {
   /** Takes up a clip of an earlier visit and returns its id in this one; null: this page has no such clip. */
   async takeUp({ key, title, origin, source, ticked, first, end }: StoredClip): Promise<number | null> {
     let now = origin === "made" ? key : null;
-    if (now === null && "file" in source) {
+    if (!this.#find(key) || now === null) {
       const loaded = await this.#read(source);
-      now = `${origin}-${loaded.id}`;
+      now ??= `${origin}-${loaded.id}`;
       this.#add({ key: now, title, origin, source, loaded, ticked });
     }
     const clip = now === null ? undefined : this.#find(now);

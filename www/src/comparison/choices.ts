@@ -7,6 +7,8 @@ import type { SettingsStore } from "../settings/settings-store";
 import { withTerms } from "../terms/term";
 import type { TermName } from "../terms/terms";
 import { numberField } from "../settings/number-field";
+import { messageOf } from "../ui/format";
+import type { NoticesStore } from "../ui/notices-store";
 import { View } from "../ui/view";
 import type { ComparisonStore } from "./comparison-store";
 import { modelStyle } from "../figures/model-style";
@@ -17,12 +19,16 @@ import { lab, shownPart, shownSplit } from "../words/lab";
 /** The settings with a label. */
 type FieldName = Exclude<keyof CompareWords["fields"], "byHand" | "growthNeeds" | "growthTimes">;
 
+/** The movement of these clips, as the library names it. */
+const BOTTLE = "pass a bottle";
+
 const isTicked = (event: Event): boolean => (event.target as HTMLInputElement).checked;
 
 export class ComparisonChoices extends View {
   declare comparison: ComparisonStore;
   declare settings: SettingsStore;
   declare clips: ClipsStore;
+  declare notices: NoticesStore;
   #unfolded = true;
 
   /** Folds the choices, to show the results. */
@@ -106,6 +112,27 @@ export class ComparisonChoices extends View {
       </fieldset>`;
   }
 
+  async #loadBottle(): Promise<void> {
+    const { settings, clips, notices } = this;
+    try {
+      settings.change({ parts: "body-arms", split: [] });
+      await clips.loadMade(BOTTLE);
+    } catch (problem) {
+      notices.addError(compareWords().trials.bottle.load, messageOf(problem));
+    }
+  }
+
+  /** Passing a bottle: its clips when asked for, and what this project found with them. */
+  #bottle() {
+    const { clips, comparison, settings } = this;
+    const words = compareWords().trials.bottle;
+    if (!clips.all.some(({ key }) => key.startsWith("made-bottle")))
+      return html`<p class="hint">${words.about} <button class="small" data-testid="bottle" ?disabled=${comparison.busy || clips.locked || !clips.samplesLoaded}
+        @click=${() => void this.#loadBottle()}>${words.load}</button></p>`;
+    return html`<p class="hint" data-testid="bottle-found">${words.found}
+      <button class="small" data-testid="bottle-watch" @click=${() => settings.change({ view: "play" })}>${words.watch}</button></p>`;
+  }
+
   #trials() {
     const { clips, comparison } = this;
     const words = compareWords().trials;
@@ -119,6 +146,7 @@ export class ComparisonChoices extends View {
         )}
         </ul>
         <p class="hint">${words.drop}</p>
+        ${this.#bottle()}
       </details>`;
   }
 

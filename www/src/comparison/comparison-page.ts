@@ -238,7 +238,7 @@ export class ComparisonPage extends View {
   }
 
   #setup() {
-    const { comparison, settings, clips } = this;
+    const { comparison, settings, clips, notices } = this;
     const { busy } = comparison;
     const words = compareWords();
     return html`
@@ -249,7 +249,7 @@ export class ComparisonPage extends View {
       ${progressBar(words.comparing, busy ? share(comparison.shown?.jobs ?? []) : null)}
       <div class="visually-hidden" role="status" aria-live="polite">${this.#announcement()}</div>
       <p class="hint">${withTerms(words.about)}</p>
-      <pg-comparison-choices .comparison=${comparison} .settings=${settings} .clips=${clips}></pg-comparison-choices>
+      <pg-comparison-choices .comparison=${comparison} .settings=${settings} .clips=${clips} .notices=${notices}></pg-comparison-choices>
       ${this.#files()}`;
   }
 

@@ -69,6 +69,14 @@ export const words: CompareWords = {
     title: "Versuche",
     ticked: (ticked, all) => `${ticked} von ${all} Clips gewählt`,
     drop: "Lege eigene Clips (.bvh) irgendwo auf der Seite ab.",
+    bottle: {
+      about:
+        "Zwei Arme, die sich treffen: zehn gemachte Versuche, eine Flasche weiterzugeben, in drei Teilen.",
+      load: "Eine Flasche weitergeben",
+      found:
+        "Auf den zehn Versuchen mit der Flasche sagen drei Teile schlechter vorher als eine TMP, die eine Kurve über der Zeit ist: mit dem 7,59-Fachen ihres Fehlers (4,28 bis 10,90). Ob sie schlechter sind als der ganze Körper als ein Teil, bleibt offen: 2,64-mal so großer Fehler (0,59 bis 5,05).",
+      watch: "Im Labor ansehen",
+    },
   },
   fields: {
     parts: {

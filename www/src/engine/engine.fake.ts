@@ -22,6 +22,7 @@ import type {
   Report,
   RolloutRequest,
   RolloutResult,
+  SampleInfo,
   ShownClip,
   TrainedModel,
   TrainingClip,
@@ -198,6 +199,16 @@ export class FakeEngine implements Partial<Engine>, ClipCalls {
 
   sampleClip(id: string): Promise<ShownClip> {
     return this.#answer("sampleClip", [id], shownClip());
+  }
+
+  madeClips(): Promise<SampleInfo[]> {
+    const ids = ["walk-1", "bottle-1", "bottle-2"];
+    const movement = (id: string) => (id === "walk-1" ? "walk" : "pass a bottle");
+    return this.#answer(
+      "madeClips",
+      [],
+      ids.map((id) => ({ id, title: id, movement: movement(id) })),
+    );
   }
 
   checkTogether(clips: TrainingClip[]): Promise<Clash | null> {

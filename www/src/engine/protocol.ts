@@ -360,6 +360,8 @@ export interface Workbench {
  * the first visit is small.
  */
 export interface ClipsWorker {
+  /** All clips that the project makes itself, also those that a first visit does not bring. */
+  madeClips(): SampleInfo[];
   /** Reads a clip of the visitor. */
   readClip(source: ClipSource): Promise<ShownClip>;
   /** The reason why these clips cannot be trained on together; null if they can. */

@@ -104,6 +104,14 @@ export interface Experiment {
   seed: number;
   /** Whether the first part drives the second. */
   driving: boolean;
+  /** Inducing points of every function of the model: the paper's two numbers. */
+  points: 4 | 10;
+}
+
+/** What a training on an experiment has found. */
+export interface TrainedExperiment extends SyntheticFindings {
+  /** The document of the model; empty before the end. */
+  text: string;
 }
 
 /**
@@ -145,7 +153,7 @@ export interface ExperimentWorker {
   /** Trains until the training ends or is cancelled. */
   trainExperiment(
     experiment: Experiment,
-    report: Report<SyntheticFindings>,
+    report: Report<TrainedExperiment>,
     signal: AbortSignal,
   ): Promise<TrainingOutcome>;
 }

@@ -25,8 +25,8 @@ import type {
   StudyInfo,
   StudyTrial,
   StudyView,
-  SyntheticFindings,
   SyntheticTruth,
+  TrainedExperiment,
 } from "./whole-protocol";
 
 /** A call that the test ends. */
@@ -150,7 +150,7 @@ export class FakeProgram implements WholeWorkers {
   studies: FakeStudies | null = null;
   readonly evaluations: Pending<EvaluationJob, number, Evaluated>[] = [];
   readonly draws: Pending<Experiment, never, SyntheticTruth>[] = [];
-  readonly trainings: Pending<Experiment, TrainingReport<SyntheticFindings>, TrainingOutcome>[] = [];
+  readonly trainings: Pending<Experiment, TrainingReport<TrainedExperiment>, TrainingOutcome>[] = [];
   readonly analyses: Pending<AnswersFile[], never, PerceptionResults>[] = [];
   readonly moments: Pending<RolloutRequest, never, PartMoments[]>[] = [];
   /** The documents of the models opened for moments and images. */

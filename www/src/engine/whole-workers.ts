@@ -40,6 +40,7 @@ export function hireWholeWorkers(): WholeWorkers {
 export function clipCalls({ desk }: WholeWorkers): ClipCalls {
   return {
     readClip: (source) => desk.run((worker) => worker.readClip(source)),
+    madeClips: () => desk.run((worker) => worker.madeClips()),
     checkTogether: (clips) => desk.run((worker) => worker.checkTogether(clips)),
     clipBvh: (clip) => desk.run((worker) => worker.clipBvh(clip)),
   };

@@ -23,6 +23,8 @@ export const words: ExperimentWords = {
   seed: "Startwert",
   driving: "Teil 1 treibt Teil 2",
   drivingHint: "Ohne Häkchen zur Kontrolle: zwei Systeme, die nichts miteinander zu tun haben.",
+  points: "Stützpunkte",
+  pointsHint: "Jeder Funktion. Vier: die Kontrolle aus Abbildung 3 des Artikels.",
   ten: (driving) => `Startwerte 0 bis 9 ${driving ? "" : "ohne Einfluss "}trainieren`,
   source:
     "Das Experiment ist das von Velychko et al. (2018), Abschnitt 5.1. Ihre Zufallszüge sind nicht bekannt; diese sind unsere.",
@@ -65,6 +67,27 @@ export const words: ExperimentWords = {
       "Ein kleines α ist ein großer Einfluss; die Gewichte w, die zu einem Teil führen, ergeben zusammen 1. Sie sind nicht unbedingt die 0,1 und 0,9 aus Schritt 1: Eine größere Funktion gleicht ein kleineres Gewicht aus.",
     largest: (alpha) => `Kein α kann größer sein als ${number(alpha)}.`,
     noise: (mse) => `Das Rauschen allein ergibt einen MSE von ${number(mse)}.`,
+  },
+  inside: {
+    title: "Im Inneren des Modells",
+    text: (points) =>
+      `Jede Funktion behält ${points} Stützpunkte statt aller Bilder. Vor dem Training sind die latenten Zustände eine erste Schätzung, die zwei größten Hauptkomponenten der Kurven, und die Punkte liegen auf ihnen. Das Training bewegt beide.`,
+    before: "vor dem Training",
+    after: "nach dem Training",
+    press: "Drücke Trainieren.",
+    learned: "gelernte latente Zustände",
+    path: "mittlerer Weg: das Modell macht von seinen ersten zwei Zuständen allein weiter",
+    dynamics: "Stützpunkt der Dynamik: zwei Zustände, der spätere ausgefüllt",
+    poses: "Stützpunkt der Posenabbildung",
+    curves:
+      "Untere Reihe: drei der zehn Kurven der Daten in Grau, und die des mittleren Weges in Farbe. Wie in Abbildung 3, E bis H, des Artikels.",
+    control:
+      "Trainiere auch mit vier Stützpunkten: Dann geht der mittlere Weg vor dem Training meist nicht so im Kreis wie die Daten, aber danach. Mit zehn tut er es meist von Anfang an, und die Kurven passen besser.",
+    plane: (part, when) =>
+      `Teil ${part}, ${when}: Stützpunkte, latente Zustände und mittlerer Weg in der Ebene, darunter drei Kurven über der Zeit`,
+    save: "Modell speichern",
+    open: "In Zeitreihen öffnen",
+    file: "Ein Modell einer Tabelle mit 20 Spalten: Rollouts, Kopplungen und das Programm für das Terminal nehmen es wie jedes andere.",
   },
   others: {
     title: "Probiere es aus",

@@ -19,6 +19,8 @@ export const words = {
   seed: "Seed",
   driving: "Part 1 drives part 2",
   drivingHint: "Untick it for the control: two systems that have nothing to do with each other.",
+  points: "Inducing points",
+  pointsHint: "Of every function. Four: the control of the paper's figure 3.",
   ten: (driving: boolean) => `Train seeds 0 to 9${driving ? "" : " without driving"}`,
   source:
     "The experiment is that of Velychko et al. (2018), section 5.1. Their draws are not known; these are ours.",
@@ -60,6 +62,27 @@ export const words = {
       "A small α is a large influence; the weights w into a part sum to 1. They need not be the 0.1 and 0.9 of step 1: a larger function makes up for a smaller weight.",
     largest: (alpha: number) => `No α can be larger than ${alpha}.`,
     noise: (mse: number) => `The noise alone makes an MSE of ${mse}.`,
+  },
+  inside: {
+    title: "Inside the model",
+    text: (points: number) =>
+      `Each function keeps ${points} inducing points in place of all frames. Before training the latents are a first guess, the two largest principal components of the curves, and the points lie on them. Training moves both.`,
+    before: "before training",
+    after: "after training",
+    press: "Press Train.",
+    learned: "learned latents",
+    path: "mean path: the model goes on alone from its first two states",
+    dynamics: "dynamics inducing point: two states, the later one filled",
+    poses: "pose inducing point",
+    curves:
+      "Lower row: three of the ten curves of the data in grey, and those of the mean path in colour. As in figure 3, E to H, of the paper.",
+    control:
+      "Train with four inducing points, too: then the mean path mostly does not go round as the data do before training, and does after it. With ten it mostly does from the start, and the curves fit better.",
+    plane: (part: number, when: string) =>
+      `Part ${part}, ${when}: inducing points, latents and mean path in the plane, and below three curves over time`,
+    save: "Save the model",
+    open: "Open in Time series",
+    file: "A model of a table with 20 columns: rollouts, couplings and the terminal program take it as any other.",
   },
   others: {
     title: "Try it yourself",

@@ -10,7 +10,7 @@ declare module "../settings/views" {
 
 export const view = defineView({
   name: "synthetic",
-  budget: 14_000,
+  budget: 16_000,
   place: 3,
   words: {
     en: {

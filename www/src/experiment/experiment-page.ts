@@ -1,85 +1,30 @@
 // The view of the synthetic experiment: the true systems, the data, the findings of training, and those of
 // other seeds.
-import { html, nothing, svg } from "lit";
+import { html, nothing } from "lit";
 import { settingField } from "../settings/setting-field";
 import type { SettingsStore } from "../settings/settings-store";
 import { restOf, shareOf } from "../training/runs";
 import { localNumber, sentence } from "../ui/format";
 import { experimentWords } from "./view-words";
 import { progressBar } from "../ui/progress-bar";
-import { prefersReducedMotion } from "../ui/browser";
+import { download } from "../ui/download";
+import { icon } from "../ui/icons";
 import { randomNumbers } from "../ui/random-numbers";
 import "../ui/two-columns.css";
 import { View } from "../ui/view";
 import type { Draw } from "../views/define-view";
 import "./experiment.css";
-import type { SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
+import type { SyntheticFindings } from "../engine/whole-protocol";
 import type { ExperimentStore } from "./experiment-store";
 import { headline, tally, TEN_SEEDS } from "./experiments";
 import { alphaTable, endingOf, fitTable, runsTable, verdictWords } from "./findings-tables";
 import { timeLeft } from "../training/words";
-import { percent } from "../figures/numbers";
-import { partColour } from "../ui/palette";
-import { curvePaths, frameOf, linePath } from "./paths";
-import { partStyle } from "../ui/styled";
+import { curvesPicture, latentPicture, snapshotLegend, snapshotPictures } from "./pictures";
+import { SETTINGS } from "../settings/settings";
 
-const SIDE = 200;
 /** The most frames of the curves; more would blur. In a riddle, more would show the answer. */
 const CURVE_FRAMES = 100;
 const RIDDLE_FRAMES = 40;
-/** Frames a second of the moving points. */
-const PACE = 15;
-
-/** A point that goes along a path in these seconds. */
-const movingPoint = (path: string, seconds: number) =>
-  path && seconds > 0 && !prefersReducedMotion()
-    ? svg`<circle class="moving-point" r="5"><animateMotion calcMode="linear" path=${path} dur="${seconds}s" repeatCount="indefinite" /></circle>`
-    : nothing;
-
-/** A part's true latents, and the learned ones above them. */
-function latentPicture(
-  part: number,
-  truth: SyntheticTruth | null,
-  learned: number[] | null,
-  explained: number | null,
-) {
-  const actual = truth?.latents[part] ?? [];
-  const frame = frameOf(actual, SIDE);
-  const { part: name, pictures: words } = experimentWords();
-  const label = learned ? words.learned(part + 1, percent(explained ?? 0)) : words.true(part + 1);
-  return html`
-    <figure class="latent-picture" style=${partStyle(partColour(part))}>
-      <svg viewBox="0 0 ${SIDE} ${SIDE}" role="img" aria-label=${label}>
-        <path class="true-path" d=${linePath(actual, frame)} />
-        ${movingPoint(linePath(learned ?? actual, frame), (truth?.frames ?? 0) / PACE)}
-        ${learned ? svg`<path class="learned-path" d=${linePath(learned, frame)} />` : nothing}
-      </svg>
-      <figcaption class="row tight note"><i class="swatch"></i>${name(part + 1)}${learned && explained !== null ? html` <small>${words.explained(percent(explained))}</small>` : nothing}</figcaption>
-    </figure>`;
-}
-
-/** The observed curves of a part. */
-function curvesPicture(part: number, truth: SyntheticTruth | null, frames: number) {
-  const [width, height] = [300, 130];
-  const { part: name, pictures: words } = experimentWords();
-  const paths = truth
-    ? curvePaths({
-        values: truth.observed[part] ?? [],
-        columns: truth.columns,
-        frames,
-        width,
-        height,
-      })
-    : [];
-  return html`
-    <figure class="curves-picture" style=${partStyle(partColour(part))}>
-      <svg viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" role="img" aria-label=${words.curves(part + 1)}>
-        ${paths.map((path) => svg`<path d=${path} />`)}
-      </svg>
-      <figcaption class="row tight note"><i class="swatch"></i>${name(part + 1)}</figcaption>
-    </figure>`;
-}
-
 const PARTS = [0, 1];
 
 /** The riddles come in this order. */
@@ -118,9 +63,10 @@ export class ExperimentPage extends View {
   #beginRiddle(): void {
     [this.vote, this.told] = [null, null];
     const driving = this.#random() < 0.5;
+    const { points } = this.experiment.experiment;
     // The findings of an earlier training would tell the answer.
-    const unknown = this.experiment.open(TEN_SEEDS.map((seed) => ({ seed, driving })));
-    const riddles = unknown.length > 0 ? unknown : [{ seed: 0, driving }];
+    const unknown = this.experiment.open(TEN_SEEDS.map((seed) => ({ seed, driving, points })));
+    const riddles = unknown.length > 0 ? unknown : [{ seed: 0, driving, points }];
     this.experiment.setRiddle(riddles[Math.floor(this.#random() * riddles.length)] ?? null);
   }
 
@@ -229,9 +175,9 @@ export class ExperimentPage extends View {
   #choice() {
     const { experiment: store, settings } = this;
     const { busy, problem } = store;
-    const { driving } = store.experiment;
+    const { driving, points } = store.experiment;
     const words = experimentWords();
-    const ten = TEN_SEEDS.map((seed) => ({ seed, driving }));
+    const ten = TEN_SEEDS.map((seed) => ({ seed, driving, points }));
     return html`
       ${settingField(settings, "drawn", { label: words.seed, hint: "", testId: "experiment-seed", disabled: false })}
       <label class="choice">
@@ -239,6 +185,12 @@ export class ExperimentPage extends View {
           @change=${(event: Event) => settings.change({ driving: (event.target as HTMLInputElement).checked })} />
         <span>${words.driving} <small class="own-line">${words.drivingHint}</small></span>
       </label>
+      <div class="row spread"><span id="points-label">${words.points} <small class="own-line">${words.pointsHint}</small></span>
+        <span class="segments" role="group" aria-labelledby="points-label">${SETTINGS.drawnPoints.values.map(
+          (value) => html`
+          <button aria-pressed=${value === points ? "true" : "false"} data-testid="experiment-points-${value}"
+            @click=${() => settings.change({ drawnPoints: value })}>${value}</button>`,
+        )}</span></div>
       <button class="small" data-testid="riddle" ?disabled=${busy} title=${words.riddle.giveMeaning} @click=${() => this.#beginRiddle()}>${words.riddle.give}</button>
       <button class="small" data-testid="experiment-ten" ?disabled=${busy || problem !== "" || store.open(ten).length === 0}
         @click=${() => void store.train(ten)}>${words.ten(driving)}</button>
@@ -258,7 +210,7 @@ export class ExperimentPage extends View {
       <p>${words.points(truth?.frames ?? 300)} ${driving ? words.driven : words.control} ${words.rules}</p>
       <p class="formula">${state(1, false)} = g<sub>1</sub>(${state(1, true)})<br />
         ${state(2, false)} = ${driving ? html`${localNumber("0.1")} g<sub>1</sub>(${state(1, true)}) + ${localNumber("0.9")} ` : nothing}g<sub>2</sub>(${state(2, true)})</p>
-      <div class="pictures">${PARTS.map((part) => latentPicture(part, truth, null, null))}</div>`;
+      <div class="pictures">${PARTS.map((part) => latentPicture(part, truth, null))}</div>`;
   }
 
   #seen() {
@@ -275,8 +227,7 @@ export class ExperimentPage extends View {
     const { truth, shown, isRiddle } = this.experiment;
     const findings = shown?.findings ?? null;
     const words = experimentWords().found;
-    const picture = (part: number) =>
-      latentPicture(part, truth, findings?.learned[part] ?? null, findings?.explained[part] ?? null);
+    const picture = (part: number) => latentPicture(part, truth, findings?.model ?? null);
     return html`
       <h2><span class="step note">3</span> ${words.title}</h2>
       <div class=${isRiddle ? "" : "findings"}>
@@ -291,11 +242,31 @@ export class ExperimentPage extends View {
       </div>`;
   }
 
+  /** The model before and after training, and its file. */
+  #inside() {
+    const { truth, shown, experiment } = this.experiment;
+    const words = experimentWords().inside;
+    const text = shown?.findings?.text ?? "";
+    const name = `synthetic-${experiment.seed}.model.json`;
+    const file = () => new File([text], name, { type: "application/json" });
+    return html`
+      <h2><span class="step note">4</span> ${words.title}</h2>
+      <p>${words.text(experiment.points)}</p>
+      <div class="pictures parts-inside">${PARTS.map((part) => snapshotPictures(part, truth, shown?.findings?.model ?? null))}</div>
+      ${snapshotLegend()}
+      <p class="hint">${words.curves} ${words.control}</p>
+      <div class="row wrap">
+        <button class="small" data-testid="experiment-save" ?disabled=${text === ""} @click=${() => download(name, file())}>${icon("save")} ${words.save}</button>
+        <button class="small" data-testid="experiment-series" ?disabled=${text === ""} @click=${() => this.tell("open-files", [file()])}>${words.open}</button>
+        <span class="hint">${words.file}</span>
+      </div>`;
+  }
+
   #others() {
     const { runs, shown, truth } = this.experiment;
     const words = experimentWords().others;
     return html`
-      <h2><span class="step note">4</span> ${words.title}</h2>
+      <h2><span class="step note">5</span> ${words.title}</h2>
       <p>${words.text}</p>
       <p class="tally" data-testid="experiment-tally">${tally(runs)}</p>
       ${runsTable(runs, shown, ({ seed, driving }) => this.settings.change({ drawn: seed, driving }))}
@@ -317,7 +288,12 @@ export class ExperimentPage extends View {
         <section class="panel made-panel" aria-label=${words.made.title}>${this.#made()}</section>
         <section class="panel" aria-label=${words.seen.title}>${this.#seen()}</section>
         ${isRiddle && this.vote === null ? nothing : html`<section class="panel wide-panel" aria-label=${words.found.title}>${this.#found()}</section>`}
-        ${isRiddle ? nothing : html`<section class="panel wide-panel" aria-label=${words.others.title}>${this.#others()}</section>`}
+        ${
+          isRiddle
+            ? nothing
+            : html`<section class="panel wide-panel" aria-label=${words.inside.title}>${this.#inside()}</section>
+        <section class="panel wide-panel" aria-label=${words.others.title}>${this.#others()}</section>`
+        }
       </div>`;
   }
 }

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import { FakeProgram, settled } from "../engine/whole-workers.fake";
 import type { TrainingReport } from "../engine/protocol";
-import type { SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
+import type { SyntheticTruth, TrainedExperiment } from "../engine/whole-protocol";
 import { initialSettings, type Settings } from "../settings/settings";
 import { Store } from "../ui/store";
 import { ExperimentStore } from "./experiment-store";
@@ -29,8 +29,8 @@ const report = (iteration: number) =>
     progress: { iteration, fraction: 0.1 },
     elapsed: 1,
     found: {},
-  }) as unknown as TrainingReport<SyntheticFindings>;
-const seeds = (...numbers: number[]) => numbers.map((seed) => ({ seed, driving: true }));
+  }) as unknown as TrainingReport<TrainedExperiment>;
+const seeds = (...numbers: number[]) => numbers.map((seed) => ({ seed, driving: true, points: 10 as const }));
 const states = () => experiments.runs.map(({ seed, state }) => `${seed} ${state}`);
 const finished = { cancelled: false, reason: null };
 
@@ -48,7 +48,7 @@ describe("the data", () => {
     settings.change({ driving: false });
     expect(experiments.truth).toBeNull();
     await settled();
-    expect(program.draws[1]?.request).toEqual({ seed: 0, driving: false });
+    expect(program.draws[1]?.request).toEqual({ seed: 0, driving: false, points: 10 });
     stop();
     settings.change({ drawn: 7 });
     await settled();
@@ -60,11 +60,14 @@ describe("the data", () => {
     await settled();
     program.draws[0]?.end(truth(300));
     await settled();
-    experiments.setRiddle({ seed: 5, driving: false });
+    experiments.setRiddle({ seed: 5, driving: false, points: 10 });
     await settled();
-    expect(program.draws[1]?.request).toEqual({ seed: 5, driving: false });
+    expect(program.draws[1]?.request).toEqual({ seed: 5, driving: false, points: 10 });
     expect([settings.values.drawn, settings.values.driving]).toEqual([0, true]);
-    expect([experiments.isRiddle, experiments.experiment]).toEqual([true, { seed: 5, driving: false }]);
+    expect([experiments.isRiddle, experiments.experiment]).toEqual([
+      true,
+      { seed: 5, driving: false, points: 10 },
+    ]);
     program.draws[1]?.end(truth(300));
     await settled();
     experiments.setRiddle(null);

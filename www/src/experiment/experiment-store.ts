@@ -37,9 +37,9 @@ export class ExperimentStore extends Job {
     );
   }
 
-  /** All trainings of this visit. */
+  /** The trainings of this visit with as many inducing points as the experiment on screen. */
   get runs(): readonly ExperimentRun[] {
-    return this.#runs;
+    return this.#runs.filter(({ points }) => points === this.experiment.points);
   }
 
   /** The trainings of the last press of a button. */
@@ -59,8 +59,8 @@ export class ExperimentStore extends Job {
 
   /** The experiment on screen: that of the riddle, else the one that the settings name. */
   get experiment(): Experiment {
-    const { drawn: seed, driving } = this.settings.values;
-    return this.#riddle ?? { seed, driving };
+    const { drawn: seed, driving, drawnPoints: points } = this.settings.values;
+    return this.#riddle ?? { seed, driving, points };
   }
 
   /** Whether the experiment is behind a curtain, and in no address. */
@@ -125,14 +125,14 @@ export class ExperimentStore extends Job {
 
   /** Carries out one training. A failure does not end the others. */
   async #carryOut(run: ExperimentRun, signal: AbortSignal): Promise<void> {
-    const { seed, driving } = run;
+    const { seed, driving, points } = run;
     try {
       const { pool } = this.whole;
       this.#width = pool.width;
       const outcome = await pool.run((worker) => {
         run.state = "running";
         return worker.trainExperiment(
-          { seed, driving },
+          { seed, driving, points },
           ({ progress: { iteration, fraction }, elapsed, found }) => {
             Object.assign(run, { iteration, fraction, elapsed });
             if (found) run.findings = found;

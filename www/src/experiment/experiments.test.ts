@@ -1,14 +1,14 @@
 import { describe, expect, it } from "vitest";
 import { type ExperimentRun, headline, inOrder, newRun, readings, tally } from "./experiments";
 import { restOf, shareOf } from "../training/runs";
-import type { SyntheticFindings } from "../engine/whole-protocol";
+import type { TrainedExperiment } from "../engine/whole-protocol";
 
 const RULES = { much: 10, alike: 4 };
 const DRIVEN = { ...RULES, drive: 0.1 };
 const CONTROL = { ...RULES, drive: 0 };
 
 /** Findings with these ratios, judged as the program judges them. */
-function findings(back: number, forth: number, driving = true): SyntheticFindings {
+function findings(back: number, forth: number, driving = true): TrainedExperiment {
   const forthIsRight = driving ? forth >= 1 / RULES.alike && forth <= RULES.alike : forth >= RULES.much;
   return {
     alpha: [
@@ -20,15 +20,15 @@ function findings(back: number, forth: number, driving = true): SyntheticFinding
       [1 / (1 + back), 1 - 1 / (1 + forth)],
     ],
     verdict: { back, forth, backIsRight: back >= RULES.much, forthIsRight },
-    learned: [[], []],
-    explained: [1, 1],
+    model: { learned: [], explained: [1, 1], poseIps: [], dynamicsIps: [], path: [], generated: [] },
+    text: "",
     start: { bound: 0, mse: 1 },
     now: { bound: 1, mse: 0 },
   };
 }
 
 const ended = (seed: number, more: Partial<ExperimentRun> = {}): ExperimentRun => ({
-  ...newRun({ seed, driving: true }),
+  ...newRun({ seed, driving: true, points: 10 }),
   state: "done",
   fraction: 1,
   ...more,
@@ -101,13 +101,13 @@ describe("the remaining time", () => {
   const running = ended(1, { state: "running", fraction: 0.25, elapsed: 2 });
 
   it("is unknown at the beginning", () => {
-    expect(restOf([newRun({ seed: 0, driving: true })], 1)).toBeNull();
+    expect(restOf([newRun({ seed: 0, driving: true, points: 10 })], 1)).toBeNull();
   });
 
   it("expects waiting trainings to be as long as running ones", () => {
     expect(restOf([running], 1)).toBeCloseTo(6);
-    expect(restOf([running, newRun({ seed: 2, driving: true })], 1)).toBeCloseTo(14);
-    expect(restOf([running, newRun({ seed: 2, driving: true })], 2)).toBeCloseTo(8);
+    expect(restOf([running, newRun({ seed: 2, driving: true, points: 10 })], 1)).toBeCloseTo(14);
+    expect(restOf([running, newRun({ seed: 2, driving: true, points: 10 })], 2)).toBeCloseTo(8);
   });
 
   it("counts ended trainings as done", () => {

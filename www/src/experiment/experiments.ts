@@ -1,6 +1,11 @@
 // Trainings on synthetic experiments and sentences about their findings. No rendering, no worker.
 import type { TrainingOutcome } from "../engine/protocol";
-import type { Experiment, SyntheticFindings, SyntheticTruth } from "../engine/whole-protocol";
+import type {
+  Experiment,
+  SyntheticFindings,
+  SyntheticTruth,
+  TrainedExperiment,
+} from "../engine/whole-protocol";
 import type { Course } from "../training/runs";
 import { ratio } from "../figures/numbers";
 import { experimentWords } from "./view-words";
@@ -9,7 +14,7 @@ import { experimentWords } from "./view-words";
 export interface ExperimentRun extends Experiment, Course {
   iteration: number;
   /** The findings at the best bound so far; null before the first report. */
-  findings: SyntheticFindings | null;
+  findings: TrainedExperiment | null;
   /** How it ended; null before, and when it failed. */
   outcome: TrainingOutcome | null;
   /** Why it failed; empty when it did not. */
@@ -19,10 +24,11 @@ export interface ExperimentRun extends Experiment, Course {
 /** The seeds of the table in docs/synthetic.md. */
 export const TEN_SEEDS = Array.from({ length: 10 }, (_, seed) => seed);
 
-export function newRun({ seed, driving }: Experiment): ExperimentRun {
+export function newRun({ seed, driving, points }: Experiment): ExperimentRun {
   return {
     seed,
     driving,
+    points,
     state: "waiting",
     elapsed: 0,
     fraction: 0,
@@ -33,7 +39,8 @@ export function newRun({ seed, driving }: Experiment): ExperimentRun {
   };
 }
 
-export const isSame = (a: Experiment, b: Experiment): boolean => a.seed === b.seed && a.driving === b.driving;
+export const isSame = (a: Experiment, b: Experiment): boolean =>
+  a.seed === b.seed && a.driving === b.driving && a.points === b.points;
 
 /** The order: experiments with driving first, then by seed. */
 export function inOrder(runs: readonly ExperimentRun[]): ExperimentRun[] {

@@ -118,7 +118,7 @@ function row(run: ExperimentRun, shown: ExperimentRun | null, show: (run: Experi
           <td>${answered(findings.verdict.forth, findings.verdict.forthIsRight)}</td>
           <td>${course(grouped(findings.start.bound), grouped(findings.now.bound))}</td>
           <td>${course(short(findings.start.mse), short(findings.now.mse))}</td>
-          <td>${findings.explained.map(percent).join(", ")}</td>
+          <td>${findings.model.explained.map(percent).join(", ")}</td>
           <td>${grouped(iteration)}</td>`
           : html`<td colspan="6"></td>`
       }

@@ -8,11 +8,13 @@ export interface Frame {
   side: number;
 }
 
-/** The free share of a drawing at each edge. */
 const MARGIN = 0.06;
 
-/** The map that shows all points [n x 2], row after row, with one scale for both axes. */
-export function frameOf(points: readonly number[], side: number): Frame {
+/**
+ * The map that shows all points [n x 2], row after row, with one scale for both axes. `margin`: the free share
+ * of the drawing at each edge.
+ */
+export function frameOf(points: readonly number[], side: number, margin = MARGIN): Frame {
   const [low, high] = [
     [Infinity, Infinity],
     [-Infinity, -Infinity],
@@ -23,18 +25,22 @@ export function frameOf(points: readonly number[], side: number): Frame {
   });
   const extent = Math.max(high[0]! - low[0]!, high[1]! - low[1]!);
   const middle = (q: 0 | 1) => (points.length > 0 ? (low[q]! + high[q]!) / 2 : 0);
-  return { middle: [middle(0), middle(1)], scale: extent > 0 ? (side * (1 - 2 * MARGIN)) / extent : 1, side };
+  return { middle: [middle(0), middle(1)], scale: extent > 0 ? (side * (1 - 2 * margin)) / extent : 1, side };
 }
 
 const tenth = (value: number) => Math.round(10 * value) / 10;
 
-/** Points [n x 2], row after row, as one line; y points up. */
-export function linePath(points: readonly number[], { middle, scale, side }: Frame): string {
+/** The place of a point in the drawing; y points up. */
+export const placeIn = ({ middle, scale, side }: Frame, x: number, y: number): [number, number] => [
+  tenth(side / 2 + scale * (x - middle[0])),
+  tenth(side / 2 - scale * (y - middle[1])),
+];
+
+/** Points [n x 2], row after row, as one line. */
+export function linePath(points: readonly number[], frame: Frame): string {
   const steps: string[] = [];
   for (let i = 0; i + 1 < points.length; i += 2) {
-    const x = side / 2 + scale * (points[i]! - middle[0]);
-    const y = side / 2 - scale * (points[i + 1]! - middle[1]);
-    steps.push(`${tenth(x)} ${tenth(y)}`);
+    steps.push(placeIn(frame, points[i]!, points[i + 1]!).join(" "));
   }
   return steps.length > 0 ? `M${steps.join("L")}` : "";
 }
@@ -47,15 +53,17 @@ export interface Curves {
   frames: number;
   width: number;
   height: number;
+  /** The value at the largest height of a curve; absent: the largest of the drawn values. */
+  largest?: number;
 }
 
 /** Each column over time, one below the other, all on one scale. */
-export function curvePaths({ values, columns, frames, width, height }: Curves): string[] {
+export function curvePaths({ values, columns, frames, width, height, largest }: Curves): string[] {
   const shown = values.slice(0, frames * columns);
-  const largest = shown.reduce((most, value) => Math.max(most, Math.abs(value)), 0) || 1;
+  const most = largest ?? (shown.reduce((most, value) => Math.max(most, Math.abs(value)), 0) || 1);
   const row = height / columns;
   // Curves may overlap their neighbours' rows a little.
-  const scale = (0.8 * row) / largest;
+  const scale = (0.8 * row) / most;
   return Array.from({ length: columns }, (_, column) => {
     const steps: string[] = [];
     for (let t = 0; (t + 1) * columns <= shown.length; t++) {

@@ -80,6 +80,7 @@ describe("settings in the URL", () => {
       growth: true,
       drawn: 7,
       driving: false,
+      drawnPoints: 4 as const,
       says: "für dich",
       drawing: "01.Ab-_",
       packedModel: "1.4.Ab-_",

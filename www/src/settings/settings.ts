@@ -381,6 +381,8 @@ export const SETTINGS = {
   drawn: whole("draw", 0, 0, 4294967295),
   /** Whether the first part drives the second. */
   driving: flag("driving", true),
+  /** Inducing points of every function. */
+  drawnPoints: choice("points", 10, [4, 10] as const),
   // The last and longest parts of an address.
   /** A line of who sends a drawing or a dare. */
   says: text("says", /^.{0,80}$/u),

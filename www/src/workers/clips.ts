@@ -58,6 +58,7 @@ async function add(set: TrainingSet, piece: TrainingClip, first = piece): Promis
 }
 
 export const clipsWorker: ClipsWorker = {
+  madeClips: () => Clip.samples(),
   async readClip(source) {
     try {
       return using(await readClip(source), shownClip);

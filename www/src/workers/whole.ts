@@ -135,12 +135,16 @@ const trainee: Omit<Trainee, "start"> = {
 };
 
 const experimentWorker: ExperimentWorker = {
-  drawExperiment: ({ seed, driving }) =>
-    using(new SyntheticExperiment(seed, driving), (experiment) => experiment.truth()),
-  trainExperiment: ({ seed, driving }, report, signal) =>
-    using(new SyntheticExperiment(seed, driving), (experiment) =>
-      follow({ step: () => experiment.step(), find: () => experiment.findings() }, report, signal),
-    ),
+  drawExperiment: ({ seed, driving, points }) =>
+    using(new SyntheticExperiment(seed, driving, points), (experiment) => experiment.truth()),
+  trainExperiment: ({ seed, driving, points }, report, signal) =>
+    using(new SyntheticExperiment(seed, driving, points), (experiment) => {
+      const find = (isEnd: boolean) => ({
+        ...experiment.findings(),
+        text: isEnd ? using(experiment.model(), (model) => model.toJson()) : "",
+      });
+      return follow({ step: () => experiment.step(), find }, report, signal);
+    }),
 };
 
 const anyModelWorker: AnyModelWorker = {

@@ -1,6 +1,6 @@
 //! Comparison of learned and true latents. Latents can only be found up to a change of coordinates.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, RowDVector};
 use vcgpdm::gp::NumericsError;
 use vcgpdm::internals::Factor;
 
@@ -11,6 +11,18 @@ pub struct LatentAlignment {
     pub latents: DMatrix<f64>,
     /// Share of the variance of the true latents that the learned ones explain, at most 1.
     pub explained: f64,
+    /// A learned point x is at x `map` + `shift`: [Q x Q_true] and `[Q_true]`.
+    map: DMatrix<f64>,
+    shift: RowDVector<f64>,
+}
+
+impl LatentAlignment {
+    /// Points of the learned latent space [n x Q] in the coordinates of the true latents [n x Q_true].
+    pub fn place(&self, points: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut placed = points * &self.map;
+        placed.row_iter_mut().for_each(|mut row| row += &self.shift);
+        placed
+    }
 }
 
 /// Maps the `learned` latents [N x Q] to the `actual` ones [N x Q_true] by the best affine map (least
@@ -21,18 +33,15 @@ pub struct LatentAlignment {
 /// The covariance of the learned latents cannot be factorised.
 pub fn align(learned: &DMatrix<f64>, actual: &DMatrix<f64>) -> Result<LatentAlignment, NumericsError> {
     let (mut x, mut y) = (learned.clone(), actual.clone());
-    centre(&mut x);
-    let means = centre(&mut y);
+    let (from, to) = (centre(&mut x), centre(&mut y));
     let mut map = x.tr_mul(&y);
     Factor::new(&x.tr_mul(&x), "covariance of the learned latents")?.solve_mut(&mut map);
-    let mut latents = x * map;
     let total = y.norm_squared().max(f64::MIN_POSITIVE);
-    y -= &latents;
+    y -= x * &map;
     let explained = 1.0 - y.norm_squared() / total;
-    for (column, mean) in latents.as_mut_slice().chunks_exact_mut(learned.nrows().max(1)).zip(means) {
-        column.iter_mut().for_each(|value| *value += mean);
-    }
-    Ok(LatentAlignment { latents, explained })
+    let shift = RowDVector::from_vec(to) - RowDVector::from_vec(from) * &map;
+    let aligned = LatentAlignment { latents: DMatrix::zeros(0, 0), explained, map, shift };
+    Ok(LatentAlignment { latents: aligned.place(learned), ..aligned })
 }
 
 /// Subtracts its mean from each column, and returns the means.

@@ -1,12 +1,11 @@
 //! The experiment: the data, a training on them, the findings of the training so far, and the verdict.
 
 use crate::synthetic::alignment::{LatentAlignment, align};
-use crate::synthetic::data::{Synthetic, SyntheticError};
+use crate::synthetic::data::{FRAMES, Synthetic, SyntheticError, spread};
 use nalgebra::DMatrix;
 use serde::Serialize;
-use vcgpdm::gp::NumericsError;
-use vcgpdm::models::variational::{Params, VariationalTrainer};
-use vcgpdm::models::{Progress, VariationalSettings, coupling_weight_matrix};
+use vcgpdm::models::variational::{VariationalTrainer, Vcgpdm};
+use vcgpdm::models::{Progress, Reading, SeriesModel, VariationalSettings, coupling_weight_matrix};
 
 /// How well a model explains the data.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -18,6 +17,61 @@ pub struct Fit {
     pub mse: f64,
 }
 
+/// A model at one moment of its training, as figure 3 (E to H) of the paper shows it: for each part, in the
+/// coordinates of the true latents.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Snapshot {
+    /// The learned latents.
+    pub learned: Vec<LatentAlignment>,
+    /// The pose inducing points [L x 2].
+    pub pose_ips: Vec<DMatrix<f64>>,
+    /// The dynamics inducing points of the part's prediction about itself [K x 2p], oldest state first.
+    pub dynamics_ips: Vec<DMatrix<f64>>,
+    /// The mean path from the learned first states [N x 2].
+    pub path: Vec<DMatrix<f64>>,
+    /// The observations on that path [N x 10].
+    pub generated: Vec<DMatrix<f64>>,
+    /// The fit to the data.
+    pub fit: Fit,
+}
+
+impl Snapshot {
+    fn new(data: &Synthetic, model: &Vcgpdm) -> Result<Self, SyntheticError> {
+        let path = model.dynamics(&model.alpha, Reading::AsLearned)?.path(&model.start(0, 0)?, FRAMES)?;
+        let generated = model.observations(&path);
+        let latents = model.starts[0].iter().zip(&data.latents);
+        let learned: Vec<_> = latents.map(|(x, actual)| align(x, actual)).collect::<Result<_, _>>()?;
+        let states = |part: usize| {
+            let z = model.experts[part][part].z();
+            let width = z.ncols() / model.order;
+            let state = |p: usize| learned[part].place(&z.columns(p * width, width).into_owned());
+            let placed: Vec<_> = (0..model.order).map(state).collect();
+            DMatrix::from_fn(z.nrows(), 2 * model.order, |k, c| placed[c / 2][(k, c % 2)])
+        };
+        let parts = 0..learned.len();
+        Ok(Self {
+            pose_ips: parts.clone().map(|i| learned[i].place(model.parts[i].r())).collect(),
+            dynamics_ips: parts.clone().map(states).collect(),
+            path: parts.map(|i| learned[i].place(&path[i])).collect(),
+            fit: Fit { bound: model.bound(), mse: data.mse(&generated)? },
+            learned,
+            generated,
+        })
+    }
+}
+
+/// The last frames of a mean path, which say where it goes in the long run.
+const LATE: usize = 50;
+
+impl Snapshot {
+    /// How far the mean path of each part goes round in its last 50 frames: its standard deviation there,
+    /// divided by that of the true latents.
+    pub fn late_spread(&self, data: &Synthetic) -> Vec<f64> {
+        let late = |x: &DMatrix<f64>| spread(&x.rows(x.nrows() - LATE, LATE).into_owned());
+        self.path.iter().zip(&data.latents).map(|(path, actual)| late(path) / late(actual)).collect()
+    }
+}
+
 /// The findings of a training at its best bound so far.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Findings {
@@ -27,17 +81,15 @@ pub struct Findings {
     pub weights: DMatrix<f64>,
     /// The verdict of these variances about the couplings.
     pub verdict: Verdict,
-    /// The learned latents of each part in the coordinates of the true ones.
-    pub learned: Vec<LatentAlignment>,
-    /// The fit of the model to the data.
-    pub fit: Fit,
+    /// The model.
+    pub now: Snapshot,
 }
 
 /// A training on synthetic data, one step at a time.
 pub struct Experiment {
     data: Synthetic,
     trainer: VariationalTrainer,
-    start: Fit,
+    start: Snapshot,
 }
 
 impl Experiment {
@@ -48,8 +100,7 @@ impl Experiment {
     /// Training cannot start with these settings, or the starting point cannot be rolled out.
     pub fn new(data: Synthetic, settings: &VariationalSettings, seed: u32) -> Result<Self, SyntheticError> {
         let trainer = data.trainer(settings, seed)?;
-        let model = trainer.model()?;
-        let start = Fit { bound: model.bound(), mse: data.mse(&model)? };
+        let start = Snapshot::new(&data, &trainer.model()?)?;
         Ok(Self { data, trainer, start })
     }
 
@@ -58,9 +109,9 @@ impl Experiment {
         &self.data
     }
 
-    /// The fit of the starting point to the data.
-    pub fn start(&self) -> Fit {
-        self.start
+    /// The starting point.
+    pub fn start(&self) -> &Snapshot {
+        &self.start
     }
 
     /// One iteration of the optimiser. After the end it does nothing.
@@ -80,15 +131,18 @@ impl Experiment {
     /// The model cannot be fitted or rolled out.
     pub fn findings(&self) -> Result<Findings, SyntheticError> {
         let model = self.trainer.model()?;
-        let fit = Fit { bound: model.bound(), mse: self.data.mse(&model)? };
+        let now = Snapshot::new(&self.data, &model)?;
         let weights = coupling_weight_matrix(&model.alpha);
-        let learned = self.learned(&self.trainer.best())?;
-        Ok(Findings { verdict: Verdict::new(&model.alpha), alpha: model.alpha, weights, learned, fit })
+        Ok(Findings { verdict: Verdict::new(&model.alpha), alpha: model.alpha, weights, now })
     }
 
-    fn learned(&self, params: &Params) -> Result<Vec<LatentAlignment>, NumericsError> {
-        let parts = params.parts.iter().zip(&self.data.latents);
-        parts.map(|(part, actual)| align(&part.latents.mean, actual)).collect()
+    /// The best model so far, as a model of tables.
+    ///
+    /// # Errors
+    ///
+    /// The model cannot be fitted.
+    pub fn model(&self) -> Result<SeriesModel, SyntheticError> {
+        Ok(self.trainer.finish(&self.data.dataset()?)?)
     }
 }
 

@@ -22,7 +22,7 @@
 //! let mut experiment = Experiment::new(data, &settings, 2)?;
 //! while !experiment.step().done {}
 //! let findings = experiment.findings()?;
-//! assert!(findings.fit.bound > experiment.start().bound);
+//! assert!(findings.now.fit.bound > experiment.start().fit.bound);
 //! println!("alpha from part 1 to part 2: {}", findings.alpha[(0, 1)]);
 //! # Ok::<(), vcgpdm_lab::synthetic::SyntheticError>(())
 //! ```
@@ -35,7 +35,7 @@ mod function;
 pub use alignment::{LatentAlignment, align};
 pub use data::{DRIVE, NOISE_VARIANCE, Synthetic, SyntheticError};
 pub use experiment::{ALIKE, MUCH, Verdict};
-pub use experiment::{Experiment, Findings, Fit};
+pub use experiment::{Experiment, Findings, Fit, Snapshot};
 
 #[cfg(test)]
 mod tests;

@@ -3,6 +3,7 @@
 use super::data::{COLUMNS, FRAMES};
 use super::*;
 use nalgebra::DMatrix;
+use vcgpdm::document::Document;
 use vcgpdm::models::VariationalSettings;
 
 #[test]
@@ -45,7 +46,7 @@ fn training_finds_who_drives_whom() {
     let settings = VariationalSettings { max_iterations: 400, ..Synthetic::settings() };
     let mut experiment = Experiment::new(data, &settings, 2).unwrap();
     let at_first = experiment.findings().unwrap();
-    assert_eq!(at_first.fit, experiment.start());
+    assert_eq!(&at_first.now, experiment.start());
     while !experiment.step().done {}
     let found = experiment.findings().unwrap();
     assert!(found.verdict.right(DRIVE), "{:?}, alpha {}", found.verdict, found.alpha);
@@ -53,13 +54,29 @@ fn training_finds_who_drives_whom() {
         assert!((w.sum() - 1.0).abs() < 1e-12, "weights into a part sum to 1, found {w}");
     }
     assert!(found.weights[(1, 0)] < 0.01 && found.weights[(0, 1)] > 0.2, "weights {}", found.weights);
-    let (before, after) = (experiment.start(), found.fit);
+    let (before, after) = (experiment.start().fit, found.now.fit);
     assert!(after.bound > before.bound && after.bound == experiment.progress().best);
     assert!(after.mse < 0.5 * before.mse, "the rollout's error went from {} to {}", before.mse, after.mse);
-    for (part, now) in found.learned.iter().enumerate() {
+    for (part, now) in found.now.learned.iter().enumerate() {
         assert!(now.explained > 0.9, "{}", now.explained);
-        assert!(now.explained > at_first.learned[part].explained, "training brings them nearer the truth");
+        let at_first = &at_first.now.learned[part];
+        assert!(now.explained > at_first.explained, "training brings them nearer the truth");
     }
+    // The mean path goes round as far as the true latents do, also in its last frames.
+    for (part, share) in found.now.late_spread(experiment.data()).into_iter().enumerate() {
+        assert!((0.9..1.1).contains(&share), "{share}");
+        let points = (&found.now.dynamics_ips[part], &found.now.pose_ips[part]);
+        assert_eq!((points.0.shape(), points.1.shape()), ((10, 4), (10, 2)));
+    }
+    // The saved model makes the same curves, in a file of tables.
+    let text = experiment.model().unwrap().to_json().unwrap();
+    let Document::Series(saved) = Document::from_json(&text).unwrap() else { panic!("a model of tables") };
+    let y = saved.rollout(0, FRAMES).unwrap();
+    for (part, generated) in found.now.generated.iter().enumerate() {
+        let columns = y.columns(part * COLUMNS, COLUMNS);
+        assert!((columns - generated).amax() < 1e-9, "{}", (columns - generated).amax());
+    }
+    assert_eq!(saved.body.mapping.names()[13], "part 2 curve 4");
 }
 
 #[test]

@@ -153,7 +153,8 @@ pub struct Columns {
 
 impl Columns {
     /// Columns with these names and as many positive units.
-    pub(crate) fn new(names: Vec<String>, units: Vec<f64>) -> Self {
+    #[doc(hidden)]
+    pub fn new(names: Vec<String>, units: Vec<f64>) -> Self {
         Self { names, units }
     }
 

@@ -112,7 +112,11 @@ it("has each answer once in three rounds, in an order that cannot be foreseen", 
 
 it("reads the belief from the couplings, mirrored as the points on the screen", () => {
   const verdict = { forth: 2.1, back: 1911, forthIsRight: true, backIsRight: true };
-  const round = { experiment: { seed: 0, driving: true }, isMirrored: false, truth: "ab" as const };
+  const round = {
+    experiment: { seed: 0, driving: true, points: 10 as const },
+    isMirrored: false,
+    truth: "ab" as const,
+  };
   expect(beliefOf(ratiosOf({ verdict }, round), 10)).toBe("ab");
   expect(beliefOf(ratiosOf({ verdict }, { ...round, isMirrored: true }), 10)).toBe("ba");
   expect(beliefOf({ ab: 10, ba: 10 }, 10)).toBe("none");

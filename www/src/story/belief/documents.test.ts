@@ -26,6 +26,16 @@ it("the page has the ratios of the document about the comparison", () => {
   }
 });
 
+it("the page has the ratios of passing a bottle", () => {
+  const [{ found }, section] = [
+    english.trials.bottle,
+    comparison.split("### ").find((text) => /^Passing/.test(text)),
+  ];
+  expect(ratiosOf(found)).toHaveLength(6);
+  expect(ratiosOf(german.trials.bottle.found)).toEqual(ratiosOf(found));
+  for (const ratio of ratiosOf(found)) expect(section).toContain(ratio);
+});
+
 it("documents have the ratios and decimals of their tables", () => {
   for (const document of [comparison, modularity, completing, uncertainty]) {
     const lines = document.split("\n");

@@ -1,5 +1,6 @@
 // The rounds of the riddle: which experiment is shown, and what a model believes about it.
 import type { Experiment, SyntheticFindings } from "../../engine/whole-protocol";
+import { SETTINGS } from "../../settings/settings";
 
 /** Who drives whom on the screen, where A is on the left. */
 export type Answer = "ab" | "ba" | "none";
@@ -18,7 +19,8 @@ const SEEDS = 10;
 /** In three rounds each answer is right once; `random` gives numbers from 0 to 1. */
 export function threeRounds(random: () => number): Round[] {
   const rounds = (["ab", "ba", "none"] as const).map((truth): Round => {
-    const experiment = { seed: Math.floor(random() * SEEDS), driving: truth !== "none" };
+    const seed = Math.floor(random() * SEEDS);
+    const experiment = { seed, driving: truth !== "none", points: SETTINGS.drawnPoints.initial };
     const isMirrored = truth === "none" ? random() < 0.5 : truth === "ba";
     return { experiment, isMirrored, truth };
   });
