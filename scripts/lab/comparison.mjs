@@ -40,6 +40,12 @@ const WHOLE = {
   mapIterations: "400",
   times: "1,2,4,8",
 };
+/**
+ * What many persons are compared with: of the large models few sizes. A report cuts the results of all persons to
+ * the sizes that all of them have.
+ * @type {Extent}
+ */
+const PRIMARY = { ...WHOLE, ips: "5,10", poseIps: "5,10,20", primitives: "4,8,20" };
 /** @type {Extent} */
 const QUICK = {
   ips: "5,10",
@@ -65,10 +71,11 @@ const every = (/** @type {Extent} */ { ips, poseIps, bases, primitives, componen
   {
     file: "",
     options: [
-      ...["--models", "tmp,dmp-discrete,dmp-rhythmic,promp"],
+      ...["--models", "tmp,dmp-rhythmic,promp"],
       ...["--bases", bases, "--primitives", primitives],
     ],
   },
+  { file: "", secondary: true, options: ["--models", "dmp-discrete", "--bases", bases] },
   ...["1", "2", "3"].map((order) => ({
     file: "",
     options: ["--models", "ar", "--components", components, "--order", order],
@@ -215,7 +222,7 @@ export async function comparison(/** @type {string[]} */ ...words) {
   const subjects = /** @type {Subject[]} */ ([...recorded, ...made]);
   if (new Set(subjects.map(({ name }) => name)).size < subjects.length)
     throw new Failure("expected folders of different names: they are the names of the subjects");
-  const extent = quick ? QUICK : WHOLE;
+  const extent = quick ? QUICK : primary ? PRIMARY : WHOLE;
   const folder = at(quick ? "target/comparison-quick" : "docs/comparison");
   await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
   mkdirSync(folder, { recursive: true });
