@@ -70,10 +70,7 @@ const sweeps = (/** @type {Extent} */ extent) => [...every(extent), ...variants(
 const every = (/** @type {Extent} */ { ips, poseIps, bases, primitives, components, ...rest }) => [
   {
     file: "",
-    options: [
-      ...["--models", "tmp,dmp-rhythmic,promp"],
-      ...["--bases", bases, "--primitives", primitives],
-    ],
+    options: [...["--models", "tmp,dmp-rhythmic,promp"], ...["--bases", bases, "--primitives", primitives]],
   },
   { file: "", secondary: true, options: ["--models", "dmp-discrete", "--bases", bases] },
   ...["1", "2", "3"].map((order) => ({

@@ -52,7 +52,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         let all: Vec<&Results> = different.iter().map(|subject| &subject.results).collect();
         let alike: Vec<Results> = all.iter().map(|results| results.in_common(&all)).collect();
         let comparison = Comparison::of_several(&alike.iter().collect::<Vec<_>>());
-        claims(&mut text, &comparison, &[PRIMARY])?;
+        claims(&mut text, &comparison, true)?;
         ratios(&mut text, &comparison, &different)?;
         return files::print(&files::escape(&text));
     }
@@ -77,17 +77,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         growth(&mut text, &comparison)?;
         evidence(&mut text, &comparison)?;
         failures(&mut text, &subject.results)?;
-        claims(&mut text, &comparison, &[PRIMARY, SECONDARY])?;
+        claims(&mut text, &comparison, false)?;
     }
     if subjects.len() > 1 {
-        let comparison = together(&different(&subjects));
+        let comparison = together(&subjects);
         writeln!(
             text,
             "\n### All together\n\nEvery trial counts once: of files with the same clips, the first one counts.\n"
         )?;
         models(&mut text, &comparison)?;
         details(&mut text, &comparison)?;
-        claims(&mut text, &comparison, &[PRIMARY, SECONDARY])?;
+        claims(&mut text, &comparison, false)?;
     }
     files::print(&files::escape(&text))
 }
@@ -104,7 +104,7 @@ fn numbers(subjects: &[Subject]) -> Value {
             "failed": failed.collect::<Vec<_>>(),
         })
     };
-    let all = (subjects.len() > 1).then(|| together(&different(subjects)));
+    let all = (subjects.len() > 1).then(|| together(subjects));
     json!({ "subjects": subjects.iter().map(numbers).collect::<Vec<_>>(), "all_together": all })
 }
 
@@ -123,8 +123,8 @@ fn different(subjects: &[Subject]) -> Vec<&Subject> {
     all
 }
 
-fn together(subjects: &[&Subject]) -> Comparison {
-    Comparison::of_several(&subjects.iter().map(|subject| &subject.results).collect::<Vec<_>>())
+fn together(subjects: &[Subject]) -> Comparison {
+    Comparison::of_several(&different(subjects).iter().map(|subject| &subject.results).collect::<Vec<_>>())
 }
 
 /// Reads the files; those of the same trials become one subject.
@@ -337,19 +337,14 @@ fn ratios(text: &mut String, comparison: &Comparison, subjects: &[&Subject]) -> 
     writeln!(text, "\nThe claims are numbered in the order of the table above.\n")
 }
 
-/// A heading of a table of claims, and whether these are the primary ones.
-type Claims = (&'static str, bool);
-const PRIMARY: Claims = ("primary claim", true);
-const SECONDARY: Claims = ("secondary claim", false);
-
 /// The claims of the papers, and whether they hold in these results.
-fn claims(text: &mut String, comparison: &Comparison, tables: &[Claims]) -> std::fmt::Result {
+fn claims(text: &mut String, comparison: &Comparison, only_primary: bool) -> std::fmt::Result {
     if comparison.claims.is_empty() {
         return Ok(());
     }
-    for &(heading, primary) in tables {
+    for (heading, primary) in [("primary claim", true), ("secondary claim", false)] {
         let claims: Vec<&Claim> = comparison.claims.iter().filter(|claim| claim.primary == primary).collect();
-        if claims.is_empty() {
+        if claims.is_empty() || only_primary && !primary {
             continue;
         }
         writeln!(text, "| {heading} | our criterion | we find | holds here |\n|---|---|---|---|")?;
@@ -367,7 +362,7 @@ fn claims(text: &mut String, comparison: &Comparison, tables: &[Claims]) -> std:
         text,
         "Primary claims were named before the tables were made. Within one person their p value is that of the sign test over the trials, with fewer than six trials that of Student's t test of the logarithms; over several persons it is that of Student's t test of the persons' median logarithms. Holm's correction keeps the probability of any false answer among them below 5 %. "
     )?;
-    if tables.contains(&SECONDARY) {
+    if !only_primary {
         write!(
             text,
             "Secondary claims are not corrected for their number, and their unit is the trial: of many such answers some are false. Their intervals cover at least 95 %: that of the median by the sign test, that of the mean (of the logarithms) by Student's t. The answer follows from the interval of the median, with fewer than six trials from that of the mean; it is yes or no only if the whole interval says so. "
