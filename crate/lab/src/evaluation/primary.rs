@@ -278,7 +278,7 @@ mod tests {
         let words =
             "in the mean of 2 persons, of each the median trial; lower in 2; trial by trial 0.75 times";
         assert!(two.found.contains(words), "{}", two.found);
-        // Logarithms of -0.22 and -0.36: three persons have p = 1.9 %, two have 14 %.
+        // Logarithms of -0.22 and -0.36: three persons have p = 3.4 %, two have 14 %.
         assert_eq!(two.needed, Some(3));
         let rounded: Vec<Option<String>> =
             two.persons.iter().map(|own| own.map(|own| fixed(own, 3))).collect();
