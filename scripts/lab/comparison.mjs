@@ -3,13 +3,14 @@
 // movements that the program makes come after them, or only those that are named (bottle-made). docs/comparison
 // gets the results (NAME.json) and the tables (NAME.md); the page gets the results of the first folder. A finished
 // training is never done again: stop and go on at will, and delete docs/comparison/*.json to begin anew.
+// --primary trains only what the primary claims need, on recorded clips, and writes one table over all folders.
 // --tables writes the tables again from the results, without the clips: only the folders' names are used.
 // --quick trains with few settings and iterations, to test the command, and writes no file of the project.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, dirname, join, resolve } from "node:path";
 import { at, Failure, output, run } from "../run.mjs";
 import { BOTTLE, MADE, PARTS, subject, THREE_PARTS } from "./subjects.mjs";
-import { writeSections } from "./tables.mjs";
+import { writeSections, writeTables } from "./tables.mjs";
 
 const shown = at("www/public/comparison/walks.results.json");
 const program = at("target/release/vcgpdm");
@@ -39,6 +40,12 @@ const WHOLE = {
   mapIterations: "400",
   times: "1,2,4,8",
 };
+/**
+ * What many persons are compared with: of the large models few sizes. A report cuts the results of all persons to
+ * the sizes that all of them have.
+ * @type {Extent}
+ */
+const PRIMARY = { ...WHOLE, ips: "5,10", poseIps: "5,10,20", primitives: "4,8,20" };
 /** @type {Extent} */
 const QUICK = {
   ips: "5,10",
@@ -53,23 +60,24 @@ const QUICK = {
   times: "1,2,3",
 };
 
-/** Who is compared on what, and in which file the results are kept: of one setting each. */
+/**
+ * Who is compared on what, and in which file the results are kept: of one setting each. Only `secondary` claims need
+ * some of them.
+ */
 const sweeps = (/** @type {Extent} */ extent) => [...every(extent), ...variants(extent)];
 
 /** The models of the papers, and the rivals. */
 const every = (/** @type {Extent} */ { ips, poseIps, bases, primitives, components, ...rest }) => [
   {
     file: "",
-    options: [
-      ...["--models", "tmp,dmp-discrete,dmp-rhythmic,promp"],
-      ...["--bases", bases, "--primitives", primitives],
-    ],
+    options: [...["--models", "tmp,dmp-rhythmic,promp"], ...["--bases", bases, "--primitives", primitives]],
   },
+  { file: "", secondary: true, options: ["--models", "dmp-discrete", "--bases", bases] },
   ...["1", "2", "3"].map((order) => ({
     file: "",
     options: ["--models", "ar", "--components", components, "--order", order],
   })),
-  { file: "", options: ["--models", "tmp", "--normalised-time"] },
+  { file: "", secondary: true, options: ["--models", "tmp", "--normalised-time"] },
   {
     file: "",
     options: [
@@ -86,12 +94,18 @@ const every = (/** @type {Extent} */ { ips, poseIps, bases, primitives, componen
   { file: "", options: ["--models", "map-gpdm,map-cgpdm", "--max-iterations", rest.mapIterations] },
   {
     file: "",
+    secondary: true,
     options: ["--models", "map-gpdm,map-cgpdm", "--balanced", "--max-iterations", rest.mapIterations],
   },
   // Once, for the record: Wang et al. (2008) have one part.
-  { file: "", options: ["--models", "map-gpdm", "--linear", "--max-iterations", rest.mapIterations] },
+  {
+    file: "",
+    secondary: true,
+    options: ["--models", "map-gpdm", "--linear", "--max-iterations", rest.mapIterations],
+  },
   {
     file: "-from-2-frames",
+    secondary: true,
     options: [
       ...["--models", "vcgpdm,vgpdm,tmp,dmp-rhythmic,promp,ar", "--ips", "10", "--start-frames", "2"],
       ...["--max-iterations", rest.iterations],
@@ -99,6 +113,7 @@ const every = (/** @type {Extent} */ { ips, poseIps, bases, primitives, componen
   },
   {
     file: "-whole-cycles",
+    secondary: true,
     options: ["--models", "dmp-discrete,dmp-rhythmic,promp", "--bases", bases, "--whole-cycles"],
   },
 ];
@@ -115,7 +130,10 @@ const variants = (/** @type {Extent} */ { iterations }) => {
   return [
     trained("--models", "vcgpdm", "--uncoupled", "--ips", "10"),
     trained("--models", "vgpdm", "--latent", "6", "--ips", "20"),
-    ...["1", "3"].map((order) => trained("--models", "vcgpdm,vgpdm", "--order", order, "--ips", "10")),
+    ...["1", "3"].map((order) => ({
+      ...trained("--models", "vcgpdm,vgpdm", "--order", order, "--ips", "10"),
+      secondary: true,
+    })),
   ];
 };
 
@@ -190,17 +208,18 @@ function together(/** @type {string[]} */ files) {
 export async function comparison(/** @type {string[]} */ ...words) {
   const quick = words.includes("--quick");
   const onlyTables = words.includes("--tables");
+  const primary = words.includes("--primary");
   const names = words.filter((word) => !word.startsWith("--"));
   const all = [...MADE, BOTTLE];
   const asked = all.filter(({ name }) => names.includes(name));
-  const made = asked.length > 0 ? asked : all;
+  const made = primary ? [] : asked.length > 0 ? asked : all;
   const folders = names.filter((word) => !asked.some(({ name }) => name === word));
   const named = (/** @type {string} */ folder) => ({ name: basename(resolve(folder)), clips: [] });
   const recorded = folders.map(onlyTables ? named : subject);
   const subjects = /** @type {Subject[]} */ ([...recorded, ...made]);
   if (new Set(subjects.map(({ name }) => name)).size < subjects.length)
     throw new Failure("expected folders of different names: they are the names of the subjects");
-  const extent = quick ? QUICK : WHOLE;
+  const extent = quick ? QUICK : primary ? PRIMARY : WHOLE;
   const folder = at(quick ? "target/comparison-quick" : "docs/comparison");
   await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
   mkdirSync(folder, { recursive: true });
@@ -212,6 +231,17 @@ export async function comparison(/** @type {string[]} */ ...words) {
     if (!onlyTables) await run(program, "evaluate", ...clips, "--parts", parts, ...options, "--out", path);
     return path;
   };
+  if (primary) {
+    const files = [];
+    for (const one of recorded)
+      for (const sweep of sweeps(extent).filter((sweep) => !("secondary" in sweep)))
+        files.push(await evaluate(one, sweep));
+    const tables = output(program, "report", "--primary", ...new Set(files));
+    if (tables === null) throw new Failure("the report could not be made");
+    const title = "Primary claims";
+    const command = "npm run lab -- comparison --primary";
+    return writeTables(join(folder, "primary-claims.md"), { title, command, tables });
+  }
   const [first] = recorded;
   /** @type {string[]} */
   const timed = [];

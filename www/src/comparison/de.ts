@@ -50,7 +50,7 @@ export const words: CompareWords = {
   given:
     "Alle Modelle mit zehn aufgenommenen Gängen einer Person (CMU, Person 35), früher gemessen: oben vier davon, vom sechsten Bild eines Gangs an. Was du vergleichst, tritt an diese Stelle.",
   lesson:
-    "Ein einfaches Modell sagt einen Gang ebenso gut voraus: Über 23 Gänge von vier Personen ist der Fehler des vCGPDM 1,02-mal (0,91 bis 1,14) so groß wie der des TMP und 1,07-mal (0,95 bis 1,28) so groß wie der des rhythmischen DMP. Ein Unterschied ist nicht zu sehen. Kopplungen sind dazu da, eine Bewegung zu verändern.",
+    "Ein einfaches Modell sagt einen Gang ebenso gut voraus: Im Mittel von zehn Personen ist der Fehler des vCGPDM 1,15-mal (1,04 bis 1,28) so groß wie der des TMP und 1,18-mal (0,98 bis 1,41) so groß wie der des rhythmischen DMP. Nach der Korrektur für zehn Fragen ist keiner der Unterschiede entschieden. Kopplungen sind dazu da, eine Bewegung zu verändern.",
   failure: (model, trial, why) => `${model}, Versuch ${trial} zurückgehalten: ${why}`,
   models: {
     title: "Modelle",

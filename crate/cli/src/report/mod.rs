@@ -29,6 +29,10 @@ pub struct Arguments {
     /// Print the numbers of the tables as one JSON object instead.
     #[arg(long)]
     json: bool,
+    /// Print only the primary claims over all subjects, and the ratio of the errors of each subject. Only models
+    /// and sizes of which all subjects have results count.
+    #[arg(long, conflicts_with = "json")]
+    primary: bool,
 }
 
 /// Results of the same trials.
@@ -43,6 +47,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         return files::print_json(&numbers(&subjects));
     }
     let mut text = String::new();
+    if arguments.primary {
+        let different = different(&subjects);
+        let all: Vec<&Results> = different.iter().map(|subject| &subject.results).collect();
+        let alike: Vec<Results> = all.iter().map(|results| results.in_common(&all)).collect();
+        let comparison = Comparison::of_several(&alike.iter().collect::<Vec<_>>());
+        claims(&mut text, &comparison, true)?;
+        ratios(&mut text, &comparison, &different)?;
+        return files::print(&files::escape(&text));
+    }
     for subject in &subjects {
         if subjects.len() > 1 {
             writeln!(text, "### {}\n", one_line(&subject.name))?;
@@ -64,18 +77,17 @@ pub fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         growth(&mut text, &comparison)?;
         evidence(&mut text, &comparison)?;
         failures(&mut text, &subject.results)?;
-        claims(&mut text, &comparison)?;
+        claims(&mut text, &comparison, false)?;
     }
     if subjects.len() > 1 {
-        let different = different(&subjects);
-        let comparison = Comparison::of_several(&different);
+        let comparison = together(&subjects);
         writeln!(
             text,
             "\n### All together\n\nEvery trial counts once: of files with the same clips, the first one counts.\n"
         )?;
         models(&mut text, &comparison)?;
         details(&mut text, &comparison)?;
-        claims(&mut text, &comparison)?;
+        claims(&mut text, &comparison, false)?;
     }
     files::print(&files::escape(&text))
 }
@@ -92,23 +104,27 @@ fn numbers(subjects: &[Subject]) -> Value {
             "failed": failed.collect::<Vec<_>>(),
         })
     };
-    let all = (subjects.len() > 1).then(|| Comparison::of_several(&different(subjects)));
+    let all = (subjects.len() > 1).then(|| together(subjects));
     json!({ "subjects": subjects.iter().map(numbers).collect::<Vec<_>>(), "all_together": all })
 }
 
 /// The subjects without those whose clips belong to an earlier subject, which were predicted from another
 /// number of frames or cut.
-fn different(subjects: &[Subject]) -> Vec<&Results> {
+fn different(subjects: &[Subject]) -> Vec<&Subject> {
     let mut clips: HashSet<&str> = HashSet::new();
     let mut all = Vec::new();
-    for Subject { results, .. } in subjects {
-        let trials = || results.setting().trials.iter().map(|trial| trial.sha256.as_str());
+    for subject in subjects {
+        let trials = || subject.results.setting().trials.iter().map(|trial| trial.sha256.as_str());
         if trials().all(|clip| !clips.contains(clip)) {
             clips.extend(trials());
-            all.push(results);
+            all.push(subject);
         }
     }
     all
+}
+
+fn together(subjects: &[Subject]) -> Comparison {
+    Comparison::of_several(&different(subjects).iter().map(|subject| &subject.results).collect::<Vec<_>>())
 }
 
 /// Reads the files; those of the same trials become one subject.
@@ -300,14 +316,35 @@ fn failures(text: &mut String, results: &Results) -> std::fmt::Result {
     Ok(())
 }
 
+/// What each subject says about the primary claims.
+fn ratios(text: &mut String, comparison: &Comparison, subjects: &[&Subject]) -> std::fmt::Result {
+    let claims: Vec<&Claim> = comparison.claims.iter().filter(|claim| !claim.persons.is_empty()).collect();
+    if claims.is_empty() {
+        return Ok(());
+    }
+    let headings: String = (1..=claims.len()).map(|claim| format!(" claim {claim} |")).collect();
+    writeln!(text, "| ratio of the errors in the median trial | trials |{headings}")?;
+    writeln!(text, "{}|", "|---".repeat(2 + claims.len()))?;
+    for (k, subject) in subjects.iter().enumerate() {
+        let ratio = |claim: &&Claim| match claim.persons.get(k) {
+            Some(Some(ratio)) => format!(" {} |", fixed(*ratio, 2)),
+            _ => " |".to_owned(),
+        };
+        let ratios: String = claims.iter().map(ratio).collect();
+        let trials = subject.results.setting().trials.len();
+        writeln!(text, "| {} | {trials} |{ratios}", one_line(&subject.name))?;
+    }
+    writeln!(text, "\nThe claims are numbered in the order of the table above.\n")
+}
+
 /// The claims of the papers, and whether they hold in these results.
-fn claims(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
+fn claims(text: &mut String, comparison: &Comparison, only_primary: bool) -> std::fmt::Result {
     if comparison.claims.is_empty() {
         return Ok(());
     }
     for (heading, primary) in [("primary claim", true), ("secondary claim", false)] {
         let claims: Vec<&Claim> = comparison.claims.iter().filter(|claim| claim.primary == primary).collect();
-        if claims.is_empty() {
+        if claims.is_empty() || only_primary && !primary {
             continue;
         }
         writeln!(text, "| {heading} | our criterion | we find | holds here |\n|---|---|---|---|")?;
@@ -319,6 +356,17 @@ fn claims(text: &mut String, comparison: &Comparison) -> std::fmt::Result {
     }
     writeln!(
         text,
-        "Errors are compared trial by trial: \"0.90 times\" is the error of the first model divided by that of the second. Settings are chosen for each trial by the error of rollouts on the training trials; claims about the bound take the highest bound.\n\nPrimary claims were named before the tables were made. Within one person their p value is that of the sign test over the trials, with fewer than six trials that of Student's t test of the logarithms; over several persons it is that of Student's t test of the persons' median logarithms. Holm's correction keeps the probability of any false answer among them below 5 %. Secondary claims are not corrected for their number, and their unit is the trial: of many such answers some are false. Their intervals cover at least 95 %: that of the median by the sign test, that of the mean (of the logarithms) by Student's t. The answer follows from the interval of the median, with fewer than six trials from that of the mean; it is yes or no only if the whole interval says so. Trials share their training data, so that the intervals are a little too narrow.\n"
-    )
+        "Errors are compared trial by trial: \"0.90 times\" is the error of the first model divided by that of the second. Settings are chosen for each trial by the error of rollouts on the training trials; claims about the bound take the highest bound.\n"
+    )?;
+    write!(
+        text,
+        "Primary claims were named before the tables were made. Within one person their p value is that of the sign test over the trials, with fewer than six trials that of Student's t test of the logarithms; over several persons it is that of Student's t test of the persons' median logarithms. Holm's correction keeps the probability of any false answer among them below 5 %. "
+    )?;
+    if !only_primary {
+        write!(
+            text,
+            "Secondary claims are not corrected for their number, and their unit is the trial: of many such answers some are false. Their intervals cover at least 95 %: that of the median by the sign test, that of the mean (of the logarithms) by Student's t. The answer follows from the interval of the median, with fewer than six trials from that of the mean; it is yes or no only if the whole interval says so. "
+        )?;
+    }
+    writeln!(text, "Trials share their training data, so that the intervals are a little too narrow.\n")
 }

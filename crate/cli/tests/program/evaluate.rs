@@ -177,6 +177,17 @@ fn reports_a_row_for_each_model_and_the_claims() {
 }
 
 #[test]
+fn reports_the_primary_claims_over_persons() {
+    let results = |name: &str| format!("{}/../../docs/comparison/{name}.json", env!("CARGO_MANIFEST_DIR"));
+    let found = run(&["report", "--primary", &results("cmu-12"), &results("bandai-walk")]);
+    let text = String::from_utf8(found.stdout).unwrap();
+    assert!(text.starts_with("| primary claim | ") && !text.contains("| secondary claim | "), "{text}");
+    assert!(text.contains("in the mean of 2 persons") && text.contains(" persons would decide it"), "{text}");
+    // Ten claims, one row a person.
+    assert!(text.lines().any(|line| line.starts_with("| cmu-12 | 3 |") && line.matches('|').count() == 13));
+}
+
+#[test]
 fn writes_the_file_of_an_empty_share_and_merges_files() {
     let shares = ["1", "2", "3"].map(|k| file(&format!("merge-{k}")));
     let models = ["--models", "dmp-discrete", "--folds", "1,2"];

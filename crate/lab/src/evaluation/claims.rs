@@ -85,7 +85,7 @@ impl Claims {
     fn add(&mut self, sentence: &Sentence, criterion: &str, found: String, answer: ClaimAnswer) {
         let Sentence(claim, place) = sentence;
         let (claim, place, criterion) = ((*claim).to_owned(), (*place).to_owned(), criterion.to_owned());
-        self.0.push(Claim { claim, place, criterion, found, answer, primary: false });
+        self.0.push(Claim { claim, place, criterion, found, answer, primary: false, persons: Vec::new() });
     }
 
     /// Adds the claim that the errors of `a` are lower than those of `b`.

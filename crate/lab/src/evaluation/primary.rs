@@ -12,7 +12,7 @@ use crate::evaluation::effect::{Effect, Errors};
 use crate::evaluation::fixed::fixed;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::rows::{Row, is_plain, settings};
-use crate::evaluation::stats::{holm, mean, mean_interval, median, sign_test, student_test};
+use crate::evaluation::stats::{holm, mean, mean_interval, median, sign_test, student_test, values_needed};
 use crate::evaluation::summary::{Claim, ClaimAnswer};
 use std::ops::Range;
 use vcgpdm::internals::{Elementary, counted};
@@ -49,6 +49,10 @@ struct Test {
     found: String,
     p: f64,
     is_below: bool,
+    /// The ratio of each person's median trial, if there are several persons.
+    persons: Vec<Option<f64>>,
+    /// How many persons with the same mean and spread would decide it, if there are several.
+    needed: Option<usize>,
 }
 
 /// The primary claims for which there are results. `people` has the folds of each person; the body has this
@@ -129,8 +133,10 @@ pub(super) fn paired<'a, 'r>(
 
 /// The questions with their answers, corrected for their number.
 fn answered(questions: &[Question], people: &[Range<usize>]) -> Vec<Claim> {
+    // What one of so many claims needs at worst.
+    let level = LARGEST_P / questions.len() as f64;
     let tested: Vec<(&Question, Test)> =
-        questions.iter().filter_map(|question| Some((question, test(question, people)?))).collect();
+        questions.iter().filter_map(|question| Some((question, test(question, people, level)?))).collect();
     let adjusted = holm(&tested.iter().map(|(_, test)| test.p).collect::<Vec<_>>());
     let count = tested.len();
     let claim = |((question, test), adjusted): ((&Question, Test), f64)| {
@@ -139,6 +145,10 @@ fn answered(questions: &[Question], people: &[Range<usize>]) -> Vec<Claim> {
             true => ClaimAnswer::Yes,
             false => ClaimAnswer::No,
         };
+        let needed = test.needed.filter(|_| answer == ClaimAnswer::Undecided);
+        let needed = needed.map_or(String::new(), |needed| {
+            format!("; with this mean and spread, {needed} persons would decide it")
+        });
         Claim {
             claim: question.claim.clone(),
             place: question.place.to_owned(),
@@ -148,7 +158,7 @@ fn answered(questions: &[Question], people: &[Range<usize>]) -> Vec<Claim> {
                 counted(count, "primary claim")
             ),
             found: format!(
-                "{}: {}; p value {}, corrected {}",
+                "{}: {}; p value {}, corrected {}{needed}",
                 question.names,
                 test.found,
                 percent(test.p),
@@ -156,6 +166,7 @@ fn answered(questions: &[Question], people: &[Range<usize>]) -> Vec<Claim> {
             ),
             answer,
             primary: true,
+            persons: test.persons.clone(),
         }
     };
     tested.into_iter().zip(adjusted).map(claim).collect()
@@ -165,8 +176,8 @@ fn percent(p: f64) -> String {
     format!("{} %", fixed(100.0 * p, if p < 0.01 { 2 } else { 1 }))
 }
 
-/// `None` without a trial that both models have.
-fn test(question: &Question, people: &[Range<usize>]) -> Option<Test> {
+/// `None` without a trial that both models have. More persons would decide it at this `level`.
+fn test(question: &Question, people: &[Range<usize>], level: f64) -> Option<Test> {
     let (a, b) = question.errors;
     let effect = Effect::new(a, b)?;
     let logarithm = |fold: usize| {
@@ -174,16 +185,18 @@ fn test(question: &Question, people: &[Range<usize>]) -> Option<Test> {
         (ratio.is_finite() && ratio > 0.0).then(|| (ratio / question.limit).logarithm())
     };
     let of_person = |folds: &Range<usize>| folds.clone().filter_map(logarithm).collect::<Vec<f64>>();
-    let by_person: Vec<Vec<f64>> =
-        people.iter().map(of_person).filter(|logarithms| !logarithms.is_empty()).collect();
-    if let [own] = &by_person[..] {
+    let everybody: Vec<Vec<f64>> = people.iter().map(of_person).collect();
+    let by_person: Vec<&Vec<f64>> = everybody.iter().filter(|logarithms| !logarithms.is_empty()).collect();
+    if let [own] = by_person[..] {
         let few = own.len() < FEWEST_TRIALS;
         let p = if few { student_test(own).unwrap_or(1.0) } else { sign_test(own) };
         let middle = if few { mean(own) } else { median(own) };
-        return Some(Test { found: effect.text(), p, is_below: middle < 0.0 });
+        let (persons, needed) = (Vec::new(), None);
+        return Some(Test { found: effect.text(), p, is_below: middle < 0.0, persons, needed });
     }
     let medians: Vec<f64> = by_person.iter().map(|own| median(own)).collect();
     let ratio = |logarithm: f64| question.limit * logarithm.exponential();
+    let person = |own: &Vec<f64>| (!own.is_empty()).then(|| ratio(median(own)));
     let range = mean_interval(&medians).map_or(String::new(), |i| format!(" ({})", i.map(ratio)));
     let below = medians.iter().filter(|own| ratio(**own) < 1.0).count();
     let found = format!(
@@ -192,8 +205,13 @@ fn test(question: &Question, people: &[Range<usize>]) -> Option<Test> {
         medians.len(),
         effect.text()
     );
-    let p = student_test(&medians).unwrap_or(1.0);
-    Some(Test { found, p, is_below: mean(&medians) < 0.0 })
+    Some(Test {
+        found,
+        p: student_test(&medians).unwrap_or(1.0),
+        is_below: mean(&medians) < 0.0,
+        persons: everybody.iter().map(person).collect(),
+        needed: values_needed(&medians, level),
+    })
 }
 
 #[cfg(test)]
@@ -247,20 +265,25 @@ mod tests {
         let one = errors(&[1.0; 20]);
         let lower = errors(&[0.8; 20]);
         let question = question(&lower, &one, 1.0);
-        let trials = test(&question, &one_person(20)).unwrap();
+        let trials = test(&question, &one_person(20), 0.05).unwrap();
         assert!(trials.p < 1e-5 && trials.is_below);
         // Equal ratios have no spread to compare with.
-        let two = test(&question, &[0..10, 10..20]).unwrap();
+        let two = test(&question, &[0..10, 10..20], 0.05).unwrap();
         assert_relative_eq!(two.p, 1.0);
         let unequal = errors(&[[0.8; 10], [0.7; 10]].concat());
         let question = super::tests::question(&unequal, &one, 1.0);
-        let two = test(&question, &[0..10, 10..20]).unwrap();
+        let two = test(&question, &[0..10, 10..20], 0.05).unwrap();
         assert!(two.p > LARGEST_P && two.is_below, "{}", two.p);
         assert!(two.found.starts_with("0.75 times ("), "{}", two.found);
         let words =
             "in the mean of 2 persons, of each the median trial; lower in 2; trial by trial 0.75 times";
         assert!(two.found.contains(words), "{}", two.found);
+        // Logarithms of -0.22 and -0.36: three persons have p = 3.4 %, two have 14 %.
+        assert_eq!(two.needed, Some(3));
+        let rounded: Vec<Option<String>> =
+            two.persons.iter().map(|own| own.map(|own| fixed(own, 3))).collect();
+        assert_eq!(rounded, [Some("0.800".to_owned()), Some("0.700".to_owned())]);
         // Without trials of the second person there is one person.
-        assert!(test(&question, &[0..20, 20..30]).unwrap().p < 1e-5);
+        assert!(test(&question, &[0..20, 20..30], 0.05).unwrap().p < 1e-5);
     }
 }

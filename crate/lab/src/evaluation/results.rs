@@ -1,6 +1,7 @@
 //! The results of a comparison: its setting, and the outcome of each job. Files and the page have the same
 //! document. No I/O.
 
+use crate::evaluation::candidate::Candidate;
 use crate::evaluation::candidate_text::size_numbers;
 use crate::evaluation::job::{Finished, Job};
 use crate::evaluation::outcome::{Difference, Outcome};
@@ -120,6 +121,20 @@ impl Results {
     pub fn jobs(&self, plan: &Plan) -> Result<Vec<PlannedJob>, ComparisonPlanError> {
         let jobs = plan.jobs(self.setting.trials.len())?.into_iter();
         Ok(jobs.map(|job| PlannedJob { done: self.has_outcome(&job), job }).collect())
+    }
+
+    /// The results of the candidates that all `others` have too.
+    pub fn in_common(&self, others: &[&Results]) -> Self {
+        let has = |results: &Results, candidate: &Candidate| {
+            results.finished.iter().any(|f| f.job.candidate == *candidate)
+        };
+        let in_all = |f: &&Finished| others.iter().all(|other| has(other, &f.job.candidate));
+        Self {
+            finished: self.finished.iter().filter(in_all).cloned().collect(),
+            format: self.format.clone(),
+            setting: self.setting.clone(),
+            ..*self
+        }
     }
 
     fn find(&self, job: &Job) -> Option<&Finished> {

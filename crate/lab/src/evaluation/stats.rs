@@ -169,6 +169,14 @@ pub fn student_test(values: &[f64]) -> Option<f64> {
     Some((1.0 - student_within((mean(values) / error).abs(), values.len() - 1)).max(0.0))
 }
 
+/// The smallest number of values with this mean and standard deviation whose [`student_test`] has a p value below
+/// `level`; absent for fewer than two values, equal ones, and where more than a thousand are needed.
+pub fn values_needed(values: &[f64], level: f64) -> Option<usize> {
+    let error = standard_error(values).filter(|error| *error > 0.0)?;
+    let effect = (mean(values) / error).abs() / (values.len() as f64).sqrt();
+    (2..=1000).find(|n| 1.0 - student_within(effect * (*n as f64).sqrt(), n - 1) < level)
+}
+
 /// Holm's correction: the p values of tests that are made together, so that any false rejection has at most
 /// the probability of the level (Holm 1979).
 pub fn holm(p_values: &[f64]) -> Vec<f64> {

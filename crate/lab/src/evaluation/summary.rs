@@ -210,7 +210,7 @@ impl ClaimAnswer {
 }
 
 /// A claim of the papers, and whether these results agree with it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Claim {
     /// The sentence of the paper, or a related question of ours.
@@ -227,4 +227,7 @@ pub struct Claim {
     /// Whether it is one of the claims that were named beforehand. Their answers are corrected for their
     /// number.
     pub primary: bool,
+    /// Of a primary claim over several persons: the ratio of the errors in the median trial of each person, `null`
+    /// without a common trial.
+    pub persons: Vec<Option<f64>>,
 }

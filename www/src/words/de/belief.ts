@@ -43,7 +43,7 @@ export const belief: Words["chapters"]["belief"] = {
   closing: (learned, heldOut, dmp) =>
     `Bei aufgenommenen Gängen ist der Fehler eines Modells ohne Kopplungen ${ratio(learned)} bei ` +
     `gelernten Gängen und ${ratio(heldOut)} bei einem neuen, im Mittel über sechs Personen. Mit Kopplungen ist er ` +
-    `${ratio(dmp)} wie der einer rhythmischen DMP: unentschieden.`,
+    `${ratio(dmp)} wie der einer rhythmischen DMP, im Mittel über zehn: unentschieden.`,
   again: "Ein anderes Paar",
   modelRow: "das Modell glaubt",
   truthRow: "die Wahrheit",

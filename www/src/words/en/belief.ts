@@ -43,7 +43,7 @@ export const belief = {
   closing: (learned: Ratio, heldOut: Ratio, dmp: Ratio) =>
     `On recorded walks a model without couplings has ${ratio(learned)} the error on walks that it ` +
     `learned, and ${ratio(heldOut)} on a walk held out, in the mean of six persons. With couplings it has ` +
-    `${ratio(dmp)} the error of a rhythmic DMP: undecided.`,
+    `${ratio(dmp)} the error of a rhythmic DMP, in the mean of ten: undecided.`,
   again: "Another pair",
   modelRow: "the model believes",
   truthRow: "the truth",

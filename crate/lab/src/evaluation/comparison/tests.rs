@@ -160,6 +160,11 @@ fn several_comparisons_are_put_together_trial_by_trial() {
         both.claims.iter().any(|claim| claim.primary && claim.found.contains("in the mean of 2 persons"))
             && both.claims.iter().any(|claim| !claim.primary && claim.found.contains("lower in 9 of 10"))
     );
+    // A size of one person alone does not count where only what both have is compared.
+    let mut wide = a.clone();
+    let more = finished(Settings::Vcgpdm(variational(20)), 0, 3, 0, outcome(0.1, Some(9.0), 100, 1.0));
+    wide.add(more).unwrap();
+    assert_eq!((wide.in_common(&[&wide, &b]), b.in_common(&[&wide, &b])), (a, b));
 }
 
 /// Coupled and uncoupled parts, and a whole body as large, are compared at the sizes that both have.
