@@ -12,6 +12,8 @@ use vcgpdm::motion::{Clip, parts, samples};
 use vcgpdm_lab::evaluation::{Effect, Fold, START_FRAMES, dtw_mse, stats};
 
 const ROUNDS: usize = 4;
+/// Enough for as many evaluations as theirs.
+const MOST_ITERATIONS: usize = 5000;
 const BLOCKS: [&[Group]; 3] =
     [&[Group::Latents], &[Group::Kernels, Group::Couplings], &[Group::InducingInputs]];
 const EVERYTHING: &[Group] = &[Group::Latents, Group::Couplings, Group::Kernels, Group::InducingInputs];
@@ -86,17 +88,15 @@ fn train(fold: &Fold, arguments: &Arguments, seed: u32) -> [Trained; 3] {
     let lengths = || movements.sequences.iter().map(|sequence| sequence.frames).collect();
     let Arguments { iterations, block, .. } = *arguments;
     let settings = VariationalSettings { max_iterations: iterations, ..VariationalSettings::default() };
-    let long = VariationalSettings {
-        max_iterations: iterations + ROUNDS * BLOCKS.len() * block,
-        ..settings.clone()
-    };
+    let more = |max_iterations| VariationalSettings { max_iterations, ..settings.clone() };
+    let (blocked, long) = (more(iterations + ROUNDS * BLOCKS.len() * block), more(MOST_ITERATIONS));
     let ours = |settings| VariationalTrainer::new(movements.y.clone(), lengths(), settings, seed).unwrap();
     let start = ours(&long);
     let blocks = BLOCKS.map(|groups| Phase { groups, iterations: block });
     let mut phases = vec![Phase { groups: EVERYTHING, iterations }];
     phases.extend(std::iter::repeat_n(blocks, ROUNDS).flatten());
     let theirs =
-        VariationalTrainer::from_start(start.objective(), start.best(), phases, &long, seed).unwrap();
+        VariationalTrainer::from_start(start.objective(), start.best(), phases, &blocked, seed).unwrap();
     let theirs = trained(fold, theirs, usize::MAX);
     [trained(fold, ours(&settings), usize::MAX), theirs, trained(fold, start, theirs.evaluations as usize)]
 }
