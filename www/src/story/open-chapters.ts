@@ -1,7 +1,6 @@
 // The chapters that have been loaded, the one on screen, and the one that is about to be.
 import type { App } from "../app/app";
 import { Lazy } from "../ui/lazy";
-import { whenIdle } from "../ui/browser";
 import { Store } from "../ui/store";
 import type { Chapter } from "./chapter";
 import { type ChapterName, ORDER } from "../settings/chapters";
@@ -65,7 +64,8 @@ export class OpenChapters extends Store {
       this.#state = "open";
       this.#stop = chapter.on(() => this.changed());
       chapter.arrive();
-      whenIdle(() => this.#preload(name));
+      // A first visit that only looks at a chapter does without the next one.
+      addEventListener("pointerdown", () => this.#preload(name), { once: true });
     } catch {
       if (this.#name !== name) return;
       this.#state = "failed";
