@@ -194,6 +194,7 @@ describe("the way through the story", () => {
   it("loads the program of the next chapter before it is opened", async () => {
     const { page, leave } = await site.visit({ story: true });
     await page.locator(".story[data-state=open][data-engine=ready]").waitFor();
+    await page.mouse.move(100, 100);
     // The program of the second chapter, with all files that Vite asks for beside it, has arrived.
     await page.waitForFunction(() => {
       const arrived = performance.getEntriesByType("resource").map(({ name }) => name);

@@ -64,8 +64,9 @@ export class OpenChapters extends Store {
       this.#state = "open";
       this.#stop = chapter.on(() => this.changed());
       chapter.arrive();
-      // A first visit that only looks at a chapter does without the next one.
-      addEventListener("pointerdown", () => this.#preload(name), { once: true });
+      // The next chapter comes when the visitor begins to move: a visit that only looks does without it.
+      for (const event of ["pointermove", "pointerdown", "keydown"])
+        addEventListener(event, () => this.#preload(name), { once: true });
     } catch {
       if (this.#name !== name) return;
       this.#state = "failed";
