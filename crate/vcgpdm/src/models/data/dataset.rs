@@ -335,7 +335,8 @@ mod tests {
     #[test]
     fn a_clip_with_another_axis_is_turned() {
         let walk = samples::clip("walk-1").unwrap().resample(30.0).unwrap();
-        let mut turned = Clip { name: "z.bvh".to_owned(), sha256: "another".to_owned(), ..walk.clone() };
+        let mut turned =
+            Clip { name: "z.bvh".to_owned(), sha256: "another".to_owned(), found_up: None, ..walk.clone() };
         let upward = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), FRAC_PI_2);
         for t in 0..turned.frames() {
             let pose = walk.local_pose(t);
