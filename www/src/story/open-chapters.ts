@@ -1,5 +1,6 @@
 // The chapters that have been loaded, the one on screen, and the one that is about to be.
 import type { App } from "../app/app";
+import { firstMove, whenIdle } from "../ui/browser";
 import { Lazy } from "../ui/lazy";
 import { Store } from "../ui/store";
 import type { Chapter } from "./chapter";
@@ -30,6 +31,7 @@ export class OpenChapters extends Store {
   #chapter: Chapter | null = null;
   #state: ChapterState = "loading";
   #stop = () => {};
+  readonly #moved = firstMove();
 
   constructor(private readonly app: App) {
     super();
@@ -64,9 +66,8 @@ export class OpenChapters extends Store {
       this.#state = "open";
       this.#stop = chapter.on(() => this.changed());
       chapter.arrive();
-      // The next chapter comes when the visitor begins to move: a visit that only looks does without it.
-      for (const event of ["pointermove", "pointerdown", "keydown"])
-        addEventListener(event, () => this.#preload(name), { once: true });
+      // A visit that only looks does without the next chapter.
+      void this.#moved.then(() => whenIdle(() => this.#preload(name)));
     } catch {
       if (this.#name !== name) return;
       this.#state = "failed";

@@ -9,6 +9,13 @@ export function whenIdle(work: () => void): void {
   else setTimeout(work, 2000);
 }
 
+/** Resolves when the visitor moves the pointer, presses or types for the first time. */
+export const firstMove = (): Promise<void> =>
+  new Promise((moved) => {
+    for (const event of ["pointermove", "pointerdown", "keydown"])
+      addEventListener(event, () => moved(), { once: true });
+  });
+
 /** The most seconds between two pictures; after a longer pause the clock does not advance by more. */
 export const LONGEST_PICTURE = 0.25;
 
