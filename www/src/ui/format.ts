@@ -1,10 +1,10 @@
 // Formats numbers and texts for the page, in its language.
-import { decimal } from "./decimal";
+import { decimal, withComma } from "./decimal";
 import { languageChanges } from "./language";
 
 /** The text of a number in the language of the page. */
 export const localNumber = (number: string): string =>
-  languageChanges.language === "de" ? number.replace(".", ",") : number;
+  languageChanges.language === "de" ? withComma(number) : number;
 
 /** A number with this many decimals. */
 export const fixed = (value: number, decimals: number): string => localNumber(value.toFixed(decimals));
