@@ -89,8 +89,7 @@ async function takeUp(stores: Stores, holdings: Holdings): Promise<string[]> {
   const ids = new Map<number, number>();
   for (const clip of holdings.clips)
     await attempt(words.theClip(clip.title), async () => {
-      const id = await clips.takeUp(clip);
-      if (id !== null) ids.set(clip.id, id);
+      ids.set(clip.id, await clips.takeUp(clip));
     });
   await clips.setFirstBones(holdings.firstBones);
   const idNow = (id: number) => {

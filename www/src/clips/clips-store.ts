@@ -209,19 +209,16 @@ export class ClipsStore extends Store {
     }));
   }
 
-  /** Takes up a clip of an earlier visit and returns its id in this one; null: this page has no such clip. */
-  async takeUp({ key, title, origin, source, ticked, first, end }: StoredClip): Promise<number | null> {
-    let now = origin === "made" ? key : null;
-    if (!this.#find(key) || now === null) {
-      const loaded = await this.#read(source);
-      now ??= `${origin}-${loaded.id}`;
-      this.#add({ key: now, title, origin, source, loaded, ticked });
-    }
-    const clip = now === null ? undefined : this.#find(now);
-    if (!clip) return null;
-    this.#update(clip.key, { ticked });
-    if (first !== 0 || end !== clip.loaded.info.frames) this.cut(clip.key, first, end);
-    return clip.loaded.id;
+  /** Takes up a clip of an earlier visit and returns its id in this one. */
+  async takeUp({ key, title, origin, source, ticked, first, end }: StoredClip): Promise<number> {
+    const isMade = origin === "made";
+    const here = isMade && this.#find(key)?.loaded;
+    const loaded = here || (await this.#read(source));
+    const now = isMade ? key : `${origin}-${loaded.id}`;
+    if (here) this.#update(now, { ticked });
+    else this.#add({ key: now, title, origin, source, loaded, ticked });
+    if (first !== 0 || end !== loaded.info.frames) this.cut(now, first, end);
+    return loaded.id;
   }
 
   /** Of the clips that come with the page, only those of one body stay ticked. */
