@@ -17,7 +17,7 @@ const MOST_ITERATIONS: usize = 5000;
 const BLOCKS: [&[Group]; 3] =
     [&[Group::Latents], &[Group::Kernels, Group::Couplings], &[Group::InducingInputs]];
 const EVERYTHING: &[Group] = &[Group::Latents, Group::Couplings, Group::Kernels, Group::InducingInputs];
-/// The schedules, in the order of the results of a training.
+/// What is compared with what, by the places in the results of a training: ours, theirs, ours for longer.
 const COMPARED: [(&str, usize, usize); 3] =
     [("theirs : ours", 1, 0), ("ours, longer : ours", 2, 0), ("theirs : ours, longer", 1, 2)];
 
@@ -87,9 +87,9 @@ fn train(fold: &Fold, arguments: &Arguments, seed: u32) -> [Trained; 3] {
     let movements = fold.movements();
     let lengths = || movements.sequences.iter().map(|sequence| sequence.frames).collect();
     let Arguments { iterations, block, .. } = *arguments;
-    let settings = VariationalSettings { max_iterations: iterations, ..VariationalSettings::default() };
-    let more = |max_iterations| VariationalSettings { max_iterations, ..settings.clone() };
-    let (blocked, long) = (more(iterations + ROUNDS * BLOCKS.len() * block), more(MOST_ITERATIONS));
+    let settings = |iterations| VariationalSettings::default().with_max_iterations(iterations);
+    let (short, long) = (settings(iterations), settings(MOST_ITERATIONS));
+    let blocked = settings(iterations + ROUNDS * BLOCKS.len() * block);
     let ours = |settings| VariationalTrainer::new(movements.y.clone(), lengths(), settings, seed).unwrap();
     let start = ours(&long);
     let blocks = BLOCKS.map(|groups| Phase { groups, iterations: block });
@@ -98,7 +98,7 @@ fn train(fold: &Fold, arguments: &Arguments, seed: u32) -> [Trained; 3] {
     let theirs =
         VariationalTrainer::from_start(start.objective(), start.best(), phases, &blocked, seed).unwrap();
     let theirs = trained(fold, theirs, usize::MAX);
-    [trained(fold, ours(&settings), usize::MAX), theirs, trained(fold, start, theirs.evaluations as usize)]
+    [trained(fold, ours(&short), usize::MAX), theirs, trained(fold, start, theirs.evaluations as usize)]
 }
 
 /// The training until its end, or until this number of evaluations.
