@@ -17,6 +17,9 @@ pub struct Fit {
     pub mse: f64,
 }
 
+/// The last frames of a mean path, which say where it goes in the long run.
+const LATE: usize = 50;
+
 /// A model at one moment of its training, as figure 3 (E to H) of the paper shows it: for each part, in the
 /// coordinates of the true latents.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,12 +61,7 @@ impl Snapshot {
             generated,
         })
     }
-}
 
-/// The last frames of a mean path, which say where it goes in the long run.
-const LATE: usize = 50;
-
-impl Snapshot {
     /// How far the mean path of each part goes round in its last 50 frames: its standard deviation there,
     /// divided by that of the true latents.
     pub fn late_spread(&self, data: &Synthetic) -> Vec<f64> {
