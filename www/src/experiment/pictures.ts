@@ -17,8 +17,8 @@ const PACE = 15;
 const [WIDTH, HEIGHT] = [300, 130];
 /** The frames and the columns of generated curves: more would blur. */
 const GENERATED = { frames: 100, columns: 3 };
-/** How many times as high as the largest recorded value a row of curves is drawn: they stay in the picture. */
-const ROOM = 1.7;
+/** Generated curves may be this many times as large as the largest recorded value, and are still drawn whole. */
+const LARGEST_GENERATED = 1.7;
 
 /** A point that goes along a path in these seconds. */
 const movingPoint = (path: string, seconds: number) =>
@@ -98,7 +98,7 @@ function generatedPicture(part: number, truth: SyntheticTruth, model: SyntheticS
   const some = (values: readonly number[] = []) =>
     rows(values, truth.columns).flatMap((row) => row.slice(0, GENERATED.columns));
   const recorded = some(truth.observed[part]);
-  const largest = ROOM * Math.max(...recorded.map(Math.abs));
+  const largest = LARGEST_GENERATED * Math.max(...recorded.map(Math.abs));
   const paths = (values: number[]) =>
     curvePaths({ values, ...GENERATED, width: WIDTH, height: HEIGHT, largest });
   return html`

@@ -133,7 +133,7 @@ pub(super) fn paired<'a, 'r>(
 
 /// The questions with their answers, corrected for their number.
 fn answered(questions: &[Question], people: &[Range<usize>]) -> Vec<Claim> {
-    // What one of so many claims needs at worst.
+    // Below this p value a claim is decided, whatever the p values of the others are (Holm).
     let level = LARGEST_P / questions.len() as f64;
     let tested: Vec<(&Question, Test)> =
         questions.iter().filter_map(|question| Some((question, test(question, people, level)?))).collect();
