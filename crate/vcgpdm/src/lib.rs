@@ -99,10 +99,10 @@ pub use models::variational::{
 };
 pub use models::{
     Body, ColumnMapping, Coupled, CouplingsError, Cut, Dataset, DatasetError, DmpSettings, EndReason, Ending,
-    Endless, EndlessFrames, Health, MapSettings, Model, ModelKind, Pace, PartPoses, PoseWeight, Progress,
-    Provenance, Push, Reading, Rollout, RolloutError, RolloutRequest, SequenceInfo, SequencesError,
-    SeriesModel, Setbacks, Settings, Source, TmpSettings, Trainer, TrainingCost, TrainingError,
-    TrainingPhase, VariationalSettings, coupling_weight_matrix,
+    Endless, EndlessFrames, Handles, Health, MapSettings, Model, ModelKind, Pace, PartPoses, PosePush,
+    PoseWeight, Progress, Provenance, Push, Reading, Rollout, RolloutError, RolloutRequest, SequenceInfo,
+    SequencesError, SeriesModel, Setbacks, Settings, Source, TmpSettings, Trainer, TrainingCost,
+    TrainingError, TrainingPhase, VariationalSettings, coupling_weight_matrix,
 };
 pub use motion::asf::{AsfError, File as AsfFile, read as read_asf};
 pub use motion::bvh::{BvhError, BvhProblem, read as read_bvh, write as write_bvh};

@@ -43,10 +43,11 @@ pub use rollout::dtw::{Score, ScoreError, dtw_mse, score_and_columns};
 pub use rollout::endless::{Endless, EndlessFrames, REWINDS};
 pub use rollout::health::{Ending, Health, PartPoses, best_to_show};
 pub use rollout::latent_dynamics::LatentDynamics;
-pub use rollout::latent_paths::TEMPOS;
 pub use rollout::log_density::LatentLogDensity;
 pub use rollout::pace::Pace;
-pub use rollout::request::{Cut, MOST_SAMPLES, Push, Rollout, RolloutError, RolloutRequest};
+pub use rollout::request::{
+    Cut, Handles, MOST_SAMPLES, PosePush, Push, Rollout, RolloutError, RolloutRequest, TEMPOS,
+};
 pub use search::{Phase, SearchEnd};
 pub use training::cost::TrainingCost;
 pub use training::error::TrainingError;

@@ -110,7 +110,8 @@ fn columns<S: ColumnMapping + Clone>(
         );
         return Err(VcgpdmError::new(ErrorCode::Rollout, &words));
     }
-    let y = changed.as_ref().unwrap_or(model).rollout(request.sequence, request.frames)?;
+    let model = changed.as_ref().unwrap_or(model);
+    let y = model.rollout_with(request.sequence, request.frames, &request.handles)?;
     Ok(Columns::of_columns(y))
 }
 
@@ -150,6 +151,22 @@ impl Rollout {
     /// The prediction of every expert for each frame, with its uncertainty.
     pub fn predictions(&self) -> Result<Predictions, VcgpdmError> {
         Predictions::new(coupled(self.model.body()?)?, &self.request, &self.rollout)
+    }
+
+    /// The displacement of all columns with which a node of the figure in a frame, counted from 0, is near a place,
+    /// in metres from the root: the joints turn as little as possible. For the `handles` of a TMP or DMP.
+    #[cfg(feature = "training")]
+    pub fn dragged(
+        &self,
+        frame: &Whole,
+        node: &Whole,
+        x: f64,
+        y: f64,
+        z: f64,
+    ) -> Result<Vec<f64>, VcgpdmError> {
+        let frame = frame.count(ErrorCode::Rollout, "the frame")?;
+        let node = node.count(ErrorCode::Rollout, "the node")?;
+        Ok(self.model.body()?.body.dragged(&self.rollout.y, frame, node, [x, y, z])?)
     }
 
     /// The motion of the body from this frame on, counted from 0, to the end.

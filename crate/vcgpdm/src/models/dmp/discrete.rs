@@ -6,7 +6,7 @@ use crate::models::data::movements::split;
 use crate::models::data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use crate::models::dmp::spring::{ALPHA_Z, Curve, integrate, regress};
 use crate::models::dmp::{OVERLAP, SpringStart};
-use crate::models::rollout::request::{RolloutError, check_frames};
+use crate::models::rollout::request::{Handles, RolloutError, check_frames};
 use nalgebra::{DMatrix, DVector};
 
 /// A column is scaled by g - y(0) only if that is at least this share of its range in every whole trial, with
@@ -127,29 +127,44 @@ impl DmpDiscrete {
         psi * (x / sum)
     }
 
-    /// The movement from the start of a training sequence: all columns, centred [frames x D].
+    /// The movement from the start of a training sequence, under `handles` of centred columns in the order of the
+    /// parts: all columns, centred [frames x D].
     ///
     /// # Errors
     ///
     /// When there is no such sequence, or the number of frames is out of its range.
-    pub fn path(&self, sequence: usize, frames: usize) -> Result<DMatrix<f64>, RolloutError> {
+    pub fn path(
+        &self,
+        sequence: usize,
+        frames: usize,
+        handles: &Handles,
+    ) -> Result<DMatrix<f64>, RolloutError> {
         check_frames(frames)?;
         let count = self.starts.len();
         let start = self.starts.get(sequence).ok_or(RolloutError::Sequence { count, found: sequence })?;
-        let goal = &self.goal;
-        let rate = start.map.rate;
+        let goal = &handles.moved(&self.goal);
+        let rate = start.map.rate * handles.tempo;
         let spring = &start.spring;
-        let way = goal - &spring.position;
+        // y(0), from which the way is measured; the integration pushes it, too.
+        let way = goal - &spring.position - handles.push_at(0).unwrap_or(DVector::zeros(goal.len()));
         let scale = DVector::from_fn(goal.len(), |k, _| if self.scaled[k] { way[k] } else { 1.0 });
-        Ok(integrate(&spring.position, &spring.velocity, goal, 1.0 / rate, frames, |t, out| {
-            let phase = start.map.start + rate * t;
-            if phase > 1.0 {
-                // After the end of all trials, no force is known; the spring alone goes to the goal.
-                return out.fill(0.0);
-            }
-            out.copy_from(&self.weights.tr_mul(&self.features(phase)));
-            out.component_mul_assign(&scale);
-        }))
+        Ok(integrate(
+            &spring.position,
+            &(&spring.velocity * handles.tempo),
+            goal,
+            1.0 / rate,
+            frames,
+            handles,
+            |t, out| {
+                let phase = start.map.start + rate * t;
+                if phase > 1.0 {
+                    // After the end of all trials, no force is known; the spring alone goes to the goal.
+                    return out.fill(0.0);
+                }
+                out.copy_from(&self.weights.tr_mul(&self.features(phase)));
+                out.component_mul_assign(&scale);
+            },
+        ))
     }
 }
 
@@ -171,15 +186,21 @@ impl SpringStart {
 }
 
 impl DmpDiscrete {
-    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
+    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts, under
+    /// `handles` of centred columns in the order of the parts.
     ///
     /// Its speed is the mean speed of the training trials; after their end it stays at the goal.
     ///
     /// # Errors
     ///
     /// When there is no such sequence, or the number of frames is 0 or too large.
-    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-        Ok(split(&self.path(sequence, frames)?, &self.columns))
+    pub fn rollout(
+        &self,
+        sequence: usize,
+        frames: usize,
+        handles: &Handles,
+    ) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        Ok(split(&self.path(sequence, frames, handles)?, &self.columns))
     }
 
     /// The number of stored numbers from which one sequence can be rolled out: weights, goal, y(0), y'(0),

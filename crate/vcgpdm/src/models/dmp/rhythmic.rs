@@ -6,7 +6,7 @@ use crate::models::data::movements::split;
 use crate::models::data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use crate::models::dmp::spring::{Curve, integrate, regress};
 use crate::models::dmp::{OVERLAP, SpringStart};
-use crate::models::rollout::request::{RolloutError, check_frames};
+use crate::models::rollout::request::{Handles, RolloutError, check_frames};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
@@ -99,28 +99,42 @@ impl DmpRhythmic {
         // Time is in places instead of frames. After one cycle, the effect of the start has decayed.
         let tau = PLACES as f64 / TAU;
         let zero = DVector::zeros(self.centre.len());
-        let y = integrate(&zero, &zero, &zero, tau, 2 * PLACES, |t, out| {
+        let y = integrate(&zero, &zero, &zero, tau, 2 * PLACES, &Handles::default(), |t, out| {
             out.copy_from(&self.weights.tr_mul(&self.features(t / PLACES as f64)));
         });
         y.rows(PLACES, PLACES).into_owned()
     }
 
-    /// The movement from the start of a training sequence: all columns, centred [frames x D].
+    /// The movement from the start of a training sequence, under `handles` of centred columns in the order of the
+    /// parts: all columns, centred [frames x D].
     ///
     /// # Errors
     ///
     /// When there is no such sequence, or the number of frames is out of its range.
-    pub fn path(&self, sequence: usize, frames: usize) -> Result<DMatrix<f64>, RolloutError> {
+    pub fn path(
+        &self,
+        sequence: usize,
+        frames: usize,
+        handles: &Handles,
+    ) -> Result<DMatrix<f64>, RolloutError> {
         check_frames(frames)?;
         let count = self.starts.len();
         let start = self.starts.get(sequence).ok_or(RolloutError::Sequence { count, found: sequence })?;
-        let rate = start.map.rate;
+        let rate = start.map.rate * handles.tempo;
         let (tau, amplitude) = (1.0 / (TAU * rate), start.amplitude);
         let spring = &start.spring;
-        Ok(integrate(&spring.position, &spring.velocity, &self.centre, tau, frames, |t, out| {
-            out.copy_from(&self.weights.tr_mul(&self.features(start.map.start + rate * t)));
-            *out *= amplitude;
-        }))
+        Ok(integrate(
+            &spring.position,
+            &(&spring.velocity * handles.tempo),
+            &handles.moved(&self.centre),
+            tau,
+            frames,
+            handles,
+            |t, out| {
+                out.copy_from(&self.weights.tr_mul(&self.features(start.map.start + rate * t)));
+                *out *= amplitude;
+            },
+        ))
     }
 }
 
@@ -155,13 +169,19 @@ impl RhythmicStart {
 }
 
 impl DmpRhythmic {
-    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
+    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts, under
+    /// `handles` of centred columns in the order of the parts.
     ///
     /// # Errors
     ///
     /// When there is no such sequence, or the number of frames is 0 or too large.
-    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-        Ok(split(&self.path(sequence, frames)?, &self.columns))
+    pub fn rollout(
+        &self,
+        sequence: usize,
+        frames: usize,
+        handles: &Handles,
+    ) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        Ok(split(&self.path(sequence, frames, handles)?, &self.columns))
     }
 
     /// The number of stored numbers from which one sequence can be rolled out: weights, centre, y(0) and

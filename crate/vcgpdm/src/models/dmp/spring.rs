@@ -2,6 +2,7 @@
 
 use crate::gp::NumericsError;
 use crate::gp::linalg::Factor;
+use crate::models::rollout::request::Handles;
 use nalgebra::{DMatrix, DVector};
 
 /// alpha_z and beta_z = alpha_z / 4 of Ijspeert et al. (2013): critically damped.
@@ -21,7 +22,7 @@ const BETWEEN: usize = 4;
 /// tau z' = alpha_z (beta_z (g - y) - z) + f, tau y' = z, for all columns, by the classic fourth order
 /// Runge-Kutta method with several steps a frame.
 ///
-/// `force(t, out)` fills in f of all columns at time `t`, in frames. Returns y at 0, 1, ..., frames - 1
+/// `force(t, out)` fills in f of all columns at time `t`, in frames. `handles` push y. Returns y at 0, 1, ..., frames - 1
 /// [frames x D]; `velocity` is y' at 0, per frame.
 pub fn integrate(
     start: &DVector<f64>,
@@ -29,6 +30,7 @@ pub fn integrate(
     goal: &DVector<f64>,
     tau: f64,
     frames: usize,
+    handles: &Handles,
     mut force: impl FnMut(f64, &mut DVector<f64>),
 ) -> DMatrix<f64> {
     let tau = tau.clamp(SHORTEST, LONGEST);
@@ -39,6 +41,9 @@ pub fn integrate(
     let mut out = DMatrix::zeros(frames, columns);
     let mut forces = [(); 3].map(|()| DVector::zeros(columns));
     for frame in 0..frames {
+        if let Some(by) = handles.push_at(frame) {
+            y += by;
+        }
         out.set_row(frame, &y.transpose());
         if frame + 1 == frames {
             break;
@@ -171,7 +176,15 @@ mod tests {
     #[test]
     fn without_force_the_goal_is_approached_as_a_critically_damped_spring_does() {
         let (tau, rate) = (40.0, ALPHA_Z / 2.0);
-        let y = integrate(&dvector![1.0], &dvector![0.0], &dvector![3.0], tau, 60, |_, f| f.fill(0.0));
+        let y = integrate(
+            &dvector![1.0],
+            &dvector![0.0],
+            &dvector![3.0],
+            tau,
+            60,
+            &Handles::default(),
+            |_, f| f.fill(0.0),
+        );
         for t in 0..60 {
             let s = rate * t as f64 / tau;
             let exact = 3.0 - 2.0 * (1.0 + s) * (-s).exp();

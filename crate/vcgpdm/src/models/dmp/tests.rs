@@ -3,6 +3,7 @@
 use super::*;
 use crate::models::data::movements::{Movements, Sequence};
 use crate::models::data::phase::Trial;
+use crate::models::rollout::request::{Handles, PosePush};
 use crate::models::training::kind::ModelKind;
 use crate::models::training::learner::Learner;
 use crate::models::training::settings::DmpSettings;
@@ -43,7 +44,7 @@ fn more_bases_reproduce_a_movement_better() {
     let error = |bases| {
         let model = DmpDiscrete::fit(&trials, &[3], bases).unwrap();
         assert_eq!(model.scaled, [true, true, false]);
-        root_mean_square(&(model.path(0, 90).unwrap() - &trials[0].y))
+        root_mean_square(&(model.path(0, 90, &Handles::default()).unwrap() - &trials[0].y))
     };
     let (few, some, many) = (error(3), error(12), error(40));
     assert!(few > some && some > many, "{few} {some} {many}");
@@ -53,7 +54,7 @@ fn more_bases_reproduce_a_movement_better() {
     let trials = [whole(walk(110, 34.0, 0.1))];
     let error = |bases| {
         let model = DmpRhythmic::fit(&trials, &[3], bases).unwrap();
-        root_mean_square(&(model.path(0, 110).unwrap() - &trials[0].y))
+        root_mean_square(&(model.path(0, 110, &Handles::default()).unwrap() - &trials[0].y))
     };
     let (few, many) = (error(3), error(25));
     assert!(few > many && many < 0.02, "{few} {many}");
@@ -62,11 +63,11 @@ fn more_bases_reproduce_a_movement_better() {
 #[test]
 fn another_goal_is_reached_and_scales_the_movement() {
     let trials = [whole(reach(90)), whole(reach(80))];
-    let mut model = DmpDiscrete::fit(&trials, &[2, 1], 30).unwrap();
-    let (plain, learned) = (model.path(0, 160).unwrap(), model.goal.clone());
-    let goal = &learned + nalgebra::dvector![1.0, -0.5, 0.7];
-    model.goal.copy_from(&goal);
-    let moved = model.path(0, 160).unwrap();
+    let model = DmpDiscrete::fit(&trials, &[2, 1], 30).unwrap();
+    let (plain, learned) = (model.path(0, 160, &Handles::default()).unwrap(), &model.goal);
+    let goal = learned + nalgebra::dvector![1.0, -0.5, 0.7];
+    let handles = Handles { goal: Some(vec![1.0, -0.5, 0.7]), ..Handles::default() };
+    let moved = model.path(0, 160, &handles).unwrap();
     let last = moved.row(159).transpose();
     assert!((&last - &goal).amax() < 1e-3, "{last} {goal}");
     // A scaled column keeps its shape: (y - y0) / (g - y0) is the same, but for the initial velocity.
@@ -75,20 +76,26 @@ fn another_goal_is_reached_and_scales_the_movement() {
         let expected = plain[(0, 0)] + way * (plain[(t, 0)] - plain[(0, 0)]);
         assert!((moved[(t, 0)] - expected).abs() < 0.02, "{t}");
     }
+    // Another start of a scaled column changes the way, too.
+    let start = PosePush { frame: 0, by: vec![0.4, 0.0, 0.0] };
+    let moved = model.path(0, 160, &Handles { push: Some(start), ..Handles::default() }).unwrap();
+    assert!((moved[(0, 0)] - plain[(0, 0)] - 0.4).abs() < 1e-12);
+    let way = (learned[0] - moved[(0, 0)]) / (learned[0] - plain[(0, 0)]);
+    assert!((moved[(45, 0)] - learned[0] - way * (plain[(45, 0)] - learned[0])).abs() < 0.02);
     // The column that returns stays small, although its goal is its start.
     assert!(plain.column(2).amax() < 0.6, "{}", plain.column(2));
 }
 
 #[test]
 fn half_the_rate_takes_twice_as_long() {
-    let mut discrete = DmpDiscrete::fit(&[whole(reach(90))], &[3], 25).unwrap();
-    let mut rhythmic = DmpRhythmic::fit(&[whole(walk(110, 34.0, 0.1))], &[3], 25).unwrap();
-    let fast = [discrete.path(0, 60).unwrap(), rhythmic.path(0, 60).unwrap()];
-    discrete.starts[0].map.rate *= 0.5;
-    discrete.starts[0].spring.velocity *= 0.5;
-    rhythmic.starts[0].map.rate *= 0.5;
-    rhythmic.starts[0].spring.velocity *= 0.5;
-    let slow = [discrete.path(0, 119).unwrap(), rhythmic.path(0, 119).unwrap()];
+    let discrete = DmpDiscrete::fit(&[whole(reach(90))], &[3], 25).unwrap();
+    let rhythmic = DmpRhythmic::fit(&[whole(walk(110, 34.0, 0.1))], &[3], 25).unwrap();
+    let fast = [
+        discrete.path(0, 60, &Handles::default()).unwrap(),
+        rhythmic.path(0, 60, &Handles::default()).unwrap(),
+    ];
+    let half = Handles { tempo: 0.5, ..Handles::default() };
+    let slow = [discrete.path(0, 119, &half).unwrap(), rhythmic.path(0, 119, &half).unwrap()];
     for (fast, slow) in fast.iter().zip(&slow) {
         for t in 0..60 {
             let (a, b) = (fast.row(t), slow.row(2 * t));
@@ -105,20 +112,24 @@ fn the_limit_cycle_is_stable() {
         Trial { y: walk(5, 34.0, 0.4), whole: false },
     ];
     let mut model = DmpRhythmic::fit(&trials, &[3], 25).unwrap();
-    let y = model.path(2, 1000).unwrap();
+    let y = model.path(2, 1000, &Handles::default()).unwrap();
     let difference = &y - walk(1000, 34.0, 0.4);
     assert!(root_mean_square(&difference.rows(0, 100).into_owned()) < 0.08, "{difference}");
     assert!((y.rows(34, 34) - y.rows(34 * 20, 34)).amax() < 0.3);
     let found = crate::motion::period(&[y.rows(500, 500).into_owned()]).unwrap();
     assert!((found.frames - 34.0).abs() < 0.2, "{found:?}");
 
-    // A rollout that starts away from the cycle returns to it. Twice the amplitude doubles the movement
+    // A rollout that is pushed away from the cycle returns to it. Twice the amplitude doubles the movement
     // around the same centre.
-    model.starts[2].spring.position.add_scalar_mut(3.0);
-    let pushed = model.path(2, 200).unwrap();
-    assert!((pushed.rows(34, 100) - y.rows(34, 100)).amax() < 1e-6);
+    for frame in [0, 20] {
+        let push = Some(PosePush { frame, by: vec![3.0; 3] });
+        let pushed = model.path(2, 200, &Handles { push, ..Handles::default() }).unwrap();
+        let off = pushed - y.rows(0, 200);
+        assert!(frame == 0 || off.rows(0, frame).amax() == 0.0);
+        assert!(off.row(frame).add_scalar(-3.0).amax() < 1e-9 && off.rows(frame + 34, 100).amax() < 1e-6);
+    }
     model.starts[2].amplitude *= 2.0;
-    let larger = model.path(2, 200).unwrap();
+    let larger = model.path(2, 200, &Handles::default()).unwrap();
     for t in 34..134 {
         let expected = 2.0 * (y.row(t).transpose() - &model.centre) + &model.centre;
         assert!((larger.row(t).transpose() - expected).amax() < 1e-6);

@@ -4,7 +4,7 @@ use crate::models::data::column_mapping::ColumnMapping;
 use crate::models::data::dataset::Dataset;
 use crate::models::data::sequences::MOST_FRAMES;
 use crate::models::data::sequences::SequenceInfo;
-use crate::models::rollout::request::RolloutError;
+use crate::models::rollout::request::{Handles, PosePush, RolloutError};
 use crate::motion::Clip;
 use crate::motion::parts::PartsLayout;
 use crate::motion::pose::{PoseError, PoseMapping, RootStart};
@@ -63,6 +63,20 @@ impl<S: ColumnMapping> Body<S> {
             }
         }
         columns
+    }
+
+    /// Handles with centred columns in the order of the parts, as fitted models have them.
+    pub(super) fn handles_of_parts(&self, handles: &Handles) -> Handles {
+        let ordered = |by: &Vec<f64>| {
+            let parts = (0..self.layout.parts().len()).flat_map(|part| self.layout.columns(part));
+            parts.map(|&column| by[column] / self.mapping.unit(column)).collect()
+        };
+        let push = handles.push.as_ref();
+        Handles {
+            tempo: handles.tempo,
+            goal: handles.goal.as_ref().map(ordered),
+            push: push.map(|push| PosePush { frame: push.frame, by: ordered(&push.by) }),
+        }
     }
 
     /// Centred columns of each part [frames x D_i] from all columns, means included [frames x D]: the inverse of

@@ -2,7 +2,7 @@
 
 use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
 use crate::models::map::MapModel;
-use crate::models::rollout::request::RolloutError;
+use crate::models::rollout::request::{Handles, RolloutError};
 use crate::models::tmp::Tmp;
 use crate::models::training::kind::ModelKind;
 use crate::models::variational::{BoundTerms, Vcgpdm};
@@ -42,12 +42,27 @@ impl FittedModel {
     ///
     /// When there is no such sequence, or the number of frames is 0 or too large.
     pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        self.rollout_with(sequence, frames, &Handles::default())
+    }
+
+    /// As [`rollout`](Self::rollout), of a TMP or DMP under `handles` of centred columns in the order of the parts.
+    ///
+    /// # Errors
+    ///
+    /// As [`rollout`](Self::rollout), and when the kind has no such handles.
+    pub fn rollout_with(
+        &self,
+        sequence: usize,
+        frames: usize,
+        handles: &Handles,
+    ) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         match self {
+            FittedModel::Tmp(model) => model.rollout(sequence, frames, handles),
+            FittedModel::DmpDiscrete(model) => model.rollout(sequence, frames, handles),
+            FittedModel::DmpRhythmic(model) => model.rollout(sequence, frames, handles),
+            _ if *handles != Handles::default() => Err(RolloutError::Handles { found: self.kind().id() }),
             FittedModel::Vcgpdm(model) => model.rollout(sequence, frames),
             FittedModel::Map(model) => model.rollout(sequence, frames),
-            FittedModel::Tmp(model) => model.rollout(sequence, frames),
-            FittedModel::DmpDiscrete(model) => model.rollout(sequence, frames),
-            FittedModel::DmpRhythmic(model) => model.rollout(sequence, frames),
         }
     }
 

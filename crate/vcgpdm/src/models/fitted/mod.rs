@@ -3,6 +3,7 @@
 pub(crate) mod body;
 pub(crate) mod completion;
 pub(crate) mod coupled;
+mod dragged;
 pub(crate) mod fitted_model;
 pub(crate) mod model;
 pub(crate) mod observed;

@@ -8,7 +8,7 @@ use crate::models::fitted::body::Body;
 use crate::models::fitted::coupled::Coupled;
 use crate::models::fitted::fitted_model::FittedModel;
 use crate::models::fitted::provenance::Provenance;
-use crate::models::rollout::request::RolloutError;
+use crate::models::rollout::request::{Handles, RolloutError};
 use crate::models::training::kind::ModelKind;
 use crate::motion::pose::PoseMapping;
 use crate::series::Columns;
@@ -70,11 +70,27 @@ impl<S: ColumnMapping> Model<S> {
     ///
     /// When there is no such sequence, or the number of frames is 0 or too large.
     pub fn rollout(&self, sequence: usize, frames: usize) -> Result<DMatrix<f64>, RolloutError> {
+        self.rollout_with(sequence, frames, &Handles::default())
+    }
+
+    /// As [`rollout`](Self::rollout), of a TMP or DMP with handles.
+    ///
+    /// # Errors
+    ///
+    /// As [`rollout`](Self::rollout), and when the handles do not fit the model or its columns.
+    pub fn rollout_with(
+        &self,
+        sequence: usize,
+        frames: usize,
+        handles: &Handles,
+    ) -> Result<DMatrix<f64>, RolloutError> {
         match self.coupled() {
             Some(coupled) => coupled.check_frames(frames)?,
             None => self.body.check_frames(frames, 0)?,
         }
-        Ok(self.body.columns(&self.fitted.rollout(sequence, frames)?))
+        handles.check(frames, self.body.column_means.len())?;
+        let handles = self.body.handles_of_parts(handles);
+        Ok(self.body.columns(&self.fitted.rollout_with(sequence, frames, &handles)?))
     }
 }
 

@@ -1,12 +1,9 @@
 //! Latent paths of a rollout so far, in the layout that the dynamics read.
 
-use crate::models::rollout::request::{Push, RolloutError};
+use crate::models::rollout::request::{Push, RolloutError, TEMPOS};
 use nalgebra::DMatrix;
 use std::borrow::Cow;
-use std::ops::{Range, RangeInclusive};
-
-/// Tempos of a part; 1 is as learned.
-pub const TEMPOS: RangeInclusive<f64> = 0.25..=2.0;
+use std::ops::Range;
 
 /// The latent paths of all parts so far. There are always at least p frames: the start of the rollout.
 ///

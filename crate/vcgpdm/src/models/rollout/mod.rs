@@ -10,5 +10,5 @@ pub(crate) mod latent_paths;
 pub(crate) mod log_density;
 mod movers;
 pub(crate) mod pace;
-mod reach;
+pub(crate) mod reach;
 pub(crate) mod request;

@@ -87,7 +87,10 @@ fn place_of(
 
 /// The minimum of a sum of squared residuals near `x`, by damped Gauss-Newton steps; `x` itself where they are
 /// not finite.
-fn minimum(mut x: DVector<f64>, residuals: impl Fn(&DVector<f64>) -> Option<DVector<f64>>) -> DVector<f64> {
+pub(crate) fn minimum(
+    mut x: DVector<f64>,
+    residuals: impl Fn(&DVector<f64>) -> Option<DVector<f64>>,
+) -> DVector<f64> {
     let Some(mut now) = residuals(&x) else { return x };
     let mut damping = 1e-3;
     for _ in 0..STEPS {

@@ -5,12 +5,15 @@ use crate::json::rows;
 use crate::models::data::sequences::MOST_FRAMES;
 use crate::models::rollout::couplings::{CouplingsError, Reading};
 use crate::motion::pose::PoseError;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use serde::Deserialize;
+use std::ops::RangeInclusive;
 use thiserror::Error;
 
 /// The most sampled rollouts of one request.
 pub const MOST_SAMPLES: u32 = 1000;
+/// Tempos of a part; 1 is as learned.
+pub const TEMPOS: RangeInclusive<f64> = 0.25..=2.0;
 
 /// The options of a rollout of a model with couplings.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -42,6 +45,10 @@ pub struct RolloutRequest {
     #[serde(default)]
     #[cfg_attr(feature = "types", ts(as = "Option<_>", optional))]
     pub reading: Reading,
+    /// Handles of a TMP or DMP; absent: none.
+    #[serde(default)]
+    #[cfg_attr(feature = "types", ts(as = "Option<_>", optional))]
+    pub handles: Handles,
     /// Couplings that are cut for a while. In JavaScript, live rollouts do this.
     #[serde(skip)]
     pub cuts: Vec<Cut>,
@@ -88,6 +95,74 @@ pub struct Push {
     pub by: Vec<f64>,
     /// An additional displacement along the part's own path, in multiples of its last step; negative: back.
     pub ahead: f64,
+}
+
+/// Changes of the rollout of a TMP or DMP. Displacements have one number for each column `[D]`, in its unit.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub struct Handles {
+    /// Multiplies the speed, from 0.25 to 2; absent: 1.
+    #[cfg_attr(feature = "types", ts(as = "Option<_>", optional))]
+    pub tempo: f64,
+    /// Displacement of the goal of a DMP, of the centre of a rhythmic one; absent: none.
+    #[cfg_attr(feature = "types", ts(as = "Option<_>", optional))]
+    pub goal: Option<Vec<f64>>,
+    /// A push in one frame; in frame 0 it moves the start; absent: none.
+    #[cfg_attr(feature = "types", ts(as = "Option<_>", optional))]
+    pub push: Option<PosePush>,
+}
+
+/// A push of all columns. A DMP goes on from where it is then, without a change of its velocity; a TMP is a
+/// function of time, and in the next frame it is where it would have been.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct PosePush {
+    /// The frame, counted from 0.
+    #[cfg_attr(feature = "types", ts(type = "number"))]
+    pub frame: usize,
+    /// The displacement.
+    pub by: Vec<f64>,
+}
+
+impl Default for Handles {
+    fn default() -> Self {
+        Self { tempo: 1.0, goal: None, push: None }
+    }
+}
+
+impl Handles {
+    /// Checks the handles of a rollout of `frames` frames and `columns` columns.
+    pub(crate) fn check(&self, frames: usize, columns: usize) -> Result<(), RolloutError> {
+        if !TEMPOS.contains(&self.tempo) {
+            let (lowest, highest) = (*TEMPOS.start(), *TEMPOS.end());
+            return Err(RolloutError::Range { what: "a tempo", lowest, highest, found: self.tempo });
+        }
+        let push = self.push.as_ref();
+        for (what, by) in [("goal", self.goal.as_ref()), ("push", push.map(|push| &push.by))] {
+            if by.is_some_and(|by| by.len() != columns || by.iter().any(|number| !number.is_finite())) {
+                return Err(RolloutError::Displacement { what, expected: columns });
+            }
+        }
+        match push {
+            Some(&PosePush { frame: found, .. }) if found >= frames => {
+                Err(RolloutError::Unfelt { what: "push", first: 0, end: frames, found })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The push of a frame `[D]`, if there is one.
+    pub(crate) fn push_at(&self, frame: usize) -> Option<DVector<f64>> {
+        let push = self.push.as_ref().filter(|push| push.frame == frame)?;
+        Some(DVector::from_column_slice(&push.by))
+    }
+
+    /// The goal, moved.
+    pub(crate) fn moved(&self, goal: &DVector<f64>) -> DVector<f64> {
+        self.goal.as_ref().map_or_else(|| goal.clone(), |by| goal + DVector::from_column_slice(by))
+    }
 }
 
 /// A rollout of a model with couplings.
@@ -165,6 +240,23 @@ pub enum RolloutError {
     Kind {
         /// The kind of the model.
         found: &'static str,
+    },
+    /// A kind of model without handles.
+    #[error("expected a tmp, dmp-discrete or dmp-rhythmic model for handles, found a {found} model")]
+    Handles {
+        /// The kind of the model.
+        found: &'static str,
+    },
+    /// A TMP has no goal.
+    #[error("expected a dmp model for another goal, found a tmp model, which is a function of time")]
+    NoGoal,
+    /// A displacement does not fit the columns.
+    #[error("expected a displacement of the {what} by {expected} finite numbers, one for each column")]
+    Displacement {
+        /// "goal" or "push".
+        what: &'static str,
+        /// Columns D.
+        expected: usize,
     },
     /// A number is out of its range.
     #[error("expected {what} from {lowest} to {highest}, found {found}")]

@@ -47,7 +47,7 @@ pub use learner::TmpLearner;
 use crate::gp::NumericsError;
 use crate::models::data::movements::split;
 use crate::models::data::phase::{PhaseAxis, PhaseMap, Trial};
-use crate::models::rollout::request::{RolloutError, check_frames};
+use crate::models::rollout::request::{Handles, RolloutError, check_frames};
 use kernel::covariance;
 use nalgebra::{DMatrix, DVector};
 use posterior::Posterior;
@@ -131,26 +131,42 @@ impl Tmp {
         cross * &self.coefficients
     }
 
-    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts.
+    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts, under
+    /// `handles` of centred columns in the order of the parts.
     ///
     /// The rate is that of the sequence. A movement that is not a cycle ends at the last phase of the
-    /// training trials: with more frames, it is slower.
+    /// training trials: with more frames, it is slower. A TMP has no goal, and a push is over in the next frame.
     ///
     /// # Errors
     ///
     /// When there is no such sequence, or the number of frames is 0 or too large.
-    pub fn rollout(&self, sequence: usize, frames: usize) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+    pub fn rollout(
+        &self,
+        sequence: usize,
+        frames: usize,
+        handles: &Handles,
+    ) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         check_frames(frames)?;
+        if handles.goal.is_some() {
+            return Err(RolloutError::NoGoal);
+        }
         let trial = self
             .trials
             .get(sequence)
             .ok_or(RolloutError::Sequence { count: self.trials.len(), found: sequence })?;
         let mut map = trial.map;
+        map.rate *= handles.tempo;
         if self.axis == PhaseAxis::Trial && map.at(frames - 1) > self.range.1 {
             map.rate = (self.range.1 - map.start).max(0.0) / (frames - 1) as f64;
         }
         let phases: Vec<f64> = (0..frames).map(|t| map.at(t)).collect();
-        Ok(split(&(self.primitives(&phases) * trial.weights.transpose()), &self.columns))
+        let mut y = self.primitives(&phases) * trial.weights.transpose();
+        for (frame, mut row) in y.row_iter_mut().enumerate() {
+            if let Some(by) = handles.push_at(frame) {
+                row += by.transpose();
+            }
+        }
+        Ok(split(&y, &self.columns))
     }
 
     /// The number of stored numbers from which one sequence can be rolled out: primitives at the inducing

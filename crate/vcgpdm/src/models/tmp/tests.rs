@@ -3,6 +3,7 @@
 use super::*;
 use crate::models::data::movements::{Movements, Sequence};
 use crate::models::data::phase::Alignment;
+use crate::models::rollout::request::{Handles, PosePush};
 use crate::models::tmp::learner::Limits;
 use crate::models::tmp::posterior::Posterior;
 use crate::models::training::learner::Learner;
@@ -226,16 +227,28 @@ fn finds_the_number_of_primitives_and_predicts_a_partial_trial() {
         assert!(model.bound > best, "{} {best}", model.bound);
         assert!(model.noise.iter().all(|n| (0.03..0.08).contains(&n.sqrt())), "{}", model.noise);
         // A training trial is reproduced up to its noise.
-        let y = model.rollout(0, 40).unwrap();
+        let y = model.rollout(0, 40, &Handles::default()).unwrap();
         let difference = &y[0] - trials[0].y.columns(0, 3);
         assert!((difference.norm_squared() / difference.len() as f64).sqrt() < 0.07, "{difference}");
         let stored = model.inducing.len() * 2 + 4 * 2 + if rhythmic { 3 } else { 5 };
         assert_eq!(model.stored_numbers(), stored);
+        // A push is over in the next frame; half the tempo takes twice as long, within the range of the phases.
+        let push = Some(PosePush { frame: 7, by: vec![1.0; 4] });
+        let pushed = model.rollout(0, 40, &Handles { push, ..Handles::default() }).unwrap();
+        let off = &pushed[0] - &y[0];
+        assert!(off.row(7).add_scalar(-1.0).amax() < 1e-12 && off.remove_row(7).amax() == 0.0);
+        let half = model.rollout(0, 39, &Handles { tempo: 0.5, ..Handles::default() }).unwrap();
+        assert!((half[0].row(38) - y[0].row(19)).amax() < 1e-9);
+        let goal = Handles { goal: Some(vec![0.0; 4]), ..Handles::default() };
+        assert_eq!(model.rollout(0, 40, &goal), Err(RolloutError::NoGoal));
         // The rollout of the partial trial starts as its five frames.
-        let y = model.rollout(3, 60).unwrap();
+        let y = model.rollout(3, 60, &Handles::default()).unwrap();
         let start = y[0].rows(0, 5) - trials[3].y.columns(0, 3);
         assert!(start.amax() < 0.25, "{start}");
-        assert!(model.rollout(4, 60).is_err() && model.rollout(3, 0).is_err());
+        assert!(
+            model.rollout(4, 60, &Handles::default()).is_err()
+                && model.rollout(3, 0, &Handles::default()).is_err()
+        );
     }
 }
 

@@ -4,7 +4,7 @@ use crate::gp::linalg::Factor;
 use crate::gp::{KernelSum, NumericsError};
 use crate::models::rollout::couplings::{Reading, check_couplings, coupling_weights};
 use crate::models::rollout::latent_dynamics::LatentDynamics;
-use crate::models::rollout::request::{RolloutError, RolloutRequest, check_frames};
+use crate::models::rollout::request::{Handles, RolloutError, RolloutRequest, check_frames};
 use crate::models::training::kind::ModelKind;
 use crate::models::variational::elbo::{BoundTerms, DynamicsSums, Objective, stack_offsets};
 use crate::models::variational::maps::{FittedExpert, FittedMaps, PoseMap};
@@ -137,6 +137,9 @@ impl Vcgpdm {
     ///
     /// As [`start`](Self::start), and when the request has two starts, or start latents of other parts.
     pub fn start_of(&self, request: &RolloutRequest) -> Result<Vec<DMatrix<f64>>, RolloutError> {
+        if request.handles != Handles::default() {
+            return Err(RolloutError::Handles { found: self.kind().id() });
+        }
         let (sequence, frame) = (request.sequence, request.frame);
         let Some(given) = &request.start else { return self.start(sequence, frame) };
         if sequence > 0 || frame > 0 {

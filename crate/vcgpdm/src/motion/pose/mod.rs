@@ -11,6 +11,7 @@ mod root;
 mod stored;
 
 pub use encode::Encoded;
+pub(crate) use mapping::ROOT_COLUMNS;
 pub use mapping::{Column, ColumnKind, PoseError, PoseMapping};
 pub use root::{RootStart, RootTrack};
 
