@@ -2,14 +2,13 @@
 //! then at most four rounds of three blocks. Each trial of a person is held out once. The objective is the bound.
 
 use crate::parallel::each_seed;
-use crate::seeds::read_clips;
+use crate::ratios::{persons, ratio};
 use clap::Args;
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 use vcgpdm::models::variational::VariationalTrainer;
 use vcgpdm::models::{FittedModel, Group, Phase, VariationalSettings};
 use vcgpdm::motion::{Clip, parts, samples};
-use vcgpdm_lab::evaluation::{Effect, Fold, START_FRAMES, dtw_mse, stats};
+use vcgpdm_lab::evaluation::{Fold, START_FRAMES, dtw_mse, stats};
 
 const ROUNDS: usize = 4;
 /// Enough for as many evaluations as theirs.
@@ -48,15 +47,10 @@ struct Trained {
 }
 
 pub fn run(arguments: &Arguments) {
-    println!(
-        "| trials | schedules | error on the trial held out | lower in | bounds differ by, nats | evaluations |"
-    );
-    println!("{}|", "|---".repeat(6));
-    let mut persons: Vec<Vec<[Trained; 3]>> = Vec::new();
-    for folder in &arguments.folders {
-        let clips: Vec<Clip> = read_clips(std::slice::from_ref(folder)).collect();
-        persons.push(trials(&folder.file_name().unwrap_or_default().to_string_lossy(), &clips, arguments));
-    }
+    println!("| trials | schedules | error on the trial held out | bounds differ by, nats | evaluations |");
+    println!("{}|", "|---".repeat(5));
+    let persons = persons(&arguments.folders).map(|(name, clips)| trials(&name, &clips, arguments));
+    let persons: Vec<Vec<[Trained; 3]>> = persons.collect();
     if persons.is_empty() {
         let walks = samples::list().into_iter().filter(|info| info.movement == "walk");
         let clips: Vec<Clip> = walks.map(|info| samples::clip(info.id).unwrap()).collect();
@@ -129,14 +123,11 @@ fn mean_of(all: &[[Trained; 3]]) -> [Trained; 3] {
 /// Prints a row for each two schedules; the units are trials, or persons.
 fn print(name: &str, units: &[[Trained; 3]]) {
     for (schedules, a, b) in COMPARED {
-        let errors = |which: usize| -> BTreeMap<usize, f64> {
-            units.iter().map(|unit| unit[which].error.exp()).enumerate().collect()
-        };
-        let Effect { mean, mean_interval, wins, folds, .. } = Effect::new(&errors(a), &errors(b)).unwrap();
-        let interval = mean_interval.map_or(String::new(), |interval| format!(" ({interval})"));
+        let errors = |which: usize| units.iter().map(|unit| unit[which].error.exp()).collect::<Vec<_>>();
         let [ours, other] = [b, a].map(|which| mean_of(units)[which]);
         println!(
-            "| {name} | {schedules} | {mean:.2} times{interval} | {wins} of {folds} | {:+.0} | {:.0} : {:.0} |",
+            "| {name} | {schedules} | {} | {:+.0} | {:.0} : {:.0} |",
+            ratio(&errors(a), &errors(b)),
             other.bound - ours.bound,
             other.evaluations,
             ours.evaluations,
