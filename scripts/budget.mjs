@@ -2,14 +2,14 @@
 // in its folder (www/src/*/entry.ts). And the largest size of the project: lower it when the project becomes smaller.
 export const budget = {
   /** Lines of product and of tests, and files; `npm test` counts them. */
-  lines: { product: 109_060, tests: 46_460, files: 1_241 },
+  lines: { product: 110_150, tests: 46_760, files: 1_250 },
   firstVisit: 500_000,
   /** Of it what is not wasm, in `npm test`, whose quick wasm comes with more JavaScript. */
   firstScripts: 258_200,
   /** The wasm of a first visit. */
   wasm: 250_000,
   /** The views of the Lab. */
-  lab: 50_000,
+  lab: 50_100,
   /** The chapters of the story after the first. */
   story: 60_000,
   /** Help, details of the Lab and its recordings that move parts, with their words in two languages. */
@@ -18,7 +18,7 @@ export const budget = {
    * The whole program, with the filter that completes and recognises recordings, ten kinds of models to compare
    * and the samples that do not walk; charts; the writer of GIF files.
    */
-  onDemand: 910_500,
+  onDemand: 921_000,
   /** The movements of the page's own study. */
   study: 170_000,
   /** The writer of GLB files. */

@@ -55,7 +55,7 @@ const isAsked = (file: string) =>
   );
 /** The whole program and the views that need it, when they are opened. */
 const isOnDemand = (file: string) =>
-  /\/src\/(figures\/|app\/film-gif\.)|\/node_modules\/modern-|\/training\/progress-|\/app\/any-model\.|\/ui\/two-columns|\/pkg\/web\/|\/whole(-engine|-desk)?\.ts$/.test(
+  /\/src\/(figures\/|app\/film-gif\.|live\/handles-)|\/node_modules\/modern-|\/training\/progress-|\/app\/any-model\.|\/ui\/two-columns|\/pkg\/web\/|\/whole(-engine|-desk)?\.ts$/.test(
     file,
   );
 /** The Lab, and what it shares with chapters of the story. A first visit loads none of it. */

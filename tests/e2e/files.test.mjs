@@ -292,6 +292,24 @@ seldom.it("a model of a kind without couplings moves, says so, and its motion is
     assert.ok(frames(motion.text) > 100 && !/NaN|inf/i.test(motion.text));
     const rows = (await saved(page, "save-positions")).text.trim().split("\r\n");
     assert.equal(rows.length - 1, frames(motion.text));
+    const handles = page.getByTestId("handles");
+    if (file === "map-cgpdm") {
+      assert.equal(await handles.count(), 0);
+      continue;
+    }
+    // A hand is lifted in one frame, and the tempo changed: another motion. A TMP has no goal.
+    assert.equal(await page.getByTestId("drag-goal").count(), file === "tmp" ? 0 : 1);
+    const asLearned = page.getByTestId("handles-reset");
+    assert.equal(await asLearned.isEnabled(), false);
+    await page.getByTestId("lift").click();
+    await page.getByTestId("handle-tempo").fill("1");
+    await handles.getByText("2.00 times as fast").waitFor();
+    const changed = await saved(page, "save-motion");
+    assert.notEqual(changed.text, motion.text);
+    assert.ok(!/NaN|inf/i.test(changed.text));
+    await asLearned.click();
+    await handles.getByText("1.00 times as fast").waitFor();
+    assert.equal((await saved(page, "save-motion")).text, motion.text);
   }
   await page.getByRole("button", { name: "Back to the model" }).click();
   await page.getByText("Made by the model").waitFor();

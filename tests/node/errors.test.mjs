@@ -124,6 +124,11 @@ it("errors have a name, a code of the declared ones, and words", () => {
     ["rollout", () => model.rollout({ frames: 0, sequence: 0 }), /expected from 1 to \d+ frames, found 0/],
     [
       "rollout",
+      () => model.rollout({ frames: 9, handles: { tempo: 2 } }),
+      /a tmp, dmp-.* found a vgpdm model$/,
+    ],
+    [
+      "rollout",
       () => model.rollout({ frames: 5, sequence: 0, alpha: [[0]] }),
       /expected a positive coupling variance/,
     ],

@@ -1,22 +1,33 @@
-import { beforeEach, expect, it } from "vitest";
+import { beforeEach, expect, it, vi } from "vitest";
 import { FakeProgram } from "../engine/whole-workers.fake";
 import { FakeAddressBar } from "../settings/address.fake";
 import { SettingsStore } from "../settings/settings-store";
 import { Playback } from "../stage/playback";
 import { StageStore } from "../stage/stage-store";
+import type { HandlesView } from "../live/handles-view";
+import { NoticesStore } from "../ui/notices-store";
+import { WordsStore } from "../words/words";
 import { otherModelOnStage, showAnyModel } from "./any-model";
 
+const words = new WordsStore();
+const notices = new NoticesStore();
 let settings: SettingsStore;
+let playback: Playback;
 let stage: StageStore;
 let program: FakeProgram;
-beforeEach(() => {
+beforeEach(async () => {
+  const documentElement = { lang: "" };
+  Object.assign(globalThis, { document: { documentElement, createElement: () => ({}) } });
+  await words.load("en");
   settings = new SettingsStore(new FakeAddressBar("frames=120"));
-  stage = new StageStore(new Playback(settings));
+  playback = new Playback(settings);
+  stage = new StageStore(playback);
   program = new FakeProgram();
 });
 
-const show = (name: string, text: string) =>
-  showAnyModel({ stage, settings, workers: program }, { name, text, link: null });
+const page = () => ({ stage, playback, settings, notices, words, workers: program });
+
+const show = (name: string, text: string) => showAnyModel(page(), { name, text, link: null });
 
 /** The motion of a model with couplings. */
 function showModel(): void {
@@ -33,12 +44,30 @@ it("shows the motion of a model without couplings, as long as that of the model,
     kind: "clip",
     joints: ["hips"],
     motion: { frames: 120 },
-    caption: { title: "Made by a TMP", text: expect.stringContaining("without couplings") },
+    caption: { title: "Made by a TMP", text: expect.stringContaining("change its tempo") },
   });
   expect(otherModelOnStage(stage)).toMatchObject({
     ...{ name: "walk", kind: "tmp", bvh: "HIERARCHY" },
     ...{ text: '{"kind":"tmp"}', modelFile: "" },
   });
+});
+
+it("has the handles of a TMP or DMP, whose motion has the learned one as its outline", async () => {
+  await show("a.json", '{"kind":"map-gpdm"}');
+  expect(stage.content?.controls).toBe(undefined);
+  await show("a.json", '{"kind":"dmp-discrete"}');
+  const learned = stage.content?.motion;
+  const { handles } = stage.content!.controls as HandlesView;
+  handles.tempo = 2;
+  await vi.waitFor(() => expect(stage.content?.ghost).toBe(learned));
+  expect(otherModelOnStage(stage)).toMatchObject({
+    name: "a",
+    handles: { tempo: 2 },
+    text: '{"kind":"dmp-discrete"}',
+  });
+  showModel();
+  stage.endClip();
+  expect(handles.running).toBe(false);
 });
 
 it("goes when the model comes back", async () => {
@@ -52,7 +81,7 @@ it("goes when the model comes back", async () => {
 it("is named by the address that brought it until it leaves the stage", async () => {
   showModel();
   const link = { frames: 60, take: () => settings.change({ modelFile: "b.json", frames: 60 }) };
-  await showAnyModel({ stage, settings, workers: program }, { name: "b.json", text: '{"kind":"tmp"}', link });
+  await showAnyModel(page(), { name: "b.json", text: '{"kind":"tmp"}', link });
   expect(otherModelOnStage(stage)).toMatchObject({ motion: { frames: 60 }, modelFile: "b.json" });
   showModel();
   expect(settings.values.modelFile).toBe("b.json");

@@ -1,10 +1,15 @@
 // Models of kinds without couplings: their motion moves on the stage in front of the model, whose couplings stay.
 // Loaded at the first use.
 import type { WholeWorkers } from "../engine/whole-workers";
-import type { MadeMotion } from "../engine/whole-protocol";
+import type { Drag, Handles, MadeMotion } from "../engine/whole-protocol";
+import type { Playback } from "../stage/playback";
+import type { NoticesStore } from "../ui/notices-store";
+import { loadPerforming, performingWords } from "../words/sections";
+import type { WordsStore } from "../words/words";
 import { modelStyle } from "../figures/model-style";
 import type { SettingsStore } from "../settings/settings-store";
 import type { StageContent, StageStore } from "../stage/stage-store";
+import { messageOf, sentence } from "../ui/format";
 import { lab } from "../words/lab";
 import { OTHER_MODEL } from "../couplings/model-document";
 
@@ -28,39 +33,59 @@ interface BringingLink {
   take(): void;
 }
 
+/** What the page gives. */
+interface Stage {
+  stage: StageStore;
+  playback: Playback;
+  settings: SettingsStore;
+  workers: WholeWorkers;
+  notices: NoticesStore;
+  words: WordsStore;
+}
+
 /** Rolls the model out and shows its motion. `name`: that of its file. `link`: null for a visitor's file. */
 export async function showAnyModel(
-  { stage, settings, workers }: { stage: StageStore; settings: SettingsStore; workers: WholeWorkers },
+  app: Stage,
   { name, text, link }: { name: string; text: string; link: BringingLink | null },
 ): Promise<void> {
+  const { stage, settings, workers } = app;
   const { frames } = link ?? settings.values;
-  const made = await workers.desk.run((worker) => worker.rollOutAny(text, frames));
-  const { figure, joints, parts, motion, kind } = made;
-  const words = lab().stage.otherKind;
-  const caption = { title: words.made(modelStyle(kind).name), text: words.noCouplings };
-  const names = joints.map(({ name }) => name);
-  const content: StageContent = {
-    kind: "clip",
-    clip: OTHER_MODEL,
-    figure,
-    joints: names,
-    parts,
-    motion,
-    caption,
-  };
+  const roll = (handles?: Handles, drag?: Drag) =>
+    workers.desk.run((worker) => worker.rollOutAny(text, frames, handles, drag));
+  const made = await roll();
+  const hasHandles = /tmp|dmp/.test(made.kind);
+  const [module] = await Promise.all(
+    hasHandles
+      ? [import("../live/handles-store"), import("../live/handles-view"), loadPerforming(app.words)]
+      : [],
+  );
   link?.take();
   const { modelFile, packedModel } = settings.values;
-  shown.set(content, {
-    ...made,
-    text,
-    name: name.replace(/(\.model)?\.json$/i, ""),
-    modelFile: link ? modelFile : "",
-  });
-  stage.showClip(content);
+  const words = lab().stage.otherKind;
+  const caption = {
+    title: words.made(modelStyle(made.kind).name),
+    text: hasHandles ? performingWords().handles.caption : words.noCouplings,
+  };
+  const named = { text, name: name.replace(/(\.model)?\.json$/i, ""), modelFile: link ? modelFile : "" };
+  let content: StageContent | null = null;
+  const show = (now: MadeMotion) => {
+    const { figure, parts, motion } = now;
+    const joints = now.joints.map(({ name }) => name);
+    content = { kind: "clip", clip: OTHER_MODEL, figure, joints, parts, motion, caption };
+    if (now !== made) content.ghost = made.motion;
+    if (controls) content.controls = controls;
+    shown.set(content, { ...now, ...named });
+    stage.showClip(content);
+  };
+  const isShown = () => stage.content === content;
+  const failed = (problem: unknown) => app.notices.addError(caption.title, sentence(messageOf(problem)));
+  const store = module && new module.HandlesStore(app.playback, made, isShown, roll, show, failed);
+  const controls = store && Object.assign(document.createElement("pg-handles"), { handles: store });
+  show(made);
   if (!link) return;
   // The address brings this model as long as the model is on the stage.
   const stop = stage.on(() => {
-    if (stage.content === content) return;
+    if (isShown()) return;
     stop();
     const now = settings.values;
     if (now.modelFile === modelFile && now.packedModel === packedModel)

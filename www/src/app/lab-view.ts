@@ -128,7 +128,7 @@ export class LabView extends View {
 
   #stageArea() {
     const { stage, playback, settings, clips, model, phases, words, isPlayView } = this.app;
-    // The first clip on the stage loads the handles; after a failure the next clip tries again.
+    // The first clip on the stage loads the marks of its ends; after a failure the next clip tries again.
     if (stage.clip !== null) import("../clips/trim-view").catch(() => {});
     return html`
       <section class="stage-area" aria-label=${words.now.frame.stage}>
@@ -138,6 +138,7 @@ export class LabView extends View {
         <pg-phase-clock .phases=${phases} .playback=${playback} .words=${lab().clock}></pg-phase-clock>
         ${stage.clip === null ? nothing : html`<pg-trim .clips=${clips} .stage=${stage} .playback=${playback}></pg-trim>`}
         <div>${this.#liveView?.() ?? nothing}</div>
+        ${stage.content?.controls}
         <pg-timeline @set-seconds=${({ detail }: CustomEvent<number>) => model.setSeconds(detail)} .stage=${stage} .playback=${playback} .settings=${settings}></pg-timeline>
       </section>`;
   }

@@ -43,7 +43,9 @@ async function follow(fragment: string): Promise<void> {
 const notices = () => app.notices.all.map(({ title, text }) => `${title}: ${text}`);
 
 beforeEach(() => {
-  Object.assign(globalThis, { document: { documentElement: { lang: "" }, baseURI: "https://a.org/p/" } });
+  const createElement = () => ({});
+  const page = { documentElement: { lang: "" }, baseURI: "https://a.org/p/", createElement };
+  Object.assign(globalThis, { document: page });
   vi.unstubAllGlobals();
 });
 

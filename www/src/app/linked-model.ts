@@ -1,4 +1,5 @@
 // Opens the model that an address brings: in itself, or in a file of the page's host. Loaded at the first use.
+import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
 import type { ModelStore } from "../couplings/model-store";
 import { stageWork } from "../couplings/model-work";
@@ -23,6 +24,7 @@ interface Stores {
   settings: SettingsStore;
   engine: EngineStore;
   stage: StageStore;
+  playback: Playback;
   model: ModelStore;
   training: TrainingStore;
   notices: NoticesStore;

@@ -4,6 +4,7 @@ import type {
   Candidate,
   Comparison,
   FinishedJob,
+  Handles,
   Job,
   MadeMovement,
   ModelKind,
@@ -299,6 +300,16 @@ export interface PerceptionWorker {
   makeStudy(request: StudyRequest): Promise<string>;
 }
 
+/** A drag of a TMP's or DMP's figure. */
+export interface Drag {
+  frame: number;
+  node: number;
+  /** The wanted place of the node, in metres from the root. */
+  place: [number, number, number];
+  /** What it changes: the pose of the frame, or the goal. */
+  changes: "pose" | "goal";
+}
+
 /** A motion that a model of any kind has made. */
 export interface MadeMotion {
   kind: ModelKind;
@@ -308,11 +319,16 @@ export interface MadeMotion {
   motion: Motion;
   /** The motion as BVH. */
   bvh: string;
+  /** What was changed. */
+  handles: Handles;
 }
 
 export interface AnyModelWorker {
-  /** The rollout of a model of any kind, from the start of its first sequence. */
-  rollOutAny(text: string, frames: number): MadeMotion;
+  /**
+   * The rollout of a model of any kind, from the start of its first sequence; that of a TMP or DMP under handles and
+   * a drag, which is added to them.
+   */
+  rollOutAny(text: string, frames: number, handles?: Handles, drag?: Drag): MadeMotion;
 }
 
 /** All calls of a worker that runs the whole program. */

@@ -12,6 +12,7 @@ import type {
   EvaluationJob,
   Experiment,
   FinishedJob,
+  Handles,
   Job,
   CompletionRequest,
   MadeMotion,
@@ -66,12 +67,12 @@ export const clip = (id: number): TrainingClip => ({
 });
 
 /** The motion of a model of another kind, whose document has only its kind. */
-function made(text: string, frames: number): MadeMotion {
+function made(text: string, frames: number, handles: Handles = {}): MadeMotion {
   const { kind } = JSON.parse(text) as { kind: ModelKind };
   const figure = { nodes: [{ joint: 0, parent: null, endSite: false }] };
   const joints = [{ name: "hips", parent: null, channels: [] }];
   const motion = { positions: new Float32Array(3 * frames), frames, nodes: 1, frameTime: 0.1 };
-  return { kind, figure, joints, parts: [{ name: "whole", joints: [0] }], motion, bvh: "HIERARCHY" };
+  return { kind, figure, joints, parts: [{ name: "whole", joints: [0] }], motion, bvh: "HIERARCHY", handles };
 }
 
 const idOf = ({ candidate, heldOut, trainingTrials, seed }: Job) =>
@@ -264,7 +265,7 @@ export class FakeProgram implements WholeWorkers {
       openOutlook: async (text) => {
         this.outlooks.push(text);
       },
-      rollOutAny: async (text, frames) => made(text, frames),
+      rollOutAny: async (text, frames, handles) => made(text, frames, handles),
       complete: async (request) => {
         this.completions.push(request);
         failing();

@@ -1,6 +1,14 @@
-// Limbs of a live figure follow the pointer.
+// Limbs of a figure follow the pointer.
 import type { StageView } from "../stage/stage-view";
-import type { LiveStore } from "./live-store";
+
+/** A figure whose limbs can be dragged. */
+interface Draggable {
+  /** Whether it is on the stage. */
+  readonly running: boolean;
+  /** A node follows its place in the picture, shifted by metres. */
+  reach(node: number, by: readonly [number, number, number]): void;
+  letGo(node: number): void;
+}
 
 /** Pixels around a node in which the pointer can grab it. */
 const REACH = 26;
@@ -9,7 +17,7 @@ const REACH = 26;
  * A node near the pointer follows it while the pointer is held, as far as the poses of the model allow; anywhere
  * else a drag turns the camera. Returns a function that ends this.
  */
-export function letDragLimbs(stage: StageView, live: LiveStore): () => void {
+export function letDragLimbs(stage: StageView, live: Draggable): () => void {
   const picture = stage.querySelector("canvas");
   if (!picture) return () => {};
   /** The node, and where the pointer is relative to it, in pixels. */

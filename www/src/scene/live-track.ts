@@ -1,6 +1,6 @@
 // The last seconds of a motion without an end, with its latents.
 import type { Motion } from "../engine/protocol";
-import { HERE, type Placement, placeOnto, poseAt } from "./motion";
+import { HERE, type Placement, placeOnto, poseAt, turnedBack } from "./motion";
 
 export class LiveTrack {
   /** The number of the first stored frame, counted from the start. */
@@ -100,9 +100,8 @@ export class LiveTrack {
   }
 
   /** A displacement on the stage in the axes of the motion before its placement. */
-  turnedBack([x, y, z]: readonly [number, number, number]): [number, number, number] {
-    const [c, s] = [Math.cos(this.#placement.yaw), Math.sin(this.#placement.yaw)];
-    return [c * x - s * z, y, s * x + c * z];
+  turnedBack(by: readonly [number, number, number]): [number, number, number] {
+    return turnedBack(this.#placement, by);
   }
 
   #forget(frames: number): void {

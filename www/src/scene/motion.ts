@@ -10,6 +10,15 @@ export interface Placement {
 
 export const HERE: Placement = { yaw: 0, x: 0, z: 0 };
 
+/** A displacement on the stage in the axes of a motion before its placement. */
+export function turnedBack(
+  { yaw }: Placement,
+  [x, y, z]: readonly [number, number, number],
+): [number, number, number] {
+  const [c, s] = [Math.cos(yaw), Math.sin(yaw)];
+  return [c * x - s * z, y, s * x + c * z];
+}
+
 /** The placed pose [nodes x 3] at a frame, which need not be whole. */
 export function poseAt(motion: Motion, frame: number, placement: Placement, out: Float32Array): Float32Array {
   const { positions, frames, nodes } = motion;
@@ -179,6 +188,11 @@ export class Walk {
   alignWith(frame: number, pose: Float32Array): void {
     this.#before = null;
     this.#placement = placeOnto(poseAt(this.motion, frame, HERE, this.#pose), pose);
+  }
+
+  /** A displacement on the stage in the axes of the motion before its placement. */
+  turnedBack(by: readonly [number, number, number]): [number, number, number] {
+    return turnedBack(this.#placement, by);
   }
 
   at(frame: number): Float32Array {

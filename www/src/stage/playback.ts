@@ -29,6 +29,11 @@ export class Playback extends Clock {
     return (this.#live ?? this.#walk)?.at(this.player.frame) ?? null;
   }
 
+  /** A displacement on the stage in the axes of the motion before its placement. */
+  turnedBack(by: readonly [number, number, number]): [number, number, number] {
+    return (this.#live ?? this.#walk)?.turnedBack(by) ?? [0, 0, 0];
+  }
+
   /** Seconds of the motion now. */
   get seconds(): number {
     return this.frame * (this.#walk?.motion.frameTime ?? 0);

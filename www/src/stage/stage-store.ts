@@ -35,6 +35,8 @@ export interface StageContent {
   ghost?: Motion;
   /** The text over the figure. */
   caption?: { title: string; text: string };
+  /** What changes the motion, under the stage of the Lab. */
+  controls?: HTMLElement;
 }
 
 /** The poses of an inducing point, and its weights. */

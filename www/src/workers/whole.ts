@@ -3,6 +3,7 @@
 // are no body. No DOM.
 import init, {
   Model,
+  type Rollout,
   SyntheticExperiment,
   Trainer,
   analysePerception,
@@ -13,7 +14,9 @@ import init, {
 import type {
   WholeWorker,
   AnyModelWorker,
+  Drag,
   ExperimentWorker,
+  Handles,
   PerceptionWorker,
   StudyChange,
   StudyInfo,
@@ -147,16 +150,38 @@ const experimentWorker: ExperimentWorker = {
     }),
 };
 
+/** The handles with a drag. `by`: its displacement of all columns, under these handles. */
+function dragged(
+  handles: Handles,
+  { frame, changes }: Drag,
+  by: (handles: Handles) => Float64Array,
+): Handles {
+  const { push: _, ...others } = handles;
+  if (changes === "pose") return { ...handles, push: { frame, by: [...by(others)] } };
+  const goal = Array.from(
+    by(handles),
+    (displacement, column) => displacement + (handles.goal?.[column] ?? 0),
+  );
+  return { ...handles, goal };
+}
+
 const anyModelWorker: AnyModelWorker = {
-  rollOutAny: (text, frames) =>
+  rollOutAny: (text, frames, before = {}, drag) =>
     using(Model.fromJson(text), (model) => {
+      const roll = <T>(handles: Handles, use: (rollout: Rollout) => T) =>
+        using(model.rollout({ frames, sequence: 0, handles }), use);
+      const handles = drag
+        ? dragged(before, drag, (under) =>
+            roll(under, (rollout) => rollout.dragged(drag.frame, drag.node, ...drag.place)),
+          )
+        : before;
       const { kind, figure, joints, parts, frameTime } = model.info();
       if (!figure || !joints) throw new Error("expected a model of a body, found a model of tables");
-      return using(model.rollout({ frames, sequence: 0 }), (rollout) => {
+      return roll(handles, (rollout) => {
         const positions = rollout.positions();
         const motion = { positions, frames: rollout.frames, nodes: figure.nodes.length, frameTime };
         return transfer(
-          { kind, figure, joints, parts, motion, bvh: rollout.toBvh({ plainNames: true }) },
+          { kind, figure, joints, parts, motion, bvh: rollout.toBvh({ plainNames: true }), handles },
           positions,
         );
       });

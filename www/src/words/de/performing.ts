@@ -1,4 +1,5 @@
 // The words of what a visitor does live and records, in German.
+import { decimal } from "../../ui/decimal";
 import type { PerformingWords } from "../en/performing";
 
 export const words: PerformingWords = {
@@ -40,5 +41,21 @@ export const words: PerformingWords = {
     step: "Links, rechts, links: Jeder Druck ist ein Schritt. Wo du wartest, wartet der Körper.",
     same: "Das Modell hat kein Hüpfen gesehen: Dazwischen tritt der andere Fuß auf.",
     fast: "Schneller, als das Modell es kennt: Es geht doppelt so schnell, wie es gelernt hat.",
+  },
+  handles: {
+    caption: "Ein Modell ohne Kopplungen: Zieh an der Figur, oder ändere unten sein Tempo",
+    title: "Griffe des Bewegungsprimitivs",
+    curve:
+      "Eine Kurve über der Zeit: Zieh an einem Glied und lass los, und die Bewegung ist sofort zurück auf ihrer Kurve.",
+    system:
+      "Ein dynamisches System: Zieh an einem Glied und lass los, und eine Feder zieht es zurück zur Bewegung.",
+    tempo: (times) => `${decimal("de", times, 2)}-mal so schnell`,
+    drag: "Ziehen ändert",
+    pose: "diese Pose, am Anfang den Start",
+    goal: "das Ziel",
+    centre: "die Mitte der Bewegung",
+    lift: "Hand heben",
+    liftMeaning: "Wie wenn du eine Hand um 30 cm ziehst",
+    reset: "Wie gelernt",
   },
 };

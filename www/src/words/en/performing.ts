@@ -1,4 +1,6 @@
 // The words of what a visitor does live and records, in English.
+import { decimal } from "../../ui/decimal";
+
 export const words = {
   record: (seconds: number) => `Record ${seconds} s`,
   recordMeaning: "Records what the figure does while you move it: it becomes a clip",
@@ -38,6 +40,20 @@ export const words = {
     step: "Left, right, left: each press is a step. Where you wait, the body waits.",
     same: "The model has seen no hops: the other foot steps in between.",
     fast: "Faster than the model knows: it walks at twice the pace that it learned.",
+  },
+  handles: {
+    caption: "A model without couplings: drag the figure, or change its tempo below",
+    title: "Handles of the movement primitive",
+    curve: "A curve over time: drag a limb and let go, and the movement is back on its curve at once.",
+    system: "A dynamical system: drag a limb and let go, and a spring takes it back to the movement.",
+    tempo: (times: number) => `${decimal("en", times, 2)} times as fast`,
+    drag: "A drag changes",
+    pose: "this pose, at the beginning the start",
+    goal: "the goal",
+    centre: "the centre of the movement",
+    lift: "Lift a hand",
+    liftMeaning: "As a drag of a hand by 30 cm",
+    reset: "As learned",
   },
 };
 

@@ -1,0 +1,71 @@
+import { beforeEach, expect, it, vi } from "vitest";
+import type { Drag, Handles, MadeMotion } from "../engine/whole-protocol";
+import { Playback } from "../stage/playback";
+import { HandlesStore } from "./handles-store";
+
+/** A root, a hand on each side of it, and a foot, 10 frames. */
+const POSE = [0, 1, 0, 0.5, 1, 0, -0.7, 1.1, 0, 0.9, 0, 0];
+const made = (handles: Handles): MadeMotion => ({
+  kind: "dmp-rhythmic",
+  figure: { nodes: POSE.slice(0, 4).map(() => ({ joint: 0, parent: null, endSite: false })) },
+  joints: [],
+  parts: [],
+  motion: {
+    positions: new Float32Array(Array.from({ length: 10 }, () => POSE).flat()),
+    frames: 10,
+    nodes: 4,
+    frameTime: 0.1,
+  },
+  bvh: "",
+  handles,
+});
+
+let playback: Playback;
+let asked: [Handles, Drag?][];
+let isShown: boolean;
+let handles: HandlesStore;
+beforeEach(() => {
+  [playback, asked, isShown] = [new Playback(), [], true];
+  const roll = async (before: Handles, drag?: Drag) => {
+    asked.push([before, drag]);
+    return made(drag ? { ...before, push: { frame: drag.frame, by: [1] } } : before);
+  };
+  const first = made({});
+  playback.load(first.motion, { whole: true, goesOn: false });
+  playback.seek(4.4);
+  handles = new HandlesStore(playback, first, () => isShown, roll, vi.fn(), vi.fn());
+});
+
+it("holds the figure in the frame of a drag, and plays on when it is let go", async () => {
+  playback.play();
+  handles.reach(1, [0, 0.2, 0]);
+  expect([playback.playing, playback.frame]).toEqual([false, 4]);
+  await vi.waitFor(() => expect(handles.isAsLearned).toBe(false));
+  // The drag goes on from the handles before it.
+  handles.reach(1, [0, 0.3, 0]);
+  await vi.waitFor(() => expect(asked).toHaveLength(2));
+  const [before, drag] = asked[1]!;
+  expect(before).toEqual({});
+  expect(drag).toMatchObject({ frame: 4, node: 1, changes: "pose" });
+  expect(drag!.place[1]).toBeCloseTo(0.3);
+  handles.letGo();
+  expect(playback.playing).toBe(true);
+});
+
+it("keeps a push while the tempo changes, and forgets both", async () => {
+  handles.choose("goal");
+  handles.lift();
+  await vi.waitFor(() => expect(handles.isAsLearned).toBe(false));
+  // The hand that is farther from the root; a foot is no hand.
+  expect(asked[0]![1]).toMatchObject({ node: 2, changes: "goal" });
+  handles.tempo = 0.5;
+  await vi.waitFor(() => expect(handles.tempo).toBe(0.5));
+  expect(asked[1]![0]).toMatchObject({ tempo: 0.5, push: { frame: 4 } });
+  handles.reset();
+  await vi.waitFor(() => expect(handles.isAsLearned).toBe(true));
+});
+
+it("has no limbs to drag while another motion is on the stage", () => {
+  isShown = false;
+  expect(handles.running).toBe(false);
+});

@@ -1,0 +1,103 @@
+// The handles of a TMP or DMP on the stage: its tempo, and its pose or goal, which a drag of the figure changes.
+import { Latest } from "../engine/latest";
+import type { Drag, Handles, MadeMotion } from "../engine/whole-protocol";
+import type { Playback } from "../stage/playback";
+import { Store } from "../ui/store";
+
+export class HandlesStore extends Store {
+  /** What a drag changes. */
+  changes: Drag["changes"] = "pose";
+  /** Where the drag began; null: no drag. */
+  #grabbed: { frame: number; handles: Handles; played: boolean } | null = null;
+  readonly #rolls: Latest<[Handles, Drag?], MadeMotion>;
+
+  /**
+   * `roll`: the motion under these handles and a drag, which it adds to them. `isShown`: whether the motion is on
+   * the stage.
+   */
+  constructor(
+    private readonly playback: Playback,
+    private made: MadeMotion,
+    private readonly isShown: () => boolean,
+    roll: (handles: Handles, drag?: Drag) => Promise<MadeMotion>,
+    show: (made: MadeMotion) => void,
+    failed: (problem: unknown) => void,
+  ) {
+    super();
+    const take = (next: MadeMotion) => {
+      this.made = next;
+      if (this.running) show(next);
+      this.changed();
+    };
+    this.#rolls = new Latest(([handles, drag]) => roll(handles, drag), take, failed);
+  }
+
+  get kind() {
+    return this.made.kind;
+  }
+
+  /** Whether limbs can be dragged. */
+  get running(): boolean {
+    return this.isShown();
+  }
+
+  get tempo(): number {
+    return this.made.handles.tempo ?? 1;
+  }
+
+  set tempo(tempo: number) {
+    this.#rolls.request([{ ...this.made.handles, tempo }]);
+  }
+
+  choose(changes: Drag["changes"]): void {
+    this.changes = changes;
+    this.changed();
+  }
+
+  /** The motion as learned. */
+  reset(): void {
+    this.#rolls.request([{}]);
+  }
+
+  get isAsLearned(): boolean {
+    const { goal, push } = this.made.handles;
+    return this.tempo === 1 && !goal && !push;
+  }
+
+  /** Holds the figure in this frame, with a node at its place in the picture, shifted by metres. */
+  reach(node: number, by: readonly [number, number, number]): void {
+    const { playback } = this;
+    this.#grabbed ??= {
+      frame: Math.round(playback.frame),
+      handles: this.made.handles,
+      played: playback.playing,
+    };
+    const { frame, handles } = this.#grabbed;
+    if (playback.playing) playback.scrub(frame);
+    const { pose } = playback;
+    if (!pose) return;
+    const fromRoot = (axis: 0 | 1 | 2) => (pose[3 * node + axis] ?? 0) - (pose[axis] ?? 0) + by[axis];
+    const place = playback.turnedBack([fromRoot(0), fromRoot(1), fromRoot(2)]);
+    this.#rolls.request([handles, { frame, node, place, changes: this.changes }]);
+  }
+
+  /** Lets the figure go. */
+  letGo(): void {
+    if (this.#grabbed?.played) this.playback.play();
+    this.#grabbed = null;
+  }
+
+  /** Lifts a hand: what a drag does, without a pointer. */
+  lift(): void {
+    const { pose } = this.playback;
+    if (!pose) return;
+    const away = (node: number) => Math.hypot(pose[3 * node]! - pose[0]!, pose[3 * node + 2]! - pose[2]!);
+    const nodes = this.made.figure.nodes.map((_, node) => node);
+    const high = nodes.filter((node) => pose[3 * node + 1]! > 0.7 * pose[1]!);
+    this.reach(
+      high.reduce((a, b) => (away(b) > away(a) ? b : a)),
+      [0, 0.3, 0],
+    );
+    this.letGo();
+  }
+}

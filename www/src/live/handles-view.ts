@@ -1,0 +1,47 @@
+// The handles of a TMP or DMP under the stage.
+import { html, nothing } from "lit";
+import type { StageView } from "../stage/stage-view";
+import { View } from "../ui/view";
+import { performingWords } from "../words/sections";
+import { letDragLimbs } from "./drag-limbs";
+import type { HandlesStore } from "./handles-store";
+import "./live.css";
+
+export class HandlesView extends View {
+  declare handles: HandlesStore;
+
+  protected override stores() {
+    return [this.handles];
+  }
+
+  protected override arrived(): void {
+    const stage = this.closest(".stage-area")?.querySelector<StageView>("pg-stage");
+    if (stage) this.whenLeaving(letDragLimbs(stage, this.handles));
+  }
+
+  protected override render() {
+    const { handles } = this;
+    const words = performingWords().handles;
+    const isCurve = handles.kind === "tmp";
+    const option = (changes: "pose" | "goal", text: string) =>
+      html`<button class="chip" aria-pressed=${handles.changes === changes ? "true" : "false"} data-testid="drag-${changes}" @click=${() => handles.choose(changes)}>${text}</button>`;
+    const tempo = ({ target }: Event) => {
+      handles.tempo = 2 ** Number((target as HTMLInputElement).value);
+    };
+    return html`
+      <section class="live-strip" aria-label=${words.title} data-testid="handles">
+        <p role="status">${isCurve ? words.curve : words.system}</p>
+        <label><input type="range" min="-1" max="1" step="0.1" data-testid="handle-tempo" .value=${String(Math.log2(handles.tempo))} @input=${tempo} /> ${words.tempo(handles.tempo)}</label>
+        <div class="row" role="group" aria-label=${words.drag}>${isCurve ? nothing : html`${words.drag} ${option("pose", words.pose)}${option("goal", handles.kind === "dmp-rhythmic" ? words.centre : words.goal)}`}</div>
+        <div class="row"><button class="small" data-testid="lift" title=${words.liftMeaning} @click=${() => handles.lift()}>${words.lift}</button>
+        <button class="small" data-testid="handles-reset" ?disabled=${handles.isAsLearned} @click=${() => handles.reset()}>${words.reset}</button></div>
+      </section>`;
+  }
+}
+customElements.define("pg-handles", HandlesView);
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pg-handles": HandlesView;
+  }
+}
