@@ -303,12 +303,12 @@ seldom.it("a model of a kind without couplings moves, says so, and its motion is
     assert.equal(await asLearned.isEnabled(), false);
     await page.getByTestId("lift").click();
     await page.getByTestId("handle-tempo").fill("1");
-    await handles.getByText("2.00 times as fast").waitFor();
+    await handles.getByText("Tempo 2.00").waitFor();
     const changed = await saved(page, "save-motion");
     assert.notEqual(changed.text, motion.text);
     assert.ok(!/NaN|inf/i.test(changed.text));
     await asLearned.click();
-    await handles.getByText("1.00 times as fast").waitFor();
+    await handles.getByText("Tempo 1.00").waitFor();
     assert.equal((await saved(page, "save-motion")).text, motion.text);
   }
   await page.getByRole("button", { name: "Back to the model" }).click();

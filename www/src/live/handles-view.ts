@@ -5,7 +5,7 @@ import { View } from "../ui/view";
 import { performingWords } from "../words/sections";
 import { letDragLimbs } from "./drag-limbs";
 import type { HandlesStore } from "./handles-store";
-import "./live.css";
+import "./handles.css";
 
 export class HandlesView extends View {
   declare handles: HandlesStore;
@@ -23,18 +23,22 @@ export class HandlesView extends View {
     const { handles } = this;
     const words = performingWords().handles;
     const isCurve = handles.kind === "tmp";
-    const option = (changes: "pose" | "goal", text: string) =>
-      html`<button class="chip" aria-pressed=${handles.changes === changes ? "true" : "false"} data-testid="drag-${changes}" @click=${() => handles.choose(changes)}>${text}</button>`;
+    const option = (changes: "pose" | "goal", text: string, meaning = "") =>
+      html`<button class="chip" aria-pressed=${handles.changes === changes ? "true" : "false"} data-testid="drag-${changes}" title=${meaning} @click=${() => handles.choose(changes)}>${text}</button>`;
     const tempo = ({ target }: Event) => {
       handles.tempo = 2 ** Number((target as HTMLInputElement).value);
     };
     return html`
-      <section class="live-strip" aria-label=${words.title} data-testid="handles">
+      <section class="row wrap note" aria-label=${words.title} data-testid="handles">
         <p role="status">${isCurve ? words.curve : words.system}</p>
-        <label><input type="range" min="-1" max="1" step="0.1" data-testid="handle-tempo" .value=${String(Math.log2(handles.tempo))} @input=${tempo} /> ${words.tempo(handles.tempo)}</label>
-        <div class="row" role="group" aria-label=${words.drag}>${isCurve ? nothing : html`${words.drag} ${option("pose", words.pose)}${option("goal", handles.kind === "dmp-rhythmic" ? words.centre : words.goal)}`}</div>
-        <div class="row"><button class="small" data-testid="lift" title=${words.liftMeaning} @click=${() => handles.lift()}>${words.lift}</button>
-        <button class="small" data-testid="handles-reset" ?disabled=${handles.isAsLearned} @click=${() => handles.reset()}>${words.reset}</button></div>
+        <label class="row">${words.tempo(handles.tempo)} <input type="range" min="-1" max="1" step="0.1" data-testid="handle-tempo" .value=${String(Math.log2(handles.tempo))} @input=${tempo} /></label>
+        ${
+          isCurve
+            ? nothing
+            : html`<div class="row" role="group" aria-label=${words.drag}>${words.drag}${option("pose", words.pose, words.poseMeaning)}${option("goal", handles.kind === "dmp-rhythmic" ? words.centre : words.goal)}</div>`
+        }
+        <button class="small" data-testid="lift" title=${words.liftMeaning} @click=${() => handles.lift()}>${words.lift}</button>
+        <button class="small" data-testid="handles-reset" ?disabled=${handles.isAsLearned} @click=${() => handles.reset()}>${words.reset}</button>
       </section>`;
   }
 }

@@ -78,7 +78,8 @@ export class PictureView extends View {
   #lead(): string {
     const { stage, model, training } = this.app;
     const { lead, otherKind } = lab().stage;
-    if (stage.content?.kind === "clip") return lead.clip;
+    // The caption of a motion by another model says enough.
+    if (stage.content?.kind === "clip") return stage.content.caption ? "" : lead.clip;
     if (stage.content?.kind !== "model") return otherKind.noCouplings;
     if (stage.content.live) return lead.live;
     if (model.couplings.altered) {

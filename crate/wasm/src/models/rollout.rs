@@ -154,7 +154,7 @@ impl Rollout {
     }
 
     /// The displacement of all columns with which a node of the figure in a frame, counted from 0, is near a place,
-    /// in metres from the root: the joints turn as little as possible. For the `handles` of a TMP or DMP.
+    /// in metres from the root: the joints turn as little as possible, those that carry many others least. For the `handles` of a TMP or DMP.
     #[cfg(feature = "training")]
     pub fn dragged(
         &self,

@@ -8,12 +8,14 @@ use nalgebra::{DMatrix, DVector, Vector3};
 
 /// A dragged node should be this near to its place, in metres.
 const NEAR: f64 = 0.01;
-/// A joint turns by about this much for it, in radians.
-const TURN: f64 = 0.5;
+/// A joint that carries no other turns by about this much for it, in radians; one that carries n others is n + 1 times
+/// as stiff.
+const TURN: f64 = 1.0;
 
 impl Body {
     /// The displacement of all columns `[D]` with which a node of the figure in frame `frame` of `y` [frames x D] is
-    /// near `place`, in metres from the root in a world with y up: the joints turn as little as possible.
+    /// near `place`, in metres from the root in a world with y up. The joints turn as little as possible, those that
+    /// carry many others least.
     ///
     /// # Errors
     ///
@@ -44,11 +46,21 @@ impl Body {
             row.iter_mut().skip(ROOT_COLUMNS.len()).zip(turns.iter()).for_each(|(column, by)| *column += by);
             row
         };
+        let joints = &self.mapping.skeleton().joints;
+        let mut carried = vec![1.0; joints.len()];
+        for (joint, parent) in
+            joints.iter().enumerate().rev().filter_map(|(joint, at)| Some((joint, at.parent?)))
+        {
+            carried[parent] += carried[joint];
+        }
         let residuals = |turns: &DVector<f64>| {
             let positions = self.positions(&turned(turns)).ok()?;
             let at = |node: usize| Vector3::from_fn(|axis, _| f64::from(positions[3 * node + axis]));
             let off = (at(node) - at(0) - wanted) / NEAR;
-            let all = off.iter().copied().chain(turns.iter().map(|turn| turn / TURN));
+            let all = off
+                .iter()
+                .copied()
+                .chain(turns.iter().enumerate().map(|(column, turn)| turn * carried[1 + column / 3] / TURN));
             Some(DVector::from_iterator(3 + turns.len(), all))
         };
         let turns = minimum(DVector::zeros(y.ncols() - ROOT_COLUMNS.len()), residuals);
@@ -94,7 +106,8 @@ mod tests {
         assert!(by[..ROOT_COLUMNS.len()].iter().all(|&change| change == 0.0));
         let handles = Handles { push: Some(PosePush { frame, by }), ..Handles::default() };
         let pushed = positions(&model.rollout_with(0, 90, &handles).unwrap());
-        assert!(apart(from_root(&pushed, frame, hand), place) < 0.02);
+        let missed = apart(from_root(&pushed, frame, hand), place);
+        assert!(missed < 0.02, "{missed}");
         let learned = positions(&y);
         let off = |frame| apart(from_root(&pushed, frame, hand), from_root(&learned, frame, hand));
         assert!(off(frame + 1) > 0.03 && off(frame + 30) < 1e-3, "{} {}", off(frame + 1), off(frame + 30));
