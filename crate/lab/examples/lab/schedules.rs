@@ -7,7 +7,7 @@ use clap::Args;
 use std::path::PathBuf;
 use vcgpdm::models::variational::VariationalTrainer;
 use vcgpdm::models::{FittedModel, Group, Phase, VariationalSettings};
-use vcgpdm::motion::{Clip, parts, samples};
+use vcgpdm::motion::{Clip, parts};
 use vcgpdm_lab::evaluation::{Fold, START_FRAMES, dtw_mse, stats};
 
 const ROUNDS: usize = 4;
@@ -51,14 +51,8 @@ pub fn run(arguments: &Arguments) {
     println!("{}|", "|---".repeat(5));
     let persons = persons(&arguments.folders).map(|(name, clips)| trials(&name, &clips, arguments));
     let persons: Vec<Vec<[Trained; 3]>> = persons.collect();
-    if persons.is_empty() {
-        let walks = samples::list().into_iter().filter(|info| info.movement == "walk");
-        let clips: Vec<Clip> = walks.map(|info| samples::clip(info.id).unwrap()).collect();
-        trials("made walks", &clips, arguments);
-    } else {
-        let means: Vec<[Trained; 3]> = persons.iter().map(|trials| mean_of(trials)).collect();
-        print(&format!("{} persons", means.len()), &means);
-    }
+    let means: Vec<[Trained; 3]> = persons.iter().map(|trials| mean_of(trials)).collect();
+    print(&format!("{} persons", means.len()), &means);
 }
 
 /// Holds out each trial in turn, and prints a row for each two schedules.

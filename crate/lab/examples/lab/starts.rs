@@ -28,8 +28,7 @@ const COMPARED: [(&str, usize, usize); 5] = [
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Folders with the trials (BVH) of one person each.
-    #[arg(required = true)]
+    /// Folders with the trials (BVH) of one person each; absent: the sample walks.
     folders: Vec<PathBuf>,
     /// Most iterations of the vCGPDM.
     #[arg(long, default_value_t = 3000)]

@@ -6,7 +6,7 @@ use crate::ratios::ratio;
 use clap::Args;
 use vcgpdm::models::{DmpSettings, Settings, TmpSettings, VariationalSettings};
 use vcgpdm::motion::{Clip, parts, samples};
-use vcgpdm_lab::evaluation::{Fold, START_FRAMES, stats};
+use vcgpdm_lab::evaluation::{Fold, START_FRAMES, dtw_mse, stats};
 
 /// Trials of a set, and their seconds.
 const TRIALS: u32 = 4;
@@ -93,8 +93,10 @@ fn errors(movement: &str, set: u32, models: &[(&str, Settings)]) -> Vec<f64> {
         .collect();
     let mean_error = |(_, settings): &(&str, Settings)| {
         let errors = folds.iter().map(|fold| {
-            let outcome = fold.evaluate(&settings.clone().into(), 0, &|| 0.0, &mut |_| true);
-            outcome.unwrap().unwrap().score.dtw_mse.ln()
+            let mut learner = fold.learner(settings, 0).unwrap();
+            while !learner.step().done {}
+            let predicted = fold.predict(&learner.model().unwrap()).unwrap();
+            dtw_mse(&predicted, fold.actual()).unwrap().dtw_mse.ln()
         });
         stats::mean(&errors.collect::<Vec<_>>())
     };
