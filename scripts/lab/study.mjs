@@ -1,6 +1,7 @@
 // `npm run lab -- study`: the study that comes with the page, from the walks that the program makes itself, and the
 // check of the analysis against the numbers of the paper in docs/perception.md. Finished trainings are kept
-// in target/study.
+// in target/study. Since the study was made, trainings have changed: a new one has other movements and another hash,
+// and recorded answers do not fit it.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname } from "node:path";
 import { at, Failure, output, run } from "../run.mjs";

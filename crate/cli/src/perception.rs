@@ -178,7 +178,7 @@ fn rate(confusion: &Confusion) -> String {
 fn settings(text: &mut String, results: &PerceptionResults) -> std::fmt::Result {
     writeln!(
         text,
-        "| model | settings | movements | taken for natural | rate | P(rate > 0.5) | test MSE | DTW MSE | bound | bound: pose terms | bound: dynamics terms |\n|---|---|---|---|---|---|---|---|---|---|---|"
+        "| model | settings | movements | taken for natural | rate | P(rate > 0.5) | test MSE | DTW MSE | training MSE | bound | bound: pose terms | bound: dynamics terms |\n|---|---|---|---|---|---|---|---|---|---|---|---|"
     )?;
     for s in &results.settings {
         let nats = |value: Option<f64>| value.map_or(String::new(), |value| fixed(value, 0));
@@ -195,12 +195,13 @@ fn settings(text: &mut String, results: &PerceptionResults) -> std::fmt::Result 
         };
         writeln!(
             text,
-            "| {} | {} | {} | {count} | {mean} | {above} | {} | {} | {} | {} | {} |",
+            "| {} | {} | {} | {count} | {mean} | {above} | {} | {} | {} | {} | {} | {} |",
             s.model.id(),
             s.label,
             s.movements,
             error(scores.map(|scores| scores.mse)),
             error(scores.map(|scores| scores.dtw_mse)),
+            error(scores.and_then(|scores| scores.training_mse)),
             nats(scores.and_then(|scores| scores.bound)),
             nats(scores.and_then(|scores| scores.pose)),
             nats(scores.and_then(|scores| scores.dynamics)),
@@ -215,31 +216,33 @@ fn regressions(text: &mut String, results: &PerceptionResults) -> std::fmt::Resu
     }
     writeln!(
         text,
-        "| model | score S | settings | answers | w0 | w1 (of the standardised S) | ln K |\n|---|---|---|---|---|---|---|"
+        "| model | score S | settings | answers | w0 | w1 (of the standardised S) | ln K | ln K of the data |\n|---|---|---|---|---|---|---|---|"
     )?;
     for r in &results.regressions {
         let weight = |k: usize| match r.errors {
             Some(errors) => format!("{:.2} ± {:.2}", r.weights[k], errors[k]),
             None => format!("{:.2}", r.weights[k]),
         };
-        let factor = match (r.log_bayes_factor, r.log_bayes_factor_error) {
+        let factor = |factor: Option<f64>, error: Option<f64>| match (factor, error) {
             (Some(factor), Some(error)) => format!("{factor:+.2} ± {error:.2}"),
             _ => String::new(),
         };
         writeln!(
             text,
-            "| {} | {} | {} | {} | {} | {} | {factor} |",
+            "| {} | {} | {} | {} | {} | {} | {} | {} |",
             r.model.map_or("all", |model| model.id()),
             r.score.title(),
             r.settings,
             r.trials,
             weight(0),
-            weight(1)
+            weight(1),
+            factor(r.log_bayes_factor, r.log_bayes_factor_error),
+            factor(r.data_log_bayes_factor, r.data_log_bayes_factor_error)
         )?;
     }
     writeln!(
         text,
-        "\np = {} / (1 + exp(w0 + w1 S)). ln K is the log Bayes factor of the curve compared with the best constant, for the answers of a block that was left out, in nats: the mean over {} blocks.\n",
+        "\np = {} / (1 + exp(w0 + w1 S)). ln K is the log Bayes factor of the curve compared with the best constant, for the answers of a block that was left out, in nats: the mean over {} blocks. The data predict with each setting's share of all its answers; no score can have a higher ln K.\n",
         results.options.ceiling, results.options.folds
     )
 }

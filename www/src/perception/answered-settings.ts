@@ -1,6 +1,6 @@
 // The settings of models that have answers, and the data of their figures. No rendering.
 import type { Confusion, Regression, PerceptionResults, SettingResult } from "../engine/whole-protocol";
-import { estimateText } from "../figures/numbers";
+import { estimateText, plain } from "../figures/numbers";
 import type { PanelAxis, PanelPoint } from "./panel";
 import { perceptionWords } from "./view-words";
 
@@ -16,15 +16,21 @@ const isAnswered = (setting: SettingResult): setting is Answered =>
 /** The settings with answers; one has none when all its movements have failed. */
 export const answeredSettings = ({ settings }: PerceptionResults): Answered[] => settings.filter(isAnswered);
 
-export type Score = "mse" | "bound" | "dynamics" | "pose";
+export type Score = Exclude<Regression["score"], "dtw-mse">;
 
 /** The scores with their names in files. */
 export const SCORES: readonly { score: Score; name: string }[] = [
   { score: "mse", name: "test MSE" },
+  { score: "training-mse", name: "training MSE" },
   { score: "bound", name: "bound" },
   { score: "dynamics", name: "dynamics part of the bound" },
   { score: "pose", name: "pose part of the bound" },
+  { score: "points", name: "soft minimum of the inducing points" },
 ];
+
+/** The score of a setting; null: the setting has none. */
+export const scoreOf = ({ scores }: Answered, score: Score): number | null =>
+  score === "training-mse" ? scores.trainingMse : scores[score];
 
 /** The rate over a score, of one kind of model or of all; null when too few settings have the score. */
 export const regressionOf = (
@@ -35,18 +41,20 @@ export const regressionOf = (
   regressions.find((regression) => regression.model === model && regression.score === score) ?? null;
 
 /** The points of the fitted curve. */
-export const curveOf = ({ curve }: Regression): [x: number, y: number][] =>
+export const curveOf = ({ curve }: Pick<Regression, "curve">): [x: number, y: number][] =>
   curve.flatMap(([x, y]): [number, number][] => (x === undefined || y === undefined ? [] : [[x, y]]));
 
-/** "ln K = 3.21 ± 0.40": above 0 the score says more than a constant. */
+/** "ln K = 3.21 ± 0.40, at most 5.1": above 0 the score says more than a constant. */
 export function evidenceWords({
   logBayesFactor: mean,
   logBayesFactorError: standardError,
+  dataLogBayesFactor: most,
   folds,
 }: Regression): string {
-  if (mean === null) return perceptionWords().figures.moreAnswers;
+  const { figures } = perceptionWords();
+  if (mean === null || most === null) return figures.moreAnswers;
   const words = estimateText({ mean, standardError, count: folds });
-  return `ln K = ${words.mean} ${words.error}`.trim();
+  return `${`ln K = ${words.mean} ${words.error}`.trim()}, ${figures.atMost(plain(most))}`;
 }
 
 /** The columns of a rate in a file. */
@@ -71,29 +79,29 @@ export interface Measure {
   of(setting: Answered): Pick<PanelPoint, "y" | "low" | "high"> | null;
 }
 
-const certain = (y: number | null) => (y === null ? null : { y, low: y, high: y });
+/** A score of the settings; an error has a logarithmic axis. */
+export function measureOf(score: Score): Measure {
+  const { measures, logarithmic } = perceptionWords().figures;
+  const { name, axis } = measures[score];
+  const isError = score === "mse" || score === "training-mse";
+  return {
+    name,
+    axis: { title: isError ? logarithmic(axis) : axis, kind: isError ? "log" : "linear", reach: [] },
+    references: [],
+    of: (setting) => {
+      const y = scoreOf(setting, score);
+      return y === null ? null : { y, low: y, high: y };
+    },
+  };
+}
 
-/** The confusion rate, the error on trials held out and the bound. */
-export function measures(): readonly [confusion: Measure, error: Measure, bound: Measure] {
-  const { measures: words, logMse } = perceptionWords().figures;
-  return [
-    {
-      name: words.rate.name,
-      axis: { title: words.rate.axis, kind: "linear", reach: [0, 0.5] },
-      references: [0.5],
-      of: ({ confusion }) => rateBar(confusion),
-    },
-    {
-      name: words.mse.name,
-      axis: { title: logMse, kind: "log", reach: [] },
-      references: [],
-      of: ({ scores }) => certain(scores.mse),
-    },
-    {
-      name: words.bound.name,
-      axis: { title: words.bound.axis, kind: "linear", reach: [] },
-      references: [],
-      of: ({ scores }) => certain(scores.bound),
-    },
-  ];
+/** The confusion rate. */
+export function rateMeasure(): Measure {
+  const { name, axis } = perceptionWords().figures.measures.rate;
+  return {
+    name,
+    axis: { title: axis, kind: "linear", reach: [0, 0.5] },
+    references: [0.5],
+    of: ({ confusion }) => rateBar(confusion),
+  };
 }

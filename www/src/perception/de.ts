@@ -180,22 +180,25 @@ export const words: PerceptionWords = {
     bars: "Balken: eine Standardabweichung der A-posteriori-Verteilung der Rate.",
     moreAnswers: "ln K braucht mehr Antworten",
     tooFew: "zu wenige Einstellungen",
+    atMost: (value) => `höchstens ${value}`,
     over: (up, across) => `${up} über ${across}`,
     settings: (what, count) => `${what}, ${count} ${count === 1 ? "Einstellung" : "Einstellungen"}`,
     measures: {
       rate: { name: "Verwechslungsrate", axis: "Verwechslungsrate" },
       mse: { name: "Test-MSE", axis: "Test-MSE" },
+      "training-mse": { name: "Trainings-MSE", axis: "Trainings-MSE" },
       bound: { name: "Schranke", axis: "Schranke, Nats" },
       dynamics: { name: "Dynamikteil der Schranke", axis: "Dynamikteil, Nats" },
       pose: { name: "Posenteil der Schranke", axis: "Posenteil, Nats" },
+      points: { name: "Stützpunkte (weiches Minimum)", axis: "Stützpunkte, weiches Minimum" },
     },
-    logMse: "Test-MSE, logarithmisch",
+    logarithmic: (axis) => `${axis}, logarithmisch`,
     poses: "Punkte der Posen",
     dynamics: "Punkte der Dynamik",
     scores: {
       heading: "Verwechslungsrate über jedem Maß",
       caption:
-        "Kurven: logistische Regression mit einem Halb als größtem Wert. [ln K|ln-k] vergleicht sie mit der besten Konstante, beide geprüft an Antworten, an die sie nicht angepasst wurden: Über 0 sagt das Maß etwas darüber, was Menschen sehen.",
+        "Kurven: logistische Regression mit einem Halb als größtem Wert. [ln K|ln-k] vergleicht sie mit der besten Konstante, beide geprüft an Antworten, an die sie nicht angepasst wurden: Über 0 sagt das Maß etwas darüber, was Menschen sehen. Kein Maß hat mehr als die Zahl nach „höchstens“: So viel erreicht die eigene Rate jeder Einstellung. Das weiche Minimum der Zahlen von Stützpunkten der Dynamik und der Posen liegt nahe bei der kleineren.",
     },
     all: {
       heading: "Alle Modelle über dem Testfehler",
@@ -225,6 +228,8 @@ export const words: PerceptionWords = {
       linesOf: (measure, counts) => `${measure}, eine Linie für jede Zahl von Punkten der Posen: ${counts}`,
       caption:
         "Eine Ellipse ist umso breiter, je mehr Stützpunkte der Dynamik eine Einstellung hat, und umso höher, je mehr Stützpunkte der Posen.",
+      paper:
+        "Wie Abbildung 6 von Velychko et al. (2018), mit dem Fehler auf den Clips, aus denen das Modell lernte. Die Kurve dieses Fehlers über der Schranke ist exponentiell, auf einer logarithmischen Achse eine Gerade: Sie ist nach kleinsten Quadraten an den Logarithmus des Fehlers angepasst.",
     },
     pairwise: {
       heading: "Das Beste jedes Modells",

@@ -174,22 +174,25 @@ export const words = {
     bars: "Bars: one standard deviation of the rate’s posterior.",
     moreAnswers: "ln K needs more answers",
     tooFew: "too few settings",
+    atMost: (value: string) => `at most ${value}`,
     over: (up: string, across: string) => `${up} over ${across}`,
     settings: (what: string, count: number) => `${what}, ${count} settings`,
     measures: {
       rate: { name: "confusion rate", axis: "Confusion rate" },
       mse: { name: "test MSE", axis: "Test MSE" },
+      "training-mse": { name: "training MSE", axis: "Training MSE" },
       bound: { name: "bound", axis: "Bound, nats" },
       dynamics: { name: "dynamics part of the bound", axis: "Dynamics part, nats" },
       pose: { name: "pose part of the bound", axis: "Pose part, nats" },
+      points: { name: "inducing points (soft minimum)", axis: "Inducing points, soft minimum" },
     },
-    logMse: "Test MSE, log scale",
+    logarithmic: (axis: string) => `${axis}, log scale`,
     poses: "Pose points",
     dynamics: "Dynamics points",
     scores: {
       heading: "Confusion rate over each score",
       caption:
-        "Curves: logistic regression with a ceiling of one half. [ln K|ln-k] compares it with the best constant, each tried on answers that it was not fitted to: above 0 the score says something about what people see.",
+        "Curves: logistic regression with a ceiling of one half. [ln K|ln-k] compares it with the best constant, each tried on answers that it was not fitted to: above 0 the score says something about what people see. No score has more than the number after “at most”: each setting’s own rate reaches it. The soft minimum of the numbers of dynamics and pose inducing points is near the smaller one.",
     },
     all: {
       heading: "All models over the test error",
@@ -219,6 +222,8 @@ export const words = {
         `${measure}, a line for each number of pose points: ${counts}`,
       caption:
         "An ellipse is the wider, the more dynamics inducing points a setting has, and the higher, the more pose inducing points.",
+      paper:
+        "As figure 6 of Velychko et al. (2018), with the error on the clips that the model learned from. The curve of this error over the bound is exponential, a straight line on a log scale: it fits the logarithm of the error by least squares.",
     },
     pairwise: {
       heading: "The best of each model",

@@ -1,7 +1,7 @@
-// Answers, error on trials held out and bound over the numbers of inducing points. Figure 6 of Velychko et al. (2018)
-// has the error on the training data.
-import { html } from "lit";
-import type { PerceptionResults } from "../engine/whole-protocol";
+// Answers, error on the training trials and bound over the numbers of inducing points (figure 6 of Velychko et al.
+// 2018). A study of an earlier version has only the error on the trials held out.
+import { html, nothing } from "lit";
+import type { PerceptionResults, Regression } from "../engine/whole-protocol";
 import { FigureElement } from "../figures/figure-element";
 import { modelStyle } from "../figures/model-style";
 import {
@@ -9,9 +9,10 @@ import {
   curveOf,
   type Measure,
   MSE_TITLE,
-  measures,
+  measureOf,
   RATE_TITLES,
   rateFields,
+  rateMeasure,
   regressionOf,
 } from "./answered-settings";
 import { perceptionWords } from "./view-words";
@@ -79,18 +80,25 @@ function lined(grid: Grid, placed: Placed, measure: Measure): Panel {
   };
 }
 
+/** The error that a figure shows: that of the paper, where the study has it. */
+const errorOf = ({ settings }: PerceptionResults) =>
+  settings.some(({ scores }) => scores?.trainingMse != null) ? "training-mse" : "mse";
+
 function panelsOf(grid: Grid, results: PerceptionResults): Panel[] {
   const placed = settingsOf(grid, results);
   if (placed.length === 0) return [];
-  const regression = regressionOf(results, grid.model, "mse");
-  const fitted = regression ? [{ model: grid.model, places: curveOf(regression) }] : [];
+  const score = errorOf(results);
+  const lineOf = (fit: Pick<Regression, "curve"> | null | undefined) =>
+    fit ? [{ model: grid.model, places: curveOf(fit) }] : [];
+  const fitted = lineOf(regressionOf(results, grid.model, score));
+  const exponential = lineOf(results.errorCurves.find(({ model }) => model === grid.model));
   const withBound = placed.some(({ setting }) => setting.scores.bound !== null);
-  const [confusion, error, bound] = measures();
-  const { axis } = perceptionWords().figures.measures.mse;
+  const [confusion, error, bound] = [rateMeasure(), measureOf(score), measureOf("bound")];
+  const { axis } = perceptionWords().figures.measures[score];
   const linearError: Measure = { ...error, axis: { title: axis, kind: "linear", reach: [] } };
   return [
     over(grid, placed, confusion, linearError, fitted),
-    ...(withBound ? [over(grid, placed, error, bound, [])] : []),
+    ...(withBound ? [over(grid, placed, error, bound, exponential)] : []),
     lined(grid, placed, confusion),
     lined(grid, placed, error),
   ];
@@ -110,7 +118,7 @@ export class InducingFigure extends FigureElement<PerceptionResults> {
     return {
       header: [
         ...["model", "pose inducing points", "dynamics inducing points"],
-        ...[...RATE_TITLES, MSE_TITLE, "bound (nats)"],
+        ...[...RATE_TITLES, MSE_TITLE, "training MSE", "bound (nats)"],
       ],
       rows: gridsOf(results.settings).flatMap((grid) =>
         settingsOf(grid, results).map(({ pose, dynamics, setting: { scores, confusion } }) => [
@@ -120,6 +128,7 @@ export class InducingFigure extends FigureElement<PerceptionResults> {
             dynamics,
             ...rateFields(confusion),
             scores.mse,
+            scores.trainingMse,
             scores.bound,
           ],
         ]),
@@ -129,9 +138,10 @@ export class InducingFigure extends FigureElement<PerceptionResults> {
 
   protected figure(results: PerceptionResults) {
     const all = gridsOf(results.settings).flatMap((grid) => panelsOf(grid, results));
+    const { caption, paper } = perceptionWords().figures.inducing;
     return html`
       ${panels(all, this.width, this.type, 4)}
-      <figcaption>${perceptionWords().figures.inducing.caption}</figcaption>`;
+      <figcaption>${caption} ${errorOf(results) === "mse" ? nothing : paper}</figcaption>`;
   }
 }
 customElements.define("perception-inducing", InducingFigure);

@@ -9,9 +9,10 @@ import {
   answeredSettings,
   type Measure,
   MSE_TITLE,
-  measures,
+  measureOf,
   RATE_TITLES,
   rateFields,
+  rateMeasure,
 } from "./answered-settings";
 import { perceptionWords } from "./view-words";
 import { type Panel, type PanelPoint, panels } from "./panel";
@@ -84,7 +85,9 @@ export class RatesFigure extends FigureElement<PerceptionResults> {
   protected figure(results: PerceptionResults) {
     const words = perceptionWords().figures;
     const all = counted(results).flatMap(([model, rows]) =>
-      measures().flatMap((measure) => panelOf(model, rows, measure) ?? []),
+      [rateMeasure(), measureOf("mse"), measureOf("bound")].flatMap(
+        (measure) => panelOf(model, rows, measure) ?? [],
+      ),
     );
     return html`
       ${panels(all, this.width, this.type)}

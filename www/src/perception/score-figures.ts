@@ -11,28 +11,27 @@ import {
   curveOf,
   evidenceWords,
   MSE_TITLE,
+  measureOf,
   RATE_TITLES,
   rateBar,
   rateFields,
+  rateMeasure,
   regressionOf,
   type Score,
   SCORES,
+  scoreOf,
 } from "./answered-settings";
 import { perceptionWords } from "./view-words";
-import { type Panel, type PanelAxis, type PanelPoint, panels } from "./panel";
+import { type Panel, type PanelPoint, panels } from "./panel";
 
 const pointsOf = (settings: readonly Answered[], score: Score): PanelPoint[] =>
-  settings.flatMap(({ model, scores, confusion }) => {
-    const x = scores[score];
-    return x === null ? [] : [{ model, x, ...rateBar(confusion) }];
+  settings.flatMap((setting) => {
+    const x = scoreOf(setting, score);
+    return x === null ? [] : [{ model: setting.model, x, ...rateBar(setting.confusion) }];
   });
 
 const linesOf = (regression: Regression | null, model: ModelKind | null) =>
   regression ? [{ model, places: curveOf(regression) }] : [];
-
-const rateAxis = (): PanelAxis => ({
-  ...{ title: perceptionWords().figures.measures.rate.axis, kind: "linear", reach: [0, 0.5] },
-});
 
 function panelOf(results: PerceptionResults, model: ModelKind, score: Score): Panel | null {
   const points = pointsOf(
@@ -49,7 +48,7 @@ function panelOf(results: PerceptionResults, model: ModelKind, score: Score): Pa
     heading: html`<span class="name">${name}</span> <small>${measure.name}, <b data-testid="ln-k">${evidence}</b></small>`,
     words: `${name}: ${words.settings(words.over(rate.name, measure.name), points.length)}, ${evidence}`,
     x: { title: measure.axis, kind: "linear", reach: [] },
-    y: rateAxis(),
+    y: rateMeasure().axis,
     points,
     lines: linesOf(regression, model),
     references: [0.5],
@@ -74,24 +73,18 @@ export class ScoresFigure extends FigureElement<PerceptionResults> {
   protected table(results: PerceptionResults) {
     return {
       header: [
-        "model",
-        "settings",
-        "score",
-        "value",
-        ...RATE_TITLES,
-        "w0",
-        "w1",
-        "ln K",
-        "standard error of ln K",
+        ...["model", "settings", "score", "value", ...RATE_TITLES, "w0", "w1"],
+        ...["ln K", "standard error of ln K", "ln K of the data"],
       ],
-      rows: answeredSettings(results).flatMap(({ model, label, scores, confusion }) =>
+      rows: answeredSettings(results).flatMap((setting) =>
         SCORES.flatMap(({ score, name }) => {
-          const { weights, logBayesFactor, logBayesFactorError } = regressionOf(results, model, score) ?? {};
-          const [w0, w1] = weights ?? [];
-          const value = scores[score];
+          const { model, label, confusion } = setting;
+          const fit = regressionOf(results, model, score);
+          const value = scoreOf(setting, score);
           if (value === null) return [];
-          const fit = [w0, w1, logBayesFactor, logBayesFactorError].map((value) => value ?? null);
-          return [[modelStyle(model).name, label, name, value, ...rateFields(confusion), ...fit]];
+          const factors = [fit?.logBayesFactor, fit?.logBayesFactorError, fit?.dataLogBayesFactor];
+          const fitted = [fit?.weights[0], fit?.weights[1], ...factors].map((value) => value ?? null);
+          return [[modelStyle(model).name, label, name, value, ...rateFields(confusion), ...fitted]];
         }),
       ),
     };
@@ -138,8 +131,8 @@ export class AllModelsFigure extends FigureElement<PerceptionResults> {
     const panel: Panel = {
       heading: html`<small>${words.all.title}${regression ? html`, <b>${evidenceWords(regression)}</b>` : ""}</small>`,
       words: words.all.label(points.length, names.length),
-      x: { title: words.logMse, kind: "log", reach: [] },
-      y: rateAxis(),
+      x: measureOf("mse").axis,
+      y: rateMeasure().axis,
       points,
       lines: linesOf(regression, null),
       references: [0.5],

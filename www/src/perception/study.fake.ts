@@ -39,7 +39,7 @@ export const study: StudyInfo = {
     {
       ...{ id: "tmp-1", kind: "generated", trial: "walk-1", speed: 1, seen: false, failed: false },
       ...{ model: "tmp", settings: { model: "tmp", primitives: 3 } },
-      scores: { mse: 0.01, dtwMse: 0.008, bound: null, dynamics: null, pose: null },
+      scores: { mse: 0.01, dtwMse: 0.008, trainingMse: 0.004, bound: null, dynamics: null, pose: null },
     },
   ],
 };

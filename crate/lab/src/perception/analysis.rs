@@ -1,27 +1,22 @@
 //! Analysis of answers: rates of the models, and their prediction from scores.
 
-use crate::evaluation::stats::mean;
 use crate::perception::answers::Answer;
 use crate::perception::beta::Rate;
-use crate::perception::counts::participants;
-use crate::perception::counts::{Counted, settings};
+use crate::perception::counts::{Counted, participants, settings};
+use crate::perception::error_curve::error_curves;
 use crate::perception::ordering::ordering;
 use crate::perception::paper::{trials_for_precision, trials_to_tell};
-use crate::perception::regression::{Curve, Point};
+use crate::perception::regression::{Curve, Point, Standard};
 use crate::perception::results::{
     AnalysisOptions, Best, Catch, Confusion, Needed, Order, PerceptionResults, Regression, ScoreKind,
     SettingResult,
 };
 use crate::perception::study::Study;
 use crate::perception::trials::TrialKind;
-use crate::perception::validation::log_bayes_factor;
+use crate::perception::validation::log_bayes_factors;
 use thiserror::Error;
 use vcgpdm::models::ModelKind;
 
-/// Fewest settings of a curve.
-const FEWEST_SETTINGS: usize = 3;
-/// Number of points of a drawn curve.
-const CURVE: usize = 61;
 /// Orders with a smaller probability are not listed.
 const UNLIKELY: f64 = 1e-3;
 
@@ -77,6 +72,7 @@ impl PerceptionResults {
             options,
             all: Confusion::new(all),
             regressions: regressions(&settings, &options),
+            error_curves: error_curves(&settings),
             orders: orders.collect(),
             pairs: ordering.pairs,
             catch: (catch.trials > 0)
@@ -141,38 +137,31 @@ fn regression(
         of_kind.filter_map(|setting| Some((score.value(setting.scores.as_ref()?)?, setting.confusion?)));
     let rated: Vec<(f64, Confusion)> = rated.collect();
     let values: Vec<f64> = rated.iter().map(|(value, _)| *value).collect();
-    let centre = mean(&values);
-    let squares: f64 = values.iter().map(|value| (value - centre) * (value - centre)).sum();
-    let scale = (squares / values.len().max(1) as f64).sqrt();
-    if values.len() < FEWEST_SETTINGS || !scale.is_finite() || scale <= 1e-12 * centre.abs() {
-        return None;
-    }
+    let standard = Standard::of(&values)?;
     let point = |(value, confusion): &(f64, Confusion)| Point {
-        score: (value - centre) / scale,
+        score: standard.of_score(*value),
         hits: confusion.hits as f64,
         trials: confusion.trials as f64,
     };
     let points: Vec<Point> = rated.iter().map(point).collect();
     let curve = Curve::fit(&points, options.ceiling);
-    let factor = log_bayes_factor(&points, options.ceiling, options.folds, options.seed);
-    let (low, high) = values
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(*value), high.max(*value)));
-    let drawn = (0..CURVE).map(|k| low + (high - low) * k as f64 / (CURVE - 1) as f64);
+    let factors = log_bayes_factors(&points, options.ceiling, options.folds, options.seed);
     Some(Regression {
         model,
         score,
         settings: points.len(),
         trials: rated.iter().map(|(_, confusion)| confusion.trials).sum(),
-        centre,
-        scale,
+        centre: standard.centre,
+        scale: standard.scale,
         ceiling: options.ceiling,
         weights: curve.weights,
         errors: curve.errors(&points),
-        log_bayes_factor: factor.map(|factor| factor.mean),
-        log_bayes_factor_error: factor.map(|factor| factor.error),
-        folds: factor.map_or(options.folds, |factor| factor.folds),
-        curve: drawn.map(|value| (value, curve.rate((value - centre) / scale))).collect(),
+        log_bayes_factor: factors.map(|factors| factors.score.mean),
+        log_bayes_factor_error: factors.map(|factors| factors.score.error),
+        data_log_bayes_factor: factors.map(|factors| factors.data.mean),
+        data_log_bayes_factor_error: factors.map(|factors| factors.data.error),
+        folds: options.folds,
+        curve: standard.drawn(|score| curve.rate(score)),
     })
 }
 
@@ -181,8 +170,10 @@ vcgpdm::coded!(AnalysisError => Study);
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::evaluation::stats::mean;
     use crate::perception::answers::{AnswerFile, read};
     use crate::perception::design::Preset;
+    use crate::perception::regression::DRAWN;
     use crate::perception::stimulus::Generated;
     use crate::perception::testing::{answers, study};
 
@@ -235,7 +226,17 @@ mod tests {
             assert!((all.weights[k] - truth.weights[k]).abs() < 3.0 * error, "{all:?}");
         }
         assert!(all.log_bayes_factor.unwrap() > 5.0, "{all:?}");
-        assert_eq!((all.curve.len(), all.curve[0].0), (CURVE, mse[0]));
+        assert_eq!((all.curve.len(), all.curve[0].0), (DRAWN, mse[0]));
+        for r in &found.regressions {
+            assert!(r.data_log_bayes_factor >= r.log_bayes_factor, "{r:?}");
+        }
+        let points: Vec<f64> = found.settings.iter().filter_map(|s| s.scores.as_ref()?.points).collect();
+        let soft = |k: f64, l: f64| -((-k).exp() + (-l).exp()).ln();
+        let expected = [soft(8.0, 8.0), soft(4.0, 4.0), soft(4.0, 8.0), soft(8.0, 4.0)];
+        let same = points.iter().zip(expected).all(|(point, expected)| (point - expected).abs() < 1e-12);
+        assert!(points.len() == 4 && same, "{points:?}");
+        let curves: Vec<_> = found.error_curves.iter().map(|curve| (curve.model, curve.settings)).collect();
+        assert_eq!(curves, [(ModelKind::Vgpdm, 3), (ModelKind::Tmp, 3)]);
         // A curve needs three settings of a kind.
         let kinds: Vec<_> =
             found.regressions.iter().filter(|r| r.score == ScoreKind::Pose).map(|r| r.model).collect();

@@ -96,12 +96,15 @@ fn mean_scores(movements: &[&&Generated]) -> Option<MeanScores> {
         let values: Option<Vec<f64>> = movements.iter().map(|generated| value(generated)).collect();
         values.filter(|values| !values.is_empty()).map(|values| mean(&values))
     };
+    let size = size(&movements.first()?.candidate);
     Some(MeanScores {
         mse: over(&|generated| Some(generated.scores.mse))?,
         dtw_mse: over(&|generated| Some(generated.scores.dtw_mse))?,
+        training_mse: over(&|generated| generated.scores.training_mse),
         bound: over(&|generated| generated.scores.bound),
         dynamics: over(&|generated| generated.scores.dynamics()),
         pose: over(&|generated| generated.scores.pose()),
+        points: size.points(),
     })
 }
 

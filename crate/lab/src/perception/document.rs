@@ -27,7 +27,8 @@ impl Study {
     }
 
     /// SHA-256 of the figure and the movements with their models and scores, in lower-case hexadecimal; not
-    /// of the design, the texts and the marks of failures. Answers name the study by this hash.
+    /// of the design, the texts, the marks of failures and the errors on the training trials, which studies of
+    /// earlier versions lack. Answers name the study by this hash.
     ///
     /// # Errors
     /// A number is not finite.

@@ -16,8 +16,8 @@ pub struct FigureTable {
 }
 
 impl PerceptionResults {
-    /// The data of figures 2 to 8 of Knopp et al. (2019) and, with the error on trials held out in place of that on
-    /// the training data, of figure 6 of Velychko et al. (2018).
+    /// The data of figures 2 to 8 of Knopp et al. (2019), of figure 6 of Velychko et al. (2018) and of figure 2 of
+    /// Velychko et al. (2017).
     pub fn figures(&self) -> Vec<FigureTable> {
         let table = |name, title, header: &str, rows: Vec<Vec<String>>| {
             let mut writer = csv::Writer::from_writer(format!("{header}\n").into_bytes());
@@ -31,27 +31,36 @@ impl PerceptionResults {
         vec![
             table(
                 "settings.csv",
-                "Knopp et al. 2019, figures 2, 3, 4 and 7; Velychko et al. 2018, figure 6, with errors on trials held out: rates, scores and sizes",
+                "Knopp et al. 2019, figures 2, 3, 4 and 7; with the training MSE, Velychko et al. 2018, figure 6: rates, scores and sizes",
                 SETTINGS,
                 self.settings.iter().map(setting).collect(),
             ),
             table(
                 "scores.csv",
-                "Knopp et al. 2019, figures 5, 6 and 7: rates over each score",
+                "Knopp et al. 2019, figures 5, 6 and 7; for the training MSE, Velychko et al. 2018, figure 6A: rates over each score",
                 "model,settings,score,value,trials,rate,rate_sd",
                 self.scores(),
             ),
             table(
                 "regressions.csv",
-                "Knopp et al. 2019, figures 5, 6 and 7: the curves' weights and ln K",
-                "model,score,settings,trials,centre,scale,ceiling,w0,w0_se,w1,w1_se,folds,ln_k,ln_k_se",
+                "Knopp et al. 2019, figures 5, 6 and 7: the curves' weights and ln K; for the training MSE and points, with ln K in place of the negative log probability, Velychko et al. 2017, figure 2C",
+                "model,score,settings,trials,centre,scale,ceiling,w0,w0_se,w1,w1_se,folds,ln_k,ln_k_se,data_ln_k,data_ln_k_se",
                 self.weights(),
             ),
             table(
                 "curves.csv",
-                "Knopp et al. 2019, figures 5, 6 and 7: the curves",
+                "Knopp et al. 2019, figures 5, 6 and 7; for the training MSE, Velychko et al. 2018, figure 6A: the curves",
                 "model,score,value,rate",
-                self.curves(),
+                self.regressions
+                    .iter()
+                    .flat_map(|r| points(&[&model(r.model), r.score.id()], &r.curve))
+                    .collect(),
+            ),
+            table(
+                "error-curves.csv",
+                "Velychko et al. 2018, figure 6B: the exponential curves of the training MSE over the bound",
+                "model,bound,training_mse",
+                self.error_curves.iter().flat_map(|c| points(&[c.model.id()], &c.curve)).collect(),
             ),
             table(
                 "best.csv",
@@ -90,32 +99,14 @@ impl PerceptionResults {
     fn weights(&self) -> Vec<Vec<String>> {
         let rows = self.regressions.iter().map(|r| {
             let error = |k: usize| r.errors.map(|errors| errors[k]);
-            vec![
-                model(r.model),
-                r.score.id().to_owned(),
-                r.settings.to_string(),
-                r.trials.to_string(),
-                r.centre.to_string(),
-                r.scale.to_string(),
-                r.ceiling.to_string(),
-                r.weights[0].to_string(),
-                number(error(0)),
-                r.weights[1].to_string(),
-                number(error(1)),
-                r.folds.to_string(),
-                number(r.log_bayes_factor),
-                number(r.log_bayes_factor_error),
-            ]
-        });
-        rows.collect()
-    }
-
-    fn curves(&self) -> Vec<Vec<String>> {
-        let rows = self.regressions.iter().flat_map(|r| {
-            let point = |(value, rate): &(f64, f64)| {
-                vec![model(r.model), r.score.id().to_owned(), value.to_string(), rate.to_string()]
-            };
-            r.curve.iter().map(point).collect::<Vec<_>>()
+            let mut row = vec![model(r.model), r.score.id().to_owned()];
+            row.extend([r.settings, r.trials].map(|count| count.to_string()));
+            row.extend([r.centre, r.scale, r.ceiling].map(|value| value.to_string()));
+            row.extend([Some(r.weights[0]), error(0), Some(r.weights[1]), error(1)].map(number));
+            row.push(r.folds.to_string());
+            row.extend([r.log_bayes_factor, r.log_bayes_factor_error].map(number));
+            row.extend([r.data_log_bayes_factor, r.data_log_bayes_factor_error].map(number));
+            row
         });
         rows.collect()
     }
@@ -151,7 +142,7 @@ impl PerceptionResults {
     }
 }
 
-const SETTINGS: &str = "model,settings,dynamics_ips,pose_ips,primitives,bases,movements,failed,mse,dtw_mse,bound,dynamics,pose,hits,trials,rate,rate_sd";
+const SETTINGS: &str = "model,settings,dynamics_ips,pose_ips,primitives,bases,movements,failed,mse,dtw_mse,training_mse,bound,dynamics,pose,points,hits,trials,rate,rate_sd";
 
 fn setting(setting: &SettingResult) -> Vec<String> {
     let size = &setting.size;
@@ -174,6 +165,14 @@ fn setting(setting: &SettingResult) -> Vec<String> {
 /// Trials, rate and its standard deviation.
 fn rate(confusion: &Confusion) -> [String; 3] {
     [confusion.trials.to_string(), confusion.mean.to_string(), confusion.deviation.to_string()]
+}
+
+/// A row for each point of a curve, after these names.
+fn points(names: &[&str], curve: &[(f64, f64)]) -> Vec<Vec<String>> {
+    let row = |(x, y): &(f64, f64)| {
+        names.iter().map(|name| (*name).to_owned()).chain([x.to_string(), y.to_string()]).collect()
+    };
+    curve.iter().map(row).collect()
 }
 
 fn number(value: Option<f64>) -> String {

@@ -13,6 +13,7 @@ mod csv;
 mod design;
 mod document;
 mod error;
+mod error_curve;
 mod figures;
 mod make;
 mod movement;
@@ -45,8 +46,8 @@ pub use movement::{FigureMovement, MovementError};
 pub use paper::{PaperCheck, paper_checks};
 pub use paper::{trials_for_precision, trials_to_tell};
 pub use results::{
-    AnalysisOptions, Best, Catch, Confusion, MeanScores, Needed, Order, Participant, PerceptionResults,
-    Regression, ScoreKind, SettingResult, Size,
+    AnalysisOptions, Best, Catch, Confusion, ErrorCurve, MeanScores, Needed, Order, Participant,
+    PerceptionResults, Regression, ScoreKind, SettingResult, Size,
 };
 pub use staging::{Staged, StagingError, staged};
 pub use stimulus::{Generated, MovementSource, Scores, Stimulus};

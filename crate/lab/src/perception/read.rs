@@ -148,10 +148,11 @@ fn scores(field: Field) -> Result<Scores, FieldError> {
     let error = |field: Field| within(field, 0.0..=1e300, "an error from 0");
     let mse = error(object.get("mse")?)?;
     let dtw_mse = error(object.get("dtw_mse")?)?;
+    let training_mse = object.optional("training_mse").map(error).transpose()?;
     let bound = object.optional("bound").map(|field| nats(&field)).transpose()?;
     let terms = object.optional("terms").map(terms).transpose()?;
     object.end()?;
-    Ok(Scores { mse, dtw_mse, bound, terms })
+    Ok(Scores { mse, dtw_mse, training_mse, bound, terms })
 }
 
 fn terms(field: Field) -> Result<BoundTerms, FieldError> {

@@ -1,7 +1,13 @@
 //! Logistic regression with a ceiling: how often a movement is taken for the natural one, from a score of its
 //! model (Knopp et al. 2019, equations 8 to 10).
 
+use crate::evaluation::stats::mean;
 use vcgpdm::internals::Elementary;
+
+/// Fewest settings of a curve.
+const FEWEST_SETTINGS: usize = 3;
+/// Number of points of a drawn curve.
+pub(super) const DRAWN: usize = 61;
 
 /// Largest absolute value of a weight: where a score separates all answers, the best weight would be
 /// infinite.
@@ -16,6 +22,38 @@ const LEAST_DAMPING: f64 = 1e-10;
 const LEAST_INFORMATION: f64 = 1e-12;
 /// First slopes of the searches: flat, falling and rising. With a ceiling there may be several maxima.
 const STARTS: [f64; 3] = [0.0, 1.0, -1.0];
+
+/// How scores are standardised: minus their mean, over their standard deviation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Standard {
+    pub centre: f64,
+    pub scale: f64,
+    low: f64,
+    high: f64,
+}
+
+impl Standard {
+    /// Absent for too few scores, or if all are equal.
+    pub fn of(scores: &[f64]) -> Option<Self> {
+        let centre = mean(scores);
+        let squares: f64 = scores.iter().map(|score| (score - centre) * (score - centre)).sum();
+        let scale = (squares / scores.len().max(1) as f64).sqrt();
+        let [low, high] = [f64::min, f64::max].map(|of| scores.iter().copied().fold(centre, of));
+        let fits = scores.len() >= FEWEST_SETTINGS && scale.is_finite() && scale > 1e-12 * centre.abs();
+        fits.then_some(Self { centre, scale, low, high })
+    }
+
+    /// The standardised score.
+    pub fn of_score(&self, score: f64) -> f64 {
+        (score - self.centre) / self.scale
+    }
+
+    /// Points of a curve over the standardised score, from the lowest to the highest score.
+    pub fn drawn(&self, curve: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+        let scores = (0..DRAWN).map(|k| self.low + (self.high - self.low) * k as f64 / (DRAWN - 1) as f64);
+        scores.map(|score| (score, curve(self.of_score(score)))).collect()
+    }
+}
 
 /// How often movements of one score were taken for the natural one.
 #[derive(Clone, Copy, Debug, PartialEq)]

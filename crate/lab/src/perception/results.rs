@@ -3,6 +3,7 @@
 use crate::perception::beta::Rate;
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
+use vcgpdm::internals::Elementary;
 use vcgpdm::models::{ENGINE, ModelKind, Settings};
 
 /// The options that the analysis used.
@@ -95,7 +96,7 @@ pub struct Participant {
     pub started_apart_ms: Option<f64>,
 }
 
-/// Mean scores of the movements of a setting.
+/// Mean scores of the movements of a setting, and the score of its size.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct MeanScores {
@@ -103,12 +104,17 @@ pub struct MeanScores {
     pub mse: f64,
     /// The same after dynamic time warping.
     pub dtw_mse: f64,
+    /// The error of rollouts on the trials trained on, after dynamic time warping; null if a movement lacks it,
+    /// as in studies of earlier versions.
+    pub training_mse: Option<f64>,
     /// The bound in nats, if the model has one.
     pub bound: Option<f64>,
     /// The dynamics terms of the bound.
     pub dynamics: Option<f64>,
     /// The pose terms of the bound.
     pub pose: Option<f64>,
+    /// The soft minimum of the numbers of dynamics and pose inducing points; null for a kind without both.
+    pub points: Option<f64>,
 }
 
 /// Size of a model; numbers that the kind does not have are absent.
@@ -123,6 +129,14 @@ pub struct Size {
     pub primitives: Option<usize>,
     /// Basis functions.
     pub bases: Option<usize>,
+}
+
+impl Size {
+    /// The soft minimum -ln(exp(-K) + exp(-L)) of the numbers K and L of dynamics and pose inducing points.
+    pub fn points(&self) -> Option<f64> {
+        let (k, l) = (self.dynamics_ips? as f64, self.pose_ips? as f64);
+        Some(k.min(l) - (1.0 + (-(k - l).abs()).exponential()).logarithm())
+    }
 }
 
 /// A model with all its settings.
@@ -158,38 +172,42 @@ pub enum ScoreKind {
     Mse,
     /// The same after dynamic time warping.
     DtwMse,
+    /// The error of rollouts on the trials trained on, after dynamic time warping.
+    TrainingMse,
     /// The bound.
     Bound,
     /// The dynamics terms of the bound.
     Dynamics,
     /// The pose terms of the bound.
     Pose,
+    /// The soft minimum of the numbers of dynamics and pose inducing points.
+    Points,
 }
 
 impl ScoreKind {
     /// All scores.
-    pub const ALL: [ScoreKind; 5] =
-        [ScoreKind::Mse, ScoreKind::DtwMse, ScoreKind::Bound, ScoreKind::Dynamics, ScoreKind::Pose];
+    pub const ALL: [Self; 7] =
+        [Self::Mse, Self::DtwMse, Self::TrainingMse, Self::Bound, Self::Dynamics, Self::Pose, Self::Points];
 
     /// Its name in documents.
     pub fn id(self) -> &'static str {
-        match self {
-            ScoreKind::Mse => "mse",
-            ScoreKind::DtwMse => "dtw-mse",
-            ScoreKind::Bound => "bound",
-            ScoreKind::Dynamics => "dynamics",
-            ScoreKind::Pose => "pose",
-        }
+        self.names().0
     }
 
     /// Its name for a person to read.
     pub fn title(self) -> &'static str {
+        self.names().1
+    }
+
+    fn names(self) -> (&'static str, &'static str) {
         match self {
-            ScoreKind::Mse => "test MSE",
-            ScoreKind::DtwMse => "test MSE after time warping",
-            ScoreKind::Bound => "bound",
-            ScoreKind::Dynamics => "dynamics part of the bound",
-            ScoreKind::Pose => "pose part of the bound",
+            Self::Mse => ("mse", "test MSE"),
+            Self::DtwMse => ("dtw-mse", "test MSE after time warping"),
+            Self::TrainingMse => ("training-mse", "training MSE"),
+            Self::Bound => ("bound", "bound"),
+            Self::Dynamics => ("dynamics", "dynamics part of the bound"),
+            Self::Pose => ("pose", "pose part of the bound"),
+            Self::Points => ("points", "soft minimum of the inducing points"),
         }
     }
 
@@ -198,9 +216,11 @@ impl ScoreKind {
         match self {
             ScoreKind::Mse => Some(scores.mse),
             ScoreKind::DtwMse => Some(scores.dtw_mse),
+            ScoreKind::TrainingMse => scores.training_mse,
             ScoreKind::Bound => scores.bound,
             ScoreKind::Dynamics => scores.dynamics,
             ScoreKind::Pose => scores.pose,
+            ScoreKind::Points => scores.points,
         }
     }
 }
@@ -232,9 +252,35 @@ pub struct Regression {
     pub log_bayes_factor: Option<f64>,
     /// Its standard error over the blocks.
     pub log_bayes_factor_error: Option<f64>,
+    /// The log Bayes factor of the data, compared with a constant rate: the share of hits among all answers of
+    /// a setting predicts them, those of the block left out too. No score can have a higher one.
+    pub data_log_bayes_factor: Option<f64>,
+    /// Its standard error over the blocks.
+    pub data_log_bayes_factor_error: Option<f64>,
     /// Number of blocks, left out in turn.
     pub folds: usize,
     /// Points of the curve: a score and the predicted rate.
+    pub curve: Vec<(f64, f64)>,
+}
+
+/// For one kind of model, the error on the training trials over the bound: training MSE = exp(w0 + w1 (bound -
+/// centre) / scale), by least squares of the logarithm of the error.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
+pub struct ErrorCurve {
+    /// The kind of model.
+    pub model: ModelKind,
+    /// Number of settings with both numbers and answers.
+    pub settings: usize,
+    /// The mean of the bound over the settings.
+    pub centre: f64,
+    /// Its standard deviation.
+    pub scale: f64,
+    /// w0 and w1.
+    pub weights: [f64; 2],
+    /// The standard error of each weight.
+    pub error: f64,
+    /// Points of the curve: a bound and the training MSE.
     pub curve: Vec<(f64, f64)>,
 }
 
@@ -309,6 +355,9 @@ pub struct PerceptionResults {
     /// Predictions for every kind of model, and for all together, from every score of at least three
     /// settings.
     pub regressions: Vec<Regression>,
+    /// The error on the training trials over the bound, for every kind of model of which at least three settings
+    /// have both numbers and answers.
+    pub error_curves: Vec<ErrorCurve>,
     /// The best setting of every kind of model with answers.
     pub best: Vec<Best>,
     /// Orders of the kinds of models, by falling rate. The most probable order comes first.

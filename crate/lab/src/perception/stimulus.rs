@@ -52,6 +52,9 @@ pub struct Scores {
     pub mse: f64,
     /// The same after dynamic time warping.
     pub dtw_mse: f64,
+    /// The mean error of rollouts over the trials trained on, after dynamic time warping; absent in studies of
+    /// earlier versions.
+    pub training_mse: Option<f64>,
     /// The bound on the log evidence, in nats, if the model has one.
     pub bound: Option<f64>,
     /// The terms of the bound, if the model has them.
@@ -64,6 +67,7 @@ impl Scores {
         Self {
             mse: outcome.score.mse,
             dtw_mse: outcome.score.dtw_mse,
+            training_mse: outcome.training_mse,
             bound: outcome.bound,
             terms: outcome.terms.clone(),
         }

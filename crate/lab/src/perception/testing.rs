@@ -64,7 +64,7 @@ pub fn study() -> Study {
             _ => variational.then(|| terms.total()),
         };
         let terms = variational.then_some(terms);
-        let scores = Scores { mse: 2.0 * mse, dtw_mse: mse, bound, terms };
+        let scores = Scores { mse: 2.0 * mse, dtw_mse: mse, training_mse: Some(0.5 * mse), bound, terms };
         let generated = Generated {
             candidate: candidate.clone(),
             seed: if candidate.is_random() { 3 } else { 0 },

@@ -21,11 +21,12 @@ pub(super) fn document(study: &Study) -> Value {
         ("frames_per_second", Value::whole(study.frames_per_second)),
         ("metres_per_unit", Value::Number(study.unit)),
         ("figure", figure(study)),
-        ("stimuli", Value::list(&study.stimuli, |stimulus| movement(stimulus, stimulus.failed()))),
+        ("stimuli", Value::list(&study.stimuli, |stimulus| movement(stimulus, true))),
     ])
 }
 
-/// The figure and the movements, without design, texts and marks.
+/// The figure and the movements, without design, texts, marks, and errors on the training trials, which studies
+/// of earlier versions lack.
 pub(super) fn content(study: &Study) -> Value {
     Value::object([
         ("frames_per_second", Value::whole(study.frames_per_second)),
@@ -49,7 +50,8 @@ fn figure(study: &Study) -> Value {
     Value::Object(named(fields))
 }
 
-fn movement(stimulus: &Stimulus, failed: bool) -> Value {
+/// A movement; `whole`: with its mark and the error on the training trials.
+fn movement(stimulus: &Stimulus, whole: bool) -> Value {
     let mut fields = vec![("id", Value::text(&stimulus.id))];
     match &stimulus.source {
         MovementSource::Natural { seen } => {
@@ -58,13 +60,13 @@ fn movement(stimulus: &Stimulus, failed: bool) -> Value {
             fields.push(("seen", Value::Bool(*seen)));
         }
         MovementSource::Generated(generated) => {
-            let Generated { candidate, seed, scores, .. } = &**generated;
+            let Generated { candidate, seed, failed, scores } = &**generated;
             fields.push(("kind", Value::text("generated")));
             fields.push(("trial", Value::text(&stimulus.trial)));
-            fields.push(("failed", Value::Bool(failed)));
+            fields.push(("failed", Value::Bool(whole && *failed)));
             fields.push(("model", Value::text(candidate.kind().id())));
             fields.push(("settings", write_settings(candidate, *seed)));
-            fields.push(("scores", scores_value(scores)));
+            fields.push(("scores", scores_value(scores, whole)));
         }
     }
     fields.push(("speed", Value::Number(stimulus.speed)));
@@ -73,9 +75,10 @@ fn movement(stimulus: &Stimulus, failed: bool) -> Value {
     Value::Object(named(fields))
 }
 
-fn scores_value(scores: &Scores) -> Value {
-    let Scores { mse, dtw_mse, bound, terms } = scores;
+fn scores_value(scores: &Scores, whole: bool) -> Value {
+    let Scores { mse, dtw_mse, training_mse, bound, terms } = scores;
     let mut fields = vec![("mse", Value::Number(*mse)), ("dtw_mse", Value::Number(*dtw_mse))];
+    fields.extend(training_mse.filter(|_| whole).map(|error| ("training_mse", Value::Number(error))));
     fields.extend(bound.map(|bound| ("bound", Value::Number(bound))));
     fields.extend(terms.as_ref().map(|terms| {
         let BoundTerms { kinematics, dynamics, initial, entropy } = terms;

@@ -42,6 +42,8 @@ struct Scores {
     mse: f64,
     /// Mean squared error after dynamic time warping.
     dtw_mse: f64,
+    /// The error of rollouts on the trials trained on, after dynamic time warping; null if unknown.
+    training_mse: Option<f64>,
     /// The bound on the log evidence, in nats; null for a model without a bound.
     bound: Option<f64>,
     /// The terms of the bound for the dynamics; null if unknown.
@@ -266,6 +268,7 @@ impl Study {
                 scores: generated.map(|generated| Scores {
                     mse: generated.scores.mse,
                     dtw_mse: generated.scores.dtw_mse,
+                    training_mse: generated.scores.training_mse,
                     bound: generated.scores.bound,
                     dynamics: generated.scores.dynamics(),
                     pose: generated.scores.pose(),
