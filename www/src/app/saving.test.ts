@@ -12,7 +12,7 @@ import { modelOnStage } from "./stage-model";
 vi.mock("../figures/model-style", () => ({ modelStyle: () => ({ name: "TMP" }) }));
 vi.mock("../ui/download", () => ({ download: vi.fn() }));
 
-const TMP = '{"kind":"tmp"}';
+const OTHER = '{"kind":"map-gpdm"}';
 
 let app: App;
 beforeEach(async () => {
@@ -39,9 +39,9 @@ describe("the model on the stage", () => {
   });
 
   it("is a model without couplings in front of it, whose link has no couplings", async () => {
-    await open("walk.model.json", TMP);
+    await open("walk.model.json", OTHER);
     const model = modelOnStage(app);
-    expect([model?.name, model?.isOnHost, await model?.content()]).toEqual(["walk.model.json", false, TMP]);
+    expect([model?.name, model?.isOnHost, await model?.content()]).toEqual(["walk.model.json", false, OTHER]);
     expect(app.fragmentWith({ packedModel: "1.2.AA" })).toBe("frames=90&packed=1.2.AA");
     app.stage.endClip();
     expect(await modelOnStage(app)?.content()).toBe(modelText(1));
@@ -51,19 +51,19 @@ describe("the model on the stage", () => {
 describe("Save", () => {
   it("writes the model on the stage, of any kind", async () => {
     await save(app, "model");
-    await open("walk.json", TMP);
+    await open("walk.json", OTHER);
     await save(app, "model");
     const id = modelHash(1).slice(0, 8);
     expect(await files()).toEqual([
       [expect.stringMatching(new RegExp(`${id}\\.model\\.json$`)), modelText(1)],
-      ["walk.model.json", TMP],
+      ["walk.model.json", OTHER],
     ]);
   });
 
   it("does not take the model behind for saved when it writes the one in front", async () => {
     await app.model.open(modelText(5));
     app.model.markMadeHere();
-    await open("walk.json", TMP);
+    await open("walk.json", OTHER);
     await save(app, "model");
     expect(app.model.unsaved).toBe(true);
     app.stage.endClip();

@@ -16,8 +16,8 @@ use std::iter::once;
 use std::path::{Path, PathBuf};
 use vcgpdm::document::Document;
 use vcgpdm::models::{
-    Body, ColumnMapping, Coupled, FittedModel, MOST_FRAMES, MOST_SAMPLES, Model, ModelKind, Reading, Rollout,
-    RolloutRequest,
+    Body, ColumnMapping, Coupled, FittedModel, Handles, MOST_FRAMES, MOST_SAMPLES, Model, ModelKind, Reading,
+    Rollout, RolloutRequest,
 };
 use vcgpdm::series;
 
@@ -275,6 +275,7 @@ impl Arguments {
             start,
             alpha: Some(alpha),
             reading: self.reading.into(),
+            handles: Handles::default(),
             cuts: self
                 .cut
                 .iter()
