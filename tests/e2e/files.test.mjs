@@ -305,6 +305,7 @@ seldom.it("a model of a kind without couplings moves, says so, and its motion is
     await page.getByTestId("handle-tempo").fill("1");
     await handles.getByText("Tempo 2.00").waitFor();
     const changed = await saved(page, "save-motion");
+    assert.equal(changed.name, `${file}-by-hand.bvh`);
     assert.notEqual(changed.text, motion.text);
     assert.ok(!/NaN|inf/i.test(changed.text));
     await asLearned.click();

@@ -151,8 +151,15 @@ function movedClip(app: App): StageMotion | null {
 function movedOther({ stage }: App): StageMotion | null {
   const made = otherModelOnStage(stage);
   if (!made) return null;
-  const { name, motion, bvh, ...body } = made;
-  return { name: plain(name) || made.kind, body, motion: async () => motion, bvh: async () => bvh };
+  const { name, motion, bvh, handles, ...body } = made;
+  const { tempo = 1, goal, push } = handles;
+  const byHand = tempo !== 1 || goal || push ? "-by-hand" : "";
+  return {
+    name: `${plain(name) || made.kind}${byHand}`,
+    body,
+    motion: async () => motion,
+    bvh: async () => bvh,
+  };
 }
 
 function movedModel(app: App): StageMotion | null {
