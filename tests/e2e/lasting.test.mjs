@@ -1,10 +1,21 @@
 // Workers that die.
 import assert from "node:assert/strict";
 import { it } from "node:test";
+import { setTimeout } from "node:timers/promises";
 import { bvh } from "./clips.mjs";
 import { drop, openPanel, openedSite, ready, saved, seldom } from "./site.mjs";
 
 const site = openedSite();
+
+/** @typedef {import("playwright-core").Worker} Worker */
+
+/** Playwright waits without end for the answer of a worker that has just closed. */
+const ANSWER = 3000;
+const nameOf = (/** @type {Worker} */ worker) =>
+  Promise.race([worker.evaluate(() => self.name).catch(() => ""), setTimeout(ANSWER, "")]);
+/** The worker closes itself: no event tells the page. */
+const close = (/** @type {Worker | undefined} */ worker) =>
+  Promise.race([worker?.evaluate(() => self.close()).catch(() => {}), setTimeout(ANSWER)]);
 
 seldom.describe("the worker that shows the model", () => {
   it("is started again when it dies silently, with the same model", async () => {
@@ -15,10 +26,9 @@ seldom.describe("the worker that shows the model", () => {
     await page.waitForTimeout(500);
     const motion = await saved(page, "save-motion");
 
-    const names = await Promise.all(page.workers().map((worker) => worker.evaluate(() => self.name)));
+    const names = await Promise.all(page.workers().map(nameOf));
     const shows = page.workers()[names.findIndex((name) => name.includes("model"))];
-    // The worker closes itself: no event tells the page.
-    await shows?.evaluate(() => self.close()).catch(() => {});
+    await close(shows);
     await page.getByText("The program was started again").waitFor({ timeout: 5000 });
     assert.deepEqual(await saved(page, "save-model"), model);
     assert.deepEqual(await saved(page, "save-motion"), motion);
@@ -64,9 +74,7 @@ seldom.describe("a worker that takes over", () => {
     return { page, ...rest };
   };
   const kill = async (/** @type {import("playwright-core").Page} */ page) => {
-    for (const worker of page.workers())
-      if ((await worker.evaluate(() => self.name)).includes("model"))
-        await worker.evaluate(() => self.close()).catch(() => {});
+    for (const worker of page.workers()) if ((await nameOf(worker)).includes("model")) await close(worker);
   };
 
   it("is replaced when it dies too", async () => {
@@ -101,7 +109,7 @@ seldom.describe("a worker that trains", () => {
     await page.getByTestId("train").click();
     await page.locator("[data-testid=run][data-state=running]").nth(1).waitFor();
     await page.waitForTimeout(500);
-    await workers[0]?.evaluate(() => self.close()).catch(() => {});
+    await close(workers[0]);
     await page.locator("[data-testid=run][data-state=failed]").waitFor({ timeout: 5000 });
     await page.getByTestId("runs").getByText("the worker that computed it stopped").waitFor();
     await page.locator("[data-testid=run][data-state=done]").waitFor({ timeout: 90_000 });
