@@ -17,11 +17,8 @@ const MEASUREMENTS = {
   samples,
   study,
   scaling: () => printTables("scaling"),
-  schedules: (...words) => printTables("schedules", ...words),
   seeds: (...words) => printTables("seeds", ...words),
-  starts: (...words) => printTables("starts", ...words),
   synthetic: (...words) => printTables("synthetic", ...words),
-  waves: (...words) => printTables("waves", ...words),
 };
 
 await main(async () => {

@@ -155,14 +155,10 @@ async function msrv() {
 
 /** The measurements behind the documents, each as short as it can be; the Rust tests have compiled the program. */
 async function measurements() {
-  const few = ["--seeds", "1", "--iterations", "2"];
   const program = join(env.CARGO_TARGET_DIR ?? at("target"), "debug/examples/lab");
   await run(program, "scaling", "--size", "60", "2", "6", "2");
-  await run(program, "schedules", ...few, "--block", "1");
-  await run(program, "seeds", ...few, "--parts", "whole", "--points", "6");
-  await run(program, "starts", "--iterations", "2");
+  await run(program, "seeds", "--seeds", "1", "--iterations", "2", "--parts", "whole", "--points", "6");
   await run(program, "synthetic", "--seeds", "1", "--max-iterations", "2");
-  await run(program, "waves", "--sets", "1", "--iterations", "2");
 }
 
 /** The tests that need recordings, which are not part of the project. */

@@ -8,13 +8,9 @@
 
 mod modularity;
 mod parallel;
-mod ratios;
 mod scaling;
-mod schedules;
 mod seeds;
-mod starts;
 mod synthetic;
-mod waves;
 
 use clap::Parser;
 use std::path::PathBuf;
@@ -28,26 +24,17 @@ enum Measurement {
     },
     /// How time and memory grow with the size of the data and of the model.
     Scaling(scaling::Arguments),
-    /// The papers' schedule of training beside ours.
-    Schedules(schedules::Arguments),
     /// How many seeds lead to a model that keeps moving.
     Seeds(seeds::Arguments),
-    /// Where a prediction of the vCGPDM starts, and its first half second.
-    Starts(starts::Arguments),
     /// Whether training finds the coupling of synthetic data.
     Synthetic(synthetic::Arguments),
-    /// Walking with and without waving, of thirty-two made trials each.
-    Waves(waves::Arguments),
 }
 
 fn main() {
     match Measurement::parse() {
         Measurement::Modularity { picture } => modularity::run(picture.as_deref()),
         Measurement::Scaling(arguments) => scaling::run(&arguments),
-        Measurement::Schedules(arguments) => schedules::run(&arguments),
         Measurement::Seeds(arguments) => seeds::run(&arguments),
-        Measurement::Starts(arguments) => starts::run(&arguments),
         Measurement::Synthetic(arguments) => synthetic::run(&arguments),
-        Measurement::Waves(arguments) => waves::run(&arguments),
     }
 }
