@@ -58,9 +58,7 @@ impl DmpLearner {
     fn training_error(&self, model: &FittedModel) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for (s, trial) in self.trials.iter().enumerate().filter(|(_, trial)| trial.whole) {
-            let Ok(parts) = model.rollout(s, trial.y.nrows()) else {
-                return f64::INFINITY;
-            };
+            let Ok(parts) = model.rollout(s, trial.y.nrows()) else { return f64::INFINITY };
             let mut at = 0;
             for part in parts {
                 let actual: DMatrix<f64> = trial.y.columns(at, part.ncols()).into_owned();

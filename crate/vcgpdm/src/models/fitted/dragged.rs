@@ -37,6 +37,10 @@ impl Body {
         if node >= count {
             return Err(RolloutError::Node { count, found: node });
         }
+        if y.ncols() == ROOT_COLUMNS.len() {
+            // A body of one joint, and nothing to turn.
+            return Ok(vec![0.0; y.ncols()]);
+        }
         let mut track = self.mapping.track(&RootStart::default());
         self.mapping.continue_positions(&y.rows(0, frame + 1).into_owned(), &mut track)?;
         let wanted = track.relative_to_heading(&place.into());
@@ -48,9 +52,9 @@ impl Body {
         };
         let joints = &self.mapping.skeleton().joints;
         let mut carried = vec![1.0; joints.len()];
-        for (joint, parent) in
-            joints.iter().enumerate().rev().filter_map(|(joint, at)| Some((joint, at.parent?)))
-        {
+        for joint in (1..joints.len()).rev() {
+            // A parent stands before its children.
+            let parent = joints[joint].parent.unwrap_or_default();
             carried[parent] += carried[joint];
         }
         let residuals = |turns: &DVector<f64>| {
@@ -73,7 +77,8 @@ mod tests {
     use super::*;
     use crate::models::rollout::request::{Handles, PosePush};
     use crate::models::{Dataset, DmpSettings, Model, Settings, Trainer};
-    use crate::motion::{parts, samples};
+    use crate::motion::parts::{self, PartSpec};
+    use crate::motion::{bvh, samples};
 
     fn trained(settings: Settings) -> Model {
         let clip = samples::clip("walk-1").unwrap().cut(0, 120).unwrap();
@@ -111,6 +116,13 @@ mod tests {
         let learned = positions(&y);
         let off = |frame| apart(from_root(&pushed, frame, hand), from_root(&learned, frame, hand));
         assert!(off(frame + 1) > 0.03 && off(frame + 30) < 1e-3, "{} {}", off(frame + 1), off(frame + 30));
+
+        let one = "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\nEnd Site\n{\nOFFSET 0 9 0\n}\n}\nMOTION\nFrames: 3\nFrame Time: 0.1\n0 9 0 0 0 0\n0 9 1 0 0 0\n0 9 2 0 0 0\n";
+        let clip = bvh::read("one.bvh", one.as_bytes()).unwrap().into_clip();
+        let whole = [PartSpec { name: "body".to_owned(), joints: vec![0] }];
+        let body = Body::new(&Dataset::new(&[(&clip).into()], &whole, 10.0).unwrap());
+        let still = body.columns(&[DMatrix::zeros(3, 6)]);
+        assert_eq!(body.dragged(&still, 1, 1, [0.0, 1.0, 0.0]), Ok(vec![0.0; 6]));
 
         // A frame, a node, a place, a displacement or a tempo that cannot be is refused.
         let refused = |found: Result<Vec<f64>, RolloutError>| found.unwrap_err().to_string();
