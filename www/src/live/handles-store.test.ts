@@ -61,6 +61,11 @@ it("keeps a push while the tempo changes, and forgets both", async () => {
   handles.tempo = 0.5;
   await vi.waitFor(() => expect(handles.tempo).toBe(0.5));
   expect(asked[1]![0]).toMatchObject({ tempo: 0.5, push: { frame: 4 } });
+  // Also while the motion of a drag is on its way.
+  handles.lift();
+  handles.tempo = 0.75;
+  await vi.waitFor(() => expect(handles.tempo).toBe(0.75));
+  expect(asked.at(-1)).toMatchObject([{ tempo: 0.75 }, { node: 2, changes: "goal" }]);
   handles.reset();
   await vi.waitFor(() => expect(handles.isAsLearned).toBe(true));
 });

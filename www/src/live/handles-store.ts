@@ -10,6 +10,8 @@ export class HandlesStore extends Store {
   /** Where the drag began; null: no drag. */
   #grabbed: { frame: number; handles: Handles; played: boolean } | null = null;
   readonly #rolls: Latest<[Handles, Drag?], MadeMotion>;
+  /** What was asked for, until its motion is there. */
+  #asked: [Handles, Drag?] | null = null;
 
   /**
    * `roll`: the motion under these handles and a drag, which it adds to them. `isShown`: whether the motion is on
@@ -24,12 +26,25 @@ export class HandlesStore extends Store {
     failed: (problem: unknown) => void,
   ) {
     super();
-    const take = (next: MadeMotion) => {
+    const take = (next: MadeMotion, request: [Handles, Drag?]) => {
       this.made = next;
+      if (request === this.#asked) this.#asked = null;
       if (this.running) show(next);
       this.changed();
     };
-    this.#rolls = new Latest(([handles, drag]) => roll(handles, drag), take, failed);
+    this.#rolls = new Latest(
+      ([handles, drag]) => roll(handles, drag),
+      take,
+      (problem) => {
+        this.#asked = null;
+        failed(problem);
+      },
+    );
+  }
+
+  #ask(...asked: [Handles, Drag?]): void {
+    this.#asked = asked;
+    this.#rolls.request(asked);
   }
 
   get kind() {
@@ -46,7 +61,8 @@ export class HandlesStore extends Store {
   }
 
   set tempo(tempo: number) {
-    this.#rolls.request([{ ...this.made.handles, tempo }]);
+    const [handles, drag] = this.#asked ?? [this.made.handles];
+    this.#ask({ ...handles, tempo }, drag);
   }
 
   choose(changes: Drag["changes"]): void {
@@ -56,7 +72,7 @@ export class HandlesStore extends Store {
 
   /** The motion as learned. */
   reset(): void {
-    this.#rolls.request([{}]);
+    this.#ask({});
   }
 
   get isAsLearned(): boolean {
@@ -69,7 +85,7 @@ export class HandlesStore extends Store {
     const { playback } = this;
     this.#grabbed ??= {
       frame: Math.round(playback.frame),
-      handles: this.made.handles,
+      handles: this.#asked?.[0] ?? this.made.handles,
       played: playback.playing,
     };
     const { frame, handles } = this.#grabbed;
@@ -78,7 +94,7 @@ export class HandlesStore extends Store {
     if (!pose) return;
     const fromRoot = (axis: 0 | 1 | 2) => (pose[3 * node + axis] ?? 0) - (pose[axis] ?? 0) + by[axis];
     const place = playback.turnedBack([fromRoot(0), fromRoot(1), fromRoot(2)]);
-    this.#rolls.request([handles, { frame, node, place, changes: this.changes }]);
+    this.#ask(handles, { frame, node, place, changes: this.changes });
   }
 
   /** Lets the figure go. */

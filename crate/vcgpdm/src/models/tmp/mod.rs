@@ -155,11 +155,14 @@ impl Tmp {
             .get(sequence)
             .ok_or(RolloutError::Sequence { count: self.trials.len(), found: sequence })?;
         let mut map = trial.map;
-        map.rate *= handles.tempo;
         if self.axis == PhaseAxis::Trial && map.at(frames - 1) > self.range.1 {
             map.rate = (self.range.1 - map.start).max(0.0) / (frames - 1) as f64;
         }
-        let phases: Vec<f64> = (0..frames).map(|t| map.at(t)).collect();
+        map.rate *= handles.tempo;
+        // A faster movement that is not a cycle stays at its end.
+        let ends = self.axis == PhaseAxis::Trial && handles.tempo > 1.0;
+        let last = if ends { self.range.1 } else { f64::INFINITY };
+        let phases: Vec<f64> = (0..frames).map(|t| map.at(t).min(last)).collect();
         let mut y = self.primitives(&phases) * trial.weights.transpose();
         for (frame, mut row) in y.row_iter_mut().enumerate() {
             if let Some(by) = handles.push_at(frame) {

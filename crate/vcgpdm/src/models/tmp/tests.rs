@@ -239,6 +239,12 @@ fn finds_the_number_of_primitives_and_predicts_a_partial_trial() {
         assert!(off.row(7).add_scalar(-1.0).amax() < 1e-12 && off.remove_row(7).amax() == 0.0);
         let half = model.rollout(0, 39, &Handles { tempo: 0.5, ..Handles::default() }).unwrap();
         assert!((half[0].row(38) - y[0].row(19)).amax() < 1e-9);
+        // Twice the tempo, with more frames than the trial has.
+        let [once, twice] = [1.0, 2.0].map(|tempo| {
+            model.rollout(0, 81, &Handles { tempo, ..Handles::default() }).unwrap().swap_remove(0)
+        });
+        assert!((twice.row(20) - once.row(40)).amax() < 1e-9);
+        assert!(rhythmic || (twice.row(40) - twice.row(80)).amax() < 1e-9);
         let goal = Handles { goal: Some(vec![0.0; 4]), ..Handles::default() };
         assert_eq!(model.rollout(0, 40, &goal), Err(RolloutError::NoGoal));
         // The rollout of the partial trial starts as its five frames.
