@@ -153,8 +153,9 @@ async function msrv() {
   await run("cargo", `+${version}`, "check", "--package", "vcgpdm", "--package", "vcgpdm-cli");
 }
 
-/** The measurements behind the documents, each as short as it can be; the Rust tests have compiled the program. */
+/** The measurements behind the documents, each as short as it can be. What they need was compiled for the tests. */
 async function measurements() {
+  await run("cargo", "build", "--profile", "test", ...NATIVE, "--example", "lab");
   const program = join(env.CARGO_TARGET_DIR ?? at("target"), "debug/examples/lab");
   await run(program, "scaling", "--size", "60", "2", "6", "2");
   await run(program, "seeds", "--seeds", "1", "--iterations", "2", "--parts", "whole", "--points", "6");
