@@ -2,7 +2,6 @@
 
 use crate::elementary::Elementary;
 use crate::gp::NumericsError;
-use crate::models::data::movements::split;
 use crate::models::data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use crate::models::dmp::spring::{ALPHA_Z, Curve, integrate, regress};
 use crate::models::dmp::{OVERLAP, SpringStart};
@@ -130,6 +129,8 @@ impl DmpDiscrete {
     /// The movement from the start of a training sequence, under `handles` of centred columns in the order of the
     /// parts: all columns, centred [frames x D].
     ///
+    /// Its speed is the mean speed of the training trials; after their end it stays at the goal.
+    ///
     /// # Errors
     ///
     /// When there is no such sequence, or the number of frames is out of its range.
@@ -186,23 +187,6 @@ impl SpringStart {
 }
 
 impl DmpDiscrete {
-    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts, under
-    /// `handles` of centred columns in the order of the parts.
-    ///
-    /// Its speed is the mean speed of the training trials; after their end it stays at the goal.
-    ///
-    /// # Errors
-    ///
-    /// When there is no such sequence, or the number of frames is 0 or too large.
-    pub fn rollout(
-        &self,
-        sequence: usize,
-        frames: usize,
-        handles: &Handles,
-    ) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-        Ok(split(&self.path(sequence, frames, handles)?, &self.columns))
-    }
-
     /// The number of stored numbers from which one sequence can be rolled out: weights, goal, y(0), y'(0),
     /// start and rate of one sequence, which columns are scaled, and alpha_x.
     pub fn stored_numbers(&self) -> usize {

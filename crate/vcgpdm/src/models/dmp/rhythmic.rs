@@ -2,7 +2,6 @@
 
 use crate::elementary::Elementary;
 use crate::gp::NumericsError;
-use crate::models::data::movements::split;
 use crate::models::data::phase::{Alignment, PhaseAxis, PhaseMap, Trial};
 use crate::models::dmp::spring::{Curve, integrate, regress};
 use crate::models::dmp::{OVERLAP, SpringStart};
@@ -169,21 +168,6 @@ impl RhythmicStart {
 }
 
 impl DmpRhythmic {
-    /// Centred columns of each part [frames x D_i], starting as the training sequence `sequence` starts, under
-    /// `handles` of centred columns in the order of the parts.
-    ///
-    /// # Errors
-    ///
-    /// When there is no such sequence, or the number of frames is 0 or too large.
-    pub fn rollout(
-        &self,
-        sequence: usize,
-        frames: usize,
-        handles: &Handles,
-    ) -> Result<Vec<DMatrix<f64>>, RolloutError> {
-        Ok(split(&self.path(sequence, frames, handles)?, &self.columns))
-    }
-
     /// The number of stored numbers from which one sequence can be rolled out: weights, centre, y(0) and
     /// y'(0) of one sequence, its start, rate and amplitude, and the concentration.
     pub fn stored_numbers(&self) -> usize {

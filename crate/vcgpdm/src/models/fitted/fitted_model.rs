@@ -1,5 +1,6 @@
 //! Fitted models of any kind.
 
+use crate::models::data::movements::split;
 use crate::models::dmp::{DmpDiscrete, DmpRhythmic};
 use crate::models::map::MapModel;
 use crate::models::rollout::request::{Handles, RolloutError};
@@ -58,8 +59,12 @@ impl FittedModel {
     ) -> Result<Vec<DMatrix<f64>>, RolloutError> {
         match self {
             FittedModel::Tmp(model) => model.rollout(sequence, frames, handles),
-            FittedModel::DmpDiscrete(model) => model.rollout(sequence, frames, handles),
-            FittedModel::DmpRhythmic(model) => model.rollout(sequence, frames, handles),
+            FittedModel::DmpDiscrete(model) => {
+                Ok(split(&model.path(sequence, frames, handles)?, &model.columns))
+            }
+            FittedModel::DmpRhythmic(model) => {
+                Ok(split(&model.path(sequence, frames, handles)?, &model.columns))
+            }
             _ if *handles != Handles::default() => Err(RolloutError::Handles { found: self.kind().id() }),
             FittedModel::Vcgpdm(model) => model.rollout(sequence, frames),
             FittedModel::Map(model) => model.rollout(sequence, frames),
