@@ -56,41 +56,54 @@ const DYNAMICS_COUNT_MORE: Sentence = Sentence(
     "\u{201c}Additional dynamics IPs contribute more to the reduction of the MSE than latent-to-observed IPs.\u{201d}",
     "2018, figure 6B",
 );
-/// Numbers of which the papers found the smallest error near one: that number, what is counted, the kinds of models.
-const OPTIMA: [(Sentence, usize, &str, &[ModelKind]); 4] = [
-    (
-        Sentence(
+/// A number near which the papers found the smallest error.
+struct Optimum {
+    sentence: Sentence,
+    /// The number.
+    best: usize,
+    /// What is counted.
+    what: &'static str,
+    kinds: &'static [ModelKind],
+}
+
+const OPTIMA: [Optimum; 4] = [
+    Optimum {
+        sentence: Sentence(
             "\u{201c}The MSE optima were near 10\u{2013}15 IPs for both the walking and the walking + waving datasets\u{201d}",
             "2018, section 5.3",
         ),
-        12,
-        "inducing points of dynamics and of poses",
-        &[Vcgpdm, Vgpdm],
-    ),
-    (
-        Sentence(
+        best: 12,
+        what: "inducing points of dynamics and of poses",
+        kinds: &[Vcgpdm, Vgpdm],
+    },
+    Optimum {
+        sentence: Sentence(
             "\u{201c}For the TMPs, we used up to 10 primitives; the MSE optimum was located at approximately six.\u{201d}",
             "2018, section 5.3",
         ),
-        6,
-        "primitives",
-        &[Tmp],
-    ),
-    (
-        Sentence(
+        best: 6,
+        what: "primitives",
+        kinds: &[Tmp],
+    },
+    Optimum {
+        sentence: Sentence(
             "\u{201c}For the DMPs, we used between 1 and 50 basis functions, and the lowest MSE was found around 15.\u{201d}",
             "2018, section 5.3",
         ),
-        15,
-        "bases",
-        &[DmpDiscrete, DmpRhythmic],
-    ),
-    (DMP_OPTIMUM, 25, "bases", &[DmpDiscrete, DmpRhythmic]),
+        best: 15,
+        what: "bases",
+        kinds: &[DmpDiscrete, DmpRhythmic],
+    },
+    Optimum {
+        sentence: Sentence(
+            "\u{201c}The minimal predictive MSE, which is reached with 25 basis functions and increases from there on\u{201d}: DMP",
+            "2019, section 4.2",
+        ),
+        best: 25,
+        what: "bases",
+        kinds: &[DmpDiscrete, DmpRhythmic],
+    },
 ];
-const DMP_OPTIMUM: Sentence = Sentence(
-    "\u{201c}The minimal predictive MSE, which is reached with 25 basis functions and increases from there on\u{201d}: DMP",
-    "2019, section 4.2",
-);
 const TMP_CORRELATES: Sentence = Sentence(
     "\u{201c}MSE and ELBO of TMP models have similar predictive capabilities, as they are highly correlated in the investigated parameter regime.\u{201d}",
     "2019, section 4.3",
@@ -178,7 +191,7 @@ pub(super) fn secondary_claims(rows: &[Row], parts: usize, growth: &[Growth], la
         }
     }
     for claim in &OPTIMA {
-        claim.3.iter().for_each(|kind| optimum(&mut claims, rows, *kind, claim));
+        claim.kinds.iter().for_each(|kind| optimum(&mut claims, rows, *kind, claim));
     }
     // The number that the bound chooses would count twice.
     let given = |c: &Candidate| matches!(c, Candidate::Model(Settings::Tmp(s)) if s.primitives.is_some());
@@ -386,12 +399,8 @@ fn correlated(c: &Correlation) -> (String, ClaimAnswer) {
 }
 
 /// Whether the error is smallest near a number: higher with the fewest, and with the most.
-fn optimum(
-    claims: &mut Claims,
-    rows: &[Row],
-    kind: ModelKind,
-    (sentence, best, what, _): &(Sentence, usize, &str, &[ModelKind]),
-) {
+fn optimum(claims: &mut Claims, rows: &[Row], kind: ModelKind, optimum: &Optimum) {
+    let Optimum { sentence, best, what, .. } = optimum;
     // Points of dynamics and poses change together; a number that the bound chooses is none.
     let is_given = |candidate: &Candidate| {
         let (number, poses) = size_numbers(candidate);
