@@ -1,6 +1,7 @@
 // The handles of a TMP or DMP on the stage: its tempo, and its pose or goal, which a drag of the figure changes.
 import { Latest } from "../engine/latest";
 import type { Drag, Handles, MadeMotion } from "../engine/whole-protocol";
+import { fromRoot } from "../scene/motion";
 import type { Playback } from "../stage/playback";
 import { Store } from "../ui/store";
 
@@ -92,8 +93,7 @@ export class HandlesStore extends Store {
     if (playback.playing) playback.scrub(frame);
     const { pose } = playback;
     if (!pose) return;
-    const fromRoot = (axis: 0 | 1 | 2) => (pose[3 * node + axis] ?? 0) - (pose[axis] ?? 0) + by[axis];
-    const place = playback.turnedBack([fromRoot(0), fromRoot(1), fromRoot(2)]);
+    const place = playback.turnedBack(fromRoot(pose, node, by));
     this.#ask(handles, { frame, node, place, changes: this.changes });
   }
 

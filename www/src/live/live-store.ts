@@ -2,6 +2,7 @@
 // while couplings, primitives and tempos change, and parts are pushed or moved by a hand or a recording.
 import type { LiveBody, LiveChange, LiveFrames, LiveStep, Motion } from "../engine/protocol";
 import { LiveTrack } from "../scene/live-track";
+import { fromRoot } from "../scene/motion";
 import type { Playback } from "../stage/playback";
 import type { StageStore } from "../stage/stage-store";
 import { LONGEST_PICTURE } from "../ui/browser";
@@ -256,8 +257,7 @@ export class LiveStore extends Store {
     const mover = this.#movers.get(part);
     if (mover?.kind !== "push")
       this.#move({ kind: "push", part, began: this.#next, from: this.#next, held: true });
-    const fromRoot = (axis: 0 | 1 | 2) => (pose[3 * node + axis] ?? 0) - (pose[axis] ?? 0) + by[axis];
-    const place = this.#track.turnedBack([fromRoot(0), fromRoot(1), fromRoot(2)]);
+    const place = this.#track.turnedBack(fromRoot(pose, node, by));
     this.#changes.push({ kind: "reach", node, place });
     this.#movedAt ??= performance.now();
     void this.#fill();

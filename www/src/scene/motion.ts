@@ -10,6 +10,16 @@ export interface Placement {
 
 export const HERE: Placement = { yaw: 0, x: 0, z: 0 };
 
+/** The place of a node, shifted by metres, from the root (node 0). */
+export function fromRoot(
+  pose: Float32Array,
+  node: number,
+  by: readonly [number, number, number],
+): [number, number, number] {
+  const along = (axis: 0 | 1 | 2) => (pose[3 * node + axis] ?? 0) - (pose[axis] ?? 0) + by[axis];
+  return [along(0), along(1), along(2)];
+}
+
 /** A displacement on the stage in the axes of a motion before its placement. */
 export function turnedBack(
   { yaw }: Placement,
