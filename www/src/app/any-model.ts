@@ -21,6 +21,8 @@ interface OtherModel extends MadeMotion {
   text: string;
   /** The file on the page's host that the address names; empty: none. */
   modelFile: string;
+  /** Whether its handles have changed the motion. */
+  byHand: boolean;
 }
 
 const shown = new WeakMap<StageContent, OtherModel>();
@@ -74,7 +76,7 @@ export async function showAnyModel(
     content = { kind: "clip", clip: OTHER_MODEL, figure, joints, parts, motion, caption };
     if (now !== made) content.ghost = made.motion;
     if (controls) content.controls = controls;
-    shown.set(content, { ...now, ...named });
+    shown.set(content, { ...now, ...named, byHand: store?.isAsLearned === false });
     stage.showClip(content);
   };
   const isShown = () => stage.content === content;

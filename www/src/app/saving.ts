@@ -151,11 +151,9 @@ function movedClip(app: App): StageMotion | null {
 function movedOther({ stage }: App): StageMotion | null {
   const made = otherModelOnStage(stage);
   if (!made) return null;
-  const { name, motion, bvh, handles, ...body } = made;
-  const { tempo = 1, goal, push } = handles;
-  const byHand = tempo !== 1 || goal || push ? "-by-hand" : "";
+  const { name, motion, bvh, byHand, ...body } = made;
   return {
-    name: `${plain(name) || made.kind}${byHand}`,
+    name: `${plain(name) || made.kind}${byHand ? "-by-hand" : ""}`,
     body,
     motion: async () => motion,
     bvh: async () => bvh,
