@@ -2,8 +2,9 @@
 // with each other and with the papers. Each folder holds the clips (.bvh) of one person or movement; the
 // movements that the program makes come after them, or only those that are named (bottle-made). docs/comparison
 // gets the results (NAME.json) and the tables (NAME.md); the page gets the results of the first folder. A finished
-// training is never done again: stop and go on at will, and delete docs/comparison/*.json to begin anew.
-// --primary trains only what the primary claims need, on recorded clips, and writes one table over all folders.
+// training is never done again: delete docs/comparison/*.json to begin anew.
+// --primary trains only what the primary claims need, for one table over all folders; with --from-2-frames all
+// predictions of this table start as in the papers.
 // --tables writes the tables again from the results, without the clips: only the folders' names are used.
 // --quick trains with few settings and iterations, to test the command, and writes no file of the project.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -41,8 +42,7 @@ const WHOLE = {
   times: "1,2,4,8",
 };
 /**
- * What many persons are compared with: of the large models few sizes. A report cuts the results of all persons to
- * the sizes that all of them have.
+ * What many persons are compared with: few sizes. A report cuts all results to the sizes that all persons have.
  * @type {Extent}
  */
 const PRIMARY = { ...WHOLE, ips: "5,10", poseIps: "5,10,20", primitives: "4,8,20" };
@@ -59,6 +59,9 @@ const QUICK = {
   mapIterations: "10",
   times: "1,2,3",
 };
+
+/** Predictions that start as in the papers: the names of their files, and the options. */
+const FROM_TWO = /** @type {const} */ (["-from-2-frames", ["--start-frames", "2"]]);
 
 /**
  * Who is compared on what, and in which file the results are kept: of one setting each. Only `secondary` claims need
@@ -104,10 +107,10 @@ const every = (/** @type {Extent} */ { ips, poseIps, bases, primitives, componen
     options: ["--models", "map-gpdm", "--linear", "--max-iterations", rest.mapIterations],
   },
   {
-    file: "-from-2-frames",
+    file: FROM_TWO[0],
     secondary: true,
     options: [
-      ...["--models", "vcgpdm,vgpdm,tmp,dmp-rhythmic,promp,ar", "--ips", "10", "--start-frames", "2"],
+      ...["--models", "vcgpdm,vgpdm,tmp,dmp-rhythmic,promp,ar", "--ips", "10", ...FROM_TWO[1]],
       ...["--max-iterations", rest.iterations],
     ],
   },
@@ -137,10 +140,7 @@ const variants = (/** @type {Extent} */ { iterations }) => {
   ];
 };
 
-/**
- * The same for a movement that is not periodic, with the sizes of Velychko et al. (2018, section 5.3): no rhythmic
- * DMP and no cycles. The MAP models would take hours.
- */
+/** Of a movement that is not periodic, with the sizes of Velychko et al. (2018, 5.3). MAP models would take hours. */
 const seatedSweeps = (/** @type {Extent} */ { seatedPoseIps, seatedPrimitives, bases, iterations }) => {
   const sizes = ["--ips", "8", "--pose-ips", seatedPoseIps, "--max-iterations", iterations];
   const models = [
@@ -152,9 +152,8 @@ const seatedSweeps = (/** @type {Extent} */ { seatedPoseIps, seatedPrimitives, b
 };
 
 /**
- * How the time of an iteration and of a whole training grows with the frames: one job at a time, so that none
- * waits for another. Three seeds are repeats. Of the same parts as all else, with which they stand, and of
- * three parts, as in the supplement of Velychko et al. (2017).
+ * How the time of an iteration and of a whole training grows with the frames: one job at a time, so that none waits
+ * for another, of three seeds. The parts are those of all else, and the three of Velychko et al. (2017, supplement).
  */
 const times = (/** @type {Extent} */ extent, /** @type {number} */ trials) => {
   // Fewer than the trials that all else is trained on: these are no results of a trial held out.
@@ -233,14 +232,17 @@ export async function comparison(/** @type {string[]} */ ...words) {
   };
   if (primary) {
     const files = [];
+    const [suffix, start] = words.includes("--from-2-frames") ? FROM_TWO : ["", []];
+    // An autoregression of order 3 starts from three frames.
     for (const one of recorded)
-      for (const sweep of sweeps(extent).filter((sweep) => !("secondary" in sweep)))
-        files.push(await evaluate(one, sweep));
+      for (const { options, ...sweep } of sweeps(extent))
+        if (!("secondary" in sweep || (suffix && options.includes("ar") && options.at(-1) === "3")))
+          files.push(await evaluate(one, { file: suffix, options: [...options, ...start] }));
     const tables = output(program, "report", "--primary", ...new Set(files));
     if (tables === null) throw new Failure("the report could not be made");
-    const title = "Primary claims";
-    const command = "npm run lab -- comparison --primary";
-    return writeTables(join(folder, "primary-claims.md"), { title, command, tables });
+    const title = suffix ? "Primary claims from two first frames" : "Primary claims";
+    const command = `npm run lab -- comparison --primary${suffix && " --from-2-frames"}`;
+    return writeTables(join(folder, `primary-claims${suffix}.md`), { title, command, tables });
   }
   const [first] = recorded;
   /** @type {string[]} */
