@@ -5,7 +5,7 @@ export const budget = {
   lines: { product: 109_760, tests: 46_760, files: 1_246 },
   firstVisit: 500_000,
   /** Of it what is not wasm, in `npm test`, whose quick wasm comes with more JavaScript. */
-  firstScripts: 258_200,
+  firstScripts: 258_400,
   /** The wasm of a first visit. */
   wasm: 250_000,
   /** The views of the Lab. */
