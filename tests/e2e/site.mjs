@@ -169,18 +169,24 @@ export async function openSite({ folder = dist, flags = /** @type {string[]} */ 
   };
 }
 
-/** The site, open while the tests of a file run. Visitors leave at the end of their test, without problems. */
+/**
+ * The site, opened by the first visit of a test file: of some files no test may run. Visitors leave at the end of
+ * their test, without problems.
+ */
 export function openedSite(/** @type {Parameters<typeof openSite>[0]} */ options = {}) {
-  const site = /** @type {Awaited<ReturnType<typeof openSite>>} */ ({});
-  before(async () => void Object.assign(site, await openSite(options)));
+  /** @type {ReturnType<typeof openSite> | undefined} */
+  let opening;
+  const open = () => (opening ??= openSite(options));
   afterEach(async () => {
-    for (const { problems, leave } of site.here) {
+    for (const { problems, leave } of (await opening)?.here ?? []) {
       await leave();
       assert.deepEqual(problems, []);
     }
   });
-  after(() => site.close?.());
-  return site;
+  after(async () => (await opening)?.close());
+  /** @type {(visitor?: Parameters<Awaited<typeof opening & {}>["visit"]>[0]) => Promise<Visitor>} */
+  const visit = async (visitor) => (await open()).visit(visitor);
+  return { visit };
 }
 
 /** Settings of a training that lasts longer than any test. */

@@ -1,11 +1,10 @@
 // The synthetic experiment from Node: made, trained step by step, and what it found at any time.
 import assert from "node:assert/strict";
-import { before, describe, it } from "node:test";
+import { describe, it } from "node:test";
+import { seldom } from "../../scripts/node-tests.mjs";
 import { builtPackage } from "../../scripts/package.mjs";
 
 const vcgpdm = builtPackage();
-
-before(async () => {});
 
 /** Trains until the training ends, or for `iterations` iterations. */
 function train(/** @type {import("vcgpdm").SyntheticExperiment} */ experiment, iterations = Infinity) {
@@ -80,7 +79,7 @@ describe("the synthetic experiment", () => {
     assert.throws(() => new vcgpdm.SyntheticExperiment(0, true, 0), /the number of .* inducing points/);
   });
 
-  it("finds in the control that neither drives the other", () => {
+  seldom.it("finds in the control that neither drives the other", () => {
     const experiment = new vcgpdm.SyntheticExperiment(0, false);
     train(experiment);
     const { verdict } = experiment.findings();

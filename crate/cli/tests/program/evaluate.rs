@@ -153,7 +153,7 @@ fn computes_the_same_results_in_shares() {
 #[test]
 fn reports_a_row_for_each_model_and_the_claims() {
     let out = file("report");
-    summary(&evaluate(&out, &["--models", "all", "--folds", "1", "--bases", "5,6"]));
+    summary(&evaluate(&out, &["--models", "all", "--folds", "1", "--bases", "5,6", "--primitives", "3"]));
     let text = String::from_utf8(run(&["report", out.to_str().unwrap()]).stdout).unwrap();
     for id in
         ["vcgpdm", "vgpdm", "map-gpdm", "map-cgpdm", "tmp", "dmp-discrete", "dmp-rhythmic", "promp", "ar"]
