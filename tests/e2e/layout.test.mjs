@@ -6,6 +6,7 @@ import {
   barriers,
   barriersBy,
   choosePreset,
+  often,
   oneVisitor,
   openPanel,
   openedSite,
@@ -95,7 +96,7 @@ describe("the Lab", () => {
 
   it("never scrolls, whatever panel is open and however many parts the model has", async () => {
     const { page } = visitor;
-    for (const count of [1, 2, 3, 4, 5]) {
+    for (const count of often() ? [1, 2, 5] : [1, 2, 3, 4, 5]) {
       await open(page, modelOf(count));
       await page.waitForFunction(
         (count) => document.querySelectorAll("pg-stage .stage-legend li").length === count,

@@ -66,7 +66,7 @@ describe("the synthetic experiment", () => {
     }
     const saved = experiment.model();
     const values = saved.rollout({ frames: 300 }).values();
-    const own = [0, 1].map((part) => generated[part]?.slice(-10) ?? []).flat();
+    const own = [0, 1].flatMap((part) => generated[part]?.slice(-10) ?? []);
     values.slice(-20).forEach((value, i) => {
       assert.ok(Math.abs(value - (own[i] ?? NaN)) < 1e-9, "the model of the table makes the same curves");
     });
