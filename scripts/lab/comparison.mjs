@@ -237,7 +237,9 @@ export async function comparison(/** @type {string[]} */ ...words) {
     for (const one of recorded)
       for (const { options, ...sweep } of sweeps(extent))
         if (!("secondary" in sweep || (suffix && options.includes("ar") && options.at(-1) === "3")))
-          files.push(await evaluate(one, { file: suffix, options: [...options, ...start] }));
+          files.push(
+            await evaluate(one, { file: suffix && `-primary${suffix}`, options: [...options, ...start] }),
+          );
     const tables = output(program, "report", "--primary", ...new Set(files));
     if (tables === null) throw new Failure("the report could not be made");
     const title = suffix ? "Primary claims from two first frames" : "Primary claims";
