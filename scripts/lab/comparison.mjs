@@ -60,8 +60,8 @@ const QUICK = {
   times: "1,2,3",
 };
 
-/** Predictions that start as in the papers: the names of their files, and the options. */
-const FROM_TWO = /** @type {const} */ (["-from-2-frames", ["--start-frames", "2"]]);
+/** Predictions that start as in the papers. */
+const FROM_TWO = { file: "-from-2-frames", start: ["--start-frames", "2"] };
 
 /**
  * Who is compared on what, and in which file the results are kept: of one setting each. Only `secondary` claims need
@@ -78,6 +78,8 @@ const every = (/** @type {Extent} */ { ips, poseIps, bases, primitives, componen
   { file: "", secondary: true, options: ["--models", "dmp-discrete", "--bases", bases] },
   ...["1", "2", "3"].map((order) => ({
     file: "",
+    /** An autoregression starts from as many frames. */
+    order,
     options: ["--models", "ar", "--components", components, "--order", order],
   })),
   { file: "", secondary: true, options: ["--models", "tmp", "--normalised-time"] },
@@ -107,10 +109,10 @@ const every = (/** @type {Extent} */ { ips, poseIps, bases, primitives, componen
     options: ["--models", "map-gpdm", "--linear", "--max-iterations", rest.mapIterations],
   },
   {
-    file: FROM_TWO[0],
+    file: FROM_TWO.file,
     secondary: true,
     options: [
-      ...["--models", "vcgpdm,vgpdm,tmp,dmp-rhythmic,promp,ar", "--ips", "10", ...FROM_TWO[1]],
+      ...["--models", "vcgpdm,vgpdm,tmp,dmp-rhythmic,promp,ar", "--ips", "10", ...FROM_TWO.start],
       ...["--max-iterations", rest.iterations],
     ],
   },
@@ -232,14 +234,13 @@ export async function comparison(/** @type {string[]} */ ...words) {
   };
   if (primary) {
     const files = [];
-    const [suffix, start] = words.includes("--from-2-frames") ? FROM_TWO : ["", []];
-    // An autoregression of order 3 starts from three frames.
+    const { file: suffix, start } = words.includes("--from-2-frames") ? FROM_TWO : { file: "", start: [] };
+    // A file of its own: the tables of the first persons have one size from two frames.
+    const file = suffix && `-primary${suffix}`;
     for (const one of recorded)
       for (const { options, ...sweep } of sweeps(extent))
-        if (!("secondary" in sweep || (suffix && options.includes("ar") && options.at(-1) === "3")))
-          files.push(
-            await evaluate(one, { file: suffix && `-primary${suffix}`, options: [...options, ...start] }),
-          );
+        if (!("secondary" in sweep || (suffix && "order" in sweep && Number(sweep.order) > 2)))
+          files.push(await evaluate(one, { file, options: [...options, ...start] }));
     const tables = output(program, "report", "--primary", ...new Set(files));
     if (tables === null) throw new Failure("the report could not be made");
     const title = suffix ? "Primary claims from two first frames" : "Primary claims";
@@ -264,7 +265,7 @@ export async function comparison(/** @type {string[]} */ ...words) {
   };
   // Recorded and made trials are never put together.
   const reports = recorded.length > 0 ? [(await report(recorded)).replace(TOGETHER, RECORDED)] : [];
-  const fromTwo = recorded.map(({ name }) => join(folder, `${name}-from-2-frames.json`));
+  const fromTwo = recorded.map(({ name }) => join(folder, `${name}${FROM_TWO.file}.json`));
   if (recorded.length > 1) {
     const [, all = ""] = (output(program, "report", ...fromTwo) ?? "").split(TOGETHER);
     reports.push(`${RECORDED} from 2 frames${all}`);
