@@ -37,6 +37,7 @@ describe("training", () => {
       settings: `tab=learn&trainings=1&iterations=${golden.max_iterations}`,
     });
     await ready(page);
+    const before = await provenance(page);
     const iterationsShown = await watchIterations(page);
     await page.getByTestId("train").click();
     await trainIsBack(page);
@@ -47,6 +48,7 @@ describe("training", () => {
     );
     const { bound, iterations, settings } = await provenance(page);
     assert.ok(iterations >= 2 && iterations <= golden.max_iterations, `${iterations} iterations`);
+    assert.notEqual(bound, before.bound, "another model");
     assert.ok(Math.abs(bound / golden.bound - 1) < 1e-9, `${bound}`);
     assert.deepEqual([settings.seed, settings.poseWeight, settings.ownRollouts], [0, "balanced", true]);
     assert.equal(await page.getByTestId("setting-dynamicsIps").inputValue(), "12");
@@ -178,7 +180,7 @@ describe("own files", () => {
     assert.ok(frames < mine.resample(15).info().frames);
     const { sha256 } = mine.info();
     const { provenance, sequences } = await trained(page);
-    assert.equal(provenance.settings.dynamicsIps, 14);
+    assert.deepEqual([provenance.settings.framesPerSecond, provenance.settings.dynamicsIps], [15, 14]);
     assert.deepEqual(sequences, [
       { name: "mine", sha256, frames, restsFrom: null, piece: [5, 45], bonesOf: null, whole: true },
     ]);
