@@ -24,11 +24,8 @@ export function findChromium() {
   return NAMES.map(which).find((file) => file !== null) ?? MAC.find((file) => existsSync(file)) ?? null;
 }
 
-/**
- * Starts the browser without a window, with WebGL drawn in software.
- * @param {readonly string[]} [flags] further flags
- */
-export async function launchChromium(flags = []) {
+/** Starts the browser without a window, with WebGL drawn in software. */
+export async function launchChromium() {
   const executablePath = findChromium();
   if (!executablePath) {
     throw new Failure(
@@ -42,7 +39,6 @@ export async function launchChromium(flags = []) {
     // The rest of the page does not use the emulated card, so the stage gets four times the frames.
     ...["--disable-gpu-compositing", "--disable-gpu-rasterization", "--disable-accelerated-2d-canvas"],
     `--disable-features=${OFF.join(",")}`,
-    ...flags,
   ];
   // Imported here: `npm test` reads this file before the npm packages are installed.
   const { chromium } = await import("playwright-core");

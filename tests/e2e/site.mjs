@@ -82,13 +82,12 @@ function countPictures() {
 /**
  * @param {object} [options]
  * @param {string} [options.folder] the built page
- * @param {string[]} [options.flags] of the browser
  * @param {(path: string) => unknown} [options.before] a file waits for the promise of this function
  * @param {(path: string, bytes: number) => void} [options.onSend] called for each file sent
  */
-export async function openSite({ folder = dist, flags = /** @type {string[]} */ ([]), ...options } = {}) {
+export async function openSite({ folder = dist, ...options } = {}) {
   // The browser first: a server without one would keep the process of the tests alive.
-  const browser = await launchChromium(flags);
+  const browser = await launchChromium();
   const server = await serve(folder, { prefix: "/some/where/", ...options });
   /** The visitors who stay until the end of their test. @type {Set<Visitor>} */
   const here = new Set();
