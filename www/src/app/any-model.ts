@@ -63,10 +63,9 @@ export async function showAnyModel(
   );
   link?.take();
   const { modelFile, packedModel } = settings.values;
-  const words = lab().stage.otherKind;
   const caption = {
-    title: words.made(modelStyle(made.kind).name),
-    text: hasHandles ? performingWords().handles.caption : words.noCouplings,
+    title: lab().stage.madeBy(modelStyle(made.kind).name),
+    text: hasHandles ? performingWords().handles.caption : "",
   };
   const named = { text, name: name.replace(/(\.model)?\.json$/i, ""), modelFile: link ? modelFile : "" };
   let content: StageContent | null = null;

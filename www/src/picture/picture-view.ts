@@ -76,12 +76,12 @@ export class PictureView extends View {
 
   /** What the couplings now are, or what to try. */
   #lead(): string {
-    const { stage, model, training } = this.app;
-    const { lead, otherKind } = lab().stage;
-    // The caption of a motion by another model says enough.
-    if (stage.content?.kind === "clip") return stage.content.caption ? "" : lead.clip;
-    if (stage.content?.kind !== "model") return otherKind.noCouplings;
-    if (stage.content.live) return lead.live;
+    const { model, training } = this.app;
+    const { content } = this.app.stage;
+    const { lead } = lab().stage;
+    if (content?.kind === "clip") return content.caption ? lead.hidden : lead.clip;
+    if (content?.kind === "completed") return lead.hidden;
+    if (content?.live) return lead.live;
     if (model.couplings.altered) {
       const { bothShown } = this.app.readings;
       if (bothShown) return lab().readings.both;
@@ -109,13 +109,13 @@ export class PictureView extends View {
   }
 
   protected override render() {
-    const { model, body, readings, engine, stage } = this.app;
+    const { model, body, readings, engine } = this.app;
+    const { content } = this.app.stage;
     const info = model.model?.info;
     const words = lab().couplings;
     if (!info)
       return html`<p class="empty">${engine.state === "failed" ? words.failed : words.empty}</p>${this.#foot()}`;
     const isCoupled = info.parts.length > 1;
-    const { content } = stage;
     const isMeasured = content?.kind === "model" && !content.live;
     return html`
       <div class="picture-head row wrap" role="group" aria-label=${words.map}>

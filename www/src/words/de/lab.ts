@@ -67,13 +67,11 @@ export const words: LabWords = {
       learning: "Ein Modell lernt: Es bewegt sich, wie es schon kann, und seine Schleifen entstehen.",
       own: "Eigene Kopplungen, nicht die gelernten.",
       clip: "Ein Clip: woraus ein Modell lernt, nicht was es macht.",
+      hidden: "Schleifen und Regler gehören zu einer verdeckten Bewegung: Diese Figur ändern sie nicht.",
     },
     rollout: "Ein Rollout",
     clip: "Clip",
-    otherKind: {
-      made: (kind) => `Gemacht von einem ${kind}`,
-      noCouplings: "Ein Modell ohne Kopplungen: Hier ändert nichts seine Bewegung",
-    },
+    madeBy: (kind) => `Gemacht von einem ${kind}`,
     clipFrom: {
       made: "Ein Clip, von einem Programm gemacht: nicht das Modell",
       model: "Ein Clip, gemacht von einem Modell, das aus Aufnahmen gelernt hat",

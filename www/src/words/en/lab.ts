@@ -67,12 +67,10 @@ export const words = {
       learning: "A model is learning: what it can do so far moves, and its loops form.",
       own: "Couplings of your own, not those that the model learned.",
       clip: "This is a clip: what a model learns from, not what it made.",
+      hidden: "These loops and sliders belong to a motion that is hidden now: they do not move this figure.",
     },
     rollout: "A rollout",
-    otherKind: {
-      made: (kind: string) => `Made by a ${kind}`,
-      noCouplings: "A model without couplings: nothing here changes its motion",
-    },
+    madeBy: (kind: string) => `Made by a ${kind}`,
     clip: "Clip",
     clipFrom: {
       made: "A clip, made by a program: not the model",
