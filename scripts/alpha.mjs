@@ -1,4 +1,4 @@
-// `npm run alpha -- [SITE_FOLDER] [--learned]`: measures the time from a coupling's slider to the new motion,
+// `npm run alpha -- [SITE_FOLDER] [--learned] [--events 200]`: measures the time from a coupling's slider to the new motion,
 // in headless Chromium, with experts re-inferred or as learned. For each event it measures three times: in the
 // page, from the event to the new positions, and until the page has drawn the figure and all loops anew (the work of
 // the graphics card is left out, because most machines without a display have none); in the worker, from the request
@@ -11,7 +11,6 @@ import { onPage } from "./chromium.mjs";
 import { main } from "./run.mjs";
 import { dist } from "./site.mjs";
 
-const EVENTS = 200;
 /** Events before the measurement, while the browser still compiles the program. */
 const WARM_UP = 20;
 const LIVE_SECONDS = 10;
@@ -150,8 +149,9 @@ function print(/** @type {string} */ name, /** @type {number[]} */ times) {
 await main(async () => {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
-    options: { learned: { type: "boolean", default: false } },
+    options: { learned: { type: "boolean", default: false }, events: { type: "string", default: "200" } },
   });
+  const events = Number(values.events);
   const site = resolve(positionals[0] ?? dist);
   await onPage(site, { viewport: { width: 1280, height: 800 } }, async (page, address) => {
     await page.goto(`${address}#view=play`);
@@ -167,12 +167,12 @@ await main(async () => {
     for (const worker of workers) await worker.evaluate(recordAnswers);
 
     await page.evaluate(leaveOutGraphics);
-    const times = await page.evaluate(slide, { slider, events: WARM_UP + EVENTS });
+    const times = await page.evaluate(slide, { slider, events: WARM_UP + events });
     print("event to motion", times.motions.slice(WARM_UP));
     print("event to pictures", times.pictures.slice(WARM_UP));
     for (const worker of workers) {
       const times = await worker.evaluate(() => /** @type {any} */ (globalThis).answerTimes());
-      if (times.length >= EVENTS) print("inside the worker", times.slice(-EVENTS));
+      if (times.length >= events) print("inside the worker", times.slice(-events));
     }
     await page.getByTestId("live-on").click();
     await page.getByTestId("live").waitFor();

@@ -1,16 +1,17 @@
 // `npm run speed -- [CASE.json] [CLIP.bvh ...] [--peer "COMMAND"]`: times of one bound with its gradient, of a
 // training and of a rollout: native, wasm in Node, wasm in Chromium, and another program that prints
 // {"median_ms": ...}. One thread each. `npm run speed -- --frame`: the time of one observed frame alone.
+// --quick tests the command: it compiles quickly and measures once, so that its times say nothing.
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { parseArgs } from "node:util";
+import { NATIVE } from "./cargo.mjs";
 import { onPage } from "./chromium.mjs";
 import { builtPackage } from "./package.mjs";
 import { at, Failure, main, output, run, step } from "./run.mjs";
 import { installTools } from "./tools.mjs";
 import { buildVariant, buildWasm } from "./wasm.mjs";
 
-const ROUNDS = 3;
 const folder = at("target/speed");
 
 /** @typedef {{ evaluation: Record<string, number>, training?: Record<string, number> }} Side */
@@ -23,11 +24,11 @@ function json(/** @type {string} */ program, /** @type {string[]} */ ...args) {
 }
 
 /** A starting point on the project's own walks, for a command without a case. */
-async function ownCase() {
+async function ownCase(/** @type {string} */ program) {
   const file = join(folder, "case.json");
   const walks = [1, 2, 3, 4].map((k) => `sample:walk-${k}`);
   await run(
-    at("target/release/vcgpdm"),
+    program,
     "train",
     ...walks,
     "--parts",
@@ -51,7 +52,7 @@ const inChromium = (/** @type {string} */ text, /** @type {[string, string][]} *
         async ({ text, files, address }) => {
           const wasm = await import(`${address}web/vcgpdm.js`);
           const { evaluation, training } = await import(`${address}measure.js`);
-          await wasm.default();
+          await wasm.default({ module_or_path: `${address}web/vcgpdm_bg.wasm` });
           return { evaluation: evaluation(wasm, text), training: training(wasm, files) };
         },
         { text, files, address },
@@ -92,7 +93,7 @@ const median = (/** @type {number[]} */ values) => values.sort((a, b) => a - b)[
 await main(async () => {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
-    options: { peer: { type: "string" }, frame: { type: "boolean", default: false } },
+    options: { peer: { type: "string" }, frame: { type: "boolean" }, quick: { type: "boolean" } },
   });
   if (values.frame) {
     await step("npm package vcgpdm (wasm)", () => buildWasm({ small: true }));
@@ -100,15 +101,16 @@ await main(async () => {
     return;
   }
   await installTools();
-  await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
-  await run("cargo", "build", "--release", "--package", "vcgpdm-lab", "--example", "speed");
-  await buildVariant(folder, ["speed"]);
+  const [profile, place, rounds] = values.quick ? ["dev", "debug", 1] : ["release", "release", 3];
+  const compile = (/** @type {string[]} */ ...what) => run("cargo", "build", "--profile", profile, ...what);
+  await compile(...NATIVE, "--bins", "--example", "speed");
+  await buildVariant(folder, { more: ["speed"], small: !values.quick });
   mkdirSync(folder, { recursive: true });
   copyFileSync(at("scripts/speed/measure.js"), join(folder, "measure.js"));
   writeFileSync(join(folder, "index.html"), "<!doctype html><title>speed</title>");
 
   const [given, ...clips] = positionals;
-  const file = given ?? (await ownCase());
+  const file = given ?? (await ownCase(at(`target/${place}/vcgpdm`)));
   const text = readFileSync(file, "utf8");
   const files = clips.map(
     (clip) => /** @type {[string, string]} */ ([basename(clip), readFileSync(clip, "utf8")]),
@@ -119,8 +121,8 @@ await main(async () => {
   const add = (/** @type {string} */ name, /** @type {Side} */ side) => {
     sides[name] = [...(sides[name] ?? []), side];
   };
-  for (let round = 0; round < ROUNDS; round++) {
-    add("native", json(at("target/release/examples/speed"), file, ...clips));
+  for (let round = 0; round < rounds; round++) {
+    add("native", json(at(`target/${place}/examples/speed`), file, ...clips));
     add("wasm, Node", json(process.execPath, at("scripts/speed/node.mjs"), file, ...clips));
     add("wasm, Chromium", await inChromium(text, files));
     if (values.peer) {
@@ -134,7 +136,7 @@ await main(async () => {
   const bound = (/** @type {string} */ name) => of(name, (side) => side.evaluation.median_ms);
   const show = (/** @type {number} */ value, digits = 2) =>
     Number.isNaN(value) ? "" : value.toFixed(digits);
-  console.log(`\nMedians of ${ROUNDS} rounds, one after the other.\n`);
+  console.log(`\nMedians of ${rounds} rounds, one after the other.\n`);
   console.log(
     "| | bound with gradient, ms | faster than the peer | time of native | training, s | to 99.9 % of its bound, s | rollout of 300 frames with positions, ms |",
   );

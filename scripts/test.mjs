@@ -56,6 +56,7 @@ const PAGE_STEPS = [
     work: () => runModule("vitest/vitest.mjs", "run", "--root", at("www")),
   },
   { name: "page", what: "the page in Chromium", needs: "build", work: page },
+  { name: "times", what: "commands that measure time", seldom: true, needs: "build", work: times },
 ];
 
 /** @type {Step[]} */
@@ -160,6 +161,7 @@ async function measurements() {
   await run(program, "scaling", "--size", "60", "2", "6", "2");
   await run(program, "seeds", "--seeds", "1", "--iterations", "2", "--parts", "whole", "--points", "6");
   await run(program, "synthetic", "--seeds", "1", "--max-iterations", "2");
+  await run(process.execPath, at("scripts/lab.mjs"), "comparison", "--quick", "walk-made");
 }
 
 /** The tests that need recordings, which are not part of the project. */
@@ -184,6 +186,13 @@ async function page() {
   // Each file would say the same after it has served the page.
   if (findChromium() === null) return "skipped: no Chromium";
   return nodeTests("e2e", 2, true);
+}
+
+/** In short: what they print is no measurement. */
+async function times() {
+  if (findChromium() === null) return "skipped: no Chromium";
+  await run(process.execPath, at("scripts/alpha.mjs"), "--events", "5");
+  await run(process.execPath, at("scripts/speed.mjs"), "--quick");
 }
 
 async function files() {

@@ -136,9 +136,12 @@ export async function buildWasm({ small = true, types = true } = {}) {
 }
 
 /** The wasm of the package with `more` features, in folders below `place`. */
-export async function buildVariant(/** @type {string} */ place, /** @type {string[]} */ more) {
-  await compileTargets(place, { more });
-  await optimise(place);
+export async function buildVariant(
+  /** @type {string} */ place,
+  /** @type {{ more: string[], small: boolean }} */ how,
+) {
+  await compileTargets(place, how);
+  if (how.small) await optimise(place);
   writeNodeEntry(place);
 }
 

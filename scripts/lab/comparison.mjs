@@ -6,15 +6,15 @@
 // --primary trains only what the primary claims need, for one table over all folders; with --from-2-frames all
 // predictions of this table start as in the papers.
 // --tables writes the tables again from the results, without the clips: only the folders' names are used.
-// --quick trains with few settings and iterations, to test the command, and writes no file of the project.
+// --quick trains with few trials, settings and iterations, to test the command, and writes no file of the project.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, dirname, join, resolve } from "node:path";
+import { compileTests } from "../cargo.mjs";
 import { at, Failure, output, run } from "../run.mjs";
 import { BOTTLE, MADE, PARTS, subject, THREE_PARTS } from "./subjects.mjs";
 import { writeSections, writeTables } from "./tables.mjs";
 
 const shown = at("www/public/comparison/walks.results.json");
-const program = at("target/release/vcgpdm");
 
 /** The heading of the tables over all trials of a report, and its name in the documents. */
 const TOGETHER = "### All together";
@@ -53,7 +53,7 @@ const QUICK = {
   seatedPoseIps: "5,8",
   seatedPrimitives: "2,4",
   bases: "5,25,100",
-  primitives: "2,4",
+  primitives: "2",
   components: "3,6",
   iterations: "20",
   mapIterations: "10",
@@ -216,20 +216,23 @@ export async function comparison(/** @type {string[]} */ ...words) {
   const made = primary ? [] : asked.length > 0 ? asked : all;
   const folders = names.filter((word) => !asked.some(({ name }) => name === word));
   const named = (/** @type {string} */ folder) => ({ name: basename(resolve(folder)), clips: [] });
-  const recorded = folders.map(onlyTables ? named : subject);
+  const recorded = folders.map((folder) => (onlyTables ? named(folder) : subject(folder)));
   const subjects = /** @type {Subject[]} */ ([...recorded, ...made]);
   if (new Set(subjects.map(({ name }) => name)).size < subjects.length)
     throw new Failure("expected folders of different names: they are the names of the subjects");
   const extent = quick ? QUICK : primary ? PRIMARY : WHOLE;
   const folder = at(quick ? "target/comparison-quick" : "docs/comparison");
-  await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
+  const program = at(quick ? "target/debug/vcgpdm" : "target/release/vcgpdm");
+  if (quick) await compileTests();
+  else await run("cargo", "build", "--release", "--package", "vcgpdm-cli");
   mkdirSync(folder, { recursive: true });
   const evaluate = async (
     /** @type {Subject} */ { name, clips },
     /** @type {{ file: string, parts?: string, options: string[] }} */ { file, parts = PARTS, options },
   ) => {
     const path = join(folder, `${name}${file}.json`);
-    if (!onlyTables) await run(program, "evaluate", ...clips, "--parts", parts, ...options, "--out", path);
+    const trials = quick ? clips.slice(0, 3) : clips;
+    if (!onlyTables) await run(program, "evaluate", ...trials, "--parts", parts, ...options, "--out", path);
     return path;
   };
   if (primary) {

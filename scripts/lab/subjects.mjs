@@ -14,34 +14,20 @@ export const PARTS = "lower,upper";
 /** The parts of passing a bottle. */
 export const THREE_PARTS = "body-arms";
 
+const samples = (/** @type {string} */ name, /** @type {number} */ count) =>
+  Array.from({ length: count }, (_, trial) => `sample:${name}-${trial + 1}`);
+
 /** Walks that the program makes. */
 export const MADE = [
-  {
-    name: "walk-made",
-    clips: [
-      "sample:walk-1",
-      "sample:walk-2",
-      "sample:walk-3",
-      "sample:walk-4",
-      "sample:walk-5",
-      "sample:walk-6",
-    ],
-  },
-  {
-    name: "walk-and-wave-made",
-    clips: ["sample:walk-wave-1", "sample:walk-wave-2", "sample:walk-wave-3", "sample:walk-wave-4"],
-  },
+  { name: "walk-made", clips: samples("walk", 6) },
+  { name: "walk-and-wave-made", clips: samples("walk-wave", 4) },
 ];
 
 /**
  * Passing a bottle.
  * @type {Subject}
  */
-export const BOTTLE = {
-  name: "bottle-made",
-  clips: Array.from({ length: 10 }, (_, trial) => `sample:bottle-${trial + 1}`),
-  seated: true,
-};
+export const BOTTLE = { name: "bottle-made", clips: samples("bottle", 10), seated: true };
 
 /** The folder's clips as one subject. */
 export function subject(/** @type {string} */ folder, least = 3) {
