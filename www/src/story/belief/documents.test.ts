@@ -36,6 +36,18 @@ it("the page has the ratios of passing a bottle", () => {
   for (const ratio of ratiosOf(found)) expect(section).toContain(ratio);
 });
 
+it("has the p values and numbers of persons of the primary claims", () => {
+  const text = comparison.replace(/\s+/g, " ");
+  const [claims, numbers] = [compared.join(), (list: string) => list.match(/[\d.]+/g) ?? []];
+  const ps = [...text.matchAll(/\bp ((?:[\d.]+(?:, | and )?)+) %/g)].flatMap(([, list = ""]) =>
+    numbers(list),
+  );
+  const needed = [...text.matchAll(/ by (\d+)/g)].map(([, count]) => count);
+  expect(Math.min(ps.length, 2 * needed.length)).toBeGreaterThan(7);
+  expect(ps.filter((p) => !claims.includes(`corrected ${p} %`))).toEqual([]);
+  expect(needed.filter((count) => !claims.includes(`spread, ${count} persons`))).toEqual([]);
+});
+
 it("documents have the ratios and decimals of their tables", () => {
   for (const document of [comparison, modularity, completing, uncertainty]) {
     const lines = document.split("\n");
