@@ -3,8 +3,8 @@ import type { Words } from "../en";
 import type { Ratio } from "../en/belief";
 
 const ratio = (numbers: Ratio) => {
-  const [median, low, high] = numbers.map((value) => decimal("de", value, 2));
-  return `${median}-mal so groß (${low} bis ${high})`;
+  const [mean, low, high] = numbers.map((value) => decimal("de", value, 2));
+  return `${mean}-mal so groß (${low} bis ${high})`;
 };
 const times = (value: number) => decimal("de", value, value < 10 ? 1 : 0);
 
@@ -40,10 +40,10 @@ export const belief: Words["chapters"]["belief"] = {
   },
   score: (you, model, rounds) =>
     `Bisher richtig: du ${you} von ${rounds}, das Modell ${model} von ${rounds}.`,
-  closing: (learned, heldOut, dmp) =>
-    `Bei aufgenommenen Gängen ist der Fehler eines Modells ohne Kopplungen ${ratio(learned)} bei ` +
-    `gelernten Gängen und ${ratio(heldOut)} bei einem neuen, im Mittel über sechs Personen. Mit Kopplungen ist er ` +
-    `${ratio(dmp)} wie der einer rhythmischen DMP, im Mittel über zehn: unentschieden.`,
+  closing: (uncoupled, dmp) =>
+    `Bei neuen aufgenommenen Gängen ist der Fehler eines Modells mit Kopplungen ${ratio(uncoupled)} wie der eines ` +
+    `Modells ohne und ${ratio(dmp)} wie der einer rhythmischen DMP, im Mittel über zehn Personen: beides ` +
+    "unentschieden.",
   again: "Ein anderes Paar",
   modelRow: "das Modell glaubt",
   truthRow: "die Wahrheit",

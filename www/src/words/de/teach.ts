@@ -199,7 +199,7 @@ export const words: TeachWords = {
       wrong: "Eine geänderte Kopplung bleibt: vor der nächsten Aufgabe alles zurücksetzen.",
     },
     compare: {
-      say: "Einfache Modelle sehen einen zurückgehaltenen Gang ebenso gut voraus. Das gekoppelte hat Teile, die man abschneiden, schieben und tauschen kann.",
+      say: "Dass das gekoppelte Modell einen zurückgehaltenen Gang besser voraussieht als einfache, fanden wir nicht. Es hat Teile, die man abschneiden, schieben und tauschen kann.",
       wrong: "Ein Vergleich dauert Minuten: vor der Pause starten, oder die gespeicherten Ergebnisse zeigen.",
     },
     questions: {

@@ -106,7 +106,7 @@ export const terms: TermsWords = {
     "bound-terms": {
       title: "Terme der Schranke",
       words:
-        "Die Schranke ist eine Summe: wie gut Posen und Dynamik jedes Teils erklärt sind, die ersten Bilder, und die Entropie der latenten Zustände. Knopp et al. (2019) fanden, dass die Dynamik am meisten darüber sagt, wie natürlich das Gehen eines Modells aussieht.",
+        "Die Schranke ist eine Summe: wie gut Posen und Dynamik jedes Teils erklärt sind, die ersten Bilder, und die Entropie der latenten Zustände. Knopp et al. (2019) fanden, dass die Dynamik mehr als die Posen darüber sagt, wie natürlich das Gehen eines Modells aussieht.",
     },
     nats: {
       title: "Nat",

@@ -1,11 +1,11 @@
 import { decimal } from "../../ui/decimal";
 
-/** The median of the ratios of two errors, and the ends of its interval. */
-export type Ratio = readonly [median: number, low: number, high: number];
+/** The mean of the ratios of two errors, and the ends of its interval. */
+export type Ratio = readonly [mean: number, low: number, high: number];
 
 const ratio = (numbers: Ratio) => {
-  const [median, low, high] = numbers.map((value) => decimal("en", value, 2));
-  return `${median} times (${low} to ${high})`;
+  const [mean, low, high] = numbers.map((value) => decimal("en", value, 2));
+  return `${mean} times (${low} to ${high})`;
 };
 const times = (value: number) => decimal("en", value, value < 10 ? 1 : 0);
 
@@ -40,10 +40,9 @@ export const belief = {
   },
   score: (you: number, model: number, rounds: number) =>
     `Right so far: you ${you} of ${rounds}, the model ${model} of ${rounds}.`,
-  closing: (learned: Ratio, heldOut: Ratio, dmp: Ratio) =>
-    `On recorded walks a model without couplings has ${ratio(learned)} the error on walks that it ` +
-    `learned, and ${ratio(heldOut)} on a walk held out, in the mean of six persons. With couplings it has ` +
-    `${ratio(dmp)} the error of a rhythmic DMP, in the mean of ten: undecided.`,
+  closing: (uncoupled: Ratio, dmp: Ratio) =>
+    `On recorded walks held out a model with couplings has ${ratio(uncoupled)} the error of one without, and ` +
+    `${ratio(dmp)} that of a rhythmic DMP, in the mean of ten persons: both undecided.`,
   again: "Another pair",
   modelRow: "the model believes",
   truthRow: "the truth",

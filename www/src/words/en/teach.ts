@@ -182,7 +182,7 @@ export const words = {
       wrong: "A changed coupling stays: Reset before the next exercise.",
     },
     compare: {
-      say: "Simple models foresee a held-out walk as well. The coupled model adds parts that can be cut, pushed and exchanged.",
+      say: "We did not find that the coupled model foresees a held-out walk better than simple ones. It adds parts that can be cut, pushed and exchanged.",
       wrong: "A comparison takes minutes: start it before the break, or show the recorded results.",
     },
     questions: {

@@ -105,7 +105,7 @@ export const terms = {
     "bound-terms": {
       title: "terms of the bound",
       words:
-        "The bound is a sum: how well poses and dynamics of each part are explained, the first frames, and the entropy of the latents. Knopp et al. (2019) found that the dynamics say most about how natural the walks of a model look.",
+        "The bound is a sum: how well poses and dynamics of each part are explained, the first frames, and the entropy of the latents. Knopp et al. (2019) found that the dynamics say more than the poses about how natural the walks of a model look.",
     },
     nats: {
       title: "nat",
