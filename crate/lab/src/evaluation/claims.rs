@@ -5,16 +5,15 @@
 
 use crate::evaluation::candidate::{Candidate, CandidateKind};
 use crate::evaluation::candidate_text::size_numbers;
-use crate::evaluation::correlation::by_preference;
-use crate::evaluation::correlation::{correlation, training_correlation};
-use crate::evaluation::effect::{Choice, Contender};
-use crate::evaluation::effect::{Effect, Errors};
+use crate::evaluation::correlation::{by_preference, correlation, training_correlation};
+use crate::evaluation::effect::{Choice, Contender, Effect, Errors};
 use crate::evaluation::fixed::fixed;
 use crate::evaluation::labels::Labels;
-use crate::evaluation::primary::{NEARLY, NOT_IN_PAPERS, paired};
+use crate::evaluation::primary::{LARGEST_P, NEARLY, NOT_IN_PAPERS, by_person, paired};
 use crate::evaluation::rows::{Row, common_folds, groups, is_plain, settings};
-use crate::evaluation::stats::Interval;
+use crate::evaluation::stats::{Interval, median, values_needed};
 use crate::evaluation::summary::{Claim, ClaimAnswer, Correlation, Growth};
+use std::ops::Range;
 use vcgpdm::internals::counted;
 use vcgpdm::models::ModelKind::{DmpDiscrete, DmpRhythmic, MapCgpdm, MapGpdm, Tmp, Vcgpdm, Vgpdm};
 use vcgpdm::models::{ModelKind, Settings, VariationalSettings};
@@ -119,20 +118,33 @@ const LOWER: &str = "the error on the trial held out is lower: the interval of t
 const OTHER_ORDERS: Sentence =
     Sentence("Dynamics of order 2 predict better than those of another order", NOT_IN_PAPERS);
 
-/// Claims with their answers.
-struct Claims(Vec<Claim>);
+/// Claims with their answers, and the folds of each person.
+struct Claims<'a>(Vec<Claim>, &'a [Range<usize>]);
 
-impl Claims {
+impl Claims<'_> {
     fn add(&mut self, sentence: &Sentence, criterion: &str, found: String, answer: ClaimAnswer) {
         let Sentence(claim, place) = sentence;
         let (claim, place, criterion) = ((*claim).to_owned(), (*place).to_owned(), criterion.to_owned());
         self.0.push(Claim { claim, place, criterion, found, answer, primary: false, persons: Vec::new() });
     }
 
-    /// Adds the claim that the errors of `a` are lower than those of `b`.
-    fn add_lower(&mut self, sentence: &Sentence, a: &Errors, b: &Errors, names: &str) {
-        if let Some(effect) = Effect::new(a, b) {
-            self.add(sentence, LOWER, format!("{names}: {}", effect.text()), effect.is_below(1.0));
+    /// The ratio of errors as text, and whether it is below the limit. `None` without a trial that both have.
+    fn compared(&self, a: &Errors, b: &Errors, limit: f64) -> Option<(String, ClaimAnswer)> {
+        let effect = Effect::new(a, b)?;
+        let answer = effect.is_below(limit);
+        let everybody = by_person(a, b, limit, self.1);
+        let medians: Vec<f64> =
+            everybody.iter().filter(|own| !own.is_empty()).map(|own| median(own)).collect();
+        let needed = values_needed(&medians, LARGEST_P)
+            .filter(|needed| answer == ClaimAnswer::Undecided && *needed > medians.len())
+            .map(|needed| format!("; Student's t test of {needed} such persons would decide it"));
+        Some((effect.text() + &needed.unwrap_or_default(), answer))
+    }
+
+    /// Adds the claim that the errors of `a` are lower than `limit` times those of `b`.
+    fn add_lower(&mut self, what: (&Sentence, &str), a: &Errors, b: &Errors, limit: f64, names: &str) {
+        if let Some((text, answer)) = self.compared(a, b, limit) {
+            self.add(what.0, what.1, format!("{names}: {text}"), answer);
         }
     }
 
@@ -163,11 +175,17 @@ impl Claims {
 }
 
 /// The claims for which there are results.
-pub(super) fn secondary_claims(rows: &[Row], parts: usize, growth: &[Growth], labels: &Labels) -> Vec<Claim> {
+pub(super) fn secondary_claims(
+    rows: &[Row],
+    people: &[Range<usize>],
+    parts: usize,
+    growth: &[Growth],
+    labels: &Labels,
+) -> Vec<Claim> {
     let contender = |kind: ModelKind, choice| Contender::new(settings(rows, kind, &is_plain), choice);
     let (vcgpdm, vgpdm) = (contender(Vcgpdm, Choice::Rollouts), contender(Vgpdm, Choice::Rollouts));
     let by_bound = (contender(Vcgpdm, Choice::Bound), contender(Vgpdm, Choice::Bound));
-    let mut claims = Claims(Vec::new());
+    let mut claims = Claims(Vec::new(), people);
     if let Some(vcgpdm) = &vcgpdm {
         against_map(&mut claims, vcgpdm, rows, labels);
         let sentence = if parts > 2 { &BEST_OF_MORE_PARTS } else { &BEST };
@@ -178,10 +196,8 @@ pub(super) fn secondary_claims(rows: &[Row], parts: usize, growth: &[Growth], la
         let (preferred, other) = by_preference(parts, whole);
         let criterion =
             "of the split in parts and the whole body, the one with the higher bound has the lower error";
-        if let Some(effect) = Effect::new(&preferred, &other) {
-            let found = format!("the preferred one compared with the other: {}", effect.text());
-            claims.add(&BOUND_CHOOSES_SPLITS, criterion, found, effect.is_below(1.0));
-        }
+        let names = "the preferred one compared with the other";
+        claims.add_lower((&BOUND_CHOOSES_SPLITS, criterion), &preferred, &other, 1.0, names);
     }
     for (by_rollouts, by_bound) in [(&vcgpdm, &by_bound.0), (&vgpdm, &by_bound.1)] {
         if let (Some(by_rollouts), Some(by_bound)) = (by_rollouts, by_bound)
@@ -219,7 +235,7 @@ pub(super) fn secondary_claims(rows: &[Row], parts: usize, growth: &[Growth], la
 /// The claims of the papers about three parts, compared with the whole body and with the TMP.
 pub(super) fn three_part_claims(rows: &[Row], labels: &Labels) -> Vec<Claim> {
     let contender = |kind: ModelKind| Contender::new(settings(rows, kind, &is_plain), Choice::Rollouts);
-    let mut claims = Claims(Vec::new());
+    let mut claims = Claims(Vec::new(), &[]);
     let Some(three) = contender(Vcgpdm) else { return claims.0 };
     let mut add = |sentence, criterion, other: Option<Contender>, answer: fn(&Effect) -> ClaimAnswer| {
         let Some(other) = other else { return };
@@ -275,7 +291,7 @@ fn against_map(claims: &mut Claims, parts: &Contender, rows: &[Row], labels: &La
         let others = rows.iter().filter(|row| row.candidate.kind() == kind && !is_plain(row.candidate));
         for map in groups(others).into_iter().filter_map(|group| Contender::new(group, Choice::Rollouts)) {
             let names = format!("{} compared with {}", parts.text(labels), map.text(labels));
-            claims.add_lower(&MAP_IS_WORSE_TOO, &parts.errors, &map.errors, &names);
+            claims.add_lower((&MAP_IS_WORSE_TOO, LOWER), &parts.errors, &map.errors, 1.0, &names);
         }
     }
 }
@@ -291,7 +307,7 @@ fn other_orders(claims: &mut Claims, rows: &[Row], models: [&Option<Contender>; 
             };
             if let Some((plain, other)) = paired(rows, &model.settings, &other) {
                 let names = format!("{} compared with {}", plain.text(labels), other.text(labels));
-                claims.add_lower(&OTHER_ORDERS, &plain.errors, &other.errors, &names);
+                claims.add_lower((&OTHER_ORDERS, LOWER), &plain.errors, &other.errors, 1.0, &names);
             }
         }
     }
@@ -329,15 +345,14 @@ fn against_all(claims: &mut Claims, sentence: &Sentence, parts: &Contender, rows
 fn bound_and_error(claims: &mut Claims, kind: &Contender, by_rollouts: &Contender, labels: &Labels) {
     // That of the vCGPDM is a primary claim.
     let is_primary = kind.settings[0].candidate.kind() == Vcgpdm;
-    if let Some(effect) = Effect::new(&kind.errors, &by_rollouts.errors).filter(|_| !is_primary) {
-        let title = kind.settings[0].candidate.kind().title();
-        let found = format!(
-            "{title}, of {} settings the one with the highest bound compared with the one with the best rollouts on the training trials: {}",
-            kind.settings.len(),
-            effect.text()
+    if !is_primary {
+        let names = format!(
+            "{}, of {} settings the one with the highest bound compared with the one with the best rollouts on the training trials",
+            kind.settings[0].candidate.kind().title(),
+            kind.settings.len()
         );
         let criterion = "choosing by the bound costs less than a tenth, compared with choosing by rollouts: the interval of the ratio is below 1.1";
-        claims.add(&BOUND_CHOOSES, criterion, found, effect.is_below(NEARLY));
+        claims.add_lower((&BOUND_CHOOSES, criterion), &kind.errors, &by_rollouts.errors, NEARLY, &names);
     }
     let first = claims.0.len();
     let criterion = "the rank correlation over the inducing points, within each trial, is below 0 in the mean: its interval is";
@@ -374,16 +389,9 @@ fn dynamics_or_poses(claims: &mut Claims, rows: &[&Row], labels: &Labels) {
         labels.label(dynamics.candidate),
         labels.label(poses.candidate)
     );
-    let errors = (dynamics.training_errors(&folds), poses.training_errors(&folds));
-    if let Some(effect) = Effect::new(&errors.0, &errors.1) {
-        let criterion = "with the same number of inducing points, more in the dynamics give a lower error: the interval of the ratio is below 1";
-        claims.add(
-            &DYNAMICS_COUNT_MORE,
-            criterion,
-            format!("{names}: {}", effect.text()),
-            effect.is_below(1.0),
-        );
-    }
+    let (a, b) = (dynamics.training_errors(&folds), poses.training_errors(&folds));
+    let criterion = "with the same number of inducing points, more in the dynamics give a lower error: the interval of the ratio is below 1";
+    claims.add_lower((&DYNAMICS_COUNT_MORE, criterion), &a, &b, 1.0, &names);
 }
 
 fn correlated(c: &Correlation) -> (String, ClaimAnswer) {
@@ -417,17 +425,30 @@ fn optimum(claims: &mut Claims, rows: &[Row], kind: ModelKind, optimum: &Optimum
     }
     let folds = common_folds(&[few, middle, many]);
     let least = middle.errors(&folds);
-    let effects = (Effect::new(&few.errors(&folds), &least), Effect::new(&many.errors(&folds), &least));
-    let (Some(fewer), Some(more)) = effects else { return };
-    let found = format!(
-        "{}: {a} {what} compared with {b}: {}; {c} compared with {b}: {}",
-        kind.title(),
-        fewer.text(),
-        more.text()
-    );
-    let answer = all(&[not(fewer.is_below(1.0)), not(more.is_below(1.0))]);
+    let with_least = |row: &Row| claims.compared(&row.errors(&folds), &least, 1.0);
+    let (Some((fewer, is_fewer)), Some((more, is_more))) = (with_least(few), with_least(many)) else {
+        return;
+    };
+    let found =
+        format!("{}: {a} {what} compared with {b}: {fewer}; {c} compared with {b}: {more}", kind.title());
+    let answer = all(&[not(is_fewer), not(is_more)]);
     let criterion = format!(
         "of the numbers tried, the fewest and the most have a higher error than the one nearest to {best}"
     );
     claims.add(sentence, &criterion, found, answer);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each person's median is the mean of two logarithms: -0.06 and -0.18. Five such persons have p = 2.9 %.
+    #[test]
+    fn says_how_many_persons_would_decide() {
+        let errors = |values: [f64; 4]| values.into_iter().enumerate().collect::<Errors>();
+        let (a, b, people) = (errors([0.8, 1.1, 0.7, 1.0]), errors([1.0; 4]), [0..2, 2..4]);
+        let (text, answer) = Claims(Vec::new(), &people).compared(&a, &b, 1.0).unwrap();
+        assert_eq!(answer, ClaimAnswer::Undecided);
+        assert!(text.ends_with("; Student's t test of 5 such persons would decide it"), "{text}");
+    }
 }

@@ -7,8 +7,7 @@
 //! t test of the median logarithm of each person.
 
 use crate::evaluation::candidate::{Candidate, CandidateKind};
-use crate::evaluation::effect::{Choice, Contender};
-use crate::evaluation::effect::{Effect, Errors};
+use crate::evaluation::effect::{Choice, Contender, Effect, Errors};
 use crate::evaluation::fixed::fixed;
 use crate::evaluation::labels::Labels;
 use crate::evaluation::rows::{Row, is_plain, settings};
@@ -31,7 +30,7 @@ pub(super) const NOT_IN_PAPERS: &str = "not in the papers";
 /// A ratio of errors below this is nearly 1.
 pub(super) const NEARLY: f64 = 1.1;
 /// Largest p value of a decision.
-const LARGEST_P: f64 = 0.05;
+pub(super) const LARGEST_P: f64 = 0.05;
 /// With fewer trials the sign test cannot decide.
 const FEWEST_TRIALS: usize = 6;
 
@@ -176,16 +175,20 @@ fn percent(p: f64) -> String {
     format!("{} %", fixed(100.0 * p, if p < 0.01 { 2 } else { 1 }))
 }
 
+/// The logarithms of each person's ratios of `a` to `b`, divided by the limit.
+pub(super) fn by_person(a: &Errors, b: &Errors, limit: f64, people: &[Range<usize>]) -> Vec<Vec<f64>> {
+    let logarithm = |fold: usize| {
+        let ratio = a.get(&fold)? / b.get(&fold)?;
+        (ratio.is_finite() && ratio > 0.0).then(|| (ratio / limit).logarithm())
+    };
+    people.iter().map(|folds| folds.clone().filter_map(logarithm).collect()).collect()
+}
+
 /// `None` without a trial that both models have. More persons would decide it at this `level`.
 fn test(question: &Question, people: &[Range<usize>], level: f64) -> Option<Test> {
     let (a, b) = question.errors;
     let effect = Effect::new(a, b)?;
-    let logarithm = |fold: usize| {
-        let ratio = a.get(&fold)? / b.get(&fold)?;
-        (ratio.is_finite() && ratio > 0.0).then(|| (ratio / question.limit).logarithm())
-    };
-    let of_person = |folds: &Range<usize>| folds.clone().filter_map(logarithm).collect::<Vec<f64>>();
-    let everybody: Vec<Vec<f64>> = people.iter().map(of_person).collect();
+    let everybody = by_person(a, b, question.limit, people);
     let by_person: Vec<&Vec<f64>> = everybody.iter().filter(|logarithms| !logarithms.is_empty()).collect();
     if let [own] = by_person[..] {
         let few = own.len() < FEWEST_TRIALS;

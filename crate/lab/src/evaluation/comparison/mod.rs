@@ -2,9 +2,7 @@
 
 use crate::evaluation::candidate::Candidate;
 use crate::evaluation::claims::{secondary_claims, three_part_claims};
-use crate::evaluation::correlation::correlations;
-use crate::evaluation::correlation::evidence;
-use crate::evaluation::correlation::growth;
+use crate::evaluation::correlation::{correlations, evidence, growth};
 use crate::evaluation::effect::{Choice, Contender};
 use crate::evaluation::labels::Labels;
 use crate::evaluation::primary::primary_claims;
@@ -54,7 +52,7 @@ impl Comparison {
         let people: Vec<Range<usize>> = several.iter().map(folds).collect();
         let parts = several.first().map_or(1, |results| results.setting().parts.len());
         let mut claims = primary_claims(&rows, &people, parts, &labels);
-        claims.extend(secondary_claims(&rows, parts, &growth, &labels));
+        claims.extend(secondary_claims(&rows, &people, parts, &growth, &labels));
         if several.iter().all(|results| results.setting().parts.len() == 3) {
             claims.extend(three_part_claims(&rows, &labels));
         }
