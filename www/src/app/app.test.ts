@@ -69,11 +69,8 @@ describe("the start of the page", () => {
 
   it("fails with a model that cannot be read, or without its clips", async () => {
     await start("no model");
-    expect([app.engine.state, app.engine.problem, app.clips.samplesLoaded]).toEqual([
-      "failed",
-      "expected a model",
-      false,
-    ]);
+    const found = [app.engine.state, app.engine.problem, app.clips.samplesLoaded];
+    expect(found).toEqual(["failed", "expected a model", false]);
     begin();
     engine.holding.add("sampleClip");
     const over = start();

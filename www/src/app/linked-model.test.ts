@@ -53,11 +53,8 @@ describe("the address of the first visit", () => {
   it("opens the model in it, with its couplings, and asks for no other", async () => {
     const link = await packed(modelText(9));
     await open(`alpha=0.1:50&packed=${link}`);
-    expect([app.model.openedText, app.model.couplings.alpha[0]?.[1], fetchedFirst]).toEqual([
-      modelText(9),
-      50,
-      0,
-    ]);
+    const found = [app.model.openedText, app.model.couplings.alpha[0]?.[1], fetchedFirst];
+    expect(found).toEqual([modelText(9), 50, 0]);
     expect(bar.read()).toContain(`packed=${link}`);
     expect(notices()).toEqual([]);
   });
@@ -171,11 +168,8 @@ describe("a link that is followed", () => {
     const link = (await packed(modelText(9))).replace(/.{4}$/, "AAAA");
     await follow(`alpha=0.1:7&packed=${link}`);
     expect(notices()).toEqual([expect.stringContaining("Expected a packed model whose check number fits")]);
-    expect([app.model.openedText, app.model.couplings.alpha[0]?.[1], app.settings.values.view]).toEqual([
-      null,
-      3,
-      "compare",
-    ]);
+    const found = [app.model.openedText, app.model.couplings.alpha[0]?.[1], app.settings.values.view];
+    expect(found).toEqual([null, 3, "compare"]);
     await vi.waitFor(() => expect(bar.read()).toMatch(/^(?=.*alpha=0\.1:3)(?!.*packed)/));
   });
 

@@ -58,9 +58,6 @@ it("ends with a notice when the recording is refused", async () => {
   completing.show();
   await settled();
   await settled();
-  expect([stage.content?.kind, completing.shown, notices.all.at(-1)?.text]).toEqual([
-    "model",
-    false,
-    "the body differs",
-  ]);
+  const found = [stage.content?.kind, completing.shown, notices.all.at(-1)?.text];
+  expect(found).toEqual(["model", false, "the body differs"]);
 });

@@ -59,11 +59,8 @@ it("starts the rollouts, and the outline, with the first half second of a clip",
 
   starts.chooseSequence(1);
   await settled();
-  expect([starts.clip, model.rollout?.request.sequence, model.rollout?.request.start]).toEqual([
-    null,
-    1,
-    undefined,
-  ]);
+  const found = [starts.clip, model.rollout?.request.sequence, model.rollout?.request.start];
+  expect(found).toEqual([null, 1, undefined]);
 });
 
 it("leaves out clips that the model was trained on, and keeps a start whose clip was removed", async () => {

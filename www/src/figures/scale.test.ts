@@ -17,23 +17,11 @@ describe("a linear scale", () => {
   });
 
   it("labels round values", () => {
-    expect(labels(linearScale([0.0004, 0.012], 0, 1), 7)).toEqual([
-      "0.000",
-      "0.002",
-      "0.004",
-      "0.006",
-      "0.008",
-      "0.010",
-      "0.012",
-    ]);
+    const found = labels(linearScale([0.0004, 0.012], 0, 1), 7);
+    expect(found).toEqual(["0.000", "0.002", "0.004", "0.006", "0.008", "0.010", "0.012"]);
     expect(labels(linearScale([-1, 1], 0, 1), 5)).toEqual(["−1.0", "−0.5", "0.0", "0.5", "1.0"]);
-    expect(labels(linearScale([21034.3, 30344], 0, 1), 5)).toEqual([
-      "22,000",
-      "24,000",
-      "26,000",
-      "28,000",
-      "30,000",
-    ]);
+    const large = labels(linearScale([21034.3, 30344], 0, 1), 5);
+    expect(large).toEqual(["22,000", "24,000", "26,000", "28,000", "30,000"]);
   });
 
   it("labels at most the allowed number of values, and two where two are allowed", () => {

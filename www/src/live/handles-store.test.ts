@@ -66,6 +66,10 @@ it("keeps a push while the tempo changes, and forgets both", async () => {
   handles.tempo = 0.75;
   await vi.waitFor(() => expect(handles.tempo).toBe(0.75));
   expect(asked.at(-1)).toMatchObject([{ tempo: 0.75 }, { node: 2, changes: "goal" }]);
+  // A drag keeps a tempo whose motion is on its way.
+  handles.tempo = 1.5;
+  handles.lift();
+  await vi.waitFor(() => expect(asked.at(-1)).toMatchObject([{ tempo: 1.5 }, { node: 2 }]));
   handles.reset();
   await vi.waitFor(() => expect(handles.isAsLearned).toBe(true));
 });

@@ -54,11 +54,8 @@ it("says why a recording is refused, and leaves the part to the model", async ()
   whole.failures.push(new Error("the body differs"));
   recorded.choose(0, recorded.all[0]?.key ?? "");
   await answered();
-  expect([recorded.keyOf(0), live.moverOf(0), notices.all.at(-1)?.text]).toEqual([
-    null,
-    null,
-    "the body differs",
-  ]);
+  const found = [recorded.keyOf(0), live.moverOf(0), notices.all.at(-1)?.text];
+  expect(found).toEqual([null, null, "the body differs"]);
 });
 
 it("gives each of several parts its recording, also when they are chosen at once", async () => {

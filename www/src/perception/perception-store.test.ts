@@ -85,11 +85,8 @@ describe("a study", () => {
     expect(store.study?.text).toBe('walks {"preset":"class"}');
     program.studies = null;
     await store.openStudy(async () => "{}");
-    expect([store.problem, store.study?.info.title, store.busy]).toEqual([
-      "this is no study",
-      'walks {"preset":"class"}',
-      false,
-    ]);
+    const found = [store.problem, store.study?.info.title, store.busy];
+    expect(found).toEqual(["this is no study", 'walks {"preset":"class"}', false]);
     await store.openStudy(() => Promise.reject(new Error("no such file")));
     expect(store.problem).toBe("no such file");
   });
@@ -186,11 +183,8 @@ describe("a participant", () => {
       await store.begin("anna", false);
       store.leave();
     }
-    expect(store.participations.map(({ participant }) => participant).sort()).toEqual([
-      "anna",
-      "anna-2",
-      "anna-3",
-    ]);
+    const found = store.participations.map(({ participant }) => participant).sort();
+    expect(found).toEqual(["anna", "anna-2", "anna-3"]);
   });
 
   it("is active in one tab only, and another tab continues where this one stopped", async () => {

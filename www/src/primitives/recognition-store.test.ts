@@ -99,11 +99,8 @@ describe("a recognised recording", () => {
   it("says why there is none", async () => {
     program.libraries.broken = "it is not of the body of the model";
     await recognition.recognise();
-    expect([recognition.problem, recognition.found, recognition.fraction]).toEqual([
-      "it is not of the body of the model",
-      null,
-      null,
-    ]);
+    const shown = [recognition.problem, recognition.found, recognition.fraction];
+    expect(shown).toEqual(["it is not of the body of the model", null, null]);
     recognition.choose(1, "");
     expect(recognition.problem).toBe("");
   });

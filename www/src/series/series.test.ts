@@ -176,11 +176,8 @@ describe("a model of tables", () => {
       1 / 30 / (1 / 30 + 1 / model.couplings.alphaOf(1, 1)),
       12,
     );
-    expect([model.rollout?.values[0], model.learned?.values[0], model.couplings.altered]).toEqual([
-      30,
-      0,
-      true,
-    ]);
+    const found = [model.rollout?.values[0], model.learned?.values[0], model.couplings.altered];
+    expect(found).toEqual([30, 0, true]);
     expect(await model.csv()).toContain("30");
     model.couplings.resetAll();
     await settled();

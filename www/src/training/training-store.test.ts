@@ -372,11 +372,8 @@ describe("a model that does not keep moving", () => {
       const again = training.trainWithMorePoints(run);
       await settled();
       const { job, end } = worker(trainers.trainings.length - 1);
-      expect([job.settings.dynamicsIps, job.settings.poseIps, job.settings.seed]).toEqual([
-        points,
-        points,
-        5,
-      ]);
+      const found = [job.settings.dynamicsIps, job.settings.poseIps, job.settings.seed];
+      expect(found).toEqual([points, points, 5]);
       end(done);
       await again;
     }

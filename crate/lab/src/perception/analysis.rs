@@ -261,6 +261,12 @@ mod tests {
             let factor = r.log_bayes_factor.unwrap();
             assert!((-1.0..0.8).contains(&factor), "{:?} {:?}: {factor}", r.model, r.score);
         }
+        // Of settings that nobody takes for the natural one, the first with the fewest trials counts as the best.
+        let never = results(1, 0, &|_| 0.0);
+        for best in &never.best {
+            let is_equal = |s: &SettingResult| s.model == best.model && s.confusion == Some(best.confusion);
+            assert_eq!(never.settings.iter().position(is_equal), Some(best.setting));
+        }
         let figures = found.figures();
         for figure in &figures {
             let mut widths =
@@ -287,6 +293,9 @@ mod tests {
         assert!(error(AnalysisOptions { folds: 1, ..options }).starts_with("the blocks: "));
         assert!(error(AnalysisOptions { draws: 0, ..options }).starts_with("the draws: "));
         assert!(error(AnalysisOptions { attention: f64::NAN, ..options }).starts_with("the attention: "));
+        // Who passes every check passes the strictest share.
+        let strict = AnalysisOptions { attention: 1.0, ..options };
+        assert!(PerceptionResults::new(&study, &found, strict).is_ok());
         let study = study.with_preset(Preset::P3Part1);
         let blind = answers(&study, "q", 3, false, &|_| 0.3);
         let blind = read(&study, &[AnswerFile { name: "q", text: &blind }]).unwrap();

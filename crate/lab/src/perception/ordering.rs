@@ -115,6 +115,7 @@ mod tests {
 #[cfg(test)]
 mod draw_tests {
     use super::*;
+    use std::collections::HashSet;
 
     #[test]
     fn deals_items_evenly_and_the_same_from_the_same_seed() {
@@ -127,6 +128,9 @@ mod draw_tests {
             assert_eq!(round, [10, 11, 12]);
         }
         assert!(Draw::new(0, 0).deal::<usize>(&[], 5).is_empty());
+        // Each of two items comes first.
+        let firsts: HashSet<_> = (0..20).map(|seed| Draw::new(seed, 0).deal(&[0, 1], 1)).collect();
+        assert_eq!(firsts.len(), 2);
         let mut counts = [0; 5];
         let mut draw = Draw::new(7, 7);
         (0..10_000).for_each(|_| counts[draw.below(5)] += 1);

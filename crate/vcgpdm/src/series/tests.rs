@@ -108,6 +108,7 @@ fn doubtful_times_are_named() {
     );
     let unknown = with_first("Bildzeit", 0.0, 0.04);
     assert_eq!((unknown.columns.len(), unknown.frame_time), (2, None));
+    assert_eq!(with_first("s_ms", 0.0, 0.04).frame_time, None, "two units");
     assert!(unknown.warnings[0].starts_with("the column \"Bildzeit\" grows by 0.04 in each row"));
     assert!(with_first("x0", 0.0, -1.0).warnings.is_empty());
     let seconds = read("trial.csv", b"sec,nanosec,y\n7,500,1\n7,900,2\n8,300,3\n").unwrap();

@@ -33,11 +33,8 @@ async function end(forth: number, back: number): Promise<void> {
 }
 
 it("gives nothing away before the guess, and opens the curtain only at a press", async () => {
-  expect([chapter.guess(), chapter.control(), chapter.reveal()]).toEqual([
-    words.chapters.belief.guess,
-    null,
-    null,
-  ]);
+  const found = [chapter.guess(), chapter.control(), chapter.reveal()];
+  expect(found).toEqual([words.chapters.belief.guess, null, null]);
   expect(chapter.lab(), "a link would name the truth").toEqual({ view: "synthetic" });
   expect(program.trainings).toHaveLength(0);
   chapter.guessed(chapter.round.truth);

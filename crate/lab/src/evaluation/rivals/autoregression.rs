@@ -203,6 +203,16 @@ mod tests {
         }
     }
 
+    #[test]
+    fn few_frames_do_not_make_the_noise_smaller() {
+        let noise = |seed| {
+            let trials = [(spiral(12, seed, 0.1), true)];
+            Autoregression::fit(&movements(&trials), 2, 1).unwrap().innovation.trace() / 2.0
+        };
+        let mean = (0..200).map(noise).sum::<f64>() / 200.0;
+        assert!((mean / 0.01 - 1.0).abs() < 0.1, "{mean}");
+    }
+
     /// A circle needs two frames of history if only one of its columns is seen.
     #[test]
     fn two_frames_of_history_continue_a_sine() {

@@ -82,13 +82,15 @@ fn another_goal_is_reached_and_scales_the_movement() {
     assert!((moved[(0, 0)] - plain[(0, 0)] - 0.4).abs() < 1e-12);
     let way = (learned[0] - moved[(0, 0)]) / (learned[0] - plain[(0, 0)]);
     assert!((moved[(45, 0)] - learned[0] - way * (plain[(45, 0)] - learned[0])).abs() < 0.02);
+    let opposite = DmpDiscrete::fit(&[whole(reach(90)), whole(-reach(90))], &[3], 3).unwrap();
+    assert_eq!(opposite.scaled, [false; 3], "trials go opposite ways");
     // The column that returns stays small, although its goal is its start.
     assert!(plain.column(2).amax() < 0.6, "{}", plain.column(2));
 }
 
 #[test]
 fn half_the_rate_takes_twice_as_long() {
-    let discrete = DmpDiscrete::fit(&[whole(reach(90))], &[3], 25).unwrap();
+    let discrete = DmpDiscrete::fit(&[whole(reach(100).rows(10, 90).into_owned())], &[3], 25).unwrap();
     let rhythmic = DmpRhythmic::fit(&[whole(walk(110, 34.0, 0.1))], &[3], 25).unwrap();
     let fast = [
         discrete.path(0, 60, &Handles::default()).unwrap(),
@@ -118,6 +120,11 @@ fn the_limit_cycle_is_stable() {
     assert!((y.rows(34, 34) - y.rows(34 * 20, 34)).amax() < 0.3);
     let found = crate::motion::period(&[y.rows(500, 500).into_owned()]).unwrap();
     assert!((found.frames - 34.0).abs() < 0.2, "{found:?}");
+
+    // Five frames of a movement three times as large are no reason to move more than twice as far.
+    let large = Trial { y: walk(5, 34.0, 0.4) * 3.0, whole: false };
+    let large = DmpRhythmic::fit(&[trials[0].clone(), trials[1].clone(), large], &[3], 25).unwrap();
+    assert_eq!(large.starts[2].amplitude, 2.0);
 
     // A rollout that is pushed away from the cycle returns to it. Twice the amplitude doubles the movement
     // around the same centre.

@@ -246,10 +246,9 @@ pub(in crate::models) mod tests {
         assert_eq!((&old.parts, &old.alpha, &old.starts), (&new.parts, &new.alpha, &new.starts));
         assert_eq!(old.bound(), new.bound());
         // It learns once, and a file tells so.
-        let mut again = Model::from_json(&model.to_json().unwrap()).unwrap();
+        let again = Model::from_json(&model.to_json().unwrap()).unwrap();
         assert_eq!(again.provenance, model.provenance);
-        again.learn_from_own_rollouts();
-        assert_eq!(again.provenance, model.provenance);
+        assert!(OwnRollouts::new(again).is_none());
     }
 
     #[test]
@@ -287,6 +286,12 @@ pub(in crate::models) mod tests {
     #[test]
     fn the_round_with_the_smallest_error_is_kept() {
         let mut rounds = OwnRollouts::new(trained(40)).unwrap();
+        // Rollouts from the beginning and from the middle of the clip are judged.
+        let model = rounds.model.coupled().unwrap();
+        let [first, middle] =
+            [0, model.model.start_frames(0) / 2].map(|at| super::health(model, at).unwrap());
+        assert_ne!(first, middle);
+        assert_eq!(judge(model, &[]).unwrap().healths, [first, middle]);
         let mut accepted: Vec<(usize, f64)> = Vec::new();
         while !rounds.is_done() {
             rounds.step();

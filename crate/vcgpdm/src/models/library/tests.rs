@@ -240,8 +240,15 @@ fn an_excerpt_gives_couplings_and_starts() {
     assert_eq!(some.nearest_couplings(&uses).row(1), library.movements[0].alpha.row(1));
     let named = some.nearest_combination("half", &uses).unwrap();
     assert_eq!(named.couplings, CouplingsFrom::Movement { movement: "wave+walk".to_owned() });
-    let window: Vec<_> = library.movements[0].starts[0].iter().map(|x| x.rows(7, 2).into_owned()).collect();
-    assert_eq!(some.nearest_state(1, &window, &[]).unwrap(), window[1]);
+    let at = |frame: usize| -> Vec<_> {
+        library.movements[0].starts[0].iter().map(|x| x.rows(frame, 2).into_owned()).collect()
+    };
+    let (mut window, arms) = (at(7), at(7).swap_remove(1));
+    assert_eq!(some.nearest_state(1, &window, &[]).unwrap(), arms);
+    // Legs that change too are ignored: the arms of frame 20, much larger, decide alone.
+    window[1] = at(20).swap_remove(1) * 100.0;
+    assert_eq!(some.nearest_state(1, &window, &[]).unwrap(), arms);
+    assert_ne!(some.nearest_state(1, &window, &[true, false]).unwrap(), arms);
     assert!(some.combination(&uses, &some.nearest_couplings(&uses)).unwrap().rollout(0, 30).is_ok());
 }
 

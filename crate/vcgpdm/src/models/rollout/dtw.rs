@@ -286,6 +286,11 @@ mod tests {
         assert_relative_eq!(score.dtw_mse, 2.0, max_relative = 1e-12);
         assert_relative_eq!(score.mse, 2.0, max_relative = 1e-12);
         assert_relative_eq!(score.variance, 4.0, max_relative = 1e-12);
+        // The sum of squares of two equal columns is 5341. The diagonal costs 4 / 5341 = 7.5e-4, one step aside and
+        // one back cost 2 / 5341 + 2 * 2e-4 = 7.7e-4: too much with two columns.
+        let two = |values: [f64; 4]| DMatrix::from_fn(4, 2, |t, _| values[t]);
+        let score = dtw_mse(&two([0.0, 0.0, 1.0, 60.0]), &two([0.0, 1.0, 0.0, 60.0])).unwrap();
+        assert_relative_eq!(score.dtw_mse, 0.5, max_relative = 1e-12);
     }
 
     #[test]

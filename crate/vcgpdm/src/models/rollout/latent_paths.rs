@@ -188,6 +188,11 @@ mod tests {
         assert_eq!(paths.history(0)[..], [2.0, 3.0]);
         // Earlier frames do not change.
         assert_eq!(paths.matrices(0..1)[1], DMatrix::from_row_slice(1, 2, &[1.0, 2.0]));
+        // A slow part reads frames that lie further back.
+        (0..6).for_each(|k| paths.append(&[vec![f64::from(k)], vec![0.0; 2]]));
+        paths.set_tempo(0, 0.25);
+        paths.push(&Push { part: 0, by: vec![0.5], ..Push::default() });
+        assert_eq!(paths.history(0)[..], [1.5, 5.5]);
     }
 
     #[test]

@@ -76,5 +76,6 @@ mod tests {
     fn a_motion_whose_clips_turn_back_nearly_as_often_does_not_shake() {
         let pace = Pace { speed: 1.0, turns_back: 0.6, clip_turns_back: Some(0.4), ..Pace::default() };
         assert!(!pace.shakes() && Pace { clip_turns_back: None, ..pace }.shakes());
+        assert!(!Pace { speed: 0.04, clip_turns_back: None, ..pace }.shakes(), "a viewer does not see it");
     }
 }

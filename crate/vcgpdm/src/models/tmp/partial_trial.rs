@@ -100,8 +100,7 @@ impl<'a> PartialTrial<'a> {
     /// depend on the start.
     fn value(&self, map: &PhaseMap) -> Result<f64, NumericsError> {
         let mut value = self.start.map_or(0.0, |start| start.log_density(map.start));
-        let posterior = self.posterior;
-        let (trial, features) = (&self.whitened, self.features(map));
+        let (posterior, trial, features) = (self.posterior, &self.whitened, self.features(map));
         let energy = posterior.energy(&features);
         let projection = posterior.v.tr_mul(&features.projected);
         let frames = trial.y.nrows() as f64;
@@ -168,5 +167,19 @@ impl<'a> PartialTrial<'a> {
             }
         }
         Ok(best)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_start_of_a_trial_is_predicted_from_those_of_the_others_and_two_at_the_prior_deviation() {
+        let t = StudentT::new(&[0.1, 0.3], 0.05);
+        // The squares 2 * 0.05^2 + 2 * 0.1^2 = 0.025 have 2 + 2 - 1 degrees of freedom.
+        assert_eq!((t.centre, t.freedom), (0.2, 3.0));
+        assert!((t.scale - (0.025_f64 / 3.0 * 1.5).sqrt()).abs() < 1e-12, "{t:?}");
+        assert!((t.log_density(0.2 + t.scale) + 2.0 * (4.0_f64 / 3.0).ln()).abs() < 1e-12);
     }
 }

@@ -5,8 +5,10 @@ use crate::models::data::movements::{Movements, Sequence};
 use crate::models::data::phase::Alignment;
 use crate::models::rollout::request::{Handles, PosePush};
 use crate::models::tmp::learner::Limits;
+use crate::models::tmp::partial_trial::PartialTrial;
 use crate::models::tmp::posterior::Posterior;
 use crate::models::training::learner::Learner;
+use crate::models::training::progress::EndReason;
 use crate::models::training::settings::TmpSettings;
 use approx::assert_relative_eq;
 use rand_chacha::ChaCha8Rng;
@@ -222,6 +224,7 @@ fn finds_the_number_of_primitives_and_predicts_a_partial_trial() {
         }
         let model = learner.fitted().unwrap();
         assert_eq!(model.centre.ncols(), 2, "{:?}", model.bounds);
+        assert_eq!(learner.progress().reason, Some(EndReason::MorePrimitivesAreWorse { best: 2 }));
         // The best bound is that of the whole trials; the model's bound includes the partial trial.
         assert!(model.bounds.contains(&(2, best)), "{best}: {:?}", model.bounds);
         assert!(model.bound > best, "{} {best}", model.bound);
@@ -330,6 +333,19 @@ fn an_unusual_partial_trial_gives_no_extreme_prediction() {
             assert!(predicted.amax() < 1.5 * furthest, "seed {seed}: {} {furthest}", predicted.amax());
         }
     }
+}
+
+#[test]
+fn whitened_frames_have_the_density_of_frames_with_correlated_noise() {
+    let mut trials = problem(2, true);
+    let partial = trials.pop().unwrap();
+    let alignment = Alignment::new(&trials, None);
+    let posterior = Posterior::start(&trials, &alignment, &[3, 1], 2, false).unwrap();
+    let correlations = posterior.residual_correlations(&trials, 5);
+    let all = DMatrix::from_fn(5, 5, |a, b| correlations[a.abs_diff(b)] + if a == b { 1e-3 } else { 0.0 });
+    let trial = PartialTrial::new(&posterior, &trials, &partial).unwrap();
+    // Half the logarithm for each of four columns.
+    assert_relative_eq!(trial.log_determinant(), 2.0 * all.determinant().ln(), epsilon = 1e-9);
 }
 
 #[test]

@@ -159,9 +159,9 @@ mod tests {
     #[test]
     fn distance_counts_in_radii() {
         let cycle = circle(1.5);
-        let place = cycle.place(0, &history(3.0, 12.0)).unwrap();
+        let place = cycle.place(0, &history(3.0, 12.5)).unwrap();
         assert_relative_eq!(place.distance, 1.0, epsilon = 5e-3);
-        assert_relative_eq!(place.phase, 4.0 / 32.0, epsilon = 2e-3);
+        assert_relative_eq!(place.phase, 4.5 / 32.0, epsilon = 2e-3);
     }
 
     #[test]

@@ -233,6 +233,19 @@ mod tests {
         }
         assert_relative_eq!(fewer.bound(), refitted.bound(), epsilon = 1e-6, max_relative = 1e-9);
         assert!(fewer.bound() < model.bound());
+
+        // It is the same when the rows are external evidence.
+        let mut outside = model.clone();
+        for (target, sums) in outside.sums.iter_mut().enumerate() {
+            let (noise, weights) = coupling_weights(model.alpha.column(target).as_slice());
+            let (precision, b) = sums.weighted(&weights, &model.offsets(target));
+            outside.external.push(ExternalEvidence { precision: precision / noise, b: b / noise });
+            *sums = DynamicsSums::zeros(sums.psi2.nrows(), sums.psi1_mu.ncols());
+        }
+        let again = outside.with_points(&kept).unwrap();
+        for (a, b) in again.experts.iter().flatten().zip(fewer.experts.iter().flatten()) {
+            close(a.mean(), b.mean());
+        }
     }
 
     #[test]

@@ -170,10 +170,11 @@ mod tests {
         let steps = forward.steps(0..100, &[0]);
         let expected = 0.3 * std::f64::consts::PI / 100.0;
         assert!((steps.mean / expected - 1.0).abs() < 0.01 && steps.turned_back == 0.0, "{steps:?}");
-        // No step leads to the beginning of a sequence.
+        // No step leads to the beginning of a sequence, and none turns back there.
         let mut twice = circle(100, 0.5);
         twice.positions.extend(circle(100, 0.5).positions);
-        assert!((twice.steps(0..200, &[0, 100]).mean / expected - 1.0).abs() < 0.01);
+        let steps = twice.steps(0..200, &[0, 100]);
+        assert!((steps.mean / expected - 1.0).abs() < 0.01 && steps.turned_back == 0.0, "{steps:?}");
         // A quarter of the frames go forward, and the others one forward, one back.
         let mut shaking = circle(100, 0.5);
         for frame in (25..100).step_by(2) {

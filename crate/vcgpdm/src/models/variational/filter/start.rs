@@ -175,6 +175,9 @@ mod tests {
         let of_each = model.starts.iter().map(|x| x[0].nrows() + 1 - filter.order());
         assert_eq!(places.len(), of_each.sum::<usize>());
         assert_relative_eq!(places[1].error, 9.0, epsilon = 1e-9);
+        // Numbers that run away have no likeliest place.
+        let far: Vec<_> = window(1, 5).iter().map(|y| y * 1e200).collect();
+        assert!(filter.likeliest(&far, 8).is_none());
         // The path ends before the window does.
         let mut late = window(frames - 3, 3);
         late.iter_mut().for_each(|y| *y = y.clone().insert_rows(3, 5, 0.0));
