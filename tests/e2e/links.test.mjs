@@ -225,19 +225,6 @@ describe("a link to a file", () => {
     await page.locator(".code-picture").waitFor();
   });
 
-  seldom.it("shows the motion of a model without couplings, also after a reload", async () => {
-    const { page } = await site.visit();
-    await ready(page);
-    const path = at("crate/vcgpdm/tests/library/documents/tmp.json");
-    await page.route("**/walk.json", (route) => route.fulfill({ path, contentType: "application/json" }));
-    await page.evaluate(() => Object.assign(location, { hash: "model=walk.json" }));
-    const title = page.getByTestId("stage-title").getByText("Made by a TMP");
-    await title.waitFor({ timeout: 30_000 });
-    await page.reload();
-    await title.waitFor({ timeout: 30_000 });
-    await page.waitForURL(/#model=walk\.json$/);
-  });
-
   seldom.it("asks no other host, and says what was expected", async () => {
     const { page } = await site.visit({ settings: "model=https://example.org/x.json" });
     await ready(page);
