@@ -132,9 +132,8 @@ impl Claims<'_> {
     fn compared(&self, a: &Errors, b: &Errors, limit: f64) -> Option<(String, ClaimAnswer)> {
         let effect = Effect::new(a, b)?;
         let answer = effect.is_below(limit);
-        let everybody = by_person(a, b, limit, self.1);
-        let medians: Vec<f64> =
-            everybody.iter().filter(|own| !own.is_empty()).map(|own| median(own)).collect();
+        let everybody = by_person(a, b, limit, self.1).into_iter().filter(|own| !own.is_empty());
+        let medians: Vec<f64> = everybody.map(|own| median(&own)).collect();
         let needed = values_needed(&medians, LARGEST_P)
             .filter(|needed| answer == ClaimAnswer::Undecided && *needed > medians.len())
             .map(|needed| format!("; Student's t test of {needed} such persons would decide it"));
@@ -426,12 +425,9 @@ fn optimum(claims: &mut Claims, rows: &[Row], kind: ModelKind, optimum: &Optimum
     let folds = common_folds(&[few, middle, many]);
     let least = middle.errors(&folds);
     let with_least = |row: &Row| claims.compared(&row.errors(&folds), &least, 1.0);
-    let (Some((fewer, is_fewer)), Some((more, is_more))) = (with_least(few), with_least(many)) else {
-        return;
-    };
-    let found =
-        format!("{}: {a} {what} compared with {b}: {fewer}; {c} compared with {b}: {more}", kind.title());
-    let answer = all(&[not(is_fewer), not(is_more)]);
+    let (Some(fewer), Some(more)) = (with_least(few), with_least(many)) else { return };
+    let texts = format!("{a} {what} compared with {b}: {}; {c} compared with {b}: {}", fewer.0, more.0);
+    let (found, answer) = (format!("{}: {texts}", kind.title()), all(&[not(fewer.1), not(more.1)]));
     let criterion = format!(
         "of the numbers tried, the fewest and the most have a higher error than the one nearest to {best}"
     );
