@@ -210,7 +210,7 @@ export const words: CompareWords = {
       "Ein Versuch wurde zurückgehalten und vorhergesagt; wie es mit anderen wäre, ist noch nicht bekannt.",
     trials: (least, most) =>
       `Mittelwert ± Standardfehler über ${least === most ? most : `${least} bis ${most}`} Versuche, jeder einmal zurückgehalten und vorhergesagt; die Balken sind die Standardfehler.`,
-    lowest: (model) => `${model} hat hier den kleinsten Fehler.`,
+    lowest: (model) => `${model} hat hier den kleinsten mittleren Fehler, um mehr als beide Standardfehler.`,
     undecided: (one, other) =>
       `Welches Modell hier den kleinsten Fehler hat, ist unentschieden: ${one} und ${other} unterscheiden sich um weniger als ihre Standardfehler zusammen.`,
     own: (ratio, decided) =>

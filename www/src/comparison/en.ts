@@ -200,7 +200,7 @@ export const words = {
     oneTrial: "One trial was held out and predicted; how it would be with others is not known yet.",
     trials: (least: number, most: number) =>
       `Mean ± standard error over ${least === most ? most : `${least} to ${most}`} trials, each held out in turn and predicted; the bars are the standard errors.`,
-    lowest: (model: string) => `${model} has the lowest error here.`,
+    lowest: (model: string) => `${model} has the lowest mean error here, by more than both standard errors.`,
     undecided: (one: string, other: string) =>
       `Which model has the lowest error here is undecided: ${one} and ${other} differ by less than their standard errors together.`,
     own: (ratio: string, decided: boolean) =>

@@ -89,7 +89,7 @@ it("says that the model of the page loses here", () => {
   const own = { ...summary(0.00133, 0.0001, null), model: "vcgpdm" as const, label: "12 + 12" };
   const models = [own, summary(0.00076, 0.0001, null)];
   expect(errorFinding(models)).toBe(
-    "TMP has the lowest error here. The error of the vCGPDM is 1.75 times the lowest.",
+    "TMP has the lowest mean error here, by more than both standard errors. The error of the vCGPDM is 1.75 times the lowest.",
   );
   expect(errorFinding([{ ...own, mse: spread(0.0008, 0.0001) }, summary(0.00076, 0.0001, null)])).toMatch(
     /1\.05 times the lowest, which is undecided too\.$/,

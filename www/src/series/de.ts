@@ -12,7 +12,7 @@ export const words: SeriesWords = {
   train: "Trainieren",
   training: "Training",
   trained: "Trainiert",
-  hint: "Lernt, wie die Spalten jedes Teils weitergehen, und welcher Teil welchen treibt.",
+  hint: "Lernt, wie die Spalten jedes Teils weitergehen, und wie viel die Vergangenheit jedes Teils über die anderen sagt.",
   openFirst: "Öffne eine Tabelle, oder wähle eine.",
   clash: "Die gewählten Tabellen passen nicht zusammen.",
   fields: {

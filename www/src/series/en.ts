@@ -12,7 +12,7 @@ export const words = {
   train: "Train",
   training: "Training",
   trained: "Trained",
-  hint: "Learns how the columns of each part go on, and which part drives which.",
+  hint: "Learns how the columns of each part go on, and how much each part’s past tells about the others.",
   openFirst: "Open a table, or tick one.",
   clash: "The ticked tables do not go together.",
   fields: {

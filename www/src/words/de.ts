@@ -93,7 +93,7 @@ const loop: Words["chapters"]["loop"] = {
     choices: {
       walk: "Er macht andere Schritte",
       stop: "Er bleibt in der letzten Pose",
-      dissolve: "Das weiß niemand, auch das Modell nicht",
+      dissolve: "Er verblasst: Das Modell wird unsicher",
     },
   },
   dot: "Der Punkt auf der Schleife der Beine: Pfeiltasten links und rechts bewegen ihn herum, oben und unten von der Schleife weg",
@@ -161,8 +161,8 @@ const points: Words["chapters"]["points"] = {
   walks: "Der Gang geht weiter.",
   stumbled: "Der Gang stolpert.",
   enough: (enough: number, all: number, centimetres: string) =>
-    `${enough} von ${all} Punkten genügen: Die Gelenke sind im Mittel ${withComma(centimetres)} cm daneben. Mit einem weniger ` +
-    "stolpert der Gang. Die Seite nahm jedes Mal den Punkt weg, dessen Verlust am wenigsten kostet.",
+    `${enough} von ${all} Punkten genügen: Die Gelenke sind im Mittel ${withComma(centimetres)} cm daneben. Die Seite nahm jedes Mal ` +
+    "den Punkt weg, dessen Verlust am wenigsten kostet; noch einer, und der Gang stolpert. Andere gehen mit weniger.",
   hint: (fewest: number | null) =>
     fewest === null
       ? "Drück auf Punkte: weg oder zurück. Die wenigsten gewinnen."

@@ -92,7 +92,7 @@ const loop = {
     choices: {
       walk: "Take other steps",
       stop: "Stop in its last pose",
-      dissolve: "Nobody knows, not even the model",
+      dissolve: "It fades: the model grows unsure",
     },
   },
   dot: "The dot on the loop of the legs: arrow keys left and right move it round, up and down off the loop",
@@ -159,8 +159,8 @@ const points = {
   walks: "The walk goes on.",
   stumbled: "The walk stumbles.",
   enough: (enough: number, all: number, centimetres: string) =>
-    `${enough} of ${all} points are enough: on average the joints are ${centimetres} cm off. With one less the walk ` +
-    "stumbles. Each time the page took away the point whose loss costs least.",
+    `${enough} of ${all} points are enough: on average the joints are ${centimetres} cm off. Each time the page took ` +
+    "away the point whose loss costs least; one more, and the walk stumbles. Other choices can walk with fewer.",
   hint: (fewest: number | null) =>
     fewest === null
       ? "Press points to take them away or back. Fewest wins."

@@ -39,7 +39,7 @@ it("with all points it is the model itself", () => {
 });
 
 // The reply to the guess, and the notes for teachers, say so.
-it("loses bound with each point, walks with half of them, and stumbles with one less", () => {
+it("loses bound with each point, walks with half of them, stumbles with one less, and walks with six others", () => {
   let points = allPoints(info);
   let before = boundOf(points);
   const half = count(points) / 2;
@@ -53,4 +53,5 @@ it("loses bound with each point, walks with half of them, and stumbles with one 
   expect(trial(points).stumbles).toBe(false);
   const less = choices(points);
   expect(trial(bestChoice(less, less.map(boundOf))).stumbles).toBe(true);
+  expect(trial({ poses: [8, 10], steps: [3, 6, 7, 9] }).stumbles).toBe(false);
 });

@@ -96,7 +96,7 @@ export const words: LabWords = {
     asLearned: "Kopplungen wie gelernt",
     playSamples: "Stichproben abspielen",
     samplesMeaning:
-      "Stichproben ziehen jeden Schritt aus der Streuung der Vorhersage. Sie zittern und rutschen mehr, als Gänge eines Menschen sich unterscheiden.",
+      "Stichproben ziehen jeden Schritt aus der Streuung der Vorhersage. Bei drei Menschen rutschten und zitterten sie mehr, als Gänge eines Menschen sich unterscheiden.",
     sampled: (seed) => ({
       title: `Vom Modell gemacht: Stichprobe ${seed}`,
       text: "Jede Runde ist eine andere Bewegung, die das Modell machen könnte",
@@ -234,7 +234,7 @@ export const words: LabWords = {
       "as-learned":
         "Nur die Gewichte ändern sich: Jeder Teil sagt voraus wie zuvor und zählt mehr oder weniger.",
     },
-    both: "Links, wie gelernt: Das Training machte die Experten zum Team, und einer allein tut nur seinen Anteil. Rechts, neu bestimmt: wie dieselben Clips einen lehren, der immer allein war.",
+    both: "Links, wie gelernt: Das Training machte die Experten zum Team, und einer allein tut nur seinen Anteil. Rechts, neu bestimmt: dieselben Clips mit diesen Kopplungen neu gelesen; Latente und Kerne bleiben.",
     bothButton: "Beide nebeneinander",
     resetAll: "Zurück",
   },

@@ -2,13 +2,13 @@ import type { Replies } from "../en/replies";
 
 export const words: Replies = {
   arms: {
-    stop: "Richtig, wenn die Arme behalten, was sie gelernt haben. Drück „Getrennt“ für Arme, die allein gelernt haben.",
+    stop: "Richtig, wenn die Arme behalten, was sie gelernt haben. Drück „Getrennt“ für Arme, deren Regel ohne die Beine neu gelesen wird.",
     step: "Nein: Ohne den Faden sagt den Armen niemand, wann. Sieh auf die Uhr: Ihre Zeiger laufen auseinander.",
     pace: "Richtig.",
   },
   loop: {
-    walk: "Nein: Niemand kennt hier die Pose. Wohin der nächste Schritt führt, ist eine andere Regel, auf Karte 5.",
-    stop: "Nein: Niemand kennt hier die Pose. Wohin der nächste Schritt führt, ist eine andere Regel, auf Karte 5.",
+    walk: "Nein: Das Modell ist sich der Pose hier weniger sicher. Wohin der nächste Schritt führt, ist eine andere Regel, auf Karte 5.",
+    stop: "Nein: Das Modell ist sich der Pose hier weniger sicher. Wohin der nächste Schritt führt, ist eine andere Regel, auf Karte 5.",
     dissolve: "Richtig.",
   },
   gaussian: {
@@ -18,8 +18,8 @@ export const words: Replies = {
   },
   points: {
     most: "Nein: Zwischen zwei Punkten rechnet das Modell.",
-    half: "Richtig.",
-    few: "Nein: Mit so wenigen bleibt der Gang stehen.",
+    half: "Richtig, auf dem Weg der Seite. Mit besserer Wahl genügen weniger.",
+    few: "Richtig bei guter Wahl: Sechs können gehen. Der Weg der Seite braucht etwa die Hälfte.",
   },
   product: {
     more: "Nein: Beide sind unsicherer, und ihre Anteile bleiben. Der Umriss ist der Gang davor: Er deckt sich.",

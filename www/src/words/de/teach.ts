@@ -59,7 +59,8 @@ export const words: TeachWords = {
     arms: {
       say: "Wer recht hat, hängt von der Frage ab: was die Daten erlauben, oder was die gelernten Experten tun.",
       wrong: "Alle sagen „stehen bleiben“: Zeig den zweiten Schnitt, und frag, warum beide recht haben.",
-      answer: "Neu bestimmt finden die Arme ein eigenes Tempo. Wie gelernt halten sie an.",
+      answer:
+        "In diesem Modell, das dafür gewählt wurde: Neu bestimmt finden die Arme ein eigenes Tempo. Wie gelernt halten sie an.",
       asked: [
         [
           "Was von beidem ist richtig?",
@@ -74,7 +75,7 @@ export const words: TeachWords = {
     loop: {
       say: "Viele Winkel, drei Zahlen. Neben der Schleife hat das Modell keine Daten.",
       wrong: "Die Ebene wird als Karte von Orten gelesen: Sie ist eine Karte von Posen.",
-      answer: "Das weiß niemand: Neben der Schleife wächst der Zweifel bis zu dem vor dem Training.",
+      answer: "Sie verblasst: Neben der Schleife wächst der Zweifel, weit weg bis zu dem vor dem Training.",
       asked: [
         [
           "Warum drei Zahlen?",
@@ -105,8 +106,7 @@ export const words: TeachWords = {
     points: {
       say: "Das Modell behält wenige Posen statt aller Bilder. Die Schranke sagt, was das kostet.",
       wrong: "Wer am wenigsten braucht, gewinnt, aber der Gang muss weitergehen: Lass die Klasse urteilen.",
-      answer:
-        "Die Karte sagt, wie viele: etwa die Hälfte, 12 von 24. Mit einem weniger bleibt der Gang stehen.",
+      answer: "Auf dem Weg der Seite etwa die Hälfte, 12 von 24. Gut gewählt können sechs gehen.",
       asked: [
         [
           "Warum nicht alle Bilder behalten?",
@@ -216,7 +216,7 @@ export const words: TeachWords = {
         ],
         [
           "Was geschieht mit der Figur, wenn ihr Zustand die gelernte Kurve verlässt, und warum?",
-          "Das Modell hat diese Punkte nie gesehen: Sein Zweifel wächst bis zu dem vor dem Training, und die Figur verblasst.",
+          "Das Modell hat diese Punkte nie gesehen: Sein Zweifel wächst, weit weg bis zu dem vor dem Training, und die Figur verblasst.",
         ],
         [
           "Ein Gaußprozess gibt zu jeder Vorhersage zweierlei. Was?",
@@ -240,7 +240,7 @@ export const words: TeachWords = {
         ],
         [
           "Halten die Arme ohne die Kopplung an?",
-          "Beide Antworten sind richtig für je eine Frage: Neu bestimmt schwingen sie in eigenem Tempo weiter, wie gelernt behalten sie eine Pose.",
+          "Beide Antworten sind richtig für je eine Frage, in diesem Modell, das dafür gewählt wurde: Neu bestimmt schwingen sie in eigenem Tempo weiter, wie gelernt behalten sie eine Pose.",
         ],
         [
           "Das Modell zeigt, dass es eine Kopplung gibt. Zeigt das, dass die Beine die Arme des Menschen treiben?",

@@ -98,7 +98,7 @@ export const words = {
     asLearned: "Couplings as learned",
     playSamples: "Play samples",
     samplesMeaning:
-      "Samples draw each step from the spread of the prediction. They tremble and slide more than a person’s walks differ.",
+      "Samples draw each step from the spread of the prediction. Of three people they slid more than a person’s walks differ, and trembled more, too.",
     sampled: (seed: number) => ({
       title: `Made by the model: sample ${seed}`,
       text: "Each loop is another motion that the model could make",
@@ -202,7 +202,7 @@ export const words = {
       "re-inferred": "What the same clips would have taught each part’s predictions under these couplings.",
       "as-learned": "Only the weights change: each part predicts as before, and counts for more or less.",
     },
-    both: "Left, as learned: training made the experts as a team, and one left alone does only its share. Right, re-inferred: as the same clips teach one that was always alone.",
+    both: "Left, as learned: training made the experts as a team, and one left alone does only its share. Right, re-inferred: the same clips read again with these couplings; latents and kernels stay.",
     bothButton: "Both side by side",
     resetAll: "Reset",
   },

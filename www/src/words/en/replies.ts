@@ -18,13 +18,13 @@ export interface Replies extends Answers {
 
 export const words: Replies = {
   arms: {
-    stop: "Right if the arms keep what they learned. Press “Cut” for arms that learned alone.",
+    stop: "Right if the arms keep what they learned. Press “Cut” for arms whose rule is read again without the legs.",
     step: "No: without the thread nobody tells the arms when. Look at the clock: its hands drift apart.",
     pace: "Right.",
   },
   loop: {
-    walk: "No: nobody knows the pose here. Where the next step leads is another rule, on card 5.",
-    stop: "No: nobody knows the pose here. Where the next step leads is another rule, on card 5.",
+    walk: "No: the model is less sure of the pose here. Where the next step leads is another rule, on card 5.",
+    stop: "No: the model is less sure of the pose here. Where the next step leads is another rule, on card 5.",
     dissolve: "Right.",
   },
   gaussian: {
@@ -34,8 +34,8 @@ export const words: Replies = {
   },
   points: {
     most: "No: between two points the model computes.",
-    half: "Right.",
-    few: "No: with so few the walk stands still.",
+    half: "Right, on the way of the page. With a better choice fewer are enough.",
+    few: "Right for a good choice: six can walk. The way of the page needs about half.",
   },
   product: {
     more: "No: both are less sure, and their shares stay. The outline is the walk before: both are one.",

@@ -55,7 +55,8 @@ export const words = {
     arms: {
       say: "Who is right depends on the question: what the data allow, or what the learned experts do.",
       wrong: "Everybody says “stop”: show the second way to cut, and ask why both are right.",
-      answer: "With the experts inferred again the arms find a pace of their own. As learned, they stop.",
+      answer:
+        "In this model, which was chosen for it: inferred again, the arms find a pace of their own. As learned, they stop.",
       asked: [
         [
           "Which of the two is right?",
@@ -70,7 +71,7 @@ export const words = {
     loop: {
       say: "Many angles, three numbers. Away from the loop the model has no data.",
       wrong: "The plane is read as a map of places: it is a map of poses.",
-      answer: "Nobody knows: off the loop the model’s doubt grows to what it was before training.",
+      answer: "It fades: off the loop the model’s doubt grows, far away to what it was before training.",
       asked: [
         [
           "Why three numbers?",
@@ -98,7 +99,7 @@ export const words = {
     points: {
       say: "The model keeps a few poses instead of all frames. The bound says what they cost.",
       wrong: "Fewest wins, but the walk on the stage must go on: let the class judge.",
-      answer: "The card says how many: about half, 12 of 24. With one less the walk stands still.",
+      answer: "On the way of the page about half, 12 of 24. Well chosen, six can walk.",
       asked: [
         [
           "Why not keep all frames?",
@@ -199,7 +200,7 @@ export const words = {
         ],
         [
           "What happens to the figure when its state leaves the learned curve, and why?",
-          "The model has never seen these points: its doubt grows to what it was before training, and the figure fades.",
+          "The model has never seen these points: its doubt grows, far away to what it was before training, and the figure fades.",
         ],
         [
           "A Gaussian process gives two things for each prediction. Which?",
@@ -223,7 +224,7 @@ export const words = {
         ],
         [
           "Without the coupling, do the arms stop?",
-          "Both answers are right for a question each: re-inferred they keep swinging at a pace of their own, as learned they keep one pose.",
+          "Both answers are right for a question each, in this model, which was chosen for it: re-inferred they keep swinging at a pace of their own, as learned they keep one pose.",
         ],
         [
           "The model shows that a coupling exists. Does this show that the legs drive the arms of the person?",
