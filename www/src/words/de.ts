@@ -161,8 +161,8 @@ const points: Words["chapters"]["points"] = {
   walks: "Der Gang geht weiter.",
   stumbled: "Der Gang stolpert.",
   enough: (enough: number, all: number, centimetres: string) =>
-    `${enough} von ${all} Punkten genügen: Die Gelenke sind im Mittel ${withComma(centimetres)} cm daneben. Die Seite nahm jedes Mal ` +
-    "den Punkt weg, dessen Verlust am wenigsten kostet; noch einer, und der Gang stolpert. Andere gehen mit weniger.",
+    `${enough} von ${all} Punkten genügen: Die Gelenke sind im Mittel ${withComma(centimetres)} cm daneben. Die Seite nahm weg, ` +
+    "was am wenigsten kostet; noch einer, und der Gang stolpert. Andere Auswahlen brauchen weniger.",
   hint: (fewest: number | null) =>
     fewest === null
       ? "Drück auf Punkte: weg oder zurück. Die wenigsten gewinnen."

@@ -159,8 +159,8 @@ const points = {
   walks: "The walk goes on.",
   stumbled: "The walk stumbles.",
   enough: (enough: number, all: number, centimetres: string) =>
-    `${enough} of ${all} points are enough: on average the joints are ${centimetres} cm off. Each time the page took ` +
-    "away the point whose loss costs least; one more, and the walk stumbles. Other choices can walk with fewer.",
+    `${enough} of ${all} points are enough: on average the joints are ${centimetres} cm off. The page took away what ` +
+    "costs least; one more, and the walk stumbles. Other choices need fewer.",
   hint: (fewest: number | null) =>
     fewest === null
       ? "Press points to take them away or back. Fewest wins."

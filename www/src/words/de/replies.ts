@@ -18,7 +18,7 @@ export const words: Replies = {
   },
   points: {
     most: "Nein: Zwischen zwei Punkten rechnet das Modell.",
-    half: "Richtig, auf dem Weg der Seite. Mit besserer Wahl genügen weniger.",
+    half: "Richtig, auf dem Weg der Seite.",
     few: "Richtig bei guter Wahl: Sechs können gehen. Der Weg der Seite braucht etwa die Hälfte.",
   },
   product: {

@@ -34,7 +34,7 @@ export const words: Replies = {
   },
   points: {
     most: "No: between two points the model computes.",
-    half: "Right, on the way of the page. With a better choice fewer are enough.",
+    half: "Right, on the way of the page.",
     few: "Right for a good choice: six can walk. The way of the page needs about half.",
   },
   product: {
