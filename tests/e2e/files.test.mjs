@@ -297,6 +297,7 @@ seldom.it("a model of a kind without couplings moves, says so, and its motion is
       assert.equal(await handles.count(), 0);
       continue;
     }
+    await page.getByText("A model without couplings").waitFor();
     // A hand is lifted in one frame, and the tempo changed: another motion. A TMP has no goal.
     assert.equal(await page.getByTestId("drag-goal").count(), file === "tmp" ? 0 : 1);
     const asLearned = page.getByTestId("handles-reset");

@@ -23,7 +23,7 @@ it("weighs a source among all sources of its target", () => {
 
 it("sets one coupling, and is as learned again close to the learned value", () => {
   couplings.set(0, 1, 9);
-  expect(couplings.alpha.flat()).toEqual([1, 9, 3, 1]);
+  expect(JSON.stringify(couplings.alpha)).toBe("[[1,9],[3,1]]");
   const found = [couplings.altered, couplings.isChanged(0, 1), couplings.isChanged(1, 0)];
   expect(found).toEqual([true, true, false]);
   couplings.set(0, 1, 4.01);
@@ -35,7 +35,7 @@ it("resets one coupling, or all", () => {
   couplings.set(0, 0, 7);
   couplings.set(0, 1, 7);
   couplings.reset(0, 0);
-  expect(couplings.alpha.flat()).toEqual([1, 7, 3, 1]);
+  expect(JSON.stringify(couplings.alpha)).toBe("[[1,7],[3,1]]");
   couplings.resetAll();
   expect(couplings.altered).toBe(false);
 });

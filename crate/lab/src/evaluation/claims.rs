@@ -443,7 +443,8 @@ mod tests {
     fn says_how_many_persons_would_decide() {
         let errors = |values: [f64; 4]| values.into_iter().enumerate().collect::<Errors>();
         let (a, b, people) = (errors([0.8, 1.1, 0.7, 1.0]), errors([1.0; 4]), [0..2, 2..4]);
-        let (text, _) = Claims(Vec::new(), &people).compared(&a, &b, 1.0).unwrap();
+        let (text, answer) = Claims(Vec::new(), &people).compared(&a, &b, 1.0).unwrap();
+        assert_eq!(answer, ClaimAnswer::Undecided);
         assert!(text.ends_with("; Student's t test of 5 such persons would decide it"), "{text}");
     }
 }
