@@ -7,6 +7,7 @@ import { basename, join } from "node:path";
 import { parseArgs } from "node:util";
 import { NATIVE } from "./cargo.mjs";
 import { onPage } from "./chromium.mjs";
+import { samples } from "./lab/subjects.mjs";
 import { builtPackage } from "./package.mjs";
 import { at, Failure, main, output, run, step } from "./run.mjs";
 import { installTools } from "./tools.mjs";
@@ -26,11 +27,10 @@ function json(/** @type {string} */ program, /** @type {string[]} */ ...args) {
 /** A starting point on the project's own walks, for a command without a case. */
 async function ownCase(/** @type {string} */ program) {
   const file = join(folder, "case.json");
-  const walks = [1, 2, 3, 4].map((k) => `sample:walk-${k}`);
   await run(
     program,
     "train",
-    ...walks,
+    ...samples("walk", 4),
     "--parts",
     "lower,upper",
     "--max-iterations",
@@ -102,8 +102,9 @@ await main(async () => {
   }
   await installTools();
   const [profile, place, rounds] = values.quick ? ["dev", "debug", 1] : ["release", "release", 3];
-  const compile = (/** @type {string[]} */ ...what) => run("cargo", "build", "--profile", profile, ...what);
-  await compile(...NATIVE, "--bins", "--example", "speed");
+  // The tests compile the same packages; a measurement needs fewer.
+  const packages = values.quick ? NATIVE : ["--package", "vcgpdm-cli", "--package", "vcgpdm-lab"];
+  await run("cargo", "build", "--profile", profile, ...packages, "--bins", "--example", "speed");
   await buildVariant(folder, { more: ["speed"], small: !values.quick });
   mkdirSync(folder, { recursive: true });
   copyFileSync(at("scripts/speed/measure.js"), join(folder, "measure.js"));

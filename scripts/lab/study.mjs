@@ -5,6 +5,7 @@
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname } from "node:path";
 import { at, Failure, output, run } from "../run.mjs";
+import { samples } from "./subjects.mjs";
 import { putTables } from "./tables.mjs";
 
 const program = at("target/release/vcgpdm");
@@ -13,9 +14,8 @@ const shown = at("www/public/study/walks.study.json");
 /** More than a visitor should wait for who only wants to try it. */
 const LARGEST = 400_000;
 
-const walks = (/** @type {number[]} */ ...numbers) => numbers.map((number) => `sample:walk-${number}`);
-const trials = walks(1, 2, 3, 4);
-const unseen = walks(5, 6);
+const walks = samples("walk", 6);
+const [trials, unseen] = [walks.slice(0, 4), walks.slice(4)];
 
 /**
  * All models, each with several sizes where it has one; 400 iterations are enough for short walks that are

@@ -14,7 +14,8 @@ export const PARTS = "lower,upper";
 /** The parts of passing a bottle. */
 export const THREE_PARTS = "body-arms";
 
-const samples = (/** @type {string} */ name, /** @type {number} */ count) =>
+/** Trials that the program makes, from the first. */
+export const samples = (/** @type {string} */ name, /** @type {number} */ count) =>
   Array.from({ length: count }, (_, trial) => `sample:${name}-${trial + 1}`);
 
 /** Walks that the program makes. */
