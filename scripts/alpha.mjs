@@ -1,5 +1,5 @@
-// `npm run alpha -- [SITE_FOLDER] [--learned] [--events 200]`: measures the time from a coupling's slider to the new motion,
-// in headless Chromium, with experts re-inferred or as learned. For each event it measures three times: in the
+// `npm run alpha -- [SITE_FOLDER] [--learned] [--events 200]`: measures the time from a coupling's slider to the new
+// motion, in headless Chromium, with experts re-inferred or as learned. For each event it measures three times: in the
 // page, from the event to the new positions, and until the page has drawn the figure and all loops anew (the work of
 // the graphics card is left out, because most machines without a display have none); in the worker, from the request
 // to its answer. Then it measures

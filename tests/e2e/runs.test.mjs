@@ -250,13 +250,8 @@ describe("the table of trainings", () => {
       await page.getByTestId("train").click();
       await page.locator("[data-testid=run][data-state=done]").nth(1).waitFor({ timeout: 90_000 });
       await trainIsBack(page);
-      assert.deepEqual(await page.getByTestId("runs").locator("thead th").allTextContents(), [
-        "Seed",
-        "K",
-        "Bound",
-        "It.",
-        "Time",
-      ]);
+      const heads = await page.getByTestId("runs").locator("thead th").allTextContents();
+      assert.deepEqual(heads, ["Seed", "K", "Bound", "It.", "Time"]);
       assert.deepEqual(
         (await table(page)).map(({ cells }) => cells[0]),
         ["12", "9"],
